@@ -1,0 +1,24 @@
+# Headers, libraries, the program, and a package that find_package(Cocoon) finds.
+include(CMakePackageConfigHelpers)
+
+set(layers geom delaunay cocone update io)
+foreach(layer ${layers})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${layer}/
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cocoon/${layer}
+          FILES_MATCHING PATTERN "*.h")
+  install(TARGETS cocoon_${layer} EXPORT CocoonTargets
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endforeach()
+install(TARGETS cocoon_flags EXPORT CocoonTargets)
+install(TARGETS cocoon_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(EXPORT CocoonTargets NAMESPACE Cocoon::
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Cocoon)
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/CocoonConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/CocoonConfig.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Cocoon)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/CocoonConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/CocoonConfig.cmake
+              ${PROJECT_BINARY_DIR}/CocoonConfigVersion.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Cocoon)

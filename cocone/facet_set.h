@@ -1,0 +1,59 @@
+// Sets of vertices and of facets as flags, the currency between the Cocone stages.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "delaunay/triangulation.h"
+#include "geom/id_vector.h"
+
+namespace cocoon {
+
+// One flag per vertex.
+using VertexSet = IdVector<VertexId, std::uint8_t>;
+
+// A set of facets of one triangulation: four bits per cell, bit i for facet i. A facet is entered
+// under both of its ids, so that a question from either side is one read.
+class FacetSet {
+ public:
+  FacetSet() = default;
+  explicit FacetSet(std::size_t num_cells) : bits_(num_cells, 0) {}
+
+  bool contains(FacetId f) const { return ((bits_[cell_of(f)] >> index_of(f)) & 1U) != 0; }
+  void insert(const Triangulation& triangulation, FacetId f) {
+    set(f);
+    set(triangulation.mirror(f));
+  }
+  void erase(const Triangulation& triangulation, FacetId f) {
+    reset(f);
+    reset(triangulation.mirror(f));
+  }
+  // The four flags of a cell, bit i for facet i.
+  std::uint8_t bits(CellId c) const { return bits_[c]; }
+  // Number of facets (each counted once). Complexity: O(cells).
+  std::size_t size() const;
+  // Calls visit(f) once for each facet of the set, with its canonical (smaller) id, in order.
+  template <class Visit>
+  void for_each(const Triangulation& triangulation, Visit visit) const {
+    for (const CellId c : bits_.ids()) {
+      for (int i = 0; i < 4; ++i) {
+        const FacetId f = facet_id(c, i);
+        if (contains(f) && triangulation.canonical(f) == f) visit(f);
+      }
+    }
+  }
+
+  friend bool operator==(const FacetSet&, const FacetSet&) = default;
+
+ private:
+  void set(FacetId f) {
+    bits_[cell_of(f)] = static_cast<std::uint8_t>(bits_[cell_of(f)] | (1U << index_of(f)));
+  }
+  void reset(FacetId f) {
+    bits_[cell_of(f)] = static_cast<std::uint8_t>(bits_[cell_of(f)] & ~(1U << index_of(f)));
+  }
+
+  IdVector<CellId, std::uint8_t> bits_;
+};
+
+}  // namespace cocoon

@@ -1,0 +1,47 @@
+// The stage "points -> Delaunay triangulation".
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "delaunay/triangulation.h"
+#include "geom/execution.h"
+#include "geom/point.h"
+
+namespace cocoon {
+
+struct DelaunayOptions {
+  // Seed of the insertion rounds. The triangulation does not depend on it; running time does.
+  std::uint64_t seed = 1;
+};
+
+// What the build did, beside the algorithm (architecture: counters).
+struct DelaunayCounters {
+  std::size_t walk_steps = 0;      // cells visited by point location
+  std::size_t conflict_tests = 0;  // cells tested against a new point's position
+  std::size_t cells_created = 0;   // over the whole build
+  std::size_t cells_deleted = 0;
+  std::size_t exact_orientations = 0;  // decided beyond the filter
+  std::size_t exact_inspheres = 0;
+  std::size_t perturbed_inspheres = 0;  // exact zero, decided by the perturbation
+};
+
+struct DelaunayResult {
+  Triangulation triangulation;
+  DelaunayCounters counters;
+};
+
+// The 3D Delaunay triangulation of `points`, cospherical ties broken by the lexicographic
+// perturbation of geom/perturbation.h: a function of the set of points alone. Equal points become
+// one vertex. Vertices and cells come out in canonical order (vertices along a Hilbert curve, see
+// geom/spatial_order.h; cells by their sorted vertices), the same for every order of the input
+// and every thread count.
+// Errors: InputError if a coordinate is not finite (names the first such point), if there are
+// fewer than four different points, if all points are coplanar, or if there are more points than
+// 32-bit ids can number.
+// Complexity: O(n log n) expected for points on surfaces and in volumes, O(n^2) in the worst case.
+// Source: Bowyer 1981 and Watson 1981 (insertion), Amenta, Choi & Rote 2003 (insertion rounds).
+DelaunayResult delaunay(Points points, const DelaunayOptions& options = {},
+                        const Execution& execution = {});
+
+}  // namespace cocoon

@@ -1,0 +1,102 @@
+// The 3D Delaunay triangulation as a value: points, cells, adjacency. Read-only for everybody but
+// the kernel that builds it.
+//
+//   cell c = four vertices v0 v1 v2 v3 with orient3d > 0, and four neighbors; facet i lies
+//   opposite vertex i. Convexity is completed by one vertex at infinity: each hull facet has an
+//   infinite cell behind it, whose vertex 3 is `infinite_vertex`, and whose orientation is that of
+//   a finite cell with a point beyond the hull facet in that place. So every facet has exactly two
+//   cells, and no code needs a case for "no neighbor".
+//
+//   facet f = 4 * cell + i. neighbors[i] of a cell is a facet, not a cell: the same triangle seen
+//   from the other side. So crossing a facet and coming back are one read each.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "geom/id_vector.h"
+#include "geom/ids.h"
+#include "geom/point.h"
+
+namespace cocoon {
+
+inline constexpr VertexId infinite_vertex{std::uint32_t{0xFFFFFFFEU}};
+
+struct Cell {
+  std::array<VertexId, 4> vertices;
+  std::array<FacetId, 4> neighbors;  // neighbors[i]: facet i as the cell behind it numbers it
+
+  friend bool operator==(const Cell&, const Cell&) = default;
+};
+static_assert(sizeof(Cell) == 32);
+
+constexpr FacetId facet_id(CellId cell, int i) {
+  return FacetId(4 * cell.value + static_cast<std::uint32_t>(i));
+}
+constexpr CellId cell_of(FacetId facet) { return CellId(facet.value >> 2); }
+constexpr int index_of(FacetId facet) { return static_cast<int>(facet.value & 3U); }
+
+// Vertices of facet i of a positively oriented cell, such that the normal
+// (p1 - p0) x (p2 - p0) points out of the cell (away from vertex i).
+inline constexpr int facet_corners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+class Triangulation {
+ public:
+  Triangulation() = default;
+
+  // Takes over the arrays of a builder. Preconditions (asserted by check_delaunay, not here): the
+  // layout above; the first `finite_cells` cells are finite, the rest infinite; `points` has one
+  // entry per vertex, all different; vertex_of_point[p] is the vertex at input point p.
+  Triangulation(IdVector<VertexId, Point> points, IdVector<CellId, Cell> cells,
+                std::size_t finite_cells, IdVector<PointId, VertexId> vertex_of_point);
+
+  std::size_t num_vertices() const { return points_.size(); }
+  std::size_t num_cells() const { return cells_.size(); }  // finite and infinite
+  std::size_t num_finite_cells() const { return finite_cells_; }
+  IdRange<VertexId> vertices() const { return points_.ids(); }
+  IdRange<CellId> cells() const { return cells_.ids(); }
+  IdRange<CellId> finite_cells() const { return id_range<CellId>(finite_cells_); }
+  IdRange<CellId> infinite_cells() const { return {CellId(finite_cells_), CellId(cells_.size())}; }
+
+  const IdVector<VertexId, Point>& points() const { return points_; }
+  const Point& point(VertexId v) const { return points_[v]; }
+  const IdVector<CellId, Cell>& cell_records() const { return cells_; }
+  const Cell& cell(CellId c) const { return cells_[c]; }
+  bool is_infinite(CellId c) const { return c.index() >= finite_cells_; }
+  VertexId vertex(CellId c, int i) const { return cells_[c].vertices[static_cast<std::size_t>(i)]; }
+
+  // The same facet seen from the cell behind it. O(1).
+  FacetId mirror(FacetId f) const {
+    return cells_[cell_of(f)].neighbors[static_cast<std::size_t>(index_of(f))];
+  }
+  CellId neighbor(CellId c, int i) const { return cell_of(mirror(facet_id(c, i))); }
+  // Of the two ids of a facet the smaller one: the one that stands for the facet in sets.
+  FacetId canonical(FacetId f) const {
+    const FacetId other = mirror(f);
+    return other < f ? other : f;
+  }
+  // A facet is finite iff its three vertices are: at most one of its two cells is infinite.
+  bool is_finite_facet(FacetId f) const { return !is_infinite(cell_of(f)) || index_of(f) == 3; }
+  // The three vertices, ordered so that the normal points out of cell_of(f). For a facet of an
+  // infinite cell only facet 3 is finite; its normal points into the hull.
+  std::array<VertexId, 3> facet_vertices(FacetId f) const;
+  // The vertex of cell_of(f) that is not on f.
+  VertexId opposite_vertex(FacetId f) const { return vertex(cell_of(f), index_of(f)); }
+
+  // The vertex of each input point (equal points share one), in the user's order.
+  const IdVector<PointId, VertexId>& vertex_of_point() const { return vertex_of_point_; }
+  // The first input point at each vertex. O(1).
+  PointId point_of_vertex(VertexId v) const { return point_of_vertex_[v]; }
+  std::size_t num_duplicates() const { return vertex_of_point_.size() - points_.size(); }
+
+ private:
+  IdVector<VertexId, Point> points_;
+  IdVector<CellId, Cell> cells_;
+  std::size_t finite_cells_ = 0;
+  IdVector<PointId, VertexId> vertex_of_point_;
+  IdVector<VertexId, PointId> point_of_vertex_;
+};
+
+}  // namespace cocoon

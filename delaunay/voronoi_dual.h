@@ -1,0 +1,36 @@
+// The Voronoi diagram of the vertices, read off the Delaunay triangulation.
+#pragma once
+
+#include <cstddef>
+
+#include "delaunay/triangulation.h"
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+#include "geom/point.h"
+
+namespace cocoon {
+
+struct Dual {
+  // Finite cell: its Voronoi vertex, the circumcenter. Infinite cell: the unit direction of its
+  // Voronoi ray, the outward normal of the hull facet (oriented by the finite cell behind it).
+  IdVector<CellId, Point> centers;
+  // How circumcenters were obtained (spec: cocone-and-update 1.4).
+  std::size_t extended_precision = 0;  // recomputed with double-double after the relative test
+  std::size_t facet_fallbacks = 0;     // circumcenter of a facet, or the centroid
+};
+
+// Complexity: O(cells). Deterministic: each center is computed from the cell's vertices in
+// lexicographic order, so equal cells give equal bits.
+Dual voronoi_dual(const Triangulation& triangulation, const Execution& execution = {});
+
+// The dual of a finite facet: segment between two Voronoi vertices, or a ray.
+struct DualEdge {
+  Point from;  // a Voronoi vertex (of the finite cell if the other one is infinite)
+  Vec3 to;     // the other Voronoi vertex, or the unit direction of the ray
+  bool is_ray = false;
+};
+
+// Precondition: f is a finite facet. O(1).
+DualEdge dual_edge(const Triangulation& triangulation, const Dual& dual, FacetId f);
+
+}  // namespace cocoon

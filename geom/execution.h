@@ -1,0 +1,53 @@
+// How a stage runs: on how many threads, and who is told of its progress. It never changes what
+// a stage computes.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace cocoon {
+
+// Told now and then how far a stage is; may ask it to stop. Called from the calling thread only.
+class Progress {
+ public:
+  virtual ~Progress() = default;
+  // `stage`: its name, constant during the stage; `fraction` in [0, 1], non-decreasing.
+  // Returns false to cancel: the stage then throws Cancelled and leaves nothing half done.
+  virtual bool report(std::string_view stage, double fraction) = 0;
+};
+
+// Passes reports on under "prefix/stage", so that a composition can name the step its stages run in
+// ("reconstruction/delaunay").
+class PrefixedProgress : public Progress {
+ public:
+  PrefixedProgress(std::string prefix, Progress* receiver)
+      : prefix_(std::move(prefix)), receiver_(receiver) {}
+  bool report(std::string_view stage, double fraction) override;
+
+ private:
+  std::string prefix_;
+  Progress* receiver_;  // not owned, may be null
+};
+
+struct Execution {
+  int threads = 1;               // 0 = all cores
+  Progress* progress = nullptr;  // not owned, may be null
+};
+
+// The number of threads that `execution` stands for, at least 1.
+int thread_count(const Execution& execution);
+
+// Reports progress and throws Cancelled if the receiver says stop. No receiver: nothing happens.
+void report_progress(const Execution& execution, std::string_view stage, double fraction);
+
+// Calls body(begin, end) for consecutive chunks of [0, count) of at most `grain` elements, on
+// thread_count(execution) threads. Chunk borders depend on count and grain alone, so per-chunk
+// results combined in chunk order are the same for every thread count. Exceptions of body reach
+// the caller. Complexity: count / grain calls.
+void parallel_chunks(const Execution& execution, std::size_t count, std::size_t grain,
+                     const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+}  // namespace cocoon
