@@ -1,0 +1,34 @@
+#include "delaunay/locate.h"
+
+#include "geom/orient3d.h"
+
+namespace cocoon {
+
+WalkResult locate(const CellPool& pool, const IdVector<VertexId, Point>& points, const Point& p,
+                  CellId start) {
+  CellId current = start;
+  // From an infinite cell, step through its hull facet: p is seen from inside or beyond.
+  if (pool.is_infinite(current)) current = cell_of(pool.cells[current].neighbors[3]);
+  int entry = -1;
+  std::size_t steps = 0;
+  for (;;) {
+    const Cell& cell = pool.cells[current];
+    int exit = -1;
+    for (int i = 0; i < 4 && exit < 0; ++i) {
+      if (i == entry) continue;  // p lies on this side of the facet that was crossed
+      const int* corner = facet_corners[i];
+      const Sign side = orient3d(points[cell.vertices[static_cast<std::size_t>(corner[0])]],
+                                 points[cell.vertices[static_cast<std::size_t>(corner[1])]],
+                                 points[cell.vertices[static_cast<std::size_t>(corner[2])]], p);
+      if (side == Sign::positive) exit = i;
+    }
+    if (exit < 0) return {current, steps};
+    const FacetId behind = cell.neighbors[static_cast<std::size_t>(exit)];
+    current = cell_of(behind);
+    entry = index_of(behind);
+    ++steps;
+    if (pool.is_infinite(current)) return {current, steps};
+  }
+}
+
+}  // namespace cocoon
