@@ -30,9 +30,9 @@ SlotMap canonicalize_slots(Cell& cell) {
     return 1;
   };
   if (cell.vertices[3] == infinite_vertex) {
-    const auto smallest = std::min_element(
-        slots.begin(), slots.begin() + 3,
-        [](const Slot& a, const Slot& b) { return a.vertex < b.vertex; });
+    const auto smallest =
+        std::min_element(slots.begin(), slots.begin() + 3,
+                         [](const Slot& a, const Slot& b) { return a.vertex < b.vertex; });
     std::rotate(slots.begin(), smallest, slots.begin() + 3);
   } else {
     const int swaps = swap_if_greater(0, 1) + swap_if_greater(2, 3) + swap_if_greater(0, 2) +
@@ -68,9 +68,8 @@ std::vector<CellId> sorted_cells(const CellPool& pool, std::size_t num_vertices,
   for (std::size_t b = 0; b < 2 * num_vertices; ++b) {
     const std::size_t end = offsets[b];
     std::sort(order.begin() + static_cast<std::ptrdiff_t>(begin),
-              order.begin() + static_cast<std::ptrdiff_t>(end), [&](CellId x, CellId y) {
-                return pool.cells[x].vertices < pool.cells[y].vertices;
-              });
+              order.begin() + static_cast<std::ptrdiff_t>(end),
+              [&](CellId x, CellId y) { return pool.cells[x].vertices < pool.cells[y].vertices; });
     begin = end;
   }
   return order;

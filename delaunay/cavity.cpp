@@ -82,8 +82,8 @@ void CavityInserter::find_conflict_zone(VertexId v, CellId start, DelaunayCounte
         }
         mark = CellMark::outside;
       }
-      CavityFacet& facet = border_.emplace_back(
-          CavityFacet{cell.vertices, outer, static_cast<int>(i)});
+      CavityFacet& facet =
+          border_.emplace_back(CavityFacet{cell.vertices, outer, static_cast<int>(i)});
       facet.vertices[i] = v;
     }
   }

@@ -31,8 +31,9 @@ void require_finite(Points points) {
     first = i;
   }
   if (bad == 0) return;
-  throw InputError("point " + std::to_string(first) + " (counted from 0) has a coordinate that is " +
-                   "not finite (" + std::to_string(bad) + " such points): remove or repair them");
+  throw InputError("point " + std::to_string(first) +
+                   " (counted from 0) has a coordinate that is " + "not finite (" +
+                   std::to_string(bad) + " such points): remove or repair them");
 }
 
 // The different points along the Hilbert curve, and which of them each input point is.
@@ -119,8 +120,7 @@ void make_first_cells(CellPool& pool, const IdVector<VertexId, Point>& points,
 
 }  // namespace
 
-DelaunayResult delaunay(Points points, const DelaunayOptions& options,
-                        const Execution& execution) {
+DelaunayResult delaunay(Points points, const DelaunayOptions& options, const Execution& execution) {
   require_finite(points);
   report_progress(execution, "delaunay", 0);
   if (points.size() >= infinite_vertex.value) {
@@ -135,12 +135,13 @@ DelaunayResult delaunay(Points points, const DelaunayOptions& options,
 
   // Start with one tetrahedron, insert the other points one by one.
   CellPool pool;
-  const auto expected_cells = static_cast<std::size_t>(
-      expected_cells_per_point * static_cast<double>(order.size())) + 64;
+  const auto expected_cells =
+      static_cast<std::size_t>(expected_cells_per_point * static_cast<double>(order.size())) + 64;
   pool.cells.reserve(expected_cells);
   pool.marks.reserve(expected_cells);
-  make_first_cells(pool, vertices.points,
-                   {VertexId(order[0]), VertexId(order[1]), VertexId(order[2]), VertexId(order[3])});
+  make_first_cells(
+      pool, vertices.points,
+      {VertexId(order[0]), VertexId(order[1]), VertexId(order[2]), VertexId(order[3])});
   DelaunayCounters counters;
   CavityInserter inserter(pool, vertices.points);
   CellId hint(0);

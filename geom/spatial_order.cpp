@@ -107,8 +107,8 @@ Cube bounding_cube(Points points, std::span<const KeyedPoint> items) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  const double half_side =
-      std::max({0.5 * high.x - 0.5 * low.x, 0.5 * high.y - 0.5 * low.y, 0.5 * high.z - 0.5 * low.z});
+  const double half_side = std::max(
+      {0.5 * high.x - 0.5 * low.x, 0.5 * high.y - 0.5 * low.y, 0.5 * high.z - 0.5 * low.z});
   return {low, half_side};
 }
 
@@ -224,9 +224,9 @@ std::vector<std::uint32_t> insertion_rounds(std::size_t count, std::uint64_t see
     order[next[static_cast<std::size_t>(round_of(i))]++] = static_cast<std::uint32_t>(i);
   }
   for (int r = rounds - 2; r >= 0; r -= 2) {
-    std::reverse(order.begin() + static_cast<std::ptrdiff_t>(offsets[static_cast<std::size_t>(r)]),
-                 order.begin() +
-                     static_cast<std::ptrdiff_t>(offsets[static_cast<std::size_t>(r) + 1]));
+    std::reverse(
+        order.begin() + static_cast<std::ptrdiff_t>(offsets[static_cast<std::size_t>(r)]),
+        order.begin() + static_cast<std::ptrdiff_t>(offsets[static_cast<std::size_t>(r) + 1]));
   }
   return order;
 }
