@@ -1,0 +1,69 @@
+// Output that appears complete or not at all: bytes go to a temporary file beside the target, which
+// is renamed over the target when all is written.
+//
+//   - The temporary lies in the target's folder (a rename across file systems would be a copy) and
+//     is called ".NAME.cocoon-PID-N.part". It is removed if anything fails; only a process that is
+//     killed leaves it behind. The old file is never touched before the rename.
+//   - The bytes are on the disk (fsync) before the rename, so that after a power cut the name holds
+//     the old file or the new one, never half of one. The folder itself is not synced: the cut may
+//     bring back the old file.
+//   - A new file gets the permissions that the umask gives; a replaced file keeps its own. Owner
+//   and
+//     extended attributes are not kept, and hard links to the old file keep the old bytes.
+//   - A symbolic link stays: the file it leads to is replaced.
+//   - A target that exists and is no regular file (/dev/stdout, a pipe) cannot be replaced: it is
+//     opened and written directly, and a failure may leave a part in it.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace cocoon {
+
+class AtomicFile {
+ public:
+  // Opens the temporary file. Throws FileError if the folder is missing or not writable, or if the
+  // target is a folder.
+  explicit AtomicFile(const std::filesystem::path& target);
+  // Without commit(): removes the temporary file.
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  // Appends bytes; they are buffered. Throws FileError if the disk is full or fails.
+  void write(std::string_view bytes);
+
+  // As the caller named it.
+  const std::filesystem::path& target() const { return target_; }
+
+  // A buffer that writers append to directly, calling flush_if_full() now and then (once per
+  // element): saves a copy of every number.
+  std::string& buffer() { return buffer_; }
+  void flush_if_full() {
+    if (buffer_.size() >= buffer_limit) flush();
+  }
+
+  // Completes the file and puts it in its place. Throws FileError; then the old file is intact.
+  void commit();
+
+ private:
+  static constexpr std::size_t buffer_limit = std::size_t{1} << 16;
+
+  void open_temporary();
+  void flush();
+  void discard() noexcept;
+  [[noreturn]] void fail(const char* action, int error_number);
+
+  std::filesystem::path target_;     // as the caller named it, for messages
+  std::filesystem::path final_;      // behind all symbolic links
+  std::filesystem::path temporary_;  // empty: written directly
+  int descriptor_ = -1;
+  std::string buffer_;
+};
+
+// Writes `bytes` as the whole content of `target`, through an AtomicFile.
+void write_file(const std::filesystem::path& target, std::string_view bytes);
+
+}  // namespace cocoon

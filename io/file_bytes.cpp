@@ -1,0 +1,127 @@
+#include "io/file_bytes.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace cocoon {
+
+namespace {
+
+constexpr std::size_t growth_step = std::size_t{1} << 20;  // for files whose size is not known
+
+class InputDescriptor {
+ public:
+  explicit InputDescriptor(const std::filesystem::path& path)
+      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+  ~InputDescriptor() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  InputDescriptor(const InputDescriptor&) = delete;
+  InputDescriptor& operator=(const InputDescriptor&) = delete;
+  int get() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+[[noreturn]] void throw_unreadable(const std::filesystem::path& path, const std::string& reason) {
+  throw file_error(path, "cannot be read (" + reason + "); check the name and the permissions");
+}
+
+}  // namespace
+
+FileBytes read_file(const std::filesystem::path& path) {
+  const InputDescriptor input(path);
+  struct stat status = {};
+  if (input.get() < 0 || ::fstat(input.get(), &status) != 0) {
+    throw_unreadable(path, std::strerror(errno));
+  }
+  if (S_ISDIR(status.st_mode)) throw_unreadable(path, "it is a folder");
+
+  FileBytes file;
+  file.path = path;
+  // One byte more than announced, so that the read that finds the end needs no new room.
+  std::size_t capacity = S_ISREG(status.st_mode) && status.st_size > 0
+                             ? static_cast<std::size_t>(status.st_size) + 1
+                             : growth_step;
+  file.data.reset(new char[capacity]);
+  while (true) {
+    if (file.size == capacity) {
+      capacity += std::max(capacity, growth_step);
+      std::unique_ptr<char[]> larger(new char[capacity]);
+      std::memcpy(larger.get(), file.data.get(), file.size);
+      file.data = std::move(larger);
+    }
+    const ssize_t got = ::read(input.get(), file.data.get() + file.size, capacity - file.size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw_unreadable(path, std::strerror(errno));
+    if (got == 0) return file;
+    file.size += static_cast<std::size_t>(got);
+  }
+}
+
+std::string_view text_of(const FileBytes& file) {
+  std::string_view text = file.view();
+  if (text.empty()) throw file_error(file.path, "is empty (0 bytes); was it written completely?");
+  if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE")) {
+    throw file_error(file.path, "is UTF-16 text; save it as plain ASCII or UTF-8");
+  }
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const void* nul = text.empty() ? nullptr : std::memchr(text.data(), 0, text.size());
+  if (nul != nullptr) {
+    const auto offset = static_cast<const char*>(nul) - file.data.get();
+    throw file_error(file.path, "byte " + std::to_string(offset) +
+                                    " is NUL, so this is no text file; check the extension");
+  }
+  return text;
+}
+
+std::string display_name(const std::filesystem::path& path) {
+  std::string name = path.string();
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  }
+  return name;
+}
+
+FileError file_error(const std::filesystem::path& path, const std::string& message) {
+  return FileError(display_name(path) + ": " + message);
+}
+
+FileError file_error(const std::filesystem::path& path, std::size_t line,
+                     const std::string& message) {
+  if (line == 0) return file_error(path, message);
+  return FileError(display_name(path) + ":" + std::to_string(line) + ": " + message);
+}
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 30;
+  std::string result = "'";
+  for (char c : text.substr(0, longest)) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x20 || byte >= 0x7F ? '?' : c;
+  }
+  return result + (text.size() > longest ? "...'" : "'");
+}
+
+void NonFinitePoints::note(std::size_t index, std::size_t line) {
+  if (count_ == 0) {
+    first_index_ = index;
+    first_line_ = line;
+  }
+  ++count_;
+}
+
+void NonFinitePoints::finish(const std::filesystem::path& path) const {
+  if (count_ == 0) return;
+  std::string message = "point " + std::to_string(first_index_) +
+                        " (counted from 0) has a coordinate that is not a finite number";
+  if (count_ > 1) message += ", and so have " + std::to_string(count_ - 1) + " more";
+  throw file_error(path, first_line_, message + "; remove or repair such points");
+}
+
+}  // namespace cocoon

@@ -1,0 +1,17 @@
+// Which format a file has: its extension decides.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace cocoon {
+
+// The last extension of the path in lower case, with its point; empty if it has none.
+std::string extension_of(const std::filesystem::path& path);
+
+enum class FileFormat { ply, obj, off, stl, text, other };
+
+// .xyz .pts .txt .csv .npts .pwn .asc are text.
+FileFormat format_of(const std::filesystem::path& path);
+
+}  // namespace cocoon

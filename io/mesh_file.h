@@ -1,0 +1,33 @@
+// Triangle meshes from and to files, by extension (upper or lower case): .ply .obj .off .stl.
+#pragma once
+
+#include <filesystem>
+
+#include "geom/errors.h"
+#include "geom/triangle_mesh.h"
+#include "io/mesh_file_options.h"
+
+namespace cocoon {
+
+// Whether the extension is that of a mesh format (such a file may still hold points only).
+bool has_mesh_extension(const std::filesystem::path& path);
+
+// Reads a mesh with its vertices and faces in the order of the file. Polygons are cut into
+// triangles (io/triangulate_polygon.h), STL corners are welded exactly; faces and triangles without
+// area by their indices alone are left out. `report` counts all of that. Vertices without a face
+// are kept. Colors, normals, texture coordinates, unknown properties and elements are skipped.
+// Throws FileError, with line or element, for another extension, for what is damaged or cut off,
+// for a corner that is no vertex, and for a coordinate that is not a finite number. A count in a
+// header never makes it reserve more than a small multiple of the file's size. Complexity:
+// O(bytes), but see triangulate_polygon for polygons that are not convex.
+TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report);
+TriangleMesh read_mesh(const std::filesystem::path& path);
+
+// Writes vertices and triangles in their order; all bits of the coordinates are kept, but for PLY
+// with single_precision and for binary STL. The file appears complete or not at all
+// (io/atomic_file.h). Throws FileError for another extension, for a coordinate that is not finite
+// or a corner that is no vertex (no reader would take the file back), and if it cannot be written.
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+                const MeshWriteOptions& options = {});
+
+}  // namespace cocoon

@@ -1,0 +1,26 @@
+// What the writers of mesh and point files can be asked for, and what the mesh readers tell.
+#pragma once
+
+#include <cstddef>
+
+namespace cocoon {
+
+struct MeshWriteOptions {
+  // PLY and STL: text instead of binary little endian. The other formats are always text.
+  bool ascii = false;
+  // PLY: `float` instead of `double` coordinates, for readers that take only those. Rounds.
+  // (Binary STL is float by its definition.)
+  bool single_precision = false;
+};
+
+// What a reader met that the mesh itself does not show. All 0 but `faces`: a plain triangle mesh.
+struct MeshReadReport {
+  std::size_t faces = 0;                 // in the file
+  std::size_t polygons = 0;              // faces with more than three corners, cut into triangles
+  std::size_t short_faces = 0;           // faces with fewer than three corners, left out
+  std::size_t degenerate_triangles = 0;  // triangles with a repeated corner, left out
+  std::size_t surplus_lines = 0;         // ascii PLY: lines with more values than announced
+  std::size_t trailing_bytes = 0;        // behind the last element, not read
+};
+
+}  // namespace cocoon

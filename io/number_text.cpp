@@ -1,0 +1,115 @@
+#include "io/number_text.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace cocoon {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// Whether the unsigned decimal number in `text`, which no double holds, is too large (and not too
+// small): the power of ten of its first digit that is not 0 decides.
+bool is_too_large(std::string_view text) {
+  std::int64_t power = 0;  // of the first nonzero digit
+  bool nonzero = false;
+  bool after_point = false;
+  std::size_t i = 0;
+  for (; i < text.size() && (is_digit(text[i]) || text[i] == '.'); ++i) {
+    if (text[i] == '.') {
+      after_point = true;
+      continue;
+    }
+    nonzero = nonzero || text[i] != '0';
+    if (nonzero && !after_point) ++power;
+    if (!nonzero && after_point) --power;
+  }
+  if (i < text.size()) {  // the exponent, which may itself not fit an integer
+    ++i;
+    const bool negative = i < text.size() && text[i] == '-';
+    if (i < text.size() && (text[i] == '-' || text[i] == '+')) ++i;
+    std::int64_t exponent = 0;
+    if (std::from_chars(text.data() + i, text.data() + text.size(), exponent).ec != std::errc()) {
+      return !negative;
+    }
+    power += negative ? -exponent : exponent;
+  }
+  return power > 0;
+}
+
+template <class T>
+void append_shortest(std::string& text, T value) {
+  char buffer[32];
+  const std::to_chars_result result = std::to_chars(buffer, buffer + sizeof buffer, value);
+  text.append(buffer, result.ptr);
+}
+
+}  // namespace
+
+bool parse_double(const char*& at, const char* end, double& value) {
+  const char* begin = at;
+  if (begin != end && *begin == '+') {
+    ++begin;  // from_chars takes no plus sign
+    if (begin != end && *begin == '-') return false;
+  }
+  const std::from_chars_result result = std::from_chars(begin, end, value);
+  if (result.ec == std::errc::invalid_argument) return false;
+  if (result.ec == std::errc::result_out_of_range) {
+    const bool negative = *begin == '-';
+    const char* digits = begin + (negative ? 1 : 0);
+    const bool large = is_too_large({digits, static_cast<std::size_t>(result.ptr - digits)});
+    value =
+        std::copysign(large ? std::numeric_limits<double>::infinity() : 0.0, negative ? -1.0 : 1.0);
+  }
+  at = result.ptr;
+  return true;
+}
+
+bool parse_integer(const char*& at, const char* end, std::int64_t& value) {
+  const char* begin = at;
+  if (begin != end && *begin == '+') {
+    ++begin;
+    if (begin != end && *begin == '-') return false;
+  }
+  const std::from_chars_result result = std::from_chars(begin, end, value);
+  if (result.ec != std::errc()) return false;
+  at = result.ptr;
+  return true;
+}
+
+void append_number(std::string& text, double value) { append_shortest(text, value); }
+void append_number(std::string& text, float value) { append_shortest(text, value); }
+void append_number(std::string& text, std::size_t value) { append_shortest(text, value); }
+
+bool Fields::done() {
+  skip_blanks();
+  return at_ == end_;
+}
+
+bool Fields::number(double& value) {
+  skip_blanks();
+  const char* at = at_;
+  if (!parse_double(at, end_, value) || !at_field_end(at)) return false;
+  at_ = at;
+  return true;
+}
+
+bool Fields::integer(std::int64_t& value) {
+  skip_blanks();
+  const char* at = at_;
+  if (!parse_integer(at, end_, value) || !at_field_end(at)) return false;
+  at_ = at;
+  return true;
+}
+
+std::string_view Fields::word() {
+  skip_blanks();
+  const char* begin = at_;
+  while (at_ != end_ && !is_blank(*at_)) ++at_;
+  return {begin, static_cast<std::size_t>(at_ - begin)};
+}
+
+}  // namespace cocoon

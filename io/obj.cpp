@@ -1,0 +1,126 @@
+#include "io/obj.h"
+
+#include <string>
+#include <string_view>
+
+#include "io/number_text.h"
+#include "io/text_lines.h"
+
+namespace cocoon {
+
+namespace {
+
+class ObjReader {
+ public:
+  explicit ObjReader(const FileBytes& file) : file_(file), lines_(text_of(file)) {}
+
+  PolygonSoup read() {
+    std::string_view statement;
+    while (next_statement(statement)) {
+      Fields fields(statement);
+      const std::string_view keyword = fields.word();
+      if (keyword == "v") read_vertex(fields);
+      if (keyword == "f") read_face(fields);
+    }
+    non_finite_.finish(file_.path);
+    if (soup_.points.empty()) {
+      throw file_error(file_.path, "has no vertex (no line 'v x y z'); is it an OBJ file?");
+    }
+    return std::move(soup_);
+  }
+
+ private:
+  // The next line without its comment, joined with the lines that continue it.
+  bool next_statement(std::string_view& statement) {
+    if (!lines_.next(statement)) return false;
+    line_ = lines_.number();
+    const std::size_t comment = statement.find('#');
+    if (comment != std::string_view::npos) statement = statement.substr(0, comment);
+    if (!statement.ends_with('\\')) return true;
+
+    joined_.clear();
+    while (statement.ends_with('\\')) {
+      joined_.append(statement.substr(0, statement.size() - 1));
+      joined_ += ' ';
+      if (!lines_.next(statement)) statement = {};
+    }
+    joined_.append(statement);
+    statement = joined_;
+    return true;
+  }
+
+  void read_vertex(Fields& fields) {
+    double xyz[3];
+    for (double& value : xyz) {
+      if (!fields.number(value)) {
+        const std::string_view found = fields.word();
+        throw file_error(file_.path, line_,
+                         "a vertex needs three numbers, found " +
+                             (found.empty() ? "the end of the line" : in_quotes(found)));
+      }
+    }
+    const Point point{xyz[0], xyz[1], xyz[2]};
+    if (!is_finite(point)) non_finite_.note(soup_.points.size(), line_);
+    soup_.points.push_back(point);
+  }
+
+  void read_face(Fields& fields) {
+    while (!fields.done()) {
+      const std::string_view corner = fields.word();
+      const char* at = corner.data();
+      const char* end = at + corner.size();
+      std::int64_t index = 0;
+      if (!parse_integer(at, end, index) || (at != end && *at != '/') || index == 0) {
+        throw file_error(file_.path, line_,
+                         "a corner of a face is " + in_quotes(corner) +
+                             ", not i, i/t, i//n or i/t/n with indices from 1 or -1 on");
+      }
+      // Negative: counted back from the last vertex so far.
+      soup_.corners.push_back(index > 0 ? index - 1
+                                        : static_cast<std::int64_t>(soup_.points.size()) + index);
+    }
+    soup_.end_face();
+    soup_.face_lines.push_back(line_);
+  }
+
+  const FileBytes& file_;
+  TextLines lines_;
+  std::size_t line_ = 0;  // where the current statement begins
+  std::string joined_;
+  NonFinitePoints non_finite_;
+  PolygonSoup soup_;
+};
+
+}  // namespace
+
+PolygonSoup read_obj(const FileBytes& file) { return ObjReader(file).read(); }
+
+void write_obj(AtomicFile& file, Points points) {
+  file.write("# written by cocoon\n");
+  for (const Point& point : points) {
+    std::string& text = file.buffer();
+    text += 'v';
+    for (int axis = 0; axis < 3; ++axis) {
+      text += ' ';
+      append_number(text, point[axis]);
+    }
+    text += '\n';
+    file.flush_if_full();
+  }
+}
+
+void write_obj(AtomicFile& file, const TriangleMesh& mesh) {
+  write_obj(file, mesh.points.span());
+  for (const Triangle& triangle : mesh.triangles) {
+    std::string& text = file.buffer();
+    text += 'f';
+    for (VertexId v : triangle) {
+      text += ' ';
+      append_number(text, v.index() + 1);
+    }
+    text += '\n';
+    file.flush_if_full();
+  }
+}
+
+}  // namespace cocoon

@@ -1,0 +1,26 @@
+// PLY, the polygon file format (Turk 1994), in all three encodings.
+#pragma once
+
+#include <filesystem>
+
+#include "geom/triangle_mesh.h"
+#include "io/atomic_file.h"
+#include "io/file_bytes.h"
+#include "io/polygon_soup.h"
+
+namespace cocoon {
+
+// Reads the element "vertex" (properties x, y, z of any scalar type), the element "face" (its list
+// vertex_indices or vertex_index of any integer type) and the element "tristrips" (the same list;
+// -1 starts a new strip). All other elements and properties are skipped. docs/formats.md lists the
+// dialects. Throws FileError with the line (ascii) or element and byte (binary) for what is
+// damaged, cut off, ambiguous (an element or one of these properties given twice), or not finite.
+PolygonSoup read_ply(const FileBytes& file);
+
+// Writes points and triangles; a mesh without triangles gets an element "face" with count 0.
+void write_ply(AtomicFile& file, const TriangleMesh& mesh, const MeshWriteOptions& options);
+
+// The same for points alone, without an element "face".
+void write_ply(AtomicFile& file, Points points, const MeshWriteOptions& options);
+
+}  // namespace cocoon

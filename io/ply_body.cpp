@@ -1,0 +1,163 @@
+#include "io/ply_body.h"
+
+#include <cmath>
+
+#include "io/byte_order.h"
+
+namespace cocoon {
+
+namespace {
+
+constexpr double two_to_63 = 9223372036854775808.0;
+
+// A whole number stored or written as floating point; false if it is none.
+bool whole_number(double value, std::int64_t& result) {
+  if (!(std::abs(value) < two_to_63) || value != std::trunc(value)) return false;
+  result = static_cast<std::int64_t>(value);
+  return true;
+}
+
+}  // namespace
+
+PlyTextBody::PlyTextBody(const FileBytes& file, const PlyHeader& header)
+    : file_(file), header_lines_(header.lines), lines_(file.view().substr(header.body)) {}
+
+void PlyTextBody::begin_element(const PlyElement& element, std::size_t index) {
+  std::string_view line;
+  do {
+    if (!lines_.next(line)) {
+      throw file_error(file_.path, "ends before element " + in_quotes(element.name) + " " +
+                                       std::to_string(index) + " of " +
+                                       std::to_string(element.count) + "; the file is cut off");
+    }
+    fields_ = Fields(line);
+  } while (fields_.done());
+}
+
+double PlyTextBody::number(PlyType) {
+  double value = 0;
+  if (!fields_.number(value)) fail_value("a number");
+  return value;
+}
+
+std::int64_t PlyTextBody::integer(PlyType) {
+  std::int64_t value = 0;
+  double number = 0;
+  if (fields_.integer(value)) return value;
+  if (!fields_.number(number) || !whole_number(number, value)) fail_value("a whole number");
+  return value;
+}
+
+std::size_t PlyTextBody::list_length(PlyType count_type, PlyType) {
+  const std::int64_t length = integer(count_type);
+  // A value takes a digit and a separator.
+  if (length < 0 || static_cast<std::size_t>(length) > fields_.rest().size() / 2 + 1) {
+    throw file_error(file_.path, line(),
+                     "a list of " + std::to_string(length) +
+                         " values does not fit its line; the file is damaged");
+  }
+  return static_cast<std::size_t>(length);
+}
+
+void PlyTextBody::skip(PlyType, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (fields_.word().empty()) fail_value("one more value");
+  }
+}
+
+void PlyTextBody::end_element() {
+  if (!fields_.done()) ++surplus_lines_;
+}
+
+void PlyTextBody::fail_value(const char* expected) {
+  const std::string_view found = fields_.word();
+  throw file_error(file_.path, line(),
+                   std::string("expected ") + expected + ", found " +
+                       (found.empty() ? "the end of the line" : in_quotes(found)) +
+                       "; does the line match the header?");
+}
+
+PlyBinaryBody::PlyBinaryBody(const FileBytes& file, const PlyHeader& header)
+    : file_(file),
+      at_(file.data.get() + header.body),
+      end_(file.data.get() + file.size),
+      order_(header.encoding == PlyEncoding::little_endian ? std::endian::little
+                                                           : std::endian::big) {}
+
+std::string PlyBinaryBody::place() const {
+  return "element " + in_quotes(element_->name) + " " + std::to_string(index_) + " of " +
+         std::to_string(element_->count) + ", byte " + std::to_string(at_ - file_.data.get());
+}
+
+const char* PlyBinaryBody::take(std::size_t size, std::size_t count) {
+  if (count > static_cast<std::size_t>(end_ - at_) / size) {
+    throw file_error(file_.path, "ends within " + place() + "; the file is cut off or damaged");
+  }
+  const char* taken = at_;
+  at_ += size * count;
+  return taken;
+}
+
+double PlyBinaryBody::number(PlyType type) {
+  const char* bytes = take(size_of(type));
+  switch (type) {
+    case PlyType::int8:
+      return load_number<std::int8_t>(bytes, order_);
+    case PlyType::uint8:
+      return load_number<std::uint8_t>(bytes, order_);
+    case PlyType::int16:
+      return load_number<std::int16_t>(bytes, order_);
+    case PlyType::uint16:
+      return load_number<std::uint16_t>(bytes, order_);
+    case PlyType::int32:
+      return load_number<std::int32_t>(bytes, order_);
+    case PlyType::uint32:
+      return load_number<std::uint32_t>(bytes, order_);
+    case PlyType::int64:
+      return static_cast<double>(load_number<std::int64_t>(bytes, order_));
+    case PlyType::uint64:
+      return static_cast<double>(load_number<std::uint64_t>(bytes, order_));
+    case PlyType::float32:
+      return load_number<float>(bytes, order_);
+    case PlyType::float64:
+      return load_number<double>(bytes, order_);
+  }
+  return 0;
+}
+
+std::int64_t PlyBinaryBody::integer(PlyType type) {
+  const std::string where = type == PlyType::float32 || type == PlyType::float64 ? place() : "";
+  switch (type) {
+    case PlyType::int32:
+      return load_number<std::int32_t>(take(4), order_);
+    case PlyType::uint32:
+      return load_number<std::uint32_t>(take(4), order_);
+    case PlyType::int64:
+      return load_number<std::int64_t>(take(8), order_);
+    // Beyond 2^63 it becomes negative, which no index or length may be.
+    case PlyType::uint64:
+      return static_cast<std::int64_t>(load_number<std::uint64_t>(take(8), order_));
+    default:
+      break;
+  }
+  std::int64_t value = 0;
+  if (!whole_number(number(type), value)) {
+    throw file_error(file_.path, where + " has an index that is no whole number");
+  }
+  return value;
+}
+
+std::size_t PlyBinaryBody::list_length(PlyType count_type, PlyType type) {
+  const std::int64_t length = integer(count_type);
+  if (length < 0 ||
+      static_cast<std::size_t>(length) > static_cast<std::size_t>(end_ - at_) / size_of(type)) {
+    throw file_error(file_.path, "announces a list of " + std::to_string(length) + " values in " +
+                                     place() +
+                                     ", more than the file holds; it is cut off or damaged");
+  }
+  return static_cast<std::size_t>(length);
+}
+
+void PlyBinaryBody::skip(PlyType type, std::size_t count) { take(size_of(type), count); }
+
+}  // namespace cocoon

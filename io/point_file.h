@@ -1,0 +1,36 @@
+// Point clouds from and to files, by extension (upper or lower case).
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geom/errors.h"
+#include "geom/point.h"
+#include "io/mesh_file_options.h"
+
+namespace cocoon {
+
+struct PointCloud {
+  std::vector<Point> points;  // in the order of the file
+  std::string header;         // text files: the line of column names that was skipped, if any
+  std::size_t columns = 0;    // text files: of the first row; columns behind the third are ignored
+  std::size_t announced = 0;  // text files: the count in a first line of its own, 0 without one
+};
+
+// Text (.xyz .pts .txt .csv .npts .pwn .asc): one point a line, x y z first, see io/xyz.h. Mesh
+// files
+// (.ply .obj .off .stl) give their vertices; STL is welded exactly.
+// Throws FileError, with the line where there is one, for another extension, for what cannot be
+// read, for a coordinate that is not a finite number (nothing is dropped), and for a text without a
+// point. A PLY, OFF or STL file that says it holds no points gives none. Complexity: O(bytes).
+PointCloud read_points(const std::filesystem::path& path);
+
+// Writes .xyz .txt .csv .pts (text, all bits kept), .ply (options apply), .obj and .off. The file
+// appears complete or not at all (io/atomic_file.h). Throws FileError for another extension, for a
+// point that is not finite, and if the file cannot be written.
+void write_points(const std::filesystem::path& path, Points points,
+                  const MeshWriteOptions& options = {});
+
+}  // namespace cocoon

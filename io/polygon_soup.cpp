@@ -1,0 +1,70 @@
+#include "io/polygon_soup.h"
+
+#include <string>
+
+#include "io/file_bytes.h"
+#include "io/triangulate_polygon.h"
+
+namespace cocoon {
+
+namespace {
+
+void check_corners(const PolygonSoup& soup, std::size_t face, std::size_t begin, std::size_t end,
+                   const std::filesystem::path& path) {
+  for (std::size_t i = begin; i < end; ++i) {
+    if (soup.corners[i] >= 0 && static_cast<std::uint64_t>(soup.corners[i]) < soup.points.size()) {
+      continue;
+    }
+    throw file_error(
+        path, soup.face_lines.empty() ? 0 : soup.face_lines[face],
+        "face " + std::to_string(face) + " has the corner " + std::to_string(soup.corners[i]) +
+            " (both counted from 0), but there are " + std::to_string(soup.points.size()) +
+            " vertices; the file is damaged or incomplete");
+  }
+}
+
+}  // namespace
+
+TriangleMesh triangles_of(PolygonSoup&& soup, const std::filesystem::path& path,
+                          MeshReadReport& report) {
+  if (soup.points.size() >= Id<VertexTag>::none_value - 1) {
+    throw file_error(path, "has " + std::to_string(soup.points.size()) +
+                               " vertices, more than 32-bit ids can number; split it");
+  }
+  report = {};
+  report.faces = soup.face_ends.size();
+  report.surplus_lines = soup.surplus_lines;
+  report.trailing_bytes = soup.trailing_bytes;
+
+  TriangleMesh mesh;
+  mesh.triangles.reserve(soup.face_ends.size());
+  std::vector<VertexId> polygon;
+  std::vector<Triangle> triangles;
+  std::size_t begin = 0;
+  for (std::size_t face = 0; face < soup.face_ends.size(); ++face) {
+    const std::size_t end = soup.face_ends[face];
+    check_corners(soup, face, begin, end, path);
+    polygon.clear();
+    for (std::size_t i = begin; i < end; ++i) {
+      polygon.push_back(VertexId(static_cast<std::size_t>(soup.corners[i])));
+    }
+    begin = end;
+    if (polygon.size() < 3) {
+      ++report.short_faces;
+      continue;
+    }
+    if (polygon.size() > 3) ++report.polygons;
+    triangulate_polygon(soup.points, polygon, triangles);
+    for (const Triangle& t : triangles) {
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+        ++report.degenerate_triangles;
+      } else {
+        mesh.triangles.push_back(t);
+      }
+    }
+  }
+  mesh.points = IdVector<VertexId, Point>(std::move(soup.points));
+  return mesh;
+}
+
+}  // namespace cocoon

@@ -1,0 +1,35 @@
+// What mesh files hold before it is a TriangleMesh: points and faces with any number of corners.
+// All mesh readers fill one of these; turning it into triangles and checking the corners is common.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "geom/point.h"
+#include "geom/triangle_mesh.h"
+#include "io/mesh_file_options.h"
+
+namespace cocoon {
+
+struct PolygonSoup {
+  std::vector<Point> points;
+  std::vector<std::int64_t> corners;    // of all faces, as the file gives them, counted from 0
+  std::vector<std::size_t> face_ends;   // face f has corners [face_ends[f - 1], face_ends[f])
+  std::vector<std::size_t> face_lines;  // the line of each face; empty if the format has no lines
+  std::size_t surplus_lines = 0;        // see MeshReadReport
+  std::size_t trailing_bytes = 0;
+
+  void end_face() { face_ends.push_back(corners.size()); }
+};
+
+// The triangles of the faces: polygons are cut by triangulate_polygon, faces with fewer than three
+// corners and triangles with a repeated corner are left out and counted in `report`. Vertices and
+// triangles keep the order of the file. Throws FileError if a corner is no vertex, naming the face,
+// or if there are more vertices than ids. Complexity: O(corners); O(n^2) for a polygon that is not
+// convex.
+TriangleMesh triangles_of(PolygonSoup&& soup, const std::filesystem::path& path,
+                          MeshReadReport& report);
+
+}  // namespace cocoon

@@ -1,0 +1,241 @@
+#include "io/stl.h"
+
+#include <cctype>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "io/byte_order.h"
+#include "io/number_text.h"
+#include "io/single_precision.h"
+#include "io/text_lines.h"
+#include "io/weld_points.h"
+
+namespace cocoon {
+
+namespace {
+
+constexpr std::size_t header_bytes = 84;  // 80 of text, 4 of count
+constexpr std::size_t facet_bytes = 50;   // normal, 3 corners, 2 bytes of attributes
+
+bool equals_ignoring_case(std::string_view text, std::string_view lower_case) {
+  if (text.size() != lower_case.size()) return false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (std::tolower(static_cast<unsigned char>(text[i])) != lower_case[i]) return false;
+  }
+  return true;
+}
+
+// ---- binary ----
+
+std::size_t announced_facets(const FileBytes& file) {
+  return load_number<std::uint32_t>(file.data.get() + 80, std::endian::little);
+}
+
+PolygonSoup read_binary(const FileBytes& file) {
+  const std::size_t count = announced_facets(file);
+  PolygonSoup soup;
+  PointWelder welder(soup.points);
+  NonFinitePoints non_finite;
+  soup.corners.reserve(3 * count);
+  soup.face_ends.reserve(count);
+  const char* at = file.data.get() + header_bytes;
+  for (std::size_t facet = 0; facet < count; ++facet, at += facet_bytes) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const char* xyz = at + 12 * (corner + 1);
+      const Point point{load_number<float>(xyz, std::endian::little),
+                        load_number<float>(xyz + 4, std::endian::little),
+                        load_number<float>(xyz + 8, std::endian::little)};
+      if (!is_finite(point)) non_finite.note(3 * facet + corner, 0);
+      soup.corners.push_back(static_cast<std::int64_t>(welder.add(point)));
+    }
+    soup.end_face();
+  }
+  non_finite.finish(file.path);
+  return soup;
+}
+
+// ---- text ----
+
+class StlTextReader {
+ public:
+  explicit StlTextReader(const FileBytes& file)
+      : file_(file), lines_(text_of(file)), welder_(soup_.points) {}
+
+  PolygonSoup read() {
+    while (next_word()) {
+      if (is("solid")) {
+        if (in_solid_) fail("a solid begins before the last one ended");
+        in_solid_ = true;
+        fields_ = Fields("");  // the rest of the line is its name
+      } else if (is("endsolid") && in_solid_) {
+        in_solid_ = false;
+        fields_ = Fields("");
+      } else if (is("facet") && in_solid_) {
+        read_facet();
+      } else {
+        fail("expected " + std::string(in_solid_ ? "facet or endsolid" : "solid") + ", found " +
+             in_quotes(word_));
+      }
+    }
+    if (in_solid_) fail("the file ends without endsolid; it is cut off");
+    non_finite_.finish(file_.path);
+    return std::move(soup_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const {
+    throw file_error(file_.path, lines_.number(), message);
+  }
+
+  bool is(std::string_view lower_case) const { return equals_ignoring_case(word_, lower_case); }
+
+  bool next_word() {
+    while (fields_.done()) {
+      std::string_view line;
+      if (!lines_.next(line)) return false;
+      fields_ = Fields(line);
+    }
+    word_ = fields_.word();
+    return true;
+  }
+
+  void expect(std::string_view lower_case) {
+    if (!next_word()) fail("the file ends within a facet; it is cut off");
+    if (!is(lower_case)) {
+      fail("expected " + std::string(lower_case) + ", found " + in_quotes(word_));
+    }
+  }
+
+  // facet normal a b c / outer loop / vertex x y z (three times or more) / endloop / endfacet
+  void read_facet() {
+    expect("normal");
+    for (int i = 0; i < 3; ++i) {
+      if (!next_word()) fail("the file ends within a facet; it is cut off");
+    }
+    expect("outer");
+    expect("loop");
+    const std::size_t line = lines_.number();
+    const std::size_t begin = soup_.corners.size();
+    while (next_word() && is("vertex")) read_corner();
+    if (!is("endloop")) fail("expected vertex or endloop, found " + in_quotes(word_));
+    if (soup_.corners.size() < begin + 3) fail("a facet has fewer than three corners");
+    expect("endfacet");
+    soup_.end_face();
+    soup_.face_lines.push_back(line);
+  }
+
+  void read_corner() {
+    double xyz[3];
+    for (double& value : xyz) {
+      if (!next_word()) fail("the file ends within a vertex; it is cut off");
+      if (!Fields(word_).number(value)) fail("expected a number, found " + in_quotes(word_));
+    }
+    const Point point{xyz[0], xyz[1], xyz[2]};
+    if (!is_finite(point)) non_finite_.note(soup_.corners.size(), lines_.number());
+    soup_.corners.push_back(static_cast<std::int64_t>(welder_.add(point)));
+  }
+
+  const FileBytes& file_;
+  TextLines lines_;
+  Fields fields_{std::string_view()};
+  std::string_view word_;
+  bool in_solid_ = false;
+  PolygonSoup soup_;
+  PointWelder welder_;
+  NonFinitePoints non_finite_;
+};
+
+bool begins_with_solid(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  return begin != std::string_view::npos && equals_ignoring_case(text.substr(begin, 5), "solid");
+}
+
+// ---- writing ----
+
+Vec3 unit_normal(const TriangleMesh& mesh, const Triangle& triangle) {
+  const Point& a = mesh.points[triangle[0]];
+  return unit(cross(mesh.points[triangle[1]] - a, mesh.points[triangle[2]] - a));
+}
+
+void append_floats(AtomicFile& file, const Vec3& v) {
+  for (int axis = 0; axis < 3; ++axis) {
+    float rounded = 0;
+    if (!round_to_float(v[axis], rounded)) {
+      throw file_error(file.target(),
+                       "a coordinate is too large for the floats of binary STL; write ascii STL, "
+                       "PLY, OBJ or OFF");
+    }
+    append_little_endian(file.buffer(), rounded);
+  }
+}
+
+void append_text(AtomicFile& file, const char* keywords, const Vec3& v) {
+  std::string& text = file.buffer();
+  text += keywords;
+  for (int axis = 0; axis < 3; ++axis) {
+    text += ' ';
+    append_number(text, v[axis]);
+  }
+  text += '\n';
+}
+
+void write_binary(AtomicFile& file, const TriangleMesh& mesh) {
+  std::string header = "binary STL written by cocoon";  // must not begin with "solid"
+  header.resize(header_bytes - 4, ' ');
+  append_little_endian(header, static_cast<std::uint32_t>(mesh.triangles.size()));
+  file.write(header);
+  for (const Triangle& triangle : mesh.triangles) {
+    append_floats(file, unit_normal(mesh, triangle));
+    for (VertexId v : triangle) append_floats(file, mesh.points[v]);
+    append_little_endian(file.buffer(), std::uint16_t{0});
+    file.flush_if_full();
+  }
+}
+
+void write_text(AtomicFile& file, const TriangleMesh& mesh) {
+  file.write("solid cocoon\n");
+  for (const Triangle& triangle : mesh.triangles) {
+    append_text(file, "facet normal", unit_normal(mesh, triangle));
+    file.buffer() += "outer loop\n";
+    for (VertexId v : triangle) append_text(file, "vertex", mesh.points[v]);
+    file.buffer() += "endloop\nendfacet\n";
+    file.flush_if_full();
+  }
+  file.write("endsolid cocoon\n");
+}
+
+}  // namespace
+
+PolygonSoup read_stl(const FileBytes& file) {
+  if (file.size == 0) {
+    throw file_error(file.path, "is empty (0 bytes); was it written completely?");
+  }
+  const bool has_header = file.size >= header_bytes;
+  if (has_header && file.size - header_bytes == facet_bytes * announced_facets(file)) {
+    return read_binary(file);
+  }
+  const bool holds_nul = file.view().find('\0') != std::string_view::npos;
+  if (begins_with_solid(file.view()) && !holds_nul) return StlTextReader(file).read();
+  if (!has_header) {
+    throw file_error(file.path,
+                     "is no STL file: it neither begins with 'solid' nor has the 84 "
+                     "bytes of a binary header; check the extension");
+  }
+  const std::size_t announced = announced_facets(file);
+  throw file_error(file.path, "is no STL file, or damaged: as binary STL it announces " +
+                                  std::to_string(announced) + " facets, which take " +
+                                  std::to_string(header_bytes + facet_bytes * announced) +
+                                  " bytes, but has " + std::to_string(file.size));
+}
+
+void write_stl(AtomicFile& file, const TriangleMesh& mesh, const MeshWriteOptions& options) {
+  if (options.ascii) {
+    write_text(file, mesh);
+  } else {
+    write_binary(file, mesh);
+  }
+}
+
+}  // namespace cocoon

@@ -1,0 +1,190 @@
+#include "io/tetrahedra_file.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "io/atomic_file.h"
+#include "io/base64.h"
+#include "io/byte_order.h"
+#include "io/file_bytes.h"
+#include "io/file_format.h"
+#include "io/number_text.h"
+
+namespace cocoon {
+
+namespace {
+
+// The numbering of the file: vertices in the order of their first input point.
+struct Numbering {
+  std::vector<VertexId> vertices;
+  IdVector<VertexId, std::size_t> number_of;
+};
+
+Numbering by_first_input_point(const Triangulation& triangulation) {
+  Numbering numbering;
+  numbering.vertices.reserve(triangulation.num_vertices());
+  for (VertexId v : triangulation.vertices()) numbering.vertices.push_back(v);
+  std::sort(numbering.vertices.begin(), numbering.vertices.end(), [&](VertexId a, VertexId b) {
+    return triangulation.point_of_vertex(a) < triangulation.point_of_vertex(b);
+  });
+  numbering.number_of.resize(numbering.vertices.size());
+  for (std::size_t i = 0; i < numbering.vertices.size(); ++i) {
+    numbering.number_of[numbering.vertices[i]] = i;
+  }
+  return numbering;
+}
+
+void append_points(AtomicFile& file, const Triangulation& triangulation, const Numbering& numbering,
+                   const char* line_end) {
+  for (VertexId v : numbering.vertices) {
+    std::string& text = file.buffer();
+    for (int axis = 0; axis < 3; ++axis) {
+      if (axis > 0) text += ' ';
+      append_number(text, triangulation.point(v)[axis]);
+    }
+    text += line_end;
+    file.flush_if_full();
+  }
+}
+
+void append_cells(AtomicFile& file, const Triangulation& triangulation, const Numbering& numbering,
+                  std::size_t first_number, const char* line_end) {
+  for (CellId c : triangulation.finite_cells()) {
+    std::string& text = file.buffer();
+    for (int i = 0; i < 4; ++i) {
+      if (i > 0) text += ' ';
+      append_number(text, numbering.number_of[triangulation.vertex(c, i)] + first_number);
+    }
+    text += line_end;
+    file.flush_if_full();
+  }
+}
+
+void write_tet(AtomicFile& file, const Triangulation& triangulation, const Numbering& numbering) {
+  file.write(std::to_string(triangulation.num_vertices()) + " " +
+             std::to_string(triangulation.num_finite_cells()) + "\n");
+  append_points(file, triangulation, numbering, "\n");
+  append_cells(file, triangulation, numbering, 0, "\n");
+}
+
+void write_medit(AtomicFile& file, const Triangulation& triangulation, const Numbering& numbering) {
+  file.write("MeshVersionFormatted 2\nDimension 3\nVertices\n" +  // version 2: double
+             std::to_string(triangulation.num_vertices()) + "\n");
+  append_points(file, triangulation, numbering, " 0\n");
+  file.write("Tetrahedra\n" + std::to_string(triangulation.num_finite_cells()) + "\n");
+  append_cells(file, triangulation, numbering, 1, " 0\n");
+  file.write("End\n");
+}
+
+// ---- VTK's XML format for unstructured grids, version 1.0 (64-bit lengths) ----
+
+constexpr unsigned char vtk_tetrahedron = 10;  // VTK's number of the cell type
+
+// One base64 block: the number of bytes as UInt64, then the bytes.
+template <class Append>
+void append_block(AtomicFile& file, std::size_t count, std::size_t value_bytes,
+                  const Append& append_values) {
+  constexpr std::size_t piece = std::size_t{1} << 14;  // values that are encoded at once
+  std::string bytes;
+  append_little_endian(bytes, static_cast<std::uint64_t>(count * value_bytes));
+  for (std::size_t i = 0; i < count; ++i) {
+    append_values(bytes, i);
+    const bool last = i + 1 == count;
+    if (!last && bytes.size() < piece) continue;
+    // Only whole groups of three, so that the pieces join without padding between them.
+    const std::size_t ready = last ? bytes.size() : bytes.size() / 3 * 3;
+    append_base64(file.buffer(), std::string_view(bytes).substr(0, ready));
+    bytes.erase(0, ready);
+    file.flush_if_full();
+  }
+  append_base64(file.buffer(), bytes);
+}
+
+class VtuWriter {
+ public:
+  VtuWriter(AtomicFile& file, const Triangulation& triangulation, const Numbering& numbering,
+            bool ascii)
+      : file_(file), triangulation_(triangulation), numbering_(numbering), ascii_(ascii) {}
+
+  void write() {
+    const std::size_t num_cells = triangulation_.num_finite_cells();
+    file_.write(
+        "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+        "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
+        std::to_string(triangulation_.num_vertices()) + "\" NumberOfCells=\"" +
+        std::to_string(num_cells) + "\">\n<Points>\n");
+    write_array<double>("Points", 3, 3 * triangulation_.num_vertices(), [&](std::size_t i) {
+      return triangulation_.point(numbering_.vertices[i / 3])[static_cast<int>(i % 3)];
+    });
+    file_.write("</Points>\n<Cells>\n");
+    write_array<std::int64_t>("connectivity", 1, 4 * num_cells, [&](std::size_t i) {
+      const VertexId v = triangulation_.vertex(CellId(i / 4), static_cast<int>(i % 4));
+      return static_cast<std::int64_t>(numbering_.number_of[v]);
+    });
+    write_array<std::int64_t>("offsets", 1, num_cells,
+                              [](std::size_t i) { return static_cast<std::int64_t>(4 * (i + 1)); });
+    write_array<std::uint8_t>("types", 1, num_cells, [](std::size_t) { return vtk_tetrahedron; });
+    file_.write("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  }
+
+ private:
+  template <class T>
+  static const char* type_name() {
+    if (std::is_same_v<T, double>) return "Float64";
+    return std::is_same_v<T, std::int64_t> ? "Int64" : "UInt8";
+  }
+
+  template <class T, class ValueAt>
+  void write_array(const char* name, int components, std::size_t count, const ValueAt& value_at) {
+    file_.write(std::string("<DataArray type=\"") + type_name<T>() + "\" Name=\"" + name +
+                "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"" +
+                (ascii_ ? "ascii" : "binary") + "\">\n");
+    if (ascii_) {
+      for (std::size_t i = 0; i < count; ++i) {
+        append_text(value_at(i));
+        file_.buffer() += i % 12 == 11 ? '\n' : ' ';
+        file_.flush_if_full();
+      }
+    } else {
+      append_block(file_, count, sizeof(T), [&](std::string& bytes, std::size_t i) {
+        append_little_endian(bytes, static_cast<T>(value_at(i)));
+      });
+    }
+    file_.write("\n</DataArray>\n");
+  }
+
+  void append_text(double value) { append_number(file_.buffer(), value); }
+  void append_text(std::int64_t value) {
+    append_number(file_.buffer(), static_cast<std::size_t>(value));
+  }
+  void append_text(unsigned char value) {
+    append_number(file_.buffer(), static_cast<std::size_t>(value));
+  }
+
+  AtomicFile& file_;
+  const Triangulation& triangulation_;
+  const Numbering& numbering_;
+  bool ascii_;
+};
+
+}  // namespace
+
+void write_tetrahedra(const std::filesystem::path& path, const Triangulation& triangulation,
+                      const TetrahedraWriteOptions& options) {
+  const std::string extension = extension_of(path);
+  if (extension != ".vtu" && extension != ".mesh" && extension != ".tet") {
+    throw file_error(path, "tetrahedra are not written with extension " + in_quotes(extension) +
+                               "; use .vtu, .mesh or .tet");
+  }
+  const Numbering numbering = by_first_input_point(triangulation);
+  AtomicFile file(path);
+  if (extension == ".tet") write_tet(file, triangulation, numbering);
+  if (extension == ".mesh") write_medit(file, triangulation, numbering);
+  if (extension == ".vtu") VtuWriter(file, triangulation, numbering, options.ascii).write();
+  file.commit();
+}
+
+}  // namespace cocoon

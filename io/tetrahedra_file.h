@@ -1,0 +1,29 @@
+// A 3D triangulation as a file of tetrahedra.
+#pragma once
+
+#include <filesystem>
+
+#include "delaunay/triangulation.h"
+
+namespace cocoon {
+
+struct TetrahedraWriteOptions {
+  // VTU: numbers as text instead of base64. The other formats are always text.
+  bool ascii = false;
+};
+
+// Writes the finite cells by extension: .vtu (VTK unstructured grid, for ParaView), .mesh (Medit)
+// or .tet (text: a line "n m", n lines "x y z", m lines of four indices counted from 0).
+//
+// In all three, the points are the n different points of the input, each where the user's input had
+// it first, and the indices of the m tetrahedra refer to these. Of points that differ in the sign
+// of a zero only, the triangulation decides which one stands for both. Tetrahedra are in the order
+// of the triangulation's cells, with orient3d > 0; the order of their corners is that of the cell.
+// All bits of the coordinates are kept. Medit counts from 1 and gets the reference 0 everywhere.
+//
+// The file appears complete or not at all (io/atomic_file.h). Throws FileError for another
+// extension and if it cannot be written. Complexity: O(points log points + cells).
+void write_tetrahedra(const std::filesystem::path& path, const Triangulation& triangulation,
+                      const TetrahedraWriteOptions& options = {});
+
+}  // namespace cocoon

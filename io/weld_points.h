@@ -1,0 +1,32 @@
+// Finds equal points while they arrive one by one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geom/point.h"
+
+namespace cocoon {
+
+// Appends to `points` what is not in it yet. Points are equal if their coordinates are (-0 = 0, as
+// everywhere); the bits of the first one stay. An open-addressing table: O(1) expected per point.
+class PointWelder {
+ public:
+  // `points` must outlive this object, and only this object may change it.
+  explicit PointWelder(std::vector<Point>& points) : points_(points), table_(1024, empty) {}
+
+  // The position in `points` of a point equal to `point`.
+  std::size_t add(const Point& point);
+
+ private:
+  static constexpr std::size_t empty = ~std::size_t{0};
+
+  std::size_t slot_of(const Point& point) const;
+  void grow();
+
+  std::vector<Point>& points_;
+  std::vector<std::size_t> table_;  // power of two many slots, at most half of them used
+};
+
+}  // namespace cocoon

@@ -1,0 +1,217 @@
+#include "io/xyz.h"
+
+#include <array>
+#include <string>
+
+#include "io/number_text.h"
+#include "io/text_lines.h"
+
+namespace cocoon {
+
+namespace {
+
+enum class Separator { none, blank, comma, semicolon };
+
+bool is_comment(const char* at, const char* end) {
+  return *at == '#' || (*at == '/' && at + 1 != end && at[1] == '/');
+}
+
+void skip_blanks(const char*& at, const char* end) {
+  while (at != end && is_blank(*at)) ++at;
+}
+
+// Passes what separates two columns. False: something else follows, which belongs to the column.
+bool read_separator(const char*& at, const char* end, Separator& separator) {
+  const char* begin = at;
+  skip_blanks(at, end);
+  if (at == end || is_comment(at, end)) {
+    separator = Separator::none;
+    at = end;
+    return true;
+  }
+  if (*at == ',' || *at == ';') {
+    separator = *at == ',' ? Separator::comma : Separator::semicolon;
+    ++at;
+    skip_blanks(at, end);
+    return true;
+  }
+  separator = Separator::blank;
+  return at != begin;
+}
+
+// The columns of a line as text, for the rare lines that are no plain rows.
+std::vector<std::string_view> split_columns(std::string_view line) {
+  std::vector<std::string_view> columns;
+  const char* at = line.data();
+  const char* end = at + line.size();
+  Separator separator = Separator::none;
+  skip_blanks(at, end);
+  while (at != end && !is_comment(at, end)) {
+    const char* begin = at;
+    const bool is_quoted = *at == '"';
+    if (is_quoted) ++at;
+    while (at != end && (is_quoted ? *at != '"' : !is_blank(*at) && *at != ',' && *at != ';')) ++at;
+    if (is_quoted && at != end) ++at;
+    columns.emplace_back(begin, static_cast<std::size_t>(at - begin));
+    while (at != end && !read_separator(at, end, separator)) ++at;
+  }
+  return columns;
+}
+
+bool is_name(std::string_view column) {
+  if (column.empty()) return false;
+  const char* at = column.data();
+  double value = 0;
+  if (parse_double(at, column.data() + column.size(), value)) return false;  // also nan and inf
+  const char first = column.front();
+  return (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z') || first == '_' ||
+         first == '"' || first == '\'';
+}
+
+// The axis that a column is called: 'x', 'y', 'z', or 0 for another name.
+char axis_of(std::string_view name) {
+  if (name.size() >= 3 && (name.front() == '"' || name.front() == '\'')) {
+    name = name.substr(1, name.size() - 2);
+  }
+  if (name.size() != 1) return 0;
+  const char lower = static_cast<char>(name[0] | 0x20);
+  return lower >= 'x' && lower <= 'z' ? lower : '\0';
+}
+
+class XyzReader {
+ public:
+  explicit XyzReader(const FileBytes& file) : file_(file), lines_(text_of(file)) {}
+
+  PointCloud read() {
+    std::string_view line;
+    while (lines_.next(line)) {
+      const char* at = line.data();
+      const char* end = at + line.size();
+      skip_blanks(at, end);
+      if (at == end || is_comment(at, end)) continue;
+      line = {at, static_cast<std::size_t>(end - at)};
+      if (cloud_.points.empty() && (read_count(line) || read_header(line))) continue;
+      read_row(line);
+    }
+    non_finite_.finish(file_.path);
+    check_number_of_rows();
+    return std::move(cloud_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const {
+    throw file_error(file_.path, lines_.number(), message);
+  }
+
+  void read_row(std::string_view line) {
+    const char* at = line.data();
+    const char* end = at + line.size();
+    std::array<double, 3> xyz = {};
+    std::array<Separator, 3> separators = {};
+    for (std::size_t column = 0; column < 3; ++column) {
+      const char* begin = at;
+      if (!parse_double(at, end, xyz[column]) || !read_separator(at, end, separators[column])) {
+        const std::string_view text(begin, static_cast<std::size_t>(end - begin));
+        fail("column " + std::to_string(column + 1) +
+             " is not a decimal number: " + in_quotes(text.substr(0, text.find_first_of(" \t,;"))));
+      }
+      if (separators[column] == Separator::none && column < 2) {
+        fail("a row needs three numbers x y z, this one has " + std::to_string(column + 1));
+      }
+    }
+    const bool mixed = separators[0] != separators[1] ||
+                       (separators[2] != Separator::none && separators[2] != separators[0]);
+    if (mixed) {
+      fail("mixes separators; if the comma is a decimal comma, write a point instead");
+    }
+    if (separators[0] == Separator::comma) check_comma_columns(line);
+    if (cloud_.points.empty()) cloud_.columns = split_columns(line).size();
+
+    const Point point{xyz[0], xyz[1], xyz[2]};
+    if (!is_finite(point)) non_finite_.note(cloud_.points.size(), lines_.number());
+    cloud_.points.push_back(point);
+  }
+
+  // A decimal comma among commas shows itself by rows of different length.
+  void check_comma_columns(std::string_view line) {
+    std::size_t columns = 1;
+    bool is_quoted = false;
+    for (char c : line) {
+      if (c == '#' && !is_quoted) break;
+      if (c == '"') is_quoted = !is_quoted;
+      if (c == ',' && !is_quoted) ++columns;
+    }
+    if (comma_columns_ == 0) comma_columns_ = columns;
+    if (columns != comma_columns_) {
+      fail("has " + std::to_string(columns) + " columns, earlier lines have " +
+           std::to_string(comma_columns_) +
+           "; if the comma is a decimal comma, write a point instead");
+    }
+  }
+
+  // A whole number alone on the first line.
+  bool read_count(std::string_view line) {
+    std::int64_t count = 0;
+    Fields fields(line.substr(0, line.find('#')));
+    if (has_count_ || !fields.integer(count) || !fields.done() || count < 0) return false;
+    has_count_ = true;
+    cloud_.announced = static_cast<std::size_t>(count);
+    return true;
+  }
+
+  bool read_header(std::string_view line) {
+    if (!cloud_.header.empty()) return false;
+    const std::vector<std::string_view> names = split_columns(line);
+    if (names.size() < 3) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!is_name(names[i])) return false;
+    }
+    bool names_axes = false;
+    for (std::string_view name : names) names_axes = names_axes || axis_of(name) != 0;
+    if (names_axes &&
+        (axis_of(names[0]) != 'x' || axis_of(names[1]) != 'y' || axis_of(names[2]) != 'z')) {
+      fail("the header does not name x, y, z as the first three columns; reorder the columns");
+    }
+    if (line.find(',') != std::string_view::npos) comma_columns_ = names.size();
+    cloud_.header = line;
+    return true;
+  }
+
+  void check_number_of_rows() const {
+    if (cloud_.points.size() < cloud_.announced) {
+      throw file_error(file_.path, "announces " + std::to_string(cloud_.announced) +
+                                       " points but holds " + std::to_string(cloud_.points.size()) +
+                                       "; the file is cut off");
+    }
+    if (cloud_.points.empty() && !has_count_) {
+      throw file_error(file_.path, "holds no points; expected lines 'x y z'");
+    }
+  }
+
+  const FileBytes& file_;
+  TextLines lines_;
+  bool has_count_ = false;
+  std::size_t comma_columns_ = 0;  // 0: not known yet
+  NonFinitePoints non_finite_;
+  PointCloud cloud_;
+};
+
+}  // namespace
+
+PointCloud read_xyz(const FileBytes& file) { return XyzReader(file).read(); }
+
+void write_xyz(AtomicFile& file, Points points, std::string_view extension) {
+  const char separator = extension == ".csv" ? ',' : ' ';
+  if (extension == ".csv") file.write("x,y,z\n");
+  if (extension == ".pts") file.write(std::to_string(points.size()) + "\n");
+  for (const Point& point : points) {
+    std::string& text = file.buffer();
+    for (int axis = 0; axis < 3; ++axis) {
+      append_number(text, point[axis]);
+      text += axis < 2 ? separator : '\n';
+    }
+    file.flush_if_full();
+  }
+}
+
+}  // namespace cocoon

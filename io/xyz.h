@@ -1,0 +1,29 @@
+// Points as text, one a line: .xyz .pts .txt .csv and their relatives with normals or colors.
+#pragma once
+
+#include <string_view>
+
+#include "geom/point.h"
+#include "io/atomic_file.h"
+#include "io/file_bytes.h"
+#include "io/point_file.h"
+
+namespace cocoon {
+
+// Reads rows "x y z ...": the first three columns; what follows is not read.
+//   - Columns are separated by blanks, by commas or by semicolons (blanks around those do not
+//     matter). A row that mixes them among its first columns is refused: "0,5 1 2" is a decimal
+//     comma. Rows separated by commas must all have the same number of columns, for the same
+//     reason.
+//   - # and // start a comment where a row or a column could start; blank lines are skipped.
+//   - The first line may be a count alone (then as many rows must follow; more are read, too) or a
+//     header: names in its first three columns. If the names x, y, z occur in it, then there.
+// Throws FileError with the line for a row that has fewer than three columns or no number where one
+// belongs (hexadecimal and Fortran's D are none), for rows that are not finite, and for no rows.
+PointCloud read_xyz(const FileBytes& file);
+
+// Writes rows "x y z"; for ".csv" separated by commas under a header "x,y,z"; for ".pts" under a
+// count.
+void write_xyz(AtomicFile& file, Points points, std::string_view extension);
+
+}  // namespace cocoon
