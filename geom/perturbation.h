@@ -7,11 +7,12 @@
 namespace cocoon {
 
 // insphere(a, b, c, d, e) with ties broken as if every point were lifted off the paraboloid by an
-// infinitesimal that grows with the lexicographic rank of its coordinates. Never zero for
-// orient3d(a, b, c, d) > 0 and e different from a, b, c, d. The choice depends on the coordinates
+// infinitesimal that grows with the lexicographic rank of its coordinates. Precondition:
+// orient3d(a, b, c, d) > 0. Zero iff e is one of a, b, c, d. The choice depends on the coordinates
 // alone, so the Delaunay triangulation of a point set is unique, and it has no flat cell.
 // Source: Devillers & Teillaud, Perturbations and vertex removal in a 3D Delaunay triangulation
-// (SODA 2003). Complexity: insphere, and on a tie at most three orient3d.
+// (SODA 2003), with the lexicographic order. Complexity: insphere, and on a tie at most two
+// orient3d.
 Sign insphere_perturbed(const Point& a, const Point& b, const Point& c, const Point& d,
                         const Point& e);
 

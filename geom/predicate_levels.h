@@ -1,0 +1,44 @@
+// The levels of the exact predicates, one function each. For tests, benchmarks and readers; callers
+// want orient3d.h and insphere.h, which run these from top to bottom until one is certain.
+#pragma once
+
+#include "geom/insphere.h"
+#include "geom/orient3d.h"
+
+namespace cocoon {
+
+enum class PredicateLevel {
+  filter,     // floating point, bound from the extent of the points on each axis
+  permanent,  // floating point, bound from the products that occur; and all points in x, y or z =
+              // const
+  grid_64,    // integers, differences below 2^62 units of the common grid
+  grid_128,   // integers, differences up to 2^126 units
+  grid_256,   // integers, differences up to 2^254 units
+  wide,       // integers as wide as the range of double
+};
+
+struct PredicateDecision {
+  Sign sign = Sign::zero;
+  PredicateLevel level = PredicateLevel::filter;
+};
+
+// Same sign as orient3d and insphere, and the level that knew it.
+PredicateDecision decide_orient3d(const Point& a, const Point& b, const Point& c, const Point& d);
+PredicateDecision decide_insphere(const Point& a, const Point& b, const Point& c, const Point& d,
+                                  const Point& e);
+
+// The second filters; `error` 0 with `value` 0 says an exact zero.
+FilteredDeterminant orient3d_permanent(const Point& a, const Point& b, const Point& c,
+                                       const Point& d);
+FilteredDeterminant insphere_permanent(const Point& a, const Point& b, const Point& c,
+                                       const Point& d, const Point& e);
+
+// The integer levels. The level used is the narrowest that holds the differences, but not below
+// `narrowest` (grid_64 or wider).
+PredicateDecision orient3d_on_grid(const Point& a, const Point& b, const Point& c, const Point& d,
+                                   PredicateLevel narrowest = PredicateLevel::grid_64);
+PredicateDecision insphere_on_grid(const Point& a, const Point& b, const Point& c, const Point& d,
+                                   const Point& e,
+                                   PredicateLevel narrowest = PredicateLevel::grid_64);
+
+}  // namespace cocoon

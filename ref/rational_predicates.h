@@ -1,0 +1,19 @@
+// The predicates of geom/ in rational numbers: no filter, no bound, nothing to prove. Slow twins
+// with the same signatures, for tests and for readers.
+#pragma once
+
+#include "geom/point.h"
+#include "geom/sign.h"
+
+namespace cocoon::ref {
+
+Sign orient2d(double ax, double ay, double bx, double by, double cx, double cy);
+Sign orient3d(const Point& a, const Point& b, const Point& c, const Point& d);
+Sign insphere(const Point& a, const Point& b, const Point& c, const Point& d, const Point& e);
+
+// Perturbs for real: lifts the point of lexicographic rank i by a rational epsilon^(5 - i) so small
+// that halving it changes nothing. Same precondition as cocoon::insphere_perturbed.
+Sign insphere_perturbed(const Point& a, const Point& b, const Point& c, const Point& d,
+                        const Point& e);
+
+}  // namespace cocoon::ref
