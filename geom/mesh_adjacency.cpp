@@ -1,0 +1,153 @@
+#include "geom/mesh_adjacency.h"
+
+#include <algorithm>
+#include <string>
+
+#include "geom/errors.h"
+
+namespace cocoon {
+namespace {
+
+void require_valid(const TriangleMesh& mesh) {
+  if (mesh.triangles.size() > HalfedgeId::none_value / 3) {
+    throw InputError("mesh has " + std::to_string(mesh.triangles.size()) +
+                     " triangles, more than 32-bit ids can name; split it");
+  }
+  for (const TriangleId t : mesh.triangles.ids()) {
+    for (const VertexId v : mesh.triangles[t]) {
+      if (v.index() >= mesh.points.size()) {
+        throw InputError("triangle " + std::to_string(t.value) + " names vertex " +
+                         std::to_string(v.value) + " of a mesh with " +
+                         std::to_string(mesh.points.size()) + " vertices; repair its indices");
+      }
+    }
+  }
+}
+
+// A corner listed after an equal one of the same triangle: the triangle is already in the list.
+bool repeats_earlier_corner(const Triangle& triangle, std::size_t corner) {
+  const auto end = triangle.begin() + static_cast<std::ptrdiff_t>(corner);
+  return std::find(triangle.begin(), end, triangle[corner]) != end;
+}
+
+bool repeats_a_vertex(const Triangle& triangle) {
+  return repeats_earlier_corner(triangle, 1) || repeats_earlier_corner(triangle, 2);
+}
+
+// Turns counts[k + 1] = size of list k into the begins of the lists.
+void accumulate(std::vector<std::uint32_t>& counts) {
+  for (std::size_t k = 1; k < counts.size(); ++k) counts[k] += counts[k - 1];
+}
+
+void list_triangles_at_vertices(const TriangleMesh& mesh, MeshAdjacency& adjacency) {
+  adjacency.vertex_begin.assign(mesh.points.size() + 1, 0);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!repeats_earlier_corner(triangle, i)) ++adjacency.vertex_begin[triangle[i].index() + 1];
+    }
+  }
+  accumulate(adjacency.vertex_begin);
+  adjacency.vertex_triangles.resize(adjacency.vertex_begin.back());
+  std::vector<std::uint32_t> next = adjacency.vertex_begin;
+  for (const TriangleId t : mesh.triangles.ids()) {
+    const Triangle& triangle = mesh.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (repeats_earlier_corner(triangle, i)) continue;
+      adjacency.vertex_triangles[next[triangle[i].index()]++] = t;
+    }
+  }
+}
+
+struct Side {
+  VertexId larger;
+  HalfedgeId halfedge;
+  friend auto operator<=>(const Side&, const Side&) = default;
+};
+
+// All sides, grouped by their smaller vertex (bucket sort), each group sorted by (larger vertex,
+// halfedge): the sides at one edge are consecutive.
+std::vector<Side> sorted_sides(const TriangleMesh& mesh, std::vector<std::uint32_t>& begin) {
+  begin.assign(mesh.points.size() + 1, 0);
+  const auto for_each_side = [&mesh](const auto& visit) {
+    for (const TriangleId t : mesh.triangles.ids()) {
+      if (repeats_a_vertex(mesh.triangles[t])) continue;
+      for (int i = 0; i < 3; ++i) {
+        const auto [from, to] = ends_of(mesh, halfedge_of(t, i));
+        visit(std::min(from, to), std::max(from, to), halfedge_of(t, i));
+      }
+    }
+  };
+  for_each_side([&](VertexId smaller, VertexId, HalfedgeId) { ++begin[smaller.index() + 1]; });
+  accumulate(begin);
+  std::vector<Side> sides(begin.back());
+  std::vector<std::uint32_t> next = begin;
+  for_each_side([&](VertexId smaller, VertexId larger, HalfedgeId h) {
+    sides[next[smaller.index()]++] = {larger, h};
+  });
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+    std::sort(sides.begin() + begin[v], sides.begin() + begin[v + 1]);
+  }
+  return sides;
+}
+
+void list_sides_at_edges(const TriangleMesh& mesh, MeshAdjacency& adjacency) {
+  std::vector<std::uint32_t> begin;
+  const std::vector<Side> sides = sorted_sides(mesh, begin);
+  adjacency.edge_of.resize(3 * mesh.triangles.size());
+  adjacency.edge_halfedges.reserve(sides.size());
+  for (const VertexId smaller : mesh.points.ids()) {
+    VertexId larger;
+    for (std::size_t k = begin[smaller.index()]; k < begin[smaller.index() + 1]; ++k) {
+      if (sides[k].larger != larger) {
+        larger = sides[k].larger;
+        adjacency.edge_begin.push_back(static_cast<std::uint32_t>(k));
+        adjacency.edges.push_back({smaller, larger});
+      }
+      adjacency.edge_halfedges.push_back(sides[k].halfedge);
+      adjacency.edge_of[sides[k].halfedge] = EdgeId(adjacency.edges.size() - 1);
+    }
+  }
+  adjacency.edge_begin.push_back(static_cast<std::uint32_t>(sides.size()));
+}
+
+void link_neighbors(MeshAdjacency& adjacency) {
+  for (const EdgeId edge : adjacency.edges.ids()) {
+    const std::span<const HalfedgeId> sides = adjacency.halfedges_at(edge);
+    if (sides.size() != 2) continue;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto corner = static_cast<std::size_t>(corner_of(sides[k]));
+      adjacency.neighbors[triangle_of(sides[k])][corner] = triangle_of(sides[1 - k]);
+    }
+  }
+}
+
+}  // namespace
+
+std::span<const HalfedgeId> MeshAdjacency::halfedges_at(EdgeId edge) const {
+  const std::size_t begin = edge_begin[edge.index()];
+  return {edge_halfedges.data() + begin, edge_begin[edge.index() + 1] - begin};
+}
+
+std::span<const TriangleId> MeshAdjacency::triangles_at(VertexId vertex) const {
+  const std::size_t begin = vertex_begin[vertex.index()];
+  return {vertex_triangles.data() + begin, vertex_begin[vertex.index() + 1] - begin};
+}
+
+EdgeId MeshAdjacency::edge_between(VertexId a, VertexId b) const {
+  const std::array<VertexId, 2> wanted = {std::min(a, b), std::max(a, b)};
+  const auto found = std::lower_bound(edges.begin(), edges.end(), wanted);
+  if (found == edges.end() || *found != wanted) return {};
+  return EdgeId(static_cast<std::size_t>(found - edges.begin()));
+}
+
+MeshAdjacency mesh_adjacency(const TriangleMesh& mesh) {
+  require_valid(mesh);
+  MeshAdjacency adjacency;
+  adjacency.neighbors.resize(mesh.triangles.size());
+  list_triangles_at_vertices(mesh, adjacency);
+  list_sides_at_edges(mesh, adjacency);
+  link_neighbors(adjacency);
+  return adjacency;
+}
+
+}  // namespace cocoon
