@@ -73,7 +73,10 @@ bool repeats_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || 
 class Checker {
  public:
   Checker(const TriangleMesh& mesh, const MeshCheckOptions& options)
-      : mesh_(mesh), options_(options), sets_(mesh.triangles.size()) {}
+      : mesh_(mesh),
+        options_(options),
+        connected_(mesh.triangles.size()),
+        agreeing_(mesh.triangles.size()) {}
 
   MeshReport check() {
     require_indices();
@@ -207,12 +210,16 @@ class Checker {
       ++report_.orientation_conflicts;
       add_example(report_.examples.orientation_conflicts, edge);
     }
+    const std::size_t first = sides_[begin].triangle.index();
     for (std::size_t k = begin + 1; k < end; ++k) {
-      // Only where two triangles meet does one orientation follow from the other.
-      const std::size_t a = sides_[begin].triangle.index();
-      const std::size_t b = sides_[k].triangle.index();
-      const int parity = sides_[begin].forward == sides_[k].forward ? 1 : 0;
-      if (!sets_.join(a, b, parity) && count == 2) contradicted_[a] = 1;
+      connected_.join(first, sides_[k].triangle.index(), 0);
+    }
+    if (count == 2) {
+      // Only where exactly two triangles meet does one orientation follow from the other.
+      const int parity = forward == 1 ? 0 : 1;
+      if (!agreeing_.join(first, sides_[begin + 1].triangle.index(), parity)) {
+        contradicted_[first] = 1;
+      }
     }
   }
 
@@ -265,7 +272,7 @@ class Checker {
     std::vector<std::size_t> component_of_root(mesh_.triangles.size());
     for (const TriangleId t : mesh_.triangles.ids()) {
       if (repeats_vertex(mesh_.triangles[t])) continue;
-      const std::size_t root = sets_.root(t.index());
+      const std::size_t root = connected_.root(t.index());
       if (root == t.index()) {
         component_of_root[root] = report_.component_reports.size();
         MeshComponent component;
@@ -277,7 +284,7 @@ class Checker {
     }
     report_.components = report_.component_reports.size();
     const auto component_of = [&](TriangleId t) -> MeshComponent& {
-      return report_.component_reports[component_of_root[sets_.root(t.index())]];
+      return report_.component_reports[component_of_root[connected_.root(t.index())]];
     };
     for_each_edge([&](std::size_t begin, std::size_t end) {
       MeshComponent& component = component_of(sides_[begin].triangle);
@@ -366,7 +373,8 @@ class Checker {
   const TriangleMesh& mesh_;
   const MeshCheckOptions& options_;
   MeshReport report_;
-  ParitySets sets_;                   // triangles joined by edges
+  ParitySets connected_;              // triangles joined by edges
+  ParitySets agreeing_;               // by edges with two triangles; parity = turned
   std::vector<Side> sides_;           // of all proper triangles, sorted by edge
   std::vector<char> contradicted_;    // by triangle: an edge of it contradicts the orientation
   IdVector<VertexId, char> pinched_;  // by vertex

@@ -24,7 +24,7 @@ struct MeshComponent {
   std::ptrdiff_t euler = 0;          // vertices - edges + triangles
   bool closed = false;               // every edge has exactly two of its triangles
   bool manifold = false;             // no edge with more than two, no pinched vertex in it
-  bool orientable = false;           // its triangles can be turned so that no two conflict
+  bool orientable = false;           // triangles can be turned so that no two conflict
   std::optional<std::size_t> genus;  // (2 - euler) / 2 if closed, manifold and orientable
 };
 
