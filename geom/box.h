@@ -1,0 +1,60 @@
+// Axis-parallel boxes.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "geom/point.h"
+
+namespace cocoon {
+
+// The closed box from `low` to `high`. The default one is empty: it contains no point, and
+// including a point in it makes it that point.
+struct Box {
+  Point low = {infinity, infinity, infinity};
+  Point high = {-infinity, -infinity, -infinity};
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  bool is_empty() const { return !(low.x <= high.x); }
+  Vec3 size() const { return is_empty() ? Vec3{} : high - low; }
+  Point center() const { return is_empty() ? Point{} : 0.5 * low + 0.5 * high; }
+
+  void include(const Point& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  void include(const Box& other) {
+    include(other.low);
+    include(other.high);
+  }
+  void enlarge(double by) {
+    low = low - Vec3{by, by, by};
+    high = high + Vec3{by, by, by};
+  }
+
+  friend bool operator==(const Box&, const Box&) = default;
+};
+
+inline Box box_of(Points points) {
+  Box box;
+  for (const Point& p : points) box.include(p);
+  return box;
+}
+
+inline bool overlap(const Box& a, const Box& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+         a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
+// Squared distance of p to the box, 0 inside. Never more than squared_distance(p, q) for a q in
+// the box, rounding included: each step rounds monotonically.
+inline double squared_distance(const Point& p, const Box& box) {
+  const auto gap = [](double x, double low, double high) {
+    return x < low ? x - low : x > high ? x - high : 0.0;
+  };
+  return squared_norm(Vec3{gap(p.x, box.low.x, box.high.x), gap(p.y, box.low.y, box.high.y),
+                           gap(p.z, box.low.z, box.high.z)});
+}
+
+}  // namespace cocoon

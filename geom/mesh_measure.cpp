@@ -1,0 +1,69 @@
+#include "geom/mesh_measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "geom/mesh_adjacency.h"
+
+namespace cocoon {
+namespace {
+
+// Carries what each addition rounds off.
+class CompensatedSum {
+ public:
+  void add(double term) {
+    const double sum = sum_ + term;
+    lost_ += std::abs(sum_) >= std::abs(term) ? (sum_ - sum) + term : (term - sum) + sum_;
+    sum_ = sum;
+  }
+  double value() const { return sum_ + lost_; }
+
+ private:
+  double sum_ = 0;
+  double lost_ = 0;
+};
+
+EdgeLengths measure_edges(const TriangleMesh& mesh) {
+  std::vector<double> lengths;
+  for (const auto& [a, b] : mesh_adjacency(mesh).edges) {
+    lengths.push_back(distance(mesh.points[a], mesh.points[b]));
+  }
+  if (lengths.empty()) return {};
+  std::sort(lengths.begin(), lengths.end());
+  const std::size_t n = lengths.size();
+  CompensatedSum sum;
+  for (const double length : lengths) sum.add(length);
+  return {.count = n,
+          .min = lengths.front(),
+          .first_decile = lengths[n / 10],
+          .median = lengths[n / 2],
+          .last_decile = lengths[9 * n / 10],
+          .max = lengths.back(),
+          .mean = sum.value() / static_cast<double>(n)};
+}
+
+}  // namespace
+
+MeshMeasure mesh_measure(const TriangleMesh& mesh) {
+  MeshMeasure measure;
+  measure.edge_lengths = measure_edges(mesh);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const VertexId v : triangle) measure.box.include(mesh.points[v]);
+  }
+  const Point origin = measure.box.center();
+  CompensatedSum area;
+  CompensatedSum volume;
+  for (const Triangle& triangle : mesh.triangles) {
+    const Vec3 a = mesh.points[triangle[0]] - origin;
+    const Vec3 b = mesh.points[triangle[1]] - origin;
+    const Vec3 c = mesh.points[triangle[2]] - origin;
+    area.add(norm(cross(b - a, c - a)) / 2);
+    volume.add(dot(a, cross(b, c)) / 6);
+  }
+  measure.area = area.value();
+  measure.signed_volume = volume.value();
+  return measure;
+}
+
+}  // namespace cocoon
