@@ -1,0 +1,100 @@
+// A bounding volume hierarchy: finds the boxes near a point or overlapping another box. What the
+// boxes stand for (triangles, points) is the caller's; see closest_facet, nearest_point and
+// self_intersection.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "geom/box.h"
+
+namespace cocoon {
+
+// Invariant: every node's box holds the boxes of its items; the tree is balanced (median splits),
+// so that its depth is at most 33. Flat arrays, no pointers; safe to query from many threads.
+class BoxTree {
+ public:
+  BoxTree() = default;
+  // Complexity: O(n log n). Items are named by their position in `boxes`, fewer than 2^32.
+  explicit BoxTree(std::span<const Box> boxes);
+
+  // Items in the order of the leaves: queries name a slot of it, since data stored in this order
+  // is read consecutively.
+  const std::vector<std::uint32_t>& items() const { return items_; }
+
+  // Calls visit(slot) -> double for all items, nearer nodes first, but for those in nodes whose
+  // box is farther from p than `bound` (squared). Each call returns the new bound.
+  template <class Visit>
+  void visit_near(const Point& p, double bound, const Visit& visit) const;
+
+  // Calls visit(slot) for the items in all leaves whose box overlaps `box`. The items' own boxes
+  // need not overlap it.
+  template <class Visit>
+  void visit_overlapping(const Box& box, const Visit& visit) const;
+
+ private:
+  // A leaf holds the slots [first, first + count). An inner node has count = 0, its children are
+  // the node after it and node `first`.
+  struct Node {
+    Box box;
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+  static constexpr std::size_t max_depth = 40;
+  static constexpr std::size_t leaf_size = 4;
+
+  std::uint32_t build(std::span<const Box> boxes, std::size_t begin, std::size_t end);
+
+  std::vector<Node> nodes_;  // the root first; empty for no items
+  std::vector<std::uint32_t> items_;
+};
+
+template <class Visit>
+void BoxTree::visit_near(const Point& p, double bound, const Visit& visit) const {
+  if (nodes_.empty()) return;
+  struct Entry {
+    std::uint32_t node;
+    double squared_distance;
+  };
+  std::array<Entry, max_depth> stack;
+  std::size_t size = 0;
+  stack[size++] = {0, squared_distance(p, nodes_[0].box)};
+  while (size > 0) {
+    const Entry entry = stack[--size];
+    if (entry.squared_distance > bound) continue;
+    const Node& node = nodes_[entry.node];
+    for (std::uint32_t k = 0; k < node.count; ++k) bound = visit(node.first + k);
+    if (node.count > 0) continue;
+    Entry near = {entry.node + 1, squared_distance(p, nodes_[entry.node + 1].box)};
+    Entry far = {node.first, squared_distance(p, nodes_[node.first].box)};
+    if (far.squared_distance < near.squared_distance) std::swap(near, far);
+    assert(size + 2 <= max_depth);
+    if (far.squared_distance <= bound) stack[size++] = far;
+    stack[size++] = near;
+  }
+}
+
+template <class Visit>
+void BoxTree::visit_overlapping(const Box& box, const Visit& visit) const {
+  if (nodes_.empty()) return;
+  std::array<std::uint32_t, max_depth> stack;
+  std::size_t size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t id = stack[--size];
+    const Node& node = nodes_[id];
+    if (!overlap(node.box, box)) continue;
+    for (std::uint32_t k = 0; k < node.count; ++k) visit(node.first + k);
+    if (node.count > 0) continue;
+    assert(size + 2 <= max_depth);
+    stack[size++] = node.first;
+    stack[size++] = id + 1;
+  }
+}
+
+}  // namespace cocoon
