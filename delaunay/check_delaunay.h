@@ -1,0 +1,51 @@
+// A certificate: is this value a Delaunay triangulation, whoever made it?
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "delaunay/triangulation.h"
+#include "geom/execution.h"
+
+namespace cocoon {
+
+struct CheckDelaunayOptions {
+  // Up to this many vertices every finite cell is also tested against every vertex. Nothing new
+  // follows from that, see below; it checks the checker.
+  std::size_t every_pair_up_to = 0;
+};
+
+// How often each property is violated. All decisions are exact.
+struct DelaunayReport {
+  std::size_t malformed_cells = 0;    // vertex out of range, repeated, or infinite in a wrong slot
+  std::size_t broken_neighbors = 0;   // facets: neighbor out of range, not mutual, other triangle
+  std::size_t misoriented_cells = 0;  // finite, orient3d <= 0
+  std::size_t reflex_hull_edges = 0;  // a neighboring hull facet's vertex lies beyond the facet
+  std::size_t unused_vertices = 0;    // in no cell
+  std::size_t bad_links = 0;          // cells around a vertex, also the infinite one, do not fit
+                                      // together like a sphere (by Euler's relation)
+  std::size_t vertices_without_point = 0;  // no input point was mapped to them
+  std::size_t occupied_spheres = 0;  // facets between finite cells that are not locally Delaunay
+  std::size_t occupied_pairs = 0;    // of the test of every pair
+  bool every_pair_tested = false;
+  // The first violation, one line; empty if there is none. The same for every thread count.
+  std::string first_violation;
+
+  bool ok() const { return first_violation.empty(); }
+};
+
+// Tests all that makes a Triangulation a Delaunay triangulation under the perturbation of
+// geom/perturbation.h: positively oriented cells that fit together along mutual facets into a
+// closed manifold with a convex hull, every vertex in use, and no vertex inside the sphere of the
+// cell behind a facet. Local emptiness at every facet implies global emptiness (Delaunay's lemma:
+// the lifted surface is convex where it is locally convex), and since the perturbed Delaunay
+// triangulation is unique, a triangulation that passes is THE one of its points.
+// If cells are malformed or neighbors are broken, only that is reported: the rest cannot be read.
+// Complexity: O(cells), with every_pair_up_to O(cells * vertices). Deterministic for any thread
+// count. Source: Devillers, Liotta, Preparata & Tamassia, Checking the convexity of polytopes and
+// the planarity of subdivisions (1998), for certifying by local tests.
+DelaunayReport check_delaunay(const Triangulation& triangulation,
+                              const CheckDelaunayOptions& options = {},
+                              const Execution& execution = {});
+
+}  // namespace cocoon
