@@ -38,7 +38,7 @@ Triangulation cgal_delaunay(Points points) {
   DistinctPoints distinct = distinct_points(points);
   const Delaunay delaunay = build(distinct.points);
   if (delaunay.dimension() < 3) {
-    throw InputError("all points lie in one plane; add a point outside of it");
+    throw InputError("all points lie in one plane: no triangulation of space");
   }
   // CGAL's cells have the project's orientation already.
   std::vector<std::array<VertexId, 4>> cells;

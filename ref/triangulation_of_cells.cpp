@@ -88,7 +88,7 @@ DistinctPoints distinct_points(Points points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (is_finite(points[i])) continue;
     throw InputError("point " + std::to_string(i) +
-                     " has a coordinate that is not finite; remove the point");
+                     " (counted from 0) has a coordinate that is not finite: remove or repair it");
   }
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -105,7 +105,7 @@ DistinctPoints distinct_points(Points points) {
   }
   if (result.points.size() < 4) {
     throw InputError("only " + std::to_string(result.points.size()) +
-                     " different points; a triangulation of space needs at least four");
+                     " different points: a triangulation of space needs at least 4");
   }
   return result;
 }

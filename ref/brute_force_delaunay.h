@@ -1,0 +1,17 @@
+// The Delaunay triangulation straight from its definition, to read first and to test against.
+#pragma once
+
+#include "delaunay/triangulation.h"
+#include "geom/point.h"
+
+namespace cocoon::ref {
+
+// A tetrahedron of the points belongs to the triangulation iff no other point lies inside its
+// circumsphere (ties by insphere_perturbed). This asks it of all tetrahedra and all points.
+// Same result as delaunay(points) as a set of cells; layout as cgal_delaunay.
+// Errors: InputError as delaunay() (not finite, fewer than four different points, coplanar).
+// Complexity: O(n^5); meant for n <= 30.
+// Source: Delaunay, Sur la sphere vide (1934).
+Triangulation brute_force_delaunay(Points points);
+
+}  // namespace cocoon::ref
