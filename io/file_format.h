@@ -14,4 +14,8 @@ enum class FileFormat { ply, obj, off, stl, text, other };
 // .xyz .pts .txt .csv .npts .pwn .asc are text.
 FileFormat format_of(const std::filesystem::path& path);
 
+constexpr bool is_mesh(FileFormat format) {
+  return format != FileFormat::text && format != FileFormat::other;
+}
+
 }  // namespace cocoon

@@ -8,18 +8,12 @@
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
-#include "io/polygon_soup.h"
+#include "io/read_polygon_soup.h"
 #include "io/stl.h"
 
 namespace cocoon {
 
 namespace {
-
-void check_extension(const std::filesystem::path& path) {
-  if (has_mesh_extension(path)) return;
-  throw file_error(path, "extension " + in_quotes(extension_of(path)) +
-                             " is not that of a mesh; use .ply, .obj, .off or .stl");
-}
 
 void check_writable(const std::filesystem::path& path, const TriangleMesh& mesh) {
   for (VertexId v : mesh.points.ids()) {
@@ -38,35 +32,10 @@ void check_writable(const std::filesystem::path& path, const TriangleMesh& mesh)
 
 }  // namespace
 
-bool has_mesh_extension(const std::filesystem::path& path) {
-  const FileFormat format = format_of(path);
-  return format != FileFormat::text && format != FileFormat::other;
-}
+bool has_mesh_extension(const std::filesystem::path& path) { return is_mesh(format_of(path)); }
 
 TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report) {
-  check_extension(path);
-  PolygonSoup soup;
-  {
-    const FileBytes file = read_file(path);
-    switch (format_of(path)) {
-      case FileFormat::ply:
-        soup = read_ply(file);
-        break;
-      case FileFormat::obj:
-        soup = read_obj(file);
-        break;
-      case FileFormat::off:
-        soup = read_off(file);
-        break;
-      case FileFormat::stl:
-        soup = read_stl(file);
-        break;
-      case FileFormat::text:
-      case FileFormat::other:
-        break;
-    }
-  }
-  return triangles_of(std::move(soup), path, report);
+  return triangles_of(read_polygon_soup(path), path, report);
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& path) {
@@ -76,26 +45,17 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
                 const MeshWriteOptions& options) {
-  check_extension(path);
+  const FileFormat format = format_of(path);
+  if (!is_mesh(format)) {
+    throw file_error(path, "meshes are not written with extension " +
+                               in_quotes(extension_of(path)) + "; use .ply, .obj, .off or .stl");
+  }
   check_writable(path, mesh);
   AtomicFile file(path);
-  switch (format_of(path)) {
-    case FileFormat::ply:
-      write_ply(file, mesh, options);
-      break;
-    case FileFormat::obj:
-      write_obj(file, mesh);
-      break;
-    case FileFormat::off:
-      write_off(file, mesh);
-      break;
-    case FileFormat::stl:
-      write_stl(file, mesh, options);
-      break;
-    case FileFormat::text:
-    case FileFormat::other:
-      break;
-  }
+  if (format == FileFormat::ply) write_ply(file, mesh, options);
+  if (format == FileFormat::obj) write_obj(file, mesh);
+  if (format == FileFormat::off) write_off(file, mesh);
+  if (format == FileFormat::stl) write_stl(file, mesh, options);
   file.commit();
 }
 

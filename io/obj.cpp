@@ -22,7 +22,6 @@ class ObjReader {
       if (keyword == "v") read_vertex(fields);
       if (keyword == "f") read_face(fields);
     }
-    non_finite_.finish(file_.path);
     if (soup_.points.empty()) {
       throw file_error(file_.path, "has no vertex (no line 'v x y z'); is it an OBJ file?");
     }
@@ -60,7 +59,7 @@ class ObjReader {
       }
     }
     const Point point{xyz[0], xyz[1], xyz[2]};
-    if (!is_finite(point)) non_finite_.note(soup_.points.size(), line_);
+    if (!is_finite(point)) soup_.non_finite.note(soup_.points.size(), line_);
     soup_.points.push_back(point);
   }
 
@@ -87,7 +86,6 @@ class ObjReader {
   TextLines lines_;
   std::size_t line_ = 0;  // where the current statement begins
   std::string joined_;
-  NonFinitePoints non_finite_;
   PolygonSoup soup_;
 };
 

@@ -24,7 +24,7 @@ class OffReader {
     read_header();
     read_vertices();
     read_faces();
-    soup_.trailing_bytes = lines_.rest().size();
+    soup_.trailing_bytes = lines_.rest_without_blanks().size();
     return std::move(soup_);
   }
 
@@ -94,7 +94,6 @@ class OffReader {
   }
 
   void read_vertices() {
-    NonFinitePoints non_finite;
     soup_.points.reserve(num_vertices_);
     for (std::size_t i = 0; i < num_vertices_; ++i) {
       Fields fields = next_line("vertex", i, num_vertices_);
@@ -103,10 +102,9 @@ class OffReader {
         if (!fields.number(value)) fail("a vertex needs three numbers; found " + found(fields));
       }
       const Point point{xyz[0], xyz[1], xyz[2]};
-      if (!is_finite(point)) non_finite.note(i, lines_.number());
+      if (!is_finite(point)) soup_.non_finite.note(i, lines_.number());
       soup_.points.push_back(point);
     }
-    non_finite.finish(file_.path);
   }
 
   void read_faces() {

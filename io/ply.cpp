@@ -87,7 +87,6 @@ class ElementReader {
 
   void read_vertices(const PlyElement& element) {
     const std::vector<Role> roles = roles_of(element, file_);
-    NonFinitePoints non_finite;
     soup_.points.reserve(element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
       body_.begin_element(element, i);
@@ -107,11 +106,10 @@ class ElementReader {
             skip(element.properties[k]);
         }
       }
-      if (!is_finite(point)) non_finite.note(i, body_.line());
+      if (!is_finite(point)) soup_.non_finite.note(i, body_.line());
       soup_.points.push_back(point);
       body_.end_element();
     }
-    non_finite.finish(file_.path);
   }
 
   void read_faces(const PlyElement& element) {

@@ -14,7 +14,7 @@ namespace cocoon {
 // vertex_indices or vertex_index of any integer type) and the element "tristrips" (the same list;
 // -1 starts a new strip). All other elements and properties are skipped. docs/formats.md lists the
 // dialects. Throws FileError with the line (ascii) or element and byte (binary) for what is
-// damaged, cut off, ambiguous (an element or one of these properties given twice), or not finite.
+// damaged, cut off or ambiguous (an element or one of these properties given twice).
 PolygonSoup read_ply(const FileBytes& file);
 
 // Writes points and triangles; a mesh without triangles gets an element "face" with count 0.

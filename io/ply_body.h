@@ -37,7 +37,7 @@ class PlyTextBody {
   void end_element();
   std::size_t line() const { return header_lines_ + lines_.number(); }
   std::size_t surplus_lines() const { return surplus_lines_; }
-  std::size_t trailing_bytes() const { return lines_.rest().size(); }
+  std::size_t trailing_bytes() const { return lines_.rest_without_blanks().size(); }
 
  private:
   [[noreturn]] void fail_value(const char* expected);

@@ -5,23 +5,45 @@
 #include "io/atomic_file.h"
 #include "io/file_bytes.h"
 #include "io/file_format.h"
-#include "io/mesh_file.h"
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
+#include "io/read_polygon_soup.h"
 #include "io/xyz.h"
 
 namespace cocoon {
 
-PointCloud read_points(const std::filesystem::path& path) {
-  if (format_of(path) == FileFormat::text) return read_xyz(read_file(path));
-  if (!has_mesh_extension(path)) {
+namespace {
+
+// Removes what is not finite; the number of points removed.
+std::size_t remove_non_finite(std::vector<Point>& points) {
+  return std::erase_if(points, [](const Point& point) { return !is_finite(point); });
+}
+
+}  // namespace
+
+PointCloud read_points(const std::filesystem::path& path, const PointReadOptions& options) {
+  const FileFormat format = format_of(path);
+  if (format == FileFormat::other) {
     throw file_error(path,
                      "extension " + in_quotes(extension_of(path)) +
                          " is not known; use .xyz, .pts, .txt, .csv, .ply, .obj, .off or .stl");
   }
   PointCloud cloud;
-  cloud.points = std::move(read_mesh(path).points.raw());
+  NonFinitePoints non_finite;
+  if (format == FileFormat::text) {
+    cloud = read_xyz(read_file(path), non_finite);
+  } else {
+    PolygonSoup soup = read_polygon_soup(path);
+    check_corners(soup, path);
+    non_finite = soup.non_finite;
+    cloud.points = std::move(soup.points);
+  }
+  if (options.skip_non_finite) {
+    cloud.skipped = remove_non_finite(cloud.points);
+  } else {
+    non_finite.finish(path);
+  }
   return cloud;
 }
 

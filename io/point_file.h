@@ -12,8 +12,15 @@
 
 namespace cocoon {
 
+struct PointReadOptions {
+  // A point with a coordinate that is not a finite number (nan, inf, 1e999) is an error. With true
+  // it is left out and counted: organized scans mark "nothing measured" in this way.
+  bool skip_non_finite = false;
+};
+
 struct PointCloud {
   std::vector<Point> points;  // in the order of the file
+  std::size_t skipped = 0;    // points that were not finite, with skip_non_finite
   std::string header;         // text files: the line of column names that was skipped, if any
   std::size_t columns = 0;    // text files: of the first row; columns behind the third are ignored
   std::size_t announced = 0;  // text files: the count in a first line of its own, 0 without one
@@ -23,9 +30,9 @@ struct PointCloud {
 // files
 // (.ply .obj .off .stl) give their vertices; STL is welded exactly.
 // Throws FileError, with the line where there is one, for another extension, for what cannot be
-// read, for a coordinate that is not a finite number (nothing is dropped), and for a text without a
+// read, for a coordinate that is not a finite number (see the options), and for a text without a
 // point. A PLY, OFF or STL file that says it holds no points gives none. Complexity: O(bytes).
-PointCloud read_points(const std::filesystem::path& path);
+PointCloud read_points(const std::filesystem::path& path, const PointReadOptions& options = {});
 
 // Writes .xyz .txt .csv .pts (text, all bits kept), .ply (options apply), .obj and .off. The file
 // appears complete or not at all (io/atomic_file.h). Throws FileError for another extension, for a

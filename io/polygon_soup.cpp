@@ -1,5 +1,6 @@
 #include "io/polygon_soup.h"
 
+#include <algorithm>
 #include <string>
 
 #include "io/file_bytes.h"
@@ -9,21 +10,28 @@ namespace cocoon {
 
 namespace {
 
-void check_corners(const PolygonSoup& soup, std::size_t face, std::size_t begin, std::size_t end,
-                   const std::filesystem::path& path) {
-  for (std::size_t i = begin; i < end; ++i) {
-    if (soup.corners[i] >= 0 && static_cast<std::uint64_t>(soup.corners[i]) < soup.points.size()) {
-      continue;
-    }
-    throw file_error(
-        path, soup.face_lines.empty() ? 0 : soup.face_lines[face],
-        "face " + std::to_string(face) + " has the corner " + std::to_string(soup.corners[i]) +
-            " (both counted from 0), but there are " + std::to_string(soup.points.size()) +
-            " vertices; the file is damaged or incomplete");
-  }
+[[noreturn]] void fail_corner(const PolygonSoup& soup, std::size_t corner,
+                              const std::filesystem::path& path) {
+  const auto face = static_cast<std::size_t>(
+      std::upper_bound(soup.face_ends.begin(), soup.face_ends.end(), corner) -
+      soup.face_ends.begin());
+  throw file_error(path, soup.face_lines.empty() ? 0 : soup.face_lines[face],
+                   "face " + std::to_string(face) + " has the corner " +
+                       std::to_string(soup.corners[corner]) + " (both counted from 0), but there " +
+                       "are " + std::to_string(soup.points.size()) +
+                       " vertices; the file is damaged or incomplete");
 }
 
 }  // namespace
+
+void check_corners(const PolygonSoup& soup, const std::filesystem::path& path) {
+  for (std::size_t i = 0; i < soup.corners.size(); ++i) {
+    // A negative one becomes larger than any count.
+    if (static_cast<std::uint64_t>(soup.corners[i]) >= soup.points.size()) {
+      fail_corner(soup, i, path);
+    }
+  }
+}
 
 TriangleMesh triangles_of(PolygonSoup&& soup, const std::filesystem::path& path,
                           MeshReadReport& report) {
@@ -31,6 +39,8 @@ TriangleMesh triangles_of(PolygonSoup&& soup, const std::filesystem::path& path,
     throw file_error(path, "has " + std::to_string(soup.points.size()) +
                                " vertices, more than 32-bit ids can number; split it");
   }
+  soup.non_finite.finish(path);
+  check_corners(soup, path);
   report = {};
   report.faces = soup.face_ends.size();
   report.surplus_lines = soup.surplus_lines;
@@ -43,7 +53,6 @@ TriangleMesh triangles_of(PolygonSoup&& soup, const std::filesystem::path& path,
   std::size_t begin = 0;
   for (std::size_t face = 0; face < soup.face_ends.size(); ++face) {
     const std::size_t end = soup.face_ends[face];
-    check_corners(soup, face, begin, end, path);
     polygon.clear();
     for (std::size_t i = begin; i < end; ++i) {
       polygon.push_back(VertexId(static_cast<std::size_t>(soup.corners[i])));

@@ -36,7 +36,6 @@ PolygonSoup read_binary(const FileBytes& file) {
   const std::size_t count = announced_facets(file);
   PolygonSoup soup;
   PointWelder welder(soup.points);
-  NonFinitePoints non_finite;
   soup.corners.reserve(3 * count);
   soup.face_ends.reserve(count);
   const char* at = file.data.get() + header_bytes;
@@ -46,12 +45,11 @@ PolygonSoup read_binary(const FileBytes& file) {
       const Point point{load_number<float>(xyz, std::endian::little),
                         load_number<float>(xyz + 4, std::endian::little),
                         load_number<float>(xyz + 8, std::endian::little)};
-      if (!is_finite(point)) non_finite.note(3 * facet + corner, 0);
+      if (!is_finite(point)) soup.non_finite.note(soup.points.size(), 0);
       soup.corners.push_back(static_cast<std::int64_t>(welder.add(point)));
     }
     soup.end_face();
   }
-  non_finite.finish(file.path);
   return soup;
 }
 
@@ -79,7 +77,6 @@ class StlTextReader {
       }
     }
     if (in_solid_) fail("the file ends without endsolid; it is cut off");
-    non_finite_.finish(file_.path);
     return std::move(soup_);
   }
 
@@ -132,7 +129,7 @@ class StlTextReader {
       if (!Fields(word_).number(value)) fail("expected a number, found " + in_quotes(word_));
     }
     const Point point{xyz[0], xyz[1], xyz[2]};
-    if (!is_finite(point)) non_finite_.note(soup_.corners.size(), lines_.number());
+    if (!is_finite(point)) soup_.non_finite.note(soup_.points.size(), lines_.number());
     soup_.corners.push_back(static_cast<std::int64_t>(welder_.add(point)));
   }
 
@@ -143,7 +140,6 @@ class StlTextReader {
   bool in_solid_ = false;
   PolygonSoup soup_;
   PointWelder welder_;
-  NonFinitePoints non_finite_;
 };
 
 bool begins_with_solid(std::string_view text) {

@@ -13,7 +13,7 @@ namespace cocoon {
 // the file says. Several solids become one mesh. Normals are not read (the corners' order is). A
 // file of exactly 84 + 50 n bytes that announces n facets is binary, whatever its first word;
 // another one that begins with "solid" is text. Throws FileError for what is neither, damaged, cut
-// off (also a text without its last endsolid: it may be half a file), or not finite.
+// off (also a text without its last endsolid: it may be half a file).
 PolygonSoup read_stl(const FileBytes& file);
 
 // Binary (or, with options.ascii, text), with unit normals, zero for a degenerate triangle. Binary

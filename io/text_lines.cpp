@@ -26,4 +26,12 @@ bool TextLines::next(std::string_view& line) {
   return true;
 }
 
+std::string_view TextLines::rest_without_blanks() const {
+  constexpr std::string_view blanks = " \t\r\n\v\f";
+  const std::string_view text = rest();
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
 }  // namespace cocoon

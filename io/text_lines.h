@@ -19,6 +19,9 @@ class TextLines {
   // What lies behind the line that next() gave last.
   std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 
+  // The same without the blanks and line ends around it.
+  std::string_view rest_without_blanks() const;
+
  private:
   const char* at_;
   const char* end_;

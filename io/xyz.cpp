@@ -80,7 +80,8 @@ char axis_of(std::string_view name) {
 
 class XyzReader {
  public:
-  explicit XyzReader(const FileBytes& file) : file_(file), lines_(text_of(file)) {}
+  XyzReader(const FileBytes& file, NonFinitePoints& non_finite)
+      : file_(file), lines_(text_of(file)), non_finite_(non_finite) {}
 
   PointCloud read() {
     std::string_view line;
@@ -93,7 +94,6 @@ class XyzReader {
       if (cloud_.points.empty() && (read_count(line) || read_header(line))) continue;
       read_row(line);
     }
-    non_finite_.finish(file_.path);
     check_number_of_rows();
     return std::move(cloud_);
   }
@@ -190,15 +190,17 @@ class XyzReader {
 
   const FileBytes& file_;
   TextLines lines_;
+  NonFinitePoints& non_finite_;
   bool has_count_ = false;
   std::size_t comma_columns_ = 0;  // 0: not known yet
-  NonFinitePoints non_finite_;
   PointCloud cloud_;
 };
 
 }  // namespace
 
-PointCloud read_xyz(const FileBytes& file) { return XyzReader(file).read(); }
+PointCloud read_xyz(const FileBytes& file, NonFinitePoints& non_finite) {
+  return XyzReader(file, non_finite).read();
+}
 
 void write_xyz(AtomicFile& file, Points points, std::string_view extension) {
   const char separator = extension == ".csv" ? ',' : ' ';

@@ -19,8 +19,9 @@ namespace cocoon {
 //   - The first line may be a count alone (then as many rows must follow; more are read, too) or a
 //     header: names in its first three columns. If the names x, y, z occur in it, then there.
 // Throws FileError with the line for a row that has fewer than three columns or no number where one
-// belongs (hexadecimal and Fortran's D are none), for rows that are not finite, and for no rows.
-PointCloud read_xyz(const FileBytes& file);
+// belongs (hexadecimal and Fortran's D are none), and for no rows. Rows that are not finite are
+// kept and noted.
+PointCloud read_xyz(const FileBytes& file, NonFinitePoints& non_finite);
 
 // Writes rows "x y z"; for ".csv" separated by commas under a header "x,y,z"; for ".pts" under a
 // count.

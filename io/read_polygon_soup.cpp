@@ -1,0 +1,25 @@
+#include "io/read_polygon_soup.h"
+
+#include "io/file_bytes.h"
+#include "io/file_format.h"
+#include "io/obj.h"
+#include "io/off.h"
+#include "io/ply.h"
+#include "io/stl.h"
+
+namespace cocoon {
+
+PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
+  const FileFormat format = format_of(path);
+  if (!is_mesh(format)) {
+    throw file_error(path, "extension " + in_quotes(extension_of(path)) +
+                               " is not that of a mesh; use .ply, .obj, .off or .stl");
+  }
+  const FileBytes file = read_file(path);
+  if (format == FileFormat::ply) return read_ply(file);
+  if (format == FileFormat::obj) return read_obj(file);
+  if (format == FileFormat::off) return read_off(file);
+  return read_stl(file);
+}
+
+}  // namespace cocoon

@@ -1,0 +1,15 @@
+// Reads a mesh file of any format, before its faces are cut into triangles.
+#pragma once
+
+#include <filesystem>
+
+#include "io/polygon_soup.h"
+
+namespace cocoon {
+
+// Dispatches by extension. Points that are not finite are noted in the result, corners are not
+// checked: both is left to what the caller makes of it. Throws FileError for another extension than
+// .ply .obj .off .stl and for what the reader of the format refuses.
+PolygonSoup read_polygon_soup(const std::filesystem::path& path);
+
+}  // namespace cocoon
