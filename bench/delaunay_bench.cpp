@@ -1,0 +1,213 @@
+// The Delaunay kernel beside CGAL's, on the point sets of tests/gallery.h.
+//
+//   delaunay_bench [--points N[,N...]] [--sets NAME[,NAME...]] [--threads N] [--benchmark_...]
+//
+// Every set is first triangulated by both and the cells compared; unequal cells are an error. Then
+// repetitions of both run in random alternation, so that whatever else the machine does hits both,
+// and a table gives medians and their ratio.
+#include <algorithm>
+#include <benchmark/benchmark.h>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/rivals/cgal.h"
+#include "bench/stopwatch.h"
+#include "delaunay/delaunay.h"
+#include "ref/cell_set.h"
+#include "tests/gallery.h"
+
+namespace cocoon {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> sizes{"100000"};
+  std::vector<std::string> sets{"uniform", "torus", "bumpy_sphere", "grid", "sphere", "box"};
+  int threads = 1;
+};
+
+// About `count` points of the named set; empty for a name that does not exist.
+std::vector<Point> make_set(const std::string& name, std::size_t count) {
+  const auto n = static_cast<double>(count);
+  if (name == "uniform") return gallery::uniform_cube(count);
+  if (name == "torus") return gallery::displaced_torus(count);
+  if (name == "bumpy_sphere") return gallery::bumpy_sphere(count);
+  if (name == "grid") return gallery::integer_grid(static_cast<int>(std::lround(std::cbrt(n))));
+  if (name == "sphere") return gallery::sphere(count);
+  if (name == "box") return gallery::box_faces(static_cast<int>(std::lround(std::sqrt(n / 52))));
+  return {};
+}
+
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> parts;
+  std::istringstream stream(list);
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+// Takes our own arguments out of argv and leaves Google Benchmark's.
+Arguments parse_arguments(std::vector<char*>& argv) {
+  Arguments arguments;
+  std::vector<char*> rest{argv[0]};
+  for (std::size_t i = 1; i < argv.size(); ++i) {
+    const std::string name = argv[i];
+    const bool has_value = i + 1 < argv.size();
+    if (name == "--points" && has_value) {
+      arguments.sizes = split(argv[++i]);
+    } else if (name == "--sets" && has_value) {
+      arguments.sets = split(argv[++i]);
+    } else if (name == "--threads" && has_value) {
+      arguments.threads = std::atoi(argv[++i]);
+    } else {
+      rest.push_back(argv[i]);
+    }
+  }
+  argv = rest;
+  return arguments;
+}
+
+// One input, and what was measured on it.
+struct Case {
+  std::string name;
+  std::vector<Point> points;
+  std::size_t finite_cells = 0;
+  std::vector<bench::Elapsed> ours;  // by repetition
+  std::vector<bench::Elapsed> cgal;
+};
+
+bool has_equal_cells(Case& input, const Execution& execution) {
+  const Triangulation ours = delaunay(input.points, {}, execution).triangulation;
+  input.finite_cells = ours.num_finite_cells();
+  return ref::cell_set_hash(ours) == rivals::cgal_cell_set_hash(input.points);
+}
+
+void run_ours(benchmark::State& state, Case& input, const Execution& execution) {
+  for ([[maybe_unused]] auto _ : state) {
+    const bench::Stopwatch stopwatch;
+    const DelaunayResult result = delaunay(input.points, {}, execution);
+    const bench::Elapsed elapsed = stopwatch.elapsed();
+    if (result.triangulation.num_finite_cells() != input.finite_cells) {
+      state.SkipWithError("wrong number of cells");
+    }
+    state.SetIterationTime(elapsed.wall);
+    input.ours.push_back(elapsed);
+  }
+  state.counters["points"] = static_cast<double>(input.points.size());
+}
+
+void run_cgal(benchmark::State& state, Case& input) {
+  for ([[maybe_unused]] auto _ : state) {
+    const rivals::TimedBuild build = rivals::cgal_delaunay(input.points);
+    if (build.finite_cells != input.finite_cells) state.SkipWithError("wrong number of cells");
+    state.SetIterationTime(build.elapsed.wall);
+    input.cgal.push_back(build.elapsed);
+  }
+  state.counters["points"] = static_cast<double>(input.points.size());
+}
+
+// The median of one of the two times, in ns per point.
+double median(const std::vector<bench::Elapsed>& runs, double bench::Elapsed::*time,
+              std::size_t points) {
+  std::vector<double> values;
+  for (const bench::Elapsed& run : runs) values.push_back(run.*time);
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  const double seconds =
+      values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+  return seconds * 1e9 / static_cast<double>(points);
+}
+
+// The widest deviation of a run of one of the two from its median, in processor time, percent.
+double spread(const Case& input) {
+  double widest = 0;
+  for (const auto* runs : {&input.ours, &input.cgal}) {
+    const double middle = median(*runs, &bench::Elapsed::processor, 1) * 1e-9;
+    for (const bench::Elapsed& run : *runs) {
+      widest = std::max(widest, std::fabs(run.processor / middle - 1));
+    }
+  }
+  return 100 * widest;
+}
+
+void print_table(const std::vector<Case>& cases) {
+  std::printf("\nmedians in ns per point; ratio = CGAL / Cocoon\n");
+  std::printf("%34s | %23s | %23s |\n", "", "wall-clock", "processor");
+  std::printf("%-14s %9s %9s | %7s %7s %7s | %7s %7s %7s | spread\n", "set", "points", "cells",
+              "CGAL", "Cocoon", "ratio", "CGAL", "Cocoon", "ratio");
+  for (const Case& input : cases) {
+    if (input.ours.empty() || input.cgal.empty()) continue;
+    std::printf("%-14s %9zu %9zu", input.name.c_str(), input.points.size(), input.finite_cells);
+    for (const auto time : {&bench::Elapsed::wall, &bench::Elapsed::processor}) {
+      const double cgal = median(input.cgal, time, input.points.size());
+      const double ours = median(input.ours, time, input.points.size());
+      std::printf(" | %7.0f %7.0f %7.2f", cgal, ours, cgal / ours);
+    }
+    std::printf(" | %4.0f %%\n", spread(input));
+  }
+}
+
+// Makes the inputs of all sets and sizes; stops the program if the two kernels disagree.
+std::vector<Case> make_cases(const Arguments& arguments, const Execution& execution) {
+  std::vector<Case> cases;
+  for (const std::string& set : arguments.sets) {
+    for (const std::string& size : arguments.sizes) {
+      Case input{set, make_set(set, std::strtoull(size.c_str(), nullptr, 10)), 0, {}, {}};
+      if (input.points.size() < 4) {
+        std::fprintf(stderr, "delaunay_bench: no set '%s' of %s points\n", set.c_str(),
+                     size.c_str());
+        std::exit(2);
+      }
+      if (!has_equal_cells(input, execution)) {
+        std::fprintf(stderr, "delaunay_bench: cells differ from CGAL's on %s %s\n", set.c_str(),
+                     size.c_str());
+        std::exit(1);
+      }
+      cases.push_back(std::move(input));
+    }
+  }
+  return cases;
+}
+
+int run(int argc, char** argv) {
+  std::vector<char*> arguments(argv, argv + argc);
+  const Arguments own = parse_arguments(arguments);
+  const Execution execution{.threads = own.threads};
+  std::vector<Case> cases = make_cases(own, execution);
+  for (Case& input : cases) {
+    const std::string suffix = "/" + input.name + "/" + std::to_string(input.points.size());
+    benchmark::RegisterBenchmark(
+        ("cocoon" + suffix).c_str(),
+        [&](benchmark::State& state) { run_ours(state, input, execution); })
+        ->Iterations(1)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(("cgal" + suffix).c_str(),
+                                 [&](benchmark::State& state) { run_cgal(state, input); })
+        ->Iterations(1)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  }
+  // Defaults that the command line may change, so they come before it.
+  std::vector<std::string> defaults{"--benchmark_repetitions=5",
+                                    "--benchmark_enable_random_interleaving=true",
+                                    "--benchmark_report_aggregates_only=true"};
+  std::vector<char*> all{arguments[0]};
+  for (std::string& argument : defaults) all.push_back(argument.data());
+  all.insert(all.end(), arguments.begin() + 1, arguments.end());
+  int count = static_cast<int>(all.size());
+  benchmark::Initialize(&count, all.data());
+  if (benchmark::ReportUnrecognizedArguments(count, all.data())) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  print_table(cases);
+  return 0;
+}
+
+}  // namespace
+}  // namespace cocoon
+
+int main(int argc, char** argv) { return cocoon::run(argc, argv); }

@@ -1,0 +1,26 @@
+// CGAL as a rival: the same work on the same input, timed the way its users run it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "bench/stopwatch.h"
+#include "geom/point.h"
+
+namespace cocoon::rivals {
+
+struct TimedBuild {
+  bench::Elapsed elapsed;
+  std::size_t finite_cells = 0;
+};
+
+// CGAL's Delaunay_triangulation_3 over Exact_predicates_inexact_constructions_kernel, one thread,
+// range insertion with its spatial sort. Timed: from a vector of CGAL points in memory to the
+// finished triangulation. Not timed: the conversion of `points`, the destruction.
+TimedBuild cgal_delaunay(Points points);
+
+// What ref::cell_set_hash says for a triangulation with the cells that CGAL finds. Not timed.
+// Precondition: all points different.
+std::uint64_t cgal_cell_set_hash(Points points);
+
+}  // namespace cocoon::rivals

@@ -1,0 +1,29 @@
+// Wall-clock and processor time of a piece of work.
+#pragma once
+
+#include <chrono>
+#include <ctime>
+
+namespace cocoon::bench {
+
+// On a machine with other work wall-clock time wanders by tens of percent; the processor time of
+// this process (all threads, page faults included) wanders by a few. For one thread they agree on a
+// quiet machine.
+struct Elapsed {
+  double wall = 0;  // seconds
+  double processor = 0;
+};
+
+class Stopwatch {
+ public:
+  Elapsed elapsed() const {
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_;
+    return {wall.count(), static_cast<double>(std::clock() - processor_) / CLOCKS_PER_SEC};
+  }
+
+ private:
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+  std::clock_t processor_ = std::clock();
+};
+
+}  // namespace cocoon::bench
