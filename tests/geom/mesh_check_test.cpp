@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "geom/errors.h"
+#include "geom/mesh_measure.h"
+#include "ref/cgal_mesh_check.h"
 #include "tests/mesh_gallery.h"
 
 namespace cocoon {
@@ -223,6 +225,31 @@ TEST(MeshCheck, CountsDoNotDependOnOrderOrPlace) {
       EXPECT_EQ(actual.orientable, expected.orientable);
       EXPECT_EQ(actual.orientation_conflicts, expected.orientation_conflicts);
       EXPECT_EQ(actual.zero_area_triangles, expected.zero_area_triangles);
+    }
+  }
+}
+
+TEST(MeshCheck, AgreesWithCgal) {
+  TriangleMesh flipped_triangle = gallery::cube();
+  std::swap(flipped_triangle.triangles[TriangleId(4)][0],
+            flipped_triangle.triangles[TriangleId(4)][1]);
+  for (const TriangleMesh& mesh :
+       {gallery::cube(), gallery::sphere(2), gallery::torus(7, 5), gallery::open_patch(4, 3),
+        gallery::join(gallery::torus(7, 5), gallery::open_patch(2, 2)), flipped_triangle,
+        gallery::moebius_strip(5), gallery::projective_plane(), gallery::random_soup(20, 1),
+        gallery::two_tetrahedra_sharing_an_edge(), gallery::two_tetrahedra_sharing_a_vertex()}) {
+    const MeshReport report = mesh_check(mesh);
+    const bool proper = report.edge_manifold && report.vertex_manifold && report.oriented;
+    const auto cgal = ref::cgal_mesh_check(mesh);
+    ASSERT_EQ(cgal.has_value(), proper);
+    if (!cgal) continue;
+    EXPECT_EQ(cgal->closed, report.is_closed_manifold());
+    EXPECT_EQ(cgal->components, report.components);
+    EXPECT_EQ(cgal->boundary_cycles, report.boundary_curves);
+    const MeshMeasure measure = mesh_measure(mesh);
+    EXPECT_NEAR(cgal->area, measure.area, 1e-13 * measure.area);
+    if (cgal->closed) {
+      EXPECT_NEAR(cgal->volume, measure.signed_volume, 1e-13 * measure.area);
     }
   }
 }
