@@ -14,6 +14,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "geom/exact_integer.h"
@@ -23,6 +24,16 @@ namespace cocoon {
 
 template <std::size_t K>
 using ExactVec3 = std::array<ExactInteger<K>, 3>;
+
+template <std::size_t K>
+ExactVec3<K> operator+(const ExactVec3<K>& p, const ExactVec3<K>& q) {
+  return {p[0] + q[0], p[1] + q[1], p[2] + q[2]};
+}
+
+template <std::size_t K>
+ExactVec3<K> operator-(const ExactVec3<K>& p, const ExactVec3<K>& q) {
+  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+}
 
 // p - base in units of the grid.
 template <std::size_t K>
@@ -37,6 +48,21 @@ template <std::size_t K>
 ExactInteger<2 * K> exact_minor(const ExactVec3<K>& p, const ExactVec3<K>& q, std::size_t axis0 = 0,
                                 std::size_t axis1 = 1) {
   return p[axis0] * q[axis1] - p[axis1] * q[axis0];
+}
+
+template <std::size_t A, std::size_t B>
+ExactVec3<A + B> exact_cross(const ExactVec3<A>& p, const ExactVec3<B>& q) {
+  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+}
+
+template <std::size_t A, std::size_t B>
+ExactInteger<A + B> exact_dot(const ExactVec3<A>& p, const ExactVec3<B>& q) {
+  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+}
+
+template <std::size_t A, std::size_t B>
+ExactVec3<A + B> exact_scaled(const ExactInteger<A>& factor, const ExactVec3<B>& p) {
+  return {factor * p[0], factor * p[1], factor * p[2]};
 }
 
 template <std::size_t K>

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -82,6 +81,34 @@ Sign sign_of(const ExactInteger<N>& a) {
   std::uint64_t any = 0;
   for (const std::uint64_t limb : a.limbs) any |= limb;
   return any != 0 ? Sign::positive : Sign::zero;
+}
+
+// value * 2^exponent, with |value| in [2^63, 2^64], or zero: the range of double does not hold it.
+struct ScaledDouble {
+  double value = 0;
+  int exponent = 0;
+};
+
+// The integer with its mantissa rounded to nearest. The 64 leading bits, the last one set if any
+// bit below is, round as the whole number does.
+template <std::size_t N>
+ScaledDouble rounded(const ExactInteger<N>& a) {
+  const bool negative = a.is_negative();
+  const ExactInteger<N> magnitude = negative ? ExactInteger<N>{} - a : a;
+  std::size_t top = N;
+  while (top > 0 && magnitude.limbs[top - 1] == 0) --top;
+  if (top == 0) return {};
+  const int shift = std::countl_zero(magnitude.limbs[top - 1]);
+  std::uint64_t leading = magnitude.limbs[top - 1] << shift;
+  std::uint64_t rest = 0;
+  if (top > 1) {
+    if (shift > 0) leading |= magnitude.limbs[top - 2] >> (64 - shift);
+    rest = magnitude.limbs[top - 2] << shift;
+  }
+  for (std::size_t i = 0; i + 2 < top; ++i) rest |= magnitude.limbs[i];
+  if (rest != 0) leading |= 1;
+  const double value = static_cast<double>(leading);
+  return {negative ? -value : value, 64 * (static_cast<int>(top) - 1) - shift};
 }
 
 // A double taken apart: value = (negative ? -1 : 1) * mantissa * 2^exponent, mantissa odd, or zero.

@@ -1,5 +1,5 @@
-// The predicates of geom/ in rational numbers: no filter, no bound, nothing to prove. Slow twins
-// with the same signatures, for tests and for readers.
+// The predicates of geom/ in integers and rational numbers of any size: no filter, no bound,
+// nothing to prove. Slow twins with the same signatures, for tests and for readers.
 #pragma once
 
 #include "geom/point.h"
@@ -15,5 +15,9 @@ Sign insphere(const Point& a, const Point& b, const Point& c, const Point& d, co
 // that halving it changes nothing. Same precondition as cocoon::insphere_perturbed.
 Sign insphere_perturbed(const Point& a, const Point& b, const Point& c, const Point& d,
                         const Point& e);
+
+// Center of the sphere through the four points, each coordinate rounded once. Precondition: the
+// points are not coplanar.
+Point circumcenter(const Point& a, const Point& b, const Point& c, const Point& d);
 
 }  // namespace cocoon::ref

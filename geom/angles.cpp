@@ -1,0 +1,68 @@
+#include "geom/angles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cocoon {
+
+namespace {
+
+// v times the power of two that brings its largest coordinate to [1, 2): exact but for coordinates
+// 2^1000 times smaller, and no square of it over- or underflows. The zero vector stays.
+Vec3 scaled(const Vec3& v) {
+  const double reach = std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
+  if (!(reach > 0) || !std::isfinite(reach)) return v;
+  const int exponent = -std::ilogb(reach);
+  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+
+// The normals of the two half planes, both turned the same way about the edge: the angle between
+// them is the wedge angle.
+struct WedgeNormals {
+  Vec3 a;
+  Vec3 b;
+};
+
+WedgeNormals wedge_normals(const Point& edge_from, const Point& edge_to, const Point& apex_a,
+                           const Point& apex_b) {
+  const Vec3 edge = scaled(edge_to - edge_from);
+  return {scaled(cross(edge, scaled(apex_a - edge_from))),
+          scaled(cross(edge, scaled(apex_b - edge_from)))};
+}
+
+// acos loses half the digits near 0 and pi; atan2 does not. NaN where an angle is not defined.
+double angle_between(const Vec3& u, const Vec3& v) {
+  if (u == Vec3{} || v == Vec3{}) return std::nan("");
+  return std::atan2(norm(cross(u, v)), dot(u, v));
+}
+
+}  // namespace
+
+double line_angle(const Vec3& u, const Vec3& v) {
+  const Vec3 s = scaled(u);
+  const Vec3 t = scaled(v);
+  if (s == Vec3{} || t == Vec3{}) return std::nan("");
+  return std::atan2(norm(cross(s, t)), std::fabs(dot(s, t)));
+}
+
+double wedge_angle(const Point& edge_from, const Point& edge_to, const Point& apex_a,
+                   const Point& apex_b) {
+  const WedgeNormals n = wedge_normals(edge_from, edge_to, apex_a, apex_b);
+  return angle_between(n.a, n.b);
+}
+
+double wedge_cosine(const Point& edge_from, const Point& edge_to, const Point& apex_a,
+                    const Point& apex_b) {
+  const WedgeNormals n = wedge_normals(edge_from, edge_to, apex_a, apex_b);
+  return std::clamp(dot(n.a, n.b) / (norm(n.a) * norm(n.b)), -1.0, 1.0);
+}
+
+double literal_dihedral(const Point& edge_from, const Point& edge_to, const Point& apex_a,
+                        const Point& apex_b) {
+  const Vec3 p0p1 = edge_to - edge_from;
+  const Vec3 n_c = unit(cross(p0p1, apex_a - edge_from));
+  const Vec3 n_k = unit(cross(apex_b - edge_from, p0p1));
+  return std::acos(std::clamp(dot(n_c, n_k), -1.0, 1.0));
+}
+
+}  // namespace cocoon

@@ -1,0 +1,48 @@
+// A point against a triangle: its projection to the plane (Woo & Dey 2005, Eq. 1-3) and the truly
+// closest point.
+#pragma once
+
+#include <array>
+
+#include "geom/point.h"
+
+namespace cocoon {
+
+using TrianglePoints = std::array<Point, 3>;  // v0, v1, v2 of the equations
+
+// Eq. 1  n = (v1 - v0) x (v2 - v0) / |.|
+// Eq. 2  D = (p - v1) . n                       signed distance: positive on the side of n
+// Eq. 3  p_proj = p - D n
+struct PlaneProjection {
+  double signed_distance = 0;              // D
+  Point projected;                         // p_proj
+  Vec3 normal;                             // n; the zero vector for a degenerate triangle
+  std::array<double, 3> barycentric = {};  // of p_proj for v0, v1, v2; they sum to 1 up to rounding
+  bool degenerate = false;                 // no plane: the other fields are 0
+
+  // p_proj lies in the closed triangle. The paper asks whether the angles that the edges subtend at
+  // p_proj sum to 2 pi, which is the same and needs three acos.
+  bool is_inside() const {
+    return !degenerate && barycentric[0] >= 0 && barycentric[1] >= 0 && barycentric[2] >= 0;
+  }
+};
+
+// Floating point: D to a few roundings of |p - v1|; a barycentric coordinate within rounding of 0
+// may come out on either side. Squared lengths must be in the range of double. Complexity: O(1).
+PlaneProjection project_to_triangle_plane(const Point& p, const TrianglePoints& triangle);
+
+// Where on a triangle the closest point lies.
+enum class TriangleFeature { vertex0, vertex1, vertex2, edge01, edge12, edge20, interior };
+
+struct ClosestPoint {
+  Point point;
+  TriangleFeature feature = TriangleFeature::interior;
+  double squared_distance = 0;
+};
+
+// The point of the closed triangle closest to p; also for degenerate triangles (then of their
+// longest edge, or their single point). Complexity: O(1).
+// Source: the Voronoi regions of a triangle, Ericson, Real-Time Collision Detection (2005), 5.1.5.
+ClosestPoint closest_point_on_triangle(const Point& p, const TrianglePoints& triangle);
+
+}  // namespace cocoon
