@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "delaunay/triangulation.h"
 #include "geom/id_vector.h"
@@ -18,6 +19,8 @@ class FacetSet {
  public:
   FacetSet() = default;
   explicit FacetSet(std::size_t num_cells) : bits_(num_cells, 0) {}
+  // Takes over the four flags of every cell; both ids of a facet must have the same flag.
+  explicit FacetSet(IdVector<CellId, std::uint8_t> bits) : bits_(std::move(bits)) {}
 
   bool contains(FacetId f) const { return ((bits_[cell_of(f)] >> index_of(f)) & 1U) != 0; }
   void insert(const Triangulation& triangulation, FacetId f) {

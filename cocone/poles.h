@@ -1,0 +1,51 @@
+// Poles: the farthest Voronoi vertices of each sample, and with them a surface normal for free.
+//
+//   p not on the hull:  p+ = farthest Voronoi vertex of V_p,        n_p = (p+ - p) / |p+ - p|
+//   p on the hull:      p+ at infinity, s = sum of d_f over the hull facets f at p, n_p = s / |s|
+//   height:             h_p = max { |c - p| : c Voronoi vertex of V_p, (c - p) . n_p < 0 }, or 0
+//
+// d_f: unit outward normal of the hull facet f. h_p is the distance to the negative pole p-, an
+// estimate of the distance to the medial axis.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "cocone/facet_set.h"
+#include "delaunay/triangulation.h"
+#include "delaunay/vertex_stars.h"
+#include "delaunay/voronoi_dual.h"
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+
+namespace cocoon {
+
+struct Poles {
+  IdVector<VertexId, Vec3> normals;    // n_p, unit; which side it points to means nothing
+  IdVector<VertexId, double> heights;  // h_p, in units of the coordinates; 0 = no negative pole
+  // Hull vertices whose hull normals cancel (|s| < 0.1 k for k facets: the rim of a flat cloud).
+  // n_p is then the principal eigenvector of sum d_f d_f^T; they are never interior samples.
+  VertexSet degenerate;
+  std::size_t hull_vertices = 0;
+  std::size_t degenerate_vertices = 0;
+};
+
+// The poles of every vertex. Ties between equally far Voronoi vertices go to the lexicographically
+// smallest one, hull normals are summed in lexicographic order: the result is a function of the
+// point set, not of ids.
+// Preconditions: `dual` and `stars` belong to `triangulation`; |coordinate| < 1e75 (the
+// compositions of reconstruct.h see to that). Circumcenters may be anything finite.
+// Complexity: O(cells), parallel over vertices.
+// Source: Amenta, Bern & Kamvysselis 1998; Woo & Dey 2005, section 2.1 (poles).
+Poles compute_poles(const Triangulation& triangulation, const Dual& dual, const VertexStars& stars,
+                    const Execution& execution = {});
+
+// Of k unit normals the sum; if it is shorter than 0.1 k, the principal eigenvector instead.
+struct HullNormal {
+  Vec3 normal;
+  bool degenerate = false;
+};
+// `directions` is sorted on the way, so that the sum does not depend on its order.
+HullNormal hull_normal(std::span<Vec3> directions);
+
+}  // namespace cocoon
