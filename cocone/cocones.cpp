@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cocone/double_cone.h"
+#include "delaunay/circulate.h"
 
 namespace cocoon {
 namespace {
@@ -41,9 +42,6 @@ CornerSides center_sides(const Triangulation& triangulation, const Dual& dual, c
   return sides;
 }
 
-int corner_of(const Cell& cell, VertexId v) {
-  return cell.vertices[0] == v ? 0 : cell.vertices[1] == v ? 1 : cell.vertices[2] == v ? 2 : 3;
-}
 
 unsigned facet_row(const Triangulation& triangulation, const CornerSides& sides, FacetId f) {
   const FacetId mirror = triangulation.mirror(f);
@@ -53,7 +51,7 @@ unsigned facet_row(const Triangulation& triangulation, const CornerSides& sides,
   const std::uint8_t other = sides[cell_of(mirror)];
   unsigned row = 0;
   for (const int j : facet_corners[index_of(f)]) {
-    const int k = corner_of(behind, cell.vertices[static_cast<std::size_t>(j)]);
+    const int k = index_of_vertex(behind, cell.vertices[static_cast<std::size_t>(j)]);
     if (meets_cocone(side_at(own, j), side_at(other, k))) row |= 1U << j;
   }
   return row;
@@ -139,7 +137,7 @@ double squared_radius(const RadiusQuery& query, double scale) {
         !(dot(query.dual.centers[c], query.normal) > 0)) {
       return infinity;
     }
-    const int corner = corner_of(triangulation.cell(c), query.p);
+    const int corner = index_of_vertex(triangulation.cell(c), query.p);
     const unsigned met = query.cocones.meets[c] & (0x1111U << corner);
     if (met == 0) continue;
     for (int i = 0; i < 4; ++i) {

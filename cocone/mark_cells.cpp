@@ -1,0 +1,166 @@
+#include "cocone/mark_cells.h"
+
+#include <utility>
+
+#include "cocone/triangle_fans.h"
+#include "delaunay/circulate.h"
+
+namespace cocoon {
+namespace {
+
+struct LabelCount {
+  std::size_t out = 0;
+  std::size_t in = 0;
+
+  void add(CellLabel label) {
+    out += label == CellLabel::out;
+    in += label == CellLabel::in;
+  }
+  bool mixed() const { return out != 0 && in != 0; }
+  CellLabel majority() const {
+    if (out == 0 && in == 0) return CellLabel::unmarked;
+    return out >= in ? CellLabel::out : CellLabel::in;
+  }
+};
+
+CellLabel opposite(CellLabel label) {
+  return label == CellLabel::out ? CellLabel::in : CellLabel::out;
+}
+
+}  // namespace
+
+MarkingRounds::MarkingRounds(const Triangulation& triangulation, const VertexStars& stars,
+                             const FacetSet& surface, CellMarks& marks)
+    : triangulation_(triangulation),
+      stars_(stars),
+      surface_(surface),
+      marks_(marks),
+      scratch_(triangulation.num_cells(), 0) {}
+
+void MarkingRounds::run(std::span<const VertexId> seeds, std::vector<CellId>& out_cells) {
+  std::vector<VertexId> frontier;
+  for (const VertexId v : seeds) {
+    if (visit(v)) frontier.push_back(v);
+  }
+  std::vector<VertexId> next;
+  while (!frontier.empty()) {
+    ++marks_.rounds;
+    for (const VertexId v : frontier) decide(v);
+    apply(out_cells);
+    next.clear();
+    for (const VertexId v : frontier) append_neighbors(v, next);
+    std::swap(frontier, next);
+  }
+}
+
+// Takes v's turn if it is good and has not had it.
+bool MarkingRounds::visit(VertexId v) {
+  if (marks_.good[v] == 0 || marks_.visited[v] != 0) return false;
+  marks_.visited[v] = 1;
+  ++marks_.visited_vertices;
+  return true;
+}
+
+void MarkingRounds::decide(VertexId v) {
+  const std::span<const CellId> star = stars_.star(v);
+  bool complete = true;
+  for (const CellId c : star) complete &= marks_.labels[c] != CellLabel::unmarked;
+  if (complete) return;
+  flood_half(v, star.front());
+  LabelCount flooded;
+  LabelCount rest;
+  for (const CellId c : star) (scratch_[c] != 0 ? flooded : rest).add(marks_.labels[c]);
+  CellLabel of_flooded = flooded.majority();
+  CellLabel of_rest = rest.majority();
+  if (of_flooded == CellLabel::unmarked) of_flooded = opposite(of_rest);
+  if (of_rest == CellLabel::unmarked) of_rest = opposite(of_flooded);
+  if (flooded.mixed() || rest.mixed() || of_flooded == of_rest) ++marks_.conflicts;
+  propose(v, of_flooded, of_rest);
+  for (const CellId c : half_) scratch_[c] = 0;
+}
+
+// Collects the cells of star(v) on one side of the surface's disk at v.
+void MarkingRounds::flood_half(VertexId v, CellId first) {
+  half_.assign(1, first);
+  scratch_[first] = 1;
+  for (std::size_t next = 0; next < half_.size(); ++next) {
+    const CellId c = half_[next];
+    const int opposite_facet = index_of_vertex(triangulation_.cell(c), v);
+    for (int i = 0; i < 4; ++i) {
+      const FacetId f = facet_id(c, i);
+      if (i == opposite_facet || surface_.contains(f)) continue;
+      const CellId behind = cell_of(triangulation_.mirror(f));
+      if (scratch_[behind] != 0) continue;
+      scratch_[behind] = 1;
+      half_.push_back(behind);
+    }
+  }
+}
+
+void MarkingRounds::propose(VertexId v, CellLabel flooded, CellLabel rest) {
+  for (const CellId c : stars_.star(v)) {
+    if (marks_.labels[c] != CellLabel::unmarked) continue;
+    proposals_.push_back({c, scratch_[c] != 0 ? flooded : rest});
+  }
+}
+
+void MarkingRounds::apply(std::vector<CellId>& out_cells) {
+  constexpr std::uint8_t both = 3;
+  for (const Proposal& p : proposals_) {
+    scratch_[p.cell] = static_cast<std::uint8_t>(scratch_[p.cell] |
+                                                 (p.label == CellLabel::out ? 1U : 2U));
+  }
+  for (const Proposal& p : proposals_) {
+    std::uint8_t& told = scratch_[p.cell];
+    if (told == 0) continue;  // done: cells are proposed several times
+    marks_.conflicts += told == both;
+    marks_.labels[p.cell] = (told & 1U) != 0 ? CellLabel::out : CellLabel::in;
+    if ((told & 1U) != 0) out_cells.push_back(p.cell);
+    told = 0;
+  }
+  proposals_.clear();
+}
+
+// The good vertices on the surface's triangles at v that have not had their turn.
+void MarkingRounds::append_neighbors(VertexId v, std::vector<VertexId>& frontier) {
+  for (const CellId c : stars_.star(v)) {
+    const unsigned facets = surface_.bits(c);
+    if (facets == 0) continue;
+    const Cell& cell = triangulation_.cell(c);
+    const int opposite_facet = index_of_vertex(cell, v);
+    for (int i = 0; i < 4; ++i) {
+      if (i == opposite_facet || ((facets >> i) & 1U) == 0) continue;
+      for (const int k : facet_corners[i]) {
+        const VertexId w = cell.vertices[static_cast<std::size_t>(k)];
+        if (visit(w)) frontier.push_back(w);
+      }
+    }
+  }
+}
+
+CellMarks mark_cells(const Triangulation& triangulation, const VertexStars& stars,
+                     const FacetSet& surface, const VertexSet& boundary,
+                     const GoodVertexOptions& options, const Execution& execution) {
+  report_progress(execution, "mark_cells", 0);
+  GoodVertices good =
+      good_vertices(triangle_fans(triangulation, surface, execution), boundary, options, execution);
+  report_progress(execution, "mark_cells", 0.3);
+  CellMarks marks;
+  marks.labels = IdVector<CellId, CellLabel>(triangulation.num_cells(), CellLabel::unmarked);
+  marks.good = std::move(good.good);
+  marks.good_vertices = good.count;
+  marks.demoted_vertices = good.demoted;
+  marks.visited = VertexSet(triangulation.num_vertices(), 0);
+  // the first round: good vertices on the hull
+  std::vector<VertexId> seeds;
+  for (const CellId c : triangulation.infinite_cells()) {
+    marks.labels[c] = CellLabel::out;
+    for (int i = 0; i < 3; ++i) seeds.push_back(triangulation.vertex(c, i));
+  }
+  std::vector<CellId> out_cells;
+  MarkingRounds(triangulation, stars, surface, marks).run(seeds, out_cells);
+  report_progress(execution, "mark_cells", 1);
+  return marks;
+}
+
+}  // namespace cocoon

@@ -1,0 +1,86 @@
+// Marking: which cells lie outside and which inside, told by the good vertices of the surface.
+//
+// At a good vertex the surface is one disk, which divides the cells around it (the infinite ones
+// included) into two halves. A half that holds a cell known to be OUT is outside, the other one is
+// inside. Beginning with the infinite cells, marks travel over the surface from good vertex to good
+// vertex.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cocone/facet_set.h"
+#include "cocone/umbrella.h"
+#include "delaunay/triangulation.h"
+#include "delaunay/vertex_stars.h"
+#include "geom/execution.h"
+
+namespace cocoon {
+
+enum class CellLabel : std::uint8_t { unmarked, out, in };
+
+struct CellMarks {
+  IdVector<CellId, CellLabel> labels;
+  VertexSet good;     // vertices that may tell the sides of the surface apart
+  VertexSet visited;  // good vertices that have done so
+  // After peel_cells: 1 = reached from infinity. The body is the set of finite cells not reached.
+  IdVector<CellId, std::uint8_t> reached;
+
+  std::size_t good_vertices = 0;
+  std::size_t demoted_vertices = 0;  // closed umbrellas at folds (umbrella.h)
+  std::size_t visited_vertices = 0;
+  std::size_t rounds = 0;
+  std::size_t conflicts = 0;       // halves, or cells, that were told both; see below
+  std::size_t deferred_seeds = 0;  // of peel_cells
+  std::size_t poor_cells = 0;      // of peel_cells: cells without a good vertex
+};
+
+// Labels all infinite cells OUT and runs rounds: the good vertices on triangles of the last round's
+// vertices (at first: of infinite cells) are all decided from the labels of earlier rounds, then
+// their stars are labeled. A half that holds OUT cells and no IN cells is outside, and the other
+// way round; where both labels occur the half's majority counts, a tie is OUT, and it is counted as
+// a conflict. Nothing is overwritten; a cell told both in one round is OUT, also counted.
+// A vertex whose star is labeled already passes on the turn and is not examined for conflicts.
+// Complexity: O(cells). Rounds read only earlier rounds: independent of order.
+// Source: Dey & Goswami 2003 (Tight Cocone, marking); spec 6.1, 6.2, section 12.
+CellMarks mark_cells(const Triangulation& triangulation, const VertexStars& stars,
+                     const FacetSet& surface, const VertexSet& boundary,
+                     const GoodVertexOptions& options = {}, const Execution& execution = {});
+
+// The rounds by themselves, for the peel that discovers further seeds.
+class MarkingRounds {
+ public:
+  // All references must outlive the object.
+  MarkingRounds(const Triangulation& triangulation, const VertexStars& stars,
+                const FacetSet& surface, CellMarks& marks);
+
+  // Runs rounds from these vertices to the end; those not good or already visited are skipped, the
+  // others must touch a labeled cell. Newly labeled OUT cells are appended to `out_cells`.
+  void run(std::span<const VertexId> seeds, std::vector<CellId>& out_cells);
+
+ private:
+  struct Proposal {
+    CellId cell;
+    CellLabel label;
+  };
+  bool visit(VertexId v);
+  void decide(VertexId v);
+  void flood_half(VertexId v, CellId first);
+  void propose(VertexId v, CellLabel flooded, CellLabel rest);
+  void apply(std::vector<CellId>& out_cells);
+  void append_neighbors(VertexId v, std::vector<VertexId>& frontier);
+
+  const Triangulation& triangulation_;
+  const VertexStars& stars_;
+  const FacetSet& surface_;
+  CellMarks& marks_;
+  // Scratch per cell, zero between uses: membership in the flooded half of a star, then what the
+  // round proposes for the cell.
+  IdVector<CellId, std::uint8_t> scratch_;
+  std::vector<CellId> half_;
+  std::vector<Proposal> proposals_;
+};
+
+}  // namespace cocoon

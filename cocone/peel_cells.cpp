@@ -1,0 +1,223 @@
+#include "cocone/peel_cells.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace cocoon {
+namespace {
+
+using Corners = std::array<Point, 3>;
+
+// The size of a facet, in the canonical order of facets: circumradius, then corners.
+struct FacetSize {
+  double squared_circumradius;
+  Corners corners;
+
+  // Smaller circle first; of equal circles the lexicographically smaller corners.
+  friend bool operator<(const FacetSize& a, const FacetSize& b) {
+    if (a.squared_circumradius != b.squared_circumradius) {
+      return a.squared_circumradius < b.squared_circumradius;
+    }
+    return a.corners < b.corners;
+  }
+};
+
+// R = |u| |v| |u - v| / (2 |u x v|), squared; infinite for collinear corners. Corners are sorted
+// first, so both sides of a facet give the same bits.
+FacetSize size_of_facet(const Triangulation& triangulation, FacetId f) {
+  const auto [a, b, c] = triangulation.facet_vertices(f);
+  Corners p{triangulation.point(a), triangulation.point(b), triangulation.point(c)};
+  std::sort(p.begin(), p.end());
+  const Vec3 u = p[1] - p[0];
+  const Vec3 v = p[2] - p[0];
+  const double area = norm(cross(u, v));
+  if (!(area > 0)) return {std::numeric_limits<double>::infinity(), p};
+  return {squared_norm(u) / area * (squared_norm(v) / area) * squared_norm(u - v) / 4, p};
+}
+
+struct DeferredSeed {
+  FacetSize size;
+  FacetId facet;  // seen from the undecided cell
+
+  // For a max-heap: larger circle first, then lexicographically smaller corners.
+  friend bool operator<(const DeferredSeed& a, const DeferredSeed& b) {
+    if (a.size.squared_circumradius != b.size.squared_circumradius) {
+      return a.size.squared_circumradius < b.size.squared_circumradius;
+    }
+    return b.size.corners < a.size.corners;
+  }
+};
+
+class Peeling {
+ public:
+  Peeling(const Triangulation& triangulation, const VertexStars& stars, const FacetSet& surface,
+          CellMarks& marks)
+      : triangulation_(triangulation),
+        surface_(surface),
+        marks_(marks),
+        rounds_(triangulation, stars, surface, marks),
+        poor_(triangulation.num_cells(), 0),
+        stops_(triangulation.num_cells()) {
+    marks_.reached = IdVector<CellId, std::uint8_t>(triangulation.num_cells(), 0);
+  }
+
+  void run(const PeelOptions& options) {
+    find_poor_cells();
+    for (const CellId c : triangulation_.infinite_cells()) reach(c);
+    close();
+    if (options.deferred_seeding) {
+      while (plant_deferred_seed()) close();
+    } else {
+      demote_unvisited();
+      close();
+    }
+  }
+
+ private:
+  bool is_poor(CellId c) const {
+    for (const VertexId v : triangulation_.cell(c).vertices) {
+      if (marks_.good[v] != 0) return false;
+    }
+    return true;
+  }
+
+  void find_poor_cells() {
+    for (const CellId c : triangulation_.finite_cells()) {
+      if (poor_[c] != 0 || !is_poor(c)) continue;
+      poor_[c] = 1;
+      ++marks_.poor_cells;
+      FacetId smallest = facet_id(c, 0);
+      FacetSize size = size_of_facet(triangulation_, smallest);
+      for (int i = 1; i < 4; ++i) {
+        FacetSize other = size_of_facet(triangulation_, facet_id(c, i));
+        if (!(other < size)) continue;
+        size = other;
+        smallest = facet_id(c, i);
+      }
+      stops_.insert(triangulation_, smallest);
+    }
+  }
+
+  void reach(CellId c) {
+    marks_.reached[c] = 1;
+    marks_.labels[c] = CellLabel::out;
+    stack_.push_back(c);
+  }
+
+  // May the peel go through facet f (seen from a reached cell) into the cell behind it?
+  bool may_cross(FacetId f, CellId behind) const {
+    switch (marks_.labels[behind]) {
+      case CellLabel::out:
+        return true;
+      case CellLabel::in:
+        return false;
+      case CellLabel::unmarked:
+        break;
+    }
+    return poor_[behind] != 0 && !stops_.contains(f);
+  }
+
+  // Reaches whatever can be reached with the labels as they are.
+  void flood() {
+    while (!stack_.empty()) {
+      const CellId c = stack_.back();
+      stack_.pop_back();
+      for (const VertexId v : triangulation_.cell(c).vertices) {
+        if (v == infinite_vertex) continue;
+        if (marks_.good[v] != 0 && marks_.visited[v] == 0) seeds_.push_back(v);
+      }
+      for (int i = 0; i < 4; ++i) {
+        const FacetId mirror = triangulation_.mirror(facet_id(c, i));
+        const CellId behind = cell_of(mirror);
+        if (marks_.reached[behind] != 0) continue;
+        if (may_cross(facet_id(c, i), behind)) {
+          reach(behind);
+        } else if (is_undecided(behind) && !surface_.contains(mirror)) {
+          undecided_.push_back(mirror);
+        }
+      }
+    }
+  }
+
+  bool is_undecided(CellId c) const {
+    return marks_.reached[c] == 0 && marks_.labels[c] == CellLabel::unmarked && poor_[c] == 0;
+  }
+
+  // Floods and marks in turn until nothing changes.
+  void close() {
+    for (flood(); !seeds_.empty(); flood()) {
+      std::vector<CellId> out_cells;
+      rounds_.run(seeds_, out_cells);
+      seeds_.clear();
+      for (const CellId c : out_cells) {
+        if (marks_.reached[c] == 0 && touches_reached(c)) reach(c);
+      }
+    }
+  }
+
+  bool touches_reached(CellId c) const {
+    for (int i = 0; i < 4; ++i) {
+      if (marks_.reached[triangulation_.neighbor(c, i)] != 0) return true;
+    }
+    return false;
+  }
+
+  // False if no undecided cell lies next to a reached one.
+  bool plant_deferred_seed() {
+    for (const FacetId f : undecided_) {
+      if (is_undecided(cell_of(f))) heap_.push({size_of_facet(triangulation_, f), f});
+    }
+    undecided_.clear();
+    while (!heap_.empty()) {
+      const CellId c = cell_of(heap_.top().facet);
+      heap_.pop();
+      if (!is_undecided(c)) continue;
+      ++marks_.deferred_seeds;
+      reach(c);
+      return true;
+    }
+    return false;
+  }
+
+  // The paper's second pass: surface that the marking did not reach is treated as rubble.
+  void demote_unvisited() {
+    for (const VertexId v : triangulation_.vertices()) marks_.good[v] &= marks_.visited[v];
+    find_poor_cells();
+    // look again into every poor cell next to a reached one
+    for (const CellId c : triangulation_.finite_cells()) {
+      if (marks_.reached[c] != 0 || poor_[c] == 0) continue;
+      for (int i = 0; i < 4 && marks_.reached[c] == 0; ++i) {
+        const FacetId from = triangulation_.mirror(facet_id(c, i));
+        if (marks_.reached[cell_of(from)] != 0 && may_cross(from, c)) reach(c);
+      }
+    }
+  }
+
+  const Triangulation& triangulation_;
+  const FacetSet& surface_;
+  CellMarks& marks_;
+  MarkingRounds rounds_;
+  IdVector<CellId, std::uint8_t> poor_;
+  FacetSet stops_;
+  std::vector<CellId> stack_;
+  std::vector<VertexId> seeds_;
+  std::vector<FacetId> undecided_;  // seen from the undecided cell
+  std::priority_queue<DeferredSeed> heap_;
+};
+
+}  // namespace
+
+CellMarks peel_cells(const Triangulation& triangulation, const VertexStars& stars,
+                     const FacetSet& surface, CellMarks marks, const PeelOptions& options,
+                     const Execution& execution) {
+  report_progress(execution, "peel_cells", 0);
+  Peeling(triangulation, stars, surface, marks).run(options);
+  report_progress(execution, "peel_cells", 1);
+  return marks;
+}
+
+}  // namespace cocoon

@@ -1,0 +1,36 @@
+// Peeling: what infinity can reach is taken away; the rest is the body.
+//
+// From the infinite cells on, a cell is reached through a facet if it is labeled OUT, or if it is
+// poor (no good vertex: nothing is known about it) and the facet is not a stop facet. The stop
+// facet of a poor cell is its facet with the smallest circumradius: holes of the surface are closed
+// by small triangles.
+#pragma once
+
+#include "cocone/facet_set.h"
+#include "cocone/mark_cells.h"
+#include "delaunay/triangulation.h"
+#include "delaunay/vertex_stars.h"
+#include "geom/execution.h"
+#include "geom/triangle_mesh.h"
+
+namespace cocoon {
+
+struct PeelOptions {
+  // What happens to good vertices that the marking did not reach, for instance on a surface that
+  // outliers shield from the hull. True: the undecided cell behind the largest facet (not on the
+  // surface) next to a reached cell is taken as OUT, marked from its good vertices, and the peel
+  // goes on; one at a time. False, as in the paper: they are demoted to poor and peeled.
+  bool deferred_seeding = true;
+};
+
+// Returns the marks with `reached` filled in and the labels that the peel added. Labels are fixed
+// while cells are reached; then the good vertices of the newly reached cells run marking rounds;
+// repeated until nothing changes. The facet of a deferred seed is the one with the largest
+// circumradius, ties go to the lexicographically smaller corners, as for stop facets.
+// Complexity: O(cells + d log d) for d undecided facets. Independent of order.
+// Source: Dey & Goswami 2003 (Tight Cocone, peeling); spec 6.3, 6.6, section 12.
+CellMarks peel_cells(const Triangulation& triangulation, const VertexStars& stars,
+                     const FacetSet& surface, CellMarks marks, const PeelOptions& options = {},
+                     const Execution& execution = {});
+
+}  // namespace cocoon

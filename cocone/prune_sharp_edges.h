@@ -1,0 +1,39 @@
+// Pruning: candidates that stand off the surface at sharp edges go.
+#pragma once
+
+#include <cstddef>
+
+#include "cocone/facet_set.h"
+#include "delaunay/triangulation.h"
+#include "geom/execution.h"
+
+namespace cocoon {
+
+struct PruneOptions {
+  // An edge is sharp if all its candidates lie within a smaller dihedral than this: cos 60 degrees.
+  double sharp_cosine = 0.5;
+  // Two candidates at an edge, flatter than this dihedral cosine (134.4 degrees or more), stay.
+  double keep_cosine = -0.7;
+};
+
+struct PrunedCandidates {
+  FacetSet facets;             // what is left
+  VertexSet umbrella;          // flags of the safety check, before anything was pruned
+  std::size_t candidates = 0;  // before
+  std::size_t pruned = 0;
+  std::size_t umbrellas = 0;  // vertices with an umbrella
+};
+
+// 1. Umbrella flags of all vertices (umbrella.h). 2. Where an edge has exactly two candidates that
+// lie nearly flat, both are marked to stay. 3. At a sharp edge whose two ends have an umbrella all
+// candidates go that were not marked; repeated, since an edge that loses a candidate may become
+// sharp (one candidate is always sharp). Flags and marks are fixed beforehand and the largest
+// dihedral at an edge can only fall: the result does not depend on order.
+// Complexity: O(cells + candidates), the first two steps parallel.
+// Source: Amenta, Choi, Dey & Leekha 2002; Woo & Dey 2005, section 2.2; guard by umbrellas and
+// thresholds after the practice of the Cocone programs (spec 5.2).
+PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, const FacetSet& candidates,
+                                   const PruneOptions& options = {},
+                                   const Execution& execution = {});
+
+}  // namespace cocoon

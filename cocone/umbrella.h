@@ -1,0 +1,45 @@
+// Umbrellas: closed fans of triangles around a vertex.
+#pragma once
+
+#include <cstddef>
+
+#include "cocone/facet_set.h"
+#include "cocone/triangle_fans.h"
+#include "geom/execution.h"
+
+namespace cocoon {
+
+// Which vertices have some closed cycle of triangles around them in which consecutive ones meet at
+// a dihedral of at least the given angle (cosine: `sharp_cosine`, so dihedral cosine <= it). Found
+// without a search: around a vertex, drop every triangle that has no partner left at one of its
+// two spokes, until nothing changes; a cycle exists iff a triangle survives (a walk from partner to
+// partner in a finite set closes), and a survivor never comes with fewer than two others.
+// Greatest fixed point: independent of order. Complexity: O(triangles) for bounded valence;
+// parallel over vertices.
+// Source: Cocone's safety check as in Dey's Tight Cocone; spec 5.2.1.
+VertexSet vertices_with_umbrella(const TriangleFans& fans, double sharp_cosine,
+                                 const Execution& execution = {});
+
+struct GoodVertexOptions {
+  // A fold: two triangles at an edge with a dihedral cosine of at least this (25.8 degrees or less)
+  // make both ends poor; sharp folds give inconsistent marks.
+  double fold_cosine = 0.9;
+  // A dihedral cosine above this (below 90 degrees) makes the ends poor that are boundary samples.
+  double crease_cosine = 0.0;
+};
+
+struct GoodVertices {
+  VertexSet good;            // 1 = its triangles form one closed umbrella, and it was not demoted
+  std::size_t count = 0;     // good vertices
+  std::size_t demoted = 0;   // closed umbrellas at a fold or crease
+};
+
+// A vertex is good iff its triangles form exactly one closed umbrella: every spoke has two of
+// them, and they make one cycle. All others are poor: rims, pinched vertices, spokes with three
+// triangles, isolated samples. Demotions look at the umbrellas only, not at other demotions, so
+// they do not depend on order.
+// Complexity: O(triangles), parallel over vertices. Source: Dey & Goswami 2003 (Tight Cocone).
+GoodVertices good_vertices(const TriangleFans& fans, const VertexSet& boundary,
+                           const GoodVertexOptions& options = {}, const Execution& execution = {});
+
+}  // namespace cocoon
