@@ -25,23 +25,23 @@ CornerSides center_sides(const Triangulation& triangulation, const Dual& dual, c
                          double cosine, const Execution& execution) {
   CornerSides sides(triangulation.num_cells());
   const double squared_cosine = cosine * cosine;
-  parallel_chunks(execution, sides.size(), cells_per_chunk, [&](std::size_t begin, std::size_t end) {
-    for (CellId c(begin); c.index() < end; ++c) {
-      const bool is_direction = triangulation.is_infinite(c);
-      const Point& center = dual.centers[c];
-      unsigned packed = 0;
-      for (int i = 0; i < (is_direction ? 3 : 4); ++i) {
-        const VertexId v = triangulation.vertex(c, i);
-        const Vec3 x = is_direction ? center : center - triangulation.point(v);
-        const ConeSide side = cone_side(x, poles.normals[v], squared_cosine);
-        packed |= static_cast<unsigned>(side) << (2 * i);
-      }
-      sides[c] = static_cast<std::uint8_t>(packed);
-    }
-  });
+  parallel_chunks(execution, sides.size(), cells_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (CellId c(begin); c.index() < end; ++c) {
+                      const bool is_direction = triangulation.is_infinite(c);
+                      const Point& center = dual.centers[c];
+                      unsigned packed = 0;
+                      for (int i = 0; i < (is_direction ? 3 : 4); ++i) {
+                        const VertexId v = triangulation.vertex(c, i);
+                        const Vec3 x = is_direction ? center : center - triangulation.point(v);
+                        const ConeSide side = cone_side(x, poles.normals[v], squared_cosine);
+                        packed |= static_cast<unsigned>(side) << (2 * i);
+                      }
+                      sides[c] = static_cast<std::uint8_t>(packed);
+                    }
+                  });
   return sides;
 }
-
 
 unsigned facet_row(const Triangulation& triangulation, const CornerSides& sides, FacetId f) {
   const FacetId mirror = triangulation.mirror(f);
@@ -167,20 +167,19 @@ double largest_coordinate(const RadiusQuery& query) {
 Cocones intersect_cocones(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
                           const CoconeOptions& options, const Execution& execution) {
   report_progress(execution, "intersect_cocones", 0);
-  const CornerSides sides =
-      center_sides(triangulation, dual, poles, options.cosine, execution);
+  const CornerSides sides = center_sides(triangulation, dual, poles, options.cosine, execution);
   report_progress(execution, "intersect_cocones", 0.5);
   Cocones cocones{IdVector<CellId, std::uint16_t>(triangulation.num_cells()), options.cosine};
-  parallel_chunks(
-      execution, triangulation.num_cells(), cells_per_chunk, [&](std::size_t begin, std::size_t end) {
-        for (CellId c(begin); c.index() < end; ++c) {
-          unsigned bits = 0;
-          for (int i = triangulation.is_infinite(c) ? 3 : 0; i < 4; ++i) {
-            bits |= facet_row(triangulation, sides, facet_id(c, i)) << (4 * i);
-          }
-          cocones.meets[c] = static_cast<std::uint16_t>(bits);
-        }
-      });
+  parallel_chunks(execution, triangulation.num_cells(), cells_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (CellId c(begin); c.index() < end; ++c) {
+                      unsigned bits = 0;
+                      for (int i = triangulation.is_infinite(c) ? 3 : 0; i < 4; ++i) {
+                        bits |= facet_row(triangulation, sides, facet_id(c, i)) << (4 * i);
+                      }
+                      cocones.meets[c] = static_cast<std::uint16_t>(bits);
+                    }
+                  });
   report_progress(execution, "intersect_cocones", 1);
   return cocones;
 }

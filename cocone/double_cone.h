@@ -49,8 +49,6 @@ inline bool in_cocone(ConeSide side) { return side == ConeSide::low || side == C
 
 // True iff a segment (or ray) whose ends (or origin and direction) lie on these sides meets the
 // cocone.
-inline bool meets_cocone(ConeSide from, ConeSide to) {
-  return from != to || in_cocone(from);
-}
+inline bool meets_cocone(ConeSide from, ConeSide to) { return from != to || in_cocone(from); }
 
 }  // namespace cocoon

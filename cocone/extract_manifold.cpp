@@ -97,7 +97,8 @@ class Extraction {
     }
     sort_canonically(classes);
     for (const HalfClass& c : classes) {
-      const bool apart = std::none_of(begin(c), end(c), [&](FacetId f) { return touches_surface(f); });
+      const bool apart =
+          std::none_of(begin(c), end(c), [&](FacetId f) { return touches_surface(f); });
       if (apart) keep(c);
     }
   }

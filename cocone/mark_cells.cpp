@@ -107,8 +107,8 @@ void MarkingRounds::propose(VertexId v, CellLabel flooded, CellLabel rest) {
 void MarkingRounds::apply(std::vector<CellId>& out_cells) {
   constexpr std::uint8_t both = 3;
   for (const Proposal& p : proposals_) {
-    scratch_[p.cell] = static_cast<std::uint8_t>(scratch_[p.cell] |
-                                                 (p.label == CellLabel::out ? 1U : 2U));
+    scratch_[p.cell] =
+        static_cast<std::uint8_t>(scratch_[p.cell] | (p.label == CellLabel::out ? 1U : 2U));
   }
   for (const Proposal& p : proposals_) {
     std::uint8_t& told = scratch_[p.cell];

@@ -140,8 +140,8 @@ PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, const Fac
   }
   result.candidates = fans.size();
   result.pruned = static_cast<std::size_t>(std::count(present.begin(), present.end(), 0));
-  result.umbrellas = static_cast<std::size_t>(
-      std::count(result.umbrella.begin(), result.umbrella.end(), 1));
+  result.umbrellas =
+      static_cast<std::size_t>(std::count(result.umbrella.begin(), result.umbrella.end(), 1));
   report_progress(execution, "prune_sharp_edges", 1);
   return result;
 }

@@ -28,16 +28,16 @@ TriangleFans triangle_fans(const Triangulation& triangulation, const FacetSet& f
   // corners and normals
   fans.corners.resize(fans.size());
   fans.normals.resize(fans.size());
-  parallel_chunks(execution, fans.size(), triangles_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t t = begin; t < end; ++t) {
-                      fans.corners[t] = in_lexicographic_order(
-                          triangulation, triangulation.facet_vertices(fans.facets[t]));
-                      const Point& a = triangulation.point(fans.corners[t][0]);
-                      fans.normals[t] = unit(cross(triangulation.point(fans.corners[t][1]) - a,
-                                                   triangulation.point(fans.corners[t][2]) - a));
-                    }
-                  });
+  parallel_chunks(
+      execution, fans.size(), triangles_per_chunk, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+          fans.corners[t] =
+              in_lexicographic_order(triangulation, triangulation.facet_vertices(fans.facets[t]));
+          const Point& a = triangulation.point(fans.corners[t][0]);
+          fans.normals[t] = unit(cross(triangulation.point(fans.corners[t][1]) - a,
+                                       triangulation.point(fans.corners[t][2]) - a));
+        }
+      });
   // count, then place
   fans.offsets.assign(triangulation.num_vertices() + 1, 0);
   for (const auto& corners : fans.corners) {

@@ -17,11 +17,11 @@ namespace cocoon {
 
 // Structure of arrays over the triangles of the set; a triangle is its position in them.
 struct TriangleFans {
-  std::vector<FacetId> facets;                    // canonical ids, ascending
-  std::vector<std::array<VertexId, 3>> corners;   // in lexicographic order of their points
-  std::vector<Vec3> normals;                      // unit((c1 - c0) x (c2 - c0)); zero if degenerate
-  std::vector<std::uint32_t> offsets;             // per vertex and one past the end
-  std::vector<std::uint32_t> triangles;           // those around each vertex, one vertex after the other
+  std::vector<FacetId> facets;                   // canonical ids, ascending
+  std::vector<std::array<VertexId, 3>> corners;  // in lexicographic order of their points
+  std::vector<Vec3> normals;                     // unit((c1 - c0) x (c2 - c0)); zero if degenerate
+  std::vector<std::uint32_t> offsets;            // per vertex and one past the end
+  std::vector<std::uint32_t> triangles;  // those around each vertex, one vertex after the other
 
   std::size_t size() const { return facets.size(); }
   std::span<const std::uint32_t> around(VertexId v) const {

@@ -29,9 +29,9 @@ struct GoodVertexOptions {
 };
 
 struct GoodVertices {
-  VertexSet good;            // 1 = its triangles form one closed umbrella, and it was not demoted
-  std::size_t count = 0;     // good vertices
-  std::size_t demoted = 0;   // closed umbrellas at a fold or crease
+  VertexSet good;           // 1 = its triangles form one closed umbrella, and it was not demoted
+  std::size_t count = 0;    // good vertices
+  std::size_t demoted = 0;  // closed umbrellas at a fold or crease
 };
 
 // A vertex is good iff its triangles form exactly one closed umbrella: every spoke has two of

@@ -1,0 +1,23 @@
+// Consistent orientation of an open surface.
+#pragma once
+
+#include <cstddef>
+
+#include "geom/triangle_mesh.h"
+
+namespace cocoon {
+
+struct OrientationReport {
+  std::size_t components = 0;      // connected through edges with exactly two triangles
+  std::size_t flipped = 0;         // triangles turned around
+  std::size_t non_orientable = 0;  // components left as they were: one-sided, like a Moebius strip
+};
+
+// Turns triangles around (corners two and three change places, ids stay) until any two that share
+// an edge with no third one run through it in opposite directions. Of the two consistent ways each
+// component takes the one that turns fewer triangles, in a tie the one that keeps the triangle with
+// the lexicographically smallest points. Independent of the numbering of the mesh.
+// Complexity: O(triangles + vertices).
+OrientationReport orient_surface(TriangleMesh& mesh);
+
+}  // namespace cocoon

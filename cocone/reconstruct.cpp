@@ -1,0 +1,207 @@
+#include "cocone/reconstruct.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cocone/candidate_triangles.h"
+#include "cocone/extract_manifold.h"
+#include "cocone/mark_cells.h"
+#include "cocone/orient_surface.h"
+#include "cocone/poles.h"
+#include "cocone/surface_mesh.h"
+#include "delaunay/vertex_stars.h"
+#include "delaunay/voronoi_dual.h"
+
+namespace cocoon {
+namespace {
+
+// Runs body(execution) as a top level stage: its own reports appear as "stage/...".
+template <class Body>
+void run_stage(const Execution& execution, std::string_view stage, Body body) {
+  report_progress(execution, stage, 0);
+  PrefixedProgress nested{std::string(stage), execution.progress};
+  body(Execution{execution.threads, execution.progress == nullptr ? nullptr : &nested});
+  report_progress(execution, stage, 1);
+}
+
+// Within these bounds no product of the stages leaves the range of double.
+constexpr double largest_coordinate = 0x1p+100;
+constexpr double smallest_coordinate = 0x1p-100;
+
+// The power of two that brings the largest coordinate near 1 if it is out of bounds, else 1.
+double working_scale(Points points) {
+  double largest = 0;
+  for (const Point& p : points) {
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  const bool in_bounds = largest >= smallest_coordinate && largest <= largest_coordinate;
+  if (in_bounds || largest == 0 || !std::isfinite(largest)) return 1;
+  return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1022, 1022));
+}
+
+ReconstructOptions effective(ReconstructOptions options) {
+  if (options.mode == Mode::paper) {
+    options.boundary.radius_mode = RadiusMode::cocone;
+    options.peel.deferred_seeding = false;
+  }
+  return options;
+}
+
+// The work both compositions share, and its intermediate values.
+class Reconstruction {
+ public:
+  Reconstruction(Points points, const ReconstructOptions& options, const Execution& execution)
+      : points_(points), options_(effective(options)), execution_(execution) {}
+
+  void triangulate() {
+    std::vector<Point> scaled;
+    Points working = points_;
+    if (const double scale = working_scale(points_); scale != 1) {
+      for (const Point& p : points_) scaled.push_back(scale * p);
+      working = scaled;
+    }
+    DelaunayResult built = delaunay(working, options_.delaunay, execution_);
+    triangulation_ = std::move(built.triangulation);
+    result_.counters.delaunay = built.counters;
+    result_.points = points_.size();
+    result_.duplicates = triangulation_.num_duplicates();
+    result_.vertices = triangulation_.num_vertices();
+    result_.tetrahedra = triangulation_.num_finite_cells();
+  }
+
+  void find_poles() {
+    run_stage(execution_, "poles", [&](const Execution& nested) {
+      dual_ = voronoi_dual(triangulation_, nested);
+      stars_ = vertex_stars(triangulation_);
+      poles_ = compute_poles(triangulation_, dual_, stars_, nested);
+    });
+    ReconstructCounters& counters = result_.counters;
+    counters.dual_extended_precision = dual_.extended_precision;
+    counters.dual_facet_fallbacks = dual_.facet_fallbacks;
+    counters.hull_vertices = poles_.hull_vertices;
+    counters.degenerate_poles = poles_.degenerate_vertices;
+  }
+
+  // The Cocone surface with its boundary samples.
+  void build_surface() {
+    Cocones cocones;
+    run_stage(execution_, "cocone", [&](const Execution& nested) {
+      cocones = intersect_cocones(triangulation_, dual_, poles_, options_.cocone, nested);
+    });
+    run_stage(execution_, "boundary", [&](const Execution& nested) {
+      boundary_ = boundary_samples(triangulation_, dual_, stars_, poles_, cocones,
+                                   options_.boundary, nested);
+    });
+    run_stage(execution_, "cocone", [&](const Execution& nested) {
+      const FacetSet candidates =
+          candidate_triangles(triangulation_, cocones, boundary_.boundary, nested);
+      const PrunedCandidates pruned =
+          prune_sharp_edges(triangulation_, candidates, options_.prune, nested);
+      surface_ = extract_manifold(triangulation_, pruned.facets, pruned.umbrella, nested);
+      result_.counters.candidates = pruned.candidates;
+      result_.counters.pruned = pruned.pruned;
+      result_.counters.umbrellas = pruned.umbrellas;
+    });
+    ReconstructCounters& counters = result_.counters;
+    counters.boundary_samples = boundary_.count;
+    counters.ratio_failed = boundary_.ratio_failed;
+    counters.recovered_samples = boundary_.recovered;
+    counters.surface_triangles = surface_.halves.size();
+    counters.surface_components = surface_.components;
+    counters.two_sided_facets = surface_.two_sided;
+  }
+
+  void close_surface() {
+    if (boundary_.interior() == 0) return deliver({});
+    run_stage(execution_, "tight", [&](const Execution& nested) {
+      CellMarks marks = mark_cells(triangulation_, stars_, surface_.facets, boundary_.boundary,
+                                   options_.good_vertices, nested);
+      marks = peel_cells(triangulation_, stars_, surface_.facets, std::move(marks), options_.peel,
+                         nested);
+      deliver(surface_between(triangulation_, marks));
+      ReconstructCounters& counters = result_.counters;
+      counters.good_vertices = marks.good_vertices;
+      counters.demoted_vertices = marks.demoted_vertices;
+      counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;
+      counters.marking_rounds = marks.rounds;
+      counters.marking_conflicts = marks.conflicts;
+      counters.poor_cells = marks.poor_cells;
+      counters.deferred_seeds = marks.deferred_seeds;
+    });
+  }
+
+  void deliver_open_surface() {
+    run_stage(execution_, "cocone", [&](const Execution&) {
+      deliver(surface_of(triangulation_, surface_.halves));
+      result_.counters.non_orientable_components = orient_surface(result_.mesh).non_orientable;
+      canonicalize_triangles(result_.mesh);
+    });
+  }
+
+  ReconstructResult take_result() { return std::move(result_); }
+
+ private:
+  void deliver(SurfaceMesh surface) {
+    result_.mesh = std::move(surface.mesh);
+    result_.point_of_vertex = std::move(surface.point_of_vertex);
+    const std::size_t count = result_.mesh.points.size();
+    result_.normals.resize(count);
+    result_.boundary_sample.resize(count);
+    for (const VertexId v : result_.mesh.points.ids()) {
+      const VertexId source = surface.triangulation_vertex[v];
+      result_.mesh.points[v] = points_[result_.point_of_vertex[v].index()];
+      result_.normals[v] = poles_.normals[source];
+      result_.boundary_sample[v] = boundary_.boundary[source];
+    }
+    result_.unused_points = result_.vertices - count;
+    result_.status = boundary_.interior() == 0        ? SurfaceStatus::no_surface
+                     : result_.mesh.triangles.empty() ? SurfaceStatus::empty
+                                                      : SurfaceStatus::ok;
+  }
+
+  Points points_;
+  ReconstructOptions options_;
+  Execution execution_;
+  Triangulation triangulation_;
+  Dual dual_;
+  VertexStars stars_;
+  Poles poles_;
+  BoundarySamples boundary_;
+  ManifoldSurface surface_;
+  ReconstructResult result_;
+};
+
+}  // namespace
+
+ReconstructOptions open_cloud_defaults() {
+  ReconstructOptions options;
+  options.boundary.rho = 0.3;
+  options.boundary.radius_mode = RadiusMode::cocone;
+  return options;
+}
+
+ReconstructResult reconstruct_tight(Points points, const ReconstructOptions& options,
+                                    const Execution& execution) {
+  Reconstruction reconstruction(points, options, execution);
+  reconstruction.triangulate();
+  reconstruction.find_poles();
+  reconstruction.build_surface();
+  reconstruction.close_surface();
+  return reconstruction.take_result();
+}
+
+ReconstructResult reconstruct_cocone(Points points, const ReconstructOptions& options,
+                                     const Execution& execution) {
+  Reconstruction reconstruction(points, options, execution);
+  reconstruction.triangulate();
+  reconstruction.find_poles();
+  reconstruction.build_surface();
+  reconstruction.deliver_open_surface();
+  return reconstruction.take_result();
+}
+
+}  // namespace cocoon

@@ -1,0 +1,110 @@
+// From points to a surface in one call: the stages of this folder one after the other. Anything
+// done here can be done by hand with the stages themselves.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "cocone/boundary_samples.h"
+#include "cocone/cocones.h"
+#include "cocone/facet_set.h"
+#include "cocone/peel_cells.h"
+#include "cocone/prune_sharp_edges.h"
+#include "cocone/umbrella.h"
+#include "delaunay/delaunay.h"
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+#include "geom/point.h"
+#include "geom/triangle_mesh.h"
+
+namespace cocoon {
+
+// Outcomes that depend on the data; none is an exception.
+enum class SurfaceStatus {
+  ok,
+  no_surface,  // no sample is interior: too sparse, too thin or too noisy for these options
+  empty,       // a surface was begun, but nothing is left (tight: everything was peeled)
+};
+
+enum class Mode {
+  paper,   // as published: radius_mode = cocone and no deferred seeding, whatever the options say
+  robust,  // the options as they are
+};
+
+// The defaults are for closed models; see open_cloud_defaults().
+struct ReconstructOptions {
+  Mode mode = Mode::robust;
+  DelaunayOptions delaunay;
+  CoconeOptions cocone;
+  BoundaryOptions boundary;
+  PruneOptions prune;
+  GoodVertexOptions good_vertices;
+  PeelOptions peel;
+};
+
+// For clouds whose surface has a rim (a scan from one side, the added cloud of an update):
+// rho = 0.3, alpha = 30 degrees, radius_mode = cocone. Smaller rho (0.2, 0.13) finds smaller holes.
+ReconstructOptions open_cloud_defaults();
+
+// What the stages counted.
+struct ReconstructCounters {
+  DelaunayCounters delaunay;
+  std::size_t hull_vertices = 0;
+  std::size_t degenerate_poles = 0;         // hull normals that cancel
+  std::size_t dual_extended_precision = 0;  // circumcenters recomputed
+  std::size_t dual_facet_fallbacks = 0;     // circumcenters of a facet instead
+  std::size_t boundary_samples = 0;
+  std::size_t ratio_failed = 0;
+  std::size_t recovered_samples = 0;  // interior by the second phase
+  std::size_t candidates = 0;
+  std::size_t pruned = 0;
+  std::size_t umbrellas = 0;           // vertices that passed the safety check
+  std::size_t surface_triangles = 0;   // of the Cocone surface
+  std::size_t surface_components = 0;  // classes of half-facets kept
+  std::size_t two_sided_facets = 0;
+  std::size_t non_orientable_components = 0;  // reconstruct_cocone only
+  // reconstruct_tight only:
+  std::size_t good_vertices = 0;
+  std::size_t demoted_vertices = 0;
+  std::size_t unvisited_vertices = 0;  // good ones that no mark reached
+  std::size_t marking_rounds = 0;
+  std::size_t marking_conflicts = 0;
+  std::size_t poor_cells = 0;
+  std::size_t deferred_seeds = 0;
+};
+
+struct ReconstructResult {
+  SurfaceStatus status = SurfaceStatus::ok;
+  // Only vertices that a triangle uses, in the user's input order with the user's coordinates;
+  // triangles in canonical order, counterclockwise seen from outside. Of the open surface, where
+  // there is no outside, each component is oriented consistently.
+  TriangleMesh mesh;
+  IdVector<VertexId, PointId> point_of_vertex;       // first input point at each mesh vertex
+  IdVector<VertexId, Vec3> normals;                  // n_p: unit, sign free
+  IdVector<VertexId, std::uint8_t> boundary_sample;  // 1 = boundary sample, 0 = interior
+  std::size_t points = 0;                            // given
+  std::size_t duplicates = 0;                        // points equal to an earlier one
+  std::size_t unused_points = 0;                     // different points not on the surface
+  std::size_t vertices = 0;                          // of the triangulation
+  std::size_t tetrahedra = 0;                        // finite cells
+  ReconstructCounters counters;
+};
+
+// The watertight surface (Tight Cocone): the boundary of a union of tetrahedra. Every edge has an
+// even number of triangles, as many in one direction as in the other; `mesh` is closed, or empty
+// with the status that says why. Presumes samples of closed surfaces: an open cloud is closed
+// somehow. Progress: "delaunay", "poles", "cocone", "boundary", "tight".
+// Coordinates of any finite size: beyond 2^100 or below 2^-100 the work is done on a copy scaled by
+// a power of two, which changes nothing else.
+// Errors: InputError as delaunay(). Complexity: O(n log n) expected.
+// Deterministic: a function of the set of points, but for the order of vertices, which is the
+// user's. Source: Dey & Goswami 2003; Woo & Dey 2005, section 2.2.
+ReconstructResult reconstruct_tight(Points points, const ReconstructOptions& options = {},
+                                    const Execution& execution = {});
+
+// The Cocone surface with its boundary: open where the cloud is. As above without "tight".
+// Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Woo & Dey 2005, sections 2.1, 3.2.
+ReconstructResult reconstruct_cocone(Points points, const ReconstructOptions& options = {},
+                                     const Execution& execution = {});
+
+}  // namespace cocoon

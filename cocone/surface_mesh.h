@@ -1,0 +1,35 @@
+// From facets of the triangulation to a triangle mesh of its own.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cocone/facet_set.h"
+#include "cocone/mark_cells.h"
+#include "delaunay/triangulation.h"
+#include "geom/id_vector.h"
+#include "geom/triangle_mesh.h"
+
+namespace cocoon {
+
+struct SurfaceMesh {
+  // Only vertices that a triangle uses, in the user's input order; triangles in canonical order
+  // (geom/triangle_mesh.h), counterclockwise seen from outside.
+  TriangleMesh mesh;
+  // Per mesh vertex: the input point it stands for, and the vertex of the triangulation.
+  IdVector<VertexId, PointId> point_of_vertex;
+  IdVector<VertexId, VertexId> triangulation_vertex;
+};
+
+// The mesh of the facets seen from `halves` (extract_manifold.h): the normals of its triangles
+// point into cell_of(half). Complexity: O(points + triangles log triangles). Deterministic: a
+// function of the set of facets.
+SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const FacetId> halves);
+
+// The boundary of the body: all facets between a cell reached by the peel and one not reached, with
+// normals away from the body. Every directed edge is balanced: as many triangles run through an
+// edge in one direction as in the other. Empty if everything was peeled. Precondition: marks come
+// from peel_cells. Complexity: O(cells) and as above. Source: Dey & Goswami 2003; spec 6.4.
+SurfaceMesh surface_between(const Triangulation& triangulation, const CellMarks& marks);
+
+}  // namespace cocoon
