@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "delaunay/conflict_batch.h"
 #include "geom/errors.h"
 #include "geom/orient3d.h"
 #include "geom/perturbation.h"
@@ -60,28 +61,64 @@ bool CavityInserter::in_conflict(const Cell& cell, const Point& p) const {
                             p) == Sign::positive;
 }
 
+// Takes c into the conflict zone, and its neighbors into the candidates.
+void CavityInserter::add_conflict(CellId c) {
+  pool_.marks[c] = CellMark::conflict;
+  conflict_cells_.push_back(c);
+  for (const FacetId outer : pool_.cells[c].neighbors) {
+    const CellId neighbor = cell_of(outer);
+    CellMark& mark = pool_.marks[neighbor];
+    if (mark != CellMark::untested) continue;
+    mark = CellMark::outside;  // until the test says otherwise
+    candidates_.push_back(neighbor);
+  }
+}
+
+// Tests the candidates from `first` on, at most a batch of them; returns the first one left.
+std::size_t CavityInserter::test_batch(std::size_t first, const Point& p) {
+  const std::size_t count = std::min(conflict_batch_size, candidates_.size() - first);
+  std::array<CellId, conflict_batch_size> cells;
+  std::array<const Cell*, conflict_batch_size> finite;
+  unsigned undecided = 0;
+  std::size_t lanes = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const CellId c = candidates_[first + i];
+    if (pool_.is_infinite(c)) {
+      if (in_conflict(pool_.cells[c], p)) add_conflict(c);
+    } else {
+      cells[lanes] = c;
+      finite[lanes++] = &pool_.cells[c];
+    }
+  }
+  if (lanes == 0) return first + count;
+  for (std::size_t i = lanes; i < conflict_batch_size; ++i) finite[i] = finite[0];
+  const BatchDecision decision = insphere_batch(finite, points_, p);
+  undecided = decision.undecided;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const bool inside = ((undecided >> i) & 1U) != 0 ? in_conflict(*finite[i], p)
+                                                     : ((decision.inside >> i) & 1U) != 0;
+    if (inside) add_conflict(cells[i]);
+  }
+  return first + count;
+}
+
 void CavityInserter::find_conflict_zone(VertexId v, CellId start, DelaunayCounters& counters) {
   const Point p = points_[v];
-  conflict_cells_.assign(1, start);
+  conflict_cells_.clear();
+  candidates_.clear();
+  add_conflict(start);
+  for (std::size_t next = 0; next < candidates_.size();) next = test_batch(next, p);
+  counters.conflict_tests += candidates_.size();
+  collect_border(v);
+}
+
+void CavityInserter::collect_border(VertexId v) {
   border_.clear();
-  pool_.marks[start] = CellMark::conflict;
-  // The list of conflict cells is the queue of the breadth-first search.
-  for (std::size_t next = 0; next < conflict_cells_.size(); ++next) {
-    const Cell& cell = pool_.cells[conflict_cells_[next]];
+  for (const CellId c : conflict_cells_) {
+    const Cell& cell = pool_.cells[c];
     for (std::size_t i = 0; i < 4; ++i) {
       const FacetId outer = cell.neighbors[i];
-      const CellId neighbor = cell_of(outer);
-      CellMark& mark = pool_.marks[neighbor];
-      if (mark == CellMark::conflict) continue;
-      if (mark == CellMark::untested) {
-        ++counters.conflict_tests;
-        if (in_conflict(pool_.cells[neighbor], p)) {
-          mark = CellMark::conflict;
-          conflict_cells_.push_back(neighbor);
-          continue;
-        }
-        mark = CellMark::outside;
-      }
+      if (pool_.marks[cell_of(outer)] == CellMark::conflict) continue;
       CavityFacet& facet =
           border_.emplace_back(CavityFacet{cell.vertices, outer, static_cast<int>(i)});
       facet.vertices[i] = v;
@@ -92,7 +129,7 @@ void CavityInserter::find_conflict_zone(VertexId v, CellId start, DelaunayCounte
 // New cells take the slots of the conflict cells first: those are in cache.
 void CavityInserter::allocate_new_cells() {
   new_cells_.clear();
-  for (const CavityFacet& facet : border_) pool_.marks[cell_of(facet.outer)] = CellMark::untested;
+  for (const CellId c : candidates_) pool_.marks[c] = CellMark::untested;
   for (const CellId c : conflict_cells_) {
     pool_.marks[c] = CellMark::untested;
     if (new_cells_.size() < border_.size()) {

@@ -36,7 +36,10 @@ class CavityInserter {
 
  private:
   bool in_conflict(const Cell& cell, const Point& p) const;
+  void add_conflict(CellId c);
+  std::size_t test_batch(std::size_t first, const Point& p);
   void find_conflict_zone(VertexId v, CellId start, DelaunayCounters& counters);
+  void collect_border(VertexId v);
   void allocate_new_cells();
   void number_border_vertices();
   void fill_with_edge_table();
@@ -46,6 +49,7 @@ class CavityInserter {
   CellPool& pool_;
   const IdVector<VertexId, Point>& points_;
   std::vector<CellId> conflict_cells_;         // the conflict zone, in breadth-first order
+  std::vector<CellId> candidates_;  // cells next to conflict cells, in order of discovery
   std::vector<CavityFacet> border_;            // its boundary, one facet per new cell
   std::vector<CellId> new_cells_;              // parallel to border_
   IdVector<VertexId, std::uint8_t> local_id_;  // number of a border vertex, no_local_id elsewhere

@@ -1,0 +1,132 @@
+#include "delaunay/conflict_batch.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "geom/insphere.h"
+
+// Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "delaunay/conflict_batch.cpp"
+#include <hwy/foreach_target.h>
+// clang-format off: must come after foreach_target.h
+#include <hwy/highway.h>
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+namespace cocoon::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+
+using Lanes = hn::FixedTag<double, 4>;
+using Vector = hn::Vec<Lanes>;
+
+// The same vertex slot of four cells, relative to p, one vector per axis.
+struct Corner {
+  Vector x, y, z;
+};
+
+HWY_INLINE Corner load_corner(std::span<const Cell* const, conflict_batch_size> cells,
+                              std::size_t slot, const double* coordinates, const Corner& p) {
+  const Lanes d;
+  const auto load = [&](std::size_t lane) {
+    return hn::LoadU(d, coordinates + 3 * std::size_t{cells[lane]->vertices[slot].value});
+  };
+  const Vector v0 = load(0), v1 = load(1), v2 = load(2), v3 = load(3);
+  const Vector low01 = hn::InterleaveLower(d, v0, v1);    // x0 x1 z0 z1
+  const Vector high01 = hn::InterleaveUpper(d, v0, v1);   // y0 y1
+  const Vector low23 = hn::InterleaveLower(d, v2, v3);
+  const Vector high23 = hn::InterleaveUpper(d, v2, v3);
+  return {hn::ConcatLowerLower(d, low23, low01) - p.x, hn::ConcatLowerLower(d, high23, high01) - p.y,
+          hn::ConcatUpperUpper(d, low23, low01) - p.z};
+}
+
+HWY_INLINE Vector squared_norm(const Corner& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
+HWY_INLINE Vector minor_xy(const Corner& v, const Corner& w) { return v.x * w.y - v.y * w.x; }
+
+HWY_INLINE Vector largest(Vector a, Vector b, Vector c, Vector d) {
+  return hn::Max(hn::Max(a, b), hn::Max(c, d));
+}
+
+// The expression, the bound and its derivation are those of insphere_filter.
+BatchDecision decide(std::span<const Cell* const, conflict_batch_size> cells,
+                     const double* coordinates, const Point& point) {
+  const Lanes d;
+  const Corner e{hn::Set(d, point.x), hn::Set(d, point.y), hn::Set(d, point.z)};
+  const Corner p = load_corner(cells, 0, coordinates, e);
+  const Corner q = load_corner(cells, 1, coordinates, e);
+  const Corner r = load_corner(cells, 2, coordinates, e);
+  const Corner s = load_corner(cells, 3, coordinates, e);
+  const Vector pq = minor_xy(p, q);
+  const Vector pr = minor_xy(p, r);
+  const Vector ps = minor_xy(p, s);
+  const Vector qr = minor_xy(q, r);
+  const Vector qs = minor_xy(q, s);
+  const Vector rs = minor_xy(r, s);
+  const Vector pp = squared_norm(p);
+  const Vector qq = squared_norm(q);
+  const Vector rr = squared_norm(r);
+  const Vector ss = squared_norm(s);
+  const Vector value =
+      (pp * (q.z * rs - r.z * qs + s.z * qr) - qq * (p.z * rs - r.z * ps + s.z * pr)) +
+      (rr * (p.z * qs - q.z * ps + s.z * pq) - ss * (p.z * qr - q.z * pr + r.z * pq));
+  const Vector reach_x = largest(hn::Abs(p.x), hn::Abs(q.x), hn::Abs(r.x), hn::Abs(s.x));
+  const Vector reach_y = largest(hn::Abs(p.y), hn::Abs(q.y), hn::Abs(r.y), hn::Abs(s.y));
+  const Vector reach_z = largest(hn::Abs(p.z), hn::Abs(q.z), hn::Abs(r.z), hn::Abs(s.z));
+  const Vector error = hn::Set(d, insphere_filter_coefficient) * (reach_x * reach_y * reach_z) *
+                       largest(pp, qq, rr, ss);
+  // Comparisons with NaN are false, so overflow decides nothing; an infinite value meets an
+  // infinite bound or the range test.
+  const auto in_range = hn::And(
+      hn::Ge(hn::Min(hn::Min(reach_x, reach_y), reach_z), hn::Set(d, insphere_filter_smallest)),
+      hn::Le(hn::Abs(value), hn::Set(d, std::numeric_limits<double>::max())));
+  const auto inside = hn::And(in_range, hn::Gt(value, error));
+  const auto decided = hn::And(in_range, hn::Gt(hn::Abs(value), error));
+  const auto bits = [&](auto mask) {
+    std::array<std::uint8_t, 8> bytes;  // StoreMaskBits may write this many
+    hn::StoreMaskBits(d, mask, bytes.data());
+    return bytes[0] & 0xFU;
+  };
+  return {bits(inside), bits(decided) ^ 0xFU};
+}
+
+#else
+
+BatchDecision decide(std::span<const Cell* const, conflict_batch_size> cells,
+                     const double* coordinates, const Point& p) {
+  const auto corner = [&](std::size_t cell, std::size_t slot) {
+    const double* at = coordinates + 3 * std::size_t{cells[cell]->vertices[slot].value};
+    return Point{at[0], at[1], at[2]};
+  };
+  BatchDecision decision;
+  for (std::size_t i = 0; i < conflict_batch_size; ++i) {
+    const FilteredDeterminant filter =
+        insphere_filter(corner(i, 0), corner(i, 1), corner(i, 2), corner(i, 3), p);
+    if (!filter.is_certain()) decision.undecided |= 1U << i;
+    if (filter.value > filter.error) decision.inside |= 1U << i;
+  }
+  return decision;
+}
+
+#endif
+
+}  // namespace cocoon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace cocoon {
+
+HWY_EXPORT(decide);
+
+BatchDecision insphere_batch(std::span<const Cell* const, conflict_batch_size> cells,
+                             const IdVector<VertexId, Point>& points, const Point& p) {
+  static_assert(sizeof(Point) == 3 * sizeof(double));
+  return HWY_DYNAMIC_DISPATCH(decide)(cells, &points.raw().data()->x, p);
+}
+
+}  // namespace cocoon
+
+#endif  // HWY_ONCE
