@@ -48,28 +48,24 @@ SlotMap canonicalize_slots(Cell& cell) {
   return map;
 }
 
-// Cells in canonical order, then the free ones: order[new id] = old id.
-std::vector<CellId> sorted_cells(const CellPool& pool, std::size_t num_vertices,
-                                 std::size_t& finite_cells, std::size_t& live_cells) {
+// order[new id] = old id. Precondition: canonical slots.
+std::vector<CellId> sorted_cells(const IdVector<CellId, Cell>& cells, std::size_t num_vertices) {
   // Counting sort by (infinite, smallest vertex), which is vertices[0] of a canonical record ...
-  std::vector<std::uint32_t> offsets(2 * num_vertices + 2, 0);
-  const auto bucket = [&](CellId c) {
-    if (pool.is_free(c)) return 2 * num_vertices;
-    return pool.cells[c].vertices[0].index() + (pool.is_infinite(c) ? num_vertices : 0);
+  std::vector<std::uint32_t> offsets(2 * num_vertices + 1, 0);
+  const auto bucket = [&](const Cell& cell) {
+    return cell.vertices[0].index() + (cell.vertices[3] == infinite_vertex ? num_vertices : 0);
   };
-  for (const CellId c : pool.cells.ids()) ++offsets[bucket(c) + 1];
+  for (const Cell& cell : cells) ++offsets[bucket(cell) + 1];
   for (std::size_t b = 1; b < offsets.size(); ++b) offsets[b] += offsets[b - 1];
-  finite_cells = offsets[num_vertices];
-  live_cells = offsets[2 * num_vertices];
-  std::vector<CellId> order(pool.cells.size());
-  for (const CellId c : pool.cells.ids()) order[offsets[bucket(c)]++] = c;
+  std::vector<CellId> order(cells.size());
+  for (const CellId c : cells.ids()) order[offsets[bucket(cells[c])]++] = c;
   // ... then by the whole record inside each bucket. The offsets now are the buckets' ends.
   std::size_t begin = 0;
   for (std::size_t b = 0; b < 2 * num_vertices; ++b) {
     const std::size_t end = offsets[b];
     std::sort(order.begin() + static_cast<std::ptrdiff_t>(begin),
               order.begin() + static_cast<std::ptrdiff_t>(end),
-              [&](CellId x, CellId y) { return pool.cells[x].vertices < pool.cells[y].vertices; });
+              [&](CellId x, CellId y) { return cells[x].vertices < cells[y].vertices; });
     begin = end;
   }
   return order;
@@ -94,33 +90,27 @@ void permute_in_place(IdVector<CellId, Cell>& cells, std::vector<CellId>& order)
 
 }  // namespace
 
-std::size_t canonicalize_cells(CellPool& pool, std::size_t num_vertices) {
-  // Give each record its canonical slots; the marks' memory is not needed any more.
-  pool.marks = {};
-  IdVector<CellId, SlotMap> slot_maps(pool.cells.size(), 0);
-  for (const CellId c : pool.cells.ids()) {
-    if (!pool.is_free(c)) slot_maps[c] = canonicalize_slots(pool.cells[c]);
-  }
+Triangulation canonical_order(Triangulation triangulation) {
+  const std::size_t finite_cells = triangulation.num_finite_cells();
+  TriangulationArrays arrays = std::move(triangulation).release();
+  IdVector<CellId, Cell>& cells = arrays.cells;
 
-  std::size_t finite_cells = 0;
-  std::size_t live_cells = 0;
-  std::vector<CellId> order = sorted_cells(pool, num_vertices, finite_cells, live_cells);
+  IdVector<CellId, SlotMap> slot_maps(cells.size(), 0);
+  for (const CellId c : cells.ids()) slot_maps[c] = canonicalize_slots(cells[c]);
 
   // Translate the neighbors to the new numbers, then move the records.
-  IdVector<CellId, CellId> new_id(pool.cells.size());
+  std::vector<CellId> order = sorted_cells(cells, arrays.points.size());
+  IdVector<CellId, CellId> new_id(cells.size());
   for (std::size_t i = 0; i < order.size(); ++i) new_id[order[i]] = CellId(i);
-  for (const CellId c : pool.cells.ids()) {
-    if (pool.is_free(c)) continue;
-    for (FacetId& neighbor : pool.cells[c].neighbors) {
+  for (Cell& cell : cells) {
+    for (FacetId& neighbor : cell.neighbors) {
       const CellId old = cell_of(neighbor);
       const std::uint32_t old_slot = static_cast<std::uint32_t>(index_of(neighbor));
       neighbor = facet_id(new_id[old], static_cast<int>(new_slot(slot_maps[old], old_slot)));
     }
   }
-  permute_in_place(pool.cells, order);
-  pool.cells.resize(live_cells);
-  pool.free.clear();
-  return finite_cells;
+  permute_in_place(cells, order);
+  return Triangulation(std::move(arrays), finite_cells);
 }
 
 }  // namespace cocoon

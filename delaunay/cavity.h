@@ -48,10 +48,10 @@ class CavityInserter {
 
   CellPool& pool_;
   const IdVector<VertexId, Point>& points_;
-  std::vector<CellId> conflict_cells_;         // the conflict zone, in breadth-first order
-  std::vector<CellId> candidates_;  // cells next to conflict cells, in order of discovery
-  std::vector<CavityFacet> border_;            // its boundary, one facet per new cell
-  std::vector<CellId> new_cells_;              // parallel to border_
+  std::vector<CellId> conflict_cells_;  // the conflict zone, in breadth-first order
+  std::vector<CellId> candidates_;      // cells next to conflict cells, in order of discovery
+  std::vector<CavityFacet> border_;     // its boundary, one facet per new cell
+  std::vector<CellId> new_cells_;       // parallel to border_
   IdVector<VertexId, std::uint8_t> local_id_;  // number of a border vertex, no_local_id elsewhere
   std::vector<VertexId> border_vertices_;
   std::vector<FacetId> edge_table_;  // facet of a new cell by (local id, local id) of its edge

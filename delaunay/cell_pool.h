@@ -28,4 +28,9 @@ struct CellPool {
 // FacetId packs a cell and a facet index into 32 bits.
 inline constexpr std::size_t max_cells = std::size_t{1} << 30;
 
+// Drops the free cells and moves the infinite ones behind the finite ones. Cells on the right side
+// already keep their numbers. Returns the number of finite cells. Complexity: O(cells), constant
+// extra memory.
+std::size_t compact_cells(CellPool& pool);
+
 }  // namespace cocoon

@@ -35,11 +35,12 @@ HWY_INLINE Corner load_corner(std::span<const Cell* const, conflict_batch_size> 
     return hn::LoadU(d, coordinates + 3 * std::size_t{cells[lane]->vertices[slot].value});
   };
   const Vector v0 = load(0), v1 = load(1), v2 = load(2), v3 = load(3);
-  const Vector low01 = hn::InterleaveLower(d, v0, v1);    // x0 x1 z0 z1
-  const Vector high01 = hn::InterleaveUpper(d, v0, v1);   // y0 y1
+  const Vector low01 = hn::InterleaveLower(d, v0, v1);   // x0 x1 z0 z1
+  const Vector high01 = hn::InterleaveUpper(d, v0, v1);  // y0 y1
   const Vector low23 = hn::InterleaveLower(d, v2, v3);
   const Vector high23 = hn::InterleaveUpper(d, v2, v3);
-  return {hn::ConcatLowerLower(d, low23, low01) - p.x, hn::ConcatLowerLower(d, high23, high01) - p.y,
+  return {hn::ConcatLowerLower(d, low23, low01) - p.x,
+          hn::ConcatLowerLower(d, high23, high01) - p.y,
           hn::ConcatUpperUpper(d, low23, low01) - p.z};
 }
 

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "delaunay/canonical_order.h"
 #include "delaunay/cavity.h"
 #include "delaunay/cell_pool.h"
 #include "delaunay/locate.h"
@@ -45,7 +44,7 @@ struct Vertices {
 Vertices merge_duplicates(Points points, const Execution& execution) {
   Vertices vertices;
   vertices.of_point.resize(points.size());
-  vertices.points.reserve(points.size());
+  vertices.points.reserve(points.size() + 1);
   for (const PointId id : hilbert_order(points, execution)) {
     const Point& p = points[id.index()];
     const bool repeated =
@@ -133,6 +132,8 @@ DelaunayResult delaunay(Points points, const DelaunayOptions& options, const Exe
   std::vector<std::uint32_t> order = insertion_rounds(vertices.points.size(), options.seed);
   bring_simplex_to_front(vertices.points, order);
 
+  vertices.points.push_back({});  // conflict_batch reads a little past the last vertex
+
   // Start with one tetrahedron, insert the other points one by one.
   CellPool pool;
   const auto expected_cells =
@@ -156,11 +157,12 @@ DelaunayResult delaunay(Points points, const DelaunayOptions& options, const Exe
     hint = inserter.insert(v, walk.cell, counters);
   }
 
-  // Bring the cells into the order that depends on the point set alone.
-  const std::size_t finite_cells = canonicalize_cells(pool, vertices.points.size());
+  const std::size_t finite_cells = compact_cells(pool);
+  vertices.points.raw().pop_back();
   report_progress(execution, "delaunay", 1);
-  return {Triangulation(std::move(vertices.points), std::move(pool.cells), finite_cells,
-                        std::move(vertices.of_point)),
+  return {Triangulation(
+              {std::move(vertices.points), std::move(pool.cells), std::move(vertices.of_point)},
+              finite_cells),
           counters};
 }
 

@@ -33,9 +33,9 @@ struct DelaunayResult {
 
 // The 3D Delaunay triangulation of `points`, cospherical ties broken by the lexicographic
 // perturbation of geom/perturbation.h: a function of the set of points alone. Equal points become
-// one vertex. Vertices and cells come out in canonical order (vertices along a Hilbert curve, see
-// geom/spatial_order.h; cells by their sorted vertices), the same for every order of the input
-// and every thread count.
+// one vertex. Vertices are numbered along a Hilbert curve (geom/spatial_order.h), the same for
+// every order of the input; so are the cells of a build on one thread. canonical_order numbers the
+// cells by the point set alone whatever the history.
 // Errors: InputError if a coordinate is not finite (names the first such point), if there are
 // fewer than four different points, if all points are coplanar, or if there are more points than
 // 32-bit ids can number.

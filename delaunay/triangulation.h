@@ -42,34 +42,45 @@ constexpr int index_of(FacetId facet) { return static_cast<int>(facet.value & 3U
 // (p1 - p0) x (p2 - p0) points out of the cell (away from vertex i).
 inline constexpr int facet_corners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
+// What a triangulation is made of.
+struct TriangulationArrays {
+  IdVector<VertexId, Point> points;             // all different
+  IdVector<CellId, Cell> cells;                 // finite cells first
+  IdVector<PointId, VertexId> vertex_of_point;  // the vertex at each input point
+};
+
 class Triangulation {
  public:
   Triangulation() = default;
 
-  // Takes over the arrays of a builder. Preconditions (asserted by check_delaunay, not here): the
-  // layout above; the first `finite_cells` cells are finite, the rest infinite; `points` has one
-  // entry per vertex, all different; vertex_of_point[p] is the vertex at input point p.
-  Triangulation(IdVector<VertexId, Point> points, IdVector<CellId, Cell> cells,
-                std::size_t finite_cells, IdVector<PointId, VertexId> vertex_of_point);
+  // Takes over the arrays of a builder. Precondition (asserted by check_delaunay, not here): the
+  // layout above; the first `finite_cells` cells are finite, the rest infinite.
+  Triangulation(TriangulationArrays arrays, std::size_t finite_cells);
+  // Gives the arrays back, for code that rearranges them.
+  TriangulationArrays release() && { return std::move(arrays_); }
 
-  std::size_t num_vertices() const { return points_.size(); }
-  std::size_t num_cells() const { return cells_.size(); }  // finite and infinite
+  std::size_t num_vertices() const { return arrays_.points.size(); }
+  std::size_t num_cells() const { return arrays_.cells.size(); }  // finite and infinite
   std::size_t num_finite_cells() const { return finite_cells_; }
-  IdRange<VertexId> vertices() const { return points_.ids(); }
-  IdRange<CellId> cells() const { return cells_.ids(); }
+  IdRange<VertexId> vertices() const { return arrays_.points.ids(); }
+  IdRange<CellId> cells() const { return arrays_.cells.ids(); }
   IdRange<CellId> finite_cells() const { return id_range<CellId>(finite_cells_); }
-  IdRange<CellId> infinite_cells() const { return {CellId(finite_cells_), CellId(cells_.size())}; }
+  IdRange<CellId> infinite_cells() const {
+    return {CellId(finite_cells_), CellId(arrays_.cells.size())};
+  }
 
-  const IdVector<VertexId, Point>& points() const { return points_; }
-  const Point& point(VertexId v) const { return points_[v]; }
-  const IdVector<CellId, Cell>& cell_records() const { return cells_; }
-  const Cell& cell(CellId c) const { return cells_[c]; }
+  const IdVector<VertexId, Point>& points() const { return arrays_.points; }
+  const Point& point(VertexId v) const { return arrays_.points[v]; }
+  const IdVector<CellId, Cell>& cell_records() const { return arrays_.cells; }
+  const Cell& cell(CellId c) const { return arrays_.cells[c]; }
   bool is_infinite(CellId c) const { return c.index() >= finite_cells_; }
-  VertexId vertex(CellId c, int i) const { return cells_[c].vertices[static_cast<std::size_t>(i)]; }
+  VertexId vertex(CellId c, int i) const {
+    return arrays_.cells[c].vertices[static_cast<std::size_t>(i)];
+  }
 
   // The same facet seen from the cell behind it. O(1).
   FacetId mirror(FacetId f) const {
-    return cells_[cell_of(f)].neighbors[static_cast<std::size_t>(index_of(f))];
+    return arrays_.cells[cell_of(f)].neighbors[static_cast<std::size_t>(index_of(f))];
   }
   CellId neighbor(CellId c, int i) const { return cell_of(mirror(facet_id(c, i))); }
   // Of the two ids of a facet the smaller one: the one that stands for the facet in sets.
@@ -86,16 +97,16 @@ class Triangulation {
   VertexId opposite_vertex(FacetId f) const { return vertex(cell_of(f), index_of(f)); }
 
   // The vertex of each input point (equal points share one), in the user's order.
-  const IdVector<PointId, VertexId>& vertex_of_point() const { return vertex_of_point_; }
+  const IdVector<PointId, VertexId>& vertex_of_point() const { return arrays_.vertex_of_point; }
   // The first input point at each vertex. O(1).
   PointId point_of_vertex(VertexId v) const { return point_of_vertex_[v]; }
-  std::size_t num_duplicates() const { return vertex_of_point_.size() - points_.size(); }
+  std::size_t num_duplicates() const {
+    return arrays_.vertex_of_point.size() - arrays_.points.size();
+  }
 
  private:
-  IdVector<VertexId, Point> points_;
-  IdVector<CellId, Cell> cells_;
+  TriangulationArrays arrays_;
   std::size_t finite_cells_ = 0;
-  IdVector<PointId, VertexId> vertex_of_point_;
   IdVector<VertexId, PointId> point_of_vertex_;
 };
 

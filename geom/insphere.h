@@ -17,10 +17,11 @@ namespace cocoon {
 // (1 - u)^4 * 385 > 384.9. The rest pays for underflow: its absolute error is below 2^-60 u XYZ L
 // if X, Y, Z >= 2^-190 (each product is then small only beside a large one). Overflow anywhere
 // leaves value infinite or NaN, and then nothing is known.
+inline constexpr double insphere_filter_coefficient = 385 * 0x1p-53;
+inline constexpr double insphere_filter_smallest = 0x1p-190;
+
 inline FilteredDeterminant insphere_filter(const Point& a, const Point& b, const Point& c,
                                            const Point& d, const Point& e) {
-  constexpr double coefficient = 385 * 0x1p-53;
-  constexpr double smallest = 0x1p-190;
   const Vec3 p = a - e;
   const Vec3 q = b - e;
   const Vec3 r = c - e;
@@ -44,10 +45,11 @@ inline FilteredDeterminant insphere_filter(const Point& a, const Point& b, const
   const double reach_x = largest(std::fabs(p.x), std::fabs(q.x), std::fabs(r.x), std::fabs(s.x));
   const double reach_y = largest(std::fabs(p.y), std::fabs(q.y), std::fabs(r.y), std::fabs(s.y));
   const double reach_z = largest(std::fabs(p.z), std::fabs(q.z), std::fabs(r.z), std::fabs(s.z));
-  const bool in_range = std::min(std::min(reach_x, reach_y), reach_z) >= smallest &&
+  const bool in_range = std::min(std::min(reach_x, reach_y), reach_z) >= insphere_filter_smallest &&
                         std::fabs(value) <= std::numeric_limits<double>::max();
   if (!in_range) return {value};
-  return {value, coefficient * (reach_x * reach_y * reach_z) * largest(pp, qq, rr, ss)};
+  return {value,
+          insphere_filter_coefficient * (reach_x * reach_y * reach_z) * largest(pp, qq, rr, ss)};
 }
 
 // insphere where the first filter is not certain. Out of line: it is rare.

@@ -21,8 +21,8 @@ using CellList = std::vector<std::array<VertexId, 4>>;
 
 // A copy with the given cell records.
 Triangulation with_cells(const Triangulation& triangulation, IdVector<CellId, Cell> cells) {
-  return Triangulation(triangulation.points(), std::move(cells), triangulation.num_finite_cells(),
-                       triangulation.vertex_of_point());
+  return Triangulation({triangulation.points(), std::move(cells), triangulation.vertex_of_point()},
+                       triangulation.num_finite_cells());
 }
 
 // The triangulation of all but one finite cell.
