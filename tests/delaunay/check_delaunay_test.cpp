@@ -82,8 +82,8 @@ TEST(CheckDelaunay, FindsAVertexInNoCell) {
   const Triangulation good = ref::cgal_delaunay(gallery::uniform_cube(50));
   IdVector<VertexId, Point> points = good.points();
   points.push_back({0.5, 0.5, 0.5});
-  const Triangulation bad(points, good.cell_records(), good.num_finite_cells(),
-                          good.vertex_of_point());
+  const Triangulation bad({points, good.cell_records(), good.vertex_of_point()},
+                          good.num_finite_cells());
   const DelaunayReport report = check_delaunay(bad);
   EXPECT_EQ(report.unused_vertices, 1U);
   EXPECT_EQ(report.vertices_without_point, 1U);
@@ -94,8 +94,8 @@ TEST(CheckDelaunay, FindsCellsInsideOut) {
   const Triangulation good = ref::cgal_delaunay(gallery::uniform_cube(50));
   IdVector<VertexId, Point> points = good.points();
   for (Point& p : points) p.x = -p.x;
-  const Triangulation bad(points, good.cell_records(), good.num_finite_cells(),
-                          good.vertex_of_point());
+  const Triangulation bad({points, good.cell_records(), good.vertex_of_point()},
+                          good.num_finite_cells());
   const DelaunayReport report = check_delaunay(bad);
   EXPECT_EQ(report.misoriented_cells, good.num_finite_cells());
   EXPECT_GT(report.reflex_hull_edges, 0U);
@@ -105,8 +105,8 @@ TEST(CheckDelaunay, FindsAMovedVertex) {
   const Triangulation good = ref::cgal_delaunay(gallery::uniform_cube(200));
   IdVector<VertexId, Point> points = good.points();
   points[VertexId(100)] = points[VertexId(20)] + Vec3{1e-3, 0, 0};
-  const Triangulation bad(points, good.cell_records(), good.num_finite_cells(),
-                          good.vertex_of_point());
+  const Triangulation bad({points, good.cell_records(), good.vertex_of_point()},
+                          good.num_finite_cells());
   EXPECT_GT(check_delaunay(bad).misoriented_cells, 0U);
 }
 
@@ -200,8 +200,8 @@ TEST(CheckDelaunay, SameReportForEveryThreadCount) {
   IdVector<VertexId, Point> points = good.points();
   Random random(3);
   for (Point& p : points) p = p + 0.01 * random.in_unit_cube();
-  const Triangulation bad(points, good.cell_records(), good.num_finite_cells(),
-                          good.vertex_of_point());
+  const Triangulation bad({points, good.cell_records(), good.vertex_of_point()},
+                          good.num_finite_cells());
   const DelaunayReport one = check_delaunay(bad, {}, {.threads = 1});
   const DelaunayReport three = check_delaunay(bad, {}, {.threads = 3});
   EXPECT_FALSE(one.ok());

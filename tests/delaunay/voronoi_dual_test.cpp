@@ -75,8 +75,8 @@ TEST(VoronoiDual, SameBitsForEveryThreadCountAndVertexNumbering) {
     v1 = v2;
     v2 = first;
   }
-  const Triangulation rotated(triangulation.points(), cells, triangulation.num_finite_cells(),
-                              triangulation.vertex_of_point());
+  const Triangulation rotated({triangulation.points(), cells, triangulation.vertex_of_point()},
+                              triangulation.num_finite_cells());
   EXPECT_EQ(voronoi_dual(rotated).centers, one.centers);
 }
 
@@ -88,8 +88,9 @@ TEST(VoronoiDual, ScalingByAPowerOfTwo) {
   for (const double scale : {0x1p-60, 0x1p60}) {
     IdVector<VertexId, Point> scaled = triangulation.points();
     for (Point& p : scaled) p = scale * p;
-    const Triangulation copy(scaled, triangulation.cell_records(), triangulation.num_finite_cells(),
-                             triangulation.vertex_of_point());
+    const Triangulation copy(
+        {scaled, triangulation.cell_records(), triangulation.vertex_of_point()},
+        triangulation.num_finite_cells());
     const Dual other = voronoi_dual(copy);
     for (const CellId c : triangulation.finite_cells()) {
       EXPECT_EQ(other.centers[c], scale * dual.centers[c]);
