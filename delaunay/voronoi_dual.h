@@ -14,9 +14,11 @@ struct Dual {
   // Finite cell: its Voronoi vertex, the circumcenter. Infinite cell: the unit direction of its
   // Voronoi ray, the outward normal of the hull facet (oriented by the finite cell behind it).
   IdVector<CellId, Point> centers;
-  // How circumcenters were obtained (spec: cocone-and-update 1.4).
-  std::size_t extended_precision = 0;  // recomputed with double-double after the relative test
-  std::size_t facet_fallbacks = 0;     // circumcenter of a facet, or the centroid
+  // How they were obtained where floating point did not suffice (geom/circumsphere.h,
+  // geom/triangle_normal.h).
+  std::size_t extended_precision = 0;  // centers and directions computed in exact integers
+  std::size_t facet_fallbacks = 0;     // center of a facet, or the centroid; never for exact cells
+                                       // unless the true center is beyond the range of double
 };
 
 // Complexity: O(cells). Deterministic: each center is computed from the cell's vertices in

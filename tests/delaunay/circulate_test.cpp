@@ -6,18 +6,11 @@
 #include <vector>
 
 #include "delaunay/vertex_stars.h"
-#include "geom/random.h"
 #include "ref/cgal_delaunay.h"
+#include "tests/gallery.h"
 
 namespace cocoon {
 namespace {
-
-std::vector<Point> random_points(std::size_t count) {
-  Random random(7);
-  std::vector<Point> points(count);
-  for (Point& p : points) p = random.in_unit_cube();
-  return points;
-}
 
 bool facet_has(const Triangulation& triangulation, FacetId f, VertexId v) {
   const auto corners = triangulation.facet_vertices(f);
@@ -43,7 +36,7 @@ TEST(Circulate, EdgeOfOneTetrahedronHasThreeFacets) {
 
 // Against a search through all facets, for every edge of every cell.
 TEST(Circulate, EdgeRotationVisitsEveryFacetAtTheEdgeOnce) {
-  const Triangulation triangulation = ref::cgal_delaunay(random_points(25));
+  const Triangulation triangulation = ref::cgal_delaunay(gallery::uniform_cube(25));
   for (const CellId c : triangulation.finite_cells()) {
     for (int i = 0; i < 4; ++i) {
       const FacetId start = facet_id(c, i);
@@ -77,7 +70,7 @@ TEST(Circulate, EdgeRotationVisitsEveryFacetAtTheEdgeOnce) {
 }
 
 TEST(Circulate, StarsHoldExactlyTheCellsOfAVertexInOrder) {
-  const Triangulation triangulation = ref::cgal_delaunay(random_points(60));
+  const Triangulation triangulation = ref::cgal_delaunay(gallery::uniform_cube(60));
   const VertexStars stars = vertex_stars(triangulation);
   for (const VertexId v : triangulation.vertices()) {
     std::vector<CellId> expected;
@@ -95,7 +88,7 @@ TEST(Circulate, StarsHoldExactlyTheCellsOfAVertexInOrder) {
 }
 
 TEST(Circulate, FacetsAroundAVertexComeOnceEach) {
-  const Triangulation triangulation = ref::cgal_delaunay(random_points(40));
+  const Triangulation triangulation = ref::cgal_delaunay(gallery::uniform_cube(40));
   const VertexStars stars = vertex_stars(triangulation);
   for (const VertexId v : triangulation.vertices()) {
     std::vector<FacetId> visited;

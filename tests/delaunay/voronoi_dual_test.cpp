@@ -2,21 +2,14 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <map>
+#include <set>
 #include <vector>
 
-#include "geom/random.h"
 #include "ref/cgal_delaunay.h"
+#include "tests/gallery.h"
 
 namespace cocoon {
 namespace {
-
-std::vector<Point> random_points(std::size_t count, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<Point> points(count);
-  for (Point& p : points) p = random.in_unit_cube();
-  return points;
-}
 
 // The corner tetrahedron of the cube: center (1/2, 1/2, 1/2), three axis rays and a diagonal one.
 TEST(VoronoiDual, CornerTetrahedron) {
@@ -36,7 +29,7 @@ TEST(VoronoiDual, CornerTetrahedron) {
 }
 
 TEST(VoronoiDual, CentersAreEquidistantFromTheirVertices) {
-  const Triangulation triangulation = ref::cgal_delaunay(random_points(2000, 3));
+  const Triangulation triangulation = ref::cgal_delaunay(gallery::uniform_cube(2000, 3));
   const Dual dual = voronoi_dual(triangulation);
   for (const CellId c : triangulation.finite_cells()) {
     const double r = distance(dual.centers[c], triangulation.point(triangulation.vertex(c, 0)));
@@ -48,7 +41,7 @@ TEST(VoronoiDual, CentersAreEquidistantFromTheirVertices) {
 }
 
 TEST(VoronoiDual, RaysPointOutward) {
-  const Triangulation triangulation = ref::cgal_delaunay(random_points(500, 4));
+  const Triangulation triangulation = ref::cgal_delaunay(gallery::uniform_cube(500, 4));
   const Dual dual = voronoi_dual(triangulation);
   for (const CellId c : triangulation.infinite_cells()) {
     const Vec3 ray = dual.centers[c];
@@ -59,7 +52,7 @@ TEST(VoronoiDual, RaysPointOutward) {
 }
 
 TEST(VoronoiDual, SameBitsForEveryThreadCountAndVertexNumbering) {
-  std::vector<Point> points = random_points(20000, 5);
+  std::vector<Point> points = gallery::uniform_cube(20000, 5);
   const Triangulation triangulation = ref::cgal_delaunay(points);
   const Dual one = voronoi_dual(triangulation, {.threads = 1});
   const Dual two = voronoi_dual(triangulation, {.threads = 2});
@@ -80,12 +73,12 @@ TEST(VoronoiDual, SameBitsForEveryThreadCountAndVertexNumbering) {
   EXPECT_EQ(voronoi_dual(rotated).centers, one.centers);
 }
 
-// Powers of two scale centers exactly and leave directions alone; 2^-500 needs the scaled normal.
+// Powers of two scale centers exactly and leave directions alone.
 TEST(VoronoiDual, ScalingByAPowerOfTwo) {
-  const std::vector<Point> points = random_points(300, 6);
+  const std::vector<Point> points = gallery::uniform_cube(300, 6);
   const Triangulation triangulation = ref::cgal_delaunay(points);
   const Dual dual = voronoi_dual(triangulation);
-  for (const double scale : {0x1p-60, 0x1p60}) {
+  for (const double scale : {0x1p-500, 0x1p-60, 0x1p60, 0x1p500}) {
     IdVector<VertexId, Point> scaled = triangulation.points();
     for (Point& p : scaled) p = scale * p;
     const Triangulation copy(
@@ -101,8 +94,42 @@ TEST(VoronoiDual, ScalingByAPowerOfTwo) {
   }
 }
 
+// Cells of points one ulp apart are slivers by the thousand: every center stays finite, and
+// the counter tells that floating point did not do.
+TEST(VoronoiDual, SliversAreRecomputedExactly) {
+  const Triangulation triangulation = ref::cgal_delaunay(gallery::ulp_pairs(1000));
+  const Dual dual = voronoi_dual(triangulation);
+  EXPECT_GT(dual.extended_precision, 0U);
+  EXPECT_EQ(dual.facet_fallbacks, 0U);
+  for (const CellId c : triangulation.cells()) {
+    EXPECT_TRUE(is_finite(dual.centers[c]));
+    if (triangulation.is_infinite(c)) {
+      EXPECT_NEAR(norm(dual.centers[c]), 1, 1e-15);
+      continue;
+    }
+    // The relative error of a distance is that of the center over its distance.
+    const double scale = std::max(1.0, norm(dual.centers[c]));
+    const double r = distance(dual.centers[c], triangulation.point(triangulation.vertex(c, 0)));
+    for (int i = 1; i < 4; ++i) {
+      const double s = distance(dual.centers[c], triangulation.point(triangulation.vertex(c, i)));
+      EXPECT_NEAR(r, s, 1e-6 * r + 1e-15 * scale);
+    }
+  }
+}
+
+// The cells of a grid are cospherical in eights: one center for all.
+TEST(VoronoiDual, GridHasOneCenterPerCube) {
+  const Triangulation triangulation = ref::cgal_delaunay(gallery::integer_grid(5));
+  const Dual dual = voronoi_dual(triangulation);
+  std::set<Point> centers;
+  for (const CellId c : triangulation.finite_cells()) centers.insert(dual.centers[c]);
+  std::set<Point> expected;
+  for (const Point& p : gallery::integer_grid(4)) expected.insert(p + Vec3{0.5, 0.5, 0.5});
+  EXPECT_EQ(centers, expected);
+}
+
 TEST(VoronoiDual, EdgesFromBothSidesAgree) {
-  const Triangulation triangulation = ref::cgal_delaunay(random_points(100, 8));
+  const Triangulation triangulation = ref::cgal_delaunay(gallery::uniform_cube(100, 8));
   const Dual dual = voronoi_dual(triangulation);
   std::size_t rays = 0;
   for (const CellId c : triangulation.cells()) {
