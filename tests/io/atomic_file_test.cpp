@@ -1,0 +1,145 @@
+#include "io/atomic_file.h"
+
+#include <csignal>
+#include <gtest/gtest.h>
+#include <stdexcept>
+#include <string>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+#include "geom/errors.h"
+#include "tests/io/temporary_folder.h"
+
+namespace cocoon {
+namespace {
+
+unsigned permissions_of(const std::filesystem::path& path) {
+  struct stat status = {};
+  EXPECT_EQ(::stat(path.c_str(), &status), 0);
+  return status.st_mode & 0777U;
+}
+
+TEST(AtomicFile, AppearsCompleteAndAlone) {
+  const TemporaryFolder folder;
+  const std::string content(1'000'003, 'x');
+  {
+    AtomicFile file(folder / "a.txt");
+    file.write(content);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.txt"));
+    file.commit();
+  }
+  EXPECT_EQ(content_of(folder / "a.txt"), content);
+  EXPECT_EQ(folder.num_files(), 1U);
+}
+
+TEST(AtomicFile, AnExceptionInTheMiddleLeavesTheOldFileAndNothingElse) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  const auto write_half = [&] {
+    AtomicFile file(folder / "a.txt");
+    file.write(std::string(1'000'000, 'x'));
+    throw std::runtime_error("interrupted");
+  };
+  EXPECT_THROW(write_half(), std::runtime_error);
+  EXPECT_EQ(content_of(folder / "a.txt"), "old");
+  EXPECT_EQ(folder.num_files(), 1U);
+}
+
+TEST(AtomicFile, NewFilesFollowTheUmaskAndReplacedOnesKeepTheirPermissions) {
+  const TemporaryFolder folder;
+  const mode_t before = ::umask(027);
+  write_file(folder / "new.txt", "x");
+  ::umask(before);
+  EXPECT_EQ(permissions_of(folder / "new.txt"), 0640U);
+  folder.write("old.txt", "old");
+  ASSERT_EQ(::chmod((folder / "old.txt").c_str(), 0604), 0);
+  write_file(folder / "old.txt", "x");
+  EXPECT_EQ(permissions_of(folder / "old.txt"), 0604U);
+}
+
+TEST(AtomicFile, SymbolicLinksStay) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "real");
+  folder.write("real/a.txt", "old");
+  std::filesystem::create_symlink("real/a.txt", folder / "link.txt");
+  std::filesystem::create_symlink("real/new.txt", folder / "dangling.txt");
+  write_file(folder / "link.txt", "new");
+  write_file(folder / "dangling.txt", "made");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.txt"));
+  EXPECT_EQ(content_of(folder / "real/a.txt"), "new");
+  EXPECT_EQ(content_of(folder / "real/new.txt"), "made");
+  std::filesystem::create_symlink("loop.txt", folder / "loop.txt");
+  EXPECT_THROW(write_file(folder / "loop.txt", "x"), FileError);
+}
+
+TEST(AtomicFile, FoldersThatAreMissingOrNotWritableAreNamedInOneLine) {
+  const TemporaryFolder folder;
+  const auto missing = folder / "no/such/a.txt";
+  EXPECT_EQ(
+      message_of<FileError>(missing, [&] { write_file(missing, "x"); }),
+      ": cannot be written (No such file or directory); check the folder, its permissions and "
+      "the free space");
+  EXPECT_EQ(message_of<FileError>(folder.path(), [&] { write_file(folder.path(), "x"); }),
+            ": cannot be written (Is a directory); check the folder, its permissions and the free "
+            "space");
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  std::filesystem::create_directory(folder / "locked");
+  folder.write("locked/a.txt", "old");
+  std::filesystem::permissions(folder / "locked", std::filesystem::perms(0500));
+  EXPECT_THROW(write_file(folder / "locked/a.txt", "x"), FileError);
+  EXPECT_EQ(content_of(folder / "locked/a.txt"), "old");
+  std::filesystem::permissions(folder / "locked", std::filesystem::perms(0700));
+}
+
+TEST(AtomicFile, AFullDiskIsAnError) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  EXPECT_EQ(message_of<FileError>("/dev/full", [] { write_file("/dev/full", "x"); }),
+            ": cannot be written (No space left on device); check the folder, its permissions and "
+            "the free space");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));  // not replaced
+}
+
+// A limit on the size of files fails in the middle of the bytes, as a full disk does.
+TEST(AtomicFile, ADiskThatFillsUpLeavesTheOldFile) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  const auto write_beyond_limit = [&] {
+    // In a child: the limit cannot be taken back from a process without privileges.
+    if (const pid_t child = ::fork(); child == 0) {
+      ::signal(SIGXFSZ, SIG_IGN);
+      const rlimit limit{100'000, 100'000};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      try {
+        write_file(folder / "a.txt", std::string(1'000'000, 'x'));
+      } catch (const FileError&) {
+        ::_exit(7);
+      }
+      ::_exit(0);
+    } else {
+      int status = 0;
+      ::waitpid(child, &status, 0);
+      return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+  };
+  EXPECT_EQ(write_beyond_limit(), 7);
+  EXPECT_EQ(content_of(folder / "a.txt"), "old");
+  EXPECT_EQ(folder.num_files(), 1U);
+}
+
+TEST(AtomicFile, PipesAreWrittenDirectly) {
+  const TemporaryFolder folder;
+  const auto pipe = folder / "pipe.txt";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::string received;
+  std::thread reader([&] { received = content_of(pipe); });
+  write_file(pipe, "through");
+  reader.join();
+  EXPECT_EQ(received, "through");
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
+}  // namespace
+}  // namespace cocoon

@@ -1,0 +1,96 @@
+#include "io/number_text.h"
+
+#include <bit>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <string>
+
+#include "io/text_lines.h"
+
+namespace cocoon {
+namespace {
+
+double parsed(const std::string& text) {
+  const char* at = text.data();
+  double value = -12345;
+  EXPECT_TRUE(parse_double(at, text.data() + text.size(), value)) << text;
+  EXPECT_EQ(at, text.data() + text.size()) << text;
+  return value;
+}
+
+TEST(NumberText, ReadsTheNearestDouble) {
+  EXPECT_EQ(parsed("0.1"), 0.1);
+  EXPECT_EQ(parsed("+.5"), 0.5);
+  EXPECT_EQ(parsed("-1."), -1.0);
+  EXPECT_EQ(parsed("1E+2"), 100.0);
+  EXPECT_TRUE(std::signbit(parsed("-0")));
+  EXPECT_EQ(parsed("9007199254740993"), 9007199254740992.0);  // a tie: to even
+  EXPECT_EQ(parsed("2.4703282292062328e-324"), 5e-324);
+  EXPECT_EQ(parsed("1.7976931348623157e308"), std::numeric_limits<double>::max());
+}
+
+TEST(NumberText, TooLargeIsInfiniteAndTooSmallIsZero) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(parsed("1e400"), infinity);
+  EXPECT_EQ(parsed("-1e309"), -infinity);
+  EXPECT_EQ(parsed("1" + std::string(400, '0')), infinity);
+  EXPECT_EQ(parsed("0.01e400"), infinity);
+  EXPECT_EQ(parsed("1e99999999999999999999"), infinity);
+  EXPECT_EQ(parsed("1e-400"), 0.0);
+  EXPECT_EQ(parsed("0." + std::string(400, '0') + "1"), 0.0);
+  EXPECT_EQ(parsed("100e-400"), 0.0);
+  EXPECT_EQ(parsed("1e-99999999999999999999"), 0.0);
+  EXPECT_TRUE(std::signbit(parsed("-1e-400")));
+  EXPECT_EQ(parsed("0e999"), 0.0);
+}
+
+TEST(NumberText, RefusesWhatIsNoDecimalNumber) {
+  for (const std::string text : {"", "+", "-", ".", "e5", "+-1", "x", "--1", "++1"}) {
+    const char* at = text.data();
+    double value = 7;
+    EXPECT_FALSE(parse_double(at, text.data() + text.size(), value)) << text;
+    EXPECT_EQ(at, text.data()) << text;
+  }
+  // A number with something behind it is no field.
+  for (const char* text : {"0x10", "1.0D5", "1,5", "12abc"}) {
+    double value = 0;
+    EXPECT_FALSE(Fields(text).number(value)) << text;
+  }
+}
+
+TEST(NumberText, WritesTheShortestTextThatReadsBack) {
+  const auto text_of_number = [](double value) {
+    std::string text;
+    append_number(text, value);
+    return text;
+  };
+  EXPECT_EQ(text_of_number(0.1), "0.1");
+  EXPECT_EQ(text_of_number(-0.0), "-0");
+  EXPECT_EQ(text_of_number(5e-324), "5e-324");
+  EXPECT_EQ(text_of_number(4500000.000000123), "4500000.000000123");
+  std::string single;
+  append_number(single, 0.1F);
+  EXPECT_EQ(single, "0.1");
+}
+
+TEST(TextLines, EndWithAnyMixOfLineEnds) {
+  TextLines lines("a\nb\r\nc\rd\r\r\n\ne");
+  std::string joined;
+  for (std::string_view line; lines.next(line);) {
+    joined += std::to_string(lines.number()) + "=" + std::string(line) + ";";
+  }
+  EXPECT_EQ(joined, "1=a;2=b;3=c;4=d;5=;6=;7=e;");
+}
+
+TEST(TextLines, LongFilesWithCarriageReturnsAloneTakeLinearTime) {
+  std::string text;
+  for (int i = 0; i < 2'000'000; ++i) text += "x\r";  // a search to the end per line: 4e12 bytes
+  TextLines lines(text);
+  for (std::string_view line; lines.next(line);) {
+  }
+  EXPECT_EQ(lines.number(), 2'000'000U);
+}
+
+}  // namespace
+}  // namespace cocoon

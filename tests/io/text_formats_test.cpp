@@ -1,0 +1,135 @@
+// OBJ, OFF and STL beyond the files of tests/data/io.
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "io/mesh_file.h"
+#include "tests/io/temporary_folder.h"
+
+namespace cocoon {
+namespace {
+
+std::vector<Triangle> triangles(std::initializer_list<std::array<int, 3>> corners) {
+  std::vector<Triangle> result;
+  for (const auto& t : corners) result.push_back({VertexId(t[0]), VertexId(t[1]), VertexId(t[2])});
+  return result;
+}
+
+class TextFormats : public testing::Test {
+ protected:
+  std::string message(const std::string& name, const std::string& content) const {
+    const auto path = folder.write(name, content);
+    return message_of<FileError>(path, [&] { read_mesh(path); });
+  }
+  TriangleMesh read(const std::string& name, const std::string& content) const {
+    return read_mesh(folder.write(name, content));
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(TextFormats, ObjCornersAndCommentsAndContinuation) {
+  const TriangleMesh mesh = read("a.obj",
+                                 "# v 9 9 9\\\nvn 0 0 1\nvt 0 0\nv 0 0 0 # origin\n"
+                                 "v 1 0 \\\n0 1.0\nv 0 1 0 0.5 nan 0.5\n"
+                                 "f 1/1 2/1/1 3//1 # \\\nf -3 -1 \\\n -2\nf 4 2 1\nv 2 2 2");
+  EXPECT_EQ(mesh.points.raw(), (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 2, 2}}));
+  EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}, {0, 2, 1}, {3, 1, 0}}));
+}
+
+TEST_F(TextFormats, ObjNamesTheLineWhereAStatementBegins) {
+  EXPECT_EQ(message("a.obj", "v 0 0 0\n\nv 0 \\\n1 \\\n\n"),
+            ":3: a vertex needs three numbers, found the end of the line");
+  EXPECT_EQ(
+      message("a.obj", "v 0 0 0\nf 1 1 -2\n"),
+      ":2: face 0 has the corner -1 (both counted from 0), but there are 1 vertices; the file "
+      "is damaged or incomplete");
+  EXPECT_EQ(message("a.obj", "v 0 0 0\nv 0 inf 0\r\nv 0 0 0\n"),
+            ":2: point 1 (counted from 0) has a coordinate that is not a finite number; remove or "
+            "repair such points");
+  EXPECT_EQ(
+      message("a.obj", "v 0 0 0\nf 1 2x 3\n"),
+      ":2: a corner of a face is '2x', not i, i/t, i//n or i/t/n with indices from 1 or -1 on");
+}
+
+TEST_F(TextFormats, OffKeepsTheFirstThreeNumbersOfAVertex) {
+  for (const char* keyword : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCNOFF"}) {
+    const TriangleMesh mesh = read("a.off", std::string(keyword) +
+                                                "\n# counts\n3 1\n0 0 0 9 9 9 9\n1 0 0 9\n0 1 0\n"
+                                                "3 2 1 0 0.5 0.5 0.5\n");
+    EXPECT_EQ(mesh.points.raw(), (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << keyword;
+    EXPECT_EQ(mesh.triangles.raw(), triangles({{2, 1, 0}})) << keyword;
+  }
+}
+
+TEST_F(TextFormats, OffCountsAreCheckedBeforeAnythingIsReserved) {
+  EXPECT_EQ(message("a.off", "OFF\n4000000000000000000 0 0\n0 0 0\n"),
+            ":2: announces 4000000000000000000 vertices, but only 6 bytes follow; the file is cut "
+            "off or its counts are wrong");
+  EXPECT_EQ(message("a.off", "OFF\n1 1 0\n0 0 0\n2000000000 0\n"),
+            ":4: a face of 2000000000 corners lacks one; found the end of the line");
+  EXPECT_EQ(message("a.off", "nOFF\n4\n1 0 0\n0 0 0 0\n"),
+            ":1: 4OFF and nOFF have other than three coordinates a vertex and are not read");
+  EXPECT_EQ(message("a.off", "FOO\n"),
+            ":1: is no OFF file: it begins with neither OFF nor a count; check the extension");
+}
+
+TEST_F(TextFormats, StlTextIsReadWhateverItsLinesAndCase) {
+  const std::string solid =
+      "SOLID a facet in its name\n"
+      "Facet Normal nan nan nan Outer Loop Vertex 0 0 0 vertex 1 0 0\n"
+      "vertex -0 1 0\nendloop endfacet\n"
+      "facet normal 0 0 0\nouter loop\nvertex 0 1 0\nvertex 1 0 0\n"
+      "vertex 1 1 0\nvertex 0.5 2 0\nendloop\nendfacet\nendsolid a facet\n";
+  const TriangleMesh mesh = read("a.stl", "\n " + solid);
+  EXPECT_EQ(mesh.points.raw(),
+            (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, 2, 0}}));
+  EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
+}
+
+TEST_F(TextFormats, StlTextThatEndsEarlyIsRefused) {
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+      "vertex 0 1 0\nendloop\nendfacet\n";
+  EXPECT_EQ(message("a.stl", "solid\n" + facet),
+            ":8: the file ends without endsolid; it is cut off");
+  EXPECT_EQ(message("a.stl", "solid\n" + facet + "facet normal 0 0"),
+            ":9: the file ends within a facet; it is cut off");
+  EXPECT_EQ(message("a.stl",
+                    "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 0 1\n"
+                    "endloop\nendfacet\nendsolid\n"),
+            ":6: a facet has fewer than three corners");
+}
+
+TEST_F(TextFormats, DegenerateFacesAreLeftOutAndCounted) {
+  MeshReadReport report;
+  const TriangleMesh mesh =
+      read_mesh(folder.write("a.off",
+                             "OFF\n4 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0\n2 0 1\n3 0 1 1\n"
+                             "4 0 1 2 3\n5 0 1 1 2 3\nleft over\n"),
+                report);
+  EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(report.faces, 5U);
+  EXPECT_EQ(report.polygons, 2U);
+  EXPECT_EQ(report.short_faces, 2U);
+  EXPECT_EQ(report.degenerate_triangles, 2U);
+  EXPECT_EQ(report.trailing_bytes, 9U);
+}
+
+TEST_F(TextFormats, FilesThatAreMissingOrFoldersAreRefused) {
+  const auto missing = folder / "missing.ply";
+  EXPECT_EQ(message_of<FileError>(missing, [&] { read_mesh(missing); }),
+            ": cannot be read (No such file or directory); check the name and the permissions");
+  const auto directory = folder / "d.ply";
+  std::filesystem::create_directory(directory);
+  EXPECT_EQ(message_of<FileError>(directory, [&] { read_mesh(directory); }),
+            ": cannot be read (it is a folder); check the name and the permissions");
+}
+
+TEST_F(TextFormats, NulBytesAreNoText) {
+  EXPECT_EQ(message("a.obj", std::string("v 0 0 0\n\0", 9)),
+            ": byte 8 is NUL, so this is no text file; check the extension");
+}
+
+}  // namespace
+}  // namespace cocoon

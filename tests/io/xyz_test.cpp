@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "io/point_file.h"
+#include "tests/io/temporary_folder.h"
+
+namespace cocoon {
+namespace {
+
+class Xyz : public testing::Test {
+ protected:
+  PointCloud read(const std::string& content) const {
+    return read_points(folder.write("a.xyz", content));
+  }
+  std::string message(const std::string& content) const {
+    const auto path = folder.write("a.xyz", content);
+    return message_of<FileError>(path, [&] { read_points(path); });
+  }
+
+  TemporaryFolder folder;
+  const std::vector<Point> two = {{1, 2, 3}, {4, 5, 6}};
+};
+
+TEST_F(Xyz, EverySeparatorAndLineEnd) {
+  for (const char* content :
+       {"1 2 3\n4 5 6\n", "1\t2\t3\r\n4 5\t 6 ", "1,2,3\r4,5,6\r", "1;2;3\n4 ; 5;6;",
+        "1, 2, 3\n4 ,5,6\n", "# c\n\n1 2 3 # c\n// d\n4 5 6//\n",
+        "\xEF\xBB\xBF+1 2. 3e0\n4 5 .6e1\n", "1 2 3 red\n4 5 6\n",
+        "1,2,3,\"a,b\"\n4,5,6,\"c d\"\n"}) {
+    EXPECT_EQ(read(content).points, two) << content;
+  }
+}
+
+TEST_F(Xyz, CountsAndHeaders) {
+  const PointCloud counted = read("2\n1 2 3 7\n4 5 6\n");
+  EXPECT_EQ(counted.points, two);
+  EXPECT_EQ(counted.announced, 2U);
+  EXPECT_EQ(counted.columns, 4U);
+  EXPECT_EQ(counted.header, "");
+  EXPECT_EQ(read("X Y Z Red\n1 2 3 7\n4 5 6 8\n").header, "X Y Z Red");
+  EXPECT_EQ(read("\"x\",\"y\",\"z\"\n1,2,3\n4,5,6\n").points, two);
+  EXPECT_EQ(read("//X Y Z\n2\n1 2 3\n4 5 6\n").points, two);
+  EXPECT_EQ(read("east north height\n1 2 3\n4 5 6\n").points, two);
+  EXPECT_EQ(read("1\n1 2 3\n4 5 6\n").points, two);  // more rows than announced
+  EXPECT_EQ(read("0\n").points.size(), 0U);
+}
+
+TEST_F(Xyz, RefusesWhatItCannotBeSureOf) {
+  const std::string decimal_comma = "if the comma is a decimal comma, write a point instead";
+  EXPECT_EQ(message("1 2 3\n0,5 1 2\n"), ":2: mixes separators; " + decimal_comma);
+  EXPECT_EQ(message("1 2 0,5\n"), ":1: mixes separators; " + decimal_comma);
+  EXPECT_EQ(message("1;2;0,5\n"), ":1: mixes separators; " + decimal_comma);
+  EXPECT_EQ(message("0,5,1,2\n0,5,1,2,5\n"),
+            ":2: has 5 columns, earlier lines have 4; " + decimal_comma);
+  EXPECT_EQ(message("x,y,z\n0,5,1,2\n"),
+            ":2: has 4 columns, earlier lines have 3; " + decimal_comma);
+  EXPECT_EQ(message("id,x,y,z\n1,2,3,4\n"),
+            ":1: the header does not name x, y, z as the first three columns; reorder the columns");
+  EXPECT_EQ(message("3\n1 2 3\n4 5 6\n"), ": announces 3 points but holds 2; the file is cut off");
+  EXPECT_EQ(message("1 2 3\n4 5\n"), ":2: a row needs three numbers x y z, this one has 2");
+  EXPECT_EQ(message("1 2 3\n7\n4 5 6\n"), ":2: a row needs three numbers x y z, this one has 1");
+  EXPECT_EQ(message("2\n\nC 1 2 3\n"), ":3: column 1 is not a decimal number: 'C'");
+  EXPECT_EQ(message("1 2 3\n1 0x1 3\n"), ":2: column 2 is not a decimal number: '0x1'");
+  EXPECT_EQ(message("1 2 3\n1,,3\n"), ":2: column 2 is not a decimal number: ''");
+  EXPECT_EQ(message("# only\n"), ": holds no points; expected lines 'x y z'");
+}
+
+TEST_F(Xyz, NonFiniteRowsAreNamedOrSkippedOnDemand) {
+  const std::string content = "1 2 3\nnan 0 0\n4 5 6\n0 -inf 0\n0 0 1e400\n0 0 1e-400\n";
+  EXPECT_EQ(
+      message(content),
+      ":2: point 1 (counted from 0) has a coordinate that is not a finite number, and so have "
+      "2 more; remove or repair such points");
+  const PointCloud cloud = read_points(folder.write("a.xyz", content), {.skip_non_finite = true});
+  EXPECT_EQ(cloud.points, (std::vector<Point>{{1, 2, 3}, {4, 5, 6}, {0, 0, 0}}));
+  EXPECT_EQ(cloud.skipped, 3U);
+}
+
+}  // namespace
+}  // namespace cocoon
