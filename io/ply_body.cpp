@@ -44,7 +44,9 @@ std::int64_t PlyTextBody::integer(PlyType) {
   std::int64_t value = 0;
   double number = 0;
   if (fields_.integer(value)) return value;
-  if (!fields_.number(number) || !whole_number(number, value)) fail_value("a whole number");
+  Fields field = fields_;  // stays there for the message
+  if (!field.number(number) || !whole_number(number, value)) fail_value("a whole number");
+  fields_ = field;
   return value;
 }
 

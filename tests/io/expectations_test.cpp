@@ -35,7 +35,8 @@ std::string outcome_of(const std::filesystem::path& path) {
       outcome << "load " << mesh.points.size() << ' ' << report.faces << ' '
               << mesh.triangles.size();
     } else {
-      outcome << "load " << read_points(path).points.size();
+      const std::size_t count = read_points(path).points.size();
+      outcome << "load " << count;
     }
   } catch (const FileError& error) {
     outcome << "reject " << std::string(error.what()).substr(path.string().size());

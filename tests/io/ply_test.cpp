@@ -106,7 +106,7 @@ TEST(Ply, OtherElementsAndListsAreSkipped) {
   }
   append(binary, std::uint8_t{1}, false);
   append(binary, 0.5F, false);
-  for (std::uint8_t byte : {3, 2, 1, 0}) append(binary, byte, false);
+  for (int byte : {3, 2, 1, 0}) append(binary, static_cast<std::uint8_t>(byte), false);
   append(binary, 1.0, false);
   append(binary, 1, false);
   const std::string text = header("ascii", elements) +
@@ -164,7 +164,7 @@ TEST(Ply, NonFiniteCoordinatesAreNamedOrSkippedOnDemand) {
       "a.ply", header("ascii", "element vertex 4\n" + xyz) + "0 0 0\nnan 0 0\n1 2 3\n0 1e999 0\n");
   EXPECT_EQ(
       message_of<FileError>(path, [&] { read_points(path); }),
-      ":8: point 1 (counted from 0) has a coordinate that is not a finite number, and so have "
+      ":9: point 1 (counted from 0) has a coordinate that is not a finite number, and so have "
       "1 more; remove or repair such points");
   EXPECT_THROW(read_mesh(path), FileError);
   const PointCloud cloud = read_points(path, {.skip_non_finite = true});
@@ -191,10 +191,10 @@ TEST(Ply, RefusesWhatIsAmbiguousOrDamaged) {
             ":7: element 'face' lacks its list vertex_indices");
   EXPECT_EQ(message(header("ascii", vertex + face + "property list uchar int vertex_index\n") +
                     "0 0 0\n3 0 0.5 0\n"),
-            ":10: expected a whole number, found '0.5'; does the line match the header?");
+            ":11: expected a whole number, found '0.5'; does the line match the header?");
   EXPECT_EQ(message(header("ascii", vertex + face + "property list uchar int vertex_index\n") +
                     "0 0 0\n2000000000 0\n"),
-            ":10: a list of 2000000000 values does not fit its line; the file is damaged");
+            ":11: a list of 2000000000 values does not fit its line; the file is damaged");
   EXPECT_EQ(message("ply\nformat ascii 1.0\nformat ascii 1.0\nend_header\n"),
             ":3: a second format line; the header is damaged");
   EXPECT_EQ(message("ply\nformat ascii 1.0\nproperty int x\nend_header\n"),
