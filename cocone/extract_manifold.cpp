@@ -11,8 +11,6 @@
 namespace cocoon {
 namespace {
 
-constexpr std::uint32_t unclassified = 0xFFFFFFFFU;
-
 using Corners = std::array<Point, 3>;
 
 // Numbers the half-facets of a set 0, 1, 2, ... in the order of their ids.
@@ -20,15 +18,13 @@ class HalfFacetIndex {
  public:
   HalfFacetIndex(const Triangulation& triangulation, const FacetSet& facets)
       : facets_(facets), offsets_(triangulation.num_cells()) {
-    std::uint32_t count = 0;
     for (const CellId c : triangulation.cells()) {
-      offsets_[c] = count;
-      count += static_cast<std::uint32_t>(std::popcount(facets.bits(c)));
+      offsets_[c] = count_;
+      count_ += static_cast<std::uint32_t>(std::popcount(facets.bits(c)));
     }
-    count_ = count;
   }
   std::size_t count() const { return count_; }
-  std::uint32_t operator()(FacetId f) const {
+  std::size_t operator()(FacetId f) const {
     const unsigned before = facets_.bits(cell_of(f)) & ((1U << index_of(f)) - 1U);
     return offsets_[cell_of(f)] + static_cast<std::uint32_t>(std::popcount(before));
   }
@@ -39,158 +35,175 @@ class HalfFacetIndex {
   std::uint32_t count_ = 0;
 };
 
-// A class of half-facets: a range of the list of members.
-struct HalfClass {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-  bool rejected = false;  // shares a vertex with what was kept before it was found
-  std::size_t size() const { return end - begin; }
-};
+// What is known of a facet, from one of its sides.
+enum class HalfState : std::uint8_t { open, proposed, kept, kept_from_back, dropped };
 
-class Extraction {
+class Walk {
  public:
-  Extraction(const Triangulation& triangulation, const FacetSet& candidates,
-             const VertexSet& umbrella)
+  Walk(const Triangulation& triangulation, const FacetSet& candidates, const VertexSet& umbrella)
       : triangulation_(triangulation),
         candidates_(candidates),
         umbrella_(umbrella),
         index_(triangulation, candidates),
-        class_of_(index_.count(), unclassified),
-        kept_(triangulation.num_cells()),
+        states_(index_.count(), HalfState::open),
         on_surface_(triangulation.num_vertices(), 0) {}
 
   ManifoldSurface run() {
-    keep_classes_seen_from_outside();
-    keep_classes_apart();
-    result_.facets = std::move(kept_);
-    result_.dropped = candidates_.size() - result_.halves.size();
+    walk_from(hull_starts());
+    walk_from(other_starts());
+    keep_unwalked();
+    result_.facets = FacetSet(triangulation_.num_cells());
+    for (const FacetId f : result_.halves) result_.facets.insert(triangulation_, f);
+    result_.dropped = states_.size() / 2 - result_.halves.size();
     std::sort(result_.halves.begin(), result_.halves.end());
     return std::move(result_);
   }
 
  private:
-  void keep_classes_seen_from_outside() {
-    std::vector<HalfClass> classes;
+  HalfState& state(FacetId f) { return states_[index_(f)]; }
+
+  // --- where to begin
+
+  std::vector<FacetId> hull_starts() {
+    std::vector<FacetId> starts;
     for (const CellId c : triangulation_.infinite_cells()) {
-      const FacetId hull_facet = facet_id(c, 3);
-      if (candidates_.contains(hull_facet) && class_of_[index_(hull_facet)] == unclassified) {
-        classes.push_back(flood(hull_facet));
-      }
+      const FacetId f = facet_id(c, 3);
+      if (candidates_.contains(f) && may_start(f)) starts.push_back(f);
     }
-    sort_canonically(classes);
-    for (const HalfClass& c : classes) {
-      if (!shares_facet_with_kept(c)) keep(c);
+    return starts;
+  }
+
+  // Each facet once, seen from its positive side, or from the other one if that is the inside of a
+  // flat tetrahedron all of whose facets are candidates.
+  std::vector<FacetId> other_starts() {
+    std::vector<FacetId> starts;
+    candidates_.for_each(triangulation_, [&](FacetId f) {
+      if (!may_start(f)) return;
+      const FacetId mirror = triangulation_.mirror(f);
+      const FacetId positive = sees_positive_side(f) ? f : mirror;
+      const bool inside_flat = candidates_.bits(cell_of(positive)) == 15;
+      starts.push_back(inside_flat ? triangulation_.mirror(positive) : positive);
+    });
+    return starts;
+  }
+
+  bool may_start(FacetId f) {
+    if (state(f) != HalfState::open) return false;
+    for (const VertexId v : triangulation_.facet_vertices(f)) {
+      if (umbrella_[v] == 0 || on_surface_[v] != 0) return false;
+    }
+    return true;
+  }
+
+  void walk_from(std::vector<FacetId> starts) {
+    const auto smaller = [&](FacetId a, FacetId b) {
+      return sorted_corners(a) < sorted_corners(b);
+    };
+    if (starts.empty()) return;
+    // Nearly always the first walk covers all: sort only what it leaves.
+    walk(*std::min_element(starts.begin(), starts.end(), smaller));
+    std::erase_if(starts, [&](FacetId f) { return !may_start(f); });
+    std::sort(starts.begin(), starts.end(), smaller);
+    for (const FacetId f : starts) {
+      if (may_start(f)) walk(f);
     }
   }
 
-  void keep_classes_apart() {
-    std::vector<HalfClass> classes;
-    for (const CellId c : triangulation_.cells()) {
-      if (candidates_.bits(c) == 0) continue;
-      for (int i = 0; i < 4; ++i) {
-        const FacetId f = facet_id(c, i);
-        if (!candidates_.contains(f) || class_of_[index_(f)] != unclassified) continue;
-        if (touches_surface(f)) continue;
-        const HalfClass found = flood(f);
-        if (!found.rejected) classes.push_back(found);
+  // --- the walk
+
+  // A kept facet, and the edge (by its opposite vertex) over which the walk came.
+  struct Arrival {
+    FacetId facet;
+    VertexId apex;
+  };
+
+  void walk(FacetId start) {
+    ++result_.walks;
+    keep(start);
+    std::vector<Arrival> frontier{{start, VertexId{}}};
+    std::vector<Arrival> kept;
+    std::vector<FacetId> dropped;
+    while (!frontier.empty()) {
+      for (const Arrival& arrival : frontier) turn_about_edges(arrival, kept, dropped);
+      std::erase_if(kept, [&](const Arrival& arrival) { return !is_accepted(arrival.facet); });
+      for (const Arrival& arrival : kept) keep(arrival.facet);
+      for (const FacetId f : dropped) {
+        if (state(f) == HalfState::open) drop(f);
       }
-    }
-    sort_canonically(classes);
-    for (const HalfClass& c : classes) {
-      const bool apart =
-          std::none_of(begin(c), end(c), [&](FacetId f) { return touches_surface(f); });
-      if (apart) keep(c);
+      std::swap(frontier, kept);
+      kept.clear();
+      dropped.clear();
     }
   }
 
-  HalfClass flood(FacetId seed) {
-    const auto number = static_cast<std::uint32_t>(num_classes_++);
-    HalfClass found{members_.size(), 0, false};
-    class_of_[index_(seed)] = number;
-    members_.push_back(seed);
-    for (std::size_t next = found.begin; next < members_.size(); ++next) {
-      const FacetId f = members_[next];
-      found.rejected |= touches_surface(f);
-      const std::array<VertexId, 3> v = triangulation_.facet_vertices(f);
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (umbrella_[v[i]] == 0 && umbrella_[v[(i + 1) % 3]] == 0) continue;
-        const FacetId g = rotate(f, v[(i + 2) % 3]);
-        std::uint32_t& class_of_g = class_of_[index_(g)];
-        if (class_of_g == number || g == triangulation_.mirror(f)) continue;
-        class_of_g = number;
-        members_.push_back(g);
-      }
+  void turn_about_edges(const Arrival& arrival, std::vector<Arrival>& kept,
+                        std::vector<FacetId>& dropped) {
+    const std::array<VertexId, 3> v = triangulation_.facet_vertices(arrival.facet);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (v[i] == arrival.apex) continue;
+      if (umbrella_[v[(i + 1) % 3]] == 0 && umbrella_[v[(i + 2) % 3]] == 0) continue;
+      turn(arrival.facet, v[i], kept, dropped);
     }
-    found.end = members_.size();
-    return found;
   }
 
-  // From the half-facet f, about its edge opposite `third`, to the first candidate on its side.
-  FacetId rotate(FacetId f, VertexId third) const {
+  // Once around the edge of f opposite `third`, beginning on f's side.
+  void turn(FacetId f, VertexId third, std::vector<Arrival>& kept, std::vector<FacetId>& dropped) {
+    const FacetId back = triangulation_.mirror(f);
+    bool first = true;
     for (;;) {
-      const Cell& cell = triangulation_.cell(cell_of(f));
-      const FacetId g = facet_id(cell_of(f), index_of_vertex(cell, third));
-      if (candidates_.contains(g)) return g;
-      third = triangulation_.opposite_vertex(f);
+      const FacetId g =
+          facet_id(cell_of(f), index_of_vertex(triangulation_.cell(cell_of(f)), third));
+      const VertexId apex = triangulation_.opposite_vertex(f);
+      if (g == back) return;
+      if (candidates_.contains(g) && state(g) != HalfState::dropped) {
+        HalfState& met = state(g);
+        if (!first) {
+          if (met == HalfState::open) dropped.push_back(g);
+        } else if (met == HalfState::open) {
+          met = HalfState::proposed;
+          kept.push_back({g, apex});
+        } else if (met == HalfState::kept_from_back) {
+          ++result_.back_contacts;
+        }
+        first = false;
+      }
+      third = apex;
       f = triangulation_.mirror(g);
     }
   }
 
-  bool touches_surface(FacetId f) const {
-    const auto [a, b, c] = triangulation_.facet_vertices(f);
-    return (on_surface_[a] | on_surface_[b] | on_surface_[c]) != 0;
+  // Of the two sides from which one round may propose a facet the positive one is taken.
+  bool is_accepted(FacetId f) {
+    const bool both = state(triangulation_.mirror(f)) == HalfState::proposed;
+    return !both || sees_positive_side(f);
   }
 
-  bool shares_facet_with_kept(const HalfClass& c) const {
-    return std::any_of(begin(c), end(c), [&](FacetId f) { return kept_.contains(f); });
+  void keep(FacetId f) {
+    state(f) = HalfState::kept;
+    state(triangulation_.mirror(f)) = HalfState::kept_from_back;
+    result_.halves.push_back(f);
+    for (const VertexId v : triangulation_.facet_vertices(f)) on_surface_[v] = 1;
   }
 
-  void keep(const HalfClass& c) {
-    ++result_.components;
-    for (auto f = begin(c); f != end(c); ++f) {
-      if (kept_.contains(*f)) {  // its back is in the same class
-        ++result_.two_sided;
-        continue;
-      }
-      kept_.insert(triangulation_, *f);
-      const FacetId mirror = triangulation_.mirror(*f);
-      const bool both = class_of_[index_(mirror)] == class_of_[index_(*f)];
-      result_.halves.push_back(both && !sees_positive_side(*f) ? mirror : *f);
-      for (const VertexId v : triangulation_.facet_vertices(*f)) on_surface_[v] = 1;
-    }
+  void drop(FacetId f) {
+    state(f) = HalfState::dropped;
+    state(triangulation_.mirror(f)) = HalfState::dropped;
   }
 
-  // Canonical order of classes.
-  struct Rank {
-    std::size_t size;
-    Corners smallest;
-    bool positive;
-  };
-
-  void sort_canonically(std::vector<HalfClass>& classes) const {
-    if (classes.size() < 2) return;
-    std::vector<std::pair<Rank, HalfClass>> ranked;
-    for (const HalfClass& c : classes) ranked.emplace_back(rank_of(c), c);
-    std::sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
-      if (a.first.size != b.first.size) return a.first.size > b.first.size;
-      if (a.first.smallest != b.first.smallest) return a.first.smallest < b.first.smallest;
-      return a.first.positive && !b.first.positive;
+  // Candidates that no walk reached and that share no vertex with one.
+  void keep_unwalked() {
+    std::vector<FacetId> apart;
+    candidates_.for_each(triangulation_, [&](FacetId f) {
+      if (state(f) != HalfState::open) return;
+      const auto [a, b, c] = triangulation_.facet_vertices(f);
+      if ((on_surface_[a] | on_surface_[b] | on_surface_[c]) != 0) return;
+      apart.push_back(sees_positive_side(f) ? f : triangulation_.mirror(f));
     });
-    for (std::size_t i = 0; i < classes.size(); ++i) classes[i] = ranked[i].second;
+    for (const FacetId f : apart) keep(f);
+    result_.unwalked = apart.size();
   }
 
-  Rank rank_of(const HalfClass& c) const {
-    FacetId smallest = *begin(c);
-    Corners corners = sorted_corners(smallest);
-    for (auto f = begin(c) + 1; f != end(c); ++f) {
-      const Corners other = sorted_corners(*f);
-      if (other < corners || (other == corners && sees_positive_side(*f))) {
-        smallest = *f;
-        corners = other;
-      }
-    }
-    return {c.size(), corners, sees_positive_side(smallest)};
-  }
+  // --- canonical choices
 
   Corners sorted_corners(FacetId f) const {
     const auto [a, b, c] = triangulation_.facet_vertices(f);
@@ -209,21 +222,11 @@ class Extraction {
     return less(v[2], v[1]);
   }
 
-  std::vector<FacetId>::const_iterator begin(const HalfClass& c) const {
-    return members_.begin() + static_cast<std::ptrdiff_t>(c.begin);
-  }
-  std::vector<FacetId>::const_iterator end(const HalfClass& c) const {
-    return members_.begin() + static_cast<std::ptrdiff_t>(c.end);
-  }
-
   const Triangulation& triangulation_;
   const FacetSet& candidates_;
   const VertexSet& umbrella_;
   HalfFacetIndex index_;
-  std::vector<std::uint32_t> class_of_;  // per half-facet
-  std::vector<FacetId> members_;         // class after class
-  std::size_t num_classes_ = 0;
-  FacetSet kept_;
+  std::vector<HalfState> states_;  // per half-facet
   VertexSet on_surface_;
   ManifoldSurface result_;
 };
@@ -233,7 +236,7 @@ class Extraction {
 ManifoldSurface extract_manifold(const Triangulation& triangulation, const FacetSet& candidates,
                                  const VertexSet& umbrella, const Execution& execution) {
   report_progress(execution, "extract_manifold", 0);
-  ManifoldSurface surface = Extraction(triangulation, candidates, umbrella).run();
+  ManifoldSurface surface = Walk(triangulation, candidates, umbrella).run();
   report_progress(execution, "extract_manifold", 1);
   return surface;
 }

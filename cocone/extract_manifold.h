@@ -1,10 +1,14 @@
 // Manifold extraction: one sheet out of the slightly thickened set of candidates.
 //
 // Where four samples nearly lie on a circle, all facets of a flat tetrahedron may be candidates.
-// The surface as seen from one side is connected: a half-facet is a candidate seen from one of its
-// two cells (as such it is a FacetId). From it, rotate about an edge through the cells on its side
-// to the first candidate met: that is a half-facet again, and rotating back returns. So half-facets
-// fall into classes, the sides of sheets.
+// The surface is what a walker sees who stays on one side of it: from a candidate rotate about an
+// edge, through the cells on the walker's side, to the first candidate met. That one belongs to the
+// sheet; the others at the edge do not.
+//
+//        g  \   | h         standing on f, turning about the edge (o) over the upper side:
+//            \  |           g comes first and is kept, h comes later and is dropped
+//      _______\ | ______ f
+//              (o)
 #pragma once
 
 #include <cstddef>
@@ -18,22 +22,30 @@ namespace cocoon {
 
 struct ManifoldSurface {
   FacetSet facets;
-  // One id per facet, ascending: the facet seen from the side whose class was kept. Normals of
-  // facet_vertices(mirror(half)) point to that side: outward where the class was seen from outside.
+  // One id per facet, ascending: the facet seen from the side on which the walk came. Normals of
+  // facet_vertices(mirror(half)) point to that side: outward where the walk began outside.
   std::vector<FacetId> halves;
-  std::size_t components = 0;  // classes kept
-  std::size_t dropped = 0;     // candidates not on the surface
-  std::size_t two_sided = 0;   // facets with both halves in one class: not orientable there
+  std::size_t walks = 0;     // connected pieces
+  std::size_t unwalked = 0;  // candidates on no walk and apart from all: kept as they are
+  std::size_t dropped = 0;   // candidates not on the surface
+  // Times that a walk met a facet it had taken from its other side: 0 where the surface has two
+  // sides, small where the candidates are torn, large where the surface is one-sided.
+  std::size_t back_contacts = 0;
 };
 
-// Rotation passes over an edge iff one of its ends has an umbrella (`umbrella` as from
-// prune_sharp_edges); a half-facet that would meet its own back side has no neighbor there.
-// Kept are: of the classes seen from infinite cells, largest first, each one that shares no facet
-// with what is kept (else it is the back of it); then of the other classes, largest first, those
-// that share no vertex with what is kept. Equal sizes: the class with the lexicographically smaller
-// first facet goes first; if it is the same one, the class that sees its positive side.
-// Complexity: O(cells + degrees of the candidates' edges). Independent of ids and order.
-// Source: Amenta, Choi, Dey & Leekha 2002 (manifold extraction); spec 5.3 variant W, section 12.
+// A walk goes in rounds: all facets kept in the last round turn about their edges at once; what is
+// kept or dropped stays so. A facet that the same round would both keep and drop is kept; one that
+// it would keep from both sides is taken from the positive side of its lexicographically sorted
+// corners. Turns are made about edges with an umbrella at one end (`umbrella` as from
+// prune_sharp_edges), so that a walk does not cross a rim.
+// A walk begins at a hull candidate, seen from outside, with umbrellas at its three vertices: the
+// lexicographically smallest one that has no vertex on the surface so far. When there are no more,
+// likewise at other candidates. So the result is a function of the set of candidates.
+// Complexity: O(cells + degrees of the candidates' edges).
+// Source: Amenta, Choi, Dey & Leekha 2002 (manifold extraction); spec 5.3, variant W. Classes of
+// half-facets (spec 12) would need no rounds, but one tear that links the two sides makes them one
+// class, and then both sheets of every flat tetrahedron stay; in rounds a tear does harm only where
+// it is.
 ManifoldSurface extract_manifold(const Triangulation& triangulation, const FacetSet& candidates,
                                  const VertexSet& umbrella, const Execution& execution = {});
 

@@ -111,8 +111,8 @@ class Reconstruction {
     counters.ratio_failed = boundary_.ratio_failed;
     counters.recovered_samples = boundary_.recovered;
     counters.surface_triangles = surface_.halves.size();
-    counters.surface_components = surface_.components;
-    counters.two_sided_facets = surface_.two_sided;
+    counters.surface_walks = surface_.walks;
+    counters.back_contacts = surface_.back_contacts;
   }
 
   void close_surface() {

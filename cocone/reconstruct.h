@@ -58,10 +58,10 @@ struct ReconstructCounters {
   std::size_t recovered_samples = 0;  // interior by the second phase
   std::size_t candidates = 0;
   std::size_t pruned = 0;
-  std::size_t umbrellas = 0;           // vertices that passed the safety check
-  std::size_t surface_triangles = 0;   // of the Cocone surface
-  std::size_t surface_components = 0;  // classes of half-facets kept
-  std::size_t two_sided_facets = 0;
+  std::size_t umbrellas = 0;                  // vertices that passed the safety check
+  std::size_t surface_triangles = 0;          // of the Cocone surface
+  std::size_t surface_walks = 0;              // connected pieces of the manifold extraction
+  std::size_t back_contacts = 0;              // tears of the surface, see extract_manifold.h
   std::size_t non_orientable_components = 0;  // reconstruct_cocone only
   // reconstruct_tight only:
   std::size_t good_vertices = 0;
