@@ -1,1 +1,83 @@
-int main() { return 0; }
+// The program `cocoon`: reads the command line, runs the command, turns errors into exit codes.
+#include <cstdio>
+#include <exception>
+#include <fmt/format.h>
+#include <new>
+#include <string>
+#include <type_traits>
+#include <variant>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "geom/errors.h"
+
+namespace cocoon::app {
+
+namespace {
+
+enum ExitCode { done = 0, cannot_be_done = 1, wrong_command_line = 2 };
+
+int report_error(const std::string& message, ExitCode code) {
+  std::fflush(stdout);
+  std::string line = "cocoon: " + message;
+  for (char& c : line) {
+    if (c == '\n' || c == '\r') c = ' ';  // one line, whatever a file name contains
+  }
+  fmt::print(stderr, "{}\n", line);
+  return code;
+}
+
+void run(const DemoArguments& arguments, Job& job) { run_demo(arguments, job); }
+void run(const SampleArguments& arguments, Job& job) { run_sample(arguments, job); }
+void run(const ReconstructArguments& arguments, Job& job) { run_reconstruct(arguments, job); }
+void run(const BoundaryArguments& arguments, Job& job) { run_boundary(arguments, job); }
+void run(const UpdateArguments& arguments, Job& job) { run_update(arguments, job); }
+void run(const DelaunayArguments& arguments, Job& job) { run_delaunay(arguments, job); }
+void run(const CheckArguments& arguments, Job& job) { run_check(arguments, job); }
+void run(const CompareArguments& arguments, Job& job) { run_compare(arguments, job); }
+
+constexpr const char* command_names[] = {"demo",   "sample",   "reconstruct", "boundary",
+                                         "update", "delaunay", "check",       "compare"};
+static_assert(std::size(command_names) == std::variant_size_v<Command>);
+
+int run_command_line(const CommandLine& line) {
+  catch_interrupts();
+  try {
+    Job job(command_names[line.command.index()], line.shared);
+    std::visit([&](const auto& arguments) { run(arguments, job); }, line.command);
+    return done;
+  } catch (const UsageError& error) {
+    return report_error(error.what(), wrong_command_line);
+  } catch (const Cancelled& cancelled) {
+    report_error(fmt::format("{}; no file was changed", cancelled.what()), cannot_be_done);
+    if (interrupted()) end_by_interrupt();
+    return cannot_be_done;
+  } catch (const Error& error) {
+    return report_error(error.what(), cannot_be_done);
+  } catch (const std::bad_alloc&) {
+    return report_error("not enough memory for this input; use fewer points or a larger machine",
+                        cannot_be_done);
+  } catch (const std::exception& error) {
+    return report_error(fmt::format("internal error: {}; please report it", error.what()),
+                        cannot_be_done);
+  }
+}
+
+int main_of_program(int argc, const char* const* argv) {
+  try {
+    const Request request = parse_command_line(argc, argv);
+    if (const auto* text = std::get_if<TextRequest>(&request)) {
+      fmt::print("{}", text->text);
+      return done;
+    }
+    return run_command_line(std::get<CommandLine>(request));
+  } catch (const UsageError& error) {
+    return report_error(error.what(), wrong_command_line);
+  }
+}
+
+}  // namespace
+
+}  // namespace cocoon::app
+
+int main(int argc, char** argv) { return cocoon::app::main_of_program(argc, argv); }

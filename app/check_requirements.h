@@ -1,0 +1,34 @@
+// The words of `cocoon check --require`: what may be asked of a mesh, each answered by the
+// certificate of geom/mesh_check.h.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geom/mesh_check.h"
+
+namespace cocoon::app {
+
+// What the words are asked about.
+struct Certificate {
+  MeshReport report;
+  std::optional<std::size_t> self_intersections;  // pairs of triangles; none: not looked for
+};
+
+// All words, separated by commas.
+std::string requirement_words();
+
+// Throws UsageError for a word that is not one of them.
+void require_known_words(const std::vector<std::string>& words);
+
+// Whether a requirement needs the search for self-intersections.
+bool needs_self_intersections(const std::vector<std::string>& words);
+
+// One part sentence for each requirement that does not hold, with the count that says why:
+// "not closed (12 open edges)". Empty: all hold.
+std::vector<std::string> failed_requirements(const std::vector<std::string>& words,
+                                             const Certificate& certificate);
+
+}  // namespace cocoon::app

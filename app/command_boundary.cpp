@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/files.h"
+#include "app/reconstruct_report.h"
+#include "app/surface_options.h"
+#include "app/surface_report.h"
+#include "cocone/boundary_loops.h"
+#include "cocone/reconstruct.h"
+#include "geom/mesh_check.h"
+#include "io/mesh_file.h"
+#include "io/polyline_file.h"
+
+namespace cocoon::app {
+
+namespace {
+
+// The loops as lists of vertices, as the polyline writer wants them.
+std::vector<std::vector<VertexId>> vertices_of(const BoundaryLoops& boundary) {
+  std::vector<std::vector<VertexId>> loops;
+  for (const BoundaryLoop& loop : boundary.loops) {
+    loops.emplace_back();
+    for (const BoundaryEdge& edge : loop.edges) loops.back().push_back(edge.from);
+  }
+  return loops;
+}
+
+void add_boundary(JsonReport& report, const ReconstructResult& surface,
+                  const BoundaryLoops& boundary) {
+  report.set("boundary/samples", surface.counters.boundary_samples);
+  report.set("boundary/pin_holes", boundary.pin_holes);
+  report.set("boundary/small_components", boundary.small_components);
+  report.set_empty_array("boundary/loops");
+  for (const BoundaryLoop& loop : boundary.loops) {
+    JsonReport entry;
+    entry.set("edges", loop.edges.size());
+    entry.set("perimeter", loop.perimeter);
+    entry.set("pin_hole", loop.pin_hole);
+    report.append("boundary/loops", entry);
+  }
+}
+
+}  // namespace
+
+void run_boundary(const BoundaryArguments& arguments, Job& job) {
+  require_outputs(job, {{arguments.mesh, mesh_extensions}, {arguments.loops, {".obj"}}});
+  const ReconstructOptions options = surface_options(arguments.parameters, open_cloud_defaults());
+  const std::vector<Point> points = read_cloud(job, arguments.points, "input");
+  const ReconstructResult surface = naming_input(
+      arguments.points, [&] { return reconstruct_cocone(points, options, job.execution()); });
+  require_surface(arguments.points, surface, options.boundary.rho);
+  const BoundaryLoops boundary =
+      timed(job.execution(), "loops", [&] { return boundary_loops(surface.mesh); });
+  const MeshReport certificate =
+      timed(job.execution(), "check", [&] { return mesh_check(surface.mesh); });
+  timed(job.execution(), "write", [&] {
+    write_mesh(arguments.mesh, surface.mesh, {.ascii = arguments.ascii});
+    if (!arguments.loops.empty()) {
+      write_polylines(arguments.loops, surface.mesh.points.span(), vertices_of(boundary));
+    }
+  });
+
+  add_parameters(job.report(), options);
+  add_reconstruction(job.report(), surface, certificate);
+  add_boundary(job.report(), surface, boundary);
+  job.say("{} -> {}", surface_summary(certificate), arguments.mesh);
+  job.say("{} boundary samples, {} loops ({} of them pin-holes)", surface.counters.boundary_samples,
+          boundary.loops.size(), boundary.pin_holes);
+  for (const BoundaryLoop& loop : boundary.loops) {
+    job.say("  {} edges, length {:.6g}{}", loop.edges.size(), loop.perimeter,
+            loop.pin_hole ? " (pin-hole)" : "");
+  }
+  job.finish();
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,101 @@
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/check_requirements.h"
+#include "app/commands.h"
+#include "app/files.h"
+#include "app/surface_report.h"
+#include "geom/errors.h"
+#include "geom/mesh_check.h"
+#include "geom/mesh_measure.h"
+#include "geom/self_intersection.h"
+
+namespace cocoon::app {
+
+namespace {
+
+void say_certificate(Job& job, const Certificate& certificate, const MeshMeasure& measure) {
+  const MeshReport& c = certificate.report;
+  const auto say = [&job](const char* name, auto value) { job.say("{:<34} {}", name, value); };
+  say("vertices", c.vertices);
+  say("  without a triangle", c.unused_vertices);
+  say("  at the place of another one", c.coincident_vertices);
+  say("triangles", c.triangles);
+  say("  naming a vertex twice", c.repeated_vertex_triangles);
+  say("  without area", c.zero_area_triangles);
+  say("  duplicates", c.duplicate_triangles);
+  say("edges", c.edges);
+  say("  open", c.open_edges);
+  say("  with more than two triangles", c.overfull_edges);
+  say("  with triangles in conflict", c.orientation_conflicts);
+  say("pinched vertices", c.pinched_vertices);
+  say("boundary curves", c.boundary_curves);
+  say("components", c.components);
+  say("Euler characteristic", c.euler);
+  say("genus", c.genus ? std::to_string(*c.genus) : std::string("-"));
+  say("watertight", c.watertight ? "yes" : "no");
+  say("manifold", c.edge_manifold && c.vertex_manifold ? "yes" : "no");
+  say("oriented", c.oriented ? "yes" : "no");
+  say("area", measure.area);
+  say("volume", c.balanced ? fmt::format("{}", measure.signed_volume) : std::string("-"));
+  say("median edge", measure.edge_lengths.median);
+  if (certificate.self_intersections) {
+    say("pairs of triangles that cross", *certificate.self_intersections);
+  }
+}
+
+void add_certificate(JsonReport& report, const Certificate& certificate,
+                     const MeshMeasure& measure) {
+  const MeshReport& c = certificate.report;
+  report.set("surface/orientable", c.orientable);
+  report.set("surface/edges", c.edges);
+  report.set("surface/unbalanced_edges", c.unbalanced_edges);
+  report.set("surface/orientation_conflicts", c.orientation_conflicts);
+  report.set("surface/boundary_curves", c.boundary_curves);
+  report.set("surface/vertex_components", c.vertex_components);
+  report.set("surface/unused_vertices", c.unused_vertices);
+  report.set("surface/coincident_vertices", c.coincident_vertices);
+  report.set("surface/repeated_vertex_triangles", c.repeated_vertex_triangles);
+  report.set("surface/zero_area_triangles", c.zero_area_triangles);
+  report.set("surface/duplicate_triangles", c.duplicate_triangles);
+  report.set("surface/area", measure.area);
+  if (c.balanced) report.set("surface/volume", measure.signed_volume);
+  report.set("surface/edge_length/min", measure.edge_lengths.min);
+  report.set("surface/edge_length/median", measure.edge_lengths.median);
+  report.set("surface/edge_length/max", measure.edge_lengths.max);
+  if (certificate.self_intersections) {
+    report.set("surface/self_intersections", *certificate.self_intersections);
+  }
+}
+
+}  // namespace
+
+void run_check(const CheckArguments& arguments, Job& job) {
+  require_outputs(job, {});
+  const TriangleMesh mesh = read_shape(job, arguments.mesh, "input");
+  if (mesh.triangles.empty()) {
+    throw InputError(arguments.mesh + ": holds no triangles; a mesh is needed");
+  }
+  Certificate certificate;
+  MeshMeasure measure;
+  timed(job.execution(), "check", [&] {
+    certificate.report = mesh_check(mesh);
+    measure = mesh_measure(mesh);
+  });
+  if (arguments.self_intersections || needs_self_intersections(arguments.required)) {
+    certificate.self_intersections = self_intersection(mesh, {}, job.execution()).count;
+  }
+  const std::vector<std::string> failures = failed_requirements(arguments.required, certificate);
+
+  say_certificate(job, certificate, measure);
+  add_surface(job.report(), mesh, certificate.report);
+  add_certificate(job.report(), certificate, measure);
+  job.report().set("failed_requirements", failures);
+  job.finish();
+  if (!failures.empty()) {
+    throw InputError(fmt::format("{}: {}", arguments.mesh, fmt::join(failures, "; ")));
+  }
+}
+
+}  // namespace cocoon::app

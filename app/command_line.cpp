@@ -1,0 +1,195 @@
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+
+#include "app/check_requirements.h"
+
+namespace cocoon::app {
+
+namespace {
+
+std::string in_one_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+// Like CLI::Range, which lets "nan" pass.
+CLI::Validator between(double low, double high) {
+  const std::string range = fmt::format("in [{}, {}]", low, high);
+  return {[=](const std::string& text) {
+            double value = 0;
+            const bool read = CLI::detail::lexical_cast(text, value);
+            return read && value >= low && value <= high ? std::string()
+                                                         : fmt::format("{} is not {}", text, range);
+          },
+          range};
+}
+
+void add_shared_options(CLI::App& app, SharedArguments& shared) {
+  app.add_option("--threads", shared.threads, "Number of threads; 0 = all cores (default)")
+      ->check(CLI::Range(0, 1024));
+  app.add_option("--json", shared.json, "Write the JSON report to FILE; - = standard output")
+      ->type_name("FILE");
+  app.add_flag("--quiet", shared.quiet, "Print no summary");
+  app.add_flag("--verbose", shared.verbose, "Print the time of every stage");
+  app.add_flag("--progress", shared.progress, "Show progress even if stderr is no terminal");
+  app.add_flag("--skip-non-finite", shared.skip_non_finite,
+               "Leave out points with nan or inf, and count them, instead of refusing the file");
+  app.set_version_flag("--version", std::string("cocoon ") + COCOON_VERSION);
+}
+
+void add_surface_options(CLI::App& app, SurfaceArguments& parameters) {
+  app.add_option("-r,--rho", parameters.rho,
+                 "Ratio condition: a sample is well sampled only if the radius of its cocone is at "
+                 "most RHO times the distance to its pole")
+      ->check(between(1e-6, 1))
+      ->type_name("RHO");
+  app.add_option("-f,--alpha", parameters.alpha_deg,
+                 "Normal condition: largest angle between the normals of cocone neighbors")
+      ->check(between(0, 90))
+      ->type_name("DEGREES");
+  app.add_option("-c,--cocone-angle", parameters.cocone_angle_deg,
+                 "Half opening of the cocone about the tangent plane")
+      ->check(between(0.1, 89.9))
+      ->type_name("DEGREES");
+  app.add_option("-s,--sharp-angle", parameters.sharp_angle_deg,
+                 "Dihedral angle below which a surface edge is sharp and its triangles are pruned")
+      ->check(between(0, 180))
+      ->type_name("DEGREES");
+  app.add_option("--mode", parameters.mode,
+                 "paper: the published algorithms alone; robust (default): with our repairs, each "
+                 "counted in the report")
+      ->check(CLI::IsMember({"paper", "robust"}));
+}
+
+CLI::Option* add_mesh_output(CLI::App& app, std::string& mesh, bool& ascii) {
+  app.add_flag("--ascii", ascii, "Write text where the format has a binary and a text form");
+  return app.add_option("-o,--output", mesh, "The mesh to write: .ply, .obj, .off or .stl")
+      ->required()
+      ->type_name("MESH");
+}
+
+// A command under construction: its arguments live here until CLI11 has filled them in.
+template <class Arguments>
+Arguments& add_command(CLI::App& app, const std::string& name, const std::string& description,
+                       Command& chosen, SharedArguments& shared, CLI::App*& subcommand) {
+  auto arguments = std::make_shared<Arguments>();
+  subcommand = app.add_subcommand(name, description);
+  add_shared_options(*subcommand, shared);
+  subcommand->final_callback([arguments, &chosen] { chosen = *arguments; });
+  return *arguments;
+}
+
+void add_demo_and_sample(CLI::App& app, Command& chosen, SharedArguments& shared) {
+  CLI::App* sub = nullptr;
+  auto& demo = add_command<DemoArguments>(
+      app, "demo", "Update the built-in test block with its U-shaped cloud", chosen, shared, sub);
+  sub->add_option("-o,--output", demo.folder, "Folder to write to (demo-output)")->type_name("DIR");
+
+  auto& sample = add_command<SampleArguments>(
+      app, "sample", "Write one of the paper's models as points", chosen, shared, sub);
+  sub->add_option("NAME", sample.name, "Model")
+      ->required()
+      ->check(CLI::IsMember({"block", "airbag", "golf-club", "joystick-1", "joystick-2"}));
+  sub->add_option("-o,--output", sample.folder, "Folder to write to (the model's name)")
+      ->type_name("DIR");
+  sub->add_option("--points", sample.points, "Points of the initial model (the paper's number)")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--cloud-points", sample.cloud_points, "Points of the clouds together")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--seed", sample.seed, "Seed of the random placement");
+}
+
+void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& shared) {
+  CLI::App* sub = nullptr;
+  auto& reconstruct = add_command<ReconstructArguments>(app, "reconstruct", "Point cloud to mesh",
+                                                        chosen, shared, sub);
+  sub->add_option("POINTS", reconstruct.points, "Point cloud")->required();
+  add_mesh_output(*sub, reconstruct.mesh, reconstruct.ascii);
+  sub->add_option("--surface", reconstruct.surface,
+                  "tight: watertight (default); cocone: the open surface")
+      ->check(CLI::IsMember({"tight", "cocone"}));
+  add_surface_options(*sub, reconstruct.parameters);
+
+  auto& boundary = add_command<BoundaryArguments>(
+      app, "boundary", "The surface of an open cloud and its boundary loops", chosen, shared, sub);
+  sub->add_option("POINTS", boundary.points, "Point cloud")->required();
+  add_mesh_output(*sub, boundary.mesh, boundary.ascii);
+  sub->add_option("--loops", boundary.loops, "Write the boundary loops as polylines")
+      ->type_name("FILE.obj");
+  add_surface_options(*sub, boundary.parameters);
+
+  auto& update = add_command<UpdateArguments>(
+      app, "update", "Replace the parts of a mesh that new clouds show changed", chosen, shared,
+      sub);
+  sub->add_option("MODEL", update.model, "Mesh, or a point cloud that is reconstructed first")
+      ->required();
+  sub->add_option("CLOUD", update.clouds, "New scans, registered to the model")->required();
+  add_mesh_output(*sub, update.mesh, update.ascii);
+  sub->add_option("--map", update.map, "Write one line per old vertex: its new index, or -1")
+      ->type_name("FILE");
+  sub->add_option("--html", update.html, "Write a report that a browser opens offline")
+      ->type_name("FILE");
+  add_surface_options(*sub, update.parameters);
+}
+
+void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared) {
+  CLI::App* sub = nullptr;
+  auto& delaunay = add_command<DelaunayArguments>(
+      app, "delaunay", "The 3D Delaunay triangulation of points", chosen, shared, sub);
+  sub->add_option("POINTS", delaunay.points, "Point cloud")->required();
+  sub->add_option("-o,--output", delaunay.file, "The file to write: .vtu, .mesh or .tet")
+      ->required()
+      ->type_name("FILE");
+
+  auto& check =
+      add_command<CheckArguments>(app, "check", "A certificate of a mesh", chosen, shared, sub);
+  sub->add_option("MESH", check.mesh, "Mesh")->required();
+  sub->add_option("--require", check.required,
+                  "Exit with 1 unless all hold: " + requirement_words())
+      ->delimiter(',')
+      ->type_name("WORD,...");
+  sub->add_flag("--self-intersections", check.self_intersections,
+                "Also look for triangles that cross");
+
+  auto& compare = add_command<CompareArguments>(
+      app, "compare", "Distances between two surfaces or clouds", chosen, shared, sub);
+  sub->add_option("A", compare.a, "Mesh or point cloud")->required();
+  sub->add_option("B", compare.b, "Mesh or point cloud")->required();
+  sub->add_option("--samples", compare.samples, "Sample points on each mesh (100000)")
+      ->check(CLI::PositiveNumber);
+}
+
+}  // namespace
+
+Request parse_command_line(int argc, const char* const* argv) {
+  CommandLine line;
+  CLI::App app(
+      "Cocoon turns 3D point clouds into triangle meshes and updates a mesh from new scans");
+  app.name("cocoon");
+  app.require_subcommand(1);
+  add_shared_options(app, line.shared);
+  add_demo_and_sample(app, line.command, line.shared);
+  add_surface_commands(app, line.command, line.shared);
+  add_other_commands(app, line.command, line.shared);
+  try {
+    app.parse(argc, argv);
+    if (const auto* check = std::get_if<CheckArguments>(&line.command)) {
+      require_known_words(check->required);
+    }
+  } catch (const CLI::CallForVersion& version) {
+    return TextRequest{std::string(version.what()) + "\n"};
+  } catch (const CLI::Success&) {  // --help
+    const auto chosen = app.get_subcommands();
+    return TextRequest{chosen.empty() ? app.help() : chosen.front()->help()};
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(in_one_line(error.what()) + " (see cocoon --help)");
+  }
+  return line;
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,115 @@
+// What the user asked for, as plain data. The only code that knows CLI11 is command_line.cpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace cocoon::app {
+
+// Options that every command has.
+struct SharedArguments {
+  int threads = 0;   // 0 = all cores
+  std::string json;  // file of the JSON report, "-" = standard output, empty = none
+  bool quiet = false;
+  bool verbose = false;
+  bool progress = false;  // show progress even if standard error is no terminal
+  // Points that are not finite are left out and counted, instead of being an error.
+  bool skip_non_finite = false;
+};
+
+// Parameters of the Cocone stages; those not given keep the library's defaults. Degrees, as always
+// outside the library.
+struct SurfaceArguments {
+  std::optional<double> rho;               // -r: ratio condition
+  std::optional<double> alpha_deg;         // -f: normal condition
+  std::optional<double> cocone_angle_deg;  // -c: half opening of the cocone about the tangent plane
+  std::optional<double> sharp_angle_deg;   // -s: dihedral angle below which an edge is sharp
+  std::string mode = "robust";             // "paper" or "robust"
+};
+
+struct DemoArguments {
+  std::string folder = "demo-output";
+};
+
+struct SampleArguments {
+  std::string name;
+  std::string folder;  // empty: the model's name
+  std::optional<std::size_t> points;
+  std::optional<std::size_t> cloud_points;
+  std::optional<std::uint64_t> seed;
+};
+
+struct ReconstructArguments {
+  std::string points;
+  std::string mesh;
+  std::string surface = "tight";  // "tight" or "cocone"
+  bool ascii = false;
+  SurfaceArguments parameters;
+};
+
+struct BoundaryArguments {
+  std::string points;
+  std::string mesh;
+  std::string loops;  // empty: not written
+  bool ascii = false;
+  SurfaceArguments parameters;
+};
+
+struct UpdateArguments {
+  std::string model;
+  std::vector<std::string> clouds;
+  std::string mesh;
+  std::string map;   // empty: not written
+  std::string html;  // empty: not written
+  bool ascii = false;
+  SurfaceArguments parameters;
+};
+
+struct DelaunayArguments {
+  std::string points;
+  std::string file;
+};
+
+struct CheckArguments {
+  std::string mesh;
+  std::vector<std::string> required;  // words of check_requirements.h
+  bool self_intersections = false;
+};
+
+struct CompareArguments {
+  std::string a;
+  std::string b;
+  std::size_t samples = 100000;
+};
+
+using Command =
+    std::variant<DemoArguments, SampleArguments, ReconstructArguments, BoundaryArguments,
+                 UpdateArguments, DelaunayArguments, CheckArguments, CompareArguments>;
+
+struct CommandLine {
+  SharedArguments shared;
+  Command command;
+};
+
+// --help or --version: print the text, nothing else.
+struct TextRequest {
+  std::string text;
+};
+
+using Request = std::variant<TextRequest, CommandLine>;
+
+// The command line is wrong (exit code 2); what() is one line.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Reads the arguments of main(). Looks at no file. Throws UsageError.
+Request parse_command_line(int argc, const char* const* argv);
+
+}  // namespace cocoon::app

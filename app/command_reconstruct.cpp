@@ -1,0 +1,36 @@
+#include "app/commands.h"
+#include "app/files.h"
+#include "app/reconstruct_report.h"
+#include "app/surface_options.h"
+#include "app/surface_report.h"
+#include "cocone/reconstruct.h"
+#include "geom/mesh_check.h"
+#include "io/mesh_file.h"
+
+namespace cocoon::app {
+
+void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
+  require_outputs(job, {{arguments.mesh, mesh_extensions}});
+  const bool tight = arguments.surface == "tight";
+  const ReconstructOptions options =
+      surface_options(arguments.parameters, tight ? ReconstructOptions() : open_cloud_defaults());
+  const std::vector<Point> points = read_cloud(job, arguments.points, "input");
+  const ReconstructResult result = naming_input(arguments.points, [&] {
+    return tight ? reconstruct_tight(points, options, job.execution())
+                 : reconstruct_cocone(points, options, job.execution());
+  });
+  require_surface(arguments.points, result, options.boundary.rho);
+  const MeshReport certificate =
+      timed(job.execution(), "check", [&] { return mesh_check(result.mesh); });
+  timed(job.execution(), "write",
+        [&] { write_mesh(arguments.mesh, result.mesh, {.ascii = arguments.ascii}); });
+
+  add_parameters(job.report(), options);
+  add_reconstruction(job.report(), result, certificate);
+  job.say("{} points ({} duplicates, {} not on the surface), {} tetrahedra", result.points,
+          result.duplicates, result.unused_points, result.tetrahedra);
+  job.say("{} -> {}", surface_summary(certificate), arguments.mesh);
+  job.finish();
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,50 @@
+// Which files a command reads and writes, checked before any work is done.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/job.h"
+#include "geom/errors.h"
+#include "geom/point.h"
+#include "geom/triangle_mesh.h"
+
+namespace cocoon::app {
+
+inline const std::vector<std::string> mesh_extensions = {".ply", ".obj", ".off", ".stl"};
+
+// One file to write, and the extensions that its format can have (empty: any).
+struct OutputFile {
+  std::string path;  // empty: not wanted
+  std::vector<std::string> extensions;
+};
+
+// Checks what a command is going to write, so that nobody waits an hour for "no such folder".
+// Throws UsageError if two of the files are the same or an extension is none of those listed, and
+// FileError if a file cannot be made there. The report file of the job is one of them.
+void require_outputs(const Job& job, const std::vector<OutputFile>& outputs);
+
+// Makes the folder, and those it lies in, if needed. Throws FileError.
+void make_folder(const std::string& path);
+
+// "FOLDER/NAME"
+std::string in_folder(const std::string& folder, const std::string& name);
+
+// Reads points; times it as stage "read". What the reader left out is counted in the report's
+// section `section` ("input") and warned of.
+std::vector<Point> read_cloud(Job& job, const std::string& path, const std::string& section);
+
+// Reads what may be a mesh or a point cloud: a file without triangles gives points alone.
+TriangleMesh read_shape(Job& job, const std::string& path, const std::string& section);
+
+// Runs `body` and puts the name of the file in front of what the library says of its content.
+template <class Body>
+auto naming_input(const std::string& path, Body body) {
+  try {
+    return body();
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,15 @@
+// Ctrl-C (SIGINT) and SIGTERM: the running stage is asked to stop, so that no half-written file
+// stays behind; then the program ends by that signal, as a shell expects (status 130 or 143).
+#pragma once
+
+namespace cocoon::app {
+
+// From now on a first SIGINT or SIGTERM is only noted; a second one ends the program at once.
+void catch_interrupts();
+
+bool interrupted();
+
+// Ends the program by the signal that was noted. Precondition: interrupted().
+[[noreturn]] void end_by_interrupt();
+
+}  // namespace cocoon::app

@@ -1,0 +1,67 @@
+#include "app/job.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <sys/resource.h>
+
+#include "io/atomic_file.h"
+
+namespace cocoon::app {
+
+Job::Job(const std::string& command, const SharedArguments& shared)
+    : shared_(shared),
+      progress_line_(progress_style(shared.progress, shared.quiet)),
+      clock_(&progress_line_) {
+  report_.set("command", command);
+  report_.set("version", COCOON_VERSION);
+  report_.set("threads", thread_count(execution()));
+}
+
+void Job::say_line(const std::string& line) {
+  if (shared_.quiet || shared_.json == "-") return;
+  progress_line_.clear();
+  fmt::print("{}\n", line);
+}
+
+void Job::warn(const std::string& warning) {
+  warnings_.push_back(warning);
+  say("warning: {}", warning);
+}
+
+std::vector<StageTime> Job::timings() const {
+  std::vector<StageTime> result;
+  for (const StageTime& time : clock_.times()) {
+    const std::string stage = time.stage.substr(0, time.stage.find('/'));
+    const auto is_listed = [&](const StageTime& other) { return other.stage == stage; };
+    if (std::none_of(result.begin(), result.end(), is_listed)) {
+      result.push_back({stage, clock_.seconds(stage)});
+    }
+  }
+  return result;
+}
+
+void Job::finish() {
+  if (!warnings_.empty()) report_.set("warnings", warnings_);
+  for (const StageTime& time : timings()) report_.set("timings_s/" + time.stage, time.seconds);
+  report_.set("timings_s/total", clock_.total_seconds());
+  if (shared_.verbose) {
+    for (const StageTime& time : clock_.times())
+      say("  {:<45} {:9.3f} s", time.stage, time.seconds);
+    say("  {:<45} {:9.3f} s", "total", clock_.total_seconds());
+  }
+  report_.set("peak_memory_bytes", peak_memory_bytes());
+  progress_line_.clear();
+  if (shared_.json == "-") {
+    fmt::print("{}", report_.text());
+  } else if (!shared_.json.empty()) {
+    write_file(shared_.json, report_.text());
+  }
+}
+
+std::size_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,70 @@
+#include "app/reconstruct_report.h"
+
+#include <fmt/format.h>
+
+#include "app/surface_report.h"
+#include "geom/errors.h"
+
+namespace cocoon::app {
+
+namespace {
+
+void add_counters(JsonReport& report, const ReconstructCounters& c) {
+  const auto set = [&report](const char* name, std::size_t value) {
+    report.set(std::string("counters/") + name, value);
+  };
+  set("exact_orientations", c.delaunay.exact_orientations);
+  set("exact_inspheres", c.delaunay.exact_inspheres);
+  set("perturbed_inspheres", c.delaunay.perturbed_inspheres);
+  set("hull_vertices", c.hull_vertices);
+  set("degenerate_poles", c.degenerate_poles);
+  set("dual_extended_precision", c.dual_extended_precision);
+  set("dual_facet_fallbacks", c.dual_facet_fallbacks);
+  set("boundary_samples", c.boundary_samples);
+  set("ratio_failed", c.ratio_failed);
+  set("recovered_samples", c.recovered_samples);
+  set("candidates", c.candidates);
+  set("pruned", c.pruned);
+  set("umbrellas", c.umbrellas);
+  set("surface_triangles", c.surface_triangles);
+  set("surface_components", c.surface_components);
+  set("two_sided_facets", c.two_sided_facets);
+  set("non_orientable_components", c.non_orientable_components);
+  set("good_vertices", c.good_vertices);
+  set("demoted_vertices", c.demoted_vertices);
+  set("unvisited_vertices", c.unvisited_vertices);
+  set("marking_rounds", c.marking_rounds);
+  set("marking_conflicts", c.marking_conflicts);
+  set("poor_cells", c.poor_cells);
+  set("deferred_seeds", c.deferred_seeds);
+}
+
+}  // namespace
+
+void add_reconstruction(JsonReport& report, const ReconstructResult& result,
+                        const MeshReport& certificate) {
+  report.set("input/points", result.points);
+  report.set("input/duplicates", result.duplicates);
+  report.set("delaunay/points", result.vertices);
+  report.set("delaunay/tetrahedra", result.tetrahedra);
+  add_surface(report, result.mesh, certificate);
+  report.set("surface/unused_points", result.unused_points);
+  add_counters(report, result.counters);
+}
+
+void require_surface(const std::string& file, const ReconstructResult& result, double rho) {
+  if (result.status == SurfaceStatus::no_surface) {
+    throw InputError(fmt::format(
+        "{}: no surface: none of the {} samples lies well inside one; they are too sparse, thin or "
+        "noisy for --rho {:.3g}; try a larger one, or more points",
+        file, result.vertices, rho));
+  }
+  if (result.status == SurfaceStatus::empty) {
+    throw InputError(fmt::format(
+        "{}: no surface: nothing is left of {} candidate triangles; {} of {} samples count as "
+        "boundary; try a larger --rho (now {:.3g}), or more points",
+        file, result.counters.candidates, result.counters.boundary_samples, result.vertices, rho));
+  }
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,19 @@
+// What a reconstruction found, as reports and error messages say it.
+#pragma once
+
+#include <string>
+
+#include "app/json_report.h"
+#include "cocone/reconstruct.h"
+#include "geom/mesh_check.h"
+
+namespace cocoon::app {
+
+// The sections "input", "delaunay", "surface" and "counters" of the JSON report.
+void add_reconstruction(JsonReport& report, const ReconstructResult& result,
+                        const MeshReport& certificate);
+
+// Throws InputError unless the status is ok: what failed, the counts that say why, what to try.
+void require_surface(const std::string& file, const ReconstructResult& result, double rho);
+
+}  // namespace cocoon::app

@@ -1,0 +1,38 @@
+#include "app/surface_options.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace cocoon::app {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+}  // namespace
+
+ReconstructOptions surface_options(const SurfaceArguments& arguments, ReconstructOptions defaults) {
+  ReconstructOptions options = defaults;
+  options.mode = arguments.mode == "paper" ? Mode::paper : Mode::robust;
+  if (arguments.rho) options.boundary.rho = *arguments.rho;
+  if (arguments.alpha_deg) options.boundary.alpha_cosine = std::cos(*arguments.alpha_deg * degree);
+  // theta is measured from the normal, the user's angle from the tangent plane.
+  if (arguments.cocone_angle_deg) {
+    options.cocone.cosine = std::sin(*arguments.cocone_angle_deg * degree);
+  }
+  if (arguments.sharp_angle_deg) {
+    options.prune.sharp_cosine = std::cos(*arguments.sharp_angle_deg * degree);
+  }
+  return options;
+}
+
+void add_parameters(JsonReport& report, const ReconstructOptions& options) {
+  const auto degrees = [](double radians) { return radians / degree; };
+  report.set("parameters/mode", options.mode == Mode::paper ? "paper" : "robust");
+  report.set("parameters/rho", options.boundary.rho);
+  report.set("parameters/alpha_deg", degrees(std::acos(options.boundary.alpha_cosine)));
+  report.set("parameters/cocone_angle_deg", degrees(std::asin(options.cocone.cosine)));
+  report.set("parameters/sharp_angle_deg", degrees(std::acos(options.prune.sharp_cosine)));
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,18 @@
+// From the parameters of the command line (degrees) to the options of the Cocone stages.
+#pragma once
+
+#include <string>
+
+#include "app/command_line.h"
+#include "app/json_report.h"
+#include "cocone/reconstruct.h"
+
+namespace cocoon::app {
+
+// `defaults` with what the user has set.
+ReconstructOptions surface_options(const SurfaceArguments& arguments, ReconstructOptions defaults);
+
+// The section "parameters" of the report: what was used, given or not.
+void add_parameters(JsonReport& report, const ReconstructOptions& options);
+
+}  // namespace cocoon::app

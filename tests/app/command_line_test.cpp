@@ -1,0 +1,140 @@
+#include "app/command_line.h"
+
+#include <gtest/gtest.h>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace cocoon::app {
+namespace {
+
+Request parse(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "cocoon");
+  return parse_command_line(static_cast<int>(arguments.size()), arguments.data());
+}
+
+template <class Arguments>
+Arguments parsed(const std::vector<const char*>& arguments) {
+  return std::get<Arguments>(std::get<CommandLine>(parse(arguments)).command);
+}
+
+TEST(CommandLine, ReconstructHasDocumentedDefaults) {
+  const auto arguments = parsed<ReconstructArguments>({"reconstruct", "a.xyz", "-o", "a.ply"});
+  EXPECT_EQ(arguments.points, "a.xyz");
+  EXPECT_EQ(arguments.mesh, "a.ply");
+  EXPECT_EQ(arguments.surface, "tight");
+  EXPECT_EQ(arguments.parameters.mode, "robust");
+  EXPECT_FALSE(arguments.parameters.rho.has_value());
+  EXPECT_FALSE(arguments.ascii);
+}
+
+TEST(CommandLine, OldNamesOfTheParametersAreAliases) {
+  const auto arguments = parsed<ReconstructArguments>(
+      {"reconstruct", "a.xyz", "-o", "a.ply", "-c", "20", "-s", "50", "-f", "25", "-r", "0.3"});
+  EXPECT_EQ(arguments.parameters.cocone_angle_deg, 20.0);
+  EXPECT_EQ(arguments.parameters.sharp_angle_deg, 50.0);
+  EXPECT_EQ(arguments.parameters.alpha_deg, 25.0);
+  EXPECT_EQ(arguments.parameters.rho, 0.3);
+}
+
+TEST(CommandLine, UpdateTakesAnyNumberOfClouds) {
+  const auto arguments = parsed<UpdateArguments>(
+      {"update", "m.ply", "c1.xyz", "c2.xyz", "-o", "u.ply", "--map", "m.txt", "--html", "r.html"});
+  EXPECT_EQ(arguments.model, "m.ply");
+  EXPECT_EQ(arguments.clouds, (std::vector<std::string>{"c1.xyz", "c2.xyz"}));
+  EXPECT_EQ(arguments.mesh, "u.ply");
+  EXPECT_EQ(arguments.map, "m.txt");
+  EXPECT_EQ(arguments.html, "r.html");
+}
+
+TEST(CommandLine, UpdateTakesCloudsBehindTheOptionsToo) {
+  const auto arguments = parsed<UpdateArguments>({"update", "-o", "u.ply", "m.ply", "c1.xyz"});
+  EXPECT_EQ(arguments.model, "m.ply");
+  EXPECT_EQ(arguments.clouds, (std::vector<std::string>{"c1.xyz"}));
+}
+
+TEST(CommandLine, SampleAndDemo) {
+  const auto sample = parsed<SampleArguments>(
+      {"sample", "golf-club", "--points", "100", "--cloud-points", "50", "--seed", "7"});
+  EXPECT_EQ(sample.name, "golf-club");
+  EXPECT_EQ(sample.points, 100U);
+  EXPECT_EQ(sample.cloud_points, 50U);
+  EXPECT_EQ(sample.seed, 7U);
+  EXPECT_EQ(parsed<DemoArguments>({"demo", "-o", "there"}).folder, "there");
+}
+
+TEST(CommandLine, RequirementsAreAListOfWords) {
+  const auto check = parsed<CheckArguments>(
+      {"check", "m.ply", "--require", "closed,manifold,oriented", "--self-intersections"});
+  EXPECT_EQ(check.required, (std::vector<std::string>{"closed", "manifold", "oriented"}));
+  EXPECT_TRUE(check.self_intersections);
+}
+
+TEST(CommandLine, RemainingCommands) {
+  EXPECT_EQ(parsed<DelaunayArguments>({"delaunay", "p.xyz", "-o", "p.vtu"}).file, "p.vtu");
+  EXPECT_EQ(parsed<CompareArguments>({"compare", "a", "b", "--samples", "10"}).samples, 10U);
+  EXPECT_EQ(
+      parsed<BoundaryArguments>({"boundary", "p.xyz", "-o", "b.ply", "--loops", "l.obj"}).loops,
+      "l.obj");
+}
+
+TEST(CommandLine, SharedOptionsStandBeforeOrBehindTheCommand) {
+  for (const std::vector<const char*>& arguments :
+       {std::vector<const char*>{"--threads", "3", "--json", "-", "--quiet", "demo"},
+        std::vector<const char*>{"demo", "--threads", "3", "--json", "-", "--quiet"}}) {
+    const auto line = std::get<CommandLine>(parse(arguments));
+    EXPECT_EQ(line.shared.threads, 3);
+    EXPECT_EQ(line.shared.json, "-");
+    EXPECT_TRUE(line.shared.quiet);
+  }
+}
+
+TEST(CommandLine, HelpAndVersionAreTexts) {
+  EXPECT_EQ(std::get<TextRequest>(parse({"--version"})).text.rfind("cocoon ", 0), 0U);
+  EXPECT_EQ(std::get<TextRequest>(parse({"update", "--version"})).text.rfind("cocoon ", 0), 0U);
+  const std::string help = std::get<TextRequest>(parse({"--help"})).text;
+  for (const char* name :
+       {"demo", "sample", "reconstruct", "boundary", "update", "delaunay", "check", "compare"}) {
+    EXPECT_NE(help.find(name), std::string::npos) << name;
+  }
+  const std::string update_help = std::get<TextRequest>(parse({"update", "--help"})).text;
+  EXPECT_NE(update_help.find("--threads"), std::string::npos);
+  EXPECT_NE(update_help.find("--html"), std::string::npos);
+}
+
+TEST(CommandLine, WrongOnesAreUsageErrorsOfOneLine) {
+  const std::vector<std::vector<const char*>> wrong = {
+      {},
+      {"no-such-command"},
+      {"reconstruct"},
+      {"reconstruct", "a.xyz"},
+      {"reconstruct", "a.xyz", "-o"},
+      {"reconstruct", "a.xyz", "b.xyz", "-o", "a.ply"},
+      {"reconstruct", "a.xyz", "-o", "a.ply", "--surface", "round"},
+      {"reconstruct", "a.xyz", "-o", "a.ply", "--rho", "1.2"},
+      {"reconstruct", "a.xyz", "-o", "a.ply", "--rho", "much"},
+      {"reconstruct", "a.xyz", "-o", "a.ply", "--rho", "nan"},
+      {"reconstruct", "a.xyz", "-o", "a.ply", "--mode", "careless"},
+      {"reconstruct", "a.xyz", "-o", "a.ply", "--no-such-option"},
+      {"update", "m.ply", "-o", "u.ply"},
+      {"sample", "teapot"},
+      {"sample", "block", "--points", "-5"},
+      {"demo", "--threads", "-1"},
+      {"demo", "--threads", "many"},
+      {"check", "m.ply", "--require", "beautiful"},
+      {"compare", "a.ply"},
+  };
+  for (const auto& arguments : wrong) {
+    std::string line;
+    for (const char* argument : arguments) line += std::string(" ") + argument;
+    try {
+      parse(arguments);
+      ADD_FAILURE() << "accepted:" << line;
+    } catch (const UsageError& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << line;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cocoon::app

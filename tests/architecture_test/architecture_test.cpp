@@ -1,0 +1,201 @@
+// The rules of the house that a machine can check: which folder may include which, who may use
+// which library, what no source may contain. A failure names file and line.
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SourceFile {
+  std::string layer;  // its folder: "geom"
+  std::string name;   // from the root: "geom/point.h"
+  std::vector<std::string> lines;
+
+  bool is_header() const { return name.ends_with(".h"); }
+};
+
+std::vector<std::string> lines_of(const fs::path& path) {
+  std::ifstream stream(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+// The sources of the given folders, in order of their names.
+std::vector<SourceFile> sources_of(const std::vector<std::string>& layers) {
+  const fs::path root = COCOON_SOURCE_DIR;
+  std::map<std::string, SourceFile> sources;
+  for (const std::string& layer : layers) {
+    if (!fs::exists(root / layer)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / layer)) {
+      const fs::path& path = entry.path();
+      if (path.extension() != ".h" && path.extension() != ".cpp") continue;
+      const std::string name = fs::relative(path, root).generic_string();
+      sources[name] = {layer, name, lines_of(path)};
+    }
+  }
+  std::vector<SourceFile> result;
+  for (auto& [name, source] : sources) result.push_back(std::move(source));
+  return result;
+}
+
+const std::vector<std::string> product_layers = {"geom",   "delaunay", "cocone",
+                                                 "update", "io",       "app"};
+const std::vector<std::string> library_layers = {"geom", "delaunay", "cocone", "update", "io"};
+const std::vector<std::string> all_layers = {"geom", "delaunay", "cocone", "update", "io",
+                                             "app",  "ref",      "bench",  "tests"};
+
+std::string place(const SourceFile& source, std::size_t line) {
+  return source.name + ":" + std::to_string(line + 1) + ": " + source.lines[line];
+}
+
+// Without what stands behind // (strings that contain // do not occur in the sources).
+std::string code_of(const std::string& line) { return line.substr(0, line.find("//")); }
+
+// Every line of code in `layers` that matches `pattern`, but for files in `except`.
+std::string lines_matching(const std::vector<std::string>& layers, const std::string& pattern,
+                           const std::set<std::string>& except = {}) {
+  const std::regex regex(pattern);
+  std::ostringstream found;
+  for (const SourceFile& source : sources_of(layers)) {
+    if (except.count(source.name) != 0) continue;
+    for (std::size_t i = 0; i < source.lines.size(); ++i) {
+      if (std::regex_search(code_of(source.lines[i]), regex)) found << place(source, i) << '\n';
+    }
+  }
+  return found.str();
+}
+
+TEST(Architecture, FindsTheSources) {
+  EXPECT_GE(sources_of(product_layers).size(), 20U);
+  EXPECT_GE(sources_of({"tests"}).size(), 1U);
+}
+
+TEST(Architecture, IncludesPointOneWay) {
+  const std::map<std::string, std::set<std::string>> may_include = {
+      {"geom", {"geom"}},
+      {"delaunay", {"geom", "delaunay"}},
+      {"cocone", {"geom", "delaunay", "cocone"}},
+      {"update", {"geom", "delaunay", "cocone", "update"}},
+      {"io", {"geom", "delaunay", "io"}},
+      {"app", {"geom", "delaunay", "cocone", "update", "io", "app"}},
+      {"ref", {"geom", "delaunay", "cocone", "update", "io", "ref"}},
+      {"bench", {"geom", "delaunay", "cocone", "update", "io", "ref", "bench", "tests"}},
+      {"tests", {"geom", "delaunay", "cocone", "update", "io", "app", "ref", "tests"}},
+  };
+  const std::regex include("^ *# *include +\"([a-z_0-9]+)/");
+  for (const SourceFile& source : sources_of(all_layers)) {
+    for (std::size_t i = 0; i < source.lines.size(); ++i) {
+      std::smatch match;
+      if (!std::regex_search(source.lines[i], match, include)) continue;
+      EXPECT_TRUE(may_include.at(source.layer).count(match[1]) != 0) << place(source, i);
+    }
+  }
+}
+
+TEST(Architecture, OwnHeadersAreIncludedFromTheRoot) {
+  EXPECT_EQ(lines_matching(product_layers, "# *include +\"[^/]*\""), "");
+  EXPECT_EQ(lines_matching(product_layers, "# *include +\"\\.\\./"), "");
+}
+
+TEST(Architecture, CgalIsNoPartOfTheProduct) {
+  EXPECT_EQ(lines_matching(product_layers, "CGAL"), "");
+}
+
+TEST(Architecture, LibrariesOfTheProgramStayInTheProgram) {
+  EXPECT_EQ(lines_matching(library_layers, "# *include +<(fmt|nlohmann|CLI)/"), "");
+  EXPECT_EQ(lines_matching({"app"}, "# *include +<CLI/", {"app/command_line.cpp"}), "");
+  EXPECT_EQ(lines_matching({"app"}, "# *include +<nlohmann/", {"app/json_report.cpp"}), "");
+}
+
+TEST(Architecture, LibraryNeitherPrintsNorEndsTheProgram) {
+  EXPECT_EQ(lines_matching(library_layers,
+                           "std::(cout|cerr|clog|printf|puts|exit|abort|terminate)\\b|"
+                           "\\b(fprintf|printf) *\\("),
+            "");
+}
+
+TEST(Architecture, OnlyWhatAllCompilersAndTheBrowserHave) {
+  EXPECT_EQ(lines_matching(product_layers, "# *include +<(ranges|format|source_location)>"), "");
+  EXPECT_EQ(lines_matching(product_layers, "std::(ranges|views)::"), "");
+  EXPECT_EQ(lines_matching({"geom", "delaunay", "cocone", "update", "app"}, "std::(from|to)_chars"),
+            "");
+}
+
+TEST(Architecture, NoHiddenRandomnessOrClock) {
+  EXPECT_EQ(lines_matching(library_layers,
+                           "std::random_device|\\bs?rand *\\(|std::time *\\(|_clock::now"),
+            "");
+}
+
+TEST(Architecture, HeadersSayWhatTheyAre) {
+  for (const SourceFile& source : sources_of(product_layers)) {
+    if (!source.is_header()) continue;
+    ASSERT_FALSE(source.lines.empty()) << source.name;
+    EXPECT_TRUE(source.lines.front().starts_with("// ")) << source.name << ": no opening comment";
+    bool guarded = false;
+    bool in_namespace = false;
+    for (const std::string& line : source.lines) {
+      guarded = guarded || line == "#pragma once";
+      in_namespace = in_namespace || line.starts_with("namespace cocoon");
+    }
+    EXPECT_TRUE(guarded) << source.name << ": no #pragma once";
+    EXPECT_TRUE(in_namespace) << source.name << ": not in namespace cocoon";
+  }
+}
+
+TEST(Architecture, FilesAreOneConceptEach) {
+  const std::regex vague("(^|[/_])(utils?|helpers?|misc|common|stuff)[_0-9]*\\.");
+  for (const SourceFile& source : sources_of(all_layers)) {
+    EXPECT_FALSE(std::regex_search(source.name, vague)) << source.name;
+    EXPECT_LE(source.lines.size(), 500U) << source.name;
+  }
+}
+
+// A block that begins at the start of a line, or two blanks in (a member of a class), and ends with
+// a brace in the same column. Types, namespaces and constants do not count.
+TEST(Architecture, FunctionsFitOnAScreen) {
+  const std::regex no_function(
+      "^ *(return|namespace|struct|class|enum|union|extern|constexpr .*=|const )");
+  const auto indent = [](const std::string& line) { return line.find_first_not_of(' '); };
+  for (const SourceFile& source : sources_of(product_layers)) {
+    for (const std::size_t column : {std::size_t{0}, std::size_t{2}}) {
+      std::size_t begin = 0;
+      bool inside = false;
+      for (std::size_t i = 0; i < source.lines.size(); ++i) {
+        const std::string& line = source.lines[i];
+        if (line.empty() || indent(line) != column) continue;
+        const bool opens = line.back() == '{';
+        if (opens && !inside && !std::regex_search(line, no_function) && line[column] != '}') {
+          begin = i;
+          inside = true;
+        } else if (inside && line[column] == '}') {
+          EXPECT_LE(i - begin + 1, 60U) << place(source, begin);
+          inside = false;
+        }
+      }
+    }
+  }
+}
+
+TEST(Architecture, NothingUnfinishedAndNothingOfOneMachine) {
+  // Built from parts, so that this file does not contain what it forbids.
+  const std::string unfinished = std::string("\\b(TO") + "DO|FIX" + "ME|X" + "XX)\\b";
+  const std::string machine = std::string("/ro") + "ot/|/wo" + "rk/|/ho" + "me/";
+  const std::regex forbidden(unfinished + "|" + machine);
+  for (const SourceFile& source : sources_of(all_layers)) {
+    for (std::size_t i = 0; i < source.lines.size(); ++i) {
+      EXPECT_FALSE(std::regex_search(source.lines[i], forbidden)) << place(source, i);
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,122 @@
+// Runs the program `cocoon` as a user does, and says what it wrote and how it ended.
+#pragma once
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+namespace cocoon::test {
+
+// A fresh folder for one test, removed at its end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "cocoon-test-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  // Writes a file and returns its path.
+  std::string write(const std::string& name, const std::string& content) const {
+    std::ofstream(path_ / name, std::ios::binary) << content;
+    return file(name);
+  }
+  // Names of everything in it, sorted: shows files left behind.
+  std::vector<std::string> names() const {
+    std::vector<std::string> result;
+    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+      result.push_back(entry.path().filename().string());
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string content_of(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+struct ProgramRun {
+  int exit_code = -1;  // -1: ended by `signal`
+  int signal = 0;
+  std::string out;
+  std::string error;
+};
+
+// A program that is running; its outputs go to files of `folder`.
+class RunningProgram {
+ public:
+  RunningProgram(const TemporaryFolder& outputs, std::vector<std::string> arguments)
+      : out_(outputs.file("stdout")), error_(outputs.file("stderr")) {
+    arguments.insert(arguments.begin(), COCOON_PROGRAM);
+    process_ = fork();
+    if (process_ != 0) return;
+    redirect(out_, STDOUT_FILENO);
+    redirect(error_, STDERR_FILENO);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+
+  void send(int signal) const { kill(process_, signal); }
+
+  ProgramRun wait() const {
+    int status = 0;
+    waitpid(process_, &status, 0);
+    ProgramRun run;
+    if (WIFEXITED(status)) run.exit_code = WEXITSTATUS(status);
+    if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
+    run.out = content_of(out_);
+    run.error = content_of(error_);
+    return run;
+  }
+
+ private:
+  static void redirect(const std::string& path, int descriptor) {
+    dup2(open(path.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), descriptor);
+  }
+
+  std::string out_;
+  std::string error_;
+  pid_t process_ = -1;
+};
+
+inline ProgramRun run_program(const std::vector<std::string>& arguments) {
+  const TemporaryFolder outputs;
+  return RunningProgram(outputs, arguments).wait();
+}
+
+// How an error must look: exit code, nothing on standard output, one line that begins with
+// "cocoon: " and contains `mentions`.
+inline void expect_error(const ProgramRun& run, int exit_code, const std::string& mentions) {
+  EXPECT_EQ(run.exit_code, exit_code) << run.error;
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.error.rfind("cocoon: ", 0), 0U) << run.error;
+  EXPECT_EQ(run.error.find('\n'), run.error.size() - 1) << run.error;
+  EXPECT_NE(run.error.find(mentions), std::string::npos) << run.error << " lacks " << mentions;
+}
+
+}  // namespace cocoon::test
