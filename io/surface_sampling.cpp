@@ -1,0 +1,162 @@
+#include "io/surface_sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <queue>
+#include <string>
+#include <utility>
+
+#include "geom/box_tree.h"
+#include "geom/errors.h"
+
+namespace cocoon {
+namespace {
+
+constexpr double finite_difference_step = 1e-4;  // of the box size: far above rounding
+
+double triangle_area(const TriangleMesh& mesh, const Triangle& t) {
+  const Point& a = mesh.points[t[0]];
+  return norm(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a)) / 2;
+}
+
+Point random_point_of(const TriangleMesh& mesh, const Triangle& t, Random& random) {
+  double u = random.uniform();
+  double v = random.uniform();
+  if (u + v > 1) {
+    u = 1 - u;
+    v = 1 - v;
+  }
+  const Point& a = mesh.points[t[0]];
+  return a + u * (mesh.points[t[1]] - a) + v * (mesh.points[t[2]] - a);
+}
+
+// Triangles with their center in the region or close to it, and the sum of areas up to each.
+struct CandidateTriangles {
+  std::vector<TriangleId> triangles;
+  std::vector<double> area_up_to;
+};
+
+CandidateTriangles triangles_in(const TriangleMesh& mesh, const SurfaceRegion& region) {
+  CandidateTriangles result;
+  double sum = 0;
+  for (const TriangleId t : mesh.triangles.ids()) {
+    const Triangle& triangle = mesh.triangles[t];
+    const bool any_corner = std::any_of(triangle.begin(), triangle.end(),
+                                        [&](VertexId v) { return region(mesh.points[v]); });
+    if (!any_corner) continue;
+    sum += triangle_area(mesh, triangle);
+    result.triangles.push_back(t);
+    result.area_up_to.push_back(sum);
+  }
+  return result;
+}
+
+// The neighbors of each point within `reach`: lists in the order of the search.
+struct NeighborLists {
+  std::vector<std::size_t> begin = {0};
+  std::vector<std::uint32_t> neighbors;
+};
+
+NeighborLists neighbors_within(const std::vector<Point>& points, double reach) {
+  std::vector<Box> boxes;
+  for (const Point& p : points) boxes.push_back({p, p});
+  const BoxTree tree(boxes);
+  NeighborLists lists;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Box around = boxes[i];
+    around.enlarge(reach);
+    tree.visit_overlapping(around, [&](std::uint32_t slot) {
+      const std::uint32_t j = tree.items()[slot];
+      if (j != i && squared_distance(points[i], points[j]) < reach * reach) {
+        lists.neighbors.push_back(j);
+      }
+    });
+    lists.begin.push_back(lists.neighbors.size());
+    std::sort(lists.neighbors.begin() + static_cast<std::ptrdiff_t>(lists.begin[i]),
+              lists.neighbors.end());
+  }
+  return lists;
+}
+
+// w = (1 - d / reach)^8
+double crowding(const Point& a, const Point& b, double reach) {
+  double weight = 1 - distance(a, b) / reach;
+  for (int k = 0; k < 3; ++k) weight *= weight;
+  return weight;
+}
+
+}  // namespace
+
+std::vector<Point> eliminate_samples(const std::vector<Point>& points, std::size_t count,
+                                     double radius) {
+  const double reach = 2 * radius;
+  const NeighborLists lists = neighbors_within(points, reach);
+  const auto for_each_neighbor = [&](std::size_t i, const auto& visit) {
+    for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k) visit(lists.neighbors[k]);
+  };
+  struct Entry {
+    double weight;
+    std::size_t point;
+    bool operator<(const Entry& other) const {  // the most crowded on top, then the smaller point
+      return weight != other.weight ? weight < other.weight : point > other.point;
+    }
+  };
+  std::vector<double> weight(points.size(), 0);
+  std::priority_queue<Entry> queue;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for_each_neighbor(i,
+                      [&](std::size_t j) { weight[i] += crowding(points[i], points[j], reach); });
+    queue.push({weight[i], i});
+  }
+  std::vector<char> removed(points.size(), 0);
+  for (std::size_t left = points.size(); left > count;) {
+    const Entry entry = queue.top();
+    queue.pop();
+    // An entry is out of date if a neighbor went since; a newer one is in the queue.
+    if (removed[entry.point] != 0 || entry.weight != weight[entry.point]) continue;
+    removed[entry.point] = 1;
+    --left;
+    for_each_neighbor(entry.point, [&](std::size_t j) {
+      if (removed[j] != 0) return;
+      weight[j] -= crowding(points[entry.point], points[j], reach);
+      queue.push({weight[j], j});
+    });
+  }
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (removed[i] == 0) kept.push_back(points[i]);
+  }
+  return kept;
+}
+
+std::vector<Point> sample_surface(const ImplicitSolid& solid, const TriangleMesh& mesh,
+                                  const SurfaceRegion& region, std::size_t count, Random& random) {
+  constexpr std::size_t candidates_per_sample = 5;
+  constexpr std::size_t tries_per_candidate = 4;
+  const CandidateTriangles from = triangles_in(mesh, region);
+  const std::size_t wanted = candidates_per_sample * count;
+  std::vector<Point> candidates;
+  std::size_t tries = 0;
+  const double area = from.triangles.empty() ? 0 : from.area_up_to.back();
+  const double step = finite_difference_step * norm(solid.box.size());
+  while (candidates.size() < wanted) {
+    if (area == 0 || ++tries > tries_per_candidate * wanted) {
+      throw InputError("sampled region holds too little of the surface; give a larger one");
+    }
+    const auto found = std::upper_bound(from.area_up_to.begin(), from.area_up_to.end() - 1,
+                                        random.uniform(0, area));
+    const auto position = static_cast<std::size_t>(found - from.area_up_to.begin());
+    const Triangle& triangle = mesh.triangles[from.triangles[position]];
+    const Point p = project_to_surface(solid.value, random_point_of(mesh, triangle, random), step);
+    if (region(p)) candidates.push_back(p);
+  }
+  if (count == 0) return {};
+  // The largest radius at which `count` disks of the sampled area can be packed.
+  const double sampled_area =
+      area * static_cast<double>(candidates.size()) / static_cast<double>(tries);
+  const double radius = std::sqrt(sampled_area / (2 * std::sqrt(3.0) * static_cast<double>(count)));
+  return eliminate_samples(candidates, count, radius);
+}
+
+}  // namespace cocoon
