@@ -1,0 +1,165 @@
+#include "geom/surface_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geom/closest_facet.h"
+#include "geom/errors.h"
+#include "geom/nearest_point.h"
+#include "geom/random.h"
+
+namespace cocoon {
+namespace {
+
+using SquaredDistanceTo = std::function<double(const Point&)>;
+
+SquaredDistanceTo search_in(const TriangleMesh& target) {
+  if (target.triangles.empty()) {
+    const auto tree = std::make_shared<const NearestPointTree>(Points(target.points.raw()));
+    return [tree](const Point& p) { return tree->nearest(p).squared_distance; };
+  }
+  const auto tree = std::make_shared<const ClosestFacetTree>(target);
+  return [tree](const Point& p) { return tree->closest(p).squared_distance; };
+}
+
+// The points of `mesh` that are measured for the maximum alone.
+std::vector<Point> corners_of_triangles(const TriangleMesh& mesh) {
+  IdVector<VertexId, char> used(mesh.points.size(), 0);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const VertexId v : triangle) used[v] = 1;
+  }
+  std::vector<Point> corners;
+  for (const VertexId v : mesh.points.ids()) {
+    if (used[v] != 0) corners.push_back(mesh.points[v]);
+  }
+  return corners;
+}
+
+// One uniform point in each of `count` equal pieces of the area.
+std::vector<Point> stratified_samples(const TriangleMesh& mesh, std::size_t count,
+                                      std::uint64_t seed, const Execution& execution) {
+  std::vector<double> area_up_to;
+  double area = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Point& a = mesh.points[t[0]];
+    area += norm(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a)) / 2;
+    area_up_to.push_back(area);
+  }
+  if (count > 0 && !(area > 0)) {
+    throw InputError("mesh has no area to take samples of; compare its vertices with 0 samples");
+  }
+  std::vector<Point> samples(count);
+  parallel_chunks(execution, count, 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      std::uint64_t state = seed + k;
+      Random random(splitmix64(state));
+      const double at = (static_cast<double>(k) + random.uniform()) / static_cast<double>(count);
+      const auto found = std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, at * area);
+      const Triangle& t =
+          mesh.triangles[TriangleId(static_cast<std::size_t>(found - area_up_to.begin()))];
+      double u = random.uniform();
+      double v = random.uniform();
+      if (u + v > 1) {  // the other half of the parallelogram
+        u = 1 - u;
+        v = 1 - v;
+      }
+      const Point& a = mesh.points[t[0]];
+      samples[k] = a + u * (mesh.points[t[1]] - a) + v * (mesh.points[t[2]] - a);
+    }
+  });
+  return samples;
+}
+
+// Figures of some points; combined in a fixed order.
+struct Tally {
+  double sum = 0;
+  double sum_of_squares = 0;
+  double max_squared = -1;
+  Point farthest;
+
+  void add(const Point& p, double squared) {
+    sum += std::sqrt(squared);
+    sum_of_squares += squared;
+    keep_farther(p, squared);
+  }
+  void keep_farther(const Point& p, double squared) {
+    if (squared > max_squared || (squared == max_squared && (p <=> farthest) < 0)) {
+      max_squared = squared;
+      farthest = p;
+    }
+  }
+  void add(const Tally& other) {
+    sum += other.sum;
+    sum_of_squares += other.sum_of_squares;
+    keep_farther(other.farthest, other.max_squared);
+  }
+};
+
+Tally tally(Points points, const SquaredDistanceTo& squared_distance_to,
+            const Execution& execution) {
+  constexpr std::size_t grain = 1024;
+  std::vector<Tally> chunks((points.size() + grain - 1) / grain);
+  parallel_chunks(execution, points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      chunks[begin / grain].add(points[k], squared_distance_to(points[k]));
+    }
+  });
+  Tally total;
+  for (const Tally& chunk : chunks) total.add(chunk);
+  return total;
+}
+
+DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to,
+                         const SurfaceDistanceOptions& options, const Execution& execution) {
+  const SquaredDistanceTo squared_distance_to = search_in(to);
+  const bool is_cloud = from.triangles.empty();
+  const std::vector<Point> samples =
+      is_cloud ? from.points.raw()
+               : stratified_samples(from, options.samples, options.seed, execution);
+  const std::vector<Point> corners = corners_of_triangles(from);
+  const Tally spread = tally(samples, squared_distance_to, execution);
+  Tally farthest = tally(corners, squared_distance_to, execution);
+  farthest.keep_farther(spread.farthest, spread.max_squared);
+
+  const double count = std::max<double>(1, static_cast<double>(samples.size()));
+  return {.samples = samples.size() + corners.size(),
+          .max = std::sqrt(std::max(farthest.max_squared, 0.0)),
+          .mean = spread.sum / count,
+          .rms = std::sqrt(spread.sum_of_squares / count),
+          .farthest = farthest.farthest};
+}
+
+void require_finite(const TriangleMesh& mesh) {
+  for (const VertexId v : mesh.points.ids()) {
+    if (!is_finite(mesh.points[v])) {
+      throw InputError("point " + std::to_string(v.value) +
+                       " has a coordinate that is not finite; remove it");
+    }
+  }
+}
+
+}  // namespace
+
+SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b,
+                                 const SurfaceDistanceOptions& options,
+                                 const Execution& execution) {
+  report_progress(execution, "surface_distance", 0);
+  require_finite(a);
+  require_finite(b);
+  SurfaceDistance distance;
+  distance.a_to_b = measure(a, b, options, execution);
+  report_progress(execution, "surface_distance", 0.5);
+  distance.b_to_a = measure(b, a, options, execution);
+  distance.max = std::max(distance.a_to_b.max, distance.b_to_a.max);
+  distance.mean = (distance.a_to_b.mean + distance.b_to_a.mean) / 2;
+  distance.rms = std::sqrt(
+      (distance.a_to_b.rms * distance.a_to_b.rms + distance.b_to_a.rms * distance.b_to_a.rms) / 2);
+  report_progress(execution, "surface_distance", 1);
+  return distance;
+}
+
+}  // namespace cocoon
