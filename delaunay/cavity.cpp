@@ -61,86 +61,122 @@ bool CavityInserter::in_conflict(const Cell& cell, const Point& p) const {
                             p) == Sign::positive;
 }
 
-// Takes c into the conflict zone, and its neighbors into the candidates.
-void CavityInserter::add_conflict(CellId c) {
-  pool_.marks[c] = CellMark::conflict;
-  conflict_cells_.push_back(c);
-  for (const FacetId outer : pool_.cells[c].neighbors) {
+void CavityInserter::collect_candidates(CellId conflict_cell) {
+  candidates_.make_room(4);
+  for (const FacetId outer : pool_.cells[conflict_cell].neighbors) {
     const CellId neighbor = cell_of(outer);
+    __builtin_prefetch(&pool_.cells[neighbor]);
     CellMark& mark = pool_.marks[neighbor];
-    if (mark != CellMark::untested) continue;
-    mark = CellMark::outside;  // until the test says otherwise
-    candidates_.push_back(neighbor);
+    const bool is_new = mark == CellMark::untested;
+    mark = is_new ? CellMark::outside : mark;  // until the test says otherwise
+    candidates_.append_if(is_new, neighbor);
   }
 }
 
-// Tests the candidates from `first` on, at most a batch of them; returns the first one left.
-std::size_t CavityInserter::test_batch(std::size_t first, const Point& p) {
+// Tests the candidates from `first` on, at most a batch of them, and moves those in conflict to the
+// conflict zone. Returns the first one left.
+std::size_t CavityInserter::test_candidates(std::size_t first, const Point& p) {
   const std::size_t count = std::min(conflict_batch_size, candidates_.size() - first);
-  std::array<CellId, conflict_batch_size> cells;
-  std::array<const Cell*, conflict_batch_size> finite;
-  unsigned undecided = 0;
+  conflict_cells_.make_room(count);
+  const auto decide = [&](CellId c, bool conflict) {
+    pool_.marks[c] = conflict ? CellMark::conflict : CellMark::outside;
+    conflict_cells_.append_if(conflict, c);
+  };
+  std::array<CellId, conflict_batch_size> ids;
+  std::array<const Cell*, conflict_batch_size> cells;
   std::size_t lanes = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const CellId c = candidates_[first + i];
     if (pool_.is_infinite(c)) {
-      if (in_conflict(pool_.cells[c], p)) add_conflict(c);
+      decide(c, in_conflict(pool_.cells[c], p));
     } else {
-      cells[lanes] = c;
-      finite[lanes++] = &pool_.cells[c];
+      ids[lanes] = c;
+      cells[lanes++] = &pool_.cells[c];
     }
   }
-  if (lanes == 0) return first + count;
-  for (std::size_t i = lanes; i < conflict_batch_size; ++i) finite[i] = finite[0];
-  const BatchDecision decision = insphere_batch(finite, points_, p);
-  undecided = decision.undecided;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    const bool inside = ((undecided >> i) & 1U) != 0 ? in_conflict(*finite[i], p)
-                                                     : ((decision.inside >> i) & 1U) != 0;
-    if (inside) add_conflict(cells[i]);
+  if (lanes > 0) {
+    for (std::size_t i = lanes; i < conflict_batch_size; ++i) cells[i] = cells[0];
+    BatchDecision decision = insphere_batch(cells, points_, p);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      if (((decision.undecided >> i) & 1U) != 0 && in_conflict(*cells[i], p)) {
+        decision.inside |= 1U << i;
+      }
+      decide(ids[i], ((decision.inside >> i) & 1U) != 0);
+    }
   }
   return first + count;
 }
 
-void CavityInserter::find_conflict_zone(VertexId v, CellId start, DelaunayCounters& counters) {
+void CavityInserter::find_conflict_zone(VertexId v, CellId start) {
   const Point p = points_[v];
   conflict_cells_.clear();
   candidates_.clear();
-  add_conflict(start);
-  for (std::size_t next = 0; next < candidates_.size();) next = test_batch(next, p);
-  counters.conflict_tests += candidates_.size();
-  collect_border(v);
+  conflict_cells_.make_room(1);
+  conflict_cells_.append(start);
+  pool_.marks[start] = CellMark::conflict;
+  std::size_t tested = 0;
+  std::size_t expanded = 0;
+  while (expanded < conflict_cells_.size() || tested < candidates_.size()) {
+    if (expanded < conflict_cells_.size()) {
+      collect_candidates(conflict_cells_[expanded++]);
+    } else {
+      tested = test_candidates(tested, p);
+    }
+  }
 }
 
 void CavityInserter::collect_border(VertexId v) {
-  border_.clear();
+  border_facets_.clear();
+  border_facets_.make_room(4 * conflict_cells_.size());
   for (const CellId c : conflict_cells_) {
     const Cell& cell = pool_.cells[c];
-    for (std::size_t i = 0; i < 4; ++i) {
-      const FacetId outer = cell.neighbors[i];
-      if (pool_.marks[cell_of(outer)] == CellMark::conflict) continue;
-      CavityFacet& facet =
-          border_.emplace_back(CavityFacet{cell.vertices, outer, static_cast<int>(i)});
-      facet.vertices[i] = v;
+    for (int i = 0; i < 4; ++i) {
+      const CellId neighbor = cell_of(cell.neighbors[static_cast<std::size_t>(i)]);
+      border_facets_.append_if(pool_.marks[neighbor] != CellMark::conflict, facet_id(c, i));
     }
   }
+  border_.clear();
+  border_.make_room(border_facets_.size());
+  border_vertices_.clear();
+  border_vertices_.make_room(max_table_vertices + 1);
+  for (const FacetId facet : border_facets_) describe_border_facet(facet, v);
+  for (const VertexId entry : border_vertices_) local_id_[entry] = no_local_id;
+}
+
+// Border vertices are numbered in order of first sight, up to the number that the table of edges
+// can hold. The vertex at infinity takes the entry behind the last vertex.
+void CavityInserter::describe_border_facet(FacetId facet, VertexId v) {
+  const Cell& cell = pool_.cells[cell_of(facet)];
+  const auto apex = static_cast<std::size_t>(index_of(facet));
+  CavityFacet result{cell.vertices, {}, cell.neighbors[apex], index_of(facet)};
+  result.vertices[apex] = v;
+  for (std::size_t k = 1; k < 4; ++k) {
+    const std::size_t slot = (apex + k) % 4;
+    const VertexId entry = std::min(cell.vertices[slot], VertexId(points_.size()));
+    const std::uint8_t known = local_id_[entry];
+    const bool is_new = known == no_local_id && border_vertices_.size() < max_table_vertices;
+    const std::uint8_t id = is_new ? static_cast<std::uint8_t>(border_vertices_.size()) : known;
+    local_id_[entry] = id;
+    result.local_ids[slot] = id;
+    border_vertices_.append_if(is_new, entry);
+  }
+  border_.append(result);
 }
 
 // New cells take the slots of the conflict cells first: those are in cache.
 void CavityInserter::allocate_new_cells() {
-  new_cells_.clear();
   for (const CellId c : candidates_) pool_.marks[c] = CellMark::untested;
-  for (const CellId c : conflict_cells_) {
-    pool_.marks[c] = CellMark::untested;
-    if (new_cells_.size() < border_.size()) {
-      new_cells_.push_back(c);
-    } else {
-      pool_.cells[c].vertices[0] = VertexId();
-      pool_.free.push_back(c);
-    }
+  pool_.marks[conflict_cells_[0]] = CellMark::untested;  // the start was no candidate
+  new_cells_.clear();
+  new_cells_.make_room(border_.size());
+  const std::size_t reused = std::min(conflict_cells_.size(), border_.size());
+  for (std::size_t i = 0; i < reused; ++i) new_cells_.append(conflict_cells_[i]);
+  for (std::size_t i = reused; i < conflict_cells_.size(); ++i) {
+    pool_.cells[conflict_cells_[i]].vertices[0] = VertexId();
+    pool_.free.push_back(conflict_cells_[i]);
   }
   while (new_cells_.size() < border_.size() && !pool_.free.empty()) {
-    new_cells_.push_back(pool_.free.back());
+    new_cells_.append(pool_.free.back());
     pool_.free.pop_back();
   }
   if (const std::size_t missing = border_.size() - new_cells_.size(); missing > 0) {
@@ -151,7 +187,7 @@ void CavityInserter::allocate_new_cells() {
     }
     pool_.cells.resize(first + missing);
     pool_.marks.resize(first + missing, CellMark::untested);
-    for (std::size_t i = 0; i < missing; ++i) new_cells_.push_back(CellId(first + i));
+    for (std::size_t i = 0; i < missing; ++i) new_cells_.append(CellId(first + i));
   }
 }
 
@@ -165,39 +201,18 @@ void CavityInserter::build_cell(std::size_t border_index) {
       facet_id(c, facet.apex);
 }
 
-// The vertex at infinity takes the entry behind the last vertex.
-void CavityInserter::number_border_vertices() {
-  border_vertices_.clear();
-  for (const CavityFacet& facet : border_) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (static_cast<int>(i) == facet.apex) continue;
-      const VertexId vertex =
-          facet.vertices[i] == infinite_vertex ? VertexId(points_.size()) : facet.vertices[i];
-      if (local_id_[vertex] == no_local_id) {
-        local_id_[vertex] = static_cast<std::uint8_t>(border_vertices_.size());
-        border_vertices_.push_back(vertex);
-      }
-    }
-  }
-}
-
 // Each edge of the border belongs to two border facets, so to two new cells, which see it in
 // opposite directions: enter all, then look up the reverse of each.
 void CavityInserter::fill_with_edge_table() {
-  number_border_vertices();
   const std::size_t stride = border_vertices_.size();
   if (edge_table_.size() < stride * stride) edge_table_.resize(stride * stride);
-  const auto local = [&](VertexId vertex) -> std::size_t {
-    return local_id_[vertex == infinite_vertex ? VertexId(points_.size()) : vertex];
-  };
   for (std::size_t b = 0; b < border_.size(); ++b) {
     build_cell(b);
     const CavityFacet& facet = border_[b];
     const auto& slots = edge_slots[static_cast<std::size_t>(facet.apex)];
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (static_cast<int>(j) == facet.apex) continue;
-      edge_table_[local(facet.vertices[slots[j].first]) * stride +
-                  local(facet.vertices[slots[j].second])] =
+    for (std::size_t k = 1; k < 4; ++k) {
+      const std::size_t j = (static_cast<std::size_t>(facet.apex) + k) % 4;
+      edge_table_[facet.local_ids[slots[j].first] * stride + facet.local_ids[slots[j].second]] =
           facet_id(new_cells_[b], static_cast<int>(j));
     }
   }
@@ -205,13 +220,12 @@ void CavityInserter::fill_with_edge_table() {
     const CavityFacet& facet = border_[b];
     const auto& slots = edge_slots[static_cast<std::size_t>(facet.apex)];
     Cell& cell = pool_.cells[new_cells_[b]];
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (static_cast<int>(j) == facet.apex) continue;
-      cell.neighbors[j] = edge_table_[local(facet.vertices[slots[j].second]) * stride +
-                                      local(facet.vertices[slots[j].first])];
+    for (std::size_t k = 1; k < 4; ++k) {
+      const std::size_t j = (static_cast<std::size_t>(facet.apex) + k) % 4;
+      cell.neighbors[j] =
+          edge_table_[facet.local_ids[slots[j].second] * stride + facet.local_ids[slots[j].first]];
     }
   }
-  for (const VertexId vertex : border_vertices_) local_id_[vertex] = no_local_id;
 }
 
 void CavityInserter::fill_with_sorted_edges() {
@@ -245,17 +259,18 @@ void CavityInserter::fill_with_sorted_edges() {
 }
 
 CellId CavityInserter::insert(VertexId v, CellId start, DelaunayCounters& counters) {
-  find_conflict_zone(v, start, counters);
+  find_conflict_zone(v, start);
+  collect_border(v);
   allocate_new_cells();
-  counters.cells_created += border_.size();
-  counters.cells_deleted += conflict_cells_.size();
-  // The border is a triangulated sphere: as many vertices as half its facets, plus two.
-  if (border_.size() / 2 + 2 <= max_table_vertices) {
+  if (border_vertices_.size() < max_table_vertices) {
     fill_with_edge_table();
   } else {
     fill_with_sorted_edges();
   }
-  return new_cells_.back();
+  counters.conflict_tests += candidates_.size();
+  counters.cells_created += border_.size();
+  counters.cells_deleted += conflict_cells_.size();
+  return new_cells_[new_cells_.size() - 1];
 }
 
 }  // namespace cocoon
