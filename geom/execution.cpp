@@ -1,8 +1,11 @@
 #include "geom/execution.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <thread>
@@ -40,6 +43,12 @@ void parallel_chunks(const Execution& execution, std::size_t count, std::size_t 
   if (threads == 1 || chunks == 1) {
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) run_chunk(chunk);
     return;
+  }
+  // More threads than cores were asked for (tests do): TBB warns on stderr unless it is allowed.
+  std::optional<tbb::global_control> allowance;
+  if (threads > tbb::info::default_concurrency()) {
+    allowance.emplace(tbb::global_control::max_allowed_parallelism,
+                      static_cast<std::size_t>(threads));
   }
   tbb::task_arena arena(threads);
   arena.execute([&] {
