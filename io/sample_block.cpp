@@ -13,10 +13,10 @@ constexpr double block_rounding = 0.3;
 constexpr double u_center_x = -0.3;
 constexpr double u_radius = 1.1;
 constexpr double arm_length = 1.45;
-constexpr double ridge_half_width = 0.5;
+constexpr double ridge_half_width = 0.4;
 constexpr double ridge_height = 0.5;
-constexpr double ridge_rounding = 0.15;
-constexpr double fillet_width = 0.1;
+constexpr double ridge_rounding = 0.25;
+constexpr double fillet_width = 0.2;
 
 // How far the scan reaches beyond the fillet: somewhat more than the cloud's spacing, less than
 // half the initial points'.
