@@ -34,12 +34,12 @@ enum class Mode {
 // The defaults are for closed models; see open_cloud_defaults().
 struct ReconstructOptions {
   Mode mode = Mode::robust;
-  DelaunayOptions delaunay;
-  CoconeOptions cocone;
-  BoundaryOptions boundary;
-  PruneOptions prune;
-  GoodVertexOptions good_vertices;
-  PeelOptions peel;
+  DelaunayOptions delaunay = {};
+  CoconeOptions cocone = {};
+  BoundaryOptions boundary = {};
+  PruneOptions prune = {};
+  GoodVertexOptions good_vertices = {};
+  PeelOptions peel = {};
 };
 
 // For clouds whose surface has a rim (a scan from one side, the added cloud of an update):

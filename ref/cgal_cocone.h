@@ -1,0 +1,31 @@
+// Labels and candidates of Cocone a second time: on CGAL's triangulation, with CGAL's
+// circumcenters, written for reading. Shares no code with the stages.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geom/id_vector.h"
+#include "geom/point.h"
+
+namespace cocoon::ref {
+
+struct CgalCoconeOptions {
+  double rho = 1 / 1.2;
+  double alpha_cosine = 0.86602540378443865;
+  double theta_cosine = 0.38268343236508977;
+  bool tangent_plane_radius = true;
+};
+
+struct CgalCocone {
+  IdVector<PointId, std::uint8_t> boundary;        // 1 = boundary sample
+  std::vector<std::array<PointId, 3>> candidates;  // ids ascending in each, then sorted
+};
+
+// Precondition: points are all different and not coplanar. Complexity: as CGAL's triangulation,
+// and the sum of squared star sizes.
+// Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Woo & Dey 2005, sections 2 and 3.2.
+CgalCocone cgal_cocone(Points points, const CgalCoconeOptions& options = {});
+
+}  // namespace cocoon::ref

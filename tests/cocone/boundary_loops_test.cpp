@@ -1,0 +1,196 @@
+#include "cocone/boundary_loops.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "cocone/orient_surface.h"
+#include "cocone/reconstruct.h"
+#include "geom/mesh_check.h"
+#include "tests/cocone/sample_shapes.h"
+
+namespace cocoon {
+namespace {
+
+TriangleMesh mesh_of(std::vector<Point> points, const std::vector<std::array<int, 3>>& triangles) {
+  TriangleMesh mesh;
+  mesh.points = IdVector<VertexId, Point>(std::move(points));
+  for (const auto& [a, b, c] : triangles) {
+    mesh.triangles.push_back({VertexId(a), VertexId(b), VertexId(c)});
+  }
+  return mesh;
+}
+
+// A grid of columns x rows squares, two triangles each, without the squares that `is_hole` names.
+template <class IsHole>
+TriangleMesh grid(int columns, int rows, IsHole is_hole) {
+  std::vector<Point> points;
+  for (int y = 0; y <= rows; ++y) {
+    for (int x = 0; x <= columns; ++x) points.push_back({double(x), double(y), 0});
+  }
+  std::vector<std::array<int, 3>> triangles;
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) {
+      if (is_hole(x, y)) continue;
+      const int a = y * (columns + 1) + x;
+      triangles.push_back({a, a + 1, a + columns + 2});
+      triangles.push_back({a, a + columns + 2, a + columns + 1});
+    }
+  }
+  return mesh_of(points, triangles);
+}
+
+bool is_closed_walk(const BoundaryLoop& loop) {
+  for (std::size_t i = 0; i < loop.edges.size(); ++i) {
+    if (loop.edges[i].to != loop.edges[(i + 1) % loop.edges.size()].from) return false;
+  }
+  return !loop.edges.empty();
+}
+
+const auto no_hole = [](int, int) { return false; };
+
+TEST(BoundaryLoops, OneTriangle) {
+  const TriangleMesh mesh = mesh_of({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}});
+  const BoundaryLoops result = boundary_loops(mesh);
+  ASSERT_EQ(result.loops.size(), 1U);
+  EXPECT_EQ(result.loops[0].edges.size(), 3U);
+  EXPECT_DOUBLE_EQ(result.loops[0].perimeter, 12);
+  EXPECT_TRUE(result.loops[0].pin_hole);
+  EXPECT_EQ(result.loops[0].edges[0].from, VertexId(0));  // lexicographically first
+  EXPECT_EQ(result.loops[0].edges[0].to, VertexId(1));    // in the triangle's direction
+  EXPECT_DOUBLE_EQ(result.median_edge, 4);
+}
+
+TEST(BoundaryLoops, GridHasItsOutline) {
+  const TriangleMesh mesh = grid(6, 5, no_hole);
+  const BoundaryLoops result = boundary_loops(mesh);
+  ASSERT_EQ(result.loops.size(), 1U);
+  EXPECT_TRUE(is_closed_walk(result.loops[0]));
+  EXPECT_EQ(result.loops[0].edges.size(), 22U);
+  EXPECT_DOUBLE_EQ(result.loops[0].perimeter, 22);
+  EXPECT_FALSE(result.loops[0].pin_hole);
+  EXPECT_EQ(result.rims(), 1U);
+  for (const BoundaryEdge& edge : result.loops[0].edges) {
+    const Triangle& t = mesh.triangles[edge.triangle];
+    EXPECT_NE(std::find(t.begin(), t.end(), edge.from), t.end());
+    EXPECT_NE(std::find(t.begin(), t.end(), edge.to), t.end());
+  }
+}
+
+TEST(BoundaryLoops, HolesAreLoopsAndSmallOnesPinHoles) {
+  const TriangleMesh mesh = grid(20, 20, [](int x, int y) {
+    return (x == 3 && y == 3) || (x >= 9 && x < 14 && y >= 9 && y < 14);
+  });
+  const BoundaryLoops result = boundary_loops(mesh);
+  ASSERT_EQ(result.loops.size(), 3U);
+  EXPECT_EQ(result.pin_holes, 1U);
+  EXPECT_EQ(result.loops[0].edges.size(), 80U);
+  EXPECT_EQ(result.loops[1].edges.size(), 4U);
+  EXPECT_TRUE(result.loops[1].pin_hole);
+  EXPECT_EQ(result.loops[2].edges.size(), 20U);
+  for (const BoundaryLoop& loop : result.loops) EXPECT_TRUE(is_closed_walk(loop));
+}
+
+TEST(BoundaryLoops, HolesThatTouchAtAVertexStaySeparate) {
+  // Two square holes share the corner (2, 2): its two fans are passed one at a time.
+  const TriangleMesh mesh =
+      grid(4, 4, [](int x, int y) { return (x == 1 && y == 1) || (x == 2 && y == 2); });
+  const BoundaryLoops result = boundary_loops(mesh);
+  std::size_t edges = 0;
+  for (const BoundaryLoop& loop : result.loops) {
+    EXPECT_TRUE(is_closed_walk(loop));
+    edges += loop.edges.size();
+  }
+  EXPECT_EQ(edges, 16U + 4U + 4U);
+}
+
+TEST(BoundaryLoops, OrientationOfTheInputDoesNotMatter) {
+  TriangleMesh mesh = grid(6, 5, no_hole);
+  const BoundaryLoops expected = boundary_loops(mesh);
+  Random random(3);
+  for (Triangle& t : mesh.triangles) {
+    if (random.uniform() < 0.3) std::swap(t[1], t[2]);
+  }
+  const BoundaryLoops result = boundary_loops(mesh);
+  ASSERT_EQ(result.loops.size(), 1U);
+  EXPECT_TRUE(is_closed_walk(result.loops[0]));
+  EXPECT_EQ(result.loops[0].edges[0].to, expected.loops[0].edges[0].to);
+}
+
+TEST(BoundaryLoops, SurplusTrianglesAreLeftOut) {
+  // A fin stands on an inner edge of the grid: the flat pair stays.
+  TriangleMesh mesh = grid(6, 5, no_hole);
+  const VertexId top = mesh.points.push_back({1.5, 1, 1});
+  mesh.triangles.push_back({VertexId(8), VertexId(9), top});
+  const BoundaryLoops result = boundary_loops(mesh);
+  EXPECT_EQ(result.surplus_triangles, 1U);
+  ASSERT_EQ(result.loops.size(), 1U);
+  EXPECT_EQ(result.loops[0].edges.size(), 22U);
+}
+
+TEST(BoundaryLoops, DebrisIsNotListed) {
+  TriangleMesh mesh = grid(10, 10, no_hole);
+  const VertexId a = mesh.points.push_back({50, 0, 0});
+  const VertexId b = mesh.points.push_back({51, 0, 0});
+  const VertexId c = mesh.points.push_back({50, 1, 0});
+  mesh.triangles.push_back({a, b, c});
+  const BoundaryLoops result = boundary_loops(mesh);
+  EXPECT_EQ(result.loops.size(), 1U);
+  EXPECT_EQ(result.small_components, 1U);
+  EXPECT_EQ(result.discarded_loops, 1U);
+  EXPECT_EQ(boundary_loops(mesh, {.min_component_share = 0}).loops.size(), 2U);
+}
+
+TEST(BoundaryLoops, MoebiusStripHasOneLoop) {
+  std::vector<Point> points;
+  std::vector<std::array<int, 3>> triangles;
+  const int n = 12;
+  for (int i = 0; i < n; ++i) {
+    const double u = 2 * std::numbers::pi * i / n;
+    for (const double w : {-0.3, 0.3}) {
+      const double ring = 1 + w * std::cos(u / 2);
+      points.push_back({ring * std::cos(u), ring * std::sin(u), w * std::sin(u / 2)});
+    }
+    const int next = (i + 1) % n;
+    const int a = 2 * next + (next == 0 ? 1 : 0);  // the last piece is turned over
+    const int b = 2 * next + (next == 0 ? 0 : 1);
+    triangles.push_back({2 * i, a, 2 * i + 1});
+    triangles.push_back({2 * i + 1, a, b});
+  }
+  const BoundaryLoops result = boundary_loops(mesh_of(points, triangles));
+  EXPECT_EQ(result.non_orientable, 1U);
+  ASSERT_EQ(result.loops.size(), 1U);
+  EXPECT_EQ(result.loops[0].edges.size(), 24U);
+  EXPECT_TRUE(is_closed_walk(result.loops[0]));
+}
+
+TEST(BoundaryLoops, ClosedAndEmptySurfacesHaveNone) {
+  const TriangleMesh tetrahedron = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
+  EXPECT_TRUE(boundary_loops(tetrahedron).loops.empty());
+  EXPECT_TRUE(boundary_loops(TriangleMesh{}).loops.empty());
+}
+
+TEST(OrientSurface, MajorityDecides) {
+  TriangleMesh mesh = grid(5, 5, no_hole);
+  const TriangleMesh expected = mesh;
+  std::swap(mesh.triangles[TriangleId(7)][1], mesh.triangles[TriangleId(7)][2]);
+  const OrientationReport report = orient_surface(mesh);
+  EXPECT_EQ(report.flipped, 1U);
+  EXPECT_EQ(report.components, 1U);
+  EXPECT_EQ(mesh, expected);
+}
+
+TEST(BoundaryLoops, PatchHasOneRim) {
+  for (const double rho : {0.13, 0.3, 0.5}) {
+    ReconstructOptions options = open_cloud_defaults();
+    options.boundary.rho = rho;
+    const ReconstructResult open = reconstruct_cocone(shapes::dome_patch(30, 0.3, 4), options);
+    const BoundaryLoops result = boundary_loops(open.mesh);
+    EXPECT_EQ(result.rims(), 1U) << rho;
+    EXPECT_EQ(result.pin_holes, 0U) << rho;
+    EXPECT_EQ(mesh_check(open.mesh).euler, 1) << rho;
+  }
+}
+
+}  // namespace
+}  // namespace cocoon

@@ -1,0 +1,154 @@
+#include "cocone/cocones.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "cocone/double_cone.h"
+#include "delaunay/circulate.h"
+#include "ref/dense_cocone_sampling.h"
+#include "tests/cocone/sample_shapes.h"
+#include "tests/cocone/stages.h"
+
+namespace cocoon {
+namespace {
+
+constexpr double cosine = 0.38268343236508977;
+
+TEST(DoubleCone, SidesAreOrderedAlongTheNormal) {
+  const Vec3 n{0, 0, 1};
+  EXPECT_EQ(cone_side({0, 0, -1}, n, cosine * cosine), ConeSide::below);
+  EXPECT_EQ(cone_side({1, 0, -0.1}, n, cosine * cosine), ConeSide::low);
+  EXPECT_EQ(cone_side({1, 0, 0.1}, n, cosine * cosine), ConeSide::high);
+  EXPECT_EQ(cone_side({0, 0.1, 1}, n, cosine * cosine), ConeSide::above);
+  EXPECT_EQ(cone_side({0, 0, 0}, n, cosine * cosine), ConeSide::low);
+}
+
+TEST(DoubleCone, SideDoesNotDependOnLength) {
+  Random random(3);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 n = random.on_unit_sphere();
+    const Vec3 x = random.on_unit_sphere();
+    const ConeSide side = cone_side(x, n, cosine * cosine);
+    for (const double scale : {0x1p-1000, 0x1p-600, 0x1p-300, 0x1p+300, 0x1p+600, 0x1p+1000}) {
+      EXPECT_EQ(cone_side(scale * x, n, cosine * cosine), side) << scale;
+    }
+  }
+}
+
+TEST(Cocones, EndPointTestAgreesWithDenseSampling) {
+  Random random(4);
+  int decided = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3 n = random.on_unit_sphere();
+    const bool is_ray = i % 2 == 0;
+    const Vec3 from = random.uniform(0.1, 3) * random.on_unit_sphere();
+    const Vec3 to = is_ray ? random.on_unit_sphere() : 2.0 * random.on_unit_sphere();
+    const auto sampled = ref::sample_cocone({from, to, is_ray}, {}, n, cosine, 4001);
+    if (sampled.borderline) continue;
+    ++decided;
+    const double squared = cosine * cosine;
+    EXPECT_EQ(meets_cocone(cone_side(from, n, squared), cone_side(to, n, squared)), sampled.meets)
+        << "edge " << i;
+  }
+  EXPECT_GT(decided, 3500);
+}
+
+TEST(Cocones, BothSidesOfAFacetAgree) {
+  const Stages s(shapes::random_torus(800, 0.4, 5));
+  for (const CellId c : s.triangulation.cells()) {
+    for (int i = 0; i < 4; ++i) {
+      const FacetId f = facet_id(c, i);
+      if (!s.triangulation.is_finite_facet(f)) {
+        EXPECT_EQ(s.cocones.row(f), 0U);
+        continue;
+      }
+      const FacetId mirror = s.triangulation.mirror(f);
+      for (const int j : facet_corners[i]) {
+        const int k =
+            index_of_vertex(s.triangulation.cell(cell_of(mirror)), s.triangulation.vertex(c, j));
+        EXPECT_EQ(s.cocones.meets_cocone_of(f, j), s.cocones.meets_cocone_of(mirror, k));
+      }
+    }
+  }
+}
+
+TEST(Cocones, BitsAreThoseOfTheDualEdges) {
+  const Stages s(shapes::dome_patch(12, 0.6, 6));
+  int met = 0;
+  for (const CellId c : s.triangulation.cells()) {
+    for (int i = 0; i < 4; ++i) {
+      const FacetId f = facet_id(c, i);
+      if (!s.triangulation.is_finite_facet(f)) continue;
+      const DualEdge edge = dual_edge(s.triangulation, s.dual, f);
+      for (const int j : facet_corners[i]) {
+        const VertexId v = s.triangulation.vertex(c, j);
+        const auto sampled =
+            ref::sample_cocone(edge, s.triangulation.point(v), s.poles.normals[v], cosine, 2001);
+        if (sampled.borderline) continue;
+        EXPECT_EQ(s.cocones.meets_cocone_of(f, j), sampled.meets);
+        met += sampled.meets;
+      }
+    }
+  }
+  EXPECT_GT(met, 100);
+}
+
+// The radius by sampling every dual edge of the sample.
+double sampled_radius(const Stages& s, VertexId v, bool& borderline) {
+  double radius = 0;
+  for_each_facet_around_vertex(s.triangulation, s.stars, v, [&](FacetId f) {
+    if (!s.triangulation.is_finite_facet(f)) return;
+    const auto sampled =
+        ref::sample_cocone(dual_edge(s.triangulation, s.dual, f), s.triangulation.point(v),
+                           s.poles.normals[v], cosine, 2001);
+    radius = std::max(radius, sampled.radius);
+    borderline |= sampled.borderline;
+  });
+  return radius;
+}
+
+TEST(Cocones, RadiusAgreesWithDenseSampling) {
+  int compared = 0;
+  int infinite = 0;
+  for (const auto& points : {shapes::random_torus(400, 0.4, 7), shapes::dome_patch(12, 0.5, 8)}) {
+    const Stages s(points);
+    for (const VertexId v : s.triangulation.vertices()) {
+      bool borderline = false;
+      const double expected = sampled_radius(s, v, borderline);
+      const double radius = cocone_radius(s.triangulation, s.dual, s.stars, s.poles, s.cocones, v,
+                                          RadiusMode::cocone);
+      if (std::isinf(expected)) {
+        ++infinite;
+        EXPECT_TRUE(std::isinf(radius));
+        continue;
+      }
+      EXPECT_GE(radius, expected * (1 - 1e-9));
+      if (borderline) continue;
+      ++compared;
+      EXPECT_LE(radius, expected * (1 + 1e-6));
+    }
+  }
+  EXPECT_GT(compared, 200);
+  EXPECT_GT(infinite, 3);
+}
+
+TEST(Cocones, TangentPlaneRadiusIsTheConeOpenedByZero) {
+  // In the limit of a cone that leaves only the tangent plane both radii are the same.
+  const std::vector<Point> points = shapes::random_torus(400, 0.4, 9);
+  const Stages s(points);
+  const Cocones flat = intersect_cocones(s.triangulation, s.dual, s.poles, {.cosine = 1e-7});
+  for (const VertexId v : s.triangulation.vertices()) {
+    if (is_hull_vertex(s.triangulation, s.stars, v)) continue;
+    const double plane = cocone_radius(s.triangulation, s.dual, s.stars, s.poles, s.cocones, v,
+                                       RadiusMode::tangent_plane);
+    const double limit =
+        cocone_radius(s.triangulation, s.dual, s.stars, s.poles, flat, v, RadiusMode::cocone);
+    EXPECT_NEAR(plane, limit, 1e-4 * limit);
+    const double opened =
+        cocone_radius(s.triangulation, s.dual, s.stars, s.poles, s.cocones, v, RadiusMode::cocone);
+    EXPECT_LE(plane, opened * (1 + 1e-12));
+  }
+}
+
+}  // namespace
+}  // namespace cocoon

@@ -1,0 +1,94 @@
+#include "cocone/poles.h"
+
+#include <gtest/gtest.h>
+
+#include "ref/brute_force_poles.h"
+#include "tests/cocone/sample_shapes.h"
+#include "tests/cocone/stages.h"
+
+namespace cocoon {
+namespace {
+
+void expect_same_poles(const std::vector<Point>& points, const char* name) {
+  const Stages s(points);
+  const Poles expected = ref::brute_force_poles(s.triangulation, s.dual);
+  EXPECT_EQ(s.poles.hull_vertices, expected.hull_vertices) << name;
+  EXPECT_EQ(s.poles.degenerate_vertices, expected.degenerate_vertices) << name;
+  EXPECT_EQ(s.poles.degenerate, expected.degenerate) << name;
+  for (const VertexId v : s.triangulation.vertices()) {
+    EXPECT_EQ(s.poles.normals[v], expected.normals[v]) << name << " vertex " << v.value;
+    EXPECT_DOUBLE_EQ(s.poles.heights[v], expected.heights[v]) << name << " vertex " << v.value;
+  }
+}
+
+TEST(Poles, AgreeWithBruteForce) {
+  expect_same_poles(shapes::random_cube(200, 1), "random cube");
+  expect_same_poles(shapes::random_torus(300, 0.4, 2), "torus");
+  expect_same_poles(shapes::dome_patch(14, 0.5, 3), "dome");
+  expect_same_poles(shapes::cube_grid(4), "cube grid");
+  expect_same_poles(shapes::latitude_sphere(7, 12), "latitude sphere");
+}
+
+TEST(Poles, OctahedronPointsOutward) {
+  // Each vertex of the octahedron is on the hull; by symmetry its normal is its own direction. All
+  // Voronoi vertices are the center (rounded), at distance 1 below.
+  const Stages s({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
+  EXPECT_EQ(s.poles.hull_vertices, 6U);
+  EXPECT_EQ(s.poles.degenerate_vertices, 0U);
+  for (const VertexId v : s.triangulation.vertices()) {
+    EXPECT_LT(distance(s.poles.normals[v], s.triangulation.point(v)), 1e-15);
+    EXPECT_DOUBLE_EQ(s.poles.heights[v], 1);
+  }
+}
+
+TEST(Poles, NormalsOfASphereAreRadial) {
+  const Stages s(shapes::joined(shapes::sphere(2000, 5), {{0, 0, 0}}));
+  for (const VertexId v : s.triangulation.vertices()) {
+    const Point& p = s.triangulation.point(v);
+    if (norm(p) < 0.5) continue;
+    EXPECT_GT(std::abs(dot(s.poles.normals[v], p)), 0.98);
+    EXPECT_NEAR(norm(s.poles.normals[v]), 1, 1e-15);
+  }
+}
+
+TEST(Poles, CancelingHullNormalsAreDegenerate) {
+  // The rim of a nearly flat patch: hull facets above and below.
+  std::vector<Vec3> directions{unit({0.01, 0, 1}), unit({0.01, 0, -1})};
+  const HullNormal result = hull_normal(directions);
+  EXPECT_TRUE(result.degenerate);
+  EXPECT_GT(std::abs(result.normal.z), 0.999);
+  std::vector<Vec3> agreeing{unit({0.1, 0, 1}), unit({-0.1, 0, 1})};
+  EXPECT_FALSE(hull_normal(agreeing).degenerate);
+}
+
+TEST(Poles, HullNormalDoesNotDependOnOrder) {
+  Random random(17);
+  std::vector<Vec3> directions;
+  for (int i = 0; i < 9; ++i) directions.push_back(random.on_unit_sphere() + Vec3{0, 0, 1.5});
+  for (Vec3& d : directions) d = unit(d);
+  const Vec3 expected = hull_normal(directions).normal;
+  for (int i = 0; i < 20; ++i) {
+    random.shuffle(directions);
+    EXPECT_EQ(hull_normal(directions).normal, expected);
+  }
+}
+
+TEST(Poles, FarCircumcentersDoNotOverflow) {
+  // Five points of which four are coplanar up to the last bit: a circumcenter near 1e300 away would
+  // overflow if squared.
+  const Stages s({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1e-200}, {0.3, 0.4, 1}});
+  for (const VertexId v : s.triangulation.vertices()) {
+    EXPECT_NEAR(norm(s.poles.normals[v]), 1, 1e-12);
+    EXPECT_FALSE(std::isnan(s.poles.heights[v]));
+  }
+}
+
+TEST(Poles, SameForEveryThreadCount) {
+  const Stages s(shapes::random_torus(12000, 0.4, 8));
+  const Poles threaded = compute_poles(s.triangulation, s.dual, s.stars, {.threads = 3});
+  EXPECT_EQ(threaded.normals, s.poles.normals);
+  EXPECT_EQ(threaded.heights, s.poles.heights);
+}
+
+}  // namespace
+}  // namespace cocoon

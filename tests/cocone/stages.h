@@ -1,0 +1,36 @@
+// The first stages run on a point set, for tests that look between them.
+#pragma once
+
+#include <vector>
+
+#include "cocone/boundary_samples.h"
+#include "cocone/candidate_triangles.h"
+#include "cocone/cocones.h"
+#include "cocone/poles.h"
+#include "delaunay/delaunay.h"
+#include "delaunay/vertex_stars.h"
+#include "delaunay/voronoi_dual.h"
+
+namespace cocoon {
+
+struct Stages {
+  explicit Stages(Triangulation of_points)
+      : triangulation(std::move(of_points)),
+        dual(voronoi_dual(triangulation)),
+        stars(vertex_stars(triangulation)),
+        poles(compute_poles(triangulation, dual, stars)),
+        cocones(intersect_cocones(triangulation, dual, poles)) {}
+  explicit Stages(const std::vector<Point>& points) : Stages(delaunay(points).triangulation) {}
+
+  BoundarySamples labels(const BoundaryOptions& options = {}) const {
+    return boundary_samples(triangulation, dual, stars, poles, cocones, options);
+  }
+
+  Triangulation triangulation;
+  Dual dual;
+  VertexStars stars;
+  Poles poles;
+  Cocones cocones;
+};
+
+}  // namespace cocoon

@@ -1,0 +1,167 @@
+#include "cocone/umbrella.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <set>
+
+#include "cocone/prune_sharp_edges.h"
+#include "tests/cocone/sample_shapes.h"
+#include "tests/cocone/stages.h"
+
+namespace cocoon {
+namespace {
+
+// The octahedron with its center: eight tetrahedra, eight hull facets, twelve inner facets.
+struct Octahedron {
+  Octahedron()
+      : triangulation(
+            delaunay(
+                std::vector<Point>{
+                    {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0, 0, 0}})
+                .triangulation) {}
+
+  VertexId vertex(const Point& p) const {
+    for (const VertexId v : triangulation.vertices()) {
+      if (triangulation.point(v) == p) return v;
+    }
+    return {};
+  }
+  bool on_hull(FacetId f) const {
+    return triangulation.is_infinite(cell_of(f)) ||
+           triangulation.is_infinite(cell_of(triangulation.mirror(f)));
+  }
+  // Facets for which `wanted` holds.
+  template <class Wanted>
+  FacetSet facets(Wanted wanted) const {
+    FacetSet set(triangulation.num_cells());
+    for (const CellId c : triangulation.finite_cells()) {
+      for (int i = 0; i < 4; ++i) {
+        if (wanted(facet_id(c, i))) set.insert(triangulation, facet_id(c, i));
+      }
+    }
+    return set;
+  }
+  bool contains(FacetId f, VertexId v) const {
+    const auto corners = triangulation.facet_vertices(f);
+    return std::find(corners.begin(), corners.end(), v) != corners.end();
+  }
+
+  Triangulation triangulation;
+};
+
+VertexSet no_boundary(const Triangulation& t) { return VertexSet(t.num_vertices(), 0); }
+
+TEST(Umbrella, ClosedSurfaceHasGoodVertices) {
+  const Octahedron o;
+  ASSERT_EQ(o.triangulation.num_finite_cells(), 8U);
+  const FacetSet hull = o.facets([&](FacetId f) { return o.on_hull(f); });
+  const TriangleFans fans = triangle_fans(o.triangulation, hull);
+  EXPECT_EQ(fans.size(), 8U);
+  const GoodVertices good = good_vertices(fans, no_boundary(o.triangulation));
+  EXPECT_EQ(good.count, 6U);
+  EXPECT_EQ(good.good[o.vertex({0, 0, 0})], 0);
+  const VertexSet umbrella = vertices_with_umbrella(fans, 0.5);
+  EXPECT_EQ(std::count(umbrella.begin(), umbrella.end(), 1), 6);
+}
+
+TEST(Umbrella, AMissingTriangleMakesItsCornersPoor) {
+  const Octahedron o;
+  const VertexId x = o.vertex({1, 0, 0});
+  const VertexId y = o.vertex({0, 1, 0});
+  const VertexId z = o.vertex({0, 0, 1});
+  const FacetSet torn = o.facets([&](FacetId f) {
+    return o.on_hull(f) && !(o.contains(f, x) && o.contains(f, y) && o.contains(f, z));
+  });
+  const TriangleFans fans = triangle_fans(o.triangulation, torn);
+  const GoodVertices good = good_vertices(fans, no_boundary(o.triangulation));
+  EXPECT_EQ(good.count, 3U);
+  for (const VertexId v : {x, y, z}) EXPECT_EQ(good.good[v], 0);
+  // around the corners of the hole nothing closes either
+  const VertexSet umbrella = vertices_with_umbrella(fans, 0.5);
+  for (const VertexId v : {x, y, z}) EXPECT_EQ(umbrella[v], 0);
+}
+
+TEST(Umbrella, AThirdTriangleAtASpokeMakesAVertexPoorButLeavesItsUmbrella) {
+  const Octahedron o;
+  const VertexId x = o.vertex({1, 0, 0});
+  const VertexId y = o.vertex({0, 1, 0});
+  const VertexId center = o.vertex({0, 0, 0});
+  const FacetSet flap = o.facets([&](FacetId f) {
+    return o.on_hull(f) || (o.contains(f, x) && o.contains(f, y) && o.contains(f, center));
+  });
+  const TriangleFans fans = triangle_fans(o.triangulation, flap);
+  ASSERT_EQ(fans.size(), 9U);
+  const GoodVertices good = good_vertices(fans, no_boundary(o.triangulation));
+  EXPECT_EQ(good.good[x], 0);
+  EXPECT_EQ(good.good[y], 0);
+  EXPECT_EQ(good.count, 4U);
+  EXPECT_EQ(vertices_with_umbrella(fans, 0.5)[x], 1);
+}
+
+TEST(Umbrella, BoundarySamplesAtCreasesAreDemoted) {
+  // The dihedral of the octahedron is 109.5 degrees. Taken as a crease, its boundary samples are
+  // poor; taken as a fold, every vertex is.
+  const Octahedron o;
+  const FacetSet hull = o.facets([&](FacetId f) { return o.on_hull(f); });
+  const TriangleFans fans = triangle_fans(o.triangulation, hull);
+  VertexSet boundary = no_boundary(o.triangulation);
+  boundary[o.vertex({1, 0, 0})] = 1;
+  EXPECT_EQ(good_vertices(fans, boundary).count, 6U);
+  const GoodVertices creased = good_vertices(fans, boundary, {.crease_cosine = -0.5});
+  EXPECT_EQ(creased.count, 5U);
+  EXPECT_EQ(creased.demoted, 1U);
+  EXPECT_EQ(good_vertices(fans, boundary, {.fold_cosine = -0.5}).demoted, 6U);
+}
+
+TEST(PruneSharpEdges, AStandingFlapGoesTheSurfaceStays) {
+  // Three inner facets hang into the octahedron from the hull. At (1,0,0)-(0,1,0) the flap makes an
+  // edge with three candidates; its other edges, with one candidate, end at the center, which has
+  // no umbrella: pruning does not touch it.
+  const Octahedron o;
+  const VertexId x = o.vertex({1, 0, 0});
+  const VertexId y = o.vertex({0, 1, 0});
+  const VertexId center = o.vertex({0, 0, 0});
+  const FacetSet flap = o.facets([&](FacetId f) {
+    return o.on_hull(f) || (o.contains(f, x) && o.contains(f, y) && o.contains(f, center));
+  });
+  const PrunedCandidates guarded = prune_sharp_edges(o.triangulation, flap);
+  EXPECT_EQ(guarded.pruned, 0U);
+  EXPECT_EQ(guarded.umbrellas, 6U);
+}
+
+TEST(PruneSharpEdges, UnravelsFromAHoleBetweenUmbrellas) {
+  // All twenty facets: every vertex has an umbrella, no edge is sharp. Then with 100 degrees as the
+  // limit the four inner edges of the octahedron (dihedrals 90) are sharp and empty the inside.
+  const Octahedron o;
+  const FacetSet all = o.facets([](FacetId) { return true; });
+  ASSERT_EQ(all.size(), 20U);
+  const PrunedCandidates none = prune_sharp_edges(o.triangulation, all);
+  EXPECT_EQ(none.candidates, 20U);
+  EXPECT_EQ(none.pruned, 0U);
+  EXPECT_EQ(none.umbrellas, 7U);
+}
+
+TEST(PruneSharpEdges, DoesNotDependOnInputOrder) {
+  const std::vector<Point> points = shapes::noisy_sphere(3000, 0.01, 2);
+  const auto pruned_points = [](const std::vector<Point>& cloud) {
+    const Stages s(cloud);
+    const FacetSet candidates =
+        candidate_triangles(s.triangulation, s.cocones, s.labels().boundary);
+    const PrunedCandidates pruned = prune_sharp_edges(s.triangulation, candidates);
+    EXPECT_GT(pruned.pruned, 20U);
+    EXPECT_EQ(pruned.candidates - pruned.pruned, pruned.facets.size());
+    std::multiset<std::array<Point, 3>> left;
+    pruned.facets.for_each(s.triangulation, [&](FacetId f) {
+      std::array<Point, 3> corners;
+      const auto v = s.triangulation.facet_vertices(f);
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = s.triangulation.point(v[k]);
+      std::sort(corners.begin(), corners.end());
+      left.insert(corners);
+    });
+    return left;
+  };
+  EXPECT_EQ(pruned_points(points), pruned_points(shapes::shuffled(points, 5)));
+}
+
+}  // namespace
+}  // namespace cocoon
