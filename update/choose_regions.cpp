@@ -1,0 +1,117 @@
+#include "update/choose_regions.h"
+
+#include <algorithm>
+#include <string>
+
+#include "geom/errors.h"
+
+namespace cocoon {
+
+namespace {
+
+// What is left of one loop for the decision.
+struct LoopRange {
+  bool decides = false;  // saw two regions at least
+  double smallest = 0;
+  double largest = 0;
+  double midpoint() const { return 0.5 * (smallest + largest); }
+  double margin() const { return largest - smallest; }
+};
+
+LoopRange loop_range(const RegionAngles& loop, double min_edge_share) {
+  std::size_t most_edges = 0;
+  for (const AngleMean& mean : loop.regions) most_edges = std::max(most_edges, mean.edges);
+  const double min_edges = min_edge_share * static_cast<double>(most_edges);
+
+  LoopRange range;
+  std::size_t seen = 0;
+  for (const AngleMean& mean : loop.regions) {
+    if (mean.edges == 0 || static_cast<double>(mean.edges) < min_edges) continue;
+    range.smallest = seen == 0 ? mean.mean() : std::min(range.smallest, mean.mean());
+    range.largest = seen == 0 ? mean.mean() : std::max(range.largest, mean.mean());
+    ++seen;
+  }
+  range.decides = seen >= 2;
+  return range;
+}
+
+// Sums over the loops of one cloud, per region.
+struct RegionSum {
+  double angle = 0;            // all loops
+  std::size_t edges = 0;       // all loops
+  double difference = 0;       // from the midpoint, deciding loops
+  std::size_t deciding_edges = 0;
+};
+
+void keep_the_largest_mean(RegionChoice& choice) {
+  if (choice.replaced.empty()) return;
+  for (const std::uint8_t flag : choice.replaced) {
+    if (flag == 0) return;
+  }
+  const RegionVerdict* best = nullptr;
+  for (const CloudChoice& cloud : choice.clouds) {
+    for (const RegionVerdict& verdict : cloud.regions) {
+      if (best == nullptr || verdict.mean_angle > best->mean_angle) best = &verdict;
+    }
+  }
+  if (best == nullptr) return;
+  choice.replaced[best->region] = 0;
+  choice.kept_largest = true;
+}
+
+}  // namespace
+
+RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num_clouds,
+                            const ChoiceOptions& options) {
+  const std::size_t num_regions = loops.empty() ? 0 : loops.front().regions.size();
+  RegionChoice choice;
+  choice.replaced = IdVector<RegionId, std::uint8_t>(num_regions, 0);
+  choice.clouds.resize(num_clouds);
+
+  // 1. Per cloud and region: mean angles, and where they lie to the midpoints of the loops.
+  std::vector<IdVector<RegionId, RegionSum>> sums(num_clouds,
+                                                  IdVector<RegionId, RegionSum>(num_regions));
+  for (const RegionAngles& loop : loops) {
+    if (loop.regions.size() != num_regions || loop.cloud >= num_clouds) {
+      throw InputError("choose_regions: a loop of cloud " + std::to_string(loop.cloud) +
+                       " does not fit the other loops; pass angles of one segmentation");
+    }
+    const LoopRange range = loop_range(loop, options.min_edge_share);
+    if (!range.decides) {
+      ++choice.undecided_loops;
+    } else {
+      double& margin = choice.clouds[loop.cloud].margin;
+      margin = std::min(margin, range.margin());
+      if (range.margin() < options.narrow_margin) ++choice.narrow;
+      if (range.margin() < options.ambiguous_margin) choice.status = ChoiceStatus::ambiguous;
+    }
+    for (const RegionId r : loop.regions.ids()) {
+      const AngleMean& mean = loop.regions[r];
+      RegionSum& sum = sums[loop.cloud][r];
+      sum.angle += mean.sum;
+      sum.edges += mean.edges;
+      if (!range.decides) continue;
+      sum.difference += mean.sum - static_cast<double>(mean.edges) * range.midpoint();
+      sum.deciding_edges += mean.edges;
+    }
+  }
+
+  // 2. A region under any cloud is replaced.
+  for (std::size_t c = 0; c < num_clouds; ++c) {
+    for (const RegionId r : sums[c].ids()) {
+      const RegionSum& sum = sums[c][r];
+      if (sum.edges == 0) continue;
+      const bool under = sum.deciding_edges > 0 && sum.difference < 0;
+      choice.clouds[c].regions.push_back(
+          {r, sum.angle / static_cast<double>(sum.edges), sum.edges, under});
+      if (under) choice.replaced[r] = 1;
+    }
+  }
+  keep_the_largest_mean(choice);
+  if (choice.status == ChoiceStatus::ambiguous) {
+    std::fill(choice.replaced.begin(), choice.replaced.end(), std::uint8_t{0});
+  }
+  return choice;
+}
+
+}  // namespace cocoon

@@ -1,0 +1,67 @@
+// The angle condition: which regions lie under a cloud and are replaced by it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "geom/id_vector.h"
+#include "geom/ids.h"
+#include "update/rim_angles.h"
+
+namespace cocoon {
+
+struct ChoiceOptions {
+  // A region that fewer of a loop's edges see does not take part in the loop's midpoint.
+  double min_edge_share = 0.1;
+  // Regions of a loop whose means are closer to each other than this cannot be told apart.
+  double ambiguous_margin = 1.0 * std::numbers::pi / 180;
+  // Below this margin the choice is made and `narrow` counts it.
+  double narrow_margin = 30.0 * std::numbers::pi / 180;
+};
+
+enum class ChoiceStatus {
+  ok,
+  ambiguous,  // a loop's regions have equal angles: nothing is replaced
+};
+
+// How one cloud saw one region.
+struct RegionVerdict {
+  RegionId region;
+  double mean_angle = 0;    // over all loops of the cloud, radians
+  std::size_t edges = 0;    // rim edges that counted
+  bool under_cloud = false;
+};
+
+struct CloudChoice {
+  std::vector<RegionVerdict> regions;  // those it saw, in the order of ids
+  // Smallest difference between the extreme means of a loop, radians; pi if no loop decided.
+  double margin = std::numbers::pi;
+};
+
+struct RegionChoice {
+  ChoiceStatus status = ChoiceStatus::ok;
+  IdVector<RegionId, std::uint8_t> replaced;  // one flag per region
+  std::vector<CloudChoice> clouds;
+  std::size_t undecided_loops = 0;  // loops that saw fewer than two regions: nothing inside them
+  std::size_t narrow = 0;           // loops with a margin below narrow_margin
+  bool kept_largest = false;  // all regions were under clouds: the one with the largest mean stays
+};
+
+// Decides for each cloud which of the regions at its loops lie under it:
+//   per loop, the regions are compared with the midpoint between the loop's smallest and largest
+//   mean; per cloud and region the differences from the midpoints are averaged over its loops,
+//   weighted with edges; a negative average means that the region lies under the cloud.
+// A region under any cloud is replaced. For one loop and two regions this is the paper's rule: the
+// smaller mean is replaced. A region that no loop saw is kept; so is everything if a loop's means
+// are closer than ambiguous_margin.
+// `loops`: one entry per loop of any cloud, with its cloud set; `num_clouds` sets the length of the
+// result's list. Precondition: all entries have the same number of regions (else InputError).
+// Complexity: O(loops * regions).
+// Source: Woo & Dey 2005, section 3.4, angle condition; several loops: their airbag example.
+RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num_clouds,
+                            const ChoiceOptions& options = {});
+
+}  // namespace cocoon

@@ -1,0 +1,104 @@
+#include "update/loop_sides.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "cocone/boundary_loops.h"
+
+namespace cocoon {
+
+namespace {
+
+// The facets of the band, each once.
+std::vector<TriangleId> band_facets(const LoopBorder& band) {
+  std::vector<TriangleId> facets = band.facets;
+  facets.insert(facets.end(), band.bridges.begin(), band.bridges.end());
+  std::sort(facets.begin(), facets.end());
+  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+  return facets;
+}
+
+// The facet of the model across the edge of `facet` that does not hold the third corner.
+TriangleId across(const TriangleMesh& model, const MeshAdjacency& adjacency, TriangleId facet,
+                  VertexId from, VertexId to) {
+  const Triangle& corners = model.triangles[facet];
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (corners[i] != from && corners[i] != to) return adjacency.neighbors[facet][i];
+  }
+  return {};
+}
+
+// The band as a mesh of its own, with vertices numbered from 0.
+TriangleMesh band_mesh(const TriangleMesh& model, const std::vector<TriangleId>& facets,
+                       std::vector<VertexId>& model_vertex) {
+  for (const TriangleId t : facets) {
+    const Triangle& corners = model.triangles[t];
+    model_vertex.insert(model_vertex.end(), corners.begin(), corners.end());
+  }
+  std::sort(model_vertex.begin(), model_vertex.end());
+  model_vertex.erase(std::unique(model_vertex.begin(), model_vertex.end()), model_vertex.end());
+  auto local = [&](VertexId v) {
+    const auto position = std::lower_bound(model_vertex.begin(), model_vertex.end(), v);
+    return VertexId(static_cast<std::size_t>(position - model_vertex.begin()));
+  };
+  TriangleMesh mesh;
+  for (const VertexId v : model_vertex) mesh.points.push_back(model.points[v]);
+  for (const TriangleId t : facets) {
+    const Triangle& corners = model.triangles[t];
+    mesh.triangles.push_back({local(corners[0]), local(corners[1]), local(corners[2])});
+  }
+  return mesh;
+}
+
+RegionId majority(const std::map<RegionId, std::size_t>& edges_at) {
+  RegionId best;
+  std::size_t most = 0;
+  for (const auto& [region, edges] : edges_at) {
+    if (edges > most) {
+      best = region;
+      most = edges;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+LoopSides loop_sides(const TriangleMesh& model, const MeshAdjacency& adjacency,
+                     const LoopBorder& band, const Regions& regions) {
+  LoopSides result;
+  const std::vector<TriangleId> facets = band_facets(band);
+  std::vector<VertexId> model_vertex;
+  const TriangleMesh mesh = band_mesh(model, facets, model_vertex);
+
+  for (const std::vector<BoundaryEdge>& curve : boundary_loops(mesh)) {
+    std::map<RegionId, std::size_t> edges_at;
+    for (const BoundaryEdge& edge : curve) {
+      const TriangleId other =
+          across(model, adjacency, facets[edge.triangle.index()],
+                 model_vertex[edge.from.index()], model_vertex[edge.to.index()]);
+      if (other.is_none() || regions.region_of_facet[other].is_none()) continue;
+      ++edges_at[regions.region_of_facet[other]];
+    }
+    result.sides.push_back({curve.size(), majority(edges_at)});
+  }
+  std::sort(result.sides.begin(), result.sides.end(), [](const LoopSide& a, const LoopSide& b) {
+    return std::tuple(b.edges, a.region) < std::tuple(a.edges, b.region);
+  });
+
+  std::vector<RegionId> longest;
+  for (const LoopSide& side : result.sides) {
+    if (!side.region.is_none() && longest.size() < 2) longest.push_back(side.region);
+  }
+  if (!band.closed) {
+    result.separation = Separation::open_band;
+  } else if (longest.size() < 2) {
+    result.separation = Separation::encloses_nothing;
+  } else if (longest[0] == longest[1]) {
+    result.separation = Separation::non_separating;
+  }
+  return result;
+}
+
+}  // namespace cocoon

@@ -1,0 +1,176 @@
+#include "update/overlapping_facets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "geom/triangle_projection.h"
+#include "update/median.h"
+
+namespace cocoon {
+
+namespace {
+
+constexpr std::size_t points_per_chunk = 64;
+
+// A rim point by loop and position, so that all loops are one parallel range.
+struct RimPoint {
+  std::size_t loop;
+  std::size_t index;
+};
+
+std::vector<RimPoint> all_points(const CloudRim& rim) {
+  std::vector<RimPoint> points;
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    for (std::size_t i = 0; i < rim.loops[l].size(); ++i) points.push_back({l, i});
+  }
+  return points;
+}
+
+// The median edge of a facet: the spacing of the model there.
+double facet_spacing(const TriangleMesh& mesh, TriangleId t) {
+  const Triangle& v = mesh.triangles[t];
+  return median({distance(mesh.points[v[0]], mesh.points[v[1]]),
+                 distance(mesh.points[v[1]], mesh.points[v[2]]),
+                 distance(mesh.points[v[2]], mesh.points[v[0]])});
+}
+
+// +1 or -1 per component: does its surface face like the model or the other way?
+std::map<std::uint32_t, double> component_signs(const ModelIndex& model, const CloudRim& rim,
+                                                const std::vector<RimPoint>& points,
+                                                const std::vector<ClosestFacet>& closest) {
+  std::map<std::uint32_t, double> votes;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const RimLoop& loop = rim.loops[points[k].loop];
+    votes[loop.component] += dot(loop.normals[points[k].index], model.normal(closest[k].triangle));
+  }
+  for (auto& [component, vote] : votes) vote = vote < 0 ? -1 : 1;
+  return votes;
+}
+
+// The paper's choice: the facet at the nearest vertex that contains the projection of b (Eq. 1-3);
+// of several the one with the least distance |D| from its plane.
+ClosestFacet star_facet(const ModelIndex& model, const Point& b, double max_distance) {
+  const TriangleMesh& mesh = model.mesh();
+  ClosestFacet best;
+  best.squared_distance = max_distance * max_distance;
+  for (const TriangleId t : model.adjacency().triangles_at(model.nearest_vertex(b))) {
+    const Triangle& v = mesh.triangles[t];
+    const PlaneProjection projection = project_to_triangle_plane(
+        b, {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]});
+    if (!projection.inside) continue;
+    const double squared = projection.signed_distance * projection.signed_distance;
+    if (squared > best.squared_distance) continue;
+    if (squared == best.squared_distance && !best.triangle.is_none()) continue;
+    best = {t, projection.point, squared};
+  }
+  return best;
+}
+
+struct Location {
+  ClosestFacet facet;  // triangle none: unmatched
+  bool star_miss = false;
+  bool facing_away = false;
+};
+
+Location locate(const ModelIndex& model, const Point& b, const Vec3& facing,
+                const ClosestFacet& closest, double rim_spacing, const OverlapOptions& options) {
+  const double spacing = std::max(rim_spacing, facet_spacing(model.mesh(), closest.triangle));
+  const double max_distance = options.max_distance * spacing;
+  // A point without a normal, or a facet without area, has no side to be on.
+  auto faces_alike = [&](TriangleId t) {
+    if (facing == Vec3{} || model.normal(t) == Vec3{}) return true;
+    return dot(model.normal(t), facing) >= options.min_normal_cosine;
+  };
+  Location location;
+  location.facing_away = !faces_alike(closest.triangle);
+  if (options.rule == LocationRule::nearest_vertex_star) {
+    location.facet = star_facet(model, b, max_distance);
+    if (!location.facet.triangle.is_none()) return location;
+    location.star_miss = true;
+  }
+  location.facet = model.closest(b, max_distance * max_distance, faces_alike);
+  return location;
+}
+
+double unmatched_share(const LoopOverlap& loop) {
+  return static_cast<double>(loop.unmatched) / static_cast<double>(loop.facets.size());
+}
+
+// Loops off the model are holes inside the cloud, unless the longest loop is one of them.
+void match_loops(const CloudRim& rim, double max_unmatched_share, Overlap& overlap) {
+  std::size_t longest = 0;
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    if (rim.loops[l].perimeter > rim.loops[longest].perimeter) longest = l;
+    if (unmatched_share(overlap.loops[l]) > max_unmatched_share) {
+      overlap.loops[l].match = LoopMatch::off_model;
+    }
+  }
+  if (rim.loops.empty() || overlap.loops[longest].match == LoopMatch::off_model) {
+    overlap.status = OverlapStatus::no_overlap;
+  }
+}
+
+}  // namespace
+
+Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
+                           const OverlapOptions& options, const Execution& execution) {
+  report_progress(execution, "overlapping_facets", 0);
+  const std::vector<RimPoint> points = all_points(rim);
+
+  // 1. The closest facet of all: gives the local spacing and the side the cloud is seen from.
+  std::vector<ClosestFacet> closest(points.size());
+  parallel_chunks(execution, points.size(), points_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t k = begin; k < end; ++k) {
+                      closest[k] = model.closest(rim.loops[points[k].loop].points[points[k].index]);
+                    }
+                  });
+  const auto signs = component_signs(model, rim, points, closest);
+
+  // 2. The overlapping facets.
+  std::vector<Location> located(points.size());
+  parallel_chunks(execution, points.size(), points_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t k = begin; k < end; ++k) {
+                      const RimLoop& loop = rim.loops[points[k].loop];
+                      const std::size_t i = points[k].index;
+                      const Vec3 facing = signs.at(loop.component) * loop.normals[i];
+                      located[k] = locate(model, loop.points[i], facing, closest[k], rim.spacing,
+                                          options);
+                    }
+                  });
+
+  // 3. Gathered by loop.
+  Overlap overlap;
+  overlap.loops.resize(rim.loops.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Location& location = located[k];
+    LoopOverlap& loop = overlap.loops[points[k].loop];
+    loop.facets.push_back(location.facet.triangle);
+    loop.feet.push_back(location.facet.point);
+    overlap.star_misses += location.star_miss ? 1 : 0;
+    overlap.facing_away += location.facing_away ? 1 : 0;
+    if (location.facet.triangle.is_none()) {
+      ++loop.unmatched;
+      ++overlap.unmatched;
+      continue;
+    }
+    overlap.facets.push_back(location.facet.triangle);
+    overlap.largest_distance =
+        std::max(overlap.largest_distance, std::sqrt(location.facet.squared_distance));
+  }
+  std::sort(overlap.facets.begin(), overlap.facets.end());
+  overlap.facets.erase(std::unique(overlap.facets.begin(), overlap.facets.end()),
+                       overlap.facets.end());
+  match_loops(rim, options.max_unmatched_share, overlap);
+  report_progress(execution, "overlapping_facets", 1);
+  return overlap;
+}
+
+Overlap overlapping_facets(const TriangleMesh& model, const CloudRim& rim,
+                           const OverlapOptions& options, const Execution& execution) {
+  return overlapping_facets(ModelIndex(model), rim, options, execution);
+}
+
+}  // namespace cocoon

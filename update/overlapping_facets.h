@@ -1,0 +1,76 @@
+// Where the rim of a cloud lies on the model: the overlapping facets.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "geom/execution.h"
+#include "geom/ids.h"
+#include "geom/point.h"
+#include "geom/triangle_mesh.h"
+#include "update/cloud_rim.h"
+#include "update/model_index.h"
+
+namespace cocoon {
+
+enum class LocationRule {
+  // The facet with the least distance among those that face the way the cloud does. Default.
+  closest_facet,
+  // The paper's: of the facets at the nearest model vertex, the one that contains the projection;
+  // where there is none, closest_facet. Goes wrong where facets are long (see docs/update.md).
+  nearest_vertex_star,
+};
+
+struct OverlapOptions {
+  LocationRule rule = LocationRule::closest_facet;
+  // A rim point farther from its facet than this many spacings is unmatched. The spacing is the
+  // larger one of the rim's and the model's median edge at the nearest vertex.
+  double max_distance = 3;
+  // |cosine| between facet normal and surface normal below which a facet is not considered. The
+  // sign counts: it keeps the rim off the far side of a thin wall.
+  double min_normal_cosine = 0.5;
+  // A loop with a larger share of unmatched points does not lie on the model.
+  double max_unmatched_share = 0.1;
+};
+
+enum class LoopMatch {
+  on_model,   // at most max_unmatched_share of its points are unmatched
+  off_model,  // not so, but another, longer loop of the cloud is: a hole inside the cloud
+};
+
+struct LoopOverlap {
+  LoopMatch match = LoopMatch::on_model;
+  std::vector<TriangleId> facets;  // per rim point: the overlapping facet, `none` if unmatched
+  std::vector<Point> feet;         // per rim point: its closest point on that facet
+  std::size_t unmatched = 0;
+};
+
+enum class OverlapStatus {
+  ok,
+  no_overlap,  // the longest loop of the cloud does not lie on the model
+};
+
+struct Overlap {
+  OverlapStatus status = OverlapStatus::ok;
+  std::vector<LoopOverlap> loops;   // as in the rim
+  std::vector<TriangleId> facets;   // all overlapping facets, sorted, each once
+  std::size_t unmatched = 0;        // rim points without a facet
+  std::size_t star_misses = 0;      // nearest_vertex_star only: no facet there, closest one taken
+  std::size_t facing_away = 0;      // rim points whose closest facet of all faces the other way
+  double largest_distance = 0;      // of a matched rim point from its facet
+};
+
+// The overlapping facet of each rim point, and which loops lie on the model at all.
+// Whether the surface of a cloud is oriented like the model is decided for each of its components
+// by vote: the sum over rim points of the cosine with the closest facet.
+// Complexity: O(rim log(model)). Deterministic: ties by facet id.
+// Source: Woo & Dey 2005, section 3.3, Eq. 1-3.
+Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
+                           const OverlapOptions& options = {}, const Execution& execution = {});
+
+// The same on a mesh: builds the index first.
+Overlap overlapping_facets(const TriangleMesh& model, const CloudRim& rim,
+                           const OverlapOptions& options = {}, const Execution& execution = {});
+
+}  // namespace cocoon

@@ -1,0 +1,131 @@
+#include "update/replace_points.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+#include "geom/nearest_point.h"
+#include "update/rim_index.h"
+
+namespace cocoon {
+
+namespace {
+
+std::vector<std::uint8_t> used_flags(const TriangleMesh& model) {
+  std::vector<std::uint8_t> used(model.points.size(), 0);
+  for (const Triangle& t : model.triangles) {
+    for (const VertexId v : t) used[v.index()] = 1;
+  }
+  return used;
+}
+
+// Whether the vertex is close to a point of the first cloud, second cloud, ...
+class ThinningTest {
+ public:
+  ThinningTest(std::span<const CloudRim> rims, std::span<const std::vector<Point>> clouds,
+               double share) {
+    if (!(share > 0)) return;
+    for (std::size_t c = 0; c < clouds.size() && c < rims.size(); ++c) {
+      if (clouds[c].empty()) continue;
+      const double reach = share * rims[c].spacing;
+      clouds_.push_back({NearestPointTree(clouds[c]), reach * reach});
+    }
+  }
+  bool is_thinned(const Point& p) const {
+    for (const Cloud& cloud : clouds_) {
+      if (cloud.points.nearest(p).squared_distance < cloud.squared_reach) return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Cloud {
+    NearestPointTree points;
+    double squared_reach;
+  };
+  std::vector<Cloud> clouds_;
+};
+
+// Merges equal points of `points`, keeping the first of each in place; returns the new position of
+// every old one.
+std::vector<PointId> merge_equal(std::vector<Point>& points) {
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto by_position = points[a] <=> points[b];
+    return by_position != 0 ? by_position < 0 : a < b;
+  });
+  std::vector<std::uint32_t> first(points.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool repeats = k > 0 && points[order[k]] == points[order[k - 1]];
+    first[order[k]] = repeats ? first[order[k - 1]] : order[k];
+  }
+  std::vector<PointId> new_position(points.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (first[i] == i) {
+      points[count] = points[i];
+      new_position[i] = PointId(count++);
+    } else {
+      new_position[i] = new_position[first[i]];
+    }
+  }
+  points.resize(count);
+  return new_position;
+}
+
+}  // namespace
+
+Replacement replace_points(const TriangleMesh& model, const Regions& regions,
+                           const RegionChoice& choice, std::span<const CloudRim> rims,
+                           std::span<const std::vector<Point>> clouds,
+                           const ReplaceOptions& options) {
+  Replacement result;
+  const std::vector<std::uint8_t> used = used_flags(model);
+  const RimIndex rim_index(rims);
+  const ThinningTest thinning(rims, clouds, options.thinning_distance);
+
+  // 1. Kept vertices.
+  std::vector<VertexId> kept;
+  for (const VertexId v : model.points.ids()) {
+    if (used[v.index()] == 0) {
+      ++result.unused_vertices;
+      continue;
+    }
+    const RegionId group = regions.group_of_vertex[v];
+    const bool on_border = group.is_none();
+    const bool replaced = on_border ? rim_index.on_cloud_side(model.points[v])
+                                    : choice.replaced[group] != 0;
+    if (on_border) ++(replaced ? result.border_replaced : result.border_kept);
+    if (replaced) {
+      ++result.replaced;
+    } else if (thinning.is_thinned(model.points[v])) {
+      ++result.thinned;
+    } else {
+      kept.push_back(v);
+    }
+  }
+  result.kept = kept.size();
+
+  // 2. Then the clouds; equal points once.
+  for (const VertexId v : kept) result.points.push_back(model.points[v]);
+  for (const std::vector<Point>& cloud : clouds) {
+    result.points.insert(result.points.end(), cloud.begin(), cloud.end());
+  }
+  const std::size_t gathered = result.points.size();
+  const std::vector<PointId> new_position = merge_equal(result.points);
+  result.duplicates = gathered - result.points.size();
+
+  // 3. Where everything went.
+  result.point_of_vertex = IdVector<VertexId, PointId>(model.points.size());
+  auto next = new_position.begin();
+  for (const VertexId v : kept) result.point_of_vertex[v] = *next++;
+  for (const std::vector<Point>& cloud : clouds) {
+    const auto end = next + static_cast<std::ptrdiff_t>(cloud.size());
+    result.point_of_cloud_point.emplace_back(std::vector<PointId>(next, end));
+    next = end;
+  }
+  return result;
+}
+
+}  // namespace cocoon

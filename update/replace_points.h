@@ -1,0 +1,54 @@
+// The points of the updated model: what is kept of the old one, and the clouds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geom/id_vector.h"
+#include "geom/ids.h"
+#include "geom/point.h"
+#include "geom/triangle_mesh.h"
+#include "update/choose_regions.h"
+#include "update/cloud_rim.h"
+#include "update/segment_model.h"
+
+namespace cocoon {
+
+struct ReplaceOptions {
+  // Kept model vertices closer to a cloud point than this share of the cloud's rim spacing are
+  // dropped, too: where cloud and model overlap, the cloud wins. 0 = off, as in the paper.
+  double thinning_distance = 0;
+};
+
+struct Replacement {
+  // Kept vertices in the order of the model, then the clouds in the order given; of equal points
+  // the first one. All coordinates are those of the input.
+  std::vector<Point> points;
+  // Where a model vertex went; none: replaced, thinned out, or not used by a triangle. Equal
+  // vertices share a point.
+  IdVector<VertexId, PointId> point_of_vertex;
+  std::vector<IdVector<PointId, PointId>> point_of_cloud_point;  // per cloud
+
+  std::size_t kept = 0;             // model vertices, with border vertices
+  std::size_t replaced = 0;         // model vertices, with border vertices
+  std::size_t border_kept = 0;      // of those without a group: outside the rim
+  std::size_t border_replaced = 0;  // and under the cloud
+  std::size_t thinned = 0;
+  std::size_t unused_vertices = 0;  // of the model: in no triangle
+  std::size_t duplicates = 0;       // points left out because an equal one came before
+};
+
+// Replaces the vertices of replaced groups by the clouds. A border vertex, which has no group, is
+// replaced iff it lies on the cloud's side of the rim edge nearest to it; the rims are those that
+// formed the border. A border vertex all of whose neighboring regions are kept although it lies
+// under the cloud is replaced as well: then the cloud covers it without covering a facet.
+// Complexity: O(n log n). Deterministic.
+// Source: Woo & Dey 2005, section 3.4 ("the vertices in the region"; border vertices are open).
+Replacement replace_points(const TriangleMesh& model, const Regions& regions,
+                           const RegionChoice& choice, std::span<const CloudRim> rims,
+                           std::span<const std::vector<Point>> clouds,
+                           const ReplaceOptions& options = {});
+
+}  // namespace cocoon

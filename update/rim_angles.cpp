@@ -1,0 +1,110 @@
+#include "update/rim_angles.h"
+
+#include <vector>
+
+#include "geom/angles.h"
+
+namespace cocoon {
+
+namespace {
+
+// The vertex of each group that is closest to the midpoint of a rim edge, for the few groups near
+// one edge.
+struct NearestOfGroup {
+  RegionId region;
+  VertexId vertex;
+  double squared = 0;
+  bool widened = false;
+};
+
+class NearestOfGroups {
+ public:
+  NearestOfGroups(const TriangleMesh& mesh, const Regions& regions, const Point& midpoint)
+      : mesh_(mesh), regions_(regions), midpoint_(midpoint) {}
+
+  // Enters the corners of a facet. With `only_new` only groups that had no vertex before the first
+  // widened facet take part.
+  void enter(TriangleId facet, bool widened) {
+    for (const VertexId v : mesh_.triangles[facet]) {
+      const RegionId region = regions_.group_of_vertex[v];
+      if (!region.is_none()) offer(region, v, widened);
+    }
+  }
+
+  const std::vector<NearestOfGroup>& found() const { return found_; }
+
+ private:
+  void offer(RegionId region, VertexId v, bool widened) {
+    const double squared = squared_distance(mesh_.points[v], midpoint_);
+    for (NearestOfGroup& entry : found_) {
+      if (entry.region != region) continue;
+      if (widened && !entry.widened) return;  // the facets under the edge come first
+      const bool closer = squared < entry.squared || (squared == entry.squared &&
+                                                      mesh_.points[v] < mesh_.points[entry.vertex]);
+      if (closer) {
+        entry.vertex = v;
+        entry.squared = squared;
+      }
+      return;
+    }
+    found_.push_back({region, v, squared, widened});
+  }
+
+  const TriangleMesh& mesh_;
+  const Regions& regions_;
+  Point midpoint_;
+  std::vector<NearestOfGroup> found_;
+};
+
+// Distance of p from the line through a and b, relative to its distance from a; 0 at an end.
+double relative_height(const Point& a, const Point& b, const Point& p) {
+  const Vec3 along = unit(b - a);
+  const Vec3 offset = p - a;
+  const double length = norm(offset);
+  if (!(length > 0) || p == b) return 0;
+  return norm(offset - dot(offset, along) * along) / length;
+}
+
+}  // namespace
+
+RegionAngles mean_rim_angles(const ModelIndex& model, const Regions& regions, const RimLoop& loop,
+                             const LoopBorder& band, const AngleOptions& options) {
+  const TriangleMesh& mesh = model.mesh();
+  RegionAngles result;
+  result.regions = IdVector<RegionId, AngleMean>(regions.regions.size());
+  if (band.begin.empty()) return result;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const auto facets = band.facets_of(i);
+    if (facets.empty()) continue;
+    const Point& from = loop.points[i];
+    const Point& to = loop.points[loop.next(i)];
+    if (relative_height(from, to, loop.apexes[i]) < options.min_relative_height) {
+      ++result.degenerate;
+      continue;
+    }
+    // The paper's P3, P4: first under the edge, then around.
+    NearestOfGroups nearest(mesh, regions, 0.5 * (from + to));
+    for (const TriangleId t : facets) nearest.enter(t, false);
+    for (const TriangleId t : facets) {
+      for (const VertexId v : mesh.triangles[t]) {
+        for (const TriangleId around : model.adjacency().triangles_at(v)) {
+          nearest.enter(around, true);
+        }
+      }
+    }
+    for (const NearestOfGroup& entry : nearest.found()) {
+      const Point& p = mesh.points[entry.vertex];
+      if (relative_height(from, to, p) < options.min_relative_height) {
+        ++result.degenerate;
+        continue;
+      }
+      AngleMean& mean = result.regions[entry.region];
+      mean.sum += wedge_angle(from, to, loop.apexes[i], p);
+      ++mean.edges;
+      if (entry.widened) ++result.widened;
+    }
+  }
+  return result;
+}
+
+}  // namespace cocoon

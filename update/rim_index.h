@@ -1,0 +1,38 @@
+// The rims of all clouds in one search tree: which rim edge is nearest, and on which side of the
+// rim a point lies.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geom/box_tree.h"
+#include "geom/point.h"
+#include "update/cloud_rim.h"
+
+namespace cocoon {
+
+// Copies what it needs of the rims. Safe to query from many threads.
+class RimIndex {
+ public:
+  // Complexity: O(n log n) for n rim edges.
+  explicit RimIndex(std::span<const CloudRim> rims);
+
+  bool empty() const { return edges_.empty(); }
+  // Whether p lies on the cloud's side of the rim edge nearest to it: the wedge angle between the
+  // edge's cocone triangle and p is below pi / 2. Where an end of edges is what is nearest, the
+  // sides of all edges that end there are added up. No rim: false. Ties by rim order.
+  // Complexity: O(log n) on ordinary rims.
+  bool on_cloud_side(const Point& p) const;
+
+ private:
+  struct Edge {
+    Point from;
+    Point to;
+    Vec3 inward;  // unit, orthogonal to the edge, towards the apex
+  };
+  std::vector<Edge> edges_;
+  BoxTree tree_;
+};
+
+}  // namespace cocoon

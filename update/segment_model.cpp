@@ -1,0 +1,97 @@
+#include "update/segment_model.h"
+
+#include <vector>
+
+namespace cocoon {
+
+namespace {
+
+// Grows regions from the lowest free facet; facets of the border are never entered.
+void grow_regions(const MeshAdjacency& adjacency, const TriangleSet& border, Regions& result) {
+  result.region_of_facet = IdVector<TriangleId, RegionId>(border.size());
+  std::vector<TriangleId> stack;
+  for (const TriangleId seed : border.ids()) {
+    if (border[seed] != 0 || !result.region_of_facet[seed].is_none()) continue;
+    const RegionId id = result.regions.push_back({.first = seed});
+    result.region_of_facet[seed] = id;
+    stack.assign(1, seed);
+    while (!stack.empty()) {
+      const TriangleId t = stack.back();
+      stack.pop_back();
+      ++result.regions[id].facets;
+      for (const TriangleId across : adjacency.neighbors[t]) {
+        if (across.is_none() || border[across] != 0) continue;
+        if (!result.region_of_facet[across].is_none()) continue;
+        result.region_of_facet[across] = id;
+        stack.push_back(across);
+      }
+    }
+  }
+}
+
+// Gives the facets of tiny regions to the border and numbers the others again.
+void merge_islands(std::size_t min_facets, Regions& result) {
+  bool any_large = false;
+  for (const Region& region : result.regions) any_large |= region.facets >= min_facets;
+  if (!any_large) return;
+
+  IdVector<RegionId, RegionId> new_id(result.regions.size());
+  IdVector<RegionId, Region> kept;
+  for (const RegionId r : result.regions.ids()) {
+    if (result.regions[r].facets >= min_facets) {
+      new_id[r] = kept.push_back(result.regions[r]);
+    } else {
+      ++result.merged_islands;
+    }
+  }
+  for (RegionId& region : result.region_of_facet) {
+    if (!region.is_none()) region = new_id[region];
+  }
+  result.regions = std::move(kept);
+}
+
+void group_vertices(const TriangleMesh& model, const MeshAdjacency& adjacency, Regions& result) {
+  result.group_of_vertex = IdVector<VertexId, RegionId>(model.points.size());
+  for (const VertexId v : model.points.ids()) {
+    const auto facets = adjacency.triangles_at(v);
+    if (facets.empty()) continue;
+    RegionId group;
+    bool several = false;
+    for (const TriangleId t : facets) {
+      const RegionId region = result.region_of_facet[t];
+      if (region.is_none()) continue;
+      several |= !group.is_none() && group != region;
+      group = region;
+    }
+    if (several || group.is_none()) {
+      ++result.border_vertices;
+    } else {
+      result.group_of_vertex[v] = group;
+      ++result.regions[group].vertices;
+    }
+  }
+}
+
+}  // namespace
+
+Regions segment_model(const TriangleMesh& model, const MeshAdjacency& adjacency,
+                      const TriangleSet& border, const SegmentOptions& options,
+                      const Execution& execution) {
+  report_progress(execution, "segment_model", 0);
+  Regions result;
+  grow_regions(adjacency, border, result);
+  merge_islands(options.min_region_facets, result);
+  for (const RegionId region : result.region_of_facet) {
+    if (region.is_none()) ++result.border_facets;
+  }
+  group_vertices(model, adjacency, result);
+  report_progress(execution, "segment_model", 1);
+  return result;
+}
+
+Regions segment_model(const TriangleMesh& model, const TriangleSet& border,
+                      const SegmentOptions& options, const Execution& execution) {
+  return segment_model(model, mesh_adjacency(model), border, options, execution);
+}
+
+}  // namespace cocoon

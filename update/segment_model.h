@@ -1,0 +1,50 @@
+// The model cut into regions along the border, and its vertices into groups.
+#pragma once
+
+#include <cstddef>
+
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+#include "geom/ids.h"
+#include "geom/mesh_adjacency.h"
+#include "geom/triangle_mesh.h"
+#include "update/triangle_set.h"
+
+namespace cocoon {
+
+struct SegmentOptions {
+  // A region with fewer facets, cut off by the border among larger ones, becomes part of it.
+  std::size_t min_region_facets = 4;
+};
+
+struct Region {
+  TriangleId first;         // its lowest facet
+  std::size_t facets = 0;
+  std::size_t vertices = 0;  // of its group
+};
+
+struct Regions {
+  IdVector<RegionId, Region> regions;              // in the order of their lowest facets
+  IdVector<TriangleId, RegionId> region_of_facet;  // none: a facet of the border
+  // none: a border vertex, at facets of several regions or of the border only; or a vertex that no
+  // triangle uses.
+  IdVector<VertexId, RegionId> group_of_vertex;
+  std::size_t border_facets = 0;    // with those of merged islands
+  std::size_t border_vertices = 0;  // used vertices without a group
+  std::size_t merged_islands = 0;
+};
+
+// The components of model \ border under adjacency across edges. A vertex belongs to the group of
+// a region if all facets at it that are not in the border are of that region, and there is one.
+// Where every region is tiny, none is merged away.
+// Complexity: O(triangles + vertices). Deterministic: by facet id.
+// Source: Woo & Dey 2005, section 3.4.
+Regions segment_model(const TriangleMesh& model, const MeshAdjacency& adjacency,
+                      const TriangleSet& border, const SegmentOptions& options = {},
+                      const Execution& execution = {});
+
+// The same on a mesh alone: computes the adjacency first.
+Regions segment_model(const TriangleMesh& model, const TriangleSet& border,
+                      const SegmentOptions& options = {}, const Execution& execution = {});
+
+}  // namespace cocoon
