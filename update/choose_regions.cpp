@@ -37,9 +37,9 @@ LoopRange loop_range(const RegionAngles& loop, double min_edge_share) {
 
 // Sums over the loops of one cloud, per region.
 struct RegionSum {
-  double angle = 0;            // all loops
-  std::size_t edges = 0;       // all loops
-  double difference = 0;       // from the midpoint, deciding loops
+  double angle = 0;       // all loops
+  std::size_t edges = 0;  // all loops
+  double difference = 0;  // from the midpoint, deciding loops
   std::size_t deciding_edges = 0;
 };
 

@@ -30,8 +30,8 @@ enum class ChoiceStatus {
 // How one cloud saw one region.
 struct RegionVerdict {
   RegionId region;
-  double mean_angle = 0;    // over all loops of the cloud, radians
-  std::size_t edges = 0;    // rim edges that counted
+  double mean_angle = 0;  // over all loops of the cloud, radians
+  std::size_t edges = 0;  // rim edges that counted
   bool under_cloud = false;
 };
 

@@ -2,8 +2,8 @@
 // needs at each point and edge of them. Plain points, so that the later stages can be fed by hand.
 //
 //        apex of edge i          the surface lies on this side
-//           /\
-//          /  \
+//           /|
+//          / |
 //   b_i --------- b_i+1 ----     E_i = (b_i, b_i+1), indices modulo the length of the loop
 #pragma once
 
@@ -34,8 +34,8 @@ struct CloudRim {
   double spacing = 0;  // median length of the rim edges; of all surface edges if there is no loop
 
   // What was left out, see RimOptions.
-  std::size_t pin_holes = 0;           // loops too small to be a rim
-  std::size_t small_components = 0;    // parts of the surface too small to be the patch
+  std::size_t pin_holes = 0;            // loops too small to be a rim
+  std::size_t small_components = 0;     // parts of the surface too small to be the patch
   std::size_t discarded_triangles = 0;  // in those parts
   std::size_t orientation_conflicts = 0;
 };

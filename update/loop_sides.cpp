@@ -76,8 +76,8 @@ LoopSides loop_sides(const TriangleMesh& model, const MeshAdjacency& adjacency,
     std::map<RegionId, std::size_t> edges_at;
     for (const BoundaryEdge& edge : curve) {
       const TriangleId other =
-          across(model, adjacency, facets[edge.triangle.index()],
-                 model_vertex[edge.from.index()], model_vertex[edge.to.index()]);
+          across(model, adjacency, facets[edge.triangle.index()], model_vertex[edge.from.index()],
+                 model_vertex[edge.to.index()]);
       if (other.is_none() || regions.region_of_facet[other].is_none()) continue;
       ++edges_at[regions.region_of_facet[other]];
     }

@@ -13,8 +13,8 @@
 namespace cocoon {
 
 struct LoopSide {
-  std::size_t edges = 0;   // length of this boundary curve of the band
-  RegionId region;         // the region that most of it borders on; none if it borders on none
+  std::size_t edges = 0;  // length of this boundary curve of the band
+  RegionId region;        // the region that most of it borders on; none if it borders on none
 };
 
 enum class Separation {

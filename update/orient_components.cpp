@@ -28,8 +28,7 @@ SurfaceComponents orient_components(TriangleMesh& surface) {
   const IdVector<TriangleId, Triangle> original = surface.triangles;
 
   SurfaceComponents result;
-  result.component_of =
-      IdVector<TriangleId, std::uint32_t>(surface.triangles.size(), no_component);
+  result.component_of = IdVector<TriangleId, std::uint32_t>(surface.triangles.size(), no_component);
   std::size_t doubled_conflicts = 0;  // every edge is looked at from both of its sides
   std::vector<TriangleId> queue;
   for (const TriangleId seed : surface.triangles.ids()) {

@@ -56,8 +56,8 @@ ClosestFacet star_facet(const ModelIndex& model, const Point& b, double max_dist
   best.squared_distance = max_distance * max_distance;
   for (const TriangleId t : model.adjacency().triangles_at(model.nearest_vertex(b))) {
     const Triangle& v = mesh.triangles[t];
-    const PlaneProjection projection = project_to_triangle_plane(
-        b, {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]});
+    const PlaneProjection projection =
+        project_to_triangle_plane(b, {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]});
     if (!projection.inside) continue;
     const double squared = projection.signed_distance * projection.signed_distance;
     if (squared > best.squared_distance) continue;
@@ -130,16 +130,15 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
 
   // 2. The overlapping facets.
   std::vector<Location> located(points.size());
-  parallel_chunks(execution, points.size(), points_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t k = begin; k < end; ++k) {
-                      const RimLoop& loop = rim.loops[points[k].loop];
-                      const std::size_t i = points[k].index;
-                      const Vec3 facing = signs.at(loop.component) * loop.normals[i];
-                      located[k] = locate(model, loop.points[i], facing, closest[k], rim.spacing,
-                                          options);
-                    }
-                  });
+  parallel_chunks(
+      execution, points.size(), points_per_chunk, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const RimLoop& loop = rim.loops[points[k].loop];
+          const std::size_t i = points[k].index;
+          const Vec3 facing = signs.at(loop.component) * loop.normals[i];
+          located[k] = locate(model, loop.points[i], facing, closest[k], rim.spacing, options);
+        }
+      });
 
   // 3. Gathered by loop.
   Overlap overlap;

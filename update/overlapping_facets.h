@@ -53,12 +53,12 @@ enum class OverlapStatus {
 
 struct Overlap {
   OverlapStatus status = OverlapStatus::ok;
-  std::vector<LoopOverlap> loops;   // as in the rim
-  std::vector<TriangleId> facets;   // all overlapping facets, sorted, each once
-  std::size_t unmatched = 0;        // rim points without a facet
-  std::size_t star_misses = 0;      // nearest_vertex_star only: no facet there, closest one taken
-  std::size_t facing_away = 0;      // rim points whose closest facet of all faces the other way
-  double largest_distance = 0;      // of a matched rim point from its facet
+  std::vector<LoopOverlap> loops;  // as in the rim
+  std::vector<TriangleId> facets;  // all overlapping facets, sorted, each once
+  std::size_t unmatched = 0;       // rim points without a facet
+  std::size_t star_misses = 0;     // nearest_vertex_star only: no facet there, closest one taken
+  std::size_t facing_away = 0;     // rim points whose closest facet of all faces the other way
+  double largest_distance = 0;     // of a matched rim point from its facet
 };
 
 // The overlapping facet of each rim point, and which loops lie on the model at all.

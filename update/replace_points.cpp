@@ -94,8 +94,8 @@ Replacement replace_points(const TriangleMesh& model, const Regions& regions,
     }
     const RegionId group = regions.group_of_vertex[v];
     const bool on_border = group.is_none();
-    const bool replaced = on_border ? rim_index.on_cloud_side(model.points[v])
-                                    : choice.replaced[group] != 0;
+    const bool replaced =
+        on_border ? rim_index.on_cloud_side(model.points[v]) : choice.replaced[group] != 0;
     if (on_border) ++(replaced ? result.border_replaced : result.border_kept);
     if (replaced) {
       ++result.replaced;

@@ -14,8 +14,8 @@
 namespace cocoon {
 
 struct AngleMean {
-  double sum = 0;          // radians
-  std::size_t edges = 0;   // rim edges that count for the region
+  double sum = 0;         // radians
+  std::size_t edges = 0;  // rim edges that count for the region
   double mean() const { return edges == 0 ? 0 : sum / static_cast<double>(edges); }
 };
 

@@ -18,7 +18,7 @@ struct SegmentOptions {
 };
 
 struct Region {
-  TriangleId first;         // its lowest facet
+  TriangleId first;  // its lowest facet
   std::size_t facets = 0;
   std::size_t vertices = 0;  // of its group
 };

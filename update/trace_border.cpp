@@ -125,9 +125,8 @@ bool search(const ModelIndex& model, const Span& span, std::size_t max_facets,
     for (const TriangleId next : model.adjacency().neighbors[t]) {
       if (next.is_none()) continue;
       const Point next_center = model.centroid(next);
-      const double next_cost =
-          cost + distance(center, next_center) +
-          2 * distance_from_segment(next_center, span.from_foot, span.to_foot);
+      const double next_cost = cost + distance(center, next_center) +
+                               2 * distance_from_segment(next_center, span.from_foot, span.to_foot);
       const auto [entry, is_new] = reached.try_emplace(next, Reached{next_cost, t});
       if (!is_new && (entry->second.done || entry->second.cost <= next_cost)) continue;
       entry->second = {next_cost, t};
@@ -168,10 +167,9 @@ LoopBorder trace_loop(const ModelIndex& model, const LoopOverlap& overlap,
     band.begin.push_back(static_cast<std::uint32_t>(band.facets.size()));
     if (!matched(i)) continue;
     std::size_t j = i + 1;
-    while (!matched(j)) ++j;  // ends at i + n at the latest
+    while (!matched(j)) ++j;            // ends at i + n at the latest
     if (j % n == i && n > 1) continue;  // the only matched point: no way to go
-    const Span span{overlap.facets[i], overlap.facets[j % n], overlap.feet[i],
-                    overlap.feet[j % n]};
+    const Span span{overlap.facets[i], overlap.facets[j % n], overlap.feet[i], overlap.feet[j % n]};
     band.closed &= find_way(model, span, options, counts, path);
     std::vector<TriangleId>& target = j == i + 1 ? band.facets : band.bridges;
     target.insert(target.end(), path.begin(), path.end());

@@ -1,0 +1,126 @@
+#include "update/choose_regions.h"
+
+#include <gtest/gtest.h>
+#include <numbers>
+#include <utility>
+
+#include "geom/errors.h"
+
+namespace cocoon {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+// One loop of a cloud; means in degrees, region by region; no edges where the mean is negative.
+RegionAngles loop(std::uint32_t cloud, const std::vector<double>& means, std::size_t edges = 100) {
+  RegionAngles angles;
+  angles.cloud = cloud;
+  for (const double mean : means) {
+    const std::size_t count = mean < 0 ? 0 : edges;
+    angles.regions.push_back({mean * degree * static_cast<double>(count), count});
+  }
+  return angles;
+}
+
+std::vector<int> replaced(const RegionChoice& choice) {
+  return {choice.replaced.begin(), choice.replaced.end()};
+}
+
+// The figures of the paper's test block.
+TEST(ChooseRegions, TheSmallerAngleIsReplaced) {
+  const std::vector<RegionAngles> loops = {loop(0, {4.45, 173.76})};
+  const RegionChoice choice = choose_regions(loops, 1);
+  EXPECT_EQ(choice.status, ChoiceStatus::ok);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{1, 0}));
+  EXPECT_NEAR(choice.clouds[0].margin, 169.31 * degree, 1e-12);
+  EXPECT_EQ(choice.narrow, 0U);
+  ASSERT_EQ(choice.clouds[0].regions.size(), 2U);
+  EXPECT_NEAR(choice.clouds[0].regions[0].mean_angle, 4.45 * degree, 1e-12);
+  EXPECT_TRUE(choice.clouds[0].regions[0].under_cloud);
+  EXPECT_FALSE(choice.clouds[0].regions[1].under_cloud);
+}
+
+// Both below or both above 90 degrees: still the smaller one (a cloud that rises steeply).
+TEST(ChooseRegions, OneLoopComparesAndHasNoThreshold) {
+  for (const auto& [inside, outside] :
+       {std::pair{100.0, 140.0}, std::pair{20.0, 60.0}, std::pair{85.0, 95.0}}) {
+    const std::vector<RegionAngles> loops = {loop(0, {outside, inside})};
+    const RegionChoice choice = choose_regions(loops, 1);
+    EXPECT_EQ(replaced(choice), (std::vector<int>{0, 1}));
+    EXPECT_EQ(choice.narrow, outside - inside < 30 ? 1U : 0U);
+  }
+}
+
+// The paper's airbag: three clouds I, II, III, and IV, the rest, which each of them is compared
+// with.
+TEST(ChooseRegions, ThreeCloudsAndTheRest) {
+  const std::vector<RegionAngles> loops = {loop(0, {5, -1, -1, 170}), loop(1, {-1, 12, -1, 160}),
+                                           loop(2, {-1, -1, 8, 175})};
+  EXPECT_EQ(replaced(choose_regions(loops, 3)), (std::vector<int>{1, 1, 1, 0}));
+}
+
+TEST(ChooseRegions, AnnulusIsReplacedAndItsInsideKept) {
+  const std::vector<RegionAngles> loops = {loop(0, {5, 170, -1}), loop(0, {9, -1, 165}, 40)};
+  const RegionChoice choice = choose_regions(loops, 1);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{1, 0, 0}));
+  EXPECT_NEAR(choice.clouds[0].regions[0].mean_angle, (500 + 360) / 140.0 * degree, 1e-12);
+}
+
+// Two clouds overlap. Regions: 0 under the first only, 1 under both, 2 under the second only, 3
+// beyond both. Each cloud has the other's own region beyond its rim; it is replaced all the same.
+TEST(ChooseRegions, OverlappingClouds) {
+  const std::vector<RegionAngles> loops = {loop(0, {5, 7, 172, 170}), loop(1, {168, 6, 9, 171})};
+  EXPECT_EQ(replaced(choose_regions(loops, 2)), (std::vector<int>{1, 1, 1, 0}));
+}
+
+TEST(ChooseRegions, EqualAnglesAreAmbiguous) {
+  const std::vector<RegionAngles> loops = {loop(0, {90.1, 90.4})};
+  const RegionChoice choice = choose_regions(loops, 1);
+  EXPECT_EQ(choice.status, ChoiceStatus::ambiguous);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{0, 0}));
+  EXPECT_EQ(choose_regions(loops, 1, {.ambiguous_margin = 0.1 * degree}).status, ChoiceStatus::ok);
+}
+
+TEST(ChooseRegions, OneRegionAloneIsKept) {
+  const std::vector<RegionAngles> loops = {loop(0, {3})};
+  const RegionChoice choice = choose_regions(loops, 1);
+  EXPECT_EQ(choice.status, ChoiceStatus::ok);
+  EXPECT_EQ(choice.undecided_loops, 1U);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{0}));
+}
+
+// A few edges that see an island do not move the midpoint, and the island has its own verdict.
+TEST(ChooseRegions, IslandsAreDecidedByTheirOwnAngles) {
+  RegionAngles angles = loop(0, {80, 100, 20});
+  angles.regions[RegionId(2)] = {3 * 20 * degree, 3};
+  const std::vector<RegionAngles> loops = {angles};
+  EXPECT_EQ(replaced(choose_regions(loops, 1)), (std::vector<int>{1, 0, 1}));
+}
+
+TEST(ChooseRegions, NeverReplacesEverything) {
+  const std::vector<RegionAngles> loops = {loop(0, {10, 120}), loop(1, {130, 40})};
+  const RegionChoice choice = choose_regions(loops, 2);
+  EXPECT_TRUE(choice.kept_largest);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{0, 1}));  // 130 is the largest mean
+}
+
+TEST(ChooseRegions, UnseenRegionsAreKept) {
+  const std::vector<RegionAngles> loops = {loop(0, {10, 170, -1})};
+  EXPECT_EQ(replaced(choose_regions(loops, 1)), (std::vector<int>{1, 0, 0}));
+}
+
+TEST(ChooseRegions, RejectsLoopsOfDifferentSegmentations) {
+  const std::vector<RegionAngles> loops = {loop(0, {10, 170}), loop(0, {10, 170, 90})};
+  EXPECT_THROW(choose_regions(loops, 1), InputError);
+  const std::vector<RegionAngles> wrong_cloud = {loop(3, {10, 170})};
+  EXPECT_THROW(choose_regions(wrong_cloud, 1), InputError);
+}
+
+TEST(ChooseRegions, NoLoops) {
+  const RegionChoice choice = choose_regions({}, 2);
+  EXPECT_TRUE(choice.replaced.empty());
+  EXPECT_EQ(choice.clouds.size(), 2U);
+}
+
+}  // namespace
+}  // namespace cocoon

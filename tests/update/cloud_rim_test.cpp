@@ -1,0 +1,127 @@
+#include "update/cloud_rim.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <utility>
+
+#include "geom/random.h"
+#include "tests/update/hand_made_models.h"
+
+namespace cocoon {
+namespace {
+
+// Leaves out the triangles whose centroid lies in the open square (low, high) x (low, high).
+TriangleMesh with_hole(TriangleMesh mesh, double low, double high) {
+  IdVector<TriangleId, Triangle> kept;
+  for (const Triangle& t : mesh.triangles) {
+    const Point c = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
+    const bool inside = low < c.x && c.x < high && low < c.y && c.y < high;
+    if (!inside) kept.push_back(t);
+  }
+  mesh.triangles = kept;
+  return mesh;
+}
+
+TEST(CloudRim, OutlineOfASquare) {
+  const CloudRim rim = cloud_rim(testing::grid_plane(10));
+  ASSERT_EQ(rim.loops.size(), 1U);
+  const RimLoop& loop = rim.loops[0];
+  ASSERT_EQ(loop.size(), 40U);
+  EXPECT_DOUBLE_EQ(loop.perimeter, 40);
+  EXPECT_DOUBLE_EQ(rim.spacing, 1);
+  // Starts at the smallest point, towards the smaller neighbor.
+  EXPECT_EQ(loop.points[0], (Point{0, 0, 0}));
+  EXPECT_EQ(loop.points[1], (Point{0, 1, 0}));
+  EXPECT_EQ(loop.points[39], (Point{1, 0, 0}));
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    EXPECT_DOUBLE_EQ(distance(loop.points[i], loop.points[loop.next(i)]), 1);
+    EXPECT_EQ(std::abs(loop.normals[i].z), 1);
+    EXPECT_EQ(loop.normals[i], loop.normals[0]);
+    // The apex is the third corner of a triangle at this very edge, inside the square.
+    const Point middle = 0.5 * (loop.points[i] + loop.points[loop.next(i)]);
+    EXPECT_LE(distance(loop.apexes[i], middle), 1.2);
+    EXPECT_GT(norm(loop.apexes[i] - middle), 0.5);
+  }
+}
+
+TEST(CloudRim, DoesNotDependOnTheNumbering) {
+  const TriangleMesh mesh = with_hole(testing::grid_plane(12), 3, 9);
+  const CloudRim expected = cloud_rim(mesh);
+  ASSERT_EQ(expected.loops.size(), 2U);
+  Random random(3);
+  for (int round = 0; round < 5; ++round) {
+    std::vector<std::size_t> order(mesh.points.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    random.shuffle(order);
+    TriangleMesh other;
+    other.points = IdVector<VertexId, Point>(mesh.points.size());
+    for (const VertexId v : mesh.points.ids()) {
+      other.points[VertexId(order[v.index()])] = mesh.points[v];
+    }
+    std::vector<Triangle> triangles = mesh.triangles.raw();
+    random.shuffle(triangles);
+    for (Triangle t : triangles) {
+      for (VertexId& v : t) v = VertexId(order[v.index()]);
+      if (random.uniform() < 0.5) std::swap(t[0], t[1]);
+      other.triangles.push_back(t);
+    }
+    const CloudRim rim = cloud_rim(other);
+    ASSERT_EQ(rim.loops.size(), 2U);
+    for (std::size_t l = 0; l < 2; ++l) {
+      EXPECT_EQ(rim.loops[l].points, expected.loops[l].points);
+      EXPECT_EQ(rim.loops[l].apexes, expected.loops[l].apexes);
+    }
+  }
+}
+
+TEST(CloudRim, ClosedSurfaceHasNone) {
+  const CloudRim rim = cloud_rim(testing::sphere(3));
+  EXPECT_TRUE(rim.loops.empty());
+  EXPECT_EQ(rim.pin_holes, 0U);
+  EXPECT_GT(rim.spacing, 0);
+}
+
+TEST(CloudRim, HolesAndPinHoles) {
+  const CloudRim wide = cloud_rim(with_hole(testing::grid_plane(12), 4, 8));
+  ASSERT_EQ(wide.loops.size(), 2U);
+  EXPECT_EQ(wide.loops[0].size(), 48U);
+  EXPECT_EQ(wide.loops[1].size(), 16U);
+  EXPECT_EQ(wide.pin_holes, 0U);
+
+  const CloudRim narrow = cloud_rim(with_hole(testing::grid_plane(12), 5, 7));
+  ASSERT_EQ(narrow.loops.size(), 1U);
+  EXPECT_EQ(narrow.pin_holes, 1U);
+
+  RimOptions accept_all;
+  accept_all.min_loop_edges = 3;
+  accept_all.min_loop_perimeter = 0;
+  EXPECT_EQ(cloud_rim(with_hole(testing::grid_plane(12), 5, 7), accept_all).loops.size(), 2U);
+}
+
+TEST(CloudRim, SmallPatchIsNotAPinHole) {
+  const CloudRim rim = cloud_rim(testing::grid_plane(1));  // two triangles, rim of four edges
+  ASSERT_EQ(rim.loops.size(), 1U);
+  EXPECT_EQ(rim.loops[0].size(), 4U);
+  EXPECT_EQ(rim.pin_holes, 0U);
+}
+
+TEST(CloudRim, DebrisIsDiscarded) {
+  TriangleMesh mesh = testing::grid_plane(10);
+  const std::size_t vertices = mesh.points.size();
+  const TriangleMesh crumb = testing::grid_plane(2);
+  for (const Point& p : crumb.points) mesh.points.push_back(p + Vec3{-20, 0, 0});
+  for (Triangle t : crumb.triangles) {
+    for (VertexId& v : t) v = VertexId(v.index() + vertices);
+    mesh.triangles.push_back(t);
+  }
+  const CloudRim rim = cloud_rim(mesh);
+  EXPECT_EQ(rim.loops.size(), 1U);
+  EXPECT_EQ(rim.small_components, 1U);
+  EXPECT_EQ(rim.discarded_triangles, 8U);
+  RimOptions keep_all;
+  keep_all.min_component_share = 0;
+  EXPECT_EQ(cloud_rim(mesh, keep_all).loops.size(), 2U);
+}
+
+}  // namespace
+}  // namespace cocoon

@@ -1,0 +1,127 @@
+#include "update/overlapping_facets.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/random.h"
+#include "geom/triangle_projection.h"
+#include "tests/update/hand_made_models.h"
+
+namespace cocoon {
+namespace {
+
+using testing::circle;
+using testing::rim_of;
+
+bool contains_xy(const TriangleMesh& mesh, TriangleId t, const Point& p) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  auto left = [&](VertexId from, VertexId to) {
+    const Vec3 along = mesh.points[to] - mesh.points[from];
+    const Vec3 offset = p - mesh.points[from];
+    return along.x * offset.y - along.y * offset.x >= -1e-12;
+  };
+  return left(a, b) && left(b, c) && left(c, a);
+}
+
+TEST(OverlappingFacets, FindsTheFacetBelowEachPoint) {
+  const TriangleMesh model = testing::grid_plane(20);
+  const CloudRim rim = rim_of({circle(40, {10, 10, 0.3}, 6.2)});
+  for (const LocationRule rule : {LocationRule::closest_facet, LocationRule::nearest_vertex_star}) {
+    const Overlap overlap = overlapping_facets(model, rim, {.rule = rule});
+    ASSERT_EQ(overlap.status, OverlapStatus::ok);
+    ASSERT_EQ(overlap.loops.size(), 1U);
+    EXPECT_EQ(overlap.unmatched, 0U);
+    EXPECT_NEAR(overlap.largest_distance, 0.3, 1e-12);
+    for (std::size_t i = 0; i < 40; ++i) {
+      const Point& p = rim.loops[0].points[i];
+      EXPECT_TRUE(contains_xy(model, overlap.loops[0].facets[i], p)) << i;
+      EXPECT_LT(distance(overlap.loops[0].feet[i], {p.x, p.y, 0}), 1e-12);
+    }
+    EXPECT_LE(overlap.facets.size(), 40U);
+    EXPECT_TRUE(std::is_sorted(overlap.facets.begin(), overlap.facets.end()));
+  }
+}
+
+TEST(OverlappingFacets, AgreesWithBruteForceOnASphere) {
+  const TriangleMesh model = testing::sphere(4);
+  Random random(11);
+  RimLoop loop = testing::cap_rim(60, unit(Vec3{1, 2, 3}), 0.7);
+  for (Point& p : loop.points) p = (1 + random.uniform(-0.02, 0.02)) * p;
+  const Overlap overlap = overlapping_facets(model, rim_of({loop}));
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    double least = 1e9;
+    for (const auto& [a, b, c] : model.triangles) {
+      const Point foot = closest_point_on_triangle(loop.points[i], model.points[a], model.points[b],
+                                                   model.points[c]);
+      least = std::min(least, squared_distance(foot, loop.points[i]));
+    }
+    EXPECT_NEAR(squared_distance(overlap.loops[0].feet[i], loop.points[i]), least, 1e-15);
+  }
+}
+
+// The cloud was scanned from above; noise moves every third rim point below the middle of the wall.
+// There the far side is closer, but it faces the other way than the cloud does on the whole.
+TEST(OverlappingFacets, DoesNotTakeTheFarSideOfAThinWall) {
+  const TriangleMesh wall = testing::block(20, 20, 1);
+  for (const double facing : {1.0, -1.0}) {  // the cloud's own orientation is arbitrary
+    RimLoop loop = circle(30, {10, 10, 0.9}, 6);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      if (i % 3 == 0) loop.points[i].z = 0.4;
+      loop.normals[i] = facing * loop.normals[i];
+    }
+    const Overlap overlap = overlapping_facets(wall, rim_of({loop}));
+    ASSERT_EQ(overlap.status, OverlapStatus::ok);
+    EXPECT_EQ(overlap.facing_away, 10U);
+    for (const Point& foot : overlap.loops[0].feet) EXPECT_EQ(foot.z, 1);
+  }
+}
+
+TEST(OverlappingFacets, FarAwayIsNoOverlap) {
+  const TriangleMesh model = testing::grid_plane(20);
+  EXPECT_EQ(overlapping_facets(model, rim_of({circle(40, {10, 10, 2.9}, 6)})).status,
+            OverlapStatus::ok);
+  const Overlap far = overlapping_facets(model, rim_of({circle(40, {10, 10, 5}, 6)}));
+  EXPECT_EQ(far.status, OverlapStatus::no_overlap);
+  EXPECT_EQ(far.unmatched, 40U);
+  EXPECT_TRUE(far.facets.empty());
+}
+
+TEST(OverlappingFacets, AHoleInsideTheCloudMayBeOffTheModel) {
+  const TriangleMesh model = testing::grid_plane(30);
+  const CloudRim rim = rim_of({circle(60, {15, 15, 0}, 10), circle(20, {15, 15, 8}, 3)});
+  const Overlap overlap = overlapping_facets(model, rim);
+  EXPECT_EQ(overlap.status, OverlapStatus::ok);
+  EXPECT_EQ(overlap.loops[0].match, LoopMatch::on_model);
+  EXPECT_EQ(overlap.loops[1].match, LoopMatch::off_model);
+}
+
+// Nearest vertex and closest facet differ where facets are long: the nearest vertex belongs to
+// facets whose planes are far from the point.
+TEST(OverlappingFacets, LongFacetsMisleadTheNearestVertexRule) {
+  // A ridge: a long facet pair (the floor) and beside it a steep fin with many vertices.
+  TriangleMesh mesh;
+  for (const Point& p : {Point{-50, -50, 0}, Point{50, -50, 0}, Point{0, 60, 0},   // floor
+                         Point{0, 0, 2}, Point{30, 1, 2.5}, Point{0, 30, 2.5}}) {  // shelf above
+    mesh.points.push_back(p);
+  }
+  mesh.triangles.push_back({VertexId(0), VertexId(1), VertexId(2)});
+  mesh.triangles.push_back({VertexId(3), VertexId(4), VertexId(5)});
+  RimLoop loop = circle(8, {2, 2, 0.1}, 0.5);
+  const CloudRim rim = rim_of({loop});
+  const Overlap closest = overlapping_facets(mesh, rim, {.max_distance = 100});
+  const Overlap star = overlapping_facets(
+      mesh, rim, {.rule = LocationRule::nearest_vertex_star, .max_distance = 100});
+  EXPECT_EQ(closest.facets, std::vector<TriangleId>{TriangleId(0)});
+  EXPECT_EQ(star.facets, std::vector<TriangleId>{TriangleId(1)});
+}
+
+TEST(OverlappingFacets, SameForAnyThreadCount) {
+  const TriangleMesh model = testing::sphere(5);
+  const CloudRim rim = rim_of({testing::cap_rim(500, unit(Vec3{1, -2, 0.5}), 1.1)});
+  const Overlap one = overlapping_facets(model, rim);
+  const Overlap four = overlapping_facets(model, rim, {}, {.threads = 4});
+  EXPECT_EQ(one.facets, four.facets);
+  EXPECT_EQ(one.loops[0].feet, four.loops[0].feet);
+}
+
+}  // namespace
+}  // namespace cocoon

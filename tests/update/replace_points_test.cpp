@@ -1,0 +1,100 @@
+#include "update/replace_points.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "tests/update/hand_made_models.h"
+#include "update/overlapping_facets.h"
+#include "update/trace_border.h"
+
+namespace cocoon {
+namespace {
+
+// A plane, the rim of a round cloud, and the choice "inside is replaced".
+struct Scene {
+  TriangleMesh model = testing::grid_plane(20);
+  std::vector<CloudRim> rims = {testing::rim_of({testing::circle(60, {10, 10, 0}, 6.3)})};
+  std::vector<std::vector<Point>> clouds = {{{10, 10, 2}, {11, 10, 2}, {9.5, 10, 1.5}}};
+  Regions regions;
+  RegionChoice choice;
+
+  Scene() {
+    const ModelIndex index(model);
+    const Border border = trace_border(index, rims[0], overlapping_facets(index, rims[0]));
+    regions = segment_model(model, border.facets);
+    choice.replaced = IdVector<RegionId, std::uint8_t>(regions.regions.size(), 0);
+    choice.replaced[regions.group_of_vertex[index.nearest_vertex({10, 10, 0})]] = 1;
+  }
+  Replacement replace(const ReplaceOptions& options = {}) const {
+    return replace_points(model, regions, choice, rims, clouds, options);
+  }
+};
+
+TEST(ReplacePoints, RemovesWhatLiesInsideTheRimAndNothingElse) {
+  const Scene scene;
+  const Replacement result = scene.replace();
+  std::size_t inside = 0;
+  for (const VertexId v : scene.model.points.ids()) {
+    const bool under = distance(scene.model.points[v], {10, 10, 0}) < 6.3;
+    inside += under ? 1 : 0;
+    EXPECT_EQ(result.point_of_vertex[v].is_none(), under) << v.value;
+  }
+  EXPECT_EQ(result.replaced, inside);
+  EXPECT_EQ(result.kept, scene.model.points.size() - inside);
+  EXPECT_EQ(result.border_kept + result.border_replaced, scene.regions.border_vertices);
+  EXPECT_EQ(result.points.size(), result.kept + 3);
+  EXPECT_EQ(result.duplicates, 0U);
+}
+
+TEST(ReplacePoints, KeptVerticesComeFirstInOrderWithTheirBits) {
+  const Scene scene;
+  const Replacement result = scene.replace();
+  PointId last;
+  for (const VertexId v : scene.model.points.ids()) {
+    const PointId p = result.point_of_vertex[v];
+    if (p.is_none()) continue;
+    EXPECT_EQ(result.points[p.index()], scene.model.points[v]);
+    EXPECT_TRUE(last.is_none() || last < p);
+    last = p;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const PointId p = result.point_of_cloud_point[0][PointId(i)];
+    EXPECT_EQ(p.index(), result.kept + i);
+    EXPECT_EQ(result.points[p.index()], scene.clouds[0][i]);
+  }
+}
+
+TEST(ReplacePoints, EqualPointsAreMerged) {
+  Scene scene;
+  scene.clouds[0].push_back({0, 0, 0});    // a kept vertex
+  scene.clouds[0].push_back({10, 10, 2});  // a cloud point
+  scene.clouds.push_back({{11, 10, 2}, {0, 20, -0.0}});
+  scene.rims.push_back({});
+  const Replacement result = scene.replace();
+  EXPECT_EQ(result.duplicates, 4U);
+  EXPECT_EQ(result.points.size(), result.kept + 3);
+  EXPECT_EQ(result.point_of_cloud_point[0][PointId(3)], result.point_of_vertex[VertexId(0)]);
+  EXPECT_EQ(result.point_of_cloud_point[0][PointId(4)], result.point_of_cloud_point[0][PointId(0)]);
+  EXPECT_EQ(result.point_of_cloud_point[1][PointId(0)], result.point_of_cloud_point[0][PointId(1)]);
+}
+
+TEST(ReplacePoints, UnusedVerticesAreNotCarriedOver) {
+  Scene scene;
+  scene.model.points.push_back({100, 100, 100});
+  scene.regions.group_of_vertex.push_back({});
+  const Replacement result = scene.replace();
+  EXPECT_EQ(result.unused_vertices, 1U);
+  EXPECT_TRUE(result.point_of_vertex[VertexId(scene.model.points.size() - 1)].is_none());
+}
+
+TEST(ReplacePoints, ThinningDropsKeptVerticesNearTheCloud) {
+  Scene scene;
+  scene.clouds[0].push_back({2, 3.1, 0});
+  EXPECT_EQ(scene.replace().thinned, 0U);
+  const Replacement thinned = scene.replace({.thinning_distance = 0.5});
+  EXPECT_EQ(thinned.thinned, 1U);
+  EXPECT_TRUE(thinned.point_of_vertex[VertexId(3 * 21 + 2)].is_none());
+}
+
+}  // namespace
+}  // namespace cocoon

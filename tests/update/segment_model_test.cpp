@@ -1,0 +1,92 @@
+#include "update/segment_model.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/update/hand_made_models.h"
+
+namespace cocoon {
+namespace {
+
+// The facets of the column of cells x in [column, column + 1].
+TriangleSet column_border(const TriangleMesh& mesh, double column) {
+  TriangleSet border(mesh.triangles.size(), 0);
+  for (const TriangleId t : mesh.triangles.ids()) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const double x = (mesh.points[a].x + mesh.points[b].x + mesh.points[c].x) / 3;
+    if (column < x && x < column + 1) border[t] = 1;
+  }
+  return border;
+}
+
+TEST(SegmentModel, ABandCutsThePlaneInTwo) {
+  const TriangleMesh mesh = testing::grid_plane(10);
+  const Regions regions = segment_model(mesh, column_border(mesh, 3));
+  ASSERT_EQ(regions.regions.size(), 2U);
+  EXPECT_EQ(regions.regions[RegionId(0)].facets, 60U);
+  EXPECT_EQ(regions.regions[RegionId(1)].facets, 120U);
+  EXPECT_EQ(regions.border_facets, 20U);
+  // The band is one cell wide: each of its vertices is a corner of one region's facets only.
+  EXPECT_EQ(regions.regions[RegionId(0)].vertices, 4U * 11);
+  EXPECT_EQ(regions.regions[RegionId(1)].vertices, 7U * 11);
+  EXPECT_EQ(regions.border_vertices, 0U);
+  for (const VertexId v : mesh.points.ids()) {
+    EXPECT_EQ(regions.group_of_vertex[v], RegionId(mesh.points[v].x <= 3 ? 0 : 1));
+  }
+}
+
+TEST(SegmentModel, BorderVerticesHaveNoGroup) {
+  const TriangleMesh mesh = testing::grid_plane(10);
+  TriangleSet border = column_border(mesh, 3);
+  const TriangleSet second = column_border(mesh, 4);
+  for (const TriangleId t : border.ids()) border[t] |= second[t];
+  const Regions regions = segment_model(mesh, border);
+  EXPECT_EQ(regions.border_vertices, 11U);  // x = 4: all facets are in the border
+  for (const VertexId v : mesh.points.ids()) {
+    EXPECT_EQ(regions.group_of_vertex[v].is_none(), mesh.points[v].x == 4);
+  }
+}
+
+TEST(SegmentModel, TinyIslandsJoinTheBorder) {
+  const TriangleMesh mesh = testing::grid_plane(10);
+  TriangleSet border = column_border(mesh, 3);
+  const TriangleSet second = column_border(mesh, 4);
+  for (const TriangleId t : border.ids()) border[t] |= second[t];
+  // Two facets in the middle of the band, on both sides of x = 4, are free.
+  for (const std::uint32_t t : {46U, 49U}) border[TriangleId(t)] = 0;
+  const Regions merged = segment_model(mesh, border);
+  EXPECT_EQ(merged.regions.size(), 2U);
+  EXPECT_EQ(merged.merged_islands, 1U);
+  EXPECT_EQ(merged.border_facets, 40U);
+  const Regions all = segment_model(mesh, border, {.min_region_facets = 1});
+  EXPECT_EQ(all.regions.size(), 3U);
+  EXPECT_EQ(all.border_facets, 38U);
+}
+
+TEST(SegmentModel, NothingIsMergedIfAllRegionsAreTiny) {
+  const TriangleMesh mesh = testing::sphere(0);  // an octahedron
+  TriangleSet border(8, 0);
+  for (const std::uint32_t t : {0U, 2U, 5U, 7U}) border[TriangleId(t)] = 1;
+  const Regions regions = segment_model(mesh, border);
+  EXPECT_EQ(regions.merged_islands, 0U);
+  std::size_t facets = 0;
+  for (const Region& region : regions.regions) facets += region.facets;
+  EXPECT_EQ(facets, 4U);
+}
+
+TEST(SegmentModel, NoBorderIsOneRegion) {
+  const TriangleMesh mesh = testing::torus(12, 8, 0.3);
+  const Regions regions = segment_model(mesh, TriangleSet(mesh.triangles.size(), 0));
+  ASSERT_EQ(regions.regions.size(), 1U);
+  EXPECT_EQ(regions.regions[RegionId(0)].vertices, 96U);
+  EXPECT_EQ(regions.border_vertices, 0U);
+}
+
+TEST(SegmentModel, EverythingBorder) {
+  const TriangleMesh mesh = testing::sphere(1);
+  const Regions regions = segment_model(mesh, TriangleSet(mesh.triangles.size(), 1));
+  EXPECT_TRUE(regions.regions.empty());
+  EXPECT_EQ(regions.border_vertices, mesh.points.size());
+}
+
+}  // namespace
+}  // namespace cocoon
