@@ -8,9 +8,9 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
+#include "cocone/boundary_loops.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 
@@ -19,10 +19,10 @@ namespace cocoon {
 struct RimLoop {
   std::vector<Point> points;       // b_i
   std::vector<Point> apexes;       // third corner of the one Cocone triangle at E_i
-  std::vector<Vec3> normals;       // unit surface normal at b_i; the zero vector if there is none
+  // Unit surface normal at b_i, the zero vector if there is none. The normals of one loop agree with
+  // each other; which of the two sides they show is arbitrary.
+  std::vector<Vec3> normals;
   std::vector<VertexId> vertices;  // b_i as a vertex of the cloud's surface
-  // Loops of one component have normals that agree; between components the sign is free.
-  std::uint32_t component = 0;
   double perimeter = 0;
 
   std::size_t size() const { return points.size(); }
@@ -34,31 +34,23 @@ struct CloudRim {
   double spacing = 0;  // median length of the rim edges; of all surface edges if there is no loop
 
   // What was left out, see RimOptions.
-  std::size_t pin_holes = 0;            // loops too small to be a rim
-  std::size_t small_components = 0;     // parts of the surface too small to be the patch
-  std::size_t discarded_triangles = 0;  // in those parts
-  std::size_t orientation_conflicts = 0;
+  std::size_t pin_holes = 0;         // loops too small to be a rim
+  std::size_t small_components = 0;  // parts of the surface too small to be the patch
+  std::size_t non_orientable = 0;    // one-sided parts: their normals are not reliable
 };
 
 struct RimOptions {
-  // Parts of the surface with a smaller share of its triangles are debris: their loops do not
-  // count.
-  double min_component_share = 0.05;
-  // A loop with fewer edges or a shorter perimeter (in median surface edges) is a pin-hole: the
-  // cloud is taken to cover it. The outline of a small patch is not a pin-hole: a loop counts if
-  // its perimeter is at least `min_outline_share` of that of a disk with its component's area.
-  std::size_t min_loop_edges = 8;
-  double min_loop_perimeter = 12;
+  BoundaryLoopOptions loops;
+  // The outline of a small patch is not a pin-hole: a loop that boundary_loops() calls one counts
+  // as rim if its perimeter is at least this share of that of a disk with its component's area.
   double min_outline_share = 0.5;
 };
 
-// The rim of an open surface. Each loop starts at its lexicographically smallest point and runs
-// towards the smaller one of that point's two neighbors; loops are sorted by their first points.
-// So the rim is a function of the surface as a set of triangles, not of its numbering.
+// The rim of an open surface: its boundary loops that are no pin-holes.
 // Result: no loop if the surface is closed, or empty, or if nothing but pin-holes is open.
-// Complexity: O(triangles + vertices + rim log rim).
-// Source: Woo & Dey 2005, section 3.2. A boundary edge is an edge with exactly one triangle; the
-// paper's "edge between two boundary samples" would also take chords across corners.
+// Complexity: O(triangles + vertices + rim log rim). Deterministic: independent of the numbering
+// and orientation of the surface's triangles, up to the sign of normals.
+// Source: Woo & Dey 2005, section 3.2.
 CloudRim cloud_rim(const TriangleMesh& surface, const RimOptions& options = {});
 
 }  // namespace cocoon

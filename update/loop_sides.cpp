@@ -72,16 +72,16 @@ LoopSides loop_sides(const TriangleMesh& model, const MeshAdjacency& adjacency,
   std::vector<VertexId> model_vertex;
   const TriangleMesh mesh = band_mesh(model, facets, model_vertex);
 
-  for (const std::vector<BoundaryEdge>& curve : boundary_loops(mesh)) {
+  for (const BoundaryLoop& curve : boundary_loops(mesh, {.min_component_share = 0}).loops) {
     std::map<RegionId, std::size_t> edges_at;
-    for (const BoundaryEdge& edge : curve) {
+    for (const BoundaryEdge& edge : curve.edges) {
       const TriangleId other =
           across(model, adjacency, facets[edge.triangle.index()], model_vertex[edge.from.index()],
                  model_vertex[edge.to.index()]);
       if (other.is_none() || regions.region_of_facet[other].is_none()) continue;
       ++edges_at[regions.region_of_facet[other]];
     }
-    result.sides.push_back({curve.size(), majority(edges_at)});
+    result.sides.push_back({curve.edges.size(), majority(edges_at)});
   }
   std::sort(result.sides.begin(), result.sides.end(), [](const LoopSide& a, const LoopSide& b) {
     return std::tuple(b.edges, a.region) < std::tuple(a.edges, b.region);

@@ -96,16 +96,15 @@ VertexId ModelIndex::nearest_vertex(const Point& p) const {
 }
 
 void ModelIndex::improve(const Point& p, TriangleId t, ClosestFacet& best) const {
-  const auto [a, b, c] = corners_of(*mesh_, t);
-  const Point foot = closest_point_on_triangle(p, a, b, c);
-  const double squared = squared_distance(p, foot);
+  const ClosestPoint foot = closest_point_on_triangle(p, corners_of(*mesh_, t));
+  const double squared = foot.squared_distance;
   if (squared > best.squared_distance) return;
   if (squared == best.squared_distance && !best.triangle.is_none()) {
     const auto own = sorted_corners(*mesh_, t);
     const auto others = sorted_corners(*mesh_, best.triangle);
     if (own > others || (own == others && t > best.triangle)) return;
   }
-  best = {t, foot, squared};
+  best = {t, foot.point, squared};
 }
 
 }  // namespace cocoon

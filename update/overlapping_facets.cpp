@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "geom/triangle_projection.h"
 #include "update/median.h"
@@ -35,16 +34,16 @@ double facet_spacing(const TriangleMesh& mesh, TriangleId t) {
                  distance(mesh.points[v[2]], mesh.points[v[0]])});
 }
 
-// +1 or -1 per component: does its surface face like the model or the other way?
-std::map<std::uint32_t, double> component_signs(const ModelIndex& model, const CloudRim& rim,
+// +1 or -1 per loop: does its surface face like the model or the other way?
+std::vector<double> facing_signs(const ModelIndex& model, const CloudRim& rim,
                                                 const std::vector<RimPoint>& points,
                                                 const std::vector<ClosestFacet>& closest) {
-  std::map<std::uint32_t, double> votes;
+  std::vector<double> votes(rim.loops.size(), 0.0);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const RimLoop& loop = rim.loops[points[k].loop];
-    votes[loop.component] += dot(loop.normals[points[k].index], model.normal(closest[k].triangle));
+    votes[points[k].loop] += dot(loop.normals[points[k].index], model.normal(closest[k].triangle));
   }
-  for (auto& [component, vote] : votes) vote = vote < 0 ? -1 : 1;
+  for (double& vote : votes) vote = vote < 0 ? -1 : 1;
   return votes;
 }
 
@@ -58,11 +57,11 @@ ClosestFacet star_facet(const ModelIndex& model, const Point& b, double max_dist
     const Triangle& v = mesh.triangles[t];
     const PlaneProjection projection =
         project_to_triangle_plane(b, {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]});
-    if (!projection.inside) continue;
+    if (!projection.is_inside()) continue;
     const double squared = projection.signed_distance * projection.signed_distance;
     if (squared > best.squared_distance) continue;
     if (squared == best.squared_distance && !best.triangle.is_none()) continue;
-    best = {t, projection.point, squared};
+    best = {t, projection.projected, squared};
   }
   return best;
 }
@@ -126,7 +125,7 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
                       closest[k] = model.closest(rim.loops[points[k].loop].points[points[k].index]);
                     }
                   });
-  const auto signs = component_signs(model, rim, points, closest);
+  const std::vector<double> signs = facing_signs(model, rim, points, closest);
 
   // 2. The overlapping facets.
   std::vector<Location> located(points.size());
@@ -135,7 +134,7 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
         for (std::size_t k = begin; k < end; ++k) {
           const RimLoop& loop = rim.loops[points[k].loop];
           const std::size_t i = points[k].index;
-          const Vec3 facing = signs.at(loop.component) * loop.normals[i];
+          const Vec3 facing = signs[points[k].loop] * loop.normals[i];
           located[k] = locate(model, loop.points[i], facing, closest[k], rim.spacing, options);
         }
       });

@@ -62,8 +62,8 @@ struct Overlap {
 };
 
 // The overlapping facet of each rim point, and which loops lie on the model at all.
-// Whether the surface of a cloud is oriented like the model is decided for each of its components
-// by vote: the sum over rim points of the cosine with the closest facet.
+// Whether the surface at a loop is oriented like the model is decided by vote: the sign of the sum
+// over its points of the cosine with the closest facet.
 // Complexity: O(rim log(model)). Deterministic: ties by facet id.
 // Source: Woo & Dey 2005, section 3.3, Eq. 1-3.
 Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,

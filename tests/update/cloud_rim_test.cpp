@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <array>
 #include <utility>
+#include <vector>
 
 #include "geom/random.h"
 #include "tests/update/hand_made_models.h"
@@ -22,6 +24,18 @@ TriangleMesh with_hole(TriangleMesh mesh, double low, double high) {
   return mesh;
 }
 
+// The edges of a loop with their apexes, whichever way and from wherever it runs.
+std::vector<std::array<Point, 3>> edges_of(const RimLoop& loop) {
+  std::vector<std::array<Point, 3>> edges;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const auto [low, high] = std::minmax(loop.points[i], loop.points[loop.next(i)]);
+    edges.push_back({low, high, loop.apexes[i]});
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+bool same_edges(const RimLoop& a, const RimLoop& b) { return edges_of(a) == edges_of(b); }
+
 TEST(CloudRim, OutlineOfASquare) {
   const CloudRim rim = cloud_rim(testing::grid_plane(10));
   ASSERT_EQ(rim.loops.size(), 1U);
@@ -29,10 +43,7 @@ TEST(CloudRim, OutlineOfASquare) {
   ASSERT_EQ(loop.size(), 40U);
   EXPECT_DOUBLE_EQ(loop.perimeter, 40);
   EXPECT_DOUBLE_EQ(rim.spacing, 1);
-  // Starts at the smallest point, towards the smaller neighbor.
   EXPECT_EQ(loop.points[0], (Point{0, 0, 0}));
-  EXPECT_EQ(loop.points[1], (Point{0, 1, 0}));
-  EXPECT_EQ(loop.points[39], (Point{1, 0, 0}));
   for (std::size_t i = 0; i < loop.size(); ++i) {
     EXPECT_DOUBLE_EQ(distance(loop.points[i], loop.points[loop.next(i)]), 1);
     EXPECT_EQ(std::abs(loop.normals[i].z), 1);
@@ -68,8 +79,7 @@ TEST(CloudRim, DoesNotDependOnTheNumbering) {
     const CloudRim rim = cloud_rim(other);
     ASSERT_EQ(rim.loops.size(), 2U);
     for (std::size_t l = 0; l < 2; ++l) {
-      EXPECT_EQ(rim.loops[l].points, expected.loops[l].points);
-      EXPECT_EQ(rim.loops[l].apexes, expected.loops[l].apexes);
+      EXPECT_TRUE(same_edges(rim.loops[l], expected.loops[l]));
     }
   }
 }
@@ -92,9 +102,7 @@ TEST(CloudRim, HolesAndPinHoles) {
   ASSERT_EQ(narrow.loops.size(), 1U);
   EXPECT_EQ(narrow.pin_holes, 1U);
 
-  RimOptions accept_all;
-  accept_all.min_loop_edges = 3;
-  accept_all.min_loop_perimeter = 0;
+  const RimOptions accept_all = {.loops = {.min_loop_edges = 3, .min_perimeter_in_edges = 0}};
   EXPECT_EQ(cloud_rim(with_hole(testing::grid_plane(12), 5, 7), accept_all).loops.size(), 2U);
 }
 
@@ -117,9 +125,7 @@ TEST(CloudRim, DebrisIsDiscarded) {
   const CloudRim rim = cloud_rim(mesh);
   EXPECT_EQ(rim.loops.size(), 1U);
   EXPECT_EQ(rim.small_components, 1U);
-  EXPECT_EQ(rim.discarded_triangles, 8U);
-  RimOptions keep_all;
-  keep_all.min_component_share = 0;
+  const RimOptions keep_all = {.loops = {.min_component_share = 0}};
   EXPECT_EQ(cloud_rim(mesh, keep_all).loops.size(), 2U);
 }
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "geom/random.h"
+#include "geom/angles.h"
 #include "tests/update/hand_made_models.h"
 #include "update/overlapping_facets.h"
 
@@ -55,7 +55,6 @@ TEST(MeanRimAngles, TiltOfTheCloud) {
 // The literal Eq. 4-5 give pi minus the wedge angle, so that the larger value marks the region to
 // be replaced.
 TEST(MeanRimAngles, IsPiMinusTheLiteralFormula) {
-  Random random(5);
   const TriangleMesh mesh = testing::sphere(3);
   const ModelIndex model(mesh);
   const CloudRim rim = testing::rim_of({testing::cap_rim(40, unit(Vec3{1, 1, 1}), 0.9)});
@@ -83,9 +82,7 @@ TEST(MeanRimAngles, IsPiMinusTheLiteralFormula) {
         }
       }
       if (pk.is_none()) continue;
-      const Vec3 n_ic = unit(cross(p1 - p0, loop.apexes[i] - p0));
-      const Vec3 n_ik = unit(cross(mesh.points[pk] - p0, p1 - p0));
-      sum += pi - std::acos(dot(n_ic, n_ik));
+      sum += pi - literal_dihedral(p0, p1, loop.apexes[i], mesh.points[pk]);
       ++count;
     }
     EXPECT_EQ(angles.regions[k].edges, count);
