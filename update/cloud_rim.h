@@ -17,10 +17,10 @@
 namespace cocoon {
 
 struct RimLoop {
-  std::vector<Point> points;       // b_i
-  std::vector<Point> apexes;       // third corner of the one Cocone triangle at E_i
-  // Unit surface normal at b_i, the zero vector if there is none. The normals of one loop agree with
-  // each other; which of the two sides they show is arbitrary.
+  std::vector<Point> points;  // b_i
+  std::vector<Point> apexes;  // third corner of the one Cocone triangle at E_i
+  // Unit surface normal at b_i, the zero vector if there is none. The normals of one loop agree
+  // with each other; which of the two sides they show is arbitrary.
   std::vector<Vec3> normals;
   std::vector<VertexId> vertices;  // b_i as a vertex of the cloud's surface
   double perimeter = 0;

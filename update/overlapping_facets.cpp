@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/nearest_point.h"
 #include "geom/triangle_projection.h"
 #include "update/median.h"
 
@@ -36,8 +37,8 @@ double facet_spacing(const TriangleMesh& mesh, TriangleId t) {
 
 // +1 or -1 per loop: does its surface face like the model or the other way?
 std::vector<double> facing_signs(const ModelIndex& model, const CloudRim& rim,
-                                                const std::vector<RimPoint>& points,
-                                                const std::vector<ClosestFacet>& closest) {
+                                 const std::vector<RimPoint>& points,
+                                 const std::vector<ClosestFacet>& closest) {
   std::vector<double> votes(rim.loops.size(), 0.0);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const RimLoop& loop = rim.loops[points[k].loop];
@@ -92,22 +93,23 @@ Location locate(const ModelIndex& model, const Point& b, const Vec3& facing,
   return location;
 }
 
-double unmatched_share(const LoopOverlap& loop) {
-  return static_cast<double>(loop.unmatched) / static_cast<double>(loop.facets.size());
+LoopMatch match_of(const LoopOverlap& loop, double max_share) {
+  const std::size_t points = loop.facets.size();
+  const double allowed = max_share * static_cast<double>(points);
+  if (static_cast<double>(loop.unmatched - loop.covered) > allowed) return LoopMatch::off_model;
+  if (static_cast<double>(points - loop.unmatched) <= allowed) return LoopMatch::covered;
+  return LoopMatch::on_model;
 }
 
 // Loops off the model are holes inside the cloud, unless the longest loop is one of them.
-void match_loops(const CloudRim& rim, double max_unmatched_share, Overlap& overlap) {
+void match_loops(const CloudRim& rim, double max_share, Overlap& overlap) {
   std::size_t longest = 0;
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
     if (rim.loops[l].perimeter > rim.loops[longest].perimeter) longest = l;
-    if (unmatched_share(overlap.loops[l]) > max_unmatched_share) {
-      overlap.loops[l].match = LoopMatch::off_model;
-    }
+    overlap.loops[l].match = match_of(overlap.loops[l], max_share);
   }
-  if (rim.loops.empty() || overlap.loops[longest].match == LoopMatch::off_model) {
-    overlap.status = OverlapStatus::no_overlap;
-  }
+  const bool overlaps = !rim.loops.empty() && overlap.loops[longest].match != LoopMatch::off_model;
+  overlap.status = overlaps ? OverlapStatus::ok : OverlapStatus::no_overlap;
 }
 
 }  // namespace
@@ -164,6 +166,35 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
   match_loops(rim, options.max_unmatched_share, overlap);
   report_progress(execution, "overlapping_facets", 1);
   return overlap;
+}
+
+void excuse_covered_points(std::span<const CloudRim> rims,
+                           std::span<const std::vector<Point>> clouds, std::span<Overlap> overlaps,
+                           const OverlapOptions& options) {
+  std::size_t unmatched = 0;
+  for (const Overlap& overlap : overlaps) unmatched += overlap.unmatched;
+  if (unmatched == 0 || clouds.size() < 2) return;
+  std::vector<NearestPointTree> trees;
+  for (const std::vector<Point>& cloud : clouds) trees.emplace_back(cloud);
+
+  for (std::size_t c = 0; c < rims.size(); ++c) {
+    const double reach = options.max_distance * rims[c].spacing;
+    auto is_covered = [&](const Point& p) {
+      for (std::size_t other = 0; other < trees.size(); ++other) {
+        if (other == c) continue;
+        if (trees[other].nearest(p).squared_distance <= reach * reach) return true;
+      }
+      return false;
+    };
+    for (std::size_t l = 0; l < rims[c].loops.size(); ++l) {
+      LoopOverlap& loop = overlaps[c].loops[l];
+      loop.covered = 0;
+      for (std::size_t i = 0; i < loop.facets.size(); ++i) {
+        if (loop.facets[i].is_none() && is_covered(rims[c].loops[l].points[i])) ++loop.covered;
+      }
+    }
+    match_loops(rims[c], options.max_unmatched_share, overlaps[c]);
+  }
 }
 
 Overlap overlapping_facets(const TriangleMesh& model, const CloudRim& rim,

@@ -187,7 +187,7 @@ Border trace_border(const ModelIndex& model, const CloudRim& rim, const Overlap&
   border.facets = TriangleSet(model.mesh().triangles.size(), 0);
   border.loops.resize(rim.loops.size());
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
-    if (overlap.loops[l].match == LoopMatch::off_model) continue;
+    if (overlap.loops[l].match != LoopMatch::on_model) continue;
     LoopBorder& band = border.loops[l];
     band = trace_loop(model, overlap.loops[l], options, border);
     for (const TriangleId t : band.facets) border.facets[t] = 1;

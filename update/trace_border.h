@@ -39,7 +39,7 @@ struct LoopBorder {
 
 struct Border {
   TriangleSet facets;             // the union of all bands
-  std::vector<LoopBorder> loops;  // as in the rim; empty for a loop that is off the model
+  std::vector<LoopBorder> loops;  // as in the rim; empty for a loop that is not on_model
   std::size_t num_facets = 0;
   std::size_t walks = 0;     // straight walks that arrived
   std::size_t searches = 0;  // walks that failed and were replaced by a search

@@ -1,8 +1,8 @@
 #include "update/cloud_rim.h"
 
 #include <algorithm>
-#include <gtest/gtest.h>
 #include <array>
+#include <gtest/gtest.h>
 #include <utility>
 #include <vector>
 

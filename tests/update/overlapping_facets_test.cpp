@@ -50,9 +50,9 @@ TEST(OverlappingFacets, AgreesWithBruteForceOnASphere) {
   for (std::size_t i = 0; i < loop.size(); ++i) {
     double least = 1e9;
     for (const auto& [a, b, c] : model.triangles) {
-      const Point foot = closest_point_on_triangle(loop.points[i], model.points[a], model.points[b],
-                                                   model.points[c]);
-      least = std::min(least, squared_distance(foot, loop.points[i]));
+      const ClosestPoint foot = closest_point_on_triangle(
+          loop.points[i], {model.points[a], model.points[b], model.points[c]});
+      least = std::min(least, foot.squared_distance);
     }
     EXPECT_NEAR(squared_distance(overlap.loops[0].feet[i], loop.points[i]), least, 1e-15);
   }

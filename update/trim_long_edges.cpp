@@ -1,0 +1,125 @@
+#include "update/trim_long_edges.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geom/mesh_adjacency.h"
+#include "update/median.h"
+#include "update/triangle_set.h"
+
+namespace cocoon {
+
+namespace {
+
+using EdgeSet = IdVector<EdgeId, std::uint8_t>;
+
+EdgeSet long_edges(const TriangleMesh& mesh, const MeshAdjacency& adjacency, double max_edge) {
+  IdVector<EdgeId, double> lengths(adjacency.edges.size());
+  std::vector<std::vector<double>> lengths_at(mesh.points.size());
+  for (const EdgeId e : adjacency.edges.ids()) {
+    const auto [a, b] = adjacency.edges[e];
+    lengths[e] = distance(mesh.points[a], mesh.points[b]);
+    lengths_at[a.index()].push_back(lengths[e]);
+    lengths_at[b.index()].push_back(lengths[e]);
+  }
+  std::vector<double> spacing;
+  spacing.reserve(lengths_at.size());
+  for (std::vector<double>& at_vertex : lengths_at) spacing.push_back(median(std::move(at_vertex)));
+
+  EdgeSet is_long(adjacency.edges.size(), 0);
+  for (const EdgeId e : adjacency.edges.ids()) {
+    const auto [a, b] = adjacency.edges[e];
+    const double local = std::min(spacing[a.index()], spacing[b.index()]);
+    is_long[e] = lengths[e] > max_edge * local ? 1 : 0;
+  }
+  return is_long;
+}
+
+bool has_long_edge(const MeshAdjacency& adjacency, const EdgeSet& is_long, TriangleId t) {
+  for (int i = 0; i < 3; ++i) {
+    const EdgeId e = adjacency.edge_of[halfedge_of(t, i)];
+    if (!e.is_none() && is_long[e] != 0) return true;
+  }
+  return false;
+}
+
+// Marks the edge-connected clusters of triangles with a long edge; returns how many triangles.
+std::size_t mark_clusters(const MeshAdjacency& adjacency, const EdgeSet& is_long,
+                          std::size_t min_cluster, TriangleSet& removed) {
+  std::size_t count = 0;
+  TriangleSet seen(removed.size(), 0);
+  for (const TriangleId seed : removed.ids()) {
+    if (seen[seed] != 0 || !has_long_edge(adjacency, is_long, seed)) continue;
+    std::vector<TriangleId> cluster(1, seed);
+    seen[seed] = 1;
+    for (std::size_t head = 0; head < cluster.size(); ++head) {
+      for (const TriangleId next : adjacency.neighbors[cluster[head]]) {
+        if (next.is_none() || seen[next] != 0 || !has_long_edge(adjacency, is_long, next)) continue;
+        seen[next] = 1;
+        cluster.push_back(next);
+      }
+    }
+    if (cluster.size() < min_cluster) continue;
+    for (const TriangleId t : cluster) removed[t] = 1;
+    count += cluster.size();
+  }
+  return count;
+}
+
+// Marks triangles with a long edge at which no other triangle is left; returns how many.
+std::size_t mark_from_rim(const MeshAdjacency& adjacency, const EdgeSet& is_long,
+                          TriangleSet& removed) {
+  IdVector<EdgeId, std::uint32_t> triangles_at(is_long.size(), 0);
+  for (const TriangleId t : removed.ids()) {
+    for (int i = 0; i < 3; ++i) {
+      const EdgeId e = adjacency.edge_of[halfedge_of(t, i)];
+      if (!e.is_none() && removed[t] == 0) ++triangles_at[e];
+    }
+  }
+  std::vector<EdgeId> open;
+  for (const EdgeId e : is_long.ids()) {
+    if (is_long[e] != 0 && triangles_at[e] == 1) open.push_back(e);
+  }
+  std::size_t count = 0;
+  while (!open.empty()) {
+    const EdgeId edge = open.back();
+    open.pop_back();
+    for (const HalfedgeId side : adjacency.halfedges_at(edge)) {
+      const TriangleId t = triangle_of(side);
+      if (removed[t] != 0) continue;
+      removed[t] = 1;
+      ++count;
+      for (int i = 0; i < 3; ++i) {
+        const EdgeId e = adjacency.edge_of[halfedge_of(t, i)];
+        if (!e.is_none() && --triangles_at[e] == 1 && is_long[e] != 0) open.push_back(e);
+      }
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+TrimmedSurface trim_long_edges(const TriangleMesh& surface, const TrimOptions& options) {
+  TrimmedSurface result;
+  if (!(options.max_edge > 0)) {
+    result.mesh = surface;
+    return result;
+  }
+  const MeshAdjacency adjacency = mesh_adjacency(surface);
+  const EdgeSet is_long = long_edges(surface, adjacency, options.max_edge);
+  TriangleSet removed(surface.triangles.size(), 0);
+  result.in_clusters = mark_clusters(adjacency, is_long, options.min_cluster, removed);
+  result.at_rim = mark_from_rim(adjacency, is_long, removed);
+
+  result.mesh.points = surface.points;
+  result.mesh.triangles.reserve(surface.triangles.size());
+  for (const TriangleId t : surface.triangles.ids()) {
+    if (removed[t] == 0) result.mesh.triangles.push_back(surface.triangles[t]);
+  }
+  return result;
+}
+
+}  // namespace cocoon

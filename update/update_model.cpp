@@ -1,0 +1,350 @@
+#include "update/update_model.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "geom/errors.h"
+#include "update/model_index.h"
+
+namespace cocoon {
+
+namespace {
+
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+// Runs body(execution) as a step: its stages report as "step/stage".
+template <class Body>
+void run_step(const Execution& execution, std::string_view step, Body body) {
+  report_progress(execution, step, 0);
+  PrefixedProgress nested{std::string(step), execution.progress};
+  body(Execution{execution.threads, execution.progress == nullptr ? nullptr : &nested});
+  report_progress(execution, step, 1);
+}
+
+// The state of one update; its steps return false when the result is final.
+class Update {
+ public:
+  Update(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
+         const UpdateOptions& options)
+      : model_(model), clouds_(clouds), options_(options) {
+    result_.clouds.resize(clouds.size());
+  }
+
+  bool detect_boundaries(const Execution& execution) {
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      CloudReport& report = result_.clouds[c];
+      report.surface = surface_of_cloud(c, execution);
+      for (const RimLoop& loop : report.surface.rim.loops) {
+        report.loops.push_back({.edges = loop.size(), .perimeter = loop.perimeter});
+        report.boundary_points += loop.size();
+      }
+      const CloudSurface& surface = report.surface;
+      if (surface.status == CloudStatus::no_surface) {
+        return fail(UpdateStatus::no_cloud_surface,
+                    name_of_cloud(c) +
+                        " gives no surface at any rho; sample it more densely or "
+                        "remove noise");
+      }
+      if (surface.status == CloudStatus::cloud_closed) {
+        return fail(UpdateStatus::cloud_closed,
+                    name_of_cloud(c) + " has no open rim (" +
+                        std::to_string(surface.rim.pin_holes) +
+                        " pin-holes): it is closed; give only the changed part with some of its "
+                        "surroundings");
+      }
+      warn_about_surface(c);
+    }
+    return true;
+  }
+
+  bool find_overlapping_facets(const ModelIndex& index, const Execution& execution) {
+    std::vector<CloudRim> rims;
+    for (const CloudReport& report : result_.clouds) rims.push_back(report.surface.rim);
+    for (const CloudRim& rim : rims) {
+      overlaps_.push_back(overlapping_facets(index, rim, options_.overlap, execution));
+    }
+    excuse_covered_points(rims, clouds_, overlaps_, options_.overlap);
+    border_facets_ = TriangleSet(model_.triangles.size(), 0);
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      report_overlap(c);
+      if (overlaps_[c].status == OverlapStatus::no_overlap) return fail_no_overlap(c);
+      borders_.push_back(trace_border(index, rims[c], overlaps_[c], options_.trace, execution));
+      const Border& border = borders_[c];
+      for (const TriangleId t : border.facets.ids()) border_facets_[t] |= border.facets[t];
+      CloudReport& report = result_.clouds[c];
+      report.border_facets = border.num_facets;
+      report.walks = border.walks;
+      report.searches = border.searches;
+      report.breaks = border.breaks;
+    }
+    return true;
+  }
+
+  bool segment_and_choose(const ModelIndex& index, const Execution& execution) {
+    result_.regions =
+        segment_model(model_, index.adjacency(), border_facets_, options_.segment, execution);
+    if (!check_separation(index)) return false;
+
+    std::vector<RegionAngles> angles;
+    for_each_border_loop([&](std::size_t c, std::size_t l) {
+      angles.push_back(mean_rim_angles(index, result_.regions,
+                                       result_.clouds[c].surface.rim.loops[l], borders_[c].loops[l],
+                                       options_.angles));
+      angles.back().cloud = static_cast<std::uint32_t>(c);
+    });
+    result_.choice = choose_regions(angles, clouds_.size(), options_.choice);
+    // Regions may be without any loop (all rims covered): then there is nothing to replace.
+    result_.choice.replaced.resize(result_.regions.regions.size(), 0);
+    return report_choice();
+  }
+
+  bool reconstruct(const Execution& execution) {
+    std::vector<CloudRim> rims(clouds_.size());
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      rims[c].spacing = result_.clouds[c].surface.rim.spacing;
+    }
+    for_each_border_loop([&](std::size_t c, std::size_t l) {
+      rims[c].loops.push_back(result_.clouds[c].surface.rim.loops[l]);
+    });
+    result_.replacement =
+        replace_points(model_, result_.regions, result_.choice, rims, clouds_, options_.replace);
+    result_.reconstruction =
+        reconstruct_tight(result_.replacement.points, options_.reconstruct, execution);
+    if (result_.reconstruction.status != SurfaceStatus::ok) {
+      return fail(UpdateStatus::empty_surface,
+                  "the " + std::to_string(result_.replacement.points.size()) +
+                      " updated points give no closed surface; check that model and clouds are "
+                      "samples of one surface at one scale");
+    }
+    result_.mesh = std::move(result_.reconstruction.mesh);
+    result_.reconstruction.mesh = {};
+    map_vertices();
+    if (result_.reconstruction.unused_points > 0) {
+      warn(std::to_string(result_.reconstruction.unused_points) + " of " +
+           std::to_string(result_.replacement.points.size()) +
+           " updated points are not on the surface");
+    }
+    return true;
+  }
+
+  UpdateResult take_result() { return std::move(result_); }
+
+ private:
+  std::string name_of_cloud(std::size_t c) const {
+    return "cloud " + std::to_string(c + 1) + " of " + std::to_string(clouds_.size());
+  }
+  std::string name_of_loop(std::size_t c, std::size_t l) const {
+    const RimLoop& loop = result_.clouds[c].surface.rim.loops[l];
+    const Point& p = loop.points.front();
+    return name_of_cloud(c) + ", loop of " + std::to_string(loop.size()) + " edges at (" +
+           rounded(p.x) + ", " + rounded(p.y) + ", " + rounded(p.z) + ")";
+  }
+  bool fail(UpdateStatus status, std::string message) {
+    result_.status = status;
+    result_.message = std::move(message);
+    return false;
+  }
+  void warn(std::string message) { result_.warnings.push_back(std::move(message)); }
+
+  // Calls visit(cloud, loop) for the loops that take part in the border.
+  template <class Visit>
+  void for_each_border_loop(Visit visit) const {
+    for (std::size_t c = 0; c < overlaps_.size(); ++c) {
+      for (std::size_t l = 0; l < overlaps_[c].loops.size(); ++l) {
+        if (overlaps_[c].loops[l].match == LoopMatch::on_model) visit(c, l);
+      }
+    }
+  }
+
+  CloudSurface surface_of_cloud(std::size_t c, const Execution& execution) const {
+    try {
+      return cloud_surface(clouds_[c], options_.cloud, execution);
+    } catch (const InputError& error) {
+      throw InputError(name_of_cloud(c) + ": " + error.what());
+    }
+  }
+
+  void warn_about_surface(std::size_t c) {
+    const CloudSurface& surface = result_.clouds[c].surface;
+    if (surface.rho != options_.cloud.start_rho) {
+      warn(name_of_cloud(c) + ": rim found with rho " + rounded(surface.rho) + " after " +
+           std::to_string(surface.trials.size()) + " trials");
+    }
+    if (surface.rim.small_components > 0) {
+      warn(name_of_cloud(c) + ": " + std::to_string(surface.rim.small_components) +
+           " small parts of its surface are not looked at");
+    }
+    if (surface.rim.non_orientable > 0) {
+      warn(name_of_cloud(c) + ": " + std::to_string(surface.rim.non_orientable) +
+           " parts of its surface are one-sided");
+    }
+  }
+
+  void report_overlap(std::size_t c) {
+    const Overlap& overlap = overlaps_[c];
+    CloudReport& report = result_.clouds[c];
+    report.overlapping_facets = overlap.facets;
+    report.star_misses = overlap.star_misses;
+    report.facing_away = overlap.facing_away;
+    report.largest_distance = overlap.largest_distance;
+    for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
+      report.loops[l].match = overlap.loops[l].match;
+      report.loops[l].unmatched = overlap.loops[l].unmatched;
+      report.loops[l].covered = overlap.loops[l].covered;
+      if (overlap.loops[l].match == LoopMatch::on_model) continue;
+      warn(name_of_loop(c, l) + (overlap.loops[l].match == LoopMatch::covered
+                                     ? ": lies on other clouds and is no border"
+                                     : ": is off the model and taken for a hole in the cloud"));
+    }
+  }
+
+  bool fail_no_overlap(std::size_t c) {
+    const CloudReport& report = result_.clouds[c];
+    return fail(
+        UpdateStatus::no_overlap,
+        name_of_cloud(c) + " does not lie on the model: " + std::to_string(overlaps_[c].unmatched) +
+            " of its " + std::to_string(report.boundary_points) +
+            " rim points are farther from it than " + rounded(options_.overlap.max_distance) +
+            " spacings (rim spacing " + rounded(report.surface.rim.spacing) +
+            "); register it to the model or let it reach onto unchanged surface");
+  }
+
+  bool check_separation(const ModelIndex& index) {
+    bool ok = true;
+    for_each_border_loop([&](std::size_t c, std::size_t l) {
+      const Separation separation =
+          loop_sides(model_, index.adjacency(), borders_[c].loops[l], result_.regions).separation;
+      result_.clouds[c].loops[l].separation = separation;
+      if (separation == Separation::encloses_nothing) {
+        warn(name_of_loop(c, l) + ": no region of the model lies inside; the cloud is added there");
+      }
+      if (!ok || separation == Separation::separates ||
+          separation == Separation::encloses_nothing) {
+        return;
+      }
+      ok = fail(UpdateStatus::non_separating,
+                name_of_loop(c, l) + (separation == Separation::open_band
+                                          ? ": jumps between parts of the model that are not "
+                                            "connected; update each part by a cloud of its own"
+                                          : ": runs around a handle and does not cut the model in "
+                                            "two; add a cloud that closes the cut"));
+    });
+    return ok;
+  }
+
+  bool report_choice() {
+    const RegionChoice& choice = result_.choice;
+    std::size_t seen_by_several = 0;
+    std::vector<std::size_t> clouds_over(choice.replaced.size(), 0);
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      CloudReport& report = result_.clouds[c];
+      report.margin_deg = choice.clouds[c].margin * degrees_per_radian;
+      for (const RegionVerdict& verdict : choice.clouds[c].regions) {
+        report.groups.push_back({verdict.region, verdict.mean_angle * degrees_per_radian,
+                                 verdict.edges, verdict.under_cloud});
+        if (!verdict.under_cloud) continue;
+        report.replaced_groups.push_back(verdict.region);
+        if (++clouds_over[verdict.region.index()] == 2) ++seen_by_several;
+      }
+      if (choice.clouds[c].margin < options_.choice.narrow_margin) {
+        warn(name_of_cloud(c) + ": its regions differ by only " + rounded(report.margin_deg) +
+             " degrees; look at the result");
+      }
+    }
+    for (const RegionId r : choice.replaced.ids()) {
+      if (choice.replaced[r] != 0) result_.replaced_groups.push_back(r);
+    }
+    if (seen_by_several > 0) {
+      warn("clouds overlap each other: " + std::to_string(seen_by_several) +
+           " regions lie under more than one");
+    }
+    if (choice.kept_largest) {
+      warn("all regions lie under clouds; the one with the largest angle is kept");
+    }
+    if (choice.status == ChoiceStatus::ok) return true;
+    return fail(UpdateStatus::ambiguous,
+                "the regions inside and outside a rim make angles with the cloud that differ by "
+                "less than " +
+                    rounded(options_.choice.ambiguous_margin * degrees_per_radian) +
+                    " degrees; let the cloud reach farther onto unchanged surface");
+  }
+
+  void map_vertices() {
+    IdVector<PointId, VertexId> vertex_of_point(result_.replacement.points.size());
+    for (const VertexId v : result_.mesh.points.ids()) {
+      vertex_of_point[result_.reconstruction.point_of_vertex[v]] = v;
+    }
+    result_.vertex_map = IdVector<VertexId, VertexId>(model_.points.size());
+    for (const VertexId v : model_.points.ids()) {
+      const PointId p = result_.replacement.point_of_vertex[v];
+      if (!p.is_none()) result_.vertex_map[v] = vertex_of_point[p];
+    }
+  }
+
+  const TriangleMesh& model_;
+  std::span<const std::vector<Point>> clouds_;
+  const UpdateOptions& options_;
+  std::vector<Overlap> overlaps_;
+  std::vector<Border> borders_;
+  TriangleSet border_facets_;
+  UpdateResult result_;
+};
+
+}  // namespace
+
+UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
+                          const UpdateOptions& options, const Execution& execution) {
+  if (clouds.empty()) throw InputError("update: no cloud given; give at least one");
+  Update update(model, clouds, options);
+  bool going = true;
+  run_step(execution, "boundary_detection",
+           [&](const Execution& nested) { going = update.detect_boundaries(nested); });
+  if (!going) return update.take_result();
+
+  std::optional<ModelIndex> index;
+  run_step(execution, "overlapping_facets", [&](const Execution& nested) {
+    index.emplace(model);
+    going = update.find_overlapping_facets(*index, nested);
+  });
+  if (!going) return update.take_result();
+
+  run_step(execution, "segmentation_and_selection",
+           [&](const Execution& nested) { going = update.segment_and_choose(*index, nested); });
+  if (!going) return update.take_result();
+
+  run_step(execution, "reconstruction",
+           [&](const Execution& nested) { update.reconstruct(nested); });
+  return update.take_result();
+}
+
+std::string_view name_of(UpdateStatus status) {
+  switch (status) {
+    case UpdateStatus::ok:
+      return "ok";
+    case UpdateStatus::no_cloud_surface:
+      return "no_cloud_surface";
+    case UpdateStatus::cloud_closed:
+      return "cloud_closed";
+    case UpdateStatus::no_overlap:
+      return "no_overlap";
+    case UpdateStatus::non_separating:
+      return "non_separating";
+    case UpdateStatus::ambiguous:
+      return "ambiguous";
+    case UpdateStatus::empty_surface:
+      return "empty_surface";
+  }
+  return "unknown";
+}
+
+}  // namespace cocoon

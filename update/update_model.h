@@ -1,0 +1,125 @@
+// The local update: parts of a closed mesh are replaced by added clouds of points.
+//
+//   clouds --cloud_surface--> rims --overlapping_facets, trace_border--> border on the model
+//          --segment_model, mean_rim_angles, choose_regions--> regions under the clouds
+//          --replace_points, reconstruct_tight--> updated mesh
+//
+// Anything done here can be done by hand with the stages themselves.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cocone/reconstruct.h"
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+#include "geom/triangle_mesh.h"
+#include "update/choose_regions.h"
+#include "update/cloud_surface.h"
+#include "update/loop_sides.h"
+#include "update/overlapping_facets.h"
+#include "update/replace_points.h"
+#include "update/rim_angles.h"
+#include "update/segment_model.h"
+#include "update/trace_border.h"
+
+namespace cocoon {
+
+struct UpdateOptions {
+  CloudSurfaceOptions cloud;
+  OverlapOptions overlap;
+  TraceOptions trace;
+  SegmentOptions segment;
+  AngleOptions angles;
+  ChoiceOptions choice;
+  ReplaceOptions replace;
+  ReconstructOptions reconstruct;  // of the updated model: the defaults for closed models
+};
+
+// Outcomes that depend on the data; none is an exception. All but ok leave the mesh empty and the
+// result filled as far as the work went.
+enum class UpdateStatus {
+  ok,
+  no_cloud_surface,  // a cloud gives no surface: too few or too noisy samples
+  cloud_closed,      // a cloud has no rim: it is a body of its own, not a patch
+  no_overlap,        // a cloud's rim does not lie on the model
+  non_separating,    // a cloud's rim does not cut the model in two
+  ambiguous,         // the angles do not tell which region lies under a cloud
+  empty_surface,     // nothing is left of the updated points' reconstruction
+};
+
+// One boundary loop of a cloud.
+struct LoopReport {
+  std::size_t edges = 0;
+  double perimeter = 0;
+  LoopMatch match = LoopMatch::off_model;
+  std::size_t unmatched = 0;                      // rim points too far from the model
+  std::size_t covered = 0;                        // of these, points on another cloud
+  Separation separation = Separation::separates;  // meaningful if on_model
+};
+
+// How one cloud saw one region of the model.
+struct GroupAngle {
+  RegionId group;
+  double mean_angle_deg = 0;
+  std::size_t edges = 0;  // rim edges that counted
+  bool under_cloud = false;
+};
+
+struct CloudReport {
+  CloudSurface surface;                        // with rim, rho and trials
+  std::vector<LoopReport> loops;               // as in surface.rim
+  std::size_t boundary_points = 0;             // rim points
+  std::vector<TriangleId> overlapping_facets;  // facets of the model with a rim point on them
+  std::size_t star_misses = 0;                 // see Overlap
+  std::size_t facing_away = 0;
+  double largest_distance = 0;
+  std::size_t border_facets = 0;  // with those traced between rim points
+  std::size_t walks = 0;          // see Border
+  std::size_t searches = 0;
+  std::size_t breaks = 0;
+  std::vector<GroupAngle> groups;         // in the order of groups
+  std::vector<RegionId> replaced_groups;  // those under this cloud
+  double margin_deg = 180;                // of its least clear loop
+};
+
+struct UpdateResult {
+  UpdateStatus status = UpdateStatus::ok;
+  std::string message;  // why it is not ok: one line that says what, where and what to do
+  TriangleMesh mesh;    // the updated model: vertices are input points with their bits
+  std::vector<std::string> warnings;  // one line each
+
+  std::vector<CloudReport> clouds;  // in the order given
+  Regions regions;                  // of the initial model
+  RegionChoice choice;
+  std::vector<RegionId> replaced_groups;  // under any cloud
+
+  // Each vertex of the initial model in the updated one; none: replaced, or not on its surface.
+  IdVector<VertexId, VertexId> vertex_map;
+  Replacement replacement;  // counts, and the updated points
+  // Of the updated points, without its mesh; counts of duplicates and unused points are here.
+  ReconstructResult reconstruction;
+};
+
+// Updates `model`, a closed mesh oriented outward, by `clouds` registered to it, each of which
+// covers a part of the model and overlaps the rest along its rim.
+// Vertices of the result: kept vertices in the order of the model, then cloud points in the order
+// given, without those not on the surface. Every edge of the result is balanced
+// (reconstruct_tight), whatever the model was.
+// Progress: its four steps are "boundary_detection", "overlapping_facets",
+// "segmentation_and_selection" and "reconstruction"; stages report below them.
+// Errors: InputError for no cloud, a cloud that cannot be triangulated (too few points, all
+// coplanar, not finite), a model without triangles or with bad indices.
+// Complexity: O(n log n) expected for n points in all. Deterministic for any thread count; the
+// order of model and clouds matters for numbering only.
+// Source: Woo & Dey 2005, section 3. What is decided otherwise and why: docs/update.md.
+UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
+                          const UpdateOptions& options = {}, const Execution& execution = {});
+
+// "ok", "no_overlap", ...: the names of the enumerators.
+std::string_view name_of(UpdateStatus status);
+
+}  // namespace cocoon
