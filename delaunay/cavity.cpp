@@ -1,6 +1,8 @@
 #include "delaunay/cavity.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <string>
 
 #include "delaunay/conflict_batch.h"
@@ -12,38 +14,20 @@ namespace cocoon {
 namespace {
 
 constexpr std::uint8_t no_local_id = 0xFF;
-// Above this the table of directed edges (its square times 4 bytes) leaves the L2 cache and local
-// ids no longer fit a byte; larger holes pair their edges by sorting.
+// Local ids fit a byte, and the table of directed edges stays in the L2 cache; the few larger
+// borders pair their edges by sorting.
 constexpr std::size_t max_table_vertices = 250;
-
-// For facet j != i of a new cell whose apex is in slot i: the slots of the edge that the facet
-// shares with the border facet, directed so that the cell behind sees the reverse direction.
-// edge_slots[i][j] = the two slots other than i and j, in the order that makes
-// (i, first, second) the corners of facet j, seen from outside.
-struct EdgeSlots {
-  std::uint8_t first;
-  std::uint8_t second;
-};
-
-constexpr std::array<std::array<EdgeSlots, 4>, 4> make_edge_slots() {
-  std::array<std::array<EdgeSlots, 4>, 4> slots{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    for (int k = 0; k < 3; ++k) {
-      const int apex = facet_corners[j][k];
-      slots[static_cast<std::size_t>(apex)][j] = {
-          static_cast<std::uint8_t>(facet_corners[j][(k + 1) % 3]),
-          static_cast<std::uint8_t>(facet_corners[j][(k + 2) % 3])};
-    }
-  }
-  return slots;
-}
-
-constexpr auto edge_slots = make_edge_slots();
+// A border of at most 2^small_shift vertices uses a table of 4 KiB, which stays in the L1 cache.
+constexpr unsigned small_shift = 5;
+constexpr unsigned large_shift = 8;
 
 }  // namespace
 
 CavityInserter::CavityInserter(CellPool& pool, const IdVector<VertexId, Point>& points)
-    : pool_(pool), points_(points), local_id_(points.size() + 1, no_local_id) {}
+    : pool_(pool),
+      points_(points),
+      local_id_(points.size(), no_local_id),
+      edge_table_(std::size_t{1} << (2 * large_shift)) {}
 
 // A finite cell is in conflict iff its (perturbed) circumsphere contains p. An infinite cell is
 // iff p lies beyond its hull facet; a point in the plane of the hull facet lies in the facet's
@@ -62,60 +46,58 @@ bool CavityInserter::in_conflict(const Cell& cell, const Point& p) const {
 }
 
 void CavityInserter::collect_candidates(CellId conflict_cell) {
-  candidates_.make_room(4);
+  auto candidates = candidates_.writer(4);
+  CellMark* const marks = pool_.marks.raw().data();
   for (const FacetId outer : pool_.cells[conflict_cell].neighbors) {
     const CellId neighbor = cell_of(outer);
     __builtin_prefetch(&pool_.cells[neighbor]);
-    CellMark& mark = pool_.marks[neighbor];
+    const CellMark mark = marks[neighbor.index()];
     const bool is_new = mark == CellMark::untested;
-    mark = is_new ? CellMark::outside : mark;  // until the test says otherwise
-    candidates_.append_if(is_new, neighbor);
+    marks[neighbor.index()] = is_new ? CellMark::outside : mark;  // until the test says otherwise
+    candidates.append_if(is_new, neighbor);
   }
+  candidates_.commit(candidates);
 }
 
 // Tests the candidates from `first` on, at most a batch of them, and moves those in conflict to the
 // conflict zone. Returns the first one left.
 std::size_t CavityInserter::test_candidates(std::size_t first, const Point& p) {
   const std::size_t count = std::min(conflict_batch_size, candidates_.size() - first);
-  conflict_cells_.make_room(count);
-  const auto decide = [&](CellId c, bool conflict) {
-    pool_.marks[c] = conflict ? CellMark::conflict : CellMark::outside;
-    conflict_cells_.append_if(conflict, c);
-  };
   std::array<CellId, conflict_batch_size> ids;
-  std::array<const Cell*, conflict_batch_size> cells;
-  std::size_t lanes = 0;
+  for (std::size_t i = 0; i < conflict_batch_size; ++i) {
+    ids[i] = candidates_[first + std::min(i, count - 1)];
+  }
+  BatchDecision decision = insphere_batch(pool_.cells, ids.data(), points_, p);
+  // What the filter leaves open, and infinite cells, one by one.
+  const unsigned lanes = (1U << count) - 1;
+  for (unsigned open = (decision.undecided | decision.infinite) & lanes; open != 0;
+       open &= open - 1) {
+    const unsigned lane_bit = open & (~open + 1);
+    const CellId c = ids[static_cast<std::size_t>(std::countr_zero(open))];
+    decision.inside &= ~lane_bit;
+    if (in_conflict(pool_.cells[c], p)) decision.inside |= lane_bit;
+  }
+  auto conflict_cells = conflict_cells_.writer(conflict_batch_size);
+  CellMark* const marks = pool_.marks.raw().data();
   for (std::size_t i = 0; i < count; ++i) {
-    const CellId c = candidates_[first + i];
-    if (pool_.is_infinite(c)) {
-      decide(c, in_conflict(pool_.cells[c], p));
-    } else {
-      ids[lanes] = c;
-      cells[lanes++] = &pool_.cells[c];
-    }
+    const bool conflict = ((decision.inside >> i) & 1U) != 0;
+    marks[ids[i].index()] = conflict ? CellMark::conflict : CellMark::outside;
+    conflict_cells.append_if(conflict, ids[i]);
   }
-  if (lanes > 0) {
-    for (std::size_t i = lanes; i < conflict_batch_size; ++i) cells[i] = cells[0];
-    BatchDecision decision = insphere_batch(cells, points_, p);
-    for (std::size_t i = 0; i < lanes; ++i) {
-      if (((decision.undecided >> i) & 1U) != 0 && in_conflict(*cells[i], p)) {
-        decision.inside |= 1U << i;
-      }
-      decide(ids[i], ((decision.inside >> i) & 1U) != 0);
-    }
-  }
+  conflict_cells_.commit(conflict_cells);
   return first + count;
 }
 
 void CavityInserter::find_conflict_zone(VertexId v, CellId start) {
   const Point p = points_[v];
-  conflict_cells_.clear();
   candidates_.clear();
-  conflict_cells_.make_room(1);
-  conflict_cells_.append(start);
+  conflict_cells_.clear();
+  auto conflict_cells = conflict_cells_.writer(1);
+  conflict_cells.append(start);
+  conflict_cells_.commit(conflict_cells);
   pool_.marks[start] = CellMark::conflict;
-  std::size_t tested = 0;
   std::size_t expanded = 0;
+  std::size_t tested = 0;
   while (expanded < conflict_cells_.size() || tested < candidates_.size()) {
     if (expanded < conflict_cells_.size()) {
       collect_candidates(conflict_cells_[expanded++]);
@@ -125,125 +107,131 @@ void CavityInserter::find_conflict_zone(VertexId v, CellId start) {
   }
 }
 
-void CavityInserter::collect_border(VertexId v) {
-  border_facets_.clear();
-  border_facets_.make_room(4 * conflict_cells_.size());
-  for (const CellId c : conflict_cells_) {
-    const Cell& cell = pool_.cells[c];
-    for (int i = 0; i < 4; ++i) {
-      const CellId neighbor = cell_of(cell.neighbors[static_cast<std::size_t>(i)]);
-      border_facets_.append_if(pool_.marks[neighbor] != CellMark::conflict, facet_id(c, i));
-    }
-  }
+void CavityInserter::collect_border() {
   border_.clear();
-  border_.make_room(border_facets_.size());
+  auto border = border_.writer(4 * conflict_cells_.size());
+  const CellMark* const marks = pool_.marks.raw().data();
+  const Cell* const cells = pool_.cells.raw().data();
+  for (const CellId c : conflict_cells_) {
+    for (int i = 0; i < 4; ++i) {
+      const CellId neighbor = cell_of(cells[c.index()].neighbors[static_cast<std::size_t>(i)]);
+      border.append_if(marks[neighbor.index()] != CellMark::conflict, facet_id(c, i));
+    }
+  }
+  border_.commit(border);
+}
+
+// Appends `count` cells to the pool.
+void CavityInserter::grow_pool(std::size_t count) {
+  const std::size_t end = pool_.cells.size() + count;
+  if (end > max_cells) {
+    throw InputError("too many points: the triangulation needs more than " +
+                     std::to_string(max_cells) + " tetrahedra, the most that can be numbered");
+  }
+  pool_.cells.resize(end);
+  pool_.marks.resize(end, CellMark::untested);
+}
+
+// Makes one new cell for each border facet, linked to the cell outside, and numbers the vertices of
+// the border in order of first sight, as far as the numbers go. The vertex at infinity has the
+// entry behind the last vertex in local_id_.
+void CavityInserter::build_star(VertexId v) {
+  // Cells freed just now, which are in cache, go first.
+  const std::size_t reused = std::min(border_.size(), pool_.free.size());
+  const CellId* free_end = pool_.free.data() + pool_.free.size();
+  const CellId* const last_reused = free_end - reused;
+  CellId fresh(pool_.cells.size());
+  if (reused < border_.size()) grow_pool(border_.size() - reused);
+  Cell* const cells = pool_.cells.raw().data();
+  std::uint8_t* const local_id = local_id_.raw().data();
+  const VertexId past_last(points_.size() - 1);
+  star_.clear();
+  local_corners_.clear();
   border_vertices_.clear();
-  border_vertices_.make_room(max_table_vertices + 1);
-  for (const FacetId facet : border_facets_) describe_border_facet(facet, v);
-  for (const VertexId entry : border_vertices_) local_id_[entry] = no_local_id;
-}
-
-// Border vertices are numbered in order of first sight, up to the number that the table of edges
-// can hold. The vertex at infinity takes the entry behind the last vertex.
-void CavityInserter::describe_border_facet(FacetId facet, VertexId v) {
-  const Cell& cell = pool_.cells[cell_of(facet)];
-  const auto apex = static_cast<std::size_t>(index_of(facet));
-  CavityFacet result{cell.vertices, {}, cell.neighbors[apex], index_of(facet)};
-  result.vertices[apex] = v;
-  for (std::size_t k = 1; k < 4; ++k) {
-    const std::size_t slot = (apex + k) % 4;
-    const VertexId entry = std::min(cell.vertices[slot], VertexId(points_.size()));
-    const std::uint8_t known = local_id_[entry];
-    const bool is_new = known == no_local_id && border_vertices_.size() < max_table_vertices;
-    const std::uint8_t id = is_new ? static_cast<std::uint8_t>(border_vertices_.size()) : known;
-    local_id_[entry] = id;
-    result.local_ids[slot] = id;
-    border_vertices_.append_if(is_new, entry);
-  }
-  border_.append(result);
-}
-
-// New cells take the slots of the conflict cells first: those are in cache.
-void CavityInserter::allocate_new_cells() {
-  for (const CellId c : candidates_) pool_.marks[c] = CellMark::untested;
-  pool_.marks[conflict_cells_[0]] = CellMark::untested;  // the start was no candidate
-  new_cells_.clear();
-  new_cells_.make_room(border_.size());
-  const std::size_t reused = std::min(conflict_cells_.size(), border_.size());
-  for (std::size_t i = 0; i < reused; ++i) new_cells_.append(conflict_cells_[i]);
-  for (std::size_t i = reused; i < conflict_cells_.size(); ++i) {
-    pool_.cells[conflict_cells_[i]].vertices[0] = VertexId();
-    pool_.free.push_back(conflict_cells_[i]);
-  }
-  while (new_cells_.size() < border_.size() && !pool_.free.empty()) {
-    new_cells_.append(pool_.free.back());
-    pool_.free.pop_back();
-  }
-  if (const std::size_t missing = border_.size() - new_cells_.size(); missing > 0) {
-    const std::size_t first = pool_.cells.size();
-    if (first + missing > max_cells) {
-      throw InputError("too many points: the triangulation needs more than " +
-                       std::to_string(max_cells) + " tetrahedra, the most that can be numbered");
+  auto star = star_.writer(border_.size());
+  auto local_corners = local_corners_.writer(border_.size());
+  auto border_vertices = border_vertices_.writer(max_table_vertices);
+  std::size_t numbered = 0;
+  for (const FacetId facet : border_) {
+    const Cell& old = cells[cell_of(facet).index()];
+    const auto apex = static_cast<std::size_t>(index_of(facet));
+    const FacetId outer = old.neighbors[apex];
+    CellId slot = fresh;
+    if (free_end != last_reused) {
+      slot = *--free_end;
+    } else {
+      ++fresh;
     }
-    pool_.cells.resize(first + missing);
-    pool_.marks.resize(first + missing, CellMark::untested);
-    for (std::size_t i = 0; i < missing; ++i) new_cells_.append(CellId(first + i));
-  }
-}
-
-void CavityInserter::build_cell(std::size_t border_index) {
-  const CavityFacet& facet = border_[border_index];
-  const CellId c = new_cells_[border_index];
-  Cell& cell = pool_.cells[c];
-  cell.vertices = facet.vertices;
-  cell.neighbors[static_cast<std::size_t>(facet.apex)] = facet.outer;
-  pool_.cells[cell_of(facet.outer)].neighbors[static_cast<std::size_t>(index_of(facet.outer))] =
-      facet_id(c, facet.apex);
-}
-
-// Each edge of the border belongs to two border facets, so to two new cells, which see it in
-// opposite directions: enter all, then look up the reverse of each.
-void CavityInserter::fill_with_edge_table() {
-  const std::size_t stride = border_vertices_.size();
-  if (edge_table_.size() < stride * stride) edge_table_.resize(stride * stride);
-  for (std::size_t b = 0; b < border_.size(); ++b) {
-    build_cell(b);
-    const CavityFacet& facet = border_[b];
-    const auto& slots = edge_slots[static_cast<std::size_t>(facet.apex)];
-    for (std::size_t k = 1; k < 4; ++k) {
-      const std::size_t j = (static_cast<std::size_t>(facet.apex) + k) % 4;
-      edge_table_[facet.local_ids[slots[j].first] * stride + facet.local_ids[slots[j].second]] =
-          facet_id(new_cells_[b], static_cast<int>(j));
+    const FacetId inner = facet_id(slot, index_of(facet));
+    Cell& created = cells[cell_of(inner).index()];
+    created.vertices = old.vertices;
+    created.vertices[apex] = v;
+    created.neighbors[apex] = outer;
+    cells[cell_of(outer).index()].neighbors[static_cast<std::size_t>(index_of(outer))] = inner;
+    LocalIds ids;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto corner = static_cast<std::size_t>(facet_corners[apex][k]);
+      const VertexId entry = std::min(old.vertices[corner], past_last);
+      const std::uint8_t known = local_id[entry.index()];
+      const bool is_new = known == no_local_id && numbered < max_table_vertices;
+      ids[k] = is_new ? static_cast<std::uint8_t>(numbered) : known;
+      local_id[entry.index()] = ids[k];
+      numbered += is_new ? 1 : 0;
+      border_vertices.append_if(is_new, entry);
     }
+    star.append(inner);
+    local_corners.append(ids);
   }
-  for (std::size_t b = 0; b < border_.size(); ++b) {
-    const CavityFacet& facet = border_[b];
-    const auto& slots = edge_slots[static_cast<std::size_t>(facet.apex)];
-    Cell& cell = pool_.cells[new_cells_[b]];
-    for (std::size_t k = 1; k < 4; ++k) {
-      const std::size_t j = (static_cast<std::size_t>(facet.apex) + k) % 4;
-      cell.neighbors[j] =
-          edge_table_[facet.local_ids[slots[j].second] * stride + facet.local_ids[slots[j].first]];
-    }
+  star_.commit(star);
+  local_corners_.commit(local_corners);
+  border_vertices_.commit(border_vertices);
+  pool_.free.resize(pool_.free.size() - reused);
+  for (const VertexId entry : border_vertices_) local_id[entry.index()] = no_local_id;
+}
+
+// The border is an oriented sphere: each of its edges belongs to two facets, which see it in
+// opposite directions. Enter the new cell's facet at each directed edge, then look up the reverse.
+// The facet at edge (corner 0, corner 1) lies opposite corner 2, and so on around.
+void CavityInserter::link_by_edge_table(unsigned shift) {
+  Cell* const cells = pool_.cells.raw().data();
+  FacetId* const table = edge_table_.data();
+  const auto entry = [&](std::uint8_t from, std::uint8_t to) -> FacetId& {
+    return table[(std::size_t{from} << shift) | to];
+  };
+  for (std::size_t b = 0; b < star_.size(); ++b) {
+    const CellId c = cell_of(star_[b]);
+    const int* corners = facet_corners[index_of(star_[b])];
+    const LocalIds ids = local_corners_[b];
+    entry(ids[0], ids[1]) = facet_id(c, corners[2]);
+    entry(ids[1], ids[2]) = facet_id(c, corners[0]);
+    entry(ids[2], ids[0]) = facet_id(c, corners[1]);
+  }
+  for (std::size_t b = 0; b < star_.size(); ++b) {
+    Cell& cell = cells[cell_of(star_[b]).index()];
+    const int* corners = facet_corners[index_of(star_[b])];
+    const LocalIds ids = local_corners_[b];
+    cell.neighbors[static_cast<std::size_t>(corners[2])] = entry(ids[1], ids[0]);
+    cell.neighbors[static_cast<std::size_t>(corners[0])] = entry(ids[2], ids[1]);
+    cell.neighbors[static_cast<std::size_t>(corners[1])] = entry(ids[0], ids[2]);
   }
 }
 
-void CavityInserter::fill_with_sorted_edges() {
+// The same for borders of any size.
+void CavityInserter::link_by_sorted_edges() {
   struct EdgeFacet {
     VertexId low, high;  // the edge, undirected
     FacetId facet;
   };
   std::vector<EdgeFacet> edges;
-  edges.reserve(border_.size() * 3);
-  for (std::size_t b = 0; b < border_.size(); ++b) {
-    build_cell(b);
-    const CavityFacet& facet = border_[b];
-    const auto& slots = edge_slots[static_cast<std::size_t>(facet.apex)];
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (static_cast<int>(j) == facet.apex) continue;
+  edges.reserve(star_.size() * 3);
+  for (const FacetId facet : star_) {
+    const Cell& cell = pool_.cells[cell_of(facet)];
+    const int* corners = facet_corners[index_of(facet)];
+    for (int k = 0; k < 3; ++k) {
       const auto [low, high] =
-          std::minmax(facet.vertices[slots[j].first], facet.vertices[slots[j].second]);
-      edges.push_back({low, high, facet_id(new_cells_[b], static_cast<int>(j))});
+          std::minmax(cell.vertices[static_cast<std::size_t>(corners[(k + 1) % 3])],
+                      cell.vertices[static_cast<std::size_t>(corners[(k + 2) % 3])]);
+      edges.push_back({low, high, facet_id(cell_of(facet), corners[k])});
     }
   }
   std::sort(edges.begin(), edges.end(), [](const EdgeFacet& a, const EdgeFacet& b) {
@@ -258,19 +246,30 @@ void CavityInserter::fill_with_sorted_edges() {
   }
 }
 
+void CavityInserter::release_conflict_zone() {
+  CellMark* const marks = pool_.marks.raw().data();
+  marks[conflict_cells_[0].index()] = CellMark::untested;  // the start was no candidate
+  for (const CellId c : candidates_) marks[c.index()] = CellMark::untested;
+  for (const CellId c : conflict_cells_) pool_.cells[c].vertices[0] = VertexId();
+  pool_.free.insert(pool_.free.end(), conflict_cells_.begin(), conflict_cells_.end());
+}
+
 CellId CavityInserter::insert(VertexId v, CellId start, DelaunayCounters& counters) {
   find_conflict_zone(v, start);
-  collect_border(v);
-  allocate_new_cells();
-  if (border_vertices_.size() < max_table_vertices) {
-    fill_with_edge_table();
+  collect_border();
+  build_star(v);
+  if (border_vertices_.size() <= (std::size_t{1} << small_shift)) {
+    link_by_edge_table(small_shift);
+  } else if (border_vertices_.size() < max_table_vertices) {
+    link_by_edge_table(large_shift);
   } else {
-    fill_with_sorted_edges();
+    link_by_sorted_edges();
   }
+  release_conflict_zone();
   counters.conflict_tests += candidates_.size();
-  counters.cells_created += border_.size();
+  counters.cells_created += star_.size();
   counters.cells_deleted += conflict_cells_.size();
-  return new_cells_[new_cells_.size() - 1];
+  return cell_of(star_[0]);
 }
 
 }  // namespace cocoon

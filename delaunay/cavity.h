@@ -15,15 +15,6 @@
 
 namespace cocoon {
 
-// A facet between a conflict cell and a cell that stays, with all that the new cell in its place
-// needs: the conflict cell's slot may be overwritten before it is built.
-struct CavityFacet {
-  std::array<VertexId, 4> vertices;       // the conflict cell's, with the new vertex at `apex`
-  std::array<std::uint8_t, 4> local_ids;  // of the border vertices, see describe_border_facet
-  FacetId outer;                          // the facet as the cell outside numbers it
-  int apex;
-};
-
 // Inserts points one after the other; holds the scratch memory that insertions share.
 class CavityInserter {
  public:
@@ -37,26 +28,28 @@ class CavityInserter {
   CellId insert(VertexId v, CellId start, DelaunayCounters& counters);
 
  private:
+  using LocalIds = std::array<std::uint8_t, 3>;  // of a border facet's corners, as facet_corners
+
   bool in_conflict(const Cell& cell, const Point& p) const;
   void find_conflict_zone(VertexId v, CellId start);
   void collect_candidates(CellId conflict_cell);
   std::size_t test_candidates(std::size_t first, const Point& p);
-  void collect_border(VertexId v);
-  void describe_border_facet(FacetId facet, VertexId v);
-  void allocate_new_cells();
-  void build_cell(std::size_t border_index);
-  void fill_with_edge_table();
-  void fill_with_sorted_edges();
+  void collect_border();
+  void grow_pool(std::size_t count);
+  void build_star(VertexId v);
+  void link_by_edge_table(unsigned shift);
+  void link_by_sorted_edges();
+  void release_conflict_zone();
 
   CellPool& pool_;
   const IdVector<VertexId, Point>& points_;
-  ScratchList<CellId> conflict_cells_;  // the conflict zone, in breadth-first order
-  ScratchList<CellId> candidates_;      // cells next to conflict cells, in order of discovery
-  ScratchList<FacetId> border_facets_;  // facets of the zone's border, seen from inside
-  ScratchList<CavityFacet> border_;     // the same, with what the new cells need
-  ScratchList<CellId> new_cells_;       // parallel to border_
+  ScratchList<CellId> conflict_cells_;     // the conflict zone, in breadth-first order
+  ScratchList<CellId> candidates_;         // cells next to conflict cells, in order of discovery
+  ScratchList<FacetId> border_;            // facets of the zone's border, seen from inside
+  ScratchList<FacetId> star_;              // for each, the new cell's facet there, seen from inside
+  ScratchList<LocalIds> local_corners_;    // for each, its corners as local ids
+  ScratchList<VertexId> border_vertices_;  // by local id, as entries of local_id_
   IdVector<VertexId, std::uint8_t> local_id_;  // number of a border vertex, no_local_id elsewhere
-  ScratchList<VertexId> border_vertices_;      // as entries of local_id_
   std::vector<FacetId> edge_table_;  // facet of a new cell by (local id, local id) of its edge
 };
 

@@ -1,10 +1,47 @@
 #include "delaunay/conflict_batch.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
 
 #include "geom/insphere.h"
+
+#ifndef COCOON_CONFLICT_BATCH_ONCE
+#define COCOON_CONFLICT_BATCH_ONCE
+namespace cocoon {
+
+// Where the lanes find their cells and coordinates.
+class Batch {
+ public:
+  Batch(const IdVector<CellId, Cell>& cells, const CellId* ids,
+        const IdVector<VertexId, Point>& points)
+      : coordinates_(&points.raw().data()->x),
+        past_last_(static_cast<std::uint32_t>(points.size() - 1)) {
+    for (std::size_t lane = 0; lane < conflict_batch_size; ++lane) lanes_[lane] = &cells[ids[lane]];
+  }
+
+  const double* corner(std::size_t lane, std::size_t slot) const {
+    std::uint32_t vertex = lanes_[lane]->vertices[slot].value;
+    if (slot == 3) vertex = std::min(vertex, past_last_);  // the vertex at infinity
+    return coordinates_ + 3 * std::size_t{vertex};
+  }
+  unsigned infinite() const {
+    unsigned bits = 0;
+    for (std::size_t lane = 0; lane < conflict_batch_size; ++lane) {
+      bits |= (lanes_[lane]->vertices[3] == infinite_vertex ? 1U : 0U) << lane;
+    }
+    return bits;
+  }
+
+ private:
+  const double* coordinates_;
+  std::uint32_t past_last_;
+  std::array<const Cell*, conflict_batch_size> lanes_;
+};
+
+}  // namespace cocoon
+#endif
 
 // Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -28,12 +65,9 @@ struct Corner {
   Vector x, y, z;
 };
 
-HWY_INLINE Corner load_corner(std::span<const Cell* const, conflict_batch_size> cells,
-                              std::size_t slot, const double* coordinates, const Corner& p) {
+HWY_INLINE Corner load_corner(const Batch& batch, std::size_t slot, const Corner& p) {
   const Lanes d;
-  const auto load = [&](std::size_t lane) {
-    return hn::LoadU(d, coordinates + 3 * std::size_t{cells[lane]->vertices[slot].value});
-  };
+  const auto load = [&](std::size_t lane) { return hn::LoadU(d, batch.corner(lane, slot)); };
   const Vector v0 = load(0), v1 = load(1), v2 = load(2), v3 = load(3);
   const Vector low01 = hn::InterleaveLower(d, v0, v1);   // x0 x1 z0 z1
   const Vector high01 = hn::InterleaveUpper(d, v0, v1);  // y0 y1
@@ -52,14 +86,13 @@ HWY_INLINE Vector largest(Vector a, Vector b, Vector c, Vector d) {
 }
 
 // The expression, the bound and its derivation are those of insphere_filter.
-BatchDecision decide(std::span<const Cell* const, conflict_batch_size> cells,
-                     const double* coordinates, const Point& point) {
+BatchDecision decide(const Batch& batch, const Point& point) {
   const Lanes d;
   const Corner e{hn::Set(d, point.x), hn::Set(d, point.y), hn::Set(d, point.z)};
-  const Corner p = load_corner(cells, 0, coordinates, e);
-  const Corner q = load_corner(cells, 1, coordinates, e);
-  const Corner r = load_corner(cells, 2, coordinates, e);
-  const Corner s = load_corner(cells, 3, coordinates, e);
+  const Corner p = load_corner(batch, 0, e);
+  const Corner q = load_corner(batch, 1, e);
+  const Corner r = load_corner(batch, 2, e);
+  const Corner s = load_corner(batch, 3, e);
   const Vector pq = minor_xy(p, q);
   const Vector pr = minor_xy(p, r);
   const Vector ps = minor_xy(p, s);
@@ -90,15 +123,14 @@ BatchDecision decide(std::span<const Cell* const, conflict_batch_size> cells,
     hn::StoreMaskBits(d, mask, bytes.data());
     return bytes[0] & 0xFU;
   };
-  return {bits(inside), bits(decided) ^ 0xFU};
+  return {bits(inside), bits(decided) ^ 0xFU, batch.infinite()};
 }
 
 #else
 
-BatchDecision decide(std::span<const Cell* const, conflict_batch_size> cells,
-                     const double* coordinates, const Point& p) {
-  const auto corner = [&](std::size_t cell, std::size_t slot) {
-    const double* at = coordinates + 3 * std::size_t{cells[cell]->vertices[slot].value};
+BatchDecision decide(const Batch& batch, const Point& p) {
+  const auto corner = [&](std::size_t lane, std::size_t slot) {
+    const double* at = batch.corner(lane, slot);
     return Point{at[0], at[1], at[2]};
   };
   BatchDecision decision;
@@ -108,6 +140,7 @@ BatchDecision decide(std::span<const Cell* const, conflict_batch_size> cells,
     if (!filter.is_certain()) decision.undecided |= 1U << i;
     if (filter.value > filter.error) decision.inside |= 1U << i;
   }
+  decision.infinite = batch.infinite();
   return decision;
 }
 
@@ -122,10 +155,10 @@ namespace cocoon {
 
 HWY_EXPORT(decide);
 
-BatchDecision insphere_batch(std::span<const Cell* const, conflict_batch_size> cells,
+BatchDecision insphere_batch(const IdVector<CellId, Cell>& cells, const CellId* ids,
                              const IdVector<VertexId, Point>& points, const Point& p) {
   static_assert(sizeof(Point) == 3 * sizeof(double));
-  return HWY_DYNAMIC_DISPATCH(decide)(cells, &points.raw().data()->x, p);
+  return HWY_DYNAMIC_DISPATCH(decide)(Batch(cells, ids, points), p);
 }
 
 }  // namespace cocoon

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 
 #include "delaunay/cell_pool.h"
 #include "geom/id_vector.h"
@@ -16,13 +15,15 @@ inline constexpr std::size_t conflict_batch_size = 4;
 struct BatchDecision {
   unsigned inside = 0;     // certainly: the circumsphere contains the point
   unsigned undecided = 0;  // the filter cannot tell; the exact predicate must
+  unsigned infinite = 0;   // not a finite cell
 };
 
 // First level of insphere (geom/insphere.h: same expression, same bound, same bits on every
-// instruction set) for conflict_batch_size finite cells at once. The instruction set is chosen at
-// run time. Reads 8 bytes past the coordinates of a vertex: the last element of `points` must
-// not be a vertex of the cells. Complexity: O(1), about the time of one scalar test.
-BatchDecision insphere_batch(std::span<const Cell* const, conflict_batch_size> cells,
+// instruction set) for the conflict_batch_size cells with the given ids. The instruction set is
+// chosen at run time. Answers for infinite cells mean nothing.
+// `points` must end with one element that is no vertex: it is read in place of the vertex at
+// infinity, and a little past the last vertex. Complexity: O(1), about the time of one scalar test.
+BatchDecision insphere_batch(const IdVector<CellId, Cell>& cells, const CellId* ids,
                              const IdVector<VertexId, Point>& points, const Point& p);
 
 }  // namespace cocoon

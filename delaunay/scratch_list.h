@@ -7,26 +7,37 @@
 
 namespace cocoon {
 
-// Whether a cell is in conflict, or a vertex is new, is a coin toss that no branch predictor can
-// learn; a mispredicted branch costs more than a store that is overwritten. Memory is kept when the
-// list is cleared.
+// Memory is kept when the list is cleared.
 template <class T>
 class ScratchList {
  public:
+  // Appends through a pointer of its own, which the compiler can keep in a register. Whether a cell
+  // is in conflict, or a vertex is new, is a coin toss that no branch predictor can learn; a
+  // mispredicted branch costs more than a store that is overwritten.
+  class Writer {
+   public:
+    explicit Writer(T* at) : at_(at) {}
+    void append(const T& value) { *at_++ = value; }
+    void append_if(bool keep, const T& value) {
+      *at_ = value;
+      at_ += keep ? 1 : 0;
+    }
+    T* position() const { return at_; }
+
+   private:
+    T* at_;
+  };
+
   void clear() { size_ = 0; }
-  // Makes sure that `extra` more elements can be appended.
-  void make_room(std::size_t extra) {
-    if (size_ + extra > data_.size()) data_.resize(2 * (size_ + extra));
+  // A writer behind the last element, with room for `extra` more and one that is not kept.
+  Writer writer(std::size_t extra) {
+    if (size_ + extra >= data_.size()) data_.resize(2 * (size_ + extra) + 8);
+    return Writer(data_.data() + size_);
   }
-  // Precondition for both: make_room was called for at least one more element.
-  void append(const T& value) {
-    assert(size_ < data_.size());
-    data_[size_++] = value;
-  }
-  void append_if(bool keep, const T& value) {
-    assert(size_ < data_.size());
-    data_[size_] = value;
-    size_ += keep ? 1 : 0;
+  // Takes in what was appended through `writer`.
+  void commit(const Writer& writer) {
+    size_ = static_cast<std::size_t>(writer.position() - data_.data());
+    assert(size_ <= data_.size());
   }
 
   std::size_t size() const { return size_; }
