@@ -6,9 +6,11 @@
 #include <map>
 #include <string>
 
+#include "cocone/boundary_loops.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
 #include "geom/mesh_measure.h"
+#include "io/point_file.h"
 #include "tests/cocone/sample_shapes.h"
 
 namespace cocoon {
@@ -46,6 +48,29 @@ TEST(ReconstructTight, CleanClosedSurfacesUseEverySample) {
   EXPECT_EQ(torus.counters.boundary_samples, 0U);
   expect_closed(reconstruct_tight(shapes::torus(100, 50, 0.4, 0.5, 3)), {2 * 5000, 0},
                 "grid torus");
+}
+
+TEST(ReconstructTight, ScannedModels) {
+  const std::string folder = std::string(COCOON_TEST_DATA) + "/points/";
+  const ReconstructResult kitten = reconstruct_tight(read_points(folder + "kitten.xyz").points);
+  expect_closed(kitten, {10420, 0}, "kitten");
+  EXPECT_EQ(kitten.unused_points, 0U);
+  expect_closed(reconstruct_tight(read_points(folder + "sphere926.pwn").points), {1848, 2},
+                "sphere926");
+}
+
+TEST(ReconstructCocone, SphereWithoutACapHasOneRim) {
+  const std::string file = std::string(COCOON_TEST_DATA) + "/points/half.xyz";
+  const ReconstructResult open =
+      reconstruct_cocone(read_points(file).points, open_cloud_defaults());
+  const BoundaryLoops loops = boundary_loops(open.mesh);
+  ASSERT_EQ(loops.rims(), 1U);
+  EXPECT_EQ(mesh_check(open.mesh).euler, 1);
+  EXPECT_EQ(open.unused_points, 0U);
+  // the rim lies at the cut, z near 0.375
+  for (const BoundaryEdge& edge : loops.loops[0].edges) {
+    EXPECT_NEAR(open.mesh.points[edge.from].z, 0.375, 0.1);
+  }
 }
 
 TEST(ReconstructTight, CutSphereIsClosedAndOpenSurfaceIsADisk) {
