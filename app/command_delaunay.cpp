@@ -1,7 +1,8 @@
-#include <span>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/files.h"
+#include "delaunay/canonical_order.h"
 #include "delaunay/delaunay.h"
 #include "io/tetrahedra_file.h"
 
@@ -10,9 +11,9 @@ namespace cocoon::app {
 void run_delaunay(const DelaunayArguments& arguments, Job& job) {
   require_outputs(job, {{arguments.file, {".vtu", ".mesh", ".tet"}}});
   const std::vector<Point> points = read_cloud(job, arguments.points, "input");
-  const DelaunayResult result =
+  DelaunayResult result =
       naming_input(arguments.points, [&] { return delaunay(points, {}, job.execution()); });
-  const Triangulation& triangulation = result.triangulation;
+  const Triangulation triangulation = canonical_order(std::move(result.triangulation));
   timed(job.execution(), "write", [&] { write_tetrahedra(arguments.file, triangulation); });
 
   JsonReport& report = job.report();

@@ -99,7 +99,8 @@ void add_demo_and_sample(CLI::App& app, Command& chosen, SharedArguments& shared
       ->type_name("DIR");
   sub->add_option("--points", sample.points, "Points of the initial model (the paper's number)")
       ->check(CLI::PositiveNumber);
-  sub->add_option("--cloud-points", sample.cloud_points, "Points of the clouds together")
+  sub->add_option("--cloud-points", sample.cloud_points,
+                  "Points of each cloud (the paper's numbers)")
       ->check(CLI::PositiveNumber);
   sub->add_option("--seed", sample.seed, "Seed of the random placement");
 }
@@ -164,6 +165,18 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
       ->check(CLI::PositiveNumber);
 }
 
+// CLI11 alone would answer to a misspelled command that one is missing.
+void require_known_command(const CLI::App& app, int argc, const char* const* argv) {
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first.empty() || first.front() == '-') return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == first) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw UsageError(fmt::format("'{}' is no command; there are {}", first, names));
+}
+
 }  // namespace
 
 Request parse_command_line(int argc, const char* const* argv) {
@@ -177,6 +190,7 @@ Request parse_command_line(int argc, const char* const* argv) {
   add_surface_commands(app, line.command, line.shared);
   add_other_commands(app, line.command, line.shared);
   try {
+    require_known_command(app, argc, argv);
     app.parse(argc, argv);
     if (const auto* check = std::get_if<CheckArguments>(&line.command)) {
       require_known_words(check->required);

@@ -40,7 +40,7 @@ std::vector<StageTime> Job::timings() const {
   return result;
 }
 
-void Job::finish() {
+std::string Job::finish() {
   if (!warnings_.empty()) report_.set("warnings", warnings_);
   for (const StageTime& time : timings()) report_.set("timings_s/" + time.stage, time.seconds);
   report_.set("timings_s/total", clock_.total_seconds());
@@ -51,11 +51,13 @@ void Job::finish() {
   }
   report_.set("peak_memory_bytes", peak_memory_bytes());
   progress_line_.clear();
+  const std::string text = report_.text();
   if (shared_.json == "-") {
-    fmt::print("{}", report_.text());
+    fmt::print("{}", text);
   } else if (!shared_.json.empty()) {
-    write_file(shared_.json, report_.text());
+    write_file(shared_.json, text);
   }
+  return text;
 }
 
 std::size_t peak_memory_bytes() {

@@ -34,8 +34,9 @@ class Job {
   // Seconds of each outermost stage so far; what runs nested in it is part of it.
   std::vector<StageTime> timings() const;
 
-  // The last step of a command: adds timings and memory to the report and writes it.
-  void finish();
+  // The last step of a command: adds timings and memory to the report and writes it where the
+  // user wants it. Returns its text.
+  std::string finish();
 
  private:
   void say_line(const std::string& line);

@@ -27,8 +27,8 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("pruned", c.pruned);
   set("umbrellas", c.umbrellas);
   set("surface_triangles", c.surface_triangles);
-  set("surface_components", c.surface_components);
-  set("two_sided_facets", c.two_sided_facets);
+  set("surface_walks", c.surface_walks);
+  set("back_contacts", c.back_contacts);
   set("non_orientable_components", c.non_orientable_components);
   set("good_vertices", c.good_vertices);
   set("demoted_vertices", c.demoted_vertices);

@@ -43,24 +43,16 @@ CornerSides center_sides(const Triangulation& triangulation, const Dual& dual, c
   return sides;
 }
 
-// Both cells of a facet list its corners with their own normal outward: in opposite cyclic orders,
-// so that one common corner tells which of the others are the same.
 unsigned facet_row(const Triangulation& triangulation, const CornerSides& sides, FacetId f) {
   const FacetId mirror = triangulation.mirror(f);
   const Cell& cell = triangulation.cell(cell_of(f));
   const Cell& behind = triangulation.cell(cell_of(mirror));
-  const int* const here = facet_corners[index_of(f)];
-  const int* const there = facet_corners[index_of(mirror)];
-  const VertexId first = cell.vertices[static_cast<std::size_t>(here[0])];
-  const int start = behind.vertices[static_cast<std::size_t>(there[0])] == first   ? 3
-                    : behind.vertices[static_cast<std::size_t>(there[1])] == first ? 4
-                                                                                   : 5;
   const std::uint8_t own = sides[cell_of(f)];
   const std::uint8_t other = sides[cell_of(mirror)];
   unsigned row = 0;
-  for (int k = 0; k < 3; ++k) {
-    const bool meets = meets_cocone(side_at(own, here[k]), side_at(other, there[(start - k) % 3]));
-    row |= static_cast<unsigned>(meets) << here[k];
+  for (const int j : facet_corners[index_of(f)]) {
+    const int k = index_of_vertex(behind, cell.vertices[static_cast<std::size_t>(j)]);
+    if (meets_cocone(side_at(own, j), side_at(other, k))) row |= 1U << j;
   }
   return row;
 }

@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/files.h"
+#include "geom/errors.h"
+#include "geom/surface_distance.h"
+
+namespace cocoon::app {
+
+namespace {
+
+void add_distances(JsonReport& report, const std::string& path, const DirectedDistance& distance) {
+  report.set(path + "/max", distance.max);
+  report.set(path + "/mean", distance.mean);
+  report.set(path + "/rms", distance.rms);
+  report.set(path + "/samples", distance.samples);
+  const Point& p = distance.farthest;
+  report.set(path + "/farthest", std::vector<double>{p.x, p.y, p.z});
+}
+
+void say_distances(Job& job, const std::string& name, const DirectedDistance& distance) {
+  const Point& p = distance.farthest;
+  job.say("{:<8} max {:.6g} at ({:.6g}, {:.6g}, {:.6g}), mean {:.6g}, RMS {:.6g}, {} samples", name,
+          distance.max, p.x, p.y, p.z, distance.mean, distance.rms, distance.samples);
+}
+
+}  // namespace
+
+void run_compare(const CompareArguments& arguments, Job& job) {
+  require_outputs(job, {});
+  const TriangleMesh a = read_shape(job, arguments.a, "input/a");
+  const TriangleMesh b = read_shape(job, arguments.b, "input/b");
+  for (const auto& [name, shape] : {std::pair(&arguments.a, &a), std::pair(&arguments.b, &b)}) {
+    if (shape->points.empty())
+      throw InputError(*name + ": holds no points; there is nothing to compare");
+  }
+  SurfaceDistanceOptions options;
+  options.samples = arguments.samples;
+  const SurfaceDistance distance = surface_distance(a, b, options, job.execution());
+
+  JsonReport& report = job.report();
+  report.set("input/a/points", a.points.size());
+  report.set("input/a/triangles", a.triangles.size());
+  report.set("input/b/points", b.points.size());
+  report.set("input/b/triangles", b.triangles.size());
+  add_distances(report, "distance/a_to_b", distance.a_to_b);
+  add_distances(report, "distance/b_to_a", distance.b_to_a);
+  report.set("distance/max", distance.max);
+  report.set("distance/mean", distance.mean);
+  report.set("distance/rms", distance.rms);
+  say_distances(job, "A to B:", distance.a_to_b);
+  say_distances(job, "B to A:", distance.b_to_a);
+  job.say("both:    max {:.6g} (Hausdorff), mean {:.6g}, RMS {:.6g}", distance.max, distance.mean,
+          distance.rms);
+  job.finish();
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,30 @@
+#include "app/commands.h"
+#include "app/files.h"
+#include "app/updating.h"
+#include "io/atomic_file.h"
+#include "io/mesh_file.h"
+#include "io/point_file.h"
+#include "io/sample_models.h"
+
+namespace cocoon::app {
+
+void run_demo(const DemoArguments& arguments, Job& job) {
+  require_outputs(job, {});
+  make_folder(arguments.folder);
+  const UpdateOptions options = update_options({});
+  const SampleModel block = timed(job.execution(), "sample", [] { return sample_model("block"); });
+  UpdateInput input;
+  input.model_name = "test block";
+  input.model = initial_model(job, input.model_name, block.initial, options.reconstruct);
+  input.clouds = block.clouds;
+  input.cloud_names.assign(block.clouds.size(), "U-shaped cloud");
+
+  write_mesh(in_folder(arguments.folder, "initial.ply"), input.model);
+  write_points(in_folder(arguments.folder, "cloud.ply"), input.clouds.front());
+  update_and_write(job, input, options,
+                   {in_folder(arguments.folder, "updated.ply"), "",
+                    in_folder(arguments.folder, "report.html"), false});
+  write_file(in_folder(arguments.folder, "report.json"), job.finish());
+}
+
+}  // namespace cocoon::app

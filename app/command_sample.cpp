@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/files.h"
+#include "io/atomic_file.h"
+#include "io/mesh_file.h"
+#include "io/point_file.h"
+#include "io/sample_models.h"
+
+namespace cocoon::app {
+
+void run_sample(const SampleArguments& arguments, Job& job) {
+  require_outputs(job, {});
+  const std::string folder = arguments.folder.empty() ? arguments.name : arguments.folder;
+  make_folder(folder);
+  SampleOptions options;
+  options.points = arguments.points;
+  options.cloud_points = arguments.cloud_points;
+  if (arguments.seed) options.seed = *arguments.seed;
+  const SampleModel model =
+      timed(job.execution(), "sample", [&] { return sample_model(arguments.name, options); });
+
+  timed(job.execution(), "write", [&] {
+    write_points(in_folder(folder, "initial.xyz"), model.initial);
+    for (std::size_t c = 0; c < model.clouds.size(); ++c) {
+      write_points(in_folder(folder, fmt::format("cloud-{}.xyz", c + 1)), model.clouds[c]);
+    }
+    write_mesh(in_folder(folder, "truth.ply"), model.truth);
+    std::string replaced;
+    for (const PointId point : model.replaced) replaced += fmt::format("{}\n", point.value);
+    write_file(in_folder(folder, "replaced.txt"), replaced);
+  });
+
+  std::vector<std::size_t> cloud_sizes;
+  for (const auto& cloud : model.clouds) cloud_sizes.push_back(cloud.size());
+  job.report().set("sample/name", arguments.name);
+  job.report().set("sample/seed", static_cast<std::size_t>(options.seed));
+  job.report().set("sample/points", model.initial.size());
+  job.report().set("sample/clouds", cloud_sizes);
+  job.report().set("sample/replaced_points", model.replaced.size());
+  job.report().set("sample/truth_triangles", model.truth.triangles.size());
+  job.say("{}: {} initial points -> {}", arguments.name, model.initial.size(),
+          in_folder(folder, "initial.xyz"));
+  for (std::size_t c = 0; c < model.clouds.size(); ++c) {
+    job.say("cloud {}: {} points -> {}", c + 1, model.clouds[c].size(),
+            in_folder(folder, fmt::format("cloud-{}.xyz", c + 1)));
+  }
+  job.say("true updated surface: {} triangles -> {}", model.truth.triangles.size(),
+          in_folder(folder, "truth.ply"));
+  job.say("{} initial points are made wrong by the change -> {}", model.replaced.size(),
+          in_folder(folder, "replaced.txt"));
+  job.finish();
+}
+
+}  // namespace cocoon::app

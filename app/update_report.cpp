@@ -1,0 +1,118 @@
+#include "app/update_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/surface_report.h"
+
+namespace cocoon::app {
+
+namespace {
+
+std::vector<std::size_t> numbers_of(const std::vector<RegionId>& regions) {
+  std::vector<std::size_t> numbers;
+  for (const RegionId region : regions) numbers.push_back(region.index());
+  return numbers;
+}
+
+// Loops that take part in the border: not the holes inside a cloud.
+std::size_t border_loops(const CloudReport& cloud) {
+  std::size_t count = 0;
+  for (const LoopReport& loop : cloud.loops) count += loop.match == LoopMatch::on_model ? 1U : 0U;
+  return count;
+}
+
+JsonReport cloud_entry(const CloudReport& cloud) {
+  JsonReport entry;
+  for (const GroupAngle& group : cloud.groups) {
+    entry.set("mean_angle_deg/" + std::to_string(group.group.value), group.mean_angle_deg);
+  }
+  entry.set("replaced_groups", numbers_of(cloud.replaced_groups));
+  entry.set("margin_deg", cloud.margin_deg);
+  entry.set("loops", cloud.loops.size());
+  entry.set("border_loops", border_loops(cloud));
+  entry.set("pin_holes", cloud.surface.rim.pin_holes);
+  entry.set("boundary_points", cloud.boundary_points);
+  entry.set("boundary_samples", cloud.surface.boundary_samples);
+  entry.set("rho", cloud.surface.rho);
+  entry.set("rho_trials", cloud.surface.trials.size());
+  entry.set("trimmed_triangles", cloud.surface.trimmed);
+  entry.set("rim_spacing", cloud.surface.rim.spacing);
+  entry.set("largest_distance", cloud.largest_distance);
+  entry.set("overlapping_facets", cloud.overlapping_facets.size());
+  entry.set("border_facets", cloud.border_facets);
+  entry.set("border_walks", cloud.walks);
+  entry.set("border_searches", cloud.searches);
+  entry.set("border_breaks", cloud.breaks);
+  entry.set("star_misses", cloud.star_misses);
+  entry.set("facing_away", cloud.facing_away);
+  std::size_t unmatched = 0;
+  for (const LoopReport& loop : cloud.loops) unmatched += loop.unmatched;
+  entry.set("unmatched_points", unmatched);
+  return entry;
+}
+
+void add_update_section(JsonReport& report, const UpdateResult& result) {
+  std::vector<std::size_t> loops;
+  std::size_t boundary_points = 0;
+  std::size_t overlapping_facets = 0;
+  for (const CloudReport& cloud : result.clouds) {
+    loops.push_back(border_loops(cloud));
+    boundary_points += cloud.boundary_points;
+    overlapping_facets += cloud.overlapping_facets.size();
+  }
+  report.set("update/loops", loops);
+  report.set("update/boundary_points", boundary_points);
+  report.set("update/overlapping_facets", overlapping_facets);
+  report.set("update/border_facets", result.regions.border_facets);
+  report.set("update/groups", result.regions.regions.size());
+  report.set_empty_array("update/clouds");
+  for (const CloudReport& cloud : result.clouds) report.append("update/clouds", cloud_entry(cloud));
+  report.set("update/replaced_groups", numbers_of(result.replaced_groups));
+  const Replacement& replacement = result.replacement;
+  report.set("update/replaced_points", replacement.replaced);
+  report.set("update/kept_points", replacement.kept);
+  report.set("update/border_kept", replacement.border_kept);
+  report.set("update/border_replaced", replacement.border_replaced);
+  report.set("update/thinned_points", replacement.thinned);
+  report.set("update/duplicate_points", replacement.duplicates);
+  report.set("update/updated_points", replacement.points.size());
+}
+
+}  // namespace
+
+void add_update(JsonReport& report, const UpdateRecord& record) {
+  const UpdateResult& result = record.result;
+  report.set("input/points", record.model.points.size());
+  report.set("input/triangles", record.model.triangles.size());
+  report.set("input/duplicates", result.replacement.duplicates);
+  std::vector<std::size_t> cloud_sizes;
+  for (const auto& cloud : record.clouds) cloud_sizes.push_back(cloud.size());
+  report.set("input/clouds", cloud_sizes);
+  report.set("delaunay/points", result.reconstruction.vertices);
+  report.set("delaunay/tetrahedra", result.reconstruction.tetrahedra);
+  add_surface(report, result.mesh, record.certificate);
+  report.set("surface/unused_points", result.reconstruction.unused_points);
+  add_update_section(report, result);
+}
+
+void say_update(Job& job, const UpdateRecord& record) {
+  const UpdateResult& result = record.result;
+  job.say("model {}: {} points, {} triangles", record.model_name, record.model.points.size(),
+          record.model.triangles.size());
+  for (std::size_t c = 0; c < result.clouds.size(); ++c) {
+    const CloudReport& cloud = result.clouds[c];
+    job.say("cloud {}: {} points, {} boundary loops with {} points, on {} facets of the model",
+            record.cloud_names[c], record.clouds[c].size(), cloud.loops.size(),
+            cloud.boundary_points, cloud.overlapping_facets.size());
+    for (const GroupAngle& group : cloud.groups) {
+      job.say("  group {}: mean angle {:.2f} degrees, {}", group.group.value, group.mean_angle_deg,
+              group.under_cloud ? "replaced" : "kept");
+    }
+  }
+  job.say("{} of {} groups replaced: {} points out, {} points in all",
+          result.replaced_groups.size(), result.regions.regions.size(), result.replacement.replaced,
+          result.replacement.points.size());
+}
+
+}  // namespace cocoon::app

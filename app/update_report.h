@@ -1,0 +1,36 @@
+// An update as the JSON report and the HTML page show it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/html_report.h"
+#include "app/job.h"
+#include "app/json_report.h"
+#include "geom/mesh_check.h"
+#include "geom/point.h"
+#include "geom/triangle_mesh.h"
+#include "update/update_model.h"
+
+namespace cocoon::app {
+
+// Everything that went into an update and came out of it; nothing is owned.
+struct UpdateRecord {
+  std::string model_name;
+  const TriangleMesh& model;
+  const std::vector<std::string>& cloud_names;
+  const std::vector<std::vector<Point>>& clouds;
+  const UpdateResult& result;
+  const MeshReport& certificate;  // of the updated mesh
+};
+
+// The sections "input", "delaunay", "surface" and "update".
+void add_update(JsonReport& report, const UpdateRecord& record);
+
+// The summary for people, on standard output.
+void say_update(Job& job, const UpdateRecord& record);
+
+// The stages of the update one after the other, with tables of counts, angles and times.
+ReportPage update_page(const UpdateRecord& record, const std::vector<StageTime>& timings);
+
+}  // namespace cocoon::app

@@ -1,0 +1,109 @@
+#include "app/updating.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "app/files.h"
+#include "app/html_report.h"
+#include "app/reconstruct_report.h"
+#include "app/surface_options.h"
+#include "app/surface_report.h"
+#include "app/update_report.h"
+#include "geom/errors.h"
+#include "geom/mesh_check.h"
+#include "io/atomic_file.h"
+#include "io/mesh_file.h"
+
+namespace cocoon::app {
+
+namespace {
+
+std::string map_text(const IdVector<VertexId, VertexId>& vertex_map) {
+  std::string text;
+  for (const VertexId vertex : vertex_map) {
+    text += vertex.is_none() ? std::string("-1\n") : fmt::format("{}\n", vertex.value);
+  }
+  return text;
+}
+
+// Messages of the library number the clouds; people know them by their files.
+std::string with_cloud_names(std::string message, const std::vector<std::string>& names) {
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    const std::string numbered = fmt::format("cloud {} of {}", c + 1, names.size());
+    const std::size_t at = message.find(numbered);
+    if (at != std::string::npos) message.replace(at, numbered.size(), names[c]);
+  }
+  return message;
+}
+
+}  // namespace
+
+UpdateOptions update_options(const SurfaceArguments& arguments) {
+  UpdateOptions options;
+  options.cloud.reconstruct = surface_options(arguments, options.cloud.reconstruct);
+  if (arguments.rho) {
+    options.cloud.start_rho = *arguments.rho;
+    options.cloud.smaller_rhos.clear();
+    options.cloud.larger_rhos.clear();
+  }
+  SurfaceArguments closed = arguments;
+  closed.rho.reset();
+  options.reconstruct = surface_options(closed, options.reconstruct);
+  if (arguments.mode == "paper") options.overlap.rule = LocationRule::nearest_vertex_star;
+  return options;
+}
+
+TriangleMesh initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
+                           const ReconstructOptions& options) {
+  ReconstructResult result = timed(job.execution(), "initial_model", [&] {
+    const Execution execution = job.execution();
+    PrefixedProgress nested("initial_model", execution.progress);
+    return naming_input(name, [&] {
+      return reconstruct_tight(points, options, {execution.threads, &nested});
+    });
+  });
+  require_surface(name, result, options.boundary.rho);
+  job.report().set("initial_model/points", result.points);
+  job.report().set("initial_model/duplicates", result.duplicates);
+  job.report().set("initial_model/unused_points", result.unused_points);
+  job.report().set("initial_model/triangles", result.mesh.triangles.size());
+  return std::move(result.mesh);
+}
+
+void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,
+                      const UpdateOutput& output) {
+  UpdateResult result;
+  try {
+    result = update_model(input.model, input.clouds, options, job.execution());
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("cannot update {}: {}", input.model_name,
+                                 with_cloud_names(error.what(), input.cloud_names)));
+  }
+  if (result.status != UpdateStatus::ok) {
+    throw InputError(fmt::format("cannot update {} ({}): {}", input.model_name,
+                                 name_of(result.status),
+                                 with_cloud_names(result.message, input.cloud_names)));
+  }
+  for (std::string& warning : result.warnings) {
+    warning = with_cloud_names(warning, input.cloud_names);
+  }
+  const MeshReport certificate =
+      timed(job.execution(), "check", [&] { return mesh_check(result.mesh); });
+  const UpdateRecord record{input.model_name, input.model, input.cloud_names,
+                            input.clouds,     result,      certificate};
+  add_update(job.report(), record);
+  add_parameters(job.report(), options.cloud.reconstruct);
+  say_update(job, record);
+  for (const std::string& warning : result.warnings) job.warn(warning);
+
+  timed(job.execution(), "write", [&] {
+    write_mesh(output.mesh, result.mesh, {.ascii = output.ascii});
+    if (!output.map.empty()) write_file(output.map, map_text(result.vertex_map));
+    if (!output.html.empty()) {
+      write_file(output.html, html_page(update_page(record, job.timings()), job.report()));
+    }
+  });
+  job.say("{} -> {}", surface_summary(certificate), output.mesh);
+}
+
+}  // namespace cocoon::app

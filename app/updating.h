@@ -1,0 +1,46 @@
+// The update as `update` and `demo` share it: options, the run itself, and its outputs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/job.h"
+#include "geom/point.h"
+#include "geom/triangle_mesh.h"
+#include "update/update_model.h"
+
+namespace cocoon::app {
+
+// The library's options with what the user has set. --rho is that of the clouds' boundaries, and
+// then the only one that is tried; the other parameters hold for clouds and updated model. Mode
+// "paper" also locates rim points as the paper does.
+UpdateOptions update_options(const SurfaceArguments& arguments);
+
+// What goes in: the model and the clouds, with names for people.
+struct UpdateInput {
+  std::string model_name;
+  TriangleMesh model;
+  std::vector<std::string> cloud_names;
+  std::vector<std::vector<Point>> clouds;
+};
+
+// What to write; empty: not wanted.
+struct UpdateOutput {
+  std::string mesh;
+  std::string map;  // one line per vertex of the model: its new index, or -1
+  std::string html;
+  bool ascii = false;
+};
+
+// The closed surface of a model given as points, as stage "initial_model"; its counts go to the
+// section "initial_model" of the report. Throws InputError if there is none.
+TriangleMesh initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
+                           const ReconstructOptions& options);
+
+// Updates, writes the outputs, and fills in the report. Throws InputError, with the library's
+// explanation, if there is no updated model; then nothing is written.
+void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,
+                      const UpdateOutput& output);
+
+}  // namespace cocoon::app

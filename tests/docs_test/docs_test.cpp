@@ -1,0 +1,86 @@
+// What the documents name exists: files behind links, files and folders in code marks, commands and
+// options of the program in the README.
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/run_program.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using cocoon::test::content_of;
+using cocoon::test::run_program;
+
+const fs::path root = COCOON_SOURCE_DIR;
+
+std::vector<fs::path> documents() {
+  std::vector<fs::path> result;
+  for (const auto& entry : fs::directory_iterator(root)) result.push_back(entry.path());
+  for (const char* folder : {"docs", "bench", "ref"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      result.push_back(entry.path());
+    }
+  }
+  std::erase_if(result, [](const fs::path& path) { return path.extension() != ".md"; });
+  return result;
+}
+
+// All texts that the group of `pattern` matches.
+std::set<std::string> matches(const std::string& text, const std::string& pattern) {
+  const std::regex regex(pattern);
+  std::set<std::string> result;
+  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it) {
+    result.insert((*it)[1]);
+  }
+  return result;
+}
+
+TEST(Documents, AreThere) {
+  EXPECT_GE(documents().size(), 8U);
+  for (const char* name : {"README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff",
+                           "LICENSE", "docs/tutorial.md", "docs/reading_guide.md", "docs/design.md",
+                           "docs/formats.md", "docs/bibliography.md"}) {
+    EXPECT_TRUE(fs::exists(root / name)) << name;
+  }
+}
+
+TEST(Documents, LinksLeadToFiles) {
+  for (const fs::path& document : documents()) {
+    for (std::string target : matches(content_of(document.string()), "\\]\\(([^)#]+)[^)]*\\)")) {
+      if (target.find("://") != std::string::npos) continue;
+      EXPECT_TRUE(fs::exists(document.parent_path() / target)) << document << " -> " << target;
+    }
+  }
+}
+
+TEST(Documents, NamedSourcesExist) {
+  const std::string layers = "(?:geom|delaunay|cocone|update|io|app|ref|tests|bench|docs|cmake)";
+  const std::string pattern = "`(" + layers + "/[a-z0-9_/]+\\.(?:h|cpp|md|csv|txt|html))`";
+  for (const fs::path& document : documents()) {
+    for (const std::string& name : matches(content_of(document.string()), pattern)) {
+      EXPECT_TRUE(fs::exists(root / name)) << document << " names " << name;
+    }
+  }
+}
+
+TEST(Documents, CommandsAndOptionsOfTheReadmeAreThoseOfTheProgram) {
+  const std::string readme = content_of((root / "README.md").string());
+  for (const std::string& command : matches(readme, "\n    cocoon ([a-z]+)")) {
+    const std::string help = run_program({command, "--help"}).out;
+    EXPECT_NE(help, "") << command;
+    const std::regex uses("\n    cocoon " + command + "([^#\n]*)");
+    for (std::sregex_iterator it(readme.begin(), readme.end(), uses), end; it != end; ++it) {
+      for (const std::string& option : matches((*it)[1], "(--[a-z-]+)")) {
+        EXPECT_NE(help.find(option), std::string::npos) << command << " has no " << option;
+      }
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,176 @@
+// Bad input: exit code 1, one line that says what is wrong and where, no output file, nothing left
+// behind.
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "tests/run_program.h"
+#include "tests/test_clouds.h"
+
+namespace cocoon::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+struct BadCloud {
+  const char* name;
+  std::string content;
+  const char* mentions;  // besides the file's name
+};
+
+const std::vector<BadCloud>& bad_clouds() {
+  static const std::vector<BadCloud> clouds = {
+      {"empty.xyz", "", ""},
+      {"comments.xyz", "# nothing\n# here\n", ""},
+      {"words.xyz", "these are\nno points\n", ""},
+      {"nan.xyz", "0 0 0\n1 0 0\nnan 1 0\n0 0 1\n1 1 1\n", ":3"},
+      {"inf.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 inf\n", ":4"},
+      {"overflow.xyz", "0 0 0\n1 0 0\n0 1e999 0\n0 0 1\n", ":3"},
+      {"short-line.xyz", "0 0 0\n1 0\n0 1 0\n0 0 1\n", ":2"},
+      {"three.xyz", "0 0 0\n1 0 0\n0 1 0\n", "different points"},
+      {"equal.xyz", "1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n", "different points"},
+      {"coplanar.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0.5 0.25 0\n", "plane"},
+      {"collinear.xyz", "0 0 0\n1 1 1\n2 2 2\n3 3 3\n4 4 4\n", ""},
+      {"truncated.ply",
+       "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\n"
+       "property double z\nend_header\n0 0 0\n1 0 0\n",
+       ""},
+      {"truncated-binary.ply",
+       "ply\nformat binary_little_endian 1.0\nelement vertex 5\nproperty double x\n"
+       "property double y\nproperty double z\nend_header\nabc",
+       ""},
+      {"no-header.ply", "0 0 0\n1 0 0\n", ""},
+      {"unknown.jpeg", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "jpeg"},
+  };
+  return clouds;
+}
+
+// Runs a command on a bad file in a folder of its own, and checks all that a failure promises.
+void expect_refused(const BadCloud& cloud, const std::string& command, const Names& options,
+                    const std::string& output) {
+  SCOPED_TRACE(command + " " + cloud.name);
+  const TemporaryFolder folder;
+  const std::string input = folder.write(cloud.name, cloud.content);
+  Names arguments = {command, input};
+  for (const std::string& option : options) {
+    arguments.push_back(option == "OUTPUT" ? folder.file(output) : option);
+  }
+  const ProgramRun run = run_program(arguments);
+  expect_error(run, 1, cloud.name);
+  EXPECT_NE(run.error.find(cloud.mentions), std::string::npos) << run.error;
+  EXPECT_EQ(folder.names(), Names{cloud.name});
+}
+
+TEST(BadInput, Reconstruct) {
+  for (const BadCloud& cloud : bad_clouds()) {
+    expect_refused(cloud, "reconstruct", {"-o", "OUTPUT"}, "out.ply");
+  }
+}
+
+TEST(BadInput, Boundary) {
+  for (const BadCloud& cloud : bad_clouds()) {
+    expect_refused(cloud, "boundary", {"-o", "OUTPUT"}, "out.ply");
+  }
+}
+
+TEST(BadInput, Delaunay) {
+  for (const BadCloud& cloud : bad_clouds()) {
+    expect_refused(cloud, "delaunay", {"-o", "OUTPUT"}, "out.tet");
+  }
+}
+
+TEST(BadInput, MissingFile) {
+  const TemporaryFolder folder;
+  const std::string missing = folder.file("missing.xyz");
+  const std::string out = folder.file("out.ply");
+  expect_error(run_program({"reconstruct", missing, "-o", out}), 1, "missing.xyz");
+  expect_error(run_program({"update", missing, missing, "-o", out}), 1, "missing.xyz");
+  expect_error(run_program({"check", folder.file("missing.ply")}), 1, "missing.ply");
+  expect_error(run_program({"compare", missing, missing}), 1, "missing.xyz");
+  EXPECT_EQ(folder.names(), Names{});
+}
+
+TEST(BadInput, AFolderIsNoFile) {
+  const TemporaryFolder folder;
+  const TemporaryFolder other;
+  expect_error(run_program({"reconstruct", folder.file("."), "-o", other.file("out.ply")}), 1,
+               "cocoon-test");
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(200));
+  std::filesystem::create_directory(folder.file("folder.ply"));
+  expect_error(run_program({"reconstruct", cloud, "-o", folder.file("folder.ply")}), 1,
+               "folder.ply");
+  EXPECT_EQ(other.names(), Names{});
+}
+
+TEST(BadInput, OutputWhereNoFileCanBe) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(200));
+  expect_error(run_program({"reconstruct", cloud, "-o", folder.file("no/such/folder/out.ply")}), 1,
+               "folder");
+  expect_error(run_program({"reconstruct", cloud, "-o", "/proc/nothing-can-be-made-here.ply"}), 1,
+               "nothing-can-be-made-here.ply");
+  expect_error(run_program({"reconstruct", cloud, "-o", folder.file("out.ply"), "--json",
+                            folder.file("no/report.json")}),
+               1, "report.json");
+  EXPECT_EQ(folder.names(), Names{"cloud.xyz"});
+}
+
+TEST(BadInput, AFailedRunLeavesTheOldOutputAsItWas) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
+  const std::string out = folder.write("out.ply", "the old content");
+  expect_error(run_program({"reconstruct", cloud, "-o", out}), 1, "flat.xyz");
+  EXPECT_EQ(content_of(out), "the old content");
+}
+
+TEST(BadInput, NonFinitePointsCanBeLeftOutOnDemand) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("gaps.xyz", "nan nan nan\n" + whole_sphere(200));
+  const std::string out = folder.file("out.ply");
+  const ProgramRun run = run_program({"reconstruct", cloud, "-o", out, "--skip-non-finite"});
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_NE(run.out.find("warning"), std::string::npos);
+}
+
+TEST(BadInput, MeshWithoutTriangles) {
+  const TemporaryFolder folder;
+  const std::string points =
+      folder.write("points.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                   "property float z\nend_header\n0 0 0\n");
+  expect_error(run_program({"check", points}), 1, "points.ply");
+}
+
+TEST(BadInput, CloudThatDoesNotTouchTheModel) {
+  const TemporaryFolder folder;
+  const std::string model = folder.write("model.xyz", whole_sphere(1500));
+  std::string far_away;
+  for (int i = 0; i < 20; ++i) {
+    for (int j = 0; j < 20; ++j)
+      far_away += point_line(50 + 0.05 * i, 0.05 * j, 0.001 * (i * j % 7));
+  }
+  const std::string cloud = folder.write("far.xyz", far_away);
+  expect_error(run_program({"update", model, cloud, "-o", folder.file("out.ply")}), 1, "far.xyz");
+  EXPECT_EQ(folder.names(), (Names{"far.xyz", "model.xyz"}));
+}
+
+TEST(BadInput, CloudThatIsClosed) {
+  const TemporaryFolder folder;
+  const std::string model = folder.write("model.xyz", whole_sphere(1500));
+  const std::string cloud = folder.write("ball.xyz", whole_sphere(800));
+  expect_error(run_program({"update", model, cloud, "-o", folder.file("out.ply")}), 1, "ball.xyz");
+  EXPECT_EQ(folder.names(), (Names{"ball.xyz", "model.xyz"}));
+}
+
+TEST(BadInput, DamagedModel) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cap.xyz", sphere_cap(3000, 0.8, 0.3));
+  std::string text = tetrahedron_ply;
+  text.replace(text.find("3 1 2 3"), 7, "3 1 2 9");  // a corner that is no vertex
+  const std::string model = folder.write("model.ply", text);
+  expect_error(run_program({"update", model, cloud, "-o", folder.file("out.ply")}), 1, "model.ply");
+  EXPECT_EQ(folder.names(), (Names{"cap.xyz", "model.ply"}));
+}
+
+}  // namespace
+}  // namespace cocoon::test

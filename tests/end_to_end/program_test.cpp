@@ -1,0 +1,271 @@
+// The program as command-line.md promises it: exit codes, outputs, the JSON report, silence.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/run_program.h"
+#include "tests/test_clouds.h"
+
+namespace cocoon::test {
+namespace {
+
+using Json = nlohmann::json;
+using Names = std::vector<std::string>;
+
+Json report_of(const Names& arguments) {
+  Names with_json = arguments;
+  with_json.insert(with_json.end(), {"--json", "-"});
+  const ProgramRun run = run_program(with_json);
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_EQ(run.error, "");
+  return Json::accept(run.out) ? Json::parse(run.out) : Json();
+}
+
+void expect_common_parts(const Json& report, const std::string& command) {
+  EXPECT_EQ(report["command"], command);
+  EXPECT_TRUE(report["version"].is_string());
+  EXPECT_GE(report["threads"].get<int>(), 1);
+  EXPECT_GT(report["timings_s"]["total"].get<double>(), 0);
+  EXPECT_GT(report["peak_memory_bytes"].get<double>(), 1e6);
+}
+
+TEST(Program, HelpAndVersionGoToStandardOutput) {
+  for (const Names& arguments : {Names{"--help"}, Names{"update", "--help"}, Names{"--version"}}) {
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_NE(run.out, "");
+    EXPECT_EQ(run.error, "");
+  }
+}
+
+TEST(Program, WrongCommandLinesAreTwo) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(200));
+  const std::string out = folder.file("out.ply");
+  expect_error(run_program({}), 2, "--help");
+  expect_error(run_program({"frobnicate"}), 2, "frobnicate");
+  expect_error(run_program({"reconstruct", cloud}), 2, "output");
+  expect_error(run_program({"reconstruct", cloud, "-o", out, "--speed", "9"}), 2, "--speed");
+  expect_error(run_program({"reconstruct", cloud, "-o", out, "--rho", "-1"}), 2, "rho");
+  expect_error(run_program({"reconstruct", cloud, "-o", folder.file("out.docx")}), 2, ".docx");
+  expect_error(run_program({"reconstruct", cloud, "-o", out, "--json", out}), 2, "same file");
+  expect_error(run_program({"sample", "teapot"}), 2, "teapot");
+  EXPECT_EQ(folder.names(), Names{"cloud.xyz"});
+}
+
+TEST(Program, ReconstructReportsWhatItMeasured) {
+  const TemporaryFolder folder;
+  const std::string cloud =
+      folder.write("cloud.xyz", whole_sphere(500) + point_line(0, 0, 1) + point_line(0, 0, 1));
+  const Json report = report_of({"reconstruct", cloud, "-o", folder.file("out.ply")});
+  expect_common_parts(report, "reconstruct");
+  EXPECT_EQ(report["input"]["points"], 502);
+  EXPECT_EQ(report["input"]["duplicates"], 1);
+  EXPECT_EQ(report["delaunay"]["points"], 501);
+  EXPECT_GT(report["delaunay"]["tetrahedra"], 1000);
+  const Json& surface = report["surface"];
+  EXPECT_EQ(surface["vertices"], 501);
+  EXPECT_EQ(surface["triangles"], 2 * 501 - 4);
+  EXPECT_EQ(surface["watertight"], true);
+  EXPECT_EQ(surface["edge_manifold"], true);
+  EXPECT_EQ(surface["vertex_manifold"], true);
+  EXPECT_EQ(surface["components"], 1);
+  EXPECT_EQ(surface["euler"], 2);
+  EXPECT_EQ(surface["unused_points"], 0);
+  for (const char* stage : {"read", "delaunay", "poles", "cocone", "boundary", "tight", "write"}) {
+    EXPECT_TRUE(report["timings_s"].contains(stage)) << stage;
+  }
+  EXPECT_EQ(folder.names(), (Names{"cloud.xyz", "out.ply"}));
+}
+
+TEST(Program, ResultsDoNotDependOnThreads) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(3000));
+  const Json one =
+      report_of({"reconstruct", cloud, "-o", folder.file("one.ply"), "--threads", "1"});
+  const Json four =
+      report_of({"reconstruct", cloud, "-o", folder.file("four.ply"), "--threads", "4"});
+  EXPECT_EQ(one["threads"], 1);
+  EXPECT_EQ(four["threads"], 4);
+  EXPECT_EQ(one["surface"]["hash"], four["surface"]["hash"]);
+  EXPECT_EQ(content_of(folder.file("one.ply")), content_of(folder.file("four.ply")));
+}
+
+TEST(Program, AllMeshFormatsHoldTheSameSurface) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(300));
+  for (const char* name : {"out.ply", "out.OBJ", "out.off"}) {
+    report_of({"reconstruct", cloud, "-o", folder.file(name)});
+    const Json check = report_of({"check", folder.file(name), "--require", "closed,manifold"});
+    EXPECT_EQ(check["surface"]["hash"],
+              report_of({"check", folder.file("out.ply")})["surface"]["hash"])
+        << name;
+  }
+}
+
+TEST(Program, OpenCloudsHaveALoop) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cap.xyz", sphere_cap(4000, 0.9));
+  const std::string loops = folder.file("loops.obj");
+  const Json report =
+      report_of({"boundary", cloud, "-o", folder.file("cap.ply"), "--loops", loops});
+  expect_common_parts(report, "boundary");
+  EXPECT_EQ(report["surface"]["watertight"], false);
+  EXPECT_EQ(report["boundary"]["loops"].size(), 1U);
+  EXPECT_NEAR(report["boundary"]["loops"][0]["perimeter"].get<double>(),
+              2 * std::numbers::pi * std::sin(0.9), 0.5);
+  EXPECT_NE(content_of(loops).find("\nl "), std::string::npos);
+  const Json cocone =
+      report_of({"reconstruct", cloud, "-o", folder.file("same.ply"), "--surface", "cocone"});
+  EXPECT_EQ(cocone["surface"]["hash"], report["surface"]["hash"]);
+}
+
+TEST(Program, DelaunayInAllFormats) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n");
+  for (const char* name : {"d.tet", "d.vtu", "d.mesh"}) {
+    const Json report = report_of({"delaunay", cloud, "-o", folder.file(name)});
+    expect_common_parts(report, "delaunay");
+    EXPECT_EQ(report["delaunay"]["points"], 5);
+    EXPECT_EQ(report["delaunay"]["tetrahedra"], 2);
+  }
+  EXPECT_EQ(content_of(folder.file("d.tet")).rfind("5 2\n", 0), 0U);
+}
+
+TEST(Program, CheckCertifiesAndRequires) {
+  const TemporaryFolder folder;
+  const std::string closed = folder.write("closed.ply", tetrahedron_ply);
+  const Json report = report_of({"check", closed, "--self-intersections", "--require",
+                                 "closed,manifold,oriented,connected,no-self-intersections"});
+  expect_common_parts(report, "check");
+  EXPECT_EQ(report["surface"]["triangles"], 4);
+  EXPECT_EQ(report["surface"]["genus"], 0);
+  EXPECT_EQ(report["surface"]["self_intersections"], 0);
+  EXPECT_NEAR(report["surface"]["volume"].get<double>(), 1.0 / 6, 1e-15);
+
+  const std::string open = folder.write("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const ProgramRun run = run_program({"check", open, "--require", "closed", "--quiet"});
+  expect_error(run, 1, "open.off: not closed (3 open edges");
+  const std::string json = folder.file("report.json");
+  EXPECT_EQ(run_program({"check", open, "--require", "closed", "--json", json}).exit_code, 1);
+  EXPECT_EQ(Json::parse(content_of(json))["failed_requirements"].size(), 1U);
+  EXPECT_EQ(run_program({"check", open}).exit_code, 0);
+}
+
+TEST(Program, CompareMeasuresBothDirections) {
+  const TemporaryFolder folder;
+  const std::string a = folder.write("a.xyz", "0 0 0\n1 0 0\n");
+  const std::string b = folder.write("b.xyz", "0 0 0\n1 0 0\n1 0 2\n");
+  const Json report = report_of({"compare", a, b});
+  expect_common_parts(report, "compare");
+  EXPECT_EQ(report["distance"]["a_to_b"]["max"], 0);
+  EXPECT_EQ(report["distance"]["b_to_a"]["max"], 2);
+  EXPECT_EQ(report["distance"]["max"], 2);
+}
+
+TEST(Program, UpdateReplacesWhatLiesUnderTheCloud) {
+  const TemporaryFolder folder;
+  const std::string model = folder.write("model.xyz", whole_sphere(2000));
+  const std::string cloud = folder.write("bump.xyz", sphere_cap(6000, 0.8, 0.3));
+  const std::string map = folder.file("map.txt");
+  const std::string html = folder.file("report.html");
+  const Json report = report_of(
+      {"update", model, cloud, "-o", folder.file("new.ply"), "--map", map, "--html", html});
+  expect_common_parts(report, "update");
+  EXPECT_EQ(report["input"]["points"], 2000);
+  EXPECT_EQ(report["surface"]["watertight"], true);
+  EXPECT_EQ(report["surface"]["euler"], 2);
+  const Json& update = report["update"];
+  EXPECT_EQ(update["loops"], Json::array({1}));
+  EXPECT_EQ(update["groups"], 2);
+  EXPECT_GT(update["boundary_points"], 20);
+  EXPECT_GT(update["overlapping_facets"], 20);
+  const Json& angles = update["clouds"][0]["mean_angle_deg"];
+  ASSERT_EQ(update["clouds"][0]["replaced_groups"].size(), 1U);
+  const std::string replaced = update["clouds"][0]["replaced_groups"][0].dump();
+  EXPECT_LT(angles[replaced].get<double>(), 30);
+  EXPECT_GT(angles[replaced == "0" ? "1" : "0"].get<double>(), 150);
+  EXPECT_EQ(update["updated_points"].get<int>(),
+            2000 - update["replaced_points"].get<int>() + report["input"]["clouds"][0].get<int>());
+  for (const char* stage : {"boundary_detection", "overlapping_facets",
+                            "segmentation_and_selection", "reconstruction"}) {
+    EXPECT_GT(report["timings_s"][stage].get<double>(), 0) << stage;
+  }
+  const std::string lines = content_of(map);
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 2000);
+  EXPECT_EQ(content_of(html).rfind("<!DOCTYPE html>", 0), 0U);
+}
+
+TEST(Program, UpdateMayOverwriteItsOwnModel) {
+  const TemporaryFolder folder;
+  const std::string model = folder.file("model.ply");
+  const std::string points = folder.write("points.xyz", whole_sphere(2000));
+  const std::string cloud = folder.write("bump.xyz", sphere_cap(6000, 0.8, 0.3));
+  report_of({"reconstruct", points, "-o", model});
+  const Json first = report_of({"update", model, cloud, "-o", folder.file("new.ply")});
+  const Json second = report_of({"update", model, cloud, "-o", model});
+  EXPECT_EQ(first["surface"]["hash"], second["surface"]["hash"]);
+  EXPECT_EQ(content_of(model), content_of(folder.file("new.ply")));
+}
+
+TEST(Program, SampleWritesTheModelAndItsTruth) {
+  const TemporaryFolder folder;
+  const Json report = report_of({"sample", "block", "-o", folder.file("block"), "--points", "600",
+                                 "--cloud-points", "900", "--seed", "5"});
+  EXPECT_EQ(report["sample"]["points"], 600);
+  EXPECT_EQ(report["sample"]["clouds"], Json::array({900}));
+  EXPECT_EQ(run_program(
+                {"check", folder.file("block/truth.ply"), "--require", "closed,manifold,oriented"})
+                .exit_code,
+            0);
+  const std::string initial = content_of(folder.file("block/initial.xyz"));
+  EXPECT_EQ(std::count(initial.begin(), initial.end(), '\n'), 600);
+  const std::string replaced = content_of(folder.file("block/replaced.txt"));
+  EXPECT_EQ(std::count(replaced.begin(), replaced.end(), '\n'),
+            report["sample"]["replaced_points"]);
+}
+
+TEST(Program, QuietIsSilent) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(300));
+  const ProgramRun run =
+      run_program({"reconstruct", cloud, "-o", folder.file("out.ply"), "--quiet"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.error, "");
+}
+
+TEST(Program, ProgressIsShownOnlyOnDemandWhenThereIsNoTerminal) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(300));
+  EXPECT_EQ(run_program({"reconstruct", cloud, "-o", folder.file("out.ply")}).error, "");
+  const ProgramRun run =
+      run_program({"reconstruct", cloud, "-o", folder.file("out.ply"), "--progress"});
+  EXPECT_NE(run.error.find("delaunay"), std::string::npos);
+  EXPECT_EQ(run.error.find('\r'), std::string::npos);
+}
+
+TEST(Program, InterruptLeavesNothingBehind) {
+  const TemporaryFolder folder;
+  const TemporaryFolder outputs;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(400000));
+  const std::string out = folder.write("out.ply", "the old content");
+  const RunningProgram program(outputs, {"reconstruct", cloud, "-o", out});
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));  // in reading or triangulating
+  program.send(SIGINT);
+  const ProgramRun run = program.wait();
+  EXPECT_EQ(run.signal, SIGINT) << run.exit_code << run.error;
+  EXPECT_EQ(run.error.rfind("cocoon: cancelled", 0), 0U) << run.error;
+  EXPECT_EQ(content_of(out), "the old content");
+  EXPECT_EQ(folder.names(), (Names{"cloud.xyz", "out.ply"}));
+}
+
+}  // namespace
+}  // namespace cocoon::test
