@@ -24,10 +24,13 @@ constexpr unsigned large_shift = 8;
 }  // namespace
 
 CavityInserter::CavityInserter(CellPool& pool, const IdVector<VertexId, Point>& points)
-    : pool_(pool),
-      points_(points),
-      local_id_(points.size(), no_local_id),
-      edge_table_(std::size_t{1} << (2 * large_shift)) {}
+    : pool_(pool), points_(points), edge_table_(std::size_t{1} << (2 * large_shift)) {
+  make_room_for_points();
+}
+
+void CavityInserter::make_room_for_points() {
+  if (local_id_.size() < points_.size()) local_id_.resize(points_.size(), no_local_id);
+}
 
 // A finite cell is in conflict iff its (perturbed) circumsphere contains p. An infinite cell is
 // iff p lies beyond its hull facet; a point in the plane of the hull facet lies in the facet's
@@ -125,6 +128,7 @@ void CavityInserter::collect_border() {
 void CavityInserter::grow_pool(std::size_t count) {
   const std::size_t end = pool_.cells.size() + count;
   if (end > max_cells) {
+    unmark_cells();
     throw InputError("too many points: the triangulation needs more than " +
                      std::to_string(max_cells) + " tetrahedra, the most that can be numbered");
   }
@@ -246,10 +250,14 @@ void CavityInserter::link_by_sorted_edges() {
   }
 }
 
-void CavityInserter::release_conflict_zone() {
+void CavityInserter::unmark_cells() {
   CellMark* const marks = pool_.marks.raw().data();
   marks[conflict_cells_[0].index()] = CellMark::untested;  // the start was no candidate
   for (const CellId c : candidates_) marks[c.index()] = CellMark::untested;
+}
+
+void CavityInserter::release_conflict_zone() {
+  unmark_cells();
   for (const CellId c : conflict_cells_) pool_.cells[c].vertices[0] = VertexId();
   pool_.free.insert(pool_.free.end(), conflict_cells_.begin(), conflict_cells_.end());
 }

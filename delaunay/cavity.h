@@ -27,6 +27,14 @@ class CavityInserter {
   // Complexity: O(size of the conflict zone).
   CellId insert(VertexId v, CellId start, DelaunayCounters& counters);
 
+  // Of the last insertion: the facets opposite the new vertex, one of each new cell, and the slots
+  // of the cells that are gone.
+  const ScratchList<FacetId>& star() const { return star_; }
+  const ScratchList<CellId>& removed_cells() const { return conflict_cells_; }
+
+  // To be called after `points` was extended. Amortized O(1) per vertex.
+  void make_room_for_points();
+
  private:
   using LocalIds = std::array<std::uint8_t, 3>;  // of a border facet's corners, as facet_corners
 
@@ -39,6 +47,7 @@ class CavityInserter {
   void build_star(VertexId v);
   void link_by_edge_table(unsigned shift);
   void link_by_sorted_edges();
+  void unmark_cells();
   void release_conflict_zone();
 
   CellPool& pool_;

@@ -4,15 +4,15 @@
 
 namespace cocoon {
 
-WalkResult locate(const CellPool& pool, const IdVector<VertexId, Point>& points, const Point& p,
-                  CellId start) {
+WalkResult locate(const IdVector<CellId, Cell>& cells, const IdVector<VertexId, Point>& points,
+                  const Point& p, CellId start) {
   CellId current = start;
   // From an infinite cell, step through its hull facet: p is seen from inside or beyond.
-  if (pool.is_infinite(current)) current = cell_of(pool.cells[current].neighbors[3]);
+  if (is_infinite(cells[current])) current = cell_of(cells[current].neighbors[3]);
   int entry = -1;
   std::size_t steps = 0;
   for (;;) {
-    const Cell& cell = pool.cells[current];
+    const Cell& cell = cells[current];
     int exit = -1;
     for (int i = 0; i < 4 && exit < 0; ++i) {
       if (i == entry) continue;  // p lies on this side of the facet that was crossed
@@ -27,7 +27,7 @@ WalkResult locate(const CellPool& pool, const IdVector<VertexId, Point>& points,
     current = cell_of(behind);
     entry = index_of(behind);
     ++steps;
-    if (pool.is_infinite(current)) return {current, steps};
+    if (is_infinite(cells[current])) return {current, steps};
   }
 }
 

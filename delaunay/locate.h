@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "delaunay/cell_pool.h"
+#include "delaunay/triangulation.h"
 #include "geom/id_vector.h"
 #include "geom/point.h"
 
@@ -21,7 +21,7 @@ struct WalkResult {
 // Complexity: O(n^(1/3)) steps expected for uniform points from a random start; a few from a start
 // nearby. Source: Devillers, Pion & Teillaud, Walking in a triangulation (2002); De Floriani et
 // al. 1991 for acyclicity.
-WalkResult locate(const CellPool& pool, const IdVector<VertexId, Point>& points, const Point& p,
-                  CellId start);
+WalkResult locate(const IdVector<CellId, Cell>& cells, const IdVector<VertexId, Point>& points,
+                  const Point& p, CellId start);
 
 }  // namespace cocoon

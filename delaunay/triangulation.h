@@ -32,6 +32,8 @@ struct Cell {
 };
 static_assert(sizeof(Cell) == 32);
 
+constexpr bool is_infinite(const Cell& cell) { return cell.vertices[3] == infinite_vertex; }
+
 constexpr FacetId facet_id(CellId cell, int i) {
   return FacetId(4 * cell.value + static_cast<std::uint32_t>(i));
 }
