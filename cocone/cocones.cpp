@@ -14,47 +14,32 @@ namespace {
 constexpr std::size_t cells_per_chunk = 16384;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Two bits per corner: the side of the cell's center in the double cone of that corner.
-using CornerSides = IdVector<CellId, std::uint8_t>;
-
-ConeSide side_at(std::uint8_t sides, int corner) {
-  return static_cast<ConeSide>((sides >> (2 * corner)) & 3U);
+// Side of a Voronoi vertex, or of the direction of a ray, in the double cone of v.
+ConeSide side_of_dual(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
+                      double squared_cosine, CellId c, VertexId v) {
+  const Point& center = dual.centers[c];
+  const Vec3 x = triangulation.is_infinite(c) ? center : center - triangulation.point(v);
+  return cone_side(x, poles.normals[v], squared_cosine);
 }
 
-CornerSides center_sides(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
-                         double cosine, const Execution& execution) {
-  CornerSides sides(triangulation.num_cells());
-  const double squared_cosine = cosine * cosine;
-  parallel_chunks(execution, sides.size(), cells_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for (CellId c(begin); c.index() < end; ++c) {
-                      const bool is_direction = triangulation.is_infinite(c);
-                      const Point& center = dual.centers[c];
-                      unsigned packed = 0;
-                      for (int i = 0; i < (is_direction ? 3 : 4); ++i) {
-                        const VertexId v = triangulation.vertex(c, i);
-                        const Vec3 x = is_direction ? center : center - triangulation.point(v);
-                        const ConeSide side = cone_side(x, poles.normals[v], squared_cosine);
-                        packed |= static_cast<unsigned>(side) << (2 * i);
-                      }
-                      sides[c] = static_cast<std::uint8_t>(packed);
-                    }
-                  });
-  return sides;
-}
-
-unsigned facet_row(const Triangulation& triangulation, const CornerSides& sides, FacetId f) {
-  const FacetId mirror = triangulation.mirror(f);
-  const Cell& cell = triangulation.cell(cell_of(f));
-  const Cell& behind = triangulation.cell(cell_of(mirror));
-  const std::uint8_t own = sides[cell_of(f)];
-  const std::uint8_t other = sides[cell_of(mirror)];
-  unsigned row = 0;
-  for (const int j : facet_corners[index_of(f)]) {
-    const int k = index_of_vertex(behind, cell.vertices[static_cast<std::size_t>(j)]);
-    if (meets_cocone(side_at(own, j), side_at(other, k))) row |= 1U << j;
+// The sixteen bits of a cell. The ends of the four dual edges are classified anew for each corner:
+// reading what another cell knows would cost more than the few products.
+unsigned bits_of_cell(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
+                      double squared_cosine, CellId c) {
+  const Cell& cell = triangulation.cell(c);
+  const bool infinite = triangulation.is_infinite(c);
+  unsigned bits = 0;
+  for (int j = 0; j < (infinite ? 3 : 4); ++j) {
+    const VertexId v = cell.vertices[static_cast<std::size_t>(j)];
+    const ConeSide own = side_of_dual(triangulation, dual, poles, squared_cosine, c, v);
+    for (int i = infinite ? 3 : 0; i < 4; ++i) {
+      if (i == j) continue;
+      const CellId behind = cell_of(cell.neighbors[static_cast<std::size_t>(i)]);
+      const ConeSide other = side_of_dual(triangulation, dual, poles, squared_cosine, behind, v);
+      bits |= static_cast<unsigned>(meets_cocone(own, other)) << (4 * i + j);
+    }
   }
-  return row;
+  return bits;
 }
 
 // A dual edge relative to the sample, in units of 1 / scale.
@@ -167,17 +152,13 @@ double largest_coordinate(const RadiusQuery& query) {
 Cocones intersect_cocones(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
                           const CoconeOptions& options, const Execution& execution) {
   report_progress(execution, "intersect_cocones", 0);
-  const CornerSides sides = center_sides(triangulation, dual, poles, options.cosine, execution);
-  report_progress(execution, "intersect_cocones", 0.5);
+  const double squared_cosine = options.cosine * options.cosine;
   Cocones cocones{IdVector<CellId, std::uint16_t>(triangulation.num_cells()), options.cosine};
   parallel_chunks(execution, triangulation.num_cells(), cells_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
                     for (CellId c(begin); c.index() < end; ++c) {
-                      unsigned bits = 0;
-                      for (int i = triangulation.is_infinite(c) ? 3 : 0; i < 4; ++i) {
-                        bits |= facet_row(triangulation, sides, facet_id(c, i)) << (4 * i);
-                      }
-                      cocones.meets[c] = static_cast<std::uint16_t>(bits);
+                      cocones.meets[c] = static_cast<std::uint16_t>(
+                          bits_of_cell(triangulation, dual, poles, squared_cosine, c));
                     }
                   });
   report_progress(execution, "intersect_cocones", 1);

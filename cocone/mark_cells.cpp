@@ -27,6 +27,99 @@ CellLabel opposite(CellLabel label) {
   return label == CellLabel::out ? CellLabel::in : CellLabel::out;
 }
 
+// What the rounds give where no two vertices disagree, in one pass over the cells. The vertices
+// that get their turn are those joined to the hull by triangles of the surface. Two cells at such a
+// vertex are in one half if facets at the vertex lead from one to the other without crossing the
+// surface: so OUT spreads through these facets, and IN likewise from behind the surface. If no cell
+// is told both, every half has one label, the one that the rounds find.
+class ConsistentMarking {
+ public:
+  ConsistentMarking(const Triangulation& triangulation, const FacetSet& surface,
+                    const TriangleFans& fans, CellMarks& marks)
+      : triangulation_(triangulation), surface_(surface), fans_(fans), marks_(marks) {}
+
+  // False if the labels contradict each other; the marks are then of no use.
+  bool run(std::span<const VertexId> seeds) {
+    visit_surface(seeds);
+    for (const CellId c : triangulation_.infinite_cells()) label(c, CellLabel::out);
+    spread(CellLabel::out);
+    for (const CellId c : behind_surface_) {
+      if (marks_.labels[c] == CellLabel::out) return false;
+      if (marks_.labels[c] == CellLabel::unmarked) label(c, CellLabel::in);
+    }
+    return spread(CellLabel::in);
+  }
+
+ private:
+  void visit_surface(std::span<const VertexId> seeds) {
+    std::vector<VertexId> stack;
+    const auto visit = [&](VertexId v) {
+      if (marks_.good[v] == 0 || marks_.visited[v] != 0) return;
+      marks_.visited[v] = 1;
+      ++marks_.visited_vertices;
+      stack.push_back(v);
+    };
+    for (const VertexId v : seeds) visit(v);
+    while (!stack.empty()) {
+      const VertexId v = stack.back();
+      stack.pop_back();
+      for (const std::uint32_t t : fans_.around(v)) {
+        for (const VertexId w : fans_.corners[t]) visit(w);
+      }
+    }
+  }
+
+  void label(CellId c, CellLabel label_of_c) {
+    marks_.labels[c] = label_of_c;
+    stack_.push_back(c);
+  }
+
+  bool spread(CellLabel own) {
+    while (!stack_.empty()) {
+      const CellId c = stack_.back();
+      stack_.pop_back();
+      const unsigned visited = visited_corners(c);
+      if (visited == 0) continue;
+      for (int i = 0; i < 4; ++i) {
+        if ((visited & ~(1U << i)) == 0) continue;
+        const CellId behind = triangulation_.neighbor(c, i);
+        const CellLabel known = marks_.labels[behind];
+        if (surface_.contains(facet_id(c, i))) {
+          if (own == CellLabel::out) behind_surface_.push_back(behind);
+        } else if (known == CellLabel::unmarked) {
+          label(behind, own);
+        } else if (known != own) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  // Bit i: vertex i has had its turn.
+  unsigned visited_corners(CellId c) const {
+    const Cell& cell = triangulation_.cell(c);
+    unsigned bits = 0;
+    for (unsigned i = 0; i < (triangulation_.is_infinite(c) ? 3U : 4U); ++i) {
+      bits |= static_cast<unsigned>(marks_.visited[cell.vertices[i]]) << i;
+    }
+    return bits;
+  }
+
+  const Triangulation& triangulation_;
+  const FacetSet& surface_;
+  const TriangleFans& fans_;
+  CellMarks& marks_;
+  std::vector<CellId> stack_;
+  std::vector<CellId> behind_surface_;  // cells across a facet of the surface from an OUT cell
+};
+
+void clear_marks(const Triangulation& triangulation, CellMarks& marks) {
+  marks.labels = IdVector<CellId, CellLabel>(triangulation.num_cells(), CellLabel::unmarked);
+  marks.visited = VertexSet(triangulation.num_vertices(), 0);
+  marks.visited_vertices = 0;
+}
+
 }  // namespace
 
 MarkingRounds::MarkingRounds(const Triangulation& triangulation, const VertexStars& stars,
@@ -138,27 +231,34 @@ void MarkingRounds::append_neighbors(VertexId v, std::vector<VertexId>& frontier
   }
 }
 
+void mark_in_rounds(const Triangulation& triangulation, const VertexStars& stars,
+                    const FacetSet& surface, std::span<const VertexId> seeds, CellMarks& marks) {
+  for (const CellId c : triangulation.infinite_cells()) marks.labels[c] = CellLabel::out;
+  std::vector<CellId> out_cells;
+  MarkingRounds(triangulation, stars, surface, marks).run(seeds, out_cells);
+}
+
 CellMarks mark_cells(const Triangulation& triangulation, const VertexStars& stars,
                      const FacetSet& surface, const VertexSet& boundary,
                      const GoodVertexOptions& options, const Execution& execution) {
   report_progress(execution, "mark_cells", 0);
-  GoodVertices good =
-      good_vertices(triangle_fans(triangulation, surface, execution), boundary, options, execution);
-  report_progress(execution, "mark_cells", 0.3);
+  const TriangleFans fans = triangle_fans(triangulation, surface, execution);
+  GoodVertices good = good_vertices(fans, boundary, options, execution);
+  report_progress(execution, "mark_cells", 0.6);
   CellMarks marks;
-  marks.labels = IdVector<CellId, CellLabel>(triangulation.num_cells(), CellLabel::unmarked);
   marks.good = std::move(good.good);
   marks.good_vertices = good.count;
   marks.demoted_vertices = good.demoted;
-  marks.visited = VertexSet(triangulation.num_vertices(), 0);
-  // the first round: good vertices on the hull
+  // the first to have their turn: good vertices on the hull
   std::vector<VertexId> seeds;
   for (const CellId c : triangulation.infinite_cells()) {
-    marks.labels[c] = CellLabel::out;
     for (int i = 0; i < 3; ++i) seeds.push_back(triangulation.vertex(c, i));
   }
-  std::vector<CellId> out_cells;
-  MarkingRounds(triangulation, stars, surface, marks).run(seeds, out_cells);
+  clear_marks(triangulation, marks);
+  if (!ConsistentMarking(triangulation, surface, fans, marks).run(seeds)) {
+    clear_marks(triangulation, marks);
+    mark_in_rounds(triangulation, stars, surface, seeds, marks);
+  }
   report_progress(execution, "mark_cells", 1);
   return marks;
 }

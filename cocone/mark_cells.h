@@ -31,7 +31,7 @@ struct CellMarks {
   std::size_t good_vertices = 0;
   std::size_t demoted_vertices = 0;  // closed umbrellas at folds (umbrella.h)
   std::size_t visited_vertices = 0;
-  std::size_t rounds = 0;
+  std::size_t rounds = 0;          // 0: no two vertices disagreed, one pass decided
   std::size_t conflicts = 0;       // halves, or cells, that were told both; see below
   std::size_t deferred_seeds = 0;  // of peel_cells
   std::size_t poor_cells = 0;      // of peel_cells: cells without a good vertex
@@ -43,11 +43,18 @@ struct CellMarks {
 // way round; where both labels occur the half's majority counts, a tie is OUT, and it is counted as
 // a conflict. Nothing is overwritten; a cell told both in one round is OUT, also counted.
 // A vertex whose star is labeled already passes on the turn and is not examined for conflicts.
-// Complexity: O(cells). Rounds read only earlier rounds: independent of order.
-// Source: Dey & Goswami 2003 (Tight Cocone, marking); spec 6.1, 6.2, section 12.
+// Where no two vertices disagree, one pass over the cells gives the same labels; the rounds run
+// only if it meets a contradiction. Complexity: O(cells). Rounds read only earlier rounds:
+// independent of order. Source: Dey & Goswami 2003 (Tight Cocone, marking); spec 6.1, 6.2,
+// section 12.
 CellMarks mark_cells(const Triangulation& triangulation, const VertexStars& stars,
                      const FacetSet& surface, const VertexSet& boundary,
                      const GoodVertexOptions& options = {}, const Execution& execution = {});
+
+// The rounds from the infinite cells on, without the pass that may replace them (mark_cells decides
+// which). Precondition: labels are unmarked, nobody is visited; good vertices are known.
+void mark_in_rounds(const Triangulation& triangulation, const VertexStars& stars,
+                    const FacetSet& surface, std::span<const VertexId> seeds, CellMarks& marks);
 
 // The rounds by themselves, for the peel that discovers further seeds.
 class MarkingRounds {

@@ -6,9 +6,11 @@
 #include <map>
 #include <string>
 
+#include "cocone/boundary_loops.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
 #include "geom/mesh_measure.h"
+#include "io/point_file.h"
 #include "tests/cocone/sample_shapes.h"
 
 namespace cocoon {
@@ -46,6 +48,27 @@ TEST(ReconstructTight, CleanClosedSurfacesUseEverySample) {
   EXPECT_EQ(torus.counters.boundary_samples, 0U);
   expect_closed(reconstruct_tight(shapes::torus(100, 50, 0.4, 0.5, 3)), {2 * 5000, 0},
                 "grid torus");
+}
+
+TEST(ReconstructTight, ScannedModels) {
+  const std::string folder = std::string(COCOON_TEST_DATA) + "/points/";
+  const ReconstructResult kitten = reconstruct_tight(read_points(folder + "kitten.xyz").points);
+  expect_closed(kitten, {10420, 0}, "kitten");
+  EXPECT_EQ(kitten.unused_points, 0U);
+  expect_closed(reconstruct_tight(read_points(folder + "sphere926.pwn").points), {1848, 2},
+                "sphere926");
+}
+
+TEST(ReconstructCocone, HalfASphereHasOneRim) {
+  const std::string file = std::string(COCOON_TEST_DATA) + "/points/half.xyz";
+  const ReconstructResult open =
+      reconstruct_cocone(read_points(file).points, open_cloud_defaults());
+  const BoundaryLoops loops = boundary_loops(open.mesh);
+  ASSERT_EQ(loops.rims(), 1U);
+  EXPECT_EQ(mesh_check(open.mesh).euler, 1);
+  EXPECT_EQ(open.unused_points, 0U);
+  // half a sphere of radius 0.49: the rim is a great circle
+  EXPECT_NEAR(loops.loops[0].perimeter, 2 * std::numbers::pi * 0.49, 0.1);
 }
 
 TEST(ReconstructTight, CutSphereIsClosedAndOpenSurfaceIsADisk) {

@@ -129,16 +129,26 @@ TEST(PruneSharpEdges, AStandingFlapGoesTheSurfaceStays) {
   EXPECT_EQ(guarded.umbrellas, 6U);
 }
 
-TEST(PruneSharpEdges, UnravelsFromAHoleBetweenUmbrellas) {
-  // All twenty facets: every vertex has an umbrella, no edge is sharp. Then with 100 degrees as the
-  // limit the four inner edges of the octahedron (dihedrals 90) are sharp and empty the inside.
+TEST(PruneSharpEdges, AFreeEdgeBetweenUmbrellasIsPruned) {
+  // The four inner facets in the plane z = 0 give the center an umbrella. A facet that stands on
+  // them has one free edge, from the center to (0,0,1), both with an umbrella: it goes, alone.
   const Octahedron o;
-  const FacetSet all = o.facets([](FacetId) { return true; });
-  ASSERT_EQ(all.size(), 20U);
-  const PrunedCandidates none = prune_sharp_edges(o.triangulation, all);
-  EXPECT_EQ(none.candidates, 20U);
-  EXPECT_EQ(none.pruned, 0U);
-  EXPECT_EQ(none.umbrellas, 7U);
+  const VertexId x = o.vertex({1, 0, 0});
+  const VertexId top = o.vertex({0, 0, 1});
+  const VertexId bottom = o.vertex({0, 0, -1});
+  FacetId standing;
+  const FacetSet candidates = o.facets([&](FacetId f) {
+    if (o.on_hull(f)) return true;
+    if (!o.contains(f, top) && !o.contains(f, bottom)) return true;
+    const bool is_standing = o.contains(f, top) && o.contains(f, x);
+    if (is_standing) standing = f;
+    return is_standing;
+  });
+  ASSERT_EQ(candidates.size(), 13U);
+  const PrunedCandidates result = prune_sharp_edges(o.triangulation, candidates);
+  EXPECT_EQ(result.umbrellas, 7U);
+  EXPECT_EQ(result.pruned, 1U);
+  EXPECT_FALSE(result.facets.contains(standing));
 }
 
 TEST(PruneSharpEdges, DoesNotDependOnInputOrder) {

@@ -1,0 +1,98 @@
+#include "cocone/mark_cells.h"
+
+#include <gtest/gtest.h>
+
+#include "cocone/extract_manifold.h"
+#include "cocone/peel_cells.h"
+#include "cocone/prune_sharp_edges.h"
+#include "cocone/surface_mesh.h"
+#include "tests/cocone/sample_shapes.h"
+#include "tests/cocone/stages.h"
+
+namespace cocoon {
+namespace {
+
+struct Marked {
+  explicit Marked(const std::vector<Point>& points) : s(points), labels(s.labels()) {
+    const FacetSet candidates = candidate_triangles(s.triangulation, s.cocones, labels.boundary);
+    const PrunedCandidates pruned = prune_sharp_edges(s.triangulation, candidates);
+    surface = extract_manifold(s.triangulation, pruned.facets, pruned.umbrella).facets;
+    marks = mark_cells(s.triangulation, s.stars, surface, labels.boundary);
+  }
+
+  CellMarks by_rounds() const {
+    CellMarks rounds;
+    rounds.good = marks.good;
+    rounds.labels = IdVector<CellId, CellLabel>(s.triangulation.num_cells(), CellLabel::unmarked);
+    rounds.visited = VertexSet(s.triangulation.num_vertices(), 0);
+    std::vector<VertexId> seeds;
+    for (const CellId c : s.triangulation.infinite_cells()) {
+      for (int i = 0; i < 3; ++i) seeds.push_back(s.triangulation.vertex(c, i));
+    }
+    mark_in_rounds(s.triangulation, s.stars, surface, seeds, rounds);
+    return rounds;
+  }
+
+  Stages s;
+  BoundarySamples labels;
+  FacetSet surface;
+  CellMarks marks;
+};
+
+TEST(MarkCells, OnePassGivesWhatTheRoundsGive) {
+  for (const auto& points : {shapes::random_torus(2500, 0.4, 1), shapes::cube_grid(9),
+                             shapes::latitude_sphere(15, 24), shapes::cut_sphere(1500, 0.5, 2),
+                             shapes::joined(shapes::sphere(1200, 3), shapes::sphere(500, 4, 0.4)),
+                             shapes::plate(20, 3)}) {
+    const Marked m(points);
+    ASSERT_EQ(m.marks.rounds, 0U);
+    const CellMarks rounds = m.by_rounds();
+    EXPECT_GT(rounds.rounds, 0U);
+    EXPECT_EQ(rounds.conflicts, 0U);
+    EXPECT_EQ(m.marks.labels, rounds.labels);
+    EXPECT_EQ(m.marks.visited, rounds.visited);
+    EXPECT_EQ(m.marks.visited_vertices, rounds.visited_vertices);
+  }
+}
+
+TEST(MarkCells, NoiseMakesConflictsThatTheRoundsSettle) {
+  const Marked m(shapes::noisy_sphere(3000, 0.03, 5));
+  EXPECT_GT(m.marks.rounds, 0U);
+  EXPECT_GT(m.marks.conflicts, 0U);
+  EXPECT_EQ(m.marks.labels, m.by_rounds().labels);
+}
+
+TEST(MarkCells, SurfaceSeparatesInFromOut) {
+  const Marked m(shapes::random_torus(2000, 0.4, 6));
+  m.surface.for_each(m.s.triangulation, [&](FacetId f) {
+    const CellLabel here = m.marks.labels[cell_of(f)];
+    const CellLabel there = m.marks.labels[cell_of(m.s.triangulation.mirror(f))];
+    EXPECT_NE(here, CellLabel::unmarked);
+    EXPECT_NE(there, CellLabel::unmarked);
+    EXPECT_NE(here, there);
+  });
+}
+
+TEST(PeelCells, WithoutASurfaceEverythingIsPoor) {
+  // No surface: all vertices are poor, all finite cells poor cells, and nothing is IN.
+  const Stages s(shapes::sphere(300, 7));
+  const FacetSet nothing(s.triangulation.num_cells());
+  const VertexSet all_boundary(s.triangulation.num_vertices(), 1);
+  CellMarks marks = mark_cells(s.triangulation, s.stars, nothing, all_boundary);
+  EXPECT_EQ(marks.good_vertices, 0U);
+  marks = peel_cells(s.triangulation, s.stars, nothing, std::move(marks));
+  EXPECT_EQ(marks.poor_cells, s.triangulation.num_finite_cells());
+  for (const CellId c : s.triangulation.cells()) EXPECT_NE(marks.labels[c], CellLabel::in);
+}
+
+TEST(PeelCells, TheBodyOfACleanSurfaceIsWhatWasMarkedIn) {
+  const Marked m(shapes::random_torus(2000, 0.4, 8));
+  const CellMarks peeled = peel_cells(m.s.triangulation, m.s.stars, m.surface, m.marks);
+  for (const CellId c : m.s.triangulation.cells()) {
+    EXPECT_EQ(peeled.reached[c] != 0, m.marks.labels[c] == CellLabel::out);
+  }
+  EXPECT_EQ(surface_between(m.s.triangulation, peeled).mesh.triangles.size(), m.surface.size());
+}
+
+}  // namespace
+}  // namespace cocoon
