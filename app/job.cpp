@@ -51,7 +51,7 @@ std::string Job::finish() {
   }
   report_.set("peak_memory_bytes", peak_memory_bytes());
   progress_line_.clear();
-  const std::string text = report_.text();
+  std::string text = report_.text();
   if (shared_.json == "-") {
     fmt::print("{}", text);
   } else if (!shared_.json.empty()) {

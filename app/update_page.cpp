@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <iterator>
 
 #include "app/surface_report.h"
 #include "app/update_report.h"
@@ -19,6 +20,15 @@ constexpr const char* new_color = "#e58f3c";
 constexpr std::array<const char*, 6> group_colors = {"#4c9f70", "#5876b8", "#c88a2d",
                                                      "#8e5ea2", "#3ba3a8", "#b4656f"};
 constexpr std::array<const char*, 4> cloud_colors = {"#d9620b", "#7b2d8b", "#0a7d6f", "#a31f34"};
+
+// One line each.
+constexpr const char* papers[] = {
+    "Woo & Dey: Updating 3D triangular mesh models based on locally added point clouds, 2005",
+    "Amenta, Choi, Dey & Leekha: A simple algorithm for homeomorphic surface reconstruction, 2002",
+    "Dey & Giesen: Detecting undersampling in surface reconstruction, 2001",
+    "Dey & Goswami: Tight Cocone: a water-tight surface reconstructor, 2003",
+    "Devillers & Teillaud: Perturbations and vertex removal in a 3D Delaunay triangulation, 2003",
+};
 
 // Triangles of a mesh as indices in an order of our own, so that layers are ranges.
 class IndexList {
@@ -52,17 +62,7 @@ class PageBuilder {
     add_tables();
     add_timings(timings);
     page_.warnings = record_.result.warnings;
-    page_.papers = {
-        "H. Woo, T. K. Dey: Updating 3D triangular mesh models based on locally added point "
-        "clouds. "
-        "Int. J. Adv. Manuf. Technol., 2005. The update.",
-        "N. Amenta, S. Choi, T. K. Dey, N. Leekha: A simple algorithm for homeomorphic surface "
-        "reconstruction. 2002. Cocone.",
-        "T. K. Dey, J. Giesen: Detecting undersampling in surface reconstruction. 2001. Boundary.",
-        "T. K. Dey, S. Goswami: Tight Cocone: a water-tight surface reconstructor. 2003.",
-        "O. Devillers, M. Teillaud: Perturbations and vertex removal in a 3D Delaunay "
-        "triangulation. 2003. Ties between cospherical points.",
-    };
+    page_.papers.assign(std::begin(papers), std::end(papers));
     return std::move(page_);
   }
 

@@ -11,6 +11,7 @@ namespace {
 
 std::vector<std::size_t> numbers_of(const std::vector<RegionId>& regions) {
   std::vector<std::size_t> numbers;
+  numbers.reserve(regions.size());
   for (const RegionId region : regions) numbers.push_back(region.index());
   return numbers;
 }
