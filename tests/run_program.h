@@ -82,6 +82,7 @@ class RunningProgram {
   }
 
   void send(int signal) const { kill(process_, signal); }
+  std::string error_so_far() const { return content_of(error_); }
 
   ProgramRun wait() const {
     int status = 0;
