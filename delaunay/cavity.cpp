@@ -5,7 +5,6 @@
 #include <bit>
 #include <string>
 
-#include "delaunay/conflict_batch.h"
 #include "geom/errors.h"
 #include "geom/orient3d.h"
 #include "geom/perturbation.h"
@@ -24,7 +23,10 @@ constexpr unsigned large_shift = 8;
 }  // namespace
 
 CavityInserter::CavityInserter(CellPool& pool, const IdVector<VertexId, Point>& points)
-    : pool_(pool), points_(points), edge_table_(std::size_t{1} << (2 * large_shift)) {
+    : pool_(pool),
+      points_(points),
+      filter_(points),
+      edge_table_(std::size_t{1} << (2 * large_shift)) {
   make_room_for_points();
 }
 
@@ -46,6 +48,13 @@ bool CavityInserter::in_conflict(const Cell& cell, const Point& p) const {
   return insphere_perturbed(points_[finite->vertices[0]], points_[finite->vertices[1]],
                             points_[finite->vertices[2]], points_[finite->vertices[3]],
                             p) == Sign::positive;
+}
+
+// The same for a finite cell that has p on its circumsphere.
+bool CavityInserter::in_conflict_on_sphere(const Cell& cell, const Point& p) const {
+  return break_cospherical_tie(points_[cell.vertices[0]], points_[cell.vertices[1]],
+                               points_[cell.vertices[2]], points_[cell.vertices[3]],
+                               p) == Sign::positive;
 }
 
 void CavityInserter::collect_candidates(CellId conflict_cell) {
@@ -70,15 +79,16 @@ std::size_t CavityInserter::test_candidates(std::size_t first, const Point& p) {
   for (std::size_t i = 0; i < conflict_batch_size; ++i) {
     ids[i] = candidates_[first + std::min(i, count - 1)];
   }
-  BatchDecision decision = insphere_batch(pool_.cells, ids.data(), points_, p);
+  BatchDecision decision = filter_.test(pool_.cells, ids.data(), p);
   // What the filter leaves open, and infinite cells, one by one.
   const unsigned lanes = (1U << count) - 1;
-  for (unsigned open = (decision.undecided | decision.infinite) & lanes; open != 0;
-       open &= open - 1) {
-    const unsigned lane_bit = open & (~open + 1);
-    const CellId c = ids[static_cast<std::size_t>(std::countr_zero(open))];
-    decision.inside &= ~lane_bit;
-    if (in_conflict(pool_.cells[c], p)) decision.inside |= lane_bit;
+  for (unsigned open = (decision.on_sphere | decision.undecided | decision.infinite) & lanes;
+       open != 0; open &= open - 1) {
+    const auto lane = static_cast<unsigned>(std::countr_zero(open));
+    const Cell& cell = pool_.cells[ids[lane]];
+    const bool is_tie = (((decision.on_sphere & ~decision.infinite) >> lane) & 1U) != 0;
+    const bool conflict = is_tie ? in_conflict_on_sphere(cell, p) : in_conflict(cell, p);
+    decision.inside = (decision.inside & ~(1U << lane)) | ((conflict ? 1U : 0U) << lane);
   }
   auto conflict_cells = conflict_cells_.writer(conflict_batch_size);
   CellMark* const marks = pool_.marks.raw().data();

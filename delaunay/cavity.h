@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "delaunay/cell_pool.h"
+#include "delaunay/conflict_batch.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/scratch_list.h"
 #include "geom/id_vector.h"
@@ -39,6 +40,7 @@ class CavityInserter {
   using LocalIds = std::array<std::uint8_t, 3>;  // of a border facet's corners, as facet_corners
 
   bool in_conflict(const Cell& cell, const Point& p) const;
+  bool in_conflict_on_sphere(const Cell& cell, const Point& p) const;
   void find_conflict_zone(VertexId v, CellId start);
   void collect_candidates(CellId conflict_cell);
   std::size_t test_candidates(std::size_t first, const Point& p);
@@ -52,6 +54,7 @@ class CavityInserter {
 
   CellPool& pool_;
   const IdVector<VertexId, Point>& points_;
+  ConflictFilter filter_;
   ScratchList<CellId> conflict_cells_;     // the conflict zone, in breadth-first order
   ScratchList<CellId> candidates_;         // cells next to conflict cells, in order of discovery
   ScratchList<FacetId> border_;            // facets of the zone's border, seen from inside

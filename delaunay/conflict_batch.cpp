@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "geom/common_unit.h"
 #include "geom/insphere.h"
 
 #ifndef COCOON_CONFLICT_BATCH_ONCE
@@ -86,7 +88,7 @@ HWY_INLINE Vector largest(Vector a, Vector b, Vector c, Vector d) {
 }
 
 // The expression, the bound and its derivation are those of insphere_filter.
-BatchDecision decide(const Batch& batch, const Point& point) {
+BatchDecision decide(const Batch& batch, const Point& point, double exact_product) {
   const Lanes d;
   const Corner e{hn::Set(d, point.x), hn::Set(d, point.y), hn::Set(d, point.z)};
   const Corner p = load_corner(batch, 0, e);
@@ -109,26 +111,28 @@ BatchDecision decide(const Batch& batch, const Point& point) {
   const Vector reach_x = largest(hn::Abs(p.x), hn::Abs(q.x), hn::Abs(r.x), hn::Abs(s.x));
   const Vector reach_y = largest(hn::Abs(p.y), hn::Abs(q.y), hn::Abs(r.y), hn::Abs(s.y));
   const Vector reach_z = largest(hn::Abs(p.z), hn::Abs(q.z), hn::Abs(r.z), hn::Abs(s.z));
-  const Vector error = hn::Set(d, insphere_filter_coefficient) * (reach_x * reach_y * reach_z) *
-                       largest(pp, qq, rr, ss);
-  // Comparisons with NaN are false, so overflow decides nothing; an infinite value meets an
-  // infinite bound or the range test.
-  const auto in_range = hn::And(
-      hn::Ge(hn::Min(hn::Min(reach_x, reach_y), reach_z), hn::Set(d, insphere_filter_smallest)),
-      hn::Le(hn::Abs(value), hn::Set(d, std::numeric_limits<double>::max())));
-  const auto inside = hn::And(in_range, hn::Gt(value, error));
-  const auto decided = hn::And(in_range, hn::Gt(hn::Abs(value), error));
+  const Vector product = (reach_x * reach_y * reach_z) * largest(pp, qq, rr, ss);
+  const Vector error = hn::Set(d, insphere_filter_coefficient) * product;
+  // Comparisons with NaN are false, so overflow decides nothing.
+  const auto is_finite = hn::Le(hn::Abs(value), hn::Set(d, std::numeric_limits<double>::max()));
+  const auto in_range =
+      hn::Ge(hn::Min(hn::Min(reach_x, reach_y), reach_z), hn::Set(d, insphere_filter_smallest));
+  const auto exact = hn::And(is_finite, hn::Le(product, hn::Set(d, exact_product)));
+  const auto certain = hn::And(hn::And(is_finite, in_range), hn::Gt(hn::Abs(value), error));
+  const auto decided = hn::Or(exact, certain);
+  const auto inside = hn::And(decided, hn::Gt(value, hn::Zero(d)));
+  const auto on_sphere = hn::And(exact, hn::Eq(value, hn::Zero(d)));
   const auto bits = [&](auto mask) {
     std::array<std::uint8_t, 8> bytes;  // StoreMaskBits may write this many
     hn::StoreMaskBits(d, mask, bytes.data());
     return bytes[0] & 0xFU;
   };
-  return {bits(inside), bits(decided) ^ 0xFU, batch.infinite()};
+  return {bits(inside), bits(on_sphere), bits(decided) ^ 0xFU, batch.infinite()};
 }
 
 #else
 
-BatchDecision decide(const Batch& batch, const Point& p) {
+BatchDecision decide(const Batch& batch, const Point& p, double exact_product) {
   const auto corner = [&](std::size_t lane, std::size_t slot) {
     const double* at = batch.corner(lane, slot);
     return Point{at[0], at[1], at[2]};
@@ -137,8 +141,15 @@ BatchDecision decide(const Batch& batch, const Point& p) {
   for (std::size_t i = 0; i < conflict_batch_size; ++i) {
     const FilteredDeterminant filter =
         insphere_filter(corner(i, 0), corner(i, 1), corner(i, 2), corner(i, 3), p);
-    if (!filter.is_certain()) decision.undecided |= 1U << i;
-    if (filter.value > filter.error) decision.inside |= 1U << i;
+    const bool exact = std::fabs(filter.value) <= std::numeric_limits<double>::max() &&
+                       filter.product <= exact_product;
+    if (!exact && !filter.is_certain()) {
+      decision.undecided |= 1U << i;
+    } else if (filter.value > 0) {
+      decision.inside |= 1U << i;
+    } else if (filter.value == 0) {
+      decision.on_sphere |= 1U << i;
+    }
   }
   decision.infinite = batch.infinite();
   return decision;
@@ -155,10 +166,29 @@ namespace cocoon {
 
 HWY_EXPORT(decide);
 
-BatchDecision insphere_batch(const IdVector<CellId, Cell>& cells, const CellId* ids,
-                             const IdVector<VertexId, Point>& points, const Point& p) {
+namespace {
+
+// If all coordinates are multiples of `unit`, so are the differences, and every intermediate value
+// of the determinant is an integer multiple of a power of it. The largest, the sums of the four
+// summands, stay below 24 X Y Z L, so they are exact up to 2^53 unit^5; a squared length alone is,
+// since the product of the three reaches is at least unit^3 or the whole value is zero. 2^48 leaves
+// room for the factor 24 and for the rounding of the product.
+double largest_exact_product(const IdVector<VertexId, Point>& points) {
+  const double unit = common_unit(points.span());
+  // Inside this range unit^5 and the products are far from overflow and underflow.
+  if (!(unit > 0x1p-100 && unit < 0x1p100)) return -1;
+  return 0x1p48 * (unit * unit * unit * unit * unit);
+}
+
+}  // namespace
+
+ConflictFilter::ConflictFilter(const IdVector<VertexId, Point>& points)
+    : points_(points), exact_product_(largest_exact_product(points)) {}
+
+BatchDecision ConflictFilter::test(const IdVector<CellId, Cell>& cells, const CellId* ids,
+                                   const Point& p) const {
   static_assert(sizeof(Point) == 3 * sizeof(double));
-  return HWY_DYNAMIC_DISPATCH(decide)(Batch(cells, ids, points), p);
+  return HWY_DYNAMIC_DISPATCH(decide)(Batch(cells, ids, points_), p, exact_product_);
 }
 
 }  // namespace cocoon

@@ -14,16 +14,28 @@ inline constexpr std::size_t conflict_batch_size = 4;
 // Bit i speaks of the i-th cell of the batch.
 struct BatchDecision {
   unsigned inside = 0;     // certainly: the circumsphere contains the point
+  unsigned on_sphere = 0;  // certainly: the point lies on the circumsphere
   unsigned undecided = 0;  // the filter cannot tell; the exact predicate must
   unsigned infinite = 0;   // not a finite cell
 };
 
-// First level of insphere (geom/insphere.h: same expression, same bound, same bits on every
-// instruction set) for the conflict_batch_size cells with the given ids. The instruction set is
-// chosen at run time. Answers for infinite cells mean nothing.
-// `points` must end with one element that is no vertex: it is read in place of the vertex at
-// infinity, and a little past the last vertex. Complexity: O(1), about the time of one scalar test.
-BatchDecision insphere_batch(const IdVector<CellId, Cell>& cells, const CellId* ids,
-                             const IdVector<VertexId, Point>& points, const Point& p);
+// What the tests of one triangulation have in common.
+class ConflictFilter {
+ public:
+  // `points` must outlive the filter and end with one element that is no vertex: it is read in
+  // place of the vertex at infinity, and a little past the last vertex. Complexity: O(n).
+  explicit ConflictFilter(const IdVector<VertexId, Point>& points);
+
+  // First level of insphere (geom/insphere.h: same expression, same bound, same bits on every
+  // instruction set) for the conflict_batch_size cells with the given ids; the value is also known
+  // to be exact where it is small in units of a grid on which all points lie. The instruction set
+  // is chosen at run time. Answers for infinite cells mean nothing. Complexity: O(1), about the
+  // time of one scalar test.
+  BatchDecision test(const IdVector<CellId, Cell>& cells, const CellId* ids, const Point& p) const;
+
+ private:
+  const IdVector<VertexId, Point>& points_;
+  double exact_product_;  // the value is exact while X Y Z L (see insphere.h) is at most this
+};
 
 }  // namespace cocoon

@@ -47,9 +47,9 @@ inline FilteredDeterminant insphere_filter(const Point& a, const Point& b, const
   const double reach_z = largest(std::fabs(p.z), std::fabs(q.z), std::fabs(r.z), std::fabs(s.z));
   const bool in_range = std::min(std::min(reach_x, reach_y), reach_z) >= insphere_filter_smallest &&
                         std::fabs(value) <= std::numeric_limits<double>::max();
-  if (!in_range) return {value};
-  return {value,
-          insphere_filter_coefficient * (reach_x * reach_y * reach_z) * largest(pp, qq, rr, ss)};
+  const double product = (reach_x * reach_y * reach_z) * largest(pp, qq, rr, ss);
+  const double infinity = std::numeric_limits<double>::infinity();
+  return {value, in_range ? insphere_filter_coefficient * product : infinity, product};
 }
 
 // insphere where the first filter is not certain. Out of line: it is rare.

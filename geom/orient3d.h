@@ -18,6 +18,7 @@ namespace cocoon {
 struct FilteredDeterminant {
   double value = 0;
   double error = std::numeric_limits<double>::infinity();
+  double product = error;  // the product of extents that `error` is a multiple of
 
   bool is_certain() const { return value > error || value < -error; }
 };

@@ -1,6 +1,5 @@
 #include "geom/perturbation.h"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -15,22 +14,26 @@ namespace {
 // The determinant of insphere is linear in the lifts |p|^2 of its five points. This is the sign of
 // the coefficient of one lift: for e it is -orient3d(a, b, c, d); for any other point, by exchange
 // of rows, orient3d with e in the place of that point.
-Sign lift_coefficient(std::array<Point, 5> p, std::size_t lifted) {
+Sign lift_coefficient(const std::array<Point, 5>& p, std::size_t lifted) {
   if (lifted == 4) return Sign::negative;  // orient3d(a, b, c, d) > 0 is the precondition
-  p[lifted] = p[4];
-  return orient3d(p[0], p[1], p[2], p[3]);
+  const auto row = [&](std::size_t i) -> const Point& { return p[i == lifted ? 4 : i]; };
+  return orient3d(row(0), row(1), row(2), row(3));
 }
 
 // Adds eps_i to the lift of the point of rank i, with eps_0 << eps_1 << ... << eps_4 << 1. As the
 // unperturbed determinant is zero, its sign is that of the first nonzero coefficient from the top
 // rank down.
 Sign break_tie(const std::array<Point, 5>& p) {
-  std::array<std::size_t, 5> by_rank = {0, 1, 2, 3, 4};
-  std::sort(by_rank.begin(), by_rank.end(),
-            [&p](std::size_t i, std::size_t j) { return p[i] > p[j]; });
-  for (const std::size_t lifted : by_rank) {
-    const Sign sign = lift_coefficient(p, lifted);
+  std::array<std::size_t, 5> left = {0, 1, 2, 3, 4};
+  for (std::size_t count = 5; count > 0; --count) {
+    // Mostly the first or second rank decides: select the top instead of sorting.
+    std::size_t top = 0;
+    for (std::size_t i = 1; i < count; ++i) {
+      if (p[left[i]] > p[left[top]]) top = i;
+    }
+    const Sign sign = lift_coefficient(p, left[top]);
     if (sign != Sign::zero) return sign;
+    left[top] = left[count - 1];
   }
   assert(false);  // e ranks somewhere, and its coefficient is negative
   return Sign::zero;
@@ -45,6 +48,11 @@ Sign insphere_perturbed(const Point& a, const Point& b, const Point& c, const Po
   const Sign sign = insphere(a, b, c, d, e);
   if (sign != Sign::zero) return sign;
   if (e == a || e == b || e == c || e == d) return Sign::zero;
+  return break_tie({a, b, c, d, e});
+}
+
+Sign break_cospherical_tie(const Point& a, const Point& b, const Point& c, const Point& d,
+                           const Point& e) {
   return break_tie({a, b, c, d, e});
 }
 

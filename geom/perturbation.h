@@ -16,4 +16,9 @@ namespace cocoon {
 Sign insphere_perturbed(const Point& a, const Point& b, const Point& c, const Point& d,
                         const Point& e);
 
+// The same for callers that know that insphere(a, b, c, d, e) is zero and that e is none of the
+// others.
+Sign break_cospherical_tie(const Point& a, const Point& b, const Point& c, const Point& d,
+                           const Point& e);
+
 }  // namespace cocoon

@@ -1,0 +1,33 @@
+#include "geom/common_unit.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace cocoon {
+namespace {
+
+constexpr int no_exponent = 2000;  // above every exponent of a double
+
+// The exponent of the lowest bit that is set in `value`.
+int lowest_bit(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  constexpr std::uint64_t hidden = std::uint64_t{1} << 52;
+  const int biased = static_cast<int>((bits >> 52) & 0x7FFU);
+  const std::uint64_t mantissa = (bits & (hidden - 1)) | (biased == 0 ? 0 : hidden);
+  if (mantissa == 0) return no_exponent;
+  return std::max(biased, 1) - 1075 + std::countr_zero(mantissa);
+}
+
+}  // namespace
+
+double common_unit(Points points) {
+  int exponent = no_exponent;
+  for (const Point& p : points) {
+    exponent = std::min({exponent, lowest_bit(p.x), lowest_bit(p.y), lowest_bit(p.z)});
+  }
+  return exponent == no_exponent ? 0.0 : std::ldexp(1.0, exponent);
+}
+
+}  // namespace cocoon
