@@ -26,7 +26,6 @@ void run_delaunay(const DelaunayArguments& arguments, Job& job) {
   report.set("delaunay/counters/walk_steps", result.counters.walk_steps);
   report.set("delaunay/counters/conflict_tests", result.counters.conflict_tests);
   report.set("delaunay/counters/cells_created", result.counters.cells_created);
-  report.set("delaunay/counters/exact_orientations", result.counters.exact_orientations);
   report.set("delaunay/counters/exact_inspheres", result.counters.exact_inspheres);
   report.set("delaunay/counters/perturbed_inspheres", result.counters.perturbed_inspheres);
   job.say("{} points ({} duplicates), {} tetrahedra -> {}", triangulation.num_vertices(),

@@ -73,7 +73,8 @@ void CavityInserter::collect_candidates(CellId conflict_cell) {
 
 // Tests the candidates from `first` on, at most a batch of them, and moves those in conflict to the
 // conflict zone. Returns the first one left.
-std::size_t CavityInserter::test_candidates(std::size_t first, const Point& p) {
+std::size_t CavityInserter::test_candidates(std::size_t first, const Point& p,
+                                            DelaunayCounters& counters) {
   const std::size_t count = std::min(conflict_batch_size, candidates_.size() - first);
   std::array<CellId, conflict_batch_size> ids;
   for (std::size_t i = 0; i < conflict_batch_size; ++i) {
@@ -82,6 +83,12 @@ std::size_t CavityInserter::test_candidates(std::size_t first, const Point& p) {
   BatchDecision decision = filter_.test(pool_.cells, ids.data(), p);
   // What the filter leaves open, and infinite cells, one by one.
   const unsigned lanes = (1U << count) - 1;
+  const unsigned finite_lanes = lanes & ~decision.infinite;
+  counters.conflict_tests += count;
+  counters.exact_inspheres +=
+      static_cast<std::size_t>(std::popcount(decision.undecided & finite_lanes));
+  counters.perturbed_inspheres +=
+      static_cast<std::size_t>(std::popcount(decision.on_sphere & finite_lanes));
   for (unsigned open = (decision.on_sphere | decision.undecided | decision.infinite) & lanes;
        open != 0; open &= open - 1) {
     const auto lane = static_cast<unsigned>(std::countr_zero(open));
@@ -101,7 +108,7 @@ std::size_t CavityInserter::test_candidates(std::size_t first, const Point& p) {
   return first + count;
 }
 
-void CavityInserter::find_conflict_zone(VertexId v, CellId start) {
+void CavityInserter::find_conflict_zone(VertexId v, CellId start, DelaunayCounters& counters) {
   const Point p = points_[v];
   candidates_.clear();
   conflict_cells_.clear();
@@ -115,7 +122,7 @@ void CavityInserter::find_conflict_zone(VertexId v, CellId start) {
     if (expanded < conflict_cells_.size()) {
       collect_candidates(conflict_cells_[expanded++]);
     } else {
-      tested = test_candidates(tested, p);
+      tested = test_candidates(tested, p, counters);
     }
   }
 }
@@ -273,7 +280,7 @@ void CavityInserter::release_conflict_zone() {
 }
 
 CellId CavityInserter::insert(VertexId v, CellId start, DelaunayCounters& counters) {
-  find_conflict_zone(v, start);
+  find_conflict_zone(v, start, counters);
   collect_border();
   build_star(v);
   if (border_vertices_.size() <= (std::size_t{1} << small_shift)) {
@@ -284,7 +291,6 @@ CellId CavityInserter::insert(VertexId v, CellId start, DelaunayCounters& counte
     link_by_sorted_edges();
   }
   release_conflict_zone();
-  counters.conflict_tests += candidates_.size();
   counters.cells_created += star_.size();
   counters.cells_deleted += conflict_cells_.size();
   return cell_of(star_[0]);

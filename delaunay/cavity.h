@@ -41,9 +41,9 @@ class CavityInserter {
 
   bool in_conflict(const Cell& cell, const Point& p) const;
   bool in_conflict_on_sphere(const Cell& cell, const Point& p) const;
-  void find_conflict_zone(VertexId v, CellId start);
+  void find_conflict_zone(VertexId v, CellId start, DelaunayCounters& counters);
   void collect_candidates(CellId conflict_cell);
-  std::size_t test_candidates(std::size_t first, const Point& p);
+  std::size_t test_candidates(std::size_t first, const Point& p, DelaunayCounters& counters);
   void collect_border();
   void grow_pool(std::size_t count);
   void build_star(VertexId v);

@@ -222,6 +222,18 @@ TEST(Delaunay, CountersCount) {
   // Every insertion deletes the cell it starts from untested, and those that failed the test.
   EXPECT_GE(c.conflict_tests + 1996, c.cells_deleted);
   EXPECT_GT(c.walk_steps, 0U);
+  EXPECT_EQ(c.perturbed_inspheres, 0U);
+}
+
+TEST(Delaunay, CountersTellWhichLevelDecided) {
+  // Small integers: the filter's value is exact, ties are known at once.
+  const DelaunayCounters grid = delaunay(gallery::integer_grid(8)).counters;
+  EXPECT_EQ(grid.exact_inspheres, 0U);
+  EXPECT_GT(grid.perturbed_inspheres, 0U);
+  // Points rounded onto a sphere: nearly cospherical, far below the filter's bound.
+  const DelaunayCounters sphere = delaunay(gallery::sphere(500)).counters;
+  EXPECT_GT(sphere.exact_inspheres, 0U);
+  EXPECT_EQ(sphere.perturbed_inspheres, 0U);
 }
 
 class StopAtOnce : public Progress {
