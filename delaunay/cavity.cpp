@@ -280,6 +280,7 @@ void CavityInserter::release_conflict_zone() {
 }
 
 CellId CavityInserter::insert(VertexId v, CellId start, DelaunayCounters& counters) {
+  filter_.admit(points_[v]);
   find_conflict_zone(v, start, counters);
   collect_border();
   build_star(v);

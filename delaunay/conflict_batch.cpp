@@ -173,8 +173,7 @@ namespace {
 // summands, stay below 24 X Y Z L, so they are exact up to 2^53 unit^5; a squared length alone is,
 // since the product of the three reaches is at least unit^3 or the whole value is zero. 2^48 leaves
 // room for the factor 24 and for the rounding of the product.
-double largest_exact_product(const IdVector<VertexId, Point>& points) {
-  const double unit = common_unit(points.span());
+double largest_exact_product(double unit) {
   // Inside this range unit^5 and the products are far from overflow and underflow.
   if (!(unit > 0x1p-100 && unit < 0x1p100)) return -1;
   return 0x1p48 * (unit * unit * unit * unit * unit);
@@ -183,7 +182,17 @@ double largest_exact_product(const IdVector<VertexId, Point>& points) {
 }  // namespace
 
 ConflictFilter::ConflictFilter(const IdVector<VertexId, Point>& points)
-    : points_(points), exact_product_(largest_exact_product(points)) {}
+    : points_(points),
+      unit_(common_unit(points.span())),
+      exact_product_(largest_exact_product(unit_)) {}
+
+void ConflictFilter::admit(const Point& p) {
+  if (exact_product_ < 0) return;
+  const double unit = common_unit(p);
+  if (unit == 0 || unit >= unit_) return;  // the origin is on every grid
+  unit_ = unit;
+  exact_product_ = largest_exact_product(unit);
+}
 
 BatchDecision ConflictFilter::test(const IdVector<CellId, Cell>& cells, const CellId* ids,
                                    const Point& p) const {

@@ -26,6 +26,10 @@ class ConflictFilter {
   // place of the vertex at infinity, and a little past the last vertex. Complexity: O(n).
   explicit ConflictFilter(const IdVector<VertexId, Point>& points);
 
+  // To be called for a vertex that was not in `points` at construction, before it is tested or
+  // becomes a corner of a cell. Complexity: O(1).
+  void admit(const Point& p);
+
   // First level of insphere (geom/insphere.h: same expression, same bound, same bits on every
   // instruction set) for the conflict_batch_size cells with the given ids; the value is also known
   // to be exact where it is small in units of a grid on which all points lie. The instruction set
@@ -35,6 +39,7 @@ class ConflictFilter {
 
  private:
   const IdVector<VertexId, Point>& points_;
+  double unit_;           // all coordinates are multiples of it; 0: nothing is known
   double exact_product_;  // the value is exact while X Y Z L (see insphere.h) is at most this
 };
 

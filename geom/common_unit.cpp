@@ -20,14 +20,22 @@ int lowest_bit(double value) {
   return std::max(biased, 1) - 1075 + std::countr_zero(mantissa);
 }
 
+int lowest_bit(const Point& p) {
+  return std::min({lowest_bit(p.x), lowest_bit(p.y), lowest_bit(p.z)});
+}
+
+double power_of_two(int exponent) {
+  return exponent == no_exponent ? 0.0 : std::ldexp(1.0, exponent);
+}
+
 }  // namespace
 
 double common_unit(Points points) {
   int exponent = no_exponent;
-  for (const Point& p : points) {
-    exponent = std::min({exponent, lowest_bit(p.x), lowest_bit(p.y), lowest_bit(p.z)});
-  }
-  return exponent == no_exponent ? 0.0 : std::ldexp(1.0, exponent);
+  for (const Point& p : points) exponent = std::min(exponent, lowest_bit(p));
+  return power_of_two(exponent);
 }
+
+double common_unit(const Point& point) { return power_of_two(lowest_bit(point)); }
 
 }  // namespace cocoon

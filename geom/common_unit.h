@@ -10,5 +10,6 @@ namespace cocoon {
 // the results stay below 2^53 units (to the power of the degree).
 // Precondition: finite coordinates. Complexity: O(n).
 double common_unit(Points points);
+double common_unit(const Point& point);
 
 }  // namespace cocoon
