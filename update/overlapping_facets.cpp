@@ -71,6 +71,7 @@ struct Location {
   ClosestFacet facet;  // triangle none: unmatched
   bool star_miss = false;
   bool facing_away = false;
+  bool steep = false;
 };
 
 Location locate(const ModelIndex& model, const Point& b, const Vec3& facing,
@@ -78,18 +79,25 @@ Location locate(const ModelIndex& model, const Point& b, const Vec3& facing,
   const double spacing = std::max(rim_spacing, facet_spacing(model.mesh(), closest.triangle));
   const double max_distance = options.max_distance * spacing;
   // A point without a normal, or a facet without area, has no side to be on.
-  auto faces_alike = [&](TriangleId t) {
-    if (facing == Vec3{} || model.normal(t) == Vec3{}) return true;
-    return dot(model.normal(t), facing) >= options.min_normal_cosine;
+  auto faces_at_least = [&](double cosine) {
+    return [&model, &facing, cosine](TriangleId t) {
+      if (facing == Vec3{} || model.normal(t) == Vec3{}) return true;
+      return dot(model.normal(t), facing) >= cosine;
+    };
   };
   Location location;
-  location.facing_away = !faces_alike(closest.triangle);
+  location.facing_away = !faces_at_least(options.min_normal_cosine)(closest.triangle);
   if (options.rule == LocationRule::nearest_vertex_star) {
     location.facet = star_facet(model, b, max_distance);
     if (!location.facet.triangle.is_none()) return location;
     location.star_miss = true;
   }
-  location.facet = model.closest(b, max_distance * max_distance, faces_alike);
+  const double bound = max_distance * max_distance;
+  location.facet = model.closest(b, bound, faces_at_least(options.min_normal_cosine));
+  if (location.facet.triangle.is_none()) {
+    location.facet = model.closest(b, bound, faces_at_least(-options.min_normal_cosine));
+    location.steep = !location.facet.triangle.is_none();
+  }
   return location;
 }
 
@@ -151,6 +159,7 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
     loop.feet.push_back(location.facet.point);
     overlap.star_misses += location.star_miss ? 1 : 0;
     overlap.facing_away += location.facing_away ? 1 : 0;
+    overlap.steep += location.steep ? 1 : 0;
     if (location.facet.triangle.is_none()) {
       ++loop.unmatched;
       ++overlap.unmatched;

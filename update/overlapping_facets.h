@@ -27,8 +27,9 @@ struct OverlapOptions {
   // A rim point farther from its facet than this many spacings is unmatched. The spacing is the
   // larger one of the rim's and the model's median edge at the nearest vertex.
   double max_distance = 3;
-  // |cosine| between facet normal and surface normal below which a facet is not considered. The
-  // sign counts: it keeps the rim off the far side of a thin wall.
+  // Facets whose normal makes a smaller cosine than this with the surface normal of the cloud are
+  // taken only if there is no other within max_distance (a cloud that leaves the model steeply);
+  // those with less than minus this never: they are the far side of a thin wall.
   double min_normal_cosine = 0.5;
   // A loop with a larger share of unmatched points does not lie on the model.
   double max_unmatched_share = 0.1;
@@ -60,6 +61,7 @@ struct Overlap {
   std::size_t unmatched = 0;       // rim points without a facet
   std::size_t star_misses = 0;     // nearest_vertex_star only: no facet there, closest one taken
   std::size_t facing_away = 0;     // rim points whose closest facet of all faces the other way
+  std::size_t steep = 0;           // rim points with a facet below min_normal_cosine
   double largest_distance = 0;     // of a matched rim point from its facet
 };
 

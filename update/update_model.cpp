@@ -196,6 +196,7 @@ class Update {
     report.overlapping_facets = overlap.facets;
     report.star_misses = overlap.star_misses;
     report.facing_away = overlap.facing_away;
+    report.steep = overlap.steep;
     report.largest_distance = overlap.largest_distance;
     for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
       report.loops[l].match = overlap.loops[l].match;

@@ -76,6 +76,7 @@ struct CloudReport {
   std::vector<TriangleId> overlapping_facets;  // facets of the model with a rim point on them
   std::size_t star_misses = 0;                 // see Overlap
   std::size_t facing_away = 0;
+  std::size_t steep = 0;
   double largest_distance = 0;
   std::size_t border_facets = 0;  // with those traced between rim points
   std::size_t walks = 0;          // see Border

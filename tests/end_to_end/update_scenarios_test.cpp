@@ -1,0 +1,459 @@
+// The local update as a whole, on shapes whose updated surface is known.
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "cocone/reconstruct.h"
+#include "geom/errors.h"
+#include "geom/mesh_check.h"
+#include "geom/random.h"
+#include "geom/surface_distance.h"
+#include "io/point_file.h"
+#include "io/sample_models.h"
+#include "tests/update/hand_made_models.h"
+#include "update/model_index.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+namespace {
+
+using std::numbers::pi;
+using Clouds = std::vector<std::vector<Point>>;
+using Predicate = std::function<bool(const Point&)>;
+
+// n points on the unit sphere, evenly spread along a spiral, with a little noise across.
+std::vector<Point> sphere_points(std::size_t n, std::uint64_t seed = 1) {
+  Random random(seed);
+  std::vector<Point> points;
+  const double turn = pi * (3 - std::sqrt(5.0));
+  const double spacing = std::sqrt(4 * pi / static_cast<double>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(n);
+    const double radius = std::sqrt(1 - z * z);
+    const double angle = turn * static_cast<double>(i);
+    points.push_back(unit(Point{radius * std::cos(angle), radius * std::sin(angle), z} +
+                          0.1 * spacing * random.on_unit_sphere()));
+  }
+  return points;
+}
+
+TriangleMesh sphere_model(std::size_t n) {
+  const ReconstructResult result = reconstruct_tight(sphere_points(n));
+  EXPECT_EQ(result.status, SurfaceStatus::ok);
+  return result.mesh;
+}
+
+double polar_angle(const Point& p, const Vec3& axis) {
+  return std::acos(std::clamp(dot(unit(p), axis), -1.0, 1.0));
+}
+
+// A smooth hill: 1 in the middle, 0 from `width` on.
+double hill(double distance, double width) {
+  const double t = distance / width;
+  return t < 1 ? (1 - t * t) * (1 - t * t) : 0;
+}
+
+// The cap of polar angle `polar` about `axis`, raised by a hill of the given height in its inner
+// two thirds; n is the number of points the whole sphere would have.
+std::vector<Point> raised_cap(std::size_t n, const Vec3& axis, double polar, double height) {
+  std::vector<Point> cap;
+  for (const Point& p : sphere_points(n, 7)) {
+    const double angle = polar_angle(p, axis);
+    if (angle <= polar) cap.push_back((1 + height * hill(angle, polar * 2 / 3)) * p);
+  }
+  return cap;
+}
+
+// What every update must be: closed, manifold, with all its vertices from the input. Kept vertices
+// keep their bits; what must go is gone, what must stay is there.
+void expect_local_update(const TriangleMesh& model, const Clouds& clouds,
+                         const UpdateResult& result, const Predicate& must_go,
+                         const Predicate& must_stay) {
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_TRUE(mesh_check(result.mesh).is_closed_manifold());
+  std::size_t cloud_points = 0;
+  for (const std::vector<Point>& cloud : clouds) cloud_points += cloud.size();
+  const Replacement& replacement = result.replacement;
+  EXPECT_EQ(replacement.points.size(), replacement.kept + cloud_points - replacement.duplicates);
+  EXPECT_EQ(replacement.kept + replacement.replaced, model.points.size());
+  ASSERT_EQ(result.vertex_map.size(), model.points.size());
+  for (const VertexId v : model.points.ids()) {
+    const VertexId mapped = result.vertex_map[v];
+    if (!mapped.is_none()) EXPECT_EQ(result.mesh.points[mapped], model.points[v]);
+    if (must_go(model.points[v])) EXPECT_TRUE(mapped.is_none()) << v.value;
+    if (must_stay(model.points[v])) EXPECT_FALSE(mapped.is_none()) << v.value;
+  }
+}
+
+// The largest deviation of the corners and centroids of triangles from a star-shaped surface.
+double largest_deviation(const TriangleMesh& mesh,
+                         const std::function<double(const Point&)>& radius) {
+  double largest = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Point center = (mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3;
+    for (const Point& p : {mesh.points[a], center}) {
+      largest = std::max(largest, std::abs(norm(p) - radius(unit(p))));
+    }
+  }
+  return largest;
+}
+
+constexpr std::size_t sphere_size = 3000;  // spacing 0.065
+
+TEST(UpdateScenarios, SphereByACap) {
+  const TriangleMesh model = sphere_model(sphere_size);
+  const Vec3 axis = unit(Vec3{1, 2, 2});
+  const double polar = 0.6;
+  const Clouds clouds = {raised_cap(4 * sphere_size, axis, polar, 0.25)};
+  const UpdateResult result = update_model(model, clouds);
+  expect_local_update(
+      model, clouds, result, [&](const Point& p) { return polar_angle(p, axis) < polar - 0.08; },
+      [&](const Point& p) { return polar_angle(p, axis) > polar + 0.02; });
+  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+  EXPECT_EQ(result.regions.regions.size(), 2U);
+  EXPECT_EQ(result.replaced_groups.size(), 1U);
+  ASSERT_EQ(result.clouds[0].groups.size(), 2U);
+  EXPECT_GT(result.clouds[0].margin_deg, 150);
+  EXPECT_TRUE(result.warnings.empty()) << result.warnings.front();
+  EXPECT_LT(largest_deviation(result.mesh,
+                              [&](const Point& p) {
+                                return 1 + 0.25 * hill(polar_angle(p, axis), polar * 2 / 3);
+                              }),
+            0.01);
+}
+
+// A dent and a hill far from each other.
+TEST(UpdateScenarios, SphereByTwoCaps) {
+  const TriangleMesh model = sphere_model(sphere_size);
+  const Vec3 north = {0, 0, 1};
+  const Vec3 side = {1, 0, 0};
+  const Clouds clouds = {raised_cap(3 * sphere_size, north, 0.5, -0.2),
+                         raised_cap(5 * sphere_size, side, 0.6, 0.3)};
+  const UpdateResult result = update_model(model, clouds);
+  expect_local_update(
+      model, clouds, result,
+      [&](const Point& p) { return polar_angle(p, north) < 0.4 || polar_angle(p, side) < 0.5; },
+      [&](const Point& p) { return polar_angle(p, north) > 0.53 && polar_angle(p, side) > 0.63; });
+  EXPECT_EQ(result.regions.regions.size(), 3U);
+  EXPECT_EQ(result.replaced_groups.size(), 2U);
+  for (const CloudReport& cloud : result.clouds) EXPECT_EQ(cloud.replaced_groups.size(), 1U);
+  EXPECT_LT(largest_deviation(result.mesh,
+                              [&](const Point& p) {
+                                return 1 - 0.2 * hill(polar_angle(p, north), 0.5 * 2 / 3) +
+                                       0.3 * hill(polar_angle(p, side), 0.4);
+                              }),
+            0.012);
+}
+
+// The order of clouds and of points only numbers things.
+TEST(UpdateScenarios, OrderDoesNotMatter) {
+  const TriangleMesh model = sphere_model(1500);
+  Clouds clouds = {raised_cap(4500, {0, 0, 1}, 0.5, -0.2), raised_cap(6000, {1, 0, 0}, 0.6, 0.3)};
+  const UpdateResult expected = update_model(model, clouds);
+  auto sorted_triangles = [](const TriangleMesh& mesh) {
+    std::vector<std::array<Point, 3>> triangles;
+    for (const Triangle& t : mesh.triangles) {
+      std::array<Point, 3> corners = {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+      triangles.push_back(corners);
+    }
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+  };
+  Random random(5);
+  random.shuffle(clouds[0]);
+  random.shuffle(clouds[1]);
+  std::swap(clouds[0], clouds[1]);
+  const UpdateResult shuffled = update_model(model, clouds, {}, {.threads = 3});
+  EXPECT_EQ(shuffled.replacement.replaced, expected.replacement.replaced);
+  EXPECT_EQ(sorted_triangles(shuffled.mesh), sorted_triangles(expected.mesh));
+}
+
+// Two scans of one change that overlap each other where the shape is new: the rim of each lies
+// partly on the other one and not on the old model.
+TEST(UpdateScenarios, SphereByTwoHalvesOfOneCap) {
+  const TriangleMesh model = sphere_model(sphere_size);
+  const Vec3 north = {0, 0, 1};
+  const std::vector<Point> cap = raised_cap(4 * sphere_size, north, 0.8, 0.5);
+  Clouds clouds(2);
+  for (const Point& p : cap) {
+    if (p.x < 0.15) clouds[0].push_back(p);
+    if (p.x > -0.15) clouds[1].push_back(p);
+  }
+  const UpdateResult result = update_model(model, clouds);
+  expect_local_update(
+      model, clouds, result, [&](const Point& p) { return polar_angle(p, north) < 0.7; },
+      [&](const Point& p) { return polar_angle(p, north) > 0.83; });
+  EXPECT_GT(result.replacement.duplicates, 50U);
+  EXPECT_GT(result.clouds[0].loops[0].covered, 5U);
+  EXPECT_LT(largest_deviation(
+                result.mesh,
+                [&](const Point& p) { return 1 + 0.5 * hill(polar_angle(p, north), 0.8 * 2 / 3); }),
+            0.02);
+}
+
+// A ring is replaced, what it surrounds is kept.
+TEST(UpdateScenarios, SphereByAnAnnulus) {
+  const TriangleMesh model = sphere_model(sphere_size);
+  const Vec3 axis = {0, 0, 1};
+  Clouds clouds(1);
+  auto ridge = [&](const Point& p) {
+    return 0.1 * hill(std::abs(polar_angle(p, axis) - 0.9), 0.3);
+  };
+  for (const Point& p : sphere_points(4 * sphere_size, 3)) {
+    if (std::abs(polar_angle(p, axis) - 0.9) < 0.5) clouds[0].push_back((1 + ridge(p)) * p);
+  }
+  const UpdateResult result = update_model(model, clouds);
+  expect_local_update(
+      model, clouds, result,
+      [&](const Point& p) { return std::abs(polar_angle(p, axis) - 0.9) < 0.42; },
+      [&](const Point& p) { return std::abs(polar_angle(p, axis) - 0.9) > 0.53; });
+  EXPECT_EQ(result.clouds[0].loops.size(), 2U);
+  EXPECT_EQ(result.regions.regions.size(), 3U);
+  EXPECT_EQ(result.replaced_groups.size(), 1U);
+  EXPECT_LT(largest_deviation(result.mesh, [&](const Point& p) { return 1 + ridge(p); }), 0.01);
+}
+
+// The top of a block with flat sides and sharp edges gets a hill.
+TEST(UpdateScenarios, BlockByACap) {
+  const TriangleMesh model = testing::block(24, 20, 8);
+  Clouds clouds(1);
+  Random random(9);
+  for (int i = 0; i < 48; ++i) {
+    for (int j = 0; j < 48; ++j) {
+      const double x = 0.5 * i + random.uniform(-0.1, 0.1) - 12;
+      const double y = 0.5 * j + random.uniform(-0.1, 0.1) - 12;
+      const double r = std::hypot(x, y);
+      if (r < 8) clouds[0].push_back({12 + x, 10 + y, 8 + 3 * hill(r, 6)});
+    }
+  }
+  auto off_axis = [](const Point& p) { return std::hypot(p.x - 12, p.y - 10); };
+  const UpdateResult result = update_model(model, clouds);
+  expect_local_update(
+      model, clouds, result, [&](const Point& p) { return p.z == 8 && off_axis(p) < 7; },
+      [&](const Point& p) { return p.z < 8 || off_axis(p) > 8.2; });
+  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+  for (const auto& [a, b, c] : result.mesh.triangles) {
+    const Point p = (result.mesh.points[a] + result.mesh.points[b] + result.mesh.points[c]) / 3;
+    if (p.z > 7.5) EXPECT_NEAR(p.z, 8 + 3 * hill(off_axis(p), 6), 0.2);
+  }
+}
+
+// The test block of the paper, at a third of its size.
+TEST(UpdateScenarios, SampleBlock) {
+  const SampleModel sample = sample_model("block", {.points = 3000, .cloud_points = 4000});
+  const TriangleMesh model = reconstruct_tight(sample.initial).mesh;
+  const UpdateResult result = update_model(model, sample.clouds);
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_TRUE(mesh_check(result.mesh).is_closed_manifold());
+  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+  ASSERT_EQ(result.replaced_groups.size(), 1U);
+  // All that the change makes wrong is replaced; what is replaced beyond it lies under the cloud.
+  for (const PointId p : sample.replaced) {
+    for (const VertexId v : model.points.ids()) {
+      if (model.points[v] != sample.initial[p.index()]) continue;
+      EXPECT_TRUE(result.vertex_map[v].is_none()) << p.value;
+    }
+  }
+  EXPECT_LT(result.replacement.replaced, sample.replaced.size() * 3 / 2);
+  const SurfaceDistance distance = surface_distance(result.mesh, sample.truth, {.samples = 20000});
+  EXPECT_LT(distance.mean, 0.01);
+  EXPECT_LT(distance.max, 0.1);
+}
+
+TEST(UpdateScenarios, DisplacedCloud) {
+  const TriangleMesh model = sphere_model(sphere_size);
+  Clouds clouds = {raised_cap(2 * sphere_size, {0, 0, 1}, 0.6, 0.2)};
+  for (Point& p : clouds[0]) p.z += 0.5;
+  const UpdateResult result = update_model(model, clouds);
+  EXPECT_EQ(result.status, UpdateStatus::no_overlap);
+  EXPECT_NE(result.message.find("cloud 1"), std::string::npos) << result.message;
+  EXPECT_EQ(result.message.find('\n'), std::string::npos);
+  EXPECT_TRUE(result.mesh.triangles.empty());
+}
+
+TEST(UpdateScenarios, ClosedCloud) {
+  const TriangleMesh model = sphere_model(sphere_size);
+  Clouds clouds(1);
+  for (const Point& p : sphere_points(2000, 4)) clouds[0].push_back(0.4 * p + Vec3{0.8, 0, 0});
+  const UpdateResult result = update_model(model, clouds);
+  EXPECT_EQ(result.status, UpdateStatus::cloud_closed);
+  EXPECT_NE(result.message.find("no open rim"), std::string::npos) << result.message;
+}
+
+constexpr double tube = 0.4;
+
+TriangleMesh torus_model() {
+  std::vector<Point> points;
+  Random random(2);
+  for (int i = 0; i < 120; ++i) {
+    for (int j = 0; j < 48; ++j) {
+      points.push_back(testing::torus_point(2 * pi * (i + 0.3 * random.uniform()) / 120,
+                                            2 * pi * (j + 0.3 * random.uniform()) / 48, tube));
+    }
+  }
+  const ReconstructResult result = reconstruct_tight(points);
+  EXPECT_EQ(mesh_check(result.mesh).euler, 0);
+  return result.mesh;
+}
+
+// A bowl across the tube of the torus: its rim runs around the tube and does not cut the torus.
+TEST(UpdateScenarios, TorusByAMembrane) {
+  const TriangleMesh model = torus_model();
+  Clouds clouds(1);
+  Random random(6);
+  for (double r = 0; r <= 1; r += 0.05) {
+    const int n = std::max(1, static_cast<int>(2 * pi * r / 0.05));
+    for (int k = 0; k < n; ++k) {
+      const double v = 2 * pi * (k + 0.2 * random.uniform()) / n;
+      clouds[0].push_back(testing::torus_point(0.3 * (1 - r * r), v, tube * r));
+    }
+  }
+  const UpdateResult result = update_model(model, clouds);
+  EXPECT_EQ(result.status, UpdateStatus::non_separating) << result.message;
+  EXPECT_NE(result.message.find("handle"), std::string::npos) << result.message;
+}
+
+// A sleeve around the tube has two rims. Neither cuts the torus alone, both together do.
+TEST(UpdateScenarios, TorusByASleeve) {
+  const TriangleMesh model = torus_model();
+  Clouds clouds(1);
+  for (int i = 0; i <= 40; ++i) {
+    for (int j = 0; j < 80; ++j) {
+      const double u = i / 40.0;
+      clouds[0].push_back(testing::torus_point(u, 2 * pi * (j + 0.5 * (i % 2)) / 80,
+                                               tube * (1 + 0.3 * hill(std::abs(u - 0.5), 0.3))));
+    }
+  }
+  const UpdateResult result = update_model(model, clouds);
+  auto u_of = [](const Point& p) { return std::atan2(p.y, p.x); };
+  expect_local_update(
+      model, clouds, result, [&](const Point& p) { return u_of(p) > 0.06 && u_of(p) < 0.94; },
+      [&](const Point& p) { return u_of(p) < -0.06 || u_of(p) > 1.06; });
+  EXPECT_EQ(mesh_check(result.mesh).euler, 0);
+  EXPECT_EQ(result.clouds[0].loops.size(), 2U);
+}
+
+// A cloud much smaller than a facet: there is nothing to replace, it is added.
+TEST(UpdateScenarios, CloudWithinOneFacet) {
+  const TriangleMesh model = sphere_model(200);
+  const Point center = unit((model.points[model.triangles[TriangleId(50)][0]] +
+                             model.points[model.triangles[TriangleId(50)][1]] +
+                             model.points[model.triangles[TriangleId(50)][2]]) /
+                            3);
+  const Clouds clouds = {raised_cap(200000, center, 0.03, 0.003)};
+  ASSERT_GT(clouds[0].size(), 30U);
+  const UpdateResult result = update_model(model, clouds);
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_EQ(result.replacement.replaced, 0U);
+  EXPECT_EQ(result.clouds[0].loops[0].separation, Separation::encloses_nothing);
+  EXPECT_FALSE(result.warnings.empty());
+}
+
+// A cloud with a hole whose rim lies on the new shape, off the old model: the hole is no border.
+TEST(UpdateScenarios, CloudWithAHoleOnTheNewShape) {
+  const TriangleMesh model = sphere_model(sphere_size);
+  const Vec3 axis = {0, 1, 0};
+  Clouds clouds(1);
+  for (const Point& p : raised_cap(4 * sphere_size, axis, 0.8, 0.8)) {
+    if (polar_angle(p, axis) > 0.14) clouds[0].push_back(p);
+  }
+  const UpdateResult result = update_model(model, clouds);
+  expect_local_update(
+      model, clouds, result, [&](const Point& p) { return polar_angle(p, axis) < 0.7; },
+      [&](const Point& p) { return polar_angle(p, axis) > 0.83; });
+  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+  ASSERT_EQ(result.clouds[0].loops.size(), 2U);
+}
+
+TEST(UpdateScenarios, CallerMistakes) {
+  const TriangleMesh model = sphere_model(300);
+  EXPECT_THROW(update_model(model, Clouds{}), InputError);
+  EXPECT_THROW(update_model(model, Clouds{{}}), InputError);
+  EXPECT_THROW(update_model({}, Clouds{raised_cap(3000, {0, 0, 1}, 0.6, 0.2)}), InputError);
+  const Clouds flat = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}};
+  try {
+    update_model(model, flat);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("cloud 1 of 1"), std::string::npos) << error.what();
+  }
+}
+
+struct Steps : Progress {
+  std::vector<std::string> finished;
+  bool report(std::string_view stage, double fraction) override {
+    if (fraction == 1 && stage.find('/') == std::string_view::npos) finished.emplace_back(stage);
+    return true;
+  }
+};
+
+TEST(UpdateScenarios, ReportsTheFourStepsOfThePaper) {
+  const TriangleMesh model = sphere_model(1000);
+  const Clouds clouds = {raised_cap(4000, {0, 0, 1}, 0.6, 0.2)};
+  Steps steps;
+  update_model(model, clouds, {}, {.threads = 1, .progress = &steps});
+  EXPECT_EQ(steps.finished,
+            (std::vector<std::string>{"boundary_detection", "overlapping_facets",
+                                      "segmentation_and_selection", "reconstruction"}));
+}
+
+// A scanned statuette of genus 1: a patch of its side is replaced by a denser one with a bump.
+TEST(UpdateScenarios, KittenByADenserPatch) {
+  const std::vector<Point> initial =
+      read_points(std::string(COCOON_TEST_DATA) + "/kitten.xyz").points;
+  const TriangleMesh model = reconstruct_tight(initial).mesh;
+  const MeshReport before = mesh_check(model);
+  ASSERT_TRUE(before.is_closed_manifold());
+
+  // Points on the facets within 0.15 of a vertex, pushed outward by a hill.
+  const ModelIndex index(model);
+  const Point center = model.points[index.nearest_vertex({0.3, 0, 0})];
+  Random random(12);
+  Clouds clouds(1);
+  const double spacing = 0.009;  // half of the model's
+  for (const TriangleId t : model.triangles.ids()) {
+    const auto& [a, b, c] = model.triangles[t];
+    const Vec3 ab = model.points[b] - model.points[a];
+    const Vec3 ac = model.points[c] - model.points[a];
+    const double wanted = 6 * 0.5 * norm(cross(ab, ac)) / (spacing * spacing);
+    for (int k = 0; k < static_cast<int>(wanted + random.uniform()); ++k) {
+      double s = random.uniform();
+      double r = random.uniform();
+      if (s + r > 1) {
+        s = 1 - s;
+        r = 1 - r;
+      }
+      const Point p = model.points[a] + s * ab + r * ac;
+      if (distance(p, center) > 0.15) continue;
+      const Point moved = p + 0.03 * hill(distance(p, center), 0.09) * index.normal(t);
+      // Dart throwing: no two points closer than the spacing.
+      bool apart = true;
+      for (const Point& q : clouds[0]) apart &= distance(moved, q) > spacing;
+      if (apart) clouds[0].push_back(moved);
+    }
+  }
+  ASSERT_GT(clouds[0].size(), 400U);
+
+  const UpdateResult result = update_model(model, clouds);
+  expect_local_update(
+      model, clouds, result, [&](const Point& p) { return distance(p, center) < 0.11; },
+      [&](const Point& p) { return distance(p, center) > 0.17; });
+  EXPECT_EQ(mesh_check(result.mesh).euler, before.euler);
+  // It follows the patch: every cloud point lies on it, up to a fraction of the spacing.
+  const ModelIndex updated(result.mesh);
+  for (const Point& p : clouds[0]) {
+    EXPECT_LT(std::sqrt(updated.closest(p).squared_distance), spacing / 2);
+  }
+  // And nothing moved elsewhere.
+  for (const VertexId v : model.points.ids()) {
+    if (distance(model.points[v], center) < 0.17) continue;
+    EXPECT_EQ(result.mesh.points[result.vertex_map[v]], model.points[v]);
+  }
+}
+
+}  // namespace
+}  // namespace cocoon
