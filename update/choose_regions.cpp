@@ -35,6 +35,9 @@ LoopRange loop_range(const RegionAngles& loop, double min_edge_share) {
   return range;
 }
 
+// Share of the edges of the best seen region that a region needs to be a side of the loop.
+constexpr double side_share = 0.5;
+
 // Sums over the loops of one cloud, per region.
 struct RegionSum {
   double angle = 0;       // all loops
@@ -60,6 +63,11 @@ void keep_the_largest_mean(RegionChoice& choice) {
 }
 
 }  // namespace
+
+bool tells_sides_apart(const RegionAngles& loop, const ChoiceOptions& options) {
+  const LoopRange range = loop_range(loop, side_share);
+  return range.decides && range.margin() > options.narrow_margin;
+}
 
 RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num_clouds,
                             const ChoiceOptions& options) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "cocone/boundary_loops.h"
@@ -24,7 +25,15 @@ struct RimLoop {
   std::vector<Vec3> normals;
   std::vector<VertexId> vertices;  // b_i as a vertex of the cloud's surface
   double perimeter = 0;
+  // 1 where the cloud goes on beyond E_i (rim_gaps.h): not the end of the cloud, but a seam in its
+  // surface. Empty: nowhere.
+  std::vector<std::uint8_t> gap;
 
+  bool is_gap(std::size_t i) const { return !gap.empty() && gap[i] != 0; }
+  // b_i lies between two such edges: it says nothing about where the cloud ends.
+  bool is_gap_point(std::size_t i) const {
+    return is_gap(i) && is_gap(i > 0 ? i - 1 : points.size() - 1);
+  }
   std::size_t size() const { return points.size(); }
   std::size_t next(std::size_t i) const { return i + 1 < points.size() ? i + 1 : 0; }
 };
@@ -36,6 +45,9 @@ struct CloudRim {
   // What was left out, see RimOptions.
   std::size_t pin_holes = 0;         // loops too small to be a rim
   std::size_t small_components = 0;  // parts of the surface too small to be the patch
+  std::size_t gap_loops = 0;         // taken out by mark_rim_gaps()
+  std::size_t rim_edges = 0;         // of all loops that it looked at
+  std::size_t gap_edges = 0;         // of these, edges with cloud beyond them
   std::size_t non_orientable = 0;    // one-sided parts: their normals are not reliable
 };
 

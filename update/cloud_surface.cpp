@@ -13,48 +13,39 @@ namespace cocoon {
 
 namespace {
 
-// What does not depend on rho.
+// What all trials share.
 struct Foundation {
   Triangulation triangulation;
   Dual dual;
   VertexStars stars;
   Poles poles;
   Cocones cocones;
+  NearestPointTree samples;
 };
 
 Foundation lay_foundation(Points cloud, const ReconstructOptions& options,
                           const Execution& execution) {
-  Foundation f;
-  f.triangulation = delaunay(cloud, options.delaunay, execution).triangulation;
-  f.dual = voronoi_dual(f.triangulation, execution);
-  f.stars = vertex_stars(f.triangulation);
-  f.poles = compute_poles(f.triangulation, f.dual, f.stars, execution);
-  f.cocones = intersect_cocones(f.triangulation, f.dual, f.poles, options.cocone, execution);
-  return f;
+  Triangulation triangulation = delaunay(cloud, options.delaunay, execution).triangulation;
+  Dual dual = voronoi_dual(triangulation, execution);
+  VertexStars stars = vertex_stars(triangulation);
+  Poles poles = compute_poles(triangulation, dual, stars, execution);
+  Cocones cocones = intersect_cocones(triangulation, dual, poles, options.cocone, execution);
+  return {std::move(triangulation), std::move(dual),    std::move(stars),
+          std::move(poles),         std::move(cocones), NearestPointTree(cloud)};
 }
 
 struct Trial {
   CloudSurface surface;
-  RhoTrial report;
+  RimTrial report;
 };
 
-std::size_t stray_samples(const CloudSurface& surface) {
-  IdVector<VertexId, std::uint8_t> on_rim(surface.mesh.points.size(), 0);
-  for (const RimLoop& loop : surface.rim.loops) {
-    for (const VertexId v : loop.vertices) on_rim[v] = 1;
-  }
-  std::size_t stray = 0;
-  for (const VertexId v : on_rim.ids()) {
-    if (surface.boundary_sample[v] != 0 && on_rim[v] == 0) ++stray;
-  }
-  return stray;
-}
-
-Trial try_rho(const Foundation& f, double rho, const CloudSurfaceOptions& options,
-              const Execution& execution) {
-  // 1. The Cocone surface with this rho.
+Trial try_search(const Foundation& f, Points cloud, const RimSearch& search,
+                 const CloudSurfaceOptions& options, const Execution& execution) {
+  // 1. The Cocone surface.
   BoundaryOptions boundary_options = options.reconstruct.boundary;
-  boundary_options.rho = rho;
+  boundary_options.rho = search.rho;
+  boundary_options.alpha_cosine = search.alpha_cosine;
+  boundary_options.radius_mode = search.radius_mode;
   const BoundarySamples boundary = boundary_samples(f.triangulation, f.dual, f.stars, f.poles,
                                                     f.cocones, boundary_options, execution);
   const FacetSet candidates =
@@ -65,7 +56,7 @@ Trial try_rho(const Foundation& f, double rho, const CloudSurfaceOptions& option
       extract_manifold(f.triangulation, pruned.facets, pruned.umbrella, execution);
   SurfaceMesh sheet = surface_of(f.triangulation, manifold.halves);
 
-  // 2. Its rim, after trimming.
+  // 2. Its rim, after trimming, without seams.
   TrimmedSurface trimmed = trim_long_edges(sheet.mesh, options.trim);
   Trial trial;
   CloudSurface& surface = trial.surface;
@@ -76,32 +67,38 @@ Trial try_rho(const Foundation& f, double rho, const CloudSurfaceOptions& option
     surface.boundary_sample[v] = boundary.boundary[sheet.triangulation_vertex[v]];
   }
   surface.rim = cloud_rim(surface.mesh, options.rim);
-  surface.rho = rho;
+  mark_rim_gaps(f.samples, cloud, surface.rim, options.gaps);
+  surface.rho = search.rho;
   surface.boundary_samples = boundary.count;
   surface.trimmed = trimmed.at_rim + trimmed.in_clusters;
   surface.duplicates = f.triangulation.num_duplicates();
   surface.status = surface.mesh.triangles.empty() ? CloudStatus::no_surface
                    : surface.rim.loops.empty()    ? CloudStatus::cloud_closed
                                                   : CloudStatus::ok;
-  trial.report = {.rho = rho,
+  const CloudRim& rim = surface.rim;
+  trial.report = {.search = search,
                   .boundary_samples = boundary.count,
-                  .stray_samples = stray_samples(surface),
                   .triangles = surface.mesh.triangles.size(),
                   .trimmed = surface.trimmed,
-                  .loops = surface.rim.loops.size(),
-                  .pin_holes = surface.rim.pin_holes};
+                  .loops = rim.loops.size(),
+                  .gap_loops = rim.gap_loops,
+                  .pin_holes = rim.pin_holes};
+  if (rim.rim_edges > 0) {
+    trial.report.gap_share =
+        static_cast<double>(rim.gap_edges) / static_cast<double>(rim.rim_edges);
+  }
   return trial;
 }
 
-bool has_strays(const RhoTrial& report, std::size_t samples, const CloudSurfaceOptions& options) {
-  return static_cast<double>(report.stray_samples) >
-         options.max_stray_share * static_cast<double>(samples);
-}
-
-bool is_noisy(const RhoTrial& report, std::size_t samples, const CloudSurfaceOptions& options) {
-  return has_strays(report, samples, options) &&
-         static_cast<double>(report.pin_holes) >
-             options.max_pin_holes_per_rim * static_cast<double>(report.loops);
+// Whether `a` is the better trial: a rim before none, a surface before none, then fewer seams.
+bool better(const Trial& a, const Trial& b) {
+  if (a.surface.status != b.surface.status) {
+    auto rank = [](CloudStatus status) {
+      return status == CloudStatus::ok ? 0 : status == CloudStatus::cloud_closed ? 1 : 2;
+    };
+    return rank(a.surface.status) < rank(b.surface.status);
+  }
+  return a.report.gap_share < b.report.gap_share;
 }
 
 }  // namespace
@@ -109,34 +106,26 @@ bool is_noisy(const RhoTrial& report, std::size_t samples, const CloudSurfaceOpt
 CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options,
                            const Execution& execution) {
   const Foundation foundation = lay_foundation(cloud, options.reconstruct, execution);
-  const std::size_t samples = foundation.triangulation.num_vertices();
-  std::vector<RhoTrial> trials;
-  auto attempt = [&](double rho) {
-    Trial trial = try_rho(foundation, rho, options, execution);
+  std::vector<RimTrial> trials;
+  auto attempt = [&](const RimSearch& search) {
+    Trial trial = try_search(foundation, cloud, search, options, execution);
     trials.push_back(trial.report);
     return trial;
   };
+  auto good_enough = [&](const Trial& trial) {
+    return trial.surface.status == CloudStatus::ok &&
+           trial.report.gap_share <= options.max_gap_share;
+  };
 
-  Trial best = attempt(options.start_rho);
-  if (is_noisy(best.report, samples, options)) {
-    // Noise: a larger rho is taken only if it leaves a rim.
-    for (const double rho : options.larger_rhos) {
-      Trial trial = attempt(rho);
-      if (trial.surface.status != CloudStatus::ok) break;
-      best = std::move(trial);
-      if (!is_noisy(best.report, samples, options)) break;
-    }
-  }
-  for (const double rho : options.smaller_rhos) {
-    if (best.surface.status != CloudStatus::cloud_closed) break;
-    Trial trial = attempt(rho);
-    // Boundary samples all over: rho asks for more than the sampling gives, its holes are no rims.
-    if (has_strays(trial.report, samples, options)) break;
-    if (trial.surface.status == CloudStatus::ok) best = std::move(trial);
-  }
-  for (const double rho : options.larger_rhos) {
-    if (best.surface.status != CloudStatus::no_surface) break;
-    best = attempt(rho);
+  Trial best = attempt(options.start);
+  // Without a rim or a seam the surface is closed: look more closely. Else the seams are in the
+  // way.
+  const bool is_closed = best.surface.status == CloudStatus::cloud_closed &&
+                         best.report.gap_share <= options.max_gap_share;
+  for (const RimSearch& search : is_closed ? options.finer : options.coarser) {
+    if (good_enough(best)) break;
+    Trial trial = attempt(search);
+    if (better(trial, best)) best = std::move(trial);
   }
   CloudSurface result = std::move(best.surface);
   result.trials = std::move(trials);

@@ -11,41 +11,52 @@
 #include "geom/id_vector.h"
 #include "geom/triangle_mesh.h"
 #include "update/cloud_rim.h"
+#include "update/rim_gaps.h"
 #include "update/trim_long_edges.h"
 
 namespace cocoon {
 
+// What one trial asks of the samples.
+struct RimSearch {
+  double rho = 0.3;
+  double alpha_cosine = 0.86602540378443865;  // 30 degrees
+  RadiusMode radius_mode = RadiusMode::cocone;
+};
+
 struct CloudSurfaceOptions {
-  // All but boundary.rho, which the ladder sets.
+  // All but the fields of `boundary` that a RimSearch sets.
   ReconstructOptions reconstruct = open_cloud_defaults();
-  double start_rho = 0.3;
-  // Tried in this order while the surface is closed, and as long as no more than max_stray_share of
-  // the samples are boundary samples away from any rim.
-  std::vector<double> smaller_rhos = {0.2, 0.13, 0.1};
-  // Tried in this order while there is no surface, or while it is noisy: more than max_stray_share
-  // of the samples are stray and there are more than max_pin_holes_per_rim pin-holes.
-  std::vector<double> larger_rhos = {0.5, 0.83};
-  double max_stray_share = 0.03;
-  double max_pin_holes_per_rim = 4;
+  RimSearch start;
+  // Tried in this order while no rim is found: finer eyes for gently curved patches.
+  std::vector<RimSearch> finer = {{.rho = 0.2}, {.rho = 0.13}, {.rho = 0.1}};
+  // Tried in this order while there is no surface, or more than max_gap_share of the rim edges are
+  // seams inside the cloud: patience with sharp edges, thin walls and noise.
+  std::vector<RimSearch> coarser = {
+      {.rho = 0.5},
+      {.rho = 0.83, .alpha_cosine = 0.5, .radius_mode = RadiusMode::tangent_plane},
+      {.rho = 1.5, .alpha_cosine = 0.5, .radius_mode = RadiusMode::tangent_plane}};
+  double max_gap_share = 0.1;
   TrimOptions trim;
   RimOptions rim;
+  RimGapOptions gaps;
 };
 
 enum class CloudStatus {
   ok,
-  no_surface,    // no rho gives a surface: too few or too noisy samples
-  cloud_closed,  // a surface, but no rim at any rho: nothing to join it to the model by
+  no_surface,    // no trial gives a surface: too few or too noisy samples
+  cloud_closed,  // a surface, but no trial finds a rim: nothing to join it to the model by
 };
 
-// What one rho gave.
-struct RhoTrial {
-  double rho = 0;
+// What one trial gave.
+struct RimTrial {
+  RimSearch search;
   std::size_t boundary_samples = 0;
-  std::size_t stray_samples = 0;  // boundary samples that are not on the rim
-  std::size_t triangles = 0;      // after trimming
+  std::size_t triangles = 0;  // after trimming
   std::size_t trimmed = 0;
-  std::size_t loops = 0;
+  std::size_t loops = 0;  // that are rims
+  std::size_t gap_loops = 0;
   std::size_t pin_holes = 0;
+  double gap_share = 0;  // of the rim edges of all loops
 };
 
 struct CloudSurface {
@@ -54,17 +65,20 @@ struct CloudSurface {
   IdVector<VertexId, PointId> point_of_vertex;  // first cloud point at each mesh vertex
   IdVector<VertexId, std::uint8_t> boundary_sample;
   CloudRim rim;
-  double rho = 0;                // of the result
-  std::vector<RhoTrial> trials;  // in the order tried
+  double rho = 0;                // of the trial that was taken
+  std::vector<RimTrial> trials;  // in the order tried
   std::size_t boundary_samples = 0;
   std::size_t trimmed = 0;     // triangles
   std::size_t duplicates = 0;  // cloud points equal to an earlier one
 };
 
-// Reconstructs `cloud` alone. One triangulation and one set of poles and cocones serve all rhos:
-// only the labels of samples and what follows from them depend on rho.
-// Why a ladder: a rim is found iff the gap beyond it is wider than rho times the local feature
-// size; small rhos find rims of gently curved patches, large ones bear noise.
+// Reconstructs `cloud` alone. One triangulation and one set of poles and cocones serve all trials:
+// only the labels of samples and what follows from them differ. The first trial is taken if it
+// finds a rim with at most max_gap_share seams. If it finds none, the finer ones follow up to the
+// first with a rim; if it has too many seams or no surface, the coarser ones up to the first that
+// is good enough; if none is, the one with the smallest share of seams is taken.
+// Why: a rim is found iff the gap beyond it is wider than rho times the local feature size. Small
+// rhos find rims of gently curved patches; large ones bear noise and sharp edges.
 // Errors: InputError as delaunay(). Complexity: O(n log n) expected. Deterministic as
 // reconstruct_cocone(). Source: Woo & Dey 2005, section 3.2; ladder and trimming are ours.
 CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options = {},

@@ -56,6 +56,29 @@ BoxTree facet_tree(const TriangleMesh& mesh) {
   return BoxTree(boxes);
 }
 
+IdVector<TriangleId, std::uint32_t> components_of(const MeshAdjacency& adjacency) {
+  constexpr std::uint32_t none = 0xFFFFFFFFU;
+  IdVector<TriangleId, std::uint32_t> components(adjacency.neighbors.size(), none);
+  std::uint32_t count = 0;
+  std::vector<TriangleId> stack;
+  for (const TriangleId seed : components.ids()) {
+    if (components[seed] != none) continue;
+    components[seed] = count;
+    stack.assign(1, seed);
+    while (!stack.empty()) {
+      const TriangleId t = stack.back();
+      stack.pop_back();
+      for (const TriangleId next : adjacency.neighbors[t]) {
+        if (next.is_none() || components[next] != none) continue;
+        components[next] = count;
+        stack.push_back(next);
+      }
+    }
+    ++count;
+  }
+  return components;
+}
+
 std::vector<VertexId> used_vertices(const TriangleMesh& mesh, const MeshAdjacency& adjacency) {
   std::vector<VertexId> used;
   for (const VertexId v : mesh.points.ids()) {
@@ -76,6 +99,7 @@ std::vector<Point> points_of(const TriangleMesh& mesh, const std::vector<VertexI
 ModelIndex::ModelIndex(const TriangleMesh& mesh)
     : mesh_(&checked(mesh)),
       adjacency_(mesh_adjacency(mesh)),
+      components_(components_of(adjacency_)),
       facets_(facet_tree(mesh)),
       used_vertices_(used_vertices(mesh, adjacency_)),
       vertices_(points_of(mesh, used_vertices_)) {

@@ -1,6 +1,7 @@
 // A mesh with what the stages of the update ask it: neighbors, normals, closest facets.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -25,6 +26,8 @@ class ModelIndex {
   // Unit normal, outward if the mesh is oriented; the zero vector for a facet without area.
   const Vec3& normal(TriangleId t) const { return normals_[t]; }
   Point centroid(TriangleId t) const;
+  // Facets connected across edges (with no third facet) have the same number.
+  std::uint32_t component(TriangleId t) const { return components_[t]; }
 
   // The facet closest to p for which accept(t) holds, at a squared distance of at most `bound`;
   // triangle `none` if there is none. Ties by lexicographic corners, then by id.
@@ -53,6 +56,7 @@ class ModelIndex {
   const TriangleMesh* mesh_;
   MeshAdjacency adjacency_;
   IdVector<TriangleId, Vec3> normals_;
+  IdVector<TriangleId, std::uint32_t> components_;
   BoxTree facets_;
   std::vector<VertexId> used_vertices_;
   NearestPointTree vertices_;

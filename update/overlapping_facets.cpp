@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 
 #include "geom/nearest_point.h"
 #include "geom/triangle_projection.h"
@@ -74,35 +76,68 @@ struct Location {
   bool steep = false;
 };
 
-Location locate(const ModelIndex& model, const Point& b, const Vec3& facing,
-                const ClosestFacet& closest, double rim_spacing, const OverlapOptions& options) {
-  const double spacing = std::max(rim_spacing, facet_spacing(model.mesh(), closest.triangle));
+constexpr std::uint32_t any_component = 0xFFFFFFFFU;
+
+// One rim point and what its facet must be like.
+struct Query {
+  Point point;
+  Vec3 facing;  // the cloud's normal, on the model's side
+  double rim_spacing = 0;
+  TriangleId closest;  // the closest facet of all
+  std::uint32_t component = any_component;
+};
+
+Location locate(const ModelIndex& model, const Query& query, const OverlapOptions& options) {
+  const double spacing = std::max(query.rim_spacing, facet_spacing(model.mesh(), query.closest));
   const double max_distance = options.max_distance * spacing;
   // A point without a normal, or a facet without area, has no side to be on.
   auto faces_at_least = [&](double cosine) {
-    return [&model, &facing, cosine](TriangleId t) {
-      if (facing == Vec3{} || model.normal(t) == Vec3{}) return true;
-      return dot(model.normal(t), facing) >= cosine;
+    return [&model, &query, cosine](TriangleId t) {
+      if (query.component != any_component && model.component(t) != query.component) return false;
+      if (query.facing == Vec3{} || model.normal(t) == Vec3{}) return true;
+      return dot(model.normal(t), query.facing) >= cosine;
     };
   };
   Location location;
-  location.facing_away = !faces_at_least(options.min_normal_cosine)(closest.triangle);
+  location.facing_away = !faces_at_least(options.min_normal_cosine)(query.closest);
   if (options.rule == LocationRule::nearest_vertex_star) {
-    location.facet = star_facet(model, b, max_distance);
+    location.facet = star_facet(model, query.point, max_distance);
     if (!location.facet.triangle.is_none()) return location;
     location.star_miss = true;
   }
   const double bound = max_distance * max_distance;
-  location.facet = model.closest(b, bound, faces_at_least(options.min_normal_cosine));
+  location.facet = model.closest(query.point, bound, faces_at_least(options.min_normal_cosine));
   if (location.facet.triangle.is_none()) {
-    location.facet = model.closest(b, bound, faces_at_least(-options.min_normal_cosine));
+    location.facet = model.closest(query.point, bound, faces_at_least(-options.min_normal_cosine));
     location.steep = !location.facet.triangle.is_none();
   }
   return location;
 }
 
+// The component that most points of each loop lie on; any_component if too many do not.
+std::vector<std::uint32_t> main_components(const ModelIndex& model, const CloudRim& rim,
+                                           const std::vector<RimPoint>& points,
+                                           const std::vector<Location>& located, double max_share) {
+  std::vector<std::map<std::uint32_t, std::size_t>> counts(rim.loops.size());
+  std::vector<std::size_t> matched(rim.loops.size(), 0);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const TriangleId facet = located[k].facet.triangle;
+    if (facet.is_none()) continue;
+    ++counts[points[k].loop][model.component(facet)];
+    ++matched[points[k].loop];
+  }
+  std::vector<std::uint32_t> result(rim.loops.size(), any_component);
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    for (const auto& [component, count] : counts[l]) {
+      const double others = static_cast<double>(matched[l] - count);
+      if (others <= max_share * static_cast<double>(matched[l])) result[l] = component;
+    }
+  }
+  return result;
+}
+
 LoopMatch match_of(const LoopOverlap& loop, double max_share) {
-  const std::size_t points = loop.facets.size();
+  const std::size_t points = loop.facets.size() - loop.gap_points;
   const double allowed = max_share * static_cast<double>(points);
   if (static_cast<double>(loop.unmatched - loop.covered) > allowed) return LoopMatch::off_model;
   if (static_cast<double>(points - loop.unmatched) <= allowed) return LoopMatch::covered;
@@ -139,18 +174,34 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
 
   // 2. The overlapping facets.
   std::vector<Location> located(points.size());
-  parallel_chunks(
-      execution, points.size(), points_per_chunk, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-          const RimLoop& loop = rim.loops[points[k].loop];
-          const std::size_t i = points[k].index;
-          const Vec3 facing = signs[points[k].loop] * loop.normals[i];
-          located[k] = locate(model, loop.points[i], facing, closest[k], rim.spacing, options);
-        }
-      });
+  auto locate_point = [&](std::size_t k, std::uint32_t component) {
+    const RimLoop& loop = rim.loops[points[k].loop];
+    const std::size_t i = points[k].index;
+    if (loop.is_gap_point(i)) return;
+    located[k] = locate(model,
+                        {loop.points[i], signs[points[k].loop] * loop.normals[i], rim.spacing,
+                         closest[k].triangle, component},
+                        options);
+  };
+  parallel_chunks(execution, points.size(), points_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t k = begin; k < end; ++k) locate_point(k, any_component);
+                  });
+  Overlap overlap;
+  const std::vector<std::uint32_t> main =
+      main_components(model, rim, points, located, options.max_unmatched_share);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const TriangleId facet = located[k].facet.triangle;
+    const std::uint32_t component = main[points[k].loop];
+    if (facet.is_none() || component == any_component || model.component(facet) == component) {
+      continue;
+    }
+    ++overlap.relocated;
+    located[k] = {};
+    locate_point(k, component);
+  }
 
   // 3. Gathered by loop.
-  Overlap overlap;
   overlap.loops.resize(rim.loops.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Location& location = located[k];
@@ -160,6 +211,10 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
     overlap.star_misses += location.star_miss ? 1 : 0;
     overlap.facing_away += location.facing_away ? 1 : 0;
     overlap.steep += location.steep ? 1 : 0;
+    if (rim.loops[points[k].loop].is_gap_point(points[k].index)) {
+      ++loop.gap_points;
+      continue;
+    }
     if (location.facet.triangle.is_none()) {
       ++loop.unmatched;
       ++overlap.unmatched;
@@ -199,7 +254,8 @@ void excuse_covered_points(std::span<const CloudRim> rims,
       LoopOverlap& loop = overlaps[c].loops[l];
       loop.covered = 0;
       for (std::size_t i = 0; i < loop.facets.size(); ++i) {
-        if (loop.facets[i].is_none() && is_covered(rims[c].loops[l].points[i])) ++loop.covered;
+        if (!loop.facets[i].is_none() || rims[c].loops[l].is_gap_point(i)) continue;
+        if (is_covered(rims[c].loops[l].points[i])) ++loop.covered;
       }
     }
     match_loops(rims[c], options.max_unmatched_share, overlaps[c]);

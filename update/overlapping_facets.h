@@ -43,9 +43,10 @@ enum class LoopMatch {
 
 struct LoopOverlap {
   LoopMatch match = LoopMatch::on_model;
-  std::vector<TriangleId> facets;  // per rim point: the overlapping facet, `none` if unmatched
+  std::vector<TriangleId> facets;  // per rim point: the overlapping facet, or `none`
   std::vector<Point> feet;         // per rim point: its closest point on that facet
-  std::size_t unmatched = 0;       // points without a facet
+  std::size_t gap_points = 0;      // not looked for: between edges with cloud beyond them
+  std::size_t unmatched = 0;       // points without a facet, gap points left aside
   std::size_t covered = 0;         // of these: points on another cloud, see excuse_covered_points()
 };
 
@@ -62,13 +63,17 @@ struct Overlap {
   std::size_t star_misses = 0;     // nearest_vertex_star only: no facet there, closest one taken
   std::size_t facing_away = 0;     // rim points whose closest facet of all faces the other way
   std::size_t steep = 0;           // rim points with a facet below min_normal_cosine
+  std::size_t relocated = 0;       // rim points moved to the part of the model the others are on
   double largest_distance = 0;     // of a matched rim point from its facet
 };
 
 // The overlapping facet of each rim point, and which loops lie on the model at all.
 // Whether the surface at a loop is oriented like the model is decided by vote: the sign of the sum
 // over its points of the cosine with the closest facet.
-// Complexity: O(rim log(model)). Deterministic: ties by facet id.
+// A loop lies on one connected part of the model: if all but max_unmatched_share of its points do,
+// the others look for their facets on that part, too (a speck of dust beside the surface would
+// break the band).
+// Complexity: O(rim log(model)). Deterministic: ties by lexicographic corners.
 // Source: Woo & Dey 2005, section 3.3, Eq. 1-3.
 Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
                            const OverlapOptions& options = {}, const Execution& execution = {});

@@ -25,6 +25,7 @@ RimIndex::RimIndex(std::span<const CloudRim> rims) {
   for (const CloudRim& rim : rims) {
     for (const RimLoop& loop : rim.loops) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
+        if (loop.is_gap(i)) continue;
         const Point& from = loop.points[i];
         const Point& to = loop.points[loop.next(i)];
         const Vec3 along = unit(to - from);

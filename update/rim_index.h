@@ -15,6 +15,7 @@ namespace cocoon {
 // Copies what it needs of the rims. Safe to query from many threads.
 class RimIndex {
  public:
+  // Edges with cloud beyond them (RimLoop::gap) are left out: they are no end of the cloud.
   // Complexity: O(n log n) for n rim edges.
   explicit RimIndex(std::span<const CloudRim> rims);
 

@@ -26,14 +26,14 @@ struct TraceOptions {
 // The facets under one loop, edge by edge.
 struct LoopBorder {
   // facets_of(i): the facets under E_i in the order of the walk, from that of b_i to that of b_i+1
-  // included. Empty for an edge with an unmatched end. An unmatched stretch of the rim is bridged
+  // included. Empty for an edge with an end that has no facet. A stretch of such points is bridged
   // by one walk; its facets belong to the band but to no edge.
   std::span<const TriangleId> facets_of(std::size_t i) const {
     return std::span(facets).subspan(begin[i], begin[i + 1] - begin[i]);
   }
   std::vector<std::uint32_t> begin;  // edges + 1
   std::vector<TriangleId> facets;
-  std::vector<TriangleId> bridges;  // under unmatched stretches
+  std::vector<TriangleId> bridges;  // under stretches of points without a facet
   bool closed = true;               // false: no way over the model between two consecutive points
 };
 

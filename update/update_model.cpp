@@ -52,14 +52,15 @@ class Update {
       if (surface.status == CloudStatus::no_surface) {
         return fail(UpdateStatus::no_cloud_surface,
                     name_of_cloud(c) +
-                        " gives no surface at any rho; sample it more densely or "
+                        " gives no surface; sample it more densely or "
                         "remove noise");
       }
       if (surface.status == CloudStatus::cloud_closed) {
         return fail(UpdateStatus::cloud_closed,
                     name_of_cloud(c) + " has no open rim (" +
-                        std::to_string(surface.rim.pin_holes) +
-                        " pin-holes): it is closed; give only the changed part with some of its "
+                        std::to_string(surface.rim.pin_holes) + " pin-holes, " +
+                        std::to_string(surface.rim.gap_loops) +
+                        " seams): it is closed; give only the changed part with some of its "
                         "surroundings");
       }
       warn_about_surface(c);
@@ -93,8 +94,6 @@ class Update {
   bool segment_and_choose(const ModelIndex& index, const Execution& execution) {
     result_.regions =
         segment_model(model_, index.adjacency(), border_facets_, options_.segment, execution);
-    if (!check_separation(index)) return false;
-
     std::vector<RegionAngles> angles;
     for_each_border_loop([&](std::size_t c, std::size_t l) {
       angles.push_back(mean_rim_angles(index, result_.regions,
@@ -102,6 +101,7 @@ class Update {
                                        options_.angles));
       angles.back().cloud = static_cast<std::uint32_t>(c);
     });
+    if (!check_separation(index, angles)) return false;
     result_.choice = choose_regions(angles, clouds_.size(), options_.choice);
     // Regions may be without any loop (all rims covered): then there is nothing to replace.
     result_.choice.replaced.resize(result_.regions.regions.size(), 0);
@@ -176,9 +176,13 @@ class Update {
 
   void warn_about_surface(std::size_t c) {
     const CloudSurface& surface = result_.clouds[c].surface;
-    if (surface.rho != options_.cloud.start_rho) {
+    if (surface.trials.size() > 1) {
       warn(name_of_cloud(c) + ": rim found with rho " + rounded(surface.rho) + " after " +
            std::to_string(surface.trials.size()) + " trials");
+    }
+    if (surface.rim.gap_loops > 0) {
+      warn(name_of_cloud(c) + ": " + std::to_string(surface.rim.gap_loops) +
+           " loops are seams inside the cloud (sharp edges?) and not its rim");
     }
     if (surface.rim.small_components > 0) {
       warn(name_of_cloud(c) + ": " + std::to_string(surface.rim.small_components) +
@@ -197,6 +201,7 @@ class Update {
     report.star_misses = overlap.star_misses;
     report.facing_away = overlap.facing_away;
     report.steep = overlap.steep;
+    report.relocated = overlap.relocated;
     report.largest_distance = overlap.largest_distance;
     for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
       report.loops[l].match = overlap.loops[l].match;
@@ -220,9 +225,11 @@ class Update {
             "); register it to the model or let it reach onto unchanged surface");
   }
 
-  bool check_separation(const ModelIndex& index) {
+  bool check_separation(const ModelIndex& index, std::span<const RegionAngles> angles) {
     bool ok = true;
+    auto angles_of_loop = angles.begin();
     for_each_border_loop([&](std::size_t c, std::size_t l) {
+      const bool has_two_sides = tells_sides_apart(*angles_of_loop++, options_.choice);
       const Separation separation =
           loop_sides(model_, index.adjacency(), borders_[c].loops[l], result_.regions).separation;
       result_.clouds[c].loops[l].separation = separation;
@@ -231,6 +238,10 @@ class Update {
       }
       if (!ok || separation == Separation::separates ||
           separation == Separation::encloses_nothing) {
+        return;
+      }
+      if (has_two_sides && separation == Separation::non_separating) {
+        warn(name_of_loop(c, l) + ": has a handle of the model across it; look at the result");
         return;
       }
       ok = fail(UpdateStatus::non_separating,

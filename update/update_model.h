@@ -77,6 +77,7 @@ struct CloudReport {
   std::size_t star_misses = 0;                 // see Overlap
   std::size_t facing_away = 0;
   std::size_t steep = 0;
+  std::size_t relocated = 0;
   double largest_distance = 0;
   std::size_t border_facets = 0;  // with those traced between rim points
   std::size_t walks = 0;          // see Border

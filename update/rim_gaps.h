@@ -1,0 +1,29 @@
+// Which parts of a rim are not where the cloud ends, but gaps inside it.
+#pragma once
+
+#include <cstddef>
+
+#include "geom/nearest_point.h"
+#include "update/cloud_rim.h"
+
+namespace cocoon {
+
+struct RimGapOptions {
+  // A rim edge has cloud beyond it if a sample other than its ends lies within `reach` spacings of
+  // the point one spacing outward from its midpoint, in the plane of its triangle.
+  double reach = 0.85;
+  // A loop with a larger share of such edges is a gap: it is taken out of the rim.
+  double max_gap_share = 0.5;
+};
+
+// Marks the edges of each loop that have cloud beyond them (RimLoop::gap), takes out the loops that
+// are gaps altogether and counts both. `samples`: the cloud of the rim.
+// Why: at sharp edges no spacing is dense enough for Cocone. Its surface breaks up along them, and
+// the seams are rims like any other, but the samples beyond them belong to the same cloud. Measured
+// on scans of parts with sharp edges: 0 to 30 % such edges on loops where the cloud ends, 55 to
+// 100 % on seams. Complexity: O(rim log(cloud)). Deterministic.
+// Source: ours; Woo & Dey 2005, section 3.2 takes every loop of boundary edges.
+void mark_rim_gaps(const NearestPointTree& samples, Points cloud, CloudRim& rim,
+                   const RimGapOptions& options = {});
+
+}  // namespace cocoon
