@@ -411,7 +411,7 @@ TEST(UpdateScenarios, ReportsTheFourStepsOfThePaper) {
 // A scanned statuette of genus 1: a patch of its side is replaced by a denser one with a bump.
 TEST(UpdateScenarios, KittenByADenserPatch) {
   const std::vector<Point> initial =
-      read_points(std::string(COCOON_TEST_DATA) + "/kitten.xyz").points;
+      read_points(std::string(COCOON_TEST_DATA) + "/points/kitten.xyz").points;
   const TriangleMesh model = reconstruct_tight(initial).mesh;
   const MeshReport before = mesh_check(model);
   ASSERT_TRUE(before.is_closed_manifold());

@@ -1,0 +1,117 @@
+#include "update/cloud_surface.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "geom/errors.h"
+#include "geom/random.h"
+
+namespace cocoon {
+namespace {
+
+// A sheet z = bend * (x^2 + y^2) over the n x n grid of cells of size 1, jittered, where keep(x,
+// y).
+template <class Keep>
+std::vector<Point> sheet(int n, double bend, double jitter, double noise, Keep keep) {
+  Random random(31);
+  std::vector<Point> points;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= n; ++j) {
+      const double x = i - 0.5 * n + random.uniform(-jitter, jitter);
+      const double y = j - 0.5 * n + random.uniform(-jitter, jitter);
+      const double z = bend * (x * x + y * y) + random.uniform(-noise, noise);
+      if (keep(x, y)) points.push_back({x, y, z});
+    }
+  }
+  return points;
+}
+bool everywhere(double, double) { return true; }
+
+TEST(CloudSurface, APatchHasOneRim) {
+  const CloudSurface surface = cloud_surface(sheet(30, 0.02, 0.2, 0, everywhere));
+  ASSERT_EQ(surface.status, CloudStatus::ok);
+  EXPECT_EQ(surface.trials.size(), 1U);
+  EXPECT_EQ(surface.rho, 0.3);
+  ASSERT_EQ(surface.rim.loops.size(), 1U);
+  EXPECT_NEAR(surface.rim.loops[0].perimeter, 120, 12);
+  EXPECT_EQ(surface.rim.pin_holes, 0U);
+  EXPECT_NEAR(surface.rim.spacing, 1, 0.1);
+}
+
+TEST(CloudSurface, NoiseOfFivePercent) {
+  const CloudSurface surface = cloud_surface(sheet(30, 0.02, 0.2, 0.05, everywhere));
+  ASSERT_EQ(surface.status, CloudStatus::ok);
+  ASSERT_EQ(surface.rim.loops.size(), 1U);
+}
+
+TEST(CloudSurface, AHoleIsARim) {
+  const CloudSurface surface = cloud_surface(
+      sheet(40, 0.01, 0.2, 0, [](double x, double y) { return std::hypot(x, y) > 7; }));
+  ASSERT_EQ(surface.status, CloudStatus::ok);
+  ASSERT_EQ(surface.rim.loops.size(), 2U);
+}
+
+// A U: the slot is 8 spacings wide and 20 deep; whatever bridges it is trimmed.
+TEST(CloudSurface, ASlotStaysOpen) {
+  const CloudSurface surface = cloud_surface(
+      sheet(40, 0.004, 0.2, 0, [](double x, double y) { return std::abs(x) > 4 || y < 0; }));
+  ASSERT_EQ(surface.status, CloudStatus::ok);
+  ASSERT_EQ(surface.rim.loops.size(), 1U);
+  EXPECT_NEAR(surface.rim.loops[0].perimeter, 160 + 40, 16);
+}
+
+// Two half sheets at a right angle: sharp edges need the coarser trials, and the rim is the outline
+// of both halves together.
+TEST(CloudSurface, ASharpFoldIsNoRim) {
+  std::vector<Point> cloud;
+  Random random(8);
+  for (int i = 0; i <= 20; ++i) {
+    for (int j = 0; j <= 30; ++j) {
+      const double x = i + random.uniform(-0.2, 0.2);
+      const double y = j + random.uniform(-0.2, 0.2);
+      const double bend = 0.003 * (y - 15) * (y - 15);
+      cloud.push_back({x, y, bend});
+      if (i > 0) cloud.push_back({bend, y, x});
+    }
+  }
+  const CloudSurface surface = cloud_surface(cloud);
+  ASSERT_EQ(surface.status, CloudStatus::ok);
+  ASSERT_EQ(surface.rim.loops.size(), 1U);
+  EXPECT_GT(surface.rim.loops[0].perimeter, 120);
+  EXPECT_LE(surface.trials.back().gap_share, 0.3);
+}
+
+TEST(CloudSurface, AClosedCloudHasNoRim) {
+  Random random(4);
+  std::vector<Point> sphere;
+  for (int i = 0; i < 1500; ++i) sphere.push_back(random.on_unit_sphere());
+  const CloudSurface surface = cloud_surface(sphere);
+  EXPECT_EQ(surface.status, CloudStatus::cloud_closed);
+  EXPECT_TRUE(surface.rim.loops.empty());
+  EXPECT_GT(surface.trials.size(), 1U);
+}
+
+TEST(CloudSurface, OrderAndThreadsDoNotMatter) {
+  std::vector<Point> cloud = sheet(20, 0.02, 0.3, 0.02, everywhere);
+  const CloudSurface expected = cloud_surface(cloud);
+  Random(3).shuffle(cloud);
+  const CloudSurface shuffled = cloud_surface(cloud, {}, {.threads = 3});
+  ASSERT_EQ(shuffled.rim.loops.size(), expected.rim.loops.size());
+  for (std::size_t l = 0; l < expected.rim.loops.size(); ++l) {
+    EXPECT_EQ(shuffled.rim.loops[l].perimeter, expected.rim.loops[l].perimeter);
+    EXPECT_EQ(shuffled.rim.loops[l].size(), expected.rim.loops[l].size());
+  }
+  for (const VertexId v : shuffled.mesh.points.ids()) {
+    EXPECT_EQ(shuffled.mesh.points[v], cloud[shuffled.point_of_vertex[v].index()]);
+  }
+}
+
+TEST(CloudSurface, RejectsWhatCannotBeTriangulated) {
+  const std::vector<Point> flat = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 3, 0}};
+  EXPECT_THROW(cloud_surface(flat), InputError);
+  EXPECT_THROW(cloud_surface({}), InputError);
+}
+
+}  // namespace
+}  // namespace cocoon

@@ -1,0 +1,67 @@
+#include "update/rim_gaps.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "tests/update/hand_made_models.h"
+
+namespace cocoon {
+namespace {
+
+// The surface of a folded sheet: the flat part, and a wall that stands on its side x = 10, as two
+// surfaces that do not join at the fold. All points belong to one cloud.
+struct FoldedSheet {
+  TriangleMesh floor = testing::grid_plane(10);
+  std::vector<Point> cloud;
+  FoldedSheet() {
+    for (const Point& p : floor.points) cloud.push_back(p);
+    for (int y = 0; y <= 10; ++y) {
+      for (int z = 0; z <= 10; ++z) {
+        cloud.push_back({10.9, static_cast<double>(y), static_cast<double>(z)});
+      }
+    }
+  }
+};
+
+TEST(MarkRimGaps, EdgesWithCloudBeyondThem) {
+  const FoldedSheet sheet;
+  CloudRim rim = cloud_rim(sheet.floor);
+  ASSERT_EQ(rim.loops.size(), 1U);
+  mark_rim_gaps(NearestPointTree(sheet.cloud), sheet.cloud, rim);
+  ASSERT_EQ(rim.loops.size(), 1U);
+  const RimLoop& loop = rim.loops[0];
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const bool at_fold = loop.points[i].x == 10 && loop.points[loop.next(i)].x == 10;
+    EXPECT_EQ(loop.is_gap(i), at_fold) << i;
+    const bool between = loop.points[i].x == 10 && loop.points[i].y > 0 && loop.points[i].y < 10;
+    EXPECT_EQ(loop.is_gap_point(i), between) << i;
+  }
+  EXPECT_EQ(rim.rim_edges, 40U);
+  EXPECT_EQ(rim.gap_edges, 10U);
+  EXPECT_EQ(rim.gap_loops, 0U);
+}
+
+TEST(MarkRimGaps, ALoopOfSuchEdgesIsNoRim) {
+  const TriangleMesh floor = testing::grid_plane(6);
+  std::vector<Point> cloud;  // the floor goes on all around; its surface does not
+  for (int x = -3; x <= 9; ++x) {
+    for (int y = -3; y <= 9; ++y) {
+      cloud.push_back({static_cast<double>(x), static_cast<double>(y), 0});
+    }
+  }
+  CloudRim rim = cloud_rim(floor);
+  mark_rim_gaps(NearestPointTree(cloud), cloud, rim);
+  EXPECT_TRUE(rim.loops.empty());
+  EXPECT_EQ(rim.gap_loops, 1U);
+}
+
+TEST(MarkRimGaps, AFreeRimHasNone) {
+  const TriangleMesh floor = testing::grid_plane(10);
+  CloudRim rim = cloud_rim(floor);
+  mark_rim_gaps(NearestPointTree(floor.points.raw()), floor.points.raw(), rim);
+  ASSERT_EQ(rim.loops.size(), 1U);
+  EXPECT_EQ(rim.gap_edges, 0U);
+}
+
+}  // namespace
+}  // namespace cocoon

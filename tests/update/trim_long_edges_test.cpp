@@ -1,0 +1,75 @@
+#include "update/trim_long_edges.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/update/hand_made_models.h"
+
+namespace cocoon {
+namespace {
+
+// Two sheets of 10 x 10 cells side by side, bridged over a slot of the given width.
+TriangleMesh bridged_slot(double width) {
+  TriangleMesh mesh = testing::grid_plane(10);
+  const std::size_t vertices = mesh.points.size();
+  const TriangleMesh other = testing::grid_plane(10);
+  for (const Point& p : other.points) mesh.points.push_back(p + Vec3{10 + width, 0, 0});
+  for (Triangle t : other.triangles) {
+    for (VertexId& v : t) v = VertexId(v.index() + vertices);
+    mesh.triangles.push_back(t);
+  }
+  for (std::size_t y = 0; y < 10; ++y) {
+    const VertexId a = testing::vertex(11 * y + 10);
+    const VertexId b = testing::vertex(11 * (y + 1) + 10);
+    const VertexId c = testing::vertex(vertices + 11 * y);
+    const VertexId d = testing::vertex(vertices + 11 * (y + 1));
+    mesh.triangles.push_back({a, c, d});
+    mesh.triangles.push_back({a, d, b});
+  }
+  return mesh;
+}
+
+TEST(TrimLongEdges, OpensABridgedSlot) {
+  const TrimmedSurface wide = trim_long_edges(bridged_slot(8));
+  EXPECT_EQ(wide.at_rim + wide.in_clusters, 20U);
+  EXPECT_EQ(wide.mesh.triangles.size(), 400U);
+  const TrimmedSurface narrow = trim_long_edges(bridged_slot(3));
+  EXPECT_EQ(narrow.at_rim + narrow.in_clusters, 0U);
+  EXPECT_EQ(trim_long_edges(bridged_slot(8), {.max_edge = 0}).mesh.triangles.size(), 420U);
+}
+
+TEST(TrimLongEdges, FromTheRimInwardsIfClustersAreOff) {
+  const TrimmedSurface trimmed = trim_long_edges(bridged_slot(8), {.min_cluster = 1000});
+  EXPECT_EQ(trimmed.in_clusters, 0U);
+  EXPECT_EQ(trimmed.at_rim, 20U);
+}
+
+// A hole of 12 cells bridged by triangles that do not reach any rim.
+TEST(TrimLongEdges, OpensABridgedHole) {
+  TriangleMesh mesh = testing::grid_plane(30);
+  IdVector<TriangleId, Triangle> kept;
+  for (const Triangle& t : mesh.triangles) {
+    const Point c = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
+    if (c.x > 9 && c.x < 21 && c.y > 9 && c.y < 21) continue;
+    kept.push_back(t);
+  }
+  mesh.triangles = kept;
+  auto at = [](std::size_t x, std::size_t y) { return testing::vertex(31 * y + x); };
+  // Two fans: from one corner of the hole along the two opposite sides.
+  for (std::size_t k = 9; k < 21; ++k) {
+    mesh.triangles.push_back({at(9, 9), at(21, k), at(21, k + 1)});
+    mesh.triangles.push_back({at(9, 9), at(k + 1, 21), at(k, 21)});
+  }
+  const TrimmedSurface trimmed = trim_long_edges(mesh);
+  EXPECT_EQ(trimmed.in_clusters, 24U);
+  EXPECT_EQ(trimmed.mesh.triangles.size(), kept.size());
+}
+
+TEST(TrimLongEdges, KeepsAnEvenSurface) {
+  for (const TriangleMesh& mesh : {testing::sphere(4), testing::grid_plane(12)}) {
+    EXPECT_EQ(trim_long_edges(mesh).mesh.triangles, mesh.triangles);
+  }
+  EXPECT_TRUE(trim_long_edges({}).mesh.triangles.empty());
+}
+
+}  // namespace
+}  // namespace cocoon
