@@ -33,6 +33,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("loops", cloud.loops.size());
   entry.set("border_loops", border_loops(cloud));
   entry.set("pin_holes", cloud.surface.rim.pin_holes);
+  entry.set("gap_loops", cloud.surface.rim.gap_loops);
   entry.set("boundary_points", cloud.boundary_points);
   entry.set("boundary_samples", cloud.surface.boundary_samples);
   entry.set("rho", cloud.surface.rho);
@@ -47,6 +48,8 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("border_breaks", cloud.breaks);
   entry.set("star_misses", cloud.star_misses);
   entry.set("facing_away", cloud.facing_away);
+  entry.set("steep_points", cloud.steep);
+  entry.set("relocated_points", cloud.relocated);
   std::size_t unmatched = 0;
   for (const LoopReport& loop : cloud.loops) unmatched += loop.unmatched;
   entry.set("unmatched_points", unmatched);

@@ -42,9 +42,9 @@ UpdateOptions update_options(const SurfaceArguments& arguments) {
   UpdateOptions options;
   options.cloud.reconstruct = surface_options(arguments, options.cloud.reconstruct);
   if (arguments.rho) {
-    options.cloud.start_rho = *arguments.rho;
-    options.cloud.smaller_rhos.clear();
-    options.cloud.larger_rhos.clear();
+    options.cloud.start.rho = *arguments.rho;
+    options.cloud.finer.clear();
+    options.cloud.coarser.clear();
   }
   SurfaceArguments closed = arguments;
   closed.rho.reset();

@@ -125,7 +125,8 @@ CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options,
   for (const RimSearch& search : is_closed ? options.finer : options.coarser) {
     if (good_enough(best)) break;
     Trial trial = attempt(search);
-    if (better(trial, best)) best = std::move(trial);
+    // A finer trial that tears the surface up everywhere has found no rim.
+    if (is_closed ? good_enough(trial) : better(trial, best)) best = std::move(trial);
   }
   CloudSurface result = std::move(best.surface);
   result.trials = std::move(trials);

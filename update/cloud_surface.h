@@ -75,7 +75,7 @@ struct CloudSurface {
 // Reconstructs `cloud` alone. One triangulation and one set of poles and cocones serve all trials:
 // only the labels of samples and what follows from them differ. The first trial is taken if it
 // finds a rim with at most max_gap_share seams. If it finds none, the finer ones follow up to the
-// first with a rim; if it has too many seams or no surface, the coarser ones up to the first that
+// first that does; if it has too many seams or no surface, the coarser ones up to the first that
 // is good enough; if none is, the one with the smallest share of seams is taken.
 // Why: a rim is found iff the gap beyond it is wider than rho times the local feature size. Small
 // rhos find rims of gently curved patches; large ones bear noise and sharp edges.

@@ -13,21 +13,42 @@ namespace cocoon {
 
 namespace {
 
+// Where a slot is bridged, few vertices take most of the long edges: their median is long, too.
+constexpr double lower_quartile = 0.25;
+
 using EdgeSet = IdVector<EdgeId, std::uint8_t>;
+
+// The local spacing at each vertex: the lower quartile of its edge lengths, smoothed to the median
+// over the vertex and its neighbors, since two samples may lie close together by chance.
+std::vector<double> local_spacing(const TriangleMesh& mesh, const MeshAdjacency& adjacency,
+                                  const IdVector<EdgeId, double>& lengths) {
+  std::vector<std::vector<double>> at_vertex(mesh.points.size());
+  for (const EdgeId e : adjacency.edges.ids()) {
+    for (const VertexId v : adjacency.edges[e]) at_vertex[v.index()].push_back(lengths[e]);
+  }
+  std::vector<double> quartiles;
+  quartiles.reserve(at_vertex.size());
+  for (const std::vector<double>& values : at_vertex) {
+    quartiles.push_back(quantile(values, lower_quartile));
+  }
+  for (const VertexId v : mesh.points.ids()) at_vertex[v.index()].assign(1, quartiles[v.index()]);
+  for (const auto& [a, b] : adjacency.edges) {
+    at_vertex[a.index()].push_back(quartiles[b.index()]);
+    at_vertex[b.index()].push_back(quartiles[a.index()]);
+  }
+  std::vector<double> spacing;
+  spacing.reserve(at_vertex.size());
+  for (std::vector<double>& values : at_vertex) spacing.push_back(median(std::move(values)));
+  return spacing;
+}
 
 EdgeSet long_edges(const TriangleMesh& mesh, const MeshAdjacency& adjacency, double max_edge) {
   IdVector<EdgeId, double> lengths(adjacency.edges.size());
-  std::vector<std::vector<double>> lengths_at(mesh.points.size());
   for (const EdgeId e : adjacency.edges.ids()) {
     const auto [a, b] = adjacency.edges[e];
     lengths[e] = distance(mesh.points[a], mesh.points[b]);
-    lengths_at[a.index()].push_back(lengths[e]);
-    lengths_at[b.index()].push_back(lengths[e]);
   }
-  std::vector<double> spacing;
-  spacing.reserve(lengths_at.size());
-  for (std::vector<double>& at_vertex : lengths_at) spacing.push_back(median(std::move(at_vertex)));
-
+  const std::vector<double> spacing = local_spacing(mesh, adjacency, lengths);
   EdgeSet is_long(adjacency.edges.size(), 0);
   for (const EdgeId e : adjacency.edges.ids()) {
     const auto [a, b] = adjacency.edges[e];

@@ -9,7 +9,8 @@ namespace cocoon {
 
 struct TrimOptions {
   // An edge longer than this many local spacings is long; 0 = no trimming, as in the paper. The
-  // spacing at a vertex is the median length of its edges, at an edge the smaller one of its ends.
+  // spacing at an edge is the smaller one of its ends; at a vertex the lower quartile of its edge
+  // lengths, smoothed to the median over the vertex and its neighbors.
   double max_edge = 5;
   // Triangles with a long edge go where they reach the rim with it, and elsewhere only in
   // edge-connected clusters of at least this many: a hole that was bridged.
