@@ -46,10 +46,16 @@ UpdateOptions update_options(const SurfaceArguments& arguments) {
     options.cloud.finer.clear();
     options.cloud.coarser.clear();
   }
+  if (arguments.alpha_deg) {
+    options.cloud.start.alpha_cosine = options.cloud.reconstruct.boundary.alpha_cosine;
+  }
   SurfaceArguments closed = arguments;
   closed.rho.reset();
   options.reconstruct = surface_options(closed, options.reconstruct);
-  if (arguments.mode == "paper") options.overlap.rule = LocationRule::nearest_vertex_star;
+  if (arguments.mode == "paper") {
+    options.overlap.rule = LocationRule::nearest_vertex_star;
+    options.cloud.trim.max_edge = 0;
+  }
   return options;
 }
 
