@@ -136,6 +136,36 @@ std::vector<std::uint32_t> main_components(const ModelIndex& model, const CloudR
   return result;
 }
 
+// Enters what was found for each rim point into the result.
+void gather_by_loop(const CloudRim& rim, const std::vector<RimPoint>& points,
+                    const std::vector<Location>& located, Overlap& overlap) {
+  overlap.loops.resize(rim.loops.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Location& location = located[k];
+    LoopOverlap& loop = overlap.loops[points[k].loop];
+    loop.facets.push_back(location.facet.triangle);
+    loop.feet.push_back(location.facet.point);
+    overlap.star_misses += location.star_miss ? 1 : 0;
+    overlap.facing_away += location.facing_away ? 1 : 0;
+    overlap.steep += location.steep ? 1 : 0;
+    if (rim.loops[points[k].loop].is_gap_point(points[k].index)) {
+      ++loop.gap_points;
+      continue;
+    }
+    if (location.facet.triangle.is_none()) {
+      ++loop.unmatched;
+      ++overlap.unmatched;
+      continue;
+    }
+    overlap.facets.push_back(location.facet.triangle);
+    overlap.largest_distance =
+        std::max(overlap.largest_distance, std::sqrt(location.facet.squared_distance));
+  }
+  std::sort(overlap.facets.begin(), overlap.facets.end());
+  overlap.facets.erase(std::unique(overlap.facets.begin(), overlap.facets.end()),
+                       overlap.facets.end());
+}
+
 LoopMatch match_of(const LoopOverlap& loop, double max_share) {
   const std::size_t points = loop.facets.size() - loop.gap_points;
   const double allowed = max_share * static_cast<double>(points);
@@ -201,32 +231,8 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
     locate_point(k, component);
   }
 
-  // 3. Gathered by loop.
-  overlap.loops.resize(rim.loops.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Location& location = located[k];
-    LoopOverlap& loop = overlap.loops[points[k].loop];
-    loop.facets.push_back(location.facet.triangle);
-    loop.feet.push_back(location.facet.point);
-    overlap.star_misses += location.star_miss ? 1 : 0;
-    overlap.facing_away += location.facing_away ? 1 : 0;
-    overlap.steep += location.steep ? 1 : 0;
-    if (rim.loops[points[k].loop].is_gap_point(points[k].index)) {
-      ++loop.gap_points;
-      continue;
-    }
-    if (location.facet.triangle.is_none()) {
-      ++loop.unmatched;
-      ++overlap.unmatched;
-      continue;
-    }
-    overlap.facets.push_back(location.facet.triangle);
-    overlap.largest_distance =
-        std::max(overlap.largest_distance, std::sqrt(location.facet.squared_distance));
-  }
-  std::sort(overlap.facets.begin(), overlap.facets.end());
-  overlap.facets.erase(std::unique(overlap.facets.begin(), overlap.facets.end()),
-                       overlap.facets.end());
+  // 3. Gathered by loop, and judged.
+  gather_by_loop(rim, points, located, overlap);
   match_loops(rim, options.max_unmatched_share, overlap);
   report_progress(execution, "overlapping_facets", 1);
   return overlap;
