@@ -55,10 +55,10 @@ class Batch {
 
 HWY_BEFORE_NAMESPACE();
 namespace cocoon::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
 
+namespace hn = hwy::HWY_NAMESPACE;
 using Lanes = hn::FixedTag<double, 4>;
 using Vector = hn::Vec<Lanes>;
 

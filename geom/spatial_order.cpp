@@ -53,13 +53,20 @@ constexpr CurveStep curve_step(unsigned state, unsigned octant) {
 // Three levels of the curve in one look-up: entry = 9 bits of rank above 5 bits of state.
 using StepTable = std::array<std::array<std::uint16_t, 512>, 24>;
 
+// Made from a table of single steps: compilers bound the work of a constant expression.
 constexpr StepTable make_step_table() {
+  CurveStep steps[24][8] = {};
+  for (unsigned state = 0; state < 24; ++state) {
+    for (unsigned octant = 0; octant < 8; ++octant) {
+      steps[state][octant] = curve_step(state, octant);
+    }
+  }
   StepTable table{};
   for (unsigned state = 0; state < 24; ++state) {
     for (unsigned octants = 0; octants < 512; ++octants) {
-      const CurveStep first = curve_step(state, octants >> 6);
-      const CurveStep second = curve_step(first.state, (octants >> 3) & 7U);
-      const CurveStep third = curve_step(second.state, octants & 7U);
+      const CurveStep first = steps[state][octants >> 6];
+      const CurveStep second = steps[first.state][(octants >> 3) & 7U];
+      const CurveStep third = steps[second.state][octants & 7U];
       const unsigned rank = (static_cast<unsigned>(first.rank) << 6) |
                             (static_cast<unsigned>(second.rank) << 3) | third.rank;
       table[state][octants] = static_cast<std::uint16_t>((rank << 5) | third.state);
