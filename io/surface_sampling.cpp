@@ -60,6 +60,7 @@ struct NeighborLists {
 
 NeighborLists neighbors_within(const std::vector<Point>& points, double reach) {
   std::vector<Box> boxes;
+  boxes.reserve(points.size());
   for (const Point& p : points) boxes.push_back({p, p});
   const BoxTree tree(boxes);
   NeighborLists lists;
