@@ -33,6 +33,9 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("loops", cloud.loops.size());
   entry.set("border_loops", border_loops(cloud));
   entry.set("pin_holes", cloud.surface.rim.pin_holes);
+  entry.set("rim_edges", cloud.surface.rim.rim_edges);
+  entry.set("gap_edges", cloud.surface.rim.gap_edges);
+  entry.set("gap_loops", cloud.surface.rim.gap_loops);
   entry.set("gap_loops", cloud.surface.rim.gap_loops);
   entry.set("boundary_points", cloud.boundary_points);
   entry.set("boundary_samples", cloud.surface.boundary_samples);
