@@ -83,18 +83,16 @@ std::size_t CavityInserter::test_candidates(std::size_t first, const Point& p,
   BatchDecision decision = filter_.test(pool_.cells, ids.data(), p);
   // What the filter leaves open, and infinite cells, one by one.
   const unsigned lanes = (1U << count) - 1;
-  const unsigned finite_lanes = lanes & ~decision.infinite;
   counters.conflict_tests += count;
-  counters.exact_inspheres +=
-      static_cast<std::size_t>(std::popcount(decision.undecided & finite_lanes));
-  counters.perturbed_inspheres +=
-      static_cast<std::size_t>(std::popcount(decision.on_sphere & finite_lanes));
   for (unsigned open = (decision.on_sphere | decision.undecided | decision.infinite) & lanes;
        open != 0; open &= open - 1) {
     const auto lane = static_cast<unsigned>(std::countr_zero(open));
     const Cell& cell = pool_.cells[ids[lane]];
-    const bool is_tie = (((decision.on_sphere & ~decision.infinite) >> lane) & 1U) != 0;
+    const auto has = [&](unsigned lanes_of_kind) { return ((lanes_of_kind >> lane) & 1U) != 0; };
+    const bool is_tie = has(decision.on_sphere) && !has(decision.infinite);
     const bool conflict = is_tie ? in_conflict_on_sphere(cell, p) : in_conflict(cell, p);
+    counters.perturbed_inspheres += is_tie ? 1 : 0;
+    counters.exact_inspheres += is_tie || has(decision.infinite) ? 0 : 1;
     decision.inside = (decision.inside & ~(1U << lane)) | ((conflict ? 1U : 0U) << lane);
   }
   auto conflict_cells = conflict_cells_.writer(conflict_batch_size);
@@ -154,7 +152,7 @@ void CavityInserter::grow_pool(std::size_t count) {
 }
 
 // Makes one new cell for each border facet, linked to the cell outside, and numbers the vertices of
-// the border in order of first sight, as far as the numbers go. The vertex at infinity has the
+// the border in order of first sight, as far as a byte goes. The vertex at infinity has the
 // entry behind the last vertex in local_id_.
 void CavityInserter::build_star(VertexId v) {
   // Cells freed just now, which are in cache, go first.
@@ -171,8 +169,8 @@ void CavityInserter::build_star(VertexId v) {
   border_vertices_.clear();
   auto star = star_.writer(border_.size());
   auto local_corners = local_corners_.writer(border_.size());
-  auto border_vertices = border_vertices_.writer(max_table_vertices);
-  std::size_t numbered = 0;
+  auto border_vertices = border_vertices_.writer(3 * border_.size());
+  unsigned numbered = 0;
   for (const FacetId facet : border_) {
     const Cell& old = cells[cell_of(facet).index()];
     const auto apex = static_cast<std::size_t>(index_of(facet));
@@ -193,12 +191,14 @@ void CavityInserter::build_star(VertexId v) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto corner = static_cast<std::size_t>(facet_corners[apex][k]);
       const VertexId entry = std::min(old.vertices[corner], past_last);
-      const std::uint8_t known = local_id[entry.index()];
-      const bool is_new = known == no_local_id && numbered < max_table_vertices;
-      ids[k] = is_new ? static_cast<std::uint8_t>(numbered) : known;
+      // Arithmetic instead of branches: whether a vertex was seen before is a coin toss.
+      const unsigned known = local_id[entry.index()];
+      const unsigned is_new = (known + 1) >> 8;  // known == no_local_id
+      const unsigned id = known ^ ((known ^ numbered) & (0U - is_new));
+      ids[k] = static_cast<std::uint8_t>(id);
       local_id[entry.index()] = ids[k];
-      numbered += is_new ? 1 : 0;
-      border_vertices.append_if(is_new, entry);
+      numbered += is_new;
+      border_vertices.append_if(is_new != 0, entry);
     }
     star.append(inner);
     local_corners.append(ids);
