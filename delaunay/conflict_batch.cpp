@@ -19,13 +19,13 @@ class Batch {
   Batch(const IdVector<CellId, Cell>& cells, const CellId* ids,
         const IdVector<VertexId, Point>& points)
       : coordinates_(&points.raw().data()->x),
-        past_last_(static_cast<std::uint32_t>(points.size() - 1)) {
+        last_(static_cast<std::uint32_t>(points.size() - 2)) {
     for (std::size_t lane = 0; lane < conflict_batch_size; ++lane) lanes_[lane] = &cells[ids[lane]];
   }
 
   const double* corner(std::size_t lane, std::size_t slot) const {
     std::uint32_t vertex = lanes_[lane]->vertices[slot].value;
-    if (slot == 3) vertex = std::min(vertex, past_last_);  // the vertex at infinity
+    if (slot == 3) vertex = std::min(vertex, last_);  // for the vertex at infinity, any other
     return coordinates_ + 3 * std::size_t{vertex};
   }
   unsigned infinite() const {
@@ -38,7 +38,7 @@ class Batch {
 
  private:
   const double* coordinates_;
-  std::uint32_t past_last_;
+  std::uint32_t last_;  // the last vertex, before the element behind
   std::array<const Cell*, conflict_batch_size> lanes_;
 };
 

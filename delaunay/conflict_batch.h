@@ -22,8 +22,8 @@ struct BatchDecision {
 // What the tests of one triangulation have in common.
 class ConflictFilter {
  public:
-  // `points` must outlive the filter and end with one element that is no vertex: it is read in
-  // place of the vertex at infinity, and a little past the last vertex. Complexity: O(n).
+  // `points` must outlive the filter and end with one element that is no vertex: the last vertex is
+  // read as four doubles. Complexity: O(n).
   explicit ConflictFilter(const IdVector<VertexId, Point>& points);
 
   // To be called for a vertex that was not in `points` at construction, before it is tested or
