@@ -13,6 +13,7 @@
 #include "cocone/orient_surface.h"
 #include "cocone/poles.h"
 #include "cocone/surface_mesh.h"
+#include "delaunay/canonical_order.h"
 #include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
 
@@ -65,7 +66,9 @@ class Reconstruction {
       working = scaled;
     }
     DelaunayResult built = delaunay(working, options_.delaunay, execution_);
-    triangulation_ = std::move(built.triangulation);
+    // Not for the result, which needs no order: neighbors in space become neighbors in memory,
+    // which the later stages earn back.
+    triangulation_ = canonical_order(std::move(built.triangulation));
     result_.counters.delaunay = built.counters;
     result_.points = points_.size();
     result_.duplicates = triangulation_.num_duplicates();

@@ -48,6 +48,11 @@ SlotMap canonicalize_slots(Cell& cell) {
   return map;
 }
 
+struct KeyedCell {
+  std::array<VertexId, 4> vertices;
+  CellId id;
+};
+
 // order[new id] = old id. Precondition: canonical slots.
 std::vector<CellId> sorted_cells(const IdVector<CellId, Cell>& cells, std::size_t num_vertices) {
   // Counting sort by (infinite, smallest vertex), which is vertices[0] of a canonical record ...
@@ -59,33 +64,24 @@ std::vector<CellId> sorted_cells(const IdVector<CellId, Cell>& cells, std::size_
   for (std::size_t b = 1; b < offsets.size(); ++b) offsets[b] += offsets[b - 1];
   std::vector<CellId> order(cells.size());
   for (const CellId c : cells.ids()) order[offsets[bucket(cells[c])]++] = c;
-  // ... then by the whole record inside each bucket. The offsets now are the buckets' ends.
+  // ... then by the whole record inside each bucket. The offsets now are the buckets' ends. Records
+  // lie anywhere in memory: fetch those that come soon, and sort copies of their keys.
+  constexpr std::size_t ahead = 32;
+  std::vector<KeyedCell> bucket_cells;
   std::size_t begin = 0;
   for (std::size_t b = 0; b < 2 * num_vertices; ++b) {
     const std::size_t end = offsets[b];
-    std::sort(order.begin() + static_cast<std::ptrdiff_t>(begin),
-              order.begin() + static_cast<std::ptrdiff_t>(end),
-              [&](CellId x, CellId y) { return cells[x].vertices < cells[y].vertices; });
+    bucket_cells.clear();
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i + ahead < order.size()) __builtin_prefetch(&cells[order[i + ahead]]);
+      bucket_cells.push_back({cells[order[i]].vertices, order[i]});
+    }
+    std::sort(bucket_cells.begin(), bucket_cells.end(),
+              [](const KeyedCell& x, const KeyedCell& y) { return x.vertices < y.vertices; });
+    for (std::size_t i = begin; i < end; ++i) order[i] = bucket_cells[i - begin].id;
     begin = end;
   }
   return order;
-}
-
-// cells[i] = old cells[order[i]], following the cycles of the permutation.
-void permute_in_place(IdVector<CellId, Cell>& cells, std::vector<CellId>& order) {
-  for (std::size_t first = 0; first < order.size(); ++first) {
-    if (order[first] == CellId(first)) continue;
-    const Cell saved = cells[CellId(first)];
-    std::size_t hole = first;
-    while (order[hole] != CellId(first)) {
-      const CellId from = order[hole];
-      cells[CellId(hole)] = cells[from];
-      order[hole] = CellId(hole);
-      hole = from.index();
-    }
-    cells[CellId(hole)] = saved;
-    order[hole] = CellId(hole);
-  }
 }
 
 }  // namespace
@@ -98,18 +94,22 @@ Triangulation canonical_order(Triangulation triangulation) {
   IdVector<CellId, SlotMap> slot_maps(cells.size(), 0);
   for (const CellId c : cells.ids()) slot_maps[c] = canonicalize_slots(cells[c]);
 
-  // Translate the neighbors to the new numbers, then move the records.
-  std::vector<CellId> order = sorted_cells(cells, arrays.points.size());
+  // Copy each record to its place and translate its neighbors to the new numbers.
+  const std::vector<CellId> order = sorted_cells(cells, arrays.points.size());
   IdVector<CellId, CellId> new_id(cells.size());
   for (std::size_t i = 0; i < order.size(); ++i) new_id[order[i]] = CellId(i);
-  for (Cell& cell : cells) {
+  IdVector<CellId, Cell> sorted;
+  sorted.reserve(cells.size());
+  for (const CellId old_id : order) {
+    Cell cell = cells[old_id];
     for (FacetId& neighbor : cell.neighbors) {
       const CellId old = cell_of(neighbor);
       const std::uint32_t old_slot = static_cast<std::uint32_t>(index_of(neighbor));
       neighbor = facet_id(new_id[old], static_cast<int>(new_slot(slot_maps[old], old_slot)));
     }
+    sorted.push_back(cell);
   }
-  permute_in_place(cells, order);
+  arrays.cells = std::move(sorted);
   return Triangulation(std::move(arrays), finite_cells);
 }
 
