@@ -10,7 +10,6 @@ namespace cocoon::app {
 
 void run_demo(const DemoArguments& arguments, Job& job) {
   require_outputs(job, {});
-  make_folder(arguments.folder);
   const UpdateOptions options = update_options({});
   const SampleModel block = timed(job.execution(), "sample", [] { return sample_model("block"); });
   UpdateInput input;
@@ -19,6 +18,7 @@ void run_demo(const DemoArguments& arguments, Job& job) {
   input.clouds = block.clouds;
   input.cloud_names.assign(block.clouds.size(), "U-shaped cloud");
 
+  make_folder(arguments.folder);
   write_mesh(in_folder(arguments.folder, "initial.ply"), input.model);
   write_points(in_folder(arguments.folder, "cloud.ply"), input.clouds.front());
   update_and_write(job, input, options,

@@ -12,7 +12,6 @@ namespace cocoon::app {
 void run_sample(const SampleArguments& arguments, Job& job) {
   require_outputs(job, {});
   const std::string folder = arguments.folder.empty() ? arguments.name : arguments.folder;
-  make_folder(folder);
   SampleOptions options;
   options.points = arguments.points;
   options.cloud_points = arguments.cloud_points;
@@ -21,6 +20,7 @@ void run_sample(const SampleArguments& arguments, Job& job) {
       timed(job.execution(), "sample", [&] { return sample_model(arguments.name, options); });
 
   timed(job.execution(), "write", [&] {
+    make_folder(folder);
     write_points(in_folder(folder, "initial.xyz"), model.initial);
     for (std::size_t c = 0; c < model.clouds.size(); ++c) {
       write_points(in_folder(folder, fmt::format("cloud-{}.xyz", c + 1)), model.clouds[c]);
