@@ -1,0 +1,561 @@
+// Any history of insertions and removals against a fresh triangulation of the same points.
+#include "delaunay/dynamic_delaunay.h"
+
+#include <algorithm>
+#include <functional>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "delaunay/canonical_order.h"
+#include "delaunay/check_delaunay.h"
+#include "delaunay/circulate.h"
+#include "delaunay/delaunay.h"
+#include "geom/errors.h"
+#include "geom/random.h"
+#include "ref/cell_set.h"
+#include "tests/gallery.h"
+
+namespace cocoon {
+namespace {
+
+struct NamedSet {
+  const char* name;
+  std::function<std::vector<Point>()> make;
+};
+
+std::ostream& operator<<(std::ostream& out, const NamedSet& set) { return out << set.name; }
+
+std::string name_of(const testing::TestParamInfo<NamedSet>& info) { return info.param.name; }
+
+std::vector<VertexId> live_vertices(const DynamicDelaunay& dynamic) {
+  std::vector<VertexId> live;
+  for (const VertexId v : id_range<VertexId>(dynamic.num_vertex_slots())) {
+    if (dynamic.contains(v)) live.push_back(v);
+  }
+  return live;
+}
+
+std::vector<Point> live_points(const DynamicDelaunay& dynamic) {
+  std::vector<Point> points;
+  for (const VertexId v : live_vertices(dynamic)) points.push_back(dynamic.point(v));
+  return points;
+}
+
+// The cells are those of a fresh build, as sets and in canonical order as arrays.
+void expect_fresh(const DynamicDelaunay& dynamic) {
+  const FrozenDelaunay frozen = dynamic.freeze();
+  const Triangulation fresh = delaunay(live_points(dynamic)).triangulation;
+  ASSERT_EQ(dynamic.num_vertices(), fresh.num_vertices());
+  ASSERT_TRUE(ref::cell_set(frozen.triangulation) == ref::cell_set(fresh));
+  const Triangulation actual = canonical_order(frozen.triangulation);
+  const Triangulation expected = canonical_order(fresh);
+  ASSERT_TRUE(actual.points() == expected.points());
+  ASSERT_TRUE(actual.cell_records() == expected.cell_records());
+  ASSERT_EQ(actual.num_finite_cells(), expected.num_finite_cells());
+}
+
+// What the class promises about its own arrays.
+void expect_consistent(const DynamicDelaunay& dynamic) {
+  const TriangulationView view = dynamic.view();
+  for (const VertexId v : live_vertices(dynamic)) {
+    const CellId c = dynamic.cell_at(v);
+    ASSERT_FALSE(view.is_free(c));
+    ASSERT_TRUE(has_vertex(view.cell(c), v)) << "vertex " << v.value;
+  }
+  for (const CellId c : view.cell_slots()) {
+    if (view.is_free(c)) continue;
+    for (int i = 0; i < 4; ++i) {
+      const FacetId f = facet_id(c, i);
+      ASSERT_FALSE(view.is_free(cell_of(view.mirror(f))));
+      ASSERT_EQ(view.mirror(view.mirror(f)), f);
+      const VertexId v = view.vertex(c, i);
+      ASSERT_TRUE(v == infinite_vertex || dynamic.contains(v));
+    }
+  }
+}
+
+// A cell by its vertices; by slot, empty where free.
+std::vector<std::vector<VertexId>> cells_by_slot(const DynamicDelaunay& dynamic) {
+  std::vector<std::vector<VertexId>> cells;
+  for (const Cell& cell : dynamic.view().cell_records()) {
+    cells.emplace_back();
+    if (cell.vertices[0].is_none()) continue;
+    cells.back().assign(cell.vertices.begin(), cell.vertices.end());
+    std::sort(cells.back().begin(), cells.back().end());
+  }
+  return cells;
+}
+
+// The journal tells the whole truth: what it does not name is as before.
+void expect_journal(const std::vector<std::vector<VertexId>>& before,
+                    const DynamicDelaunay& dynamic, const DelaunayChange& change) {
+  const std::vector<std::vector<VertexId>> after = cells_by_slot(dynamic);
+  const std::set<CellId> created(change.created.begin(), change.created.end());
+  const std::set<CellId> deleted(change.deleted.begin(), change.deleted.end());
+  ASSERT_EQ(created.size(), change.created.size());
+  ASSERT_EQ(deleted.size(), change.deleted.size());
+  for (const CellId c : deleted)
+    ASSERT_TRUE(c.index() < before.size() && !before[c.index()].empty());
+  for (std::size_t slot = 0; slot < after.size(); ++slot) {
+    const CellId c(slot);
+    const bool was_live = slot < before.size() && !before[slot].empty();
+    const bool is_live = !after[slot].empty();
+    if (created.count(c) != 0) {
+      ASSERT_TRUE(is_live);
+      ASSERT_EQ(was_live, deleted.count(c) != 0);
+    } else if (deleted.count(c) != 0) {
+      ASSERT_TRUE(was_live && !is_live);
+    } else {
+      ASSERT_EQ(was_live, is_live);
+      ASSERT_TRUE(!was_live || before[slot] == after[slot]);
+    }
+  }
+}
+
+// A patch of `count` live vertices: those nearest to the point.
+std::vector<VertexId> patch(const DynamicDelaunay& dynamic, const Point& center,
+                            std::size_t count) {
+  std::vector<VertexId> live = live_vertices(dynamic);
+  std::sort(live.begin(), live.end(), [&](VertexId a, VertexId b) {
+    return squared_distance(dynamic.point(a), center) < squared_distance(dynamic.point(b), center);
+  });
+  live.resize(std::min(count, live.size()));
+  return live;
+}
+
+std::vector<NamedSet> sets() {
+  using namespace gallery;
+  return {
+      {"uniform", [] { return uniform_cube(600); }},
+      {"sphere", [] { return sphere(500); }},
+      {"bumpy_sphere", [] { return bumpy_sphere(1500); }},
+      {"clusters", [] { return clusters(600); }},
+      {"grid", [] { return integer_grid(8); }},
+      {"integer_sphere", [] { return integer_sphere(1105); }},
+      {"box_faces", [] { return box_faces(4); }},
+      {"plane_between_apexes",
+       [] {
+         std::vector<Point> points = plane_and_apex(12);
+         for (int i = 0; i < 20; ++i) {
+           points.push_back({0.5 * i, 0.25 * (i % 7), i % 2 == 0 ? 3.0 : -4.0});
+         }
+         return points;
+       }},
+      {"cylinder", [] { return cylinder(6); }},
+      {"two_lines", [] { return two_lines(50); }},
+      {"ulp_pairs", [] { return ulp_pairs(200); }},
+      {"ulp_grids", [] { return ulp_grids(8); }},
+      {"duplicates", [] { return shuffled(repeated(uniform_cube(200), 3)); }},
+      {"grid_duplicates", [] { return shuffled(repeated(integer_grid(5), 3)); }},
+  };
+}
+
+class DynamicGallery : public testing::TestWithParam<NamedSet> {};
+
+// In three batches into an empty one, or into a triangulation that was taken over.
+TEST_P(DynamicGallery, InsertionEqualsAFreshBuild) {
+  const std::vector<Point> points = gallery::shuffled(GetParam().make(), 5);
+  const std::size_t half = points.size() / 2;
+  const Points all(points);
+  DynamicDelaunay grown;
+  grown.insert(all.first(half));
+  expect_fresh(grown);
+  DynamicDelaunay taken(delaunay(all.first(half)).triangulation);
+  for (DynamicDelaunay* dynamic : {&grown, &taken}) {
+    const auto before = cells_by_slot(*dynamic);
+    const DelaunayChange change = dynamic->insert(all.subspan(half));
+    expect_journal(before, *dynamic, change);
+    expect_consistent(*dynamic);
+    expect_fresh(*dynamic);
+    ASSERT_EQ(change.vertex_of_point.size(), points.size() - half);
+    for (std::size_t i = half; i < points.size(); ++i) {
+      ASSERT_EQ(dynamic->point(change.vertex_of_point[i - half]), points[i]);
+    }
+    EXPECT_EQ(change.duplicates + change.inserted.size(), points.size() - half);
+  }
+}
+
+TEST_P(DynamicGallery, RemovalOneByOneEqualsAFreshBuild) {
+  DynamicDelaunay dynamic;
+  dynamic.insert(GetParam().make());
+  std::vector<VertexId> live = live_vertices(dynamic);
+  Random(3).shuffle(live);
+  for (int k = 0; k < 40; ++k) {
+    const auto before = cells_by_slot(dynamic);
+    const std::vector<VertexId> removed(live.end() - 1, live.end());
+    live.pop_back();
+    const DelaunayChange change = dynamic.remove(removed);
+    EXPECT_EQ(change.removal.holes, 1U);
+    expect_journal(before, dynamic, change);
+    if (k % 8 == 0) expect_fresh(dynamic);
+  }
+  expect_consistent(dynamic);
+  expect_fresh(dynamic);
+}
+
+TEST_P(DynamicGallery, RemovalOfManyAtOnceEqualsAFreshBuild) {
+  for (const double share : {0.1, 0.5, 0.9}) {
+    DynamicDelaunay dynamic;
+    dynamic.insert(GetParam().make());
+    std::vector<VertexId> live = live_vertices(dynamic);
+    Random(4).shuffle(live);
+    live.resize(static_cast<std::size_t>(share * static_cast<double>(live.size())));
+    const auto before = cells_by_slot(dynamic);
+    const DelaunayChange change = dynamic.remove(live);
+    EXPECT_EQ(change.removed.size(), live.size());
+    expect_journal(before, dynamic, change);
+    expect_consistent(dynamic);
+    expect_fresh(dynamic);
+  }
+}
+
+// A patch around one vertex, inside and on the hull, is removed and comes back.
+TEST_P(DynamicGallery, WhatComesBackIsWhatWasThere) {
+  DynamicDelaunay dynamic;
+  dynamic.insert(GetParam().make());
+  const Triangulation original = canonical_order(dynamic.freeze().triangulation);
+  const std::vector<Point> centers = live_points(dynamic);
+  for (const std::size_t at : {std::size_t{0}, centers.size() / 2, centers.size() - 1}) {
+    const std::vector<VertexId> removed = patch(dynamic, centers[at], centers.size() / 4);
+    std::vector<Point> points;
+    for (const VertexId v : removed) points.push_back(dynamic.point(v));
+    dynamic.remove(removed);
+    expect_fresh(dynamic);
+    dynamic.insert(points);
+    const Triangulation restored = canonical_order(dynamic.freeze().triangulation);
+    ASSERT_TRUE(restored.points() == original.points());
+    ASSERT_TRUE(restored.cell_records() == original.cell_records());
+  }
+}
+
+TEST_P(DynamicGallery, ReplacementEqualsAFreshBuild) {
+  const std::vector<Point> points = GetParam().make();
+  const std::size_t half = points.size() / 2;
+  const std::vector<Point> shuffled = gallery::shuffled(points, 6);
+  const Points all(shuffled);
+  DynamicDelaunay dynamic;
+  dynamic.insert(all.first(half));
+  const auto before = cells_by_slot(dynamic);
+  const std::vector<VertexId> removed = patch(dynamic, shuffled[0], half / 3);
+  const DelaunayChange change = dynamic.replace(removed, all.subspan(half / 2));
+  expect_journal(before, dynamic, change);
+  expect_consistent(dynamic);
+  expect_fresh(dynamic);
+}
+
+// Random operations of random size; the set stays small, so that it is often nearly nothing.
+TEST_P(DynamicGallery, LongHistoriesEndInTheSameCells) {
+  const std::vector<Point> pool = GetParam().make();
+  Random random(7);
+  DynamicDelaunay dynamic;
+  std::size_t refused = 0;
+  for (int step = 0; step < 700; ++step) {
+    const std::vector<VertexId> live = live_vertices(dynamic);
+    std::vector<VertexId> removed;
+    std::vector<Point> inserted;
+    const std::size_t largest = step % 10 == 0 ? 40 : 4;
+    if (random.below(5) != 0) {
+      for (std::size_t k = random.below(largest); k-- > 0;) {
+        inserted.push_back(pool[random.below(pool.size())]);
+      }
+    }
+    if (random.below(3) != 0 && !live.empty()) {
+      for (std::size_t k = random.below(largest); k-- > 0;) {
+        removed.push_back(live[random.below(live.size())]);
+      }
+    }
+    const auto before = cells_by_slot(dynamic);
+    try {
+      const DelaunayChange change = dynamic.replace(removed, inserted);
+      expect_journal(before, dynamic, change);
+    } catch (const InputError&) {
+      ++refused;
+      ASSERT_TRUE(live_vertices(dynamic) == live);
+    }
+    if (dynamic.num_vertices() > 0 && step % 5 == 0) expect_fresh(dynamic);
+    if (testing::Test::HasFatalFailure()) FAIL() << "in step " << step;
+  }
+  expect_consistent(dynamic);
+  EXPECT_LT(refused, 350U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Gallery, DynamicGallery, testing::ValuesIn(sets()), name_of);
+
+// --- Special shapes of holes -----------------------------------------------------------------
+
+const std::vector<Point> five_points{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {5, 5, 5}};
+
+// A bump on one facet: what fills the hole is one infinite cell, and its three border vertices do
+// not span space.
+TEST(DynamicDelaunay, RemovesTheApexOfATetrahedronOnAFacet) {
+  DynamicDelaunay dynamic;
+  dynamic.insert(five_points);
+  const DelaunayChange change = dynamic.remove(std::vector{VertexId(dynamic.num_vertices() - 1)});
+  expect_fresh(dynamic);
+  for (const VertexId v : live_vertices(dynamic)) {
+    DynamicDelaunay other;
+    const DelaunayChange inserted = other.insert(five_points);
+    other.remove(std::vector{v});
+    expect_fresh(other);
+  }
+  DynamicDelaunay apex;
+  const DelaunayChange inserted = apex.insert(five_points);
+  EXPECT_EQ(apex.remove(std::vector{inserted.vertex_of_point[4]}).removal.flat_borders, 1U);
+  EXPECT_EQ(apex.view().cell_records().size(), 8U);  // 2 + 6 slots
+  expect_fresh(apex);
+}
+
+// The star of the center is everything: no finite cell stays.
+TEST(DynamicDelaunay, RemovesTheCenterOfASphere) {
+  std::vector<Point> points = gallery::integer_sphere(1105);
+  points.push_back({0, 0, 0});
+  DynamicDelaunay dynamic;
+  const DelaunayChange inserted = dynamic.insert(points);
+  const DelaunayChange change = dynamic.remove(std::vector{inserted.vertex_of_point.back()});
+  EXPECT_EQ(change.removal.holes, 1U);
+  EXPECT_EQ(change.removal.border_vertices, points.size() - 1);
+  expect_fresh(dynamic);
+}
+
+// Holes next to each other: a facet between two deleted cells stays, both of its sides are new.
+TEST(DynamicDelaunay, JoinsHolesThatTouch) {
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    DynamicDelaunay dynamic;
+    dynamic.insert(gallery::uniform_cube(300, seed));
+    // A maximal set of vertices no two of which are neighbors.
+    std::set<VertexId> removed;
+    std::set<VertexId> neighbors;
+    const TriangulationView view = dynamic.view();
+    for (const VertexId v : live_vertices(dynamic)) {
+      if (neighbors.count(v) != 0) continue;
+      removed.insert(v);
+      for (const Cell& cell : view.cell_records()) {
+        if (!cell.vertices[0].is_none() && has_vertex(cell, v)) {
+          neighbors.insert(cell.vertices.begin(), cell.vertices.end());
+        }
+      }
+    }
+    const DelaunayChange change =
+        dynamic.remove(std::vector<VertexId>(removed.begin(), removed.end()));
+    EXPECT_EQ(change.removal.holes, removed.size());
+    expect_consistent(dynamic);
+    expect_fresh(dynamic);
+  }
+}
+
+TEST(DynamicDelaunay, RemovesAllButFivePoints) {
+  for (const auto& points :
+       {gallery::uniform_cube(500), gallery::integer_grid(6), gallery::box_faces(3)}) {
+    DynamicDelaunay dynamic;
+    dynamic.insert(points);
+    std::vector<VertexId> live = live_vertices(dynamic);
+    Random(2).shuffle(live);
+    // Keep a set that spans space: the first five that do.
+    std::vector<VertexId> removed(live.begin() + 5, live.end());
+    try {
+      dynamic.remove(removed);
+      EXPECT_EQ(dynamic.num_vertices(), 5U);
+    } catch (const InputError&) {
+      ADD_FAILURE() << "five random points are flat";
+    }
+    expect_fresh(dynamic);
+  }
+}
+
+TEST(DynamicDelaunay, RemovesAllAndStartsAnew) {
+  DynamicDelaunay dynamic;
+  dynamic.insert(gallery::uniform_cube(100));
+  const DelaunayChange change = dynamic.remove(live_vertices(dynamic));
+  EXPECT_EQ(change.removed.size(), 100U);
+  EXPECT_TRUE(change.created.empty());
+  EXPECT_EQ(dynamic.num_vertices(), 0U);
+  EXPECT_EQ(dynamic.freeze().triangulation.num_cells(), 0U);
+  EXPECT_EQ(dynamic.insert({}).created.size(), 0U);
+  dynamic.insert(gallery::integer_grid(4));
+  expect_fresh(dynamic);
+}
+
+// Removal first would leave a plane; only the final set counts.
+TEST(DynamicDelaunay, ReplacesThePointsThatSpanSpace) {
+  DynamicDelaunay dynamic;
+  const std::vector<Point> points = gallery::plane_and_apex(6);
+  const DelaunayChange inserted = dynamic.insert(points);
+  const VertexId apex = inserted.vertex_of_point.back();
+  const auto before = cells_by_slot(dynamic);
+  const DelaunayChange change =
+      dynamic.replace(std::vector{apex}, std::vector<Point>{{1, 1, -3}, {2, 2, 5}});
+  expect_journal(before, dynamic, change);
+  EXPECT_FALSE(dynamic.contains(apex));
+  expect_fresh(dynamic);
+  // The apex comes back in the operation that removes it: it stays.
+  DynamicDelaunay other;
+  other.insert(points);
+  const DelaunayChange same = other.replace(std::vector{apex}, std::vector<Point>{points.back()});
+  EXPECT_TRUE(same.removed.empty());
+  EXPECT_EQ(same.vertex_of_point[0], apex);
+  expect_fresh(other);
+}
+
+// --- Contract --------------------------------------------------------------------------------
+
+TEST(DynamicDelaunay, IsASet) {
+  DynamicDelaunay dynamic;
+  const DelaunayChange first = dynamic.insert(five_points);
+  const DelaunayChange again = dynamic.insert(five_points);
+  EXPECT_EQ(again.duplicates, 5U);
+  EXPECT_TRUE(again.inserted.empty() && again.created.empty() && again.deleted.empty());
+  EXPECT_EQ(again.vertex_of_point, first.vertex_of_point);
+  dynamic.remove(std::vector{first.vertex_of_point[4], first.vertex_of_point[4]});
+  EXPECT_EQ(dynamic.num_vertices(), 4U);
+}
+
+TEST(DynamicDelaunay, FreezesWithTheMapOfItsVertices) {
+  DynamicDelaunay dynamic(delaunay(gallery::uniform_cube(200)).triangulation);
+  dynamic.remove(std::vector{VertexId(7), VertexId(0), VertexId(100)});
+  const FrozenDelaunay frozen = dynamic.freeze();
+  EXPECT_EQ(frozen.triangulation.num_vertices(), 197U);
+  EXPECT_TRUE(frozen.frozen_vertex[VertexId(7)].is_none());
+  std::size_t point = 0;
+  for (const VertexId v : live_vertices(dynamic)) {
+    const VertexId number = frozen.frozen_vertex[v];
+    EXPECT_EQ(frozen.triangulation.point(number), dynamic.point(v));
+    EXPECT_EQ(frozen.triangulation.point_of_vertex(number), PointId(point++));
+  }
+  EXPECT_TRUE(check_delaunay(frozen.triangulation).ok());
+}
+
+TEST(DynamicDelaunay, KeepsIdsAndUsesFreeOnesAgain) {
+  DynamicDelaunay dynamic;
+  dynamic.insert(gallery::uniform_cube(300));
+  const std::size_t slots = dynamic.num_vertex_slots();
+  const std::vector<VertexId> live = live_vertices(dynamic);
+  const std::vector<VertexId> removed(live.begin(), live.begin() + 50);
+  const Point kept = dynamic.point(live[60]);
+  dynamic.remove(removed);
+  const DelaunayChange change = dynamic.insert(gallery::uniform_cube(50, 9));
+  EXPECT_EQ(dynamic.num_vertex_slots(), slots);
+  EXPECT_EQ(std::set<VertexId>(change.inserted.begin(), change.inserted.end()),
+            std::set<VertexId>(removed.begin(), removed.end()));
+  EXPECT_EQ(dynamic.point(live[60]), kept);
+}
+
+// Cancels at the given report.
+class CancelAt : public Progress {
+ public:
+  explicit CancelAt(int report) : report_(report) {}
+  bool report(std::string_view, double) override { return --report_ != 0; }
+
+ private:
+  int report_;
+};
+
+TEST(DynamicDelaunay, RefusalsChangeNothing) {
+  DynamicDelaunay dynamic;
+  const std::vector<Point> points = gallery::plane_and_apex(6);
+  dynamic.insert(points);
+  const std::vector<VertexId> live = live_vertices(dynamic);
+  const Triangulation original = canonical_order(dynamic.freeze().triangulation);
+  const auto expect_unchanged = [&] {
+    EXPECT_TRUE(live_vertices(dynamic) == live);
+    const Triangulation now = canonical_order(dynamic.freeze().triangulation);
+    EXPECT_TRUE(now.cell_records() == original.cell_records());
+    expect_consistent(dynamic);
+  };
+  const VertexId apex =
+      *std::find_if(live.begin(), live.end(), [&](VertexId v) { return dynamic.point(v).z != 0; });
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(dynamic.insert(std::vector<Point>{{0, 0, 1}, {0, nan, 0}}), InputError);
+  expect_unchanged();
+  EXPECT_THROW(dynamic.remove(std::vector{live[3], VertexId(999)}), InputError);
+  EXPECT_THROW(dynamic.remove(std::vector{VertexId()}), InputError);
+  EXPECT_THROW(dynamic.remove(std::vector{infinite_vertex}), InputError);
+  expect_unchanged();
+  EXPECT_THROW(dynamic.remove(std::vector{apex}), InputError);
+  EXPECT_THROW(dynamic.remove(std::vector<VertexId>(live.begin() + 3, live.end())), InputError);
+  EXPECT_THROW(dynamic.replace(std::vector{apex}, std::vector<Point>{{0.5, 0.5, 0}}), InputError);
+  EXPECT_THROW(dynamic.replace(live, gallery::two_lines(1)), InputError);
+  expect_unchanged();
+  DynamicDelaunay empty;
+  EXPECT_THROW(empty.insert(gallery::two_lines(1)), InputError);
+  EXPECT_THROW(empty.remove(std::vector{VertexId(0)}), InputError);
+  EXPECT_EQ(empty.num_vertices(), 0U);
+}
+
+TEST(DynamicDelaunay, CancellationChangesNothing) {
+  DynamicDelaunay dynamic;
+  dynamic.insert(gallery::uniform_cube(2000));
+  const std::vector<VertexId> live = live_vertices(dynamic);
+  const Triangulation original = canonical_order(dynamic.freeze().triangulation);
+  const std::vector<VertexId> removed = patch(dynamic, {0, 0, 0}, 300);
+  int reports = 0;
+  for (int at = 1;; ++at) {
+    CancelAt progress(at);
+    try {
+      dynamic.replace(removed, gallery::uniform_cube(9000, 8), {.progress = &progress});
+      break;
+    } catch (const Cancelled&) {
+      ++reports;
+    }
+    EXPECT_TRUE(live_vertices(dynamic) == live);
+    const Triangulation now = canonical_order(dynamic.freeze().triangulation);
+    EXPECT_TRUE(now.points() == original.points());
+    EXPECT_TRUE(now.cell_records() == original.cell_records());
+    expect_consistent(dynamic);
+  }
+  EXPECT_GE(reports, 4);  // the start, two batches, the end
+  expect_fresh(dynamic);
+}
+
+TEST(DynamicDelaunay, MovesWithItsMemory) {
+  DynamicDelaunay first;
+  first.insert(gallery::uniform_cube(50));
+  DynamicDelaunay second = std::move(first);
+  second.insert(gallery::uniform_cube(50, 2));
+  second.remove(std::vector{VertexId(3)});
+  expect_fresh(second);
+}
+
+// --- Larger ----------------------------------------------------------------------------------
+
+TEST(DynamicDelaunay, EditsAScan) {
+  const std::vector<Point> points =
+      gallery::read_xyz(std::string(COCOON_TEST_DATA) + "/poste_france.xyz");
+  DynamicDelaunay dynamic(delaunay(points).triangulation);
+  Random random(5);
+  for (int k = 0; k < 6; ++k) {
+    const std::vector<VertexId> removed = patch(dynamic, points[random.below(points.size())], 600);
+    std::vector<Point> moved;
+    for (const VertexId v : removed) {
+      moved.push_back(dynamic.point(v) + 0.01 * random.in_unit_cube());
+    }
+    dynamic.replace(removed, moved);
+    expect_fresh(dynamic);
+  }
+  expect_consistent(dynamic);
+}
+
+// Ten thousand operations on some sixty points of a small grid: full of ties, always near flat.
+TEST(DynamicDelaunay, TenThousandOperations) {
+  const std::vector<Point> pool = gallery::integer_grid(5);
+  Random random(11);
+  DynamicDelaunay dynamic;
+  dynamic.insert(Points(pool).first(60));
+  for (int step = 0; step < 10000; ++step) {
+    const std::vector<VertexId> live = live_vertices(dynamic);
+    if (random.below(2) == 0 && live.size() > 20) {
+      dynamic.remove(std::vector{live[random.below(live.size())]});
+    } else {
+      dynamic.insert(std::vector{pool[random.below(pool.size())]});
+    }
+    if (step % 50 == 0) expect_fresh(dynamic);
+    if (testing::Test::HasFatalFailure()) FAIL() << "in step " << step;
+  }
+  expect_fresh(dynamic);
+}
+
+}  // namespace
+}  // namespace cocoon
