@@ -31,9 +31,11 @@ constexpr bool has_vertex(const Cell& cell, VertexId v) {
   return v0 == v || v1 == v || v2 == v || v3 == v;
 }
 
+// Around an edge: of a Triangulation or of a TriangulationView.
+
 // The vertex of facet f that is neither a nor b. Precondition: f contains a and b. O(1).
-inline VertexId third_vertex(const Triangulation& triangulation, FacetId f, VertexId a,
-                             VertexId b) {
+template <class AnyTriangulation>
+VertexId third_vertex(const AnyTriangulation& triangulation, FacetId f, VertexId a, VertexId b) {
   const int* corner = facet_corners[index_of(f)];
   const Cell& cell = triangulation.cell(cell_of(f));
   for (int k = 0; k < 2; ++k) {
@@ -44,8 +46,9 @@ inline VertexId third_vertex(const Triangulation& triangulation, FacetId f, Vert
 }
 
 // The other facet of cell_of(f) at the edge ab. Precondition: f contains a and b. O(1).
-inline FacetId other_facet_at_edge(const Triangulation& triangulation, FacetId f, VertexId a,
-                                   VertexId b) {
+template <class AnyTriangulation>
+FacetId other_facet_at_edge(const AnyTriangulation& triangulation, FacetId f, VertexId a,
+                            VertexId b) {
   // Facets are numbered by the opposite vertex: the vertices off the edge are f's own index, and
   // the one that is left of 0 + 1 + 2 + 3.
   const CellId c = cell_of(f);
@@ -55,15 +58,16 @@ inline FacetId other_facet_at_edge(const Triangulation& triangulation, FacetId f
 
 // The next facet of the rotation about ab: through cell_of(f) to its other facet at ab, seen from
 // the cell behind. Precondition: f contains a and b. O(1).
-inline FacetId next_facet_around_edge(const Triangulation& triangulation, FacetId f, VertexId a,
-                                      VertexId b) {
+template <class AnyTriangulation>
+FacetId next_facet_around_edge(const AnyTriangulation& triangulation, FacetId f, VertexId a,
+                               VertexId b) {
   return triangulation.mirror(other_facet_at_edge(triangulation, f, a, b));
 }
 
 // Calls visit(FacetId) for every facet at the edge ab once, in rotation, beginning with f.
 // Precondition: f contains a and b, both finite. Complexity: O(degree of the edge).
-template <class Visit>
-void for_each_facet_around_edge(const Triangulation& triangulation, FacetId f, VertexId a,
+template <class AnyTriangulation, class Visit>
+void for_each_facet_around_edge(const AnyTriangulation& triangulation, FacetId f, VertexId a,
                                 VertexId b, Visit visit) {
   FacetId g = f;
   do {
