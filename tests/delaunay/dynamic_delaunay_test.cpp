@@ -5,18 +5,16 @@
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
-#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "delaunay/canonical_order.h"
 #include "delaunay/check_delaunay.h"
-#include "delaunay/circulate.h"
 #include "delaunay/delaunay.h"
 #include "geom/errors.h"
 #include "geom/random.h"
-#include "ref/cell_set.h"
+#include "tests/delaunay/dynamic_checks.h"
 #include "tests/gallery.h"
 
 namespace cocoon {
@@ -30,102 +28,6 @@ struct NamedSet {
 std::ostream& operator<<(std::ostream& out, const NamedSet& set) { return out << set.name; }
 
 std::string name_of(const testing::TestParamInfo<NamedSet>& info) { return info.param.name; }
-
-std::vector<VertexId> live_vertices(const DynamicDelaunay& dynamic) {
-  std::vector<VertexId> live;
-  for (const VertexId v : id_range<VertexId>(dynamic.num_vertex_slots())) {
-    if (dynamic.contains(v)) live.push_back(v);
-  }
-  return live;
-}
-
-std::vector<Point> live_points(const DynamicDelaunay& dynamic) {
-  std::vector<Point> points;
-  for (const VertexId v : live_vertices(dynamic)) points.push_back(dynamic.point(v));
-  return points;
-}
-
-// The cells are those of a fresh build, as sets and in canonical order as arrays.
-void expect_fresh(const DynamicDelaunay& dynamic) {
-  const FrozenDelaunay frozen = dynamic.freeze();
-  const Triangulation fresh = delaunay(live_points(dynamic)).triangulation;
-  ASSERT_EQ(dynamic.num_vertices(), fresh.num_vertices());
-  ASSERT_TRUE(ref::cell_set(frozen.triangulation) == ref::cell_set(fresh));
-  const Triangulation actual = canonical_order(frozen.triangulation);
-  const Triangulation expected = canonical_order(fresh);
-  ASSERT_TRUE(actual.points() == expected.points());
-  ASSERT_TRUE(actual.cell_records() == expected.cell_records());
-  ASSERT_EQ(actual.num_finite_cells(), expected.num_finite_cells());
-}
-
-// What the class promises about its own arrays.
-void expect_consistent(const DynamicDelaunay& dynamic) {
-  const TriangulationView view = dynamic.view();
-  for (const VertexId v : live_vertices(dynamic)) {
-    const CellId c = dynamic.cell_at(v);
-    ASSERT_FALSE(view.is_free(c));
-    ASSERT_TRUE(has_vertex(view.cell(c), v)) << "vertex " << v.value;
-  }
-  for (const CellId c : view.cell_slots()) {
-    if (view.is_free(c)) continue;
-    for (int i = 0; i < 4; ++i) {
-      const FacetId f = facet_id(c, i);
-      ASSERT_FALSE(view.is_free(cell_of(view.mirror(f))));
-      ASSERT_EQ(view.mirror(view.mirror(f)), f);
-      const VertexId v = view.vertex(c, i);
-      ASSERT_TRUE(v == infinite_vertex || dynamic.contains(v));
-    }
-  }
-}
-
-// A cell by its vertices; by slot, empty where free.
-std::vector<std::vector<VertexId>> cells_by_slot(const DynamicDelaunay& dynamic) {
-  std::vector<std::vector<VertexId>> cells;
-  for (const Cell& cell : dynamic.view().cell_records()) {
-    cells.emplace_back();
-    if (cell.vertices[0].is_none()) continue;
-    cells.back().assign(cell.vertices.begin(), cell.vertices.end());
-    std::sort(cells.back().begin(), cells.back().end());
-  }
-  return cells;
-}
-
-// The journal tells the whole truth: what it does not name is as before.
-void expect_journal(const std::vector<std::vector<VertexId>>& before,
-                    const DynamicDelaunay& dynamic, const DelaunayChange& change) {
-  const std::vector<std::vector<VertexId>> after = cells_by_slot(dynamic);
-  const std::set<CellId> created(change.created.begin(), change.created.end());
-  const std::set<CellId> deleted(change.deleted.begin(), change.deleted.end());
-  ASSERT_EQ(created.size(), change.created.size());
-  ASSERT_EQ(deleted.size(), change.deleted.size());
-  for (const CellId c : deleted)
-    ASSERT_TRUE(c.index() < before.size() && !before[c.index()].empty());
-  for (std::size_t slot = 0; slot < after.size(); ++slot) {
-    const CellId c(slot);
-    const bool was_live = slot < before.size() && !before[slot].empty();
-    const bool is_live = !after[slot].empty();
-    if (created.count(c) != 0) {
-      ASSERT_TRUE(is_live);
-      ASSERT_EQ(was_live, deleted.count(c) != 0);
-    } else if (deleted.count(c) != 0) {
-      ASSERT_TRUE(was_live && !is_live);
-    } else {
-      ASSERT_EQ(was_live, is_live);
-      ASSERT_TRUE(!was_live || before[slot] == after[slot]);
-    }
-  }
-}
-
-// A patch of `count` live vertices: those nearest to the point.
-std::vector<VertexId> patch(const DynamicDelaunay& dynamic, const Point& center,
-                            std::size_t count) {
-  std::vector<VertexId> live = live_vertices(dynamic);
-  std::sort(live.begin(), live.end(), [&](VertexId a, VertexId b) {
-    return squared_distance(dynamic.point(a), center) < squared_distance(dynamic.point(b), center);
-  });
-  live.resize(std::min(count, live.size()));
-  return live;
-}
 
 std::vector<NamedSet> sets() {
   using namespace gallery;
@@ -285,120 +187,7 @@ TEST_P(DynamicGallery, LongHistoriesEndInTheSameCells) {
 
 INSTANTIATE_TEST_SUITE_P(Gallery, DynamicGallery, testing::ValuesIn(sets()), name_of);
 
-// --- Special shapes of holes -----------------------------------------------------------------
-
 const std::vector<Point> five_points{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {5, 5, 5}};
-
-// A bump on one facet: what fills the hole is one infinite cell, and its three border vertices do
-// not span space.
-TEST(DynamicDelaunay, RemovesTheApexOfATetrahedronOnAFacet) {
-  DynamicDelaunay dynamic;
-  dynamic.insert(five_points);
-  const DelaunayChange change = dynamic.remove(std::vector{VertexId(dynamic.num_vertices() - 1)});
-  expect_fresh(dynamic);
-  for (const VertexId v : live_vertices(dynamic)) {
-    DynamicDelaunay other;
-    const DelaunayChange inserted = other.insert(five_points);
-    other.remove(std::vector{v});
-    expect_fresh(other);
-  }
-  DynamicDelaunay apex;
-  const DelaunayChange inserted = apex.insert(five_points);
-  EXPECT_EQ(apex.remove(std::vector{inserted.vertex_of_point[4]}).removal.flat_borders, 1U);
-  EXPECT_EQ(apex.view().cell_records().size(), 8U);  // 2 + 6 slots
-  expect_fresh(apex);
-}
-
-// The star of the center is everything: no finite cell stays.
-TEST(DynamicDelaunay, RemovesTheCenterOfASphere) {
-  std::vector<Point> points = gallery::integer_sphere(1105);
-  points.push_back({0, 0, 0});
-  DynamicDelaunay dynamic;
-  const DelaunayChange inserted = dynamic.insert(points);
-  const DelaunayChange change = dynamic.remove(std::vector{inserted.vertex_of_point.back()});
-  EXPECT_EQ(change.removal.holes, 1U);
-  EXPECT_EQ(change.removal.border_vertices, points.size() - 1);
-  expect_fresh(dynamic);
-}
-
-// Holes next to each other: a facet between two deleted cells stays, both of its sides are new.
-TEST(DynamicDelaunay, JoinsHolesThatTouch) {
-  for (const std::uint64_t seed : {1, 2, 3, 4}) {
-    DynamicDelaunay dynamic;
-    dynamic.insert(gallery::uniform_cube(300, seed));
-    // A maximal set of vertices no two of which are neighbors.
-    std::set<VertexId> removed;
-    std::set<VertexId> neighbors;
-    const TriangulationView view = dynamic.view();
-    for (const VertexId v : live_vertices(dynamic)) {
-      if (neighbors.count(v) != 0) continue;
-      removed.insert(v);
-      for (const Cell& cell : view.cell_records()) {
-        if (!cell.vertices[0].is_none() && has_vertex(cell, v)) {
-          neighbors.insert(cell.vertices.begin(), cell.vertices.end());
-        }
-      }
-    }
-    const DelaunayChange change =
-        dynamic.remove(std::vector<VertexId>(removed.begin(), removed.end()));
-    EXPECT_EQ(change.removal.holes, removed.size());
-    expect_consistent(dynamic);
-    expect_fresh(dynamic);
-  }
-}
-
-TEST(DynamicDelaunay, RemovesAllButFivePoints) {
-  for (const auto& points :
-       {gallery::uniform_cube(500), gallery::integer_grid(6), gallery::box_faces(3)}) {
-    DynamicDelaunay dynamic;
-    dynamic.insert(points);
-    std::vector<VertexId> live = live_vertices(dynamic);
-    Random(2).shuffle(live);
-    // Keep a set that spans space: the first five that do.
-    std::vector<VertexId> removed(live.begin() + 5, live.end());
-    try {
-      dynamic.remove(removed);
-      EXPECT_EQ(dynamic.num_vertices(), 5U);
-    } catch (const InputError&) {
-      ADD_FAILURE() << "five random points are flat";
-    }
-    expect_fresh(dynamic);
-  }
-}
-
-TEST(DynamicDelaunay, RemovesAllAndStartsAnew) {
-  DynamicDelaunay dynamic;
-  dynamic.insert(gallery::uniform_cube(100));
-  const DelaunayChange change = dynamic.remove(live_vertices(dynamic));
-  EXPECT_EQ(change.removed.size(), 100U);
-  EXPECT_TRUE(change.created.empty());
-  EXPECT_EQ(dynamic.num_vertices(), 0U);
-  EXPECT_EQ(dynamic.freeze().triangulation.num_cells(), 0U);
-  EXPECT_EQ(dynamic.insert({}).created.size(), 0U);
-  dynamic.insert(gallery::integer_grid(4));
-  expect_fresh(dynamic);
-}
-
-// Removal first would leave a plane; only the final set counts.
-TEST(DynamicDelaunay, ReplacesThePointsThatSpanSpace) {
-  DynamicDelaunay dynamic;
-  const std::vector<Point> points = gallery::plane_and_apex(6);
-  const DelaunayChange inserted = dynamic.insert(points);
-  const VertexId apex = inserted.vertex_of_point.back();
-  const auto before = cells_by_slot(dynamic);
-  const DelaunayChange change =
-      dynamic.replace(std::vector{apex}, std::vector<Point>{{1, 1, -3}, {2, 2, 5}});
-  expect_journal(before, dynamic, change);
-  EXPECT_FALSE(dynamic.contains(apex));
-  expect_fresh(dynamic);
-  // The apex comes back in the operation that removes it: it stays.
-  DynamicDelaunay other;
-  other.insert(points);
-  const DelaunayChange same = other.replace(std::vector{apex}, std::vector<Point>{points.back()});
-  EXPECT_TRUE(same.removed.empty());
-  EXPECT_EQ(same.vertex_of_point[0], apex);
-  expect_fresh(other);
-}
 
 // --- Contract --------------------------------------------------------------------------------
 
@@ -517,44 +306,6 @@ TEST(DynamicDelaunay, MovesWithItsMemory) {
   second.insert(gallery::uniform_cube(50, 2));
   second.remove(std::vector{VertexId(3)});
   expect_fresh(second);
-}
-
-// --- Larger ----------------------------------------------------------------------------------
-
-TEST(DynamicDelaunay, EditsAScan) {
-  const std::vector<Point> points =
-      gallery::read_xyz(std::string(COCOON_TEST_DATA) + "/poste_france.xyz");
-  DynamicDelaunay dynamic(delaunay(points).triangulation);
-  Random random(5);
-  for (int k = 0; k < 6; ++k) {
-    const std::vector<VertexId> removed = patch(dynamic, points[random.below(points.size())], 600);
-    std::vector<Point> moved;
-    for (const VertexId v : removed) {
-      moved.push_back(dynamic.point(v) + 0.01 * random.in_unit_cube());
-    }
-    dynamic.replace(removed, moved);
-    expect_fresh(dynamic);
-  }
-  expect_consistent(dynamic);
-}
-
-// Ten thousand operations on some sixty points of a small grid: full of ties, always near flat.
-TEST(DynamicDelaunay, TenThousandOperations) {
-  const std::vector<Point> pool = gallery::integer_grid(5);
-  Random random(11);
-  DynamicDelaunay dynamic;
-  dynamic.insert(Points(pool).first(60));
-  for (int step = 0; step < 10000; ++step) {
-    const std::vector<VertexId> live = live_vertices(dynamic);
-    if (random.below(2) == 0 && live.size() > 20) {
-      dynamic.remove(std::vector{live[random.below(live.size())]});
-    } else {
-      dynamic.insert(std::vector{pool[random.below(pool.size())]});
-    }
-    if (step % 50 == 0) expect_fresh(dynamic);
-    if (testing::Test::HasFatalFailure()) FAIL() << "in step " << step;
-  }
-  expect_fresh(dynamic);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(TriangulationFile, HasTheLayoutOfItsDescription) {
 
 TEST(TriangulationFile, EveryDamagedByteIsFound) {
   const TemporaryFolder folder;
-  save_triangulation(folder / "t.dt", delaunay(gallery::uniform_cube(12)).triangulation);
+  save_triangulation(folder / "t.dt", delaunay(gallery::uniform_cube(6)).triangulation);
   const std::string good = bytes_of(folder / "t.dt");
   for (std::size_t i = 0; i < good.size(); ++i) {
     std::string bad = good;
