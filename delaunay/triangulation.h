@@ -24,7 +24,8 @@ namespace cocoon {
 
 inline constexpr VertexId infinite_vertex{std::uint32_t{0xFFFFFFFEU}};
 
-struct Cell {
+// Aligned so that a record never lies across two cache lines.
+struct alignas(32) Cell {
   std::array<VertexId, 4> vertices;
   std::array<FacetId, 4> neighbors;  // neighbors[i]: facet i as the cell behind it numbers it
 
