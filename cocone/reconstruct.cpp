@@ -1,7 +1,5 @@
 #include "cocone/reconstruct.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +14,7 @@
 #include "delaunay/canonical_order.h"
 #include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
@@ -27,21 +26,6 @@ void run_stage(const Execution& execution, std::string_view stage, Body body) {
   PrefixedProgress nested{std::string(stage), execution.progress};
   body(Execution{execution.threads, execution.progress == nullptr ? nullptr : &nested});
   report_progress(execution, stage, 1);
-}
-
-// Within these bounds no product of the stages leaves the range of double.
-constexpr double largest_coordinate = 0x1p+100;
-constexpr double smallest_coordinate = 0x1p-100;
-
-// The power of two that brings the largest coordinate near 1 if it is out of bounds, else 1.
-double working_scale(Points points) {
-  double largest = 0;
-  for (const Point& p : points) {
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
-  const bool in_bounds = largest >= smallest_coordinate && largest <= largest_coordinate;
-  if (in_bounds || largest == 0 || !std::isfinite(largest)) return 1;
-  return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1022, 1022));
 }
 
 ReconstructOptions effective(ReconstructOptions options) {

@@ -10,6 +10,7 @@
 #include "delaunay/locate.h"
 #include "geom/errors.h"
 #include "geom/spatial_order.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
@@ -28,7 +29,7 @@ struct Vertices {
 Vertices merge_duplicates(Points points, const Execution& execution) {
   Vertices vertices;
   vertices.of_point.resize(points.size());
-  vertices.points.reserve(points.size() + 1);
+  vertices.points.reserve(points.size());
   for (const PointId id : hilbert_order(points, execution)) {
     const Point& p = points[id.index()];
     const bool repeated =
@@ -37,6 +38,46 @@ Vertices merge_duplicates(Points points, const Execution& execution) {
         repeated ? VertexId(vertices.points.size() - 1) : vertices.points.push_back(p);
   }
   return vertices;
+}
+
+// Inserts the vertices one by one, in the given order, whose first four span space. The last
+// element of `points` is no vertex (see ConflictFilter).
+CellPool insert_all(const IdVector<VertexId, Point>& points,
+                    const std::vector<std::uint32_t>& order, DelaunayCounters& counters,
+                    const Execution& execution) {
+  CellPool pool;
+  const auto expected_cells =
+      static_cast<std::size_t>(expected_cells_per_point * static_cast<double>(order.size())) + 64;
+  pool.cells.reserve(expected_cells);
+  pool.marks.reserve(expected_cells);
+  make_first_cells(
+      pool, points,
+      {VertexId(order[0]), VertexId(order[1]), VertexId(order[2]), VertexId(order[3])});
+  CavityInserter inserter(pool, points);
+  CellId hint(0);
+  for (std::size_t i = 4; i < order.size(); ++i) {
+    if (i % progress_interval == 0) {
+      report_progress(execution, "delaunay",
+                      static_cast<double>(i) / static_cast<double>(order.size()));
+    }
+    const VertexId v(order[i]);
+    const WalkResult walk = locate(pool.cells, points, points[v], hint);
+    counters.walk_steps += walk.steps;
+    hint = inserter.insert(v, walk.cell, counters);
+  }
+  return pool;
+}
+
+// The points on which the predicates are fast: a scaled copy where the size is extreme, with one
+// element behind the last vertex.
+IdVector<VertexId, Point> working_points(const IdVector<VertexId, Point>& points) {
+  const double scale = working_scale(points.span());
+  IdVector<VertexId, Point> working;
+  working.reserve(points.size() + 1);
+  const bool scaled = scale != 1 && scales_exactly(points.span(), scale);
+  for (const Point& p : points) working.push_back(scaled ? scale * p : p);
+  working.push_back({});
+  return working;
 }
 
 }  // namespace
@@ -54,33 +95,9 @@ DelaunayResult delaunay(Points points, const DelaunayOptions& options, const Exe
   std::vector<std::uint32_t> order = insertion_rounds(vertices.points.size(), options.seed);
   require_space(bring_simplex_to_front(vertices.points, order), order.size());
 
-  vertices.points.push_back({});  // conflict_batch reads a little past the last vertex
-
-  // Start with one tetrahedron, insert the other points one by one.
-  CellPool pool;
-  const auto expected_cells =
-      static_cast<std::size_t>(expected_cells_per_point * static_cast<double>(order.size())) + 64;
-  pool.cells.reserve(expected_cells);
-  pool.marks.reserve(expected_cells);
-  make_first_cells(
-      pool, vertices.points,
-      {VertexId(order[0]), VertexId(order[1]), VertexId(order[2]), VertexId(order[3])});
   DelaunayCounters counters;
-  CavityInserter inserter(pool, vertices.points);
-  CellId hint(0);
-  for (std::size_t i = 4; i < order.size(); ++i) {
-    if (i % progress_interval == 0) {
-      report_progress(execution, "delaunay",
-                      static_cast<double>(i) / static_cast<double>(order.size()));
-    }
-    const VertexId v(order[i]);
-    const WalkResult walk = locate(pool.cells, vertices.points, vertices.points[v], hint);
-    counters.walk_steps += walk.steps;
-    hint = inserter.insert(v, walk.cell, counters);
-  }
-
+  CellPool pool = insert_all(working_points(vertices.points), order, counters, execution);
   const std::size_t finite_cells = compact_cells(pool);
-  vertices.points.raw().pop_back();
   report_progress(execution, "delaunay", 1);
   return {Triangulation(
               {std::move(vertices.points), std::move(pool.cells), std::move(vertices.of_point)},

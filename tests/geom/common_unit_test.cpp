@@ -1,7 +1,6 @@
 #include "geom/common_unit.h"
 
 #include <gtest/gtest.h>
-
 #include <limits>
 #include <vector>
 

@@ -1,0 +1,31 @@
+#include "geom/working_scale.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cocoon {
+namespace {
+
+constexpr double largest_coordinate = 0x1p+100;
+constexpr double smallest_coordinate = 0x1p-100;
+
+}  // namespace
+
+double working_scale(Points points) {
+  double largest = 0;
+  for (const Point& p : points) {
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  const bool in_bounds = largest >= smallest_coordinate && largest <= largest_coordinate;
+  if (in_bounds || largest == 0 || !std::isfinite(largest)) return 1;
+  return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1022, 1022));
+}
+
+bool scales_exactly(Points points, double scale) {
+  return std::all_of(points.begin(), points.end(), [&](const Point& p) {
+    const Point scaled = scale * p;
+    return is_finite(scaled) && scaled / scale == p;
+  });
+}
+
+}  // namespace cocoon

@@ -1,0 +1,19 @@
+// Coordinates of extreme size, brought where floating point has room on both sides.
+#pragma once
+
+#include "geom/point.h"
+
+namespace cocoon {
+
+// The power of two that brings the largest |coordinate| near 1, if it lies outside of
+// [2^-100, 2^100]; else 1. Inside these bounds the products of the stages stay in the range of
+// double and the filters of the predicates work. Scaling by it changes no decision that is exact,
+// as long as it rounds nothing away (scales_exactly).
+// Precondition: finite coordinates. Complexity: O(n).
+double working_scale(Points points);
+
+// True iff every coordinate times `scale`, a power of two, is representable: nothing is lost to
+// underflow. Complexity: O(n).
+bool scales_exactly(Points points, double scale);
+
+}  // namespace cocoon
