@@ -34,6 +34,11 @@ void CavityInserter::make_room_for_points() {
   if (local_id_.size() < points_.size()) local_id_.resize(points_.size(), no_local_id);
 }
 
+void CavityInserter::read_points_again() {
+  make_room_for_points();
+  filter_.read_points_again();
+}
+
 // A finite cell is in conflict iff its (perturbed) circumsphere contains p. An infinite cell is
 // iff p lies beyond its hull facet; a point in the plane of the hull facet lies in the facet's
 // circumcircle iff it lies in the sphere of the finite cell behind it, perturbation included.

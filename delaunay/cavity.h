@@ -36,6 +36,9 @@ class CavityInserter {
   // To be called after `points` was extended. Amortized O(1) per vertex.
   void make_room_for_points();
 
+  // To be called after `points` was filled with other points. Complexity: O(n).
+  void read_points_again();
+
  private:
   using LocalIds = std::array<std::uint8_t, 3>;  // of a border facet's corners, as facet_corners
 

@@ -186,6 +186,11 @@ ConflictFilter::ConflictFilter(const IdVector<VertexId, Point>& points)
       unit_(common_unit(points.span())),
       exact_product_(largest_exact_product(unit_)) {}
 
+void ConflictFilter::read_points_again() {
+  unit_ = common_unit(points_.span());
+  exact_product_ = largest_exact_product(unit_);
+}
+
 void ConflictFilter::admit(const Point& p) {
   if (exact_product_ < 0) return;
   const double unit = common_unit(p);

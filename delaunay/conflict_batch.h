@@ -26,6 +26,9 @@ class ConflictFilter {
   // read as four doubles. Complexity: O(n).
   explicit ConflictFilter(const IdVector<VertexId, Point>& points);
 
+  // To be called when `points` was filled with other points. Complexity: O(n).
+  void read_points_again();
+
   // To be called for a vertex that was not in `points` at construction, before it is tested or
   // becomes a corner of a cell. Complexity: O(1).
   void admit(const Point& p);

@@ -79,7 +79,7 @@ void DynamicDelaunay::State::adopt(Triangulation triangulation) {
     }
   }
   last_created = pool.cells.empty() ? CellId() : CellId(pool.cells.size() - 1);
-  inserter.make_room_for_points();
+  inserter.read_points_again();
 }
 
 void DynamicDelaunay::State::require_vertices(std::span<const VertexId> vertices) const {

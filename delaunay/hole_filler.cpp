@@ -51,7 +51,7 @@ bool HoleFiller::spans_space() {
 
 void HoleFiller::triangulate(DelaunayCounters& counters) {
   points_.push_back({});  // the kernel reads a little past the last vertex
-  inserter_.make_room_for_points();
+  inserter_.read_points_again();
   make_first_cells(
       pool_, points_,
       {VertexId(order_[0]), VertexId(order_[1]), VertexId(order_[2]), VertexId(order_[3])});

@@ -47,7 +47,7 @@ TEST(Removal, RemovesTheCenterOfASphere) {
 
 // Holes next to each other: a facet between two deleted cells stays, both of its sides are new.
 TEST(Removal, JoinsHolesThatTouch) {
-  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     DynamicDelaunay dynamic;
     dynamic.insert(gallery::uniform_cube(300, seed));
     // A maximal set of vertices no two of which are neighbors.
