@@ -1,17 +1,21 @@
 // Local change against a fresh build: a connected patch of a large triangulation is replaced.
 //
-//   dynamic_bench [--points N] [--patch K] [--repetitions R]
+//   dynamic_bench [--points N] [--patch K] [--repetitions R] [--cgal C]
 //
 // For a volume and a surface: builds the triangulation of N points, takes it over, and R times
-// replaces the K points nearest to some point by as many others in the same place. The result of
-// the last replacement is compared with a fresh build, cell by cell. Prints medians.
+// replaces the K points nearest to some point by as many others in the same place; then single
+// vertices. The last C patches are also replaced in CGAL's triangulation of the same points. The
+// results are compared: with a fresh build, cell by cell, and the number of cells with CGAL's.
+// Prints medians.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <string>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include "bench/rivals/cgal.h"
 #include "bench/stopwatch.h"
 #include "delaunay/canonical_order.h"
 #include "delaunay/delaunay.h"
@@ -26,20 +30,47 @@ struct Arguments {
   std::size_t points = 1000000;
   std::size_t patch = 5000;
   std::size_t repetitions = 7;
+  std::size_t cgal = 1;
+};
+
+// What was measured on one set, in seconds of processor time.
+struct Times {
+  double build = 0;
+  std::vector<double> removal;
+  std::vector<double> insertion;
+  std::vector<double> replacement;
+  std::vector<double> cgal_removal;
+  std::vector<double> cgal_insertion;
+  double single = 0;  // one vertex removed, one inserted
+  DelaunayChange last;
+  bool agrees = true;
 };
 
 double median(std::vector<double> values) {
+  if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
   return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
-std::vector<VertexId> patch_around(const DynamicDelaunay& dynamic, const Point& center,
-                                   std::size_t count) {
+std::vector<VertexId> live_vertices(const DynamicDelaunay& dynamic) {
   std::vector<VertexId> vertices;
   for (const VertexId v : id_range<VertexId>(dynamic.num_vertex_slots())) {
     if (dynamic.contains(v)) vertices.push_back(v);
   }
+  return vertices;
+}
+
+std::vector<Point> points_of(const DynamicDelaunay& dynamic,
+                             const std::vector<VertexId>& vertices) {
+  std::vector<Point> points;
+  for (const VertexId v : vertices) points.push_back(dynamic.point(v));
+  return points;
+}
+
+std::vector<VertexId> patch_around(const DynamicDelaunay& dynamic, const Point& center,
+                                   std::size_t count) {
+  std::vector<VertexId> vertices = live_vertices(dynamic);
   const auto nearer = [&](VertexId a, VertexId b) {
     return squared_distance(dynamic.point(a), center) < squared_distance(dynamic.point(b), center);
   };
@@ -70,37 +101,69 @@ bool equals_fresh_build(const DynamicDelaunay& dynamic) {
   return frozen.cell_records() == fresh.cell_records();
 }
 
+void measure_patch(DynamicDelaunay& dynamic, const Point& center, const Arguments& arguments,
+                   bool with_cgal, Random& random, Times& times) {
+  const std::vector<VertexId> patch = patch_around(dynamic, center, arguments.patch);
+  const std::vector<Point> others = resampled(dynamic, patch, random);
+  std::vector<Point> all;
+  const std::vector<Point> gone = points_of(dynamic, patch);
+  if (with_cgal) all = points_of(dynamic, live_vertices(dynamic));
+
+  const bench::Stopwatch both;
+  times.last = dynamic.replace(patch, others);
+  times.replacement.push_back(both.elapsed().processor);
+  // The two halves apart: take the new points out, put them in again.
+  const bench::Stopwatch first;
+  dynamic.remove(times.last.inserted);
+  times.removal.push_back(first.elapsed().processor);
+  const bench::Stopwatch second;
+  dynamic.insert(others);
+  times.insertion.push_back(second.elapsed().processor);
+
+  if (!with_cgal) return;
+  const rivals::TimedReplacement cgal = rivals::cgal_replace(all, gone, others);
+  times.cgal_removal.push_back(cgal.removal.processor);
+  times.cgal_insertion.push_back(cgal.insertion.processor);
+  times.agrees =
+      times.agrees && cgal.finite_cells == dynamic.freeze().triangulation.num_finite_cells();
+}
+
+// Vertices here and there, one after the other.
+void measure_single(DynamicDelaunay& dynamic, Random& random, Times& times) {
+  constexpr std::size_t count = 1000;
+  const std::vector<VertexId> live = live_vertices(dynamic);
+  std::vector<VertexId> vertices;
+  for (std::size_t k = 0; k < count; ++k) vertices.push_back(live[k * live.size() / count]);
+  random.shuffle(vertices);
+  const bench::Stopwatch stopwatch;
+  for (const VertexId v : vertices) {
+    const Point p = dynamic.point(v);
+    dynamic.remove(std::span(&v, 1));
+    dynamic.insert(std::span(&p, 1));
+  }
+  times.single = stopwatch.elapsed().processor / static_cast<double>(count);
+}
+
 bool run(const char* name, const std::vector<Point>& points, const Arguments& arguments) {
   Random random(17);
-  bench::Stopwatch build;
+  Times times;
+  const bench::Stopwatch build;
   Triangulation triangulation = delaunay(points).triangulation;
-  const double build_time = build.elapsed().processor;
+  times.build = build.elapsed().processor;
   DynamicDelaunay dynamic(std::move(triangulation));
-  std::vector<double> removal;
-  std::vector<double> insertion;
-  std::vector<double> replacement;
-  DelaunayChange change;
   for (std::size_t k = 0; k < arguments.repetitions; ++k) {
-    const std::vector<VertexId> patch =
-        patch_around(dynamic, points[random.below(points.size())], arguments.patch);
-    const std::vector<Point> others = resampled(dynamic, patch, random);
-    bench::Stopwatch both;
-    change = dynamic.replace(patch, others);
-    replacement.push_back(both.elapsed().processor);
-    // The two halves apart: take the new points out, put them in again.
-    bench::Stopwatch first;
-    dynamic.remove(change.inserted);
-    removal.push_back(first.elapsed().processor);
-    bench::Stopwatch second;
-    dynamic.insert(others);
-    insertion.push_back(second.elapsed().processor);
+    const bool with_cgal = k + arguments.cgal >= arguments.repetitions;
+    measure_patch(dynamic, points[random.below(points.size())], arguments, with_cgal, random,
+                  times);
   }
-  const double replaced = median(replacement);
-  std::printf("%-13s %8zu | %9.1f | %7.2f %7.2f %7.2f | %6.2f %% | %7zu %7zu %7zu\n", name,
-              points.size(), 1e3 * build_time, 1e3 * median(removal), 1e3 * median(insertion),
-              1e3 * replaced, 100 * replaced / build_time, change.removal.border_vertices,
-              change.deleted.size(), change.created.size());
-  return equals_fresh_build(dynamic);
+  measure_single(dynamic, random, times);
+  const double replaced = median(times.replacement);
+  std::printf("%-13s %8zu | %7.1f | %7.2f %7.2f %7.2f %6.2f %% | %8.2f %8.2f | %6.1f | %7zu\n",
+              name, points.size(), 1e3 * times.build, 1e3 * median(times.removal),
+              1e3 * median(times.insertion), 1e3 * replaced, 100 * replaced / times.build,
+              1e3 * median(times.cgal_removal), 1e3 * median(times.cgal_insertion),
+              1e6 * times.single, times.last.created.size());
+  return times.agrees && equals_fresh_build(dynamic);
 }
 
 int run_all(int argc, char** argv) {
@@ -110,18 +173,23 @@ int run_all(int argc, char** argv) {
     if (std::strcmp(argv[i], "--points") == 0) arguments.points = value;
     if (std::strcmp(argv[i], "--patch") == 0) arguments.patch = value;
     if (std::strcmp(argv[i], "--repetitions") == 0) arguments.repetitions = value;
+    if (std::strcmp(argv[i], "--cgal") == 0) arguments.cgal = value;
   }
   if (arguments.points < 100 || arguments.patch < 2 || arguments.repetitions == 0) {
-    std::fprintf(stderr, "usage: dynamic_bench [--points N] [--patch K] [--repetitions R]\n");
+    std::fprintf(stderr,
+                 "usage: dynamic_bench [--points N] [--patch K] [--repetitions R] [--cgal C]\n");
     return 2;
   }
   std::printf("replace a patch of %zu points; processor time in ms, medians of %zu\n",
               arguments.patch, arguments.repetitions);
-  std::printf("%-13s %8s | %9s | %7s %7s %7s | %8s | border  deleted created\n", "set", "points",
-              "build", "remove", "insert", "replace", "of build");
+  std::printf("%-13s %8s | %7s | %7s %7s %7s %8s | %8s %8s | %6s |\n", "", "", "", "remove",
+              "insert", "replace", "of build", "CGAL", "CGAL", "one v.");
+  std::printf("%-13s %8s | %7s | %7s %7s %7s %8s | %8s %8s | %6s | created\n", "set", "points",
+              "build", "", "", "", "", "remove", "insert", "us");
   const bool ok = run("uniform", gallery::uniform_cube(arguments.points), arguments) &&
                   run("bumpy_sphere", gallery::bumpy_sphere(arguments.points), arguments);
-  if (!ok) std::fprintf(stderr, "dynamic_bench: the result differs from a fresh build\n");
+  if (!ok)
+    std::fprintf(stderr, "dynamic_bench: the result differs from a fresh build or from CGAL\n");
   return ok ? 0 : 1;
 }
 

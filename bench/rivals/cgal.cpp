@@ -46,4 +46,27 @@ std::uint64_t cgal_cell_set_hash(Points points) {
   return sum;
 }
 
+TimedReplacement cgal_replace(Points points, Points removed, Points inserted) {
+  std::vector<Kernel::Point_3> input;
+  for (const Point& p : points) input.push_back(to_cgal(p));
+  CGAL::Delaunay_triangulation_3<Kernel> triangulation(input.begin(), input.end());
+  std::vector<CGAL::Delaunay_triangulation_3<Kernel>::Vertex_handle> vertices;
+  for (const Point& p : removed) {
+    const auto hint = vertices.empty() ? triangulation.infinite_vertex() : vertices.back();
+    vertices.push_back(triangulation.nearest_vertex(to_cgal(p), hint->cell()));
+  }
+  input.clear();
+  for (const Point& p : inserted) input.push_back(to_cgal(p));
+
+  TimedReplacement result;
+  const bench::Stopwatch removal;
+  triangulation.remove_cluster(vertices.begin(), vertices.end());
+  result.removal = removal.elapsed();
+  const bench::Stopwatch insertion;
+  triangulation.insert(input.begin(), input.end());
+  result.insertion = insertion.elapsed();
+  result.finite_cells = triangulation.number_of_finite_cells();
+  return result;
+}
+
 }  // namespace cocoon::rivals

@@ -23,4 +23,15 @@ TimedBuild cgal_delaunay(Points points);
 // Precondition: all points different.
 std::uint64_t cgal_cell_set_hash(Points points);
 
+struct TimedReplacement {
+  bench::Elapsed removal;
+  bench::Elapsed insertion;
+  std::size_t finite_cells = 0;
+};
+
+// In CGAL's triangulation of `points`: removes the vertices at `removed` with remove_cluster,
+// inserts the range `inserted`. Timed: these two. Not timed: the build, finding the vertices,
+// conversions. Precondition: the removed points are among the points.
+TimedReplacement cgal_replace(Points points, Points removed, Points inserted);
+
 }  // namespace cocoon::rivals
