@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "geom/exact_determinants.h"
 
@@ -26,7 +29,18 @@ double reach_of(const Vec3& v) {
 
 // The power of two that brings `reach` to [1, 2): products of five lengths then stay in range.
 double scale_for(double reach) {
+  // The biased exponent of 2^-e is 2046 minus that of a normal reach in [2^e, 2^(e+1)).
+  const std::uint64_t biased = std::bit_cast<std::uint64_t>(reach) >> 52;
+  if (biased >= 1 && biased <= 2045) return std::bit_cast<double>((2046 - biased) << 52);
   return std::ldexp(1.0, -std::clamp(std::ilogb(reach), -1022, 1022));
+}
+
+// Sorts by few comparisons, in place of the general sort of a range of unknown length.
+template <std::size_t N>
+void sort_lexicographically(std::array<Point, N>& p) {
+  for (std::size_t i = 1; i < N; ++i) {
+    for (std::size_t k = i; k > 0 && p[k] < p[k - 1]; --k) std::swap(p[k], p[k - 1]);
+  }
 }
 
 // The sums of |products| behind the components of cross(p, q).
@@ -171,7 +185,7 @@ Circumcenter centroid(const std::array<Point, N>& p) {
 
 Circumcenter circumcenter(const Point& a, const Point& b, const Point& c) {
   std::array<Point, 3> p = {a, b, c};
-  std::sort(p.begin(), p.end());
+  sort_lexicographically(p);
   const double reach = reach_from_first(p);
   if (const auto center = triangle_in_doubles(p, reach)) return {*center, CenterLevel::doubles};
   if (const auto center = center_in_integers(p, reach)) return {*center, CenterLevel::exact};
@@ -180,7 +194,7 @@ Circumcenter circumcenter(const Point& a, const Point& b, const Point& c) {
 
 Circumcenter circumcenter(const Point& a, const Point& b, const Point& c, const Point& d) {
   std::array<Point, 4> p = {a, b, c, d};
-  std::sort(p.begin(), p.end());
+  sort_lexicographically(p);
   const double reach = reach_from_first(p);
   if (const auto center = tetrahedron_in_doubles(p, reach)) return {*center, CenterLevel::doubles};
   if (const auto center = center_in_integers(p, reach)) return {*center, CenterLevel::exact};

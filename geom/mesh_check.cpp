@@ -1,7 +1,9 @@
 #include "geom/mesh_check.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -17,7 +19,7 @@ namespace {
 class ParitySets {
  public:
   explicit ParitySets(std::size_t count) : parent_(count), parity_(count, 0) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
   }
 
   // Root of `member` and its parity against the root. Halves the path.
@@ -25,7 +27,7 @@ class ParitySets {
     int parity = 0;
     while (parent_[member] != member) {
       const std::size_t up = parent_[member];
-      parity_[member] ^= parity_[up];
+      parity_[member] = static_cast<std::uint8_t>(parity_[member] ^ parity_[up]);
       parent_[member] = parent_[up];
       parity ^= parity_[member];
       member = parent_[member];
@@ -41,15 +43,39 @@ class ParitySets {
     const int between = parity_a ^ parity_b ^ parity;
     if (root_a == root_b) return between == 0;
     if (root_b < root_a) std::swap(root_a, root_b);
-    parent_[root_b] = root_a;
-    parity_[root_b] = between;
+    parent_[root_b] = static_cast<std::uint32_t>(root_a);
+    parity_[root_b] = static_cast<std::uint8_t>(between);
     return true;
+  }
+  // States that a and b agree. True if they were in different sets.
+  bool unite(std::size_t a, std::size_t b) {
+    if (root(a) == root(b)) return false;
+    return join(a, b, 0);
   }
 
  private:
-  std::vector<std::size_t> parent_;
-  std::vector<int> parity_;  // against the parent; 0 at a root
+  std::vector<std::uint32_t> parent_;  // ids of vertices and triangles have 32 bits
+  std::vector<std::uint8_t> parity_;   // against the parent; 0 at a root
 };
+
+// Sorts items whose order begins with a vertex, vertex_of(item): a counting sort by the vertices
+// brings together the few items of each, which are then sorted among themselves.
+template <class T, class VertexOf>
+void sort_by_vertex(std::vector<T>& items, std::size_t num_vertices, VertexOf vertex_of) {
+  std::vector<std::uint32_t> ends(num_vertices + 1, 0);
+  for (const T& item : items) ++ends[vertex_of(item).index() + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<T> sorted(items.size());
+  for (const T& item : items) sorted[ends[vertex_of(item).index()]++] = item;
+  // Placing moved the begin of each range to its end.
+  auto begin = sorted.begin();
+  for (std::size_t v = 0; v < num_vertices; ++v) {
+    const auto end = sorted.begin() + ends[v];
+    std::sort(begin, end);
+    begin = end;
+  }
+  items = std::move(sorted);
+}
 
 // One side of a triangle.
 struct Side {
@@ -62,6 +88,7 @@ struct Side {
 // A triangle's corner at `vertex`, seen as an edge of the vertex's link.
 struct LinkEdge {
   VertexId vertex;
+  TriangleId triangle;
   VertexPair ends;
   friend auto operator<=>(const LinkEdge&, const LinkEdge&) = default;
 };
@@ -151,7 +178,8 @@ class Checker {
       std::sort(triangle.begin(), triangle.end());
       by_vertices.emplace_back(triangle, t);
     }
-    std::sort(by_vertices.begin(), by_vertices.end());
+    sort_by_vertex(by_vertices, mesh_.points.size(),
+                   [](const auto& triangle) { return triangle.first[0]; });
     std::vector<TriangleId> duplicates;
     for (std::size_t k = 1; k < by_vertices.size(); ++k) {
       if (by_vertices[k].first == by_vertices[k - 1].first) {
@@ -164,6 +192,7 @@ class Checker {
   }
 
   void check_edges() {
+    sides_.reserve(3 * mesh_.triangles.size());
     for (const TriangleId t : mesh_.triangles.ids()) {
       const Triangle& triangle = mesh_.triangles[t];
       if (repeats_vertex(triangle)) continue;
@@ -173,7 +202,7 @@ class Checker {
         sides_.push_back({sorted_pair(from, to), t, from < to});
       }
     }
-    std::sort(sides_.begin(), sides_.end());
+    sort_by_vertex(sides_, mesh_.points.size(), [](const Side& side) { return side.edge[0]; });
     contradicted_.assign(mesh_.triangles.size(), 0);
     for_each_edge([this](std::size_t begin, std::size_t end) { check_edge(begin, end); });
   }
@@ -226,30 +255,68 @@ class Checker {
   // A vertex is pinched iff its link, the graph of the edges opposite to it in its triangles, is
   // not one single path or cycle.
   void check_links() {
-    std::vector<LinkEdge> links;
-    links.reserve(sides_.size());
-    for (const Triangle& triangle : mesh_.triangles) {
+    links_.reserve(sides_.size());
+    for (const TriangleId t : mesh_.triangles.ids()) {
+      const Triangle& triangle = mesh_.triangles[t];
       if (repeats_vertex(triangle)) continue;
       for (std::size_t i = 0; i < 3; ++i) {
-        links.push_back({triangle[i], sorted_pair(triangle[(i + 1) % 3], triangle[(i + 2) % 3])});
+        links_.push_back(
+            {triangle[i], t, sorted_pair(triangle[(i + 1) % 3], triangle[(i + 2) % 3])});
       }
     }
-    std::sort(links.begin(), links.end());
+    sort_by_vertex(links_, mesh_.points.size(), [](const LinkEdge& edge) { return edge.vertex; });
     pinched_.resize(mesh_.points.size(), 0);
-    for (std::size_t begin = 0, end = 0; begin < links.size(); begin = end) {
-      while (end < links.size() && links[end].vertex == links[begin].vertex) ++end;
-      const VertexId v = links[begin].vertex;
-      if (is_path_or_cycle({links.data() + begin, end - begin})) continue;
+    std::vector<VertexPair> edges;
+    for_each_link([&](std::span<const LinkEdge> link) {
+      edges.clear();
+      for (const LinkEdge& edge : link) edges.push_back(edge.ends);
+      if (edges.size() <= longest_walked_link ? walks_as_path_or_cycle(edges)
+                                              : is_path_or_cycle(edges)) {
+        return;
+      }
+      const VertexId v = link[0].vertex;
       pinched_[v] = 1;
       ++report_.pinched_vertices;
       add_example(report_.examples.pinched_vertices, v);
+    });
+  }
+
+  // Calls visit(span) for the link of every vertex that has one, in the order of vertices.
+  template <class Visit>
+  void for_each_link(const Visit& visit) const {
+    for (std::size_t begin = 0, end = 0; begin < links_.size(); begin = end) {
+      while (end < links_.size() && links_[end].vertex == links_[begin].vertex) ++end;
+      visit(std::span(links_).subspan(begin, end - begin));
     }
   }
 
+  // Walking compares all edges with all: better than sorting for the links of ordinary vertices.
+  static constexpr std::size_t longest_walked_link = 32;
+
+  // Lengthens a walk at its head, or at its tail when the head is a dead end; the edges of the walk
+  // come to the front. At an end of the walk exactly one more edge may be found.
+  static bool walks_as_path_or_cycle(std::span<VertexPair> edges) {
+    auto [tail, head] = edges[0];
+    const auto at_head = [&head](const VertexPair& e) { return e[0] == head || e[1] == head; };
+    for (auto rest = edges.begin() + 1; rest != edges.end(); ++rest) {
+      if (head == tail) return false;  // closed already
+      auto next = std::find_if(rest, edges.end(), at_head);
+      if (next == edges.end()) {
+        std::swap(head, tail);
+        next = std::find_if(rest, edges.end(), at_head);
+        if (next == edges.end()) return false;
+      }
+      if (std::find_if(next + 1, edges.end(), at_head) != edges.end()) return false;
+      head = (*next)[0] == head ? (*next)[1] : (*next)[0];
+      std::swap(*rest, *next);
+    }
+    return true;
+  }
+
   // A connected graph whose nodes all have one or two edges is a path or a cycle.
-  static bool is_path_or_cycle(std::span<const LinkEdge> link) {
+  static bool is_path_or_cycle(std::span<const VertexPair> edges) {
     std::vector<VertexId> ends;
-    for (const LinkEdge& edge : link) ends.insert(ends.end(), edge.ends.begin(), edge.ends.end());
+    for (const VertexPair& edge : edges) ends.insert(ends.end(), edge.begin(), edge.end());
     std::sort(ends.begin(), ends.end());
     for (std::size_t k = 2; k < ends.size(); ++k) {
       if (ends[k] == ends[k - 2]) return false;
@@ -259,7 +326,7 @@ class Checker {
       return static_cast<std::size_t>(std::lower_bound(ends.begin(), ends.end(), v) - ends.begin());
     };
     ParitySets connected(ends.size());
-    for (const LinkEdge& edge : link) connected.join(node(edge.ends[0]), node(edge.ends[1]), 0);
+    for (const VertexPair& edge : edges) connected.join(node(edge[0]), node(edge[1]), 0);
     for (std::size_t k = 0; k < ends.size(); ++k) {
       if (connected.root(k) != 0) return false;
     }
@@ -301,18 +368,20 @@ class Checker {
 
   template <class ComponentOf>
   void count_component_vertices(const ComponentOf& component_of) {
-    std::vector<std::pair<VertexId, MeshComponent*>> incidences;
-    for (const TriangleId t : mesh_.triangles.ids()) {
-      const Triangle& triangle = mesh_.triangles[t];
-      if (repeats_vertex(triangle)) continue;
-      for (const VertexId v : triangle) incidences.emplace_back(v, &component_of(t));
-    }
-    std::sort(incidences.begin(), incidences.end());
-    incidences.erase(std::unique(incidences.begin(), incidences.end()), incidences.end());
-    for (const auto& [vertex, component] : incidences) {
-      ++component->vertices;
-      if (pinched_[vertex] != 0) component->manifold = false;
-    }
+    std::vector<MeshComponent*> at_vertex;
+    for_each_link([&](std::span<const LinkEdge> link) {
+      at_vertex.clear();
+      for (const LinkEdge& edge : link) {
+        MeshComponent* const component = &component_of(edge.triangle);
+        if (at_vertex.empty() || at_vertex.back() != component) at_vertex.push_back(component);
+      }
+      std::sort(at_vertex.begin(), at_vertex.end());
+      at_vertex.erase(std::unique(at_vertex.begin(), at_vertex.end()), at_vertex.end());
+      for (MeshComponent* const component : at_vertex) {
+        ++component->vertices;
+        if (pinched_[link[0].vertex] != 0) component->manifold = false;
+      }
+    });
   }
 
   static void finish(MeshComponent& component) {
@@ -334,12 +403,10 @@ class Checker {
     for_each_edge([&](std::size_t begin, std::size_t end) {
       const auto [a, b] = sides_[begin].edge;
       in_triangle[a.index()] = in_triangle[b.index()] = 1;
-      if (all.root(a.index()) != all.root(b.index())) ++joined_all;
-      all.join(a.index(), b.index(), 0);
+      joined_all += all.unite(a.index(), b.index());
       if (end - begin != 1) return;
       on_boundary[a.index()] = on_boundary[b.index()] = 1;
-      if (open.root(a.index()) != open.root(b.index())) ++joined_open;
-      open.join(a.index(), b.index(), 0);
+      joined_open += open.unite(a.index(), b.index());
     });
     const auto count = [](const std::vector<char>& flags) {
       return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
@@ -376,6 +443,7 @@ class Checker {
   ParitySets connected_;              // triangles joined by edges
   ParitySets agreeing_;               // by edges with two triangles; parity = turned
   std::vector<Side> sides_;           // of all proper triangles, sorted by edge
+  std::vector<LinkEdge> links_;       // of all proper triangles, sorted by vertex
   std::vector<char> contradicted_;    // by triangle: an edge of it contradicts the orientation
   IdVector<VertexId, char> pinched_;  // by vertex
   std::size_t vertices_with_edges_ = 0;

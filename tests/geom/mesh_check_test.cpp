@@ -1,5 +1,6 @@
 #include "geom/mesh_check.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -261,4 +262,33 @@ TEST(MeshCheck, RefusesATriangleThatNamesAMissingVertex) {
 }
 
 }  // namespace
+// Short links are walked, long ones are not: a hub with any number of spokes around the limit.
+TEST(MeshCheck, JudgesLinksOfEveryLength) {
+  for (std::uint32_t spokes = 5; spokes < 40; ++spokes) {
+    const auto fan = [spokes](const std::vector<std::uint32_t>& missing) {
+      TriangleMesh mesh;
+      mesh.points.push_back({0, 0, 1});
+      for (std::uint32_t k = 0; k <= spokes; ++k) mesh.points.push_back({1.0 * k, 1.0 * k * k, 0});
+      for (std::uint32_t i = 0; i < spokes; ++i) {
+        const std::uint32_t k = (i * (spokes - 1) + 2) % spokes;  // not in the order of the fan
+        if (std::count(missing.begin(), missing.end(), k) != 0) continue;
+        mesh.triangles.push_back({VertexId(0), VertexId(1 + k), VertexId(1 + (k + 1) % spokes)});
+      }
+      return mesh;
+    };
+    const auto pinched = [](const TriangleMesh& mesh) {
+      const MeshReport report = mesh_check(mesh);
+      return !report.examples.pinched_vertices.empty() &&
+             report.examples.pinched_vertices[0] == VertexId(0);
+    };
+    EXPECT_FALSE(pinched(fan({}))) << spokes;
+    EXPECT_FALSE(pinched(fan({1}))) << spokes;
+    EXPECT_FALSE(pinched(fan({1, 2}))) << spokes;
+    EXPECT_TRUE(pinched(fan({1, 3}))) << spokes;
+    TriangleMesh branched = fan({});
+    branched.triangles.push_back({VertexId(0), VertexId(3), VertexId(spokes + 1)});
+    EXPECT_TRUE(pinched(branched)) << spokes;
+  }
+}
+
 }  // namespace cocoon
