@@ -22,21 +22,36 @@ ConeSide side_of_dual(const Triangulation& triangulation, const Dual& dual, cons
   return cone_side(x, poles.normals[v], squared_cosine);
 }
 
-// The sixteen bits of a cell. The ends of the four dual edges are classified anew for each corner:
-// reading what another cell knows would cost more than the few products.
-unsigned bits_of_cell(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
-                      double squared_cosine, CellId c) {
+// Two bits per corner of a cell: the side of its Voronoi vertex in the double cone of the corner.
+using CornerSides = std::uint8_t;
+
+constexpr ConeSide side_at(CornerSides sides, int corner) {
+  return static_cast<ConeSide>((static_cast<unsigned>(sides) >> (2 * corner)) & 3U);
+}
+
+CornerSides sides_of_cell(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
+                          double squared_cosine, CellId c) {
+  unsigned sides = 0;
+  for (int j = 0; j < (triangulation.is_infinite(c) ? 3 : 4); ++j) {
+    const VertexId v = triangulation.vertex(c, j);
+    const ConeSide side = side_of_dual(triangulation, dual, poles, squared_cosine, c, v);
+    sides |= static_cast<unsigned>(side) << (2 * j);
+  }
+  return static_cast<CornerSides>(sides);
+}
+
+// The sixteen bits of a cell: both ends of its dual edges are looked up.
+unsigned bits_of_cell(const Triangulation& triangulation,
+                      const IdVector<CellId, CornerSides>& sides, CellId c) {
   const Cell& cell = triangulation.cell(c);
-  const bool infinite = triangulation.is_infinite(c);
   unsigned bits = 0;
-  for (int j = 0; j < (infinite ? 3 : 4); ++j) {
-    const VertexId v = cell.vertices[static_cast<std::size_t>(j)];
-    const ConeSide own = side_of_dual(triangulation, dual, poles, squared_cosine, c, v);
-    for (int i = infinite ? 3 : 0; i < 4; ++i) {
-      if (i == j) continue;
-      const CellId behind = cell_of(cell.neighbors[static_cast<std::size_t>(i)]);
-      const ConeSide other = side_of_dual(triangulation, dual, poles, squared_cosine, behind, v);
-      bits |= static_cast<unsigned>(meets_cocone(own, other)) << (4 * i + j);
+  for (int i = triangulation.is_infinite(c) ? 3 : 0; i < 4; ++i) {
+    const CellId behind = cell_of(cell.neighbors[static_cast<std::size_t>(i)]);
+    const Cell& cell_behind = triangulation.cell(behind);
+    for (const int j : facet_corners[i]) {
+      const VertexId v = cell.vertices[static_cast<std::size_t>(j)];
+      const ConeSide other = side_at(sides[behind], index_of_vertex(cell_behind, v));
+      bits |= static_cast<unsigned>(meets_cocone(side_at(sides[c], j), other)) << (4 * i + j);
     }
   }
   return bits;
@@ -153,14 +168,20 @@ Cocones intersect_cocones(const Triangulation& triangulation, const Dual& dual, 
                           const CoconeOptions& options, const Execution& execution) {
   report_progress(execution, "intersect_cocones", 0);
   const double squared_cosine = options.cosine * options.cosine;
-  Cocones cocones{IdVector<CellId, std::uint16_t>(triangulation.num_cells()), options.cosine};
-  parallel_chunks(execution, triangulation.num_cells(), cells_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for (CellId c(begin); c.index() < end; ++c) {
-                      cocones.meets[c] = static_cast<std::uint16_t>(
-                          bits_of_cell(triangulation, dual, poles, squared_cosine, c));
-                    }
-                  });
+  const std::size_t count = triangulation.num_cells();
+  IdVector<CellId, CornerSides> sides(count);
+  parallel_chunks(execution, count, cells_per_chunk, [&](std::size_t begin, std::size_t end) {
+    for (CellId c(begin); c.index() < end; ++c) {
+      sides[c] = sides_of_cell(triangulation, dual, poles, squared_cosine, c);
+    }
+  });
+  report_progress(execution, "intersect_cocones", 0.6);
+  Cocones cocones{IdVector<CellId, std::uint16_t>(count), options.cosine};
+  parallel_chunks(execution, count, cells_per_chunk, [&](std::size_t begin, std::size_t end) {
+    for (CellId c(begin); c.index() < end; ++c) {
+      cocones.meets[c] = static_cast<std::uint16_t>(bits_of_cell(triangulation, sides, c));
+    }
+  });
   report_progress(execution, "intersect_cocones", 1);
   return cocones;
 }
