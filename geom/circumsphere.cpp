@@ -82,7 +82,7 @@ std::optional<Point> tetrahedron_in_doubles(const std::array<Point, 4>& p, doubl
                        9 * 0x1p-53 * denominator_sum <= allowed &&
                        13 * 0x1p-53 * numerator_sum <= allowed * norm(offset);
   if (!certain) return std::nullopt;
-  return finite_sum(p[0], offset / scale);
+  return finite_sum(p[0], (1 / scale) * offset);
 }
 
 // Level `doubles` of a triangle. 14 roundings into the numerator: 5 differences, 3 of the squared
@@ -107,7 +107,7 @@ std::optional<Point> triangle_in_doubles(const std::array<Point, 3>& p, double r
                        2 * 6 * 0x1p-53 * norm(n_sum) <= error_share * norm(n) &&
                        15 * 0x1p-53 * numerator_sum <= allowed * norm(offset);
   if (!certain) return std::nullopt;
-  return finite_sum(p[0], offset / scale);
+  return finite_sum(p[0], (1 / scale) * offset);
 }
 
 template <std::size_t A, std::size_t B>
