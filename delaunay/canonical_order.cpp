@@ -48,10 +48,22 @@ SlotMap canonicalize_slots(Cell& cell) {
   return map;
 }
 
+// What tells the cells of one bucket apart: vertices 1, 2 and 3 of the record.
 struct KeyedCell {
-  std::array<VertexId, 4> vertices;
+  std::uint64_t second_and_third;
+  VertexId fourth;
   CellId id;
+
+  friend bool operator<(const KeyedCell& x, const KeyedCell& y) {
+    if (x.second_and_third != y.second_and_third) return x.second_and_third < y.second_and_third;
+    return x.fourth < y.fourth;
+  }
 };
+
+KeyedCell keyed(const Cell& cell, CellId id) {
+  const auto& [first, second, third, fourth] = cell.vertices;
+  return {std::uint64_t{second.value} << 32 | third.value, fourth, id};
+}
 
 // order[new id] = old id. Precondition: canonical slots.
 std::vector<CellId> sorted_cells(const IdVector<CellId, Cell>& cells, std::size_t num_vertices) {
@@ -74,10 +86,9 @@ std::vector<CellId> sorted_cells(const IdVector<CellId, Cell>& cells, std::size_
     bucket_cells.clear();
     for (std::size_t i = begin; i < end; ++i) {
       if (i + ahead < order.size()) __builtin_prefetch(&cells[order[i + ahead]]);
-      bucket_cells.push_back({cells[order[i]].vertices, order[i]});
+      bucket_cells.push_back(keyed(cells[order[i]], order[i]));
     }
-    std::sort(bucket_cells.begin(), bucket_cells.end(),
-              [](const KeyedCell& x, const KeyedCell& y) { return x.vertices < y.vertices; });
+    std::sort(bucket_cells.begin(), bucket_cells.end());
     for (std::size_t i = begin; i < end; ++i) order[i] = bucket_cells[i - begin].id;
     begin = end;
   }
@@ -100,8 +111,17 @@ Triangulation canonical_order(Triangulation triangulation) {
   for (std::size_t i = 0; i < order.size(); ++i) new_id[order[i]] = CellId(i);
   IdVector<CellId, Cell> sorted;
   sorted.reserve(cells.size());
-  for (const CellId old_id : order) {
-    Cell cell = cells[old_id];
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    // Fetch the records that come soon, and then what their neighbors became.
+    constexpr std::size_t ahead = 16;
+    if (i + 2 * ahead < order.size()) __builtin_prefetch(&cells[order[i + 2 * ahead]]);
+    if (i + ahead < order.size()) {
+      for (const FacetId neighbor : cells[order[i + ahead]].neighbors) {
+        __builtin_prefetch(&new_id[cell_of(neighbor)]);
+        __builtin_prefetch(&slot_maps[cell_of(neighbor)]);
+      }
+    }
+    Cell cell = cells[order[i]];
     for (FacetId& neighbor : cell.neighbors) {
       const CellId old = cell_of(neighbor);
       const std::uint32_t old_slot = static_cast<std::uint32_t>(index_of(neighbor));
