@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <utility>
 
@@ -13,30 +12,15 @@ namespace {
 
 using Corners = std::array<Point, 3>;
 
-// Numbers the half-facets of a set 0, 1, 2, ... in the order of their ids.
-class HalfFacetIndex {
- public:
-  HalfFacetIndex(const Triangulation& triangulation, const FacetSet& facets)
-      : facets_(facets), offsets_(triangulation.num_cells()) {
-    for (const CellId c : triangulation.cells()) {
-      offsets_[c] = count_;
-      count_ += static_cast<std::uint32_t>(std::popcount(facets.bits(c)));
-    }
-  }
-  std::size_t count() const { return count_; }
-  std::size_t operator()(FacetId f) const {
-    const unsigned before = facets_.bits(cell_of(f)) & ((1U << index_of(f)) - 1U);
-    return offsets_[cell_of(f)] + static_cast<std::uint32_t>(std::popcount(before));
-  }
-
- private:
-  const FacetSet& facets_;
-  IdVector<CellId, std::uint32_t> offsets_;
-  std::uint32_t count_ = 0;
-};
-
 // What is known of a facet, from one of its sides.
-enum class HalfState : std::uint8_t { open, proposed, kept, kept_from_back, dropped };
+enum class HalfState : std::uint8_t {
+  none,  // not a candidate
+  open,
+  proposed,
+  kept,
+  kept_from_back,
+  dropped
+};
 
 class Walk {
  public:
@@ -44,9 +28,18 @@ class Walk {
       : triangulation_(triangulation),
         candidates_(candidates),
         umbrella_(umbrella),
-        index_(triangulation, candidates),
-        states_(index_.count(), HalfState::open),
-        on_surface_(triangulation.num_vertices(), 0) {}
+        states_(4 * triangulation.num_cells(), HalfState::none),
+        on_surface_(triangulation.num_vertices(), 0) {
+    for (const CellId c : triangulation.cells()) {
+      if (candidates.bits(c) == 0) continue;
+      for (int i = 0; i < 4; ++i) {
+        const FacetId f = facet_id(c, i);
+        if (!candidates.contains(f)) continue;
+        states_[f] = HalfState::open;
+        ++num_halves_;
+      }
+    }
+  }
 
   ManifoldSurface run() {
     walk_from(hull_starts());
@@ -54,13 +47,13 @@ class Walk {
     keep_unwalked();
     result_.facets = FacetSet(triangulation_.num_cells());
     for (const FacetId f : result_.halves) result_.facets.insert(triangulation_, f);
-    result_.dropped = states_.size() / 2 - result_.halves.size();
+    result_.dropped = num_halves_ / 2 - result_.halves.size();
     std::sort(result_.halves.begin(), result_.halves.end());
     return std::move(result_);
   }
 
  private:
-  HalfState& state(FacetId f) { return states_[index_(f)]; }
+  HalfState& state(FacetId f) { return states_[f]; }
 
   // --- where to begin
 
@@ -124,7 +117,10 @@ class Walk {
     std::vector<Arrival> kept;
     std::vector<FacetId> dropped;
     while (!frontier.empty()) {
-      for (const Arrival& arrival : frontier) turn_about_edges(arrival, kept, dropped);
+      for (std::size_t i = 0; i < frontier.size(); ++i) {
+        fetch_ahead(frontier, i);
+        turn_about_edges(frontier[i], kept, dropped);
+      }
       std::erase_if(kept, [&](const Arrival& arrival) { return !is_accepted(arrival.facet); });
       for (const Arrival& arrival : kept) keep(arrival.facet);
       for (const FacetId f : dropped) {
@@ -133,6 +129,22 @@ class Walk {
       std::swap(frontier, kept);
       kept.clear();
       dropped.clear();
+    }
+  }
+
+  // A round goes all over the memory: asks for the cells that it soon turns through, those next to
+  // the two cells of a facet, as soon as these should have come.
+  void fetch_ahead(const std::vector<Arrival>& frontier, std::size_t i) const {
+    constexpr std::size_t ahead = 8;
+    const auto fetch = [&](CellId c) { __builtin_prefetch(&triangulation_.cell(c)); };
+    if (i + 3 * ahead < frontier.size()) fetch(cell_of(frontier[i + 3 * ahead].facet));
+    if (i + 2 * ahead < frontier.size()) {
+      for (const FacetId f : triangulation_.cell(cell_of(frontier[i + 2 * ahead].facet)).neighbors)
+        fetch(cell_of(f));
+    }
+    if (i + ahead < frontier.size()) {
+      const CellId back = cell_of(triangulation_.mirror(frontier[i + ahead].facet));
+      for (const FacetId f : triangulation_.cell(back).neighbors) fetch(cell_of(f));
     }
   }
 
@@ -155,8 +167,8 @@ class Walk {
           facet_id(cell_of(f), index_of_vertex(triangulation_.cell(cell_of(f)), third));
       const VertexId apex = triangulation_.opposite_vertex(f);
       if (g == back) return;
-      if (candidates_.contains(g) && state(g) != HalfState::dropped) {
-        HalfState& met = state(g);
+      HalfState& met = state(g);
+      if (met != HalfState::none && met != HalfState::dropped) {
         if (!first) {
           if (met == HalfState::open) dropped.push_back(g);
         } else if (met == HalfState::open) {
@@ -225,8 +237,8 @@ class Walk {
   const Triangulation& triangulation_;
   const FacetSet& candidates_;
   const VertexSet& umbrella_;
-  HalfFacetIndex index_;
-  std::vector<HalfState> states_;  // per half-facet
+  IdVector<FacetId, HalfState> states_;  // per half-facet
+  std::size_t num_halves_ = 0;           // of candidates
   VertexSet on_surface_;
   ManifoldSurface result_;
 };
