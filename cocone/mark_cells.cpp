@@ -1,5 +1,6 @@
 #include "cocone/mark_cells.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "cocone/triangle_fans.h"
@@ -27,27 +28,63 @@ CellLabel opposite(CellLabel label) {
   return label == CellLabel::out ? CellLabel::in : CellLabel::out;
 }
 
+// Disjoint sets of cells. Sets are joined under the smaller root.
+class CellSets {
+ public:
+  explicit CellSets(std::size_t num_cells) {
+    parent_.reserve(num_cells);
+    for (const CellId c : id_range<CellId>(num_cells)) parent_.push_back(c);
+  }
+  // Halves the path.
+  CellId root(CellId c) {
+    while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
+    return c;
+  }
+  void join(CellId a, CellId b) {
+    a = root(a);
+    b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  IdVector<CellId, CellId> parent_;
+};
+
 // What the rounds give where no two vertices disagree, in one pass over the cells. The vertices
 // that get their turn are those joined to the hull by triangles of the surface. Two cells at such a
 // vertex are in one half if facets at the vertex lead from one to the other without crossing the
-// surface: so OUT spreads through these facets, and IN likewise from behind the surface. If no cell
-// is told both, every half has one label, the one that the rounds find.
+// surface: cells joined by such facets have one label. It is OUT for the sets of the infinite
+// cells, IN for those behind the surface seen from there. If no set is told both, every half has
+// one label, the one that the rounds find.
 class ConsistentMarking {
  public:
   ConsistentMarking(const Triangulation& triangulation, const FacetSet& surface,
                     const TriangleFans& fans, CellMarks& marks)
-      : triangulation_(triangulation), surface_(surface), fans_(fans), marks_(marks) {}
+      : triangulation_(triangulation),
+        surface_(surface),
+        fans_(fans),
+        marks_(marks),
+        sets_(triangulation.num_cells()) {}
 
   // False if the labels contradict each other; the marks are then of no use.
   bool run(std::span<const VertexId> seeds) {
     visit_surface(seeds);
-    for (const CellId c : triangulation_.infinite_cells()) label(c, CellLabel::out);
-    spread(CellLabel::out);
-    for (const CellId c : behind_surface_) {
-      if (marks_.labels[c] == CellLabel::out) return false;
-      if (marks_.labels[c] == CellLabel::unmarked) label(c, CellLabel::in);
+    join_cells();
+    // The label of a set is kept at its root until all are known.
+    for (const CellId c : triangulation_.infinite_cells()) {
+      marks_.labels[sets_.root(c)] = CellLabel::out;
     }
-    return spread(CellLabel::in);
+    for (const FacetId f : dividing_) {
+      const CellId front = sets_.root(cell_of(f));
+      const CellId back = sets_.root(triangulation_.neighbor(cell_of(f), index_of(f)));
+      const bool front_out = marks_.labels[front] == CellLabel::out;
+      const bool back_out = marks_.labels[back] == CellLabel::out;
+      if (front_out && back_out) return false;
+      if (front_out) marks_.labels[back] = CellLabel::in;
+      if (back_out) marks_.labels[front] = CellLabel::in;
+    }
+    for (const CellId c : triangulation_.cells()) marks_.labels[c] = marks_.labels[sets_.root(c)];
+    return true;
   }
 
  private:
@@ -69,31 +106,22 @@ class ConsistentMarking {
     }
   }
 
-  void label(CellId c, CellLabel label_of_c) {
-    marks_.labels[c] = label_of_c;
-    stack_.push_back(c);
-  }
-
-  bool spread(CellLabel own) {
-    while (!stack_.empty()) {
-      const CellId c = stack_.back();
-      stack_.pop_back();
+  // Facets at a visited vertex join their cells, or divide them if they lie on the surface.
+  void join_cells() {
+    for (const CellId c : triangulation_.cells()) {
       const unsigned visited = visited_corners(c);
       if (visited == 0) continue;
       for (int i = 0; i < 4; ++i) {
-        if ((visited & ~(1U << i)) == 0) continue;
+        const FacetId f = facet_id(c, i);
         const CellId behind = triangulation_.neighbor(c, i);
-        const CellLabel known = marks_.labels[behind];
-        if (surface_.contains(facet_id(c, i))) {
-          if (own == CellLabel::out) behind_surface_.push_back(behind);
-        } else if (known == CellLabel::unmarked) {
-          label(behind, own);
-        } else if (known != own) {
-          return false;
+        if (c < behind || (visited & ~(1U << i)) == 0) continue;  // told once, by the larger cell
+        if (surface_.contains(f)) {
+          dividing_.push_back(f);
+        } else {
+          sets_.join(c, behind);
         }
       }
     }
-    return true;
   }
 
   // Bit i: vertex i has had its turn.
@@ -110,8 +138,8 @@ class ConsistentMarking {
   const FacetSet& surface_;
   const TriangleFans& fans_;
   CellMarks& marks_;
-  std::vector<CellId> stack_;
-  std::vector<CellId> behind_surface_;  // cells across a facet of the surface from an OUT cell
+  CellSets sets_;
+  std::vector<FacetId> dividing_;  // facets of the surface at a visited vertex
 };
 
 void clear_marks(const Triangulation& triangulation, CellMarks& marks) {
