@@ -39,7 +39,12 @@ struct VoronoiCell {
   Vec3 relative(CellId c) const { return scale * (dual.centers[c] - sample); }
 };
 
-Vec3 farthest_voronoi_vertex(const VoronoiCell& cell) {
+struct FarthestVertex {
+  double squared_distance = -1;
+  Vec3 position;  // relative
+};
+
+FarthestVertex farthest_voronoi_vertex(const VoronoiCell& cell) {
   double farthest = -1;
   Vec3 pole;
   for (const CellId c : cell.star) {
@@ -50,7 +55,7 @@ Vec3 farthest_voronoi_vertex(const VoronoiCell& cell) {
       pole = x;
     }
   }
-  return pole;
+  return {farthest, pole};
 }
 
 double squared_height(const VoronoiCell& cell, const Vec3& normal) {
@@ -80,8 +85,13 @@ struct PoleOfVertex {
 };
 
 PoleOfVertex pole_of(VoronoiCell cell, std::vector<Vec3>& hull_directions) {
+  FarthestVertex farthest = farthest_voronoi_vertex(cell);
   // A sliver's circumcenter may be so far that squares overflow: then measure in larger units.
-  if (largest_coordinate(cell) > largest_safe_length) cell.scale = shrink;
+  if (farthest.squared_distance >= largest_safe_length * largest_safe_length &&
+      largest_coordinate(cell) > largest_safe_length) {
+    cell.scale = shrink;
+    farthest = farthest_voronoi_vertex(cell);
+  }
   PoleOfVertex pole;
   pole.on_hull = !cell.is_finite(cell.star.back());
   if (pole.on_hull) {
@@ -93,7 +103,7 @@ PoleOfVertex pole_of(VoronoiCell cell, std::vector<Vec3>& hull_directions) {
     pole.normal = hull.normal;
     pole.degenerate = hull.degenerate;
   } else {
-    pole.normal = unit(farthest_voronoi_vertex(cell));
+    pole.normal = unit(farthest.position);
   }
   pole.height = std::sqrt(squared_height(cell, pole.normal)) / cell.scale;
   return pole;
@@ -124,6 +134,13 @@ Poles compute_poles(const Triangulation& triangulation, const Dual& dual, const 
     std::size_t on_hull = 0;
     std::size_t degenerate = 0;
     for (VertexId p(begin); p.index() < end; ++p) {
+      // Centers lie here and there in memory: ask for those of the next stars.
+      constexpr std::size_t ahead = 2;
+      if (p.index() + ahead < end) {
+        for (const CellId c : stars.star(VertexId(p.index() + ahead))) {
+          __builtin_prefetch(&dual.centers[c]);
+        }
+      }
       const PoleOfVertex pole =
           pole_of({triangulation, dual, stars.star(p), triangulation.point(p)}, hull_directions);
       poles.normals[p] = pole.normal;
