@@ -12,12 +12,4 @@ Triangulation::Triangulation(TriangulationArrays arrays, std::size_t finite_cell
   }
 }
 
-std::array<VertexId, 3> Triangulation::facet_vertices(FacetId f) const {
-  const Cell& cell = arrays_.cells[cell_of(f)];
-  const int* corner = facet_corners[index_of(f)];
-  return {cell.vertices[static_cast<std::size_t>(corner[0])],
-          cell.vertices[static_cast<std::size_t>(corner[1])],
-          cell.vertices[static_cast<std::size_t>(corner[2])]};
-}
-
 }  // namespace cocoon

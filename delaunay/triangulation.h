@@ -95,7 +95,13 @@ class Triangulation {
   bool is_finite_facet(FacetId f) const { return !is_infinite(cell_of(f)) || index_of(f) == 3; }
   // The three vertices, ordered so that the normal points out of cell_of(f). For a facet of an
   // infinite cell only facet 3 is finite; its normal points into the hull.
-  std::array<VertexId, 3> facet_vertices(FacetId f) const;
+  std::array<VertexId, 3> facet_vertices(FacetId f) const {
+    const Cell& cell = arrays_.cells[cell_of(f)];
+    const int* corner = facet_corners[index_of(f)];
+    return {cell.vertices[static_cast<std::size_t>(corner[0])],
+            cell.vertices[static_cast<std::size_t>(corner[1])],
+            cell.vertices[static_cast<std::size_t>(corner[2])]};
+  }
   // The vertex of cell_of(f) that is not on f.
   VertexId opposite_vertex(FacetId f) const { return vertex(cell_of(f), index_of(f)); }
 
