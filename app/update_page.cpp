@@ -240,6 +240,17 @@ class PageBuilder {
     }
     page_.tables.push_back(std::move(angles));
 
+    if (!result.split.empty()) {
+      PageTable split{"Groups split by labels",
+                      {"group", "new group", "facets under the cloud", "edges cut", "reach"},
+                      {}};
+      for (const SplitRegion& part : result.split) {
+        split.rows.push_back({number(part.outside.index()), number(part.under.index()),
+                              number(part.under_facets), number(part.cut_edges), part.reach});
+      }
+      page_.tables.push_back(std::move(split));
+    }
+
     const MeshReport& surface = record_.certificate;
     PageTable check{"Updated surface", {"", ""}, {}};
     check.rows = {{word("triangles"), number(surface.triangles)},

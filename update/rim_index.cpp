@@ -1,6 +1,7 @@
 #include "update/rim_index.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cocoon {
@@ -22,15 +23,16 @@ Point closest_on_segment(const Point& p, const Point& a, const Point& b) {
 
 RimIndex::RimIndex(std::span<const CloudRim> rims) {
   std::vector<Box> boxes;
-  for (const CloudRim& rim : rims) {
-    for (const RimLoop& loop : rim.loops) {
+  for (std::size_t r = 0; r < rims.size(); ++r) {
+    for (const RimLoop& loop : rims[r].loops) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
         if (loop.is_gap(i)) continue;
         const Point& from = loop.points[i];
         const Point& to = loop.points[loop.next(i)];
         const Vec3 along = unit(to - from);
         const Vec3 apex = loop.apexes[i] - from;
-        edges_.push_back({from, to, unit(apex - dot(apex, along) * along)});
+        edges_.push_back(
+            {from, to, unit(apex - dot(apex, along) * along), static_cast<std::uint32_t>(r)});
         Box box;
         box.include(from);
         box.include(to);
@@ -41,7 +43,7 @@ RimIndex::RimIndex(std::span<const CloudRim> rims) {
   tree_ = BoxTree(boxes);
 }
 
-bool RimIndex::on_cloud_side(const Point& p) const {
+RimSide RimIndex::side_of(const Point& p) const {
   // 1. The least distance.
   double least = std::numeric_limits<double>::infinity();
   auto squared_to = [&](const Edge& edge) {
@@ -68,7 +70,7 @@ bool RimIndex::on_cloud_side(const Point& p) const {
     const Edge& edge = edges_[item];
     side += dot(p - closest_on_segment(p, edge.from, edge.to), edge.inward);
   }
-  return side > 0;
+  return {std::sqrt(least), nearest.empty() ? 0 : edges_[nearest.front()].rim, side > 0};
 }
 
 }  // namespace cocoon

@@ -12,6 +12,13 @@
 
 namespace cocoon {
 
+// Where a point lies to the rim edge nearest to it.
+struct RimSide {
+  double distance = 0;
+  std::uint32_t rim = 0;       // the first rim that has such an edge
+  bool on_cloud_side = false;  // the wedge angle between its cocone triangle and the point is acute
+};
+
 // Copies what it needs of the rims. Safe to query from many threads.
 class RimIndex {
  public:
@@ -20,17 +27,20 @@ class RimIndex {
   explicit RimIndex(std::span<const CloudRim> rims);
 
   bool empty() const { return edges_.empty(); }
-  // Whether p lies on the cloud's side of the rim edge nearest to it: the wedge angle between the
+  // The side of the rim edge nearest to p: p lies on the cloud's if the wedge angle between the
   // edge's cocone triangle and p is below pi / 2. Where an end of edges is what is nearest, the
-  // sides of all edges that end there are added up. No rim: false. Ties by rim order.
+  // sides of all edges that end there are added up. Ties by rim order. Precondition: not empty.
   // Complexity: O(log n) on ordinary rims.
-  bool on_cloud_side(const Point& p) const;
+  RimSide side_of(const Point& p) const;
+  // No rim: false.
+  bool on_cloud_side(const Point& p) const { return !empty() && side_of(p).on_cloud_side; }
 
  private:
   struct Edge {
     Point from;
     Point to;
     Vec3 inward;  // unit, orthogonal to the edge, towards the apex
+    std::uint32_t rim;
   };
   std::vector<Edge> edges_;
   BoxTree tree_;

@@ -50,8 +50,22 @@ void merge_islands(std::size_t min_facets, Regions& result) {
   result.regions = std::move(kept);
 }
 
+void count_facets(Regions& result) {
+  for (Region& region : result.regions) region = {};
+  result.border_facets = 0;
+  for (const TriangleId t : result.region_of_facet.ids()) {
+    const RegionId r = result.region_of_facet[t];
+    if (r.is_none()) {
+      ++result.border_facets;
+    } else if (result.regions[r].facets++ == 0) {
+      result.regions[r].first = t;
+    }
+  }
+}
+
 void group_vertices(const TriangleMesh& model, const MeshAdjacency& adjacency, Regions& result) {
   result.group_of_vertex = IdVector<VertexId, RegionId>(model.points.size());
+  result.border_vertices = 0;
   for (const VertexId v : model.points.ids()) {
     const auto facets = adjacency.triangles_at(v);
     if (facets.empty()) continue;
@@ -81,10 +95,7 @@ Regions segment_model(const TriangleMesh& model, const MeshAdjacency& adjacency,
   Regions result;
   grow_regions(adjacency, border, result);
   merge_islands(options.min_region_facets, result);
-  for (const RegionId region : result.region_of_facet) {
-    if (region.is_none()) ++result.border_facets;
-  }
-  group_vertices(model, adjacency, result);
+  count_and_group(model, adjacency, result);
   report_progress(execution, "segment_model", 1);
   return result;
 }
@@ -92,6 +103,11 @@ Regions segment_model(const TriangleMesh& model, const MeshAdjacency& adjacency,
 Regions segment_model(const TriangleMesh& model, const TriangleSet& border,
                       const SegmentOptions& options, const Execution& execution) {
   return segment_model(model, mesh_adjacency(model), border, options, execution);
+}
+
+void count_and_group(const TriangleMesh& model, const MeshAdjacency& adjacency, Regions& regions) {
+  count_facets(regions);
+  group_vertices(model, adjacency, regions);
 }
 
 }  // namespace cocoon

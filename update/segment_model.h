@@ -24,7 +24,7 @@ struct Region {
 };
 
 struct Regions {
-  IdVector<RegionId, Region> regions;              // in the order of their lowest facets
+  IdVector<RegionId, Region> regions;              // by lowest facets; split_regions() appends
   IdVector<TriangleId, RegionId> region_of_facet;  // none: a facet of the border
   // none: a border vertex, at facets of several regions or of the border only; or a vertex that no
   // triangle uses.
@@ -46,5 +46,9 @@ Regions segment_model(const TriangleMesh& model, const MeshAdjacency& adjacency,
 // The same on a mesh alone: computes the adjacency first.
 Regions segment_model(const TriangleMesh& model, const TriangleSet& border,
                       const SegmentOptions& options = {}, const Execution& execution = {});
+
+// Fills in all of `regions` but its islands from region_of_facet, for as many regions as there are.
+// For those who change region_of_facet. Complexity: O(triangles + vertices).
+void count_and_group(const TriangleMesh& model, const MeshAdjacency& adjacency, Regions& regions);
 
 }  // namespace cocoon

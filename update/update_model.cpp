@@ -94,14 +94,9 @@ class Update {
   bool segment_and_choose(const ModelIndex& index, const Execution& execution) {
     result_.regions =
         segment_model(model_, index.adjacency(), border_facets_, options_.segment, execution);
-    std::vector<RegionAngles> angles;
-    for_each_border_loop([&](std::size_t c, std::size_t l) {
-      angles.push_back(mean_rim_angles(index, result_.regions,
-                                       result_.clouds[c].surface.rim.loops[l], borders_[c].loops[l],
-                                       options_.angles));
-      angles.back().cloud = static_cast<std::uint32_t>(c);
-    });
+    std::vector<RegionAngles> angles = measure_angles(index);
     if (!check_separation(index, angles)) return false;
+    if (!divided_loops_.empty() && !split_divided_regions(index, angles)) return false;
     result_.choice = choose_regions(angles, clouds_.size(), options_.choice);
     // Regions may be without any loop (all rims covered): then there is nothing to replace.
     result_.choice.replaced.resize(result_.regions.regions.size(), 0);
@@ -109,13 +104,7 @@ class Update {
   }
 
   bool reconstruct(const Execution& execution) {
-    std::vector<CloudRim> rims(clouds_.size());
-    for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      rims[c].spacing = result_.clouds[c].surface.rim.spacing;
-    }
-    for_each_border_loop([&](std::size_t c, std::size_t l) {
-      rims[c].loops.push_back(result_.clouds[c].surface.rim.loops[l]);
-    });
+    const std::vector<CloudRim> rims = border_rims();
     result_.replacement =
         replace_points(model_, result_.regions, result_.choice, rims, clouds_, options_.replace);
     result_.reconstruction =
@@ -140,6 +129,14 @@ class Update {
   UpdateResult take_result() { return std::move(result_); }
 
  private:
+  // A loop with one region on both sides.
+  struct DividedLoop {
+    std::size_t cloud;
+    std::size_t loop;
+    std::size_t entry;  // its position among the loops of the border
+    RegionId region;
+  };
+
   std::string name_of_cloud(std::size_t c) const {
     return "cloud " + std::to_string(c + 1) + " of " + std::to_string(clouds_.size());
   }
@@ -164,6 +161,30 @@ class Update {
         if (overlaps_[c].loops[l].match == LoopMatch::on_model) visit(c, l);
       }
     }
+  }
+
+  // The rims that formed the border.
+  std::vector<CloudRim> border_rims() const {
+    std::vector<CloudRim> rims(clouds_.size());
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      rims[c].spacing = result_.clouds[c].surface.rim.spacing;
+    }
+    for_each_border_loop([&](std::size_t c, std::size_t l) {
+      rims[c].loops.push_back(result_.clouds[c].surface.rim.loops[l]);
+    });
+    return rims;
+  }
+
+  // One entry for each loop of the border.
+  std::vector<RegionAngles> measure_angles(const ModelIndex& index) const {
+    std::vector<RegionAngles> angles;
+    for_each_border_loop([&](std::size_t c, std::size_t l) {
+      angles.push_back(mean_rim_angles(index, result_.regions,
+                                       result_.clouds[c].surface.rim.loops[l], borders_[c].loops[l],
+                                       options_.angles));
+      angles.back().cloud = static_cast<std::uint32_t>(c);
+    });
+    return angles;
   }
 
   CloudSurface surface_of_cloud(std::size_t c, const Execution& execution) const {
@@ -225,33 +246,102 @@ class Update {
             "); register it to the model or let it reach onto unchanged surface");
   }
 
+  // Collects the loops with one and the same region on both sides in divided_loops_.
   bool check_separation(const ModelIndex& index, std::span<const RegionAngles> angles) {
     bool ok = true;
-    auto angles_of_loop = angles.begin();
+    std::size_t entry = 0;
     for_each_border_loop([&](std::size_t c, std::size_t l) {
-      const bool has_two_sides = tells_sides_apart(*angles_of_loop++, options_.choice);
-      const Separation separation =
-          loop_sides(model_, index.adjacency(), borders_[c].loops[l], result_.regions).separation;
-      result_.clouds[c].loops[l].separation = separation;
-      if (separation == Separation::encloses_nothing) {
+      const std::size_t e = entry++;
+      const LoopSides sides =
+          loop_sides(model_, index.adjacency(), borders_[c].loops[l], result_.regions);
+      result_.clouds[c].loops[l].separation = sides.separation;
+      if (sides.separation == Separation::encloses_nothing) {
         warn(name_of_loop(c, l) + ": no region of the model lies inside; the cloud is added there");
+      } else if (sides.separation == Separation::open_band && ok) {
+        ok = fail(UpdateStatus::non_separating,
+                  name_of_loop(c, l) +
+                      ": jumps between parts of the model that are not connected; update each part "
+                      "by a cloud of its own");
+      } else if (sides.separation == Separation::non_separating && ok) {
+        if (tells_sides_apart(angles[e], options_.choice)) {
+          warn(name_of_loop(c, l) + ": has a handle of the model across it; look at the result");
+        } else {
+          divided_loops_.push_back({c, l, e, region_of(sides)});
+        }
       }
-      if (!ok || separation == Separation::separates ||
-          separation == Separation::encloses_nothing) {
-        return;
-      }
-      if (has_two_sides && separation == Separation::non_separating) {
-        warn(name_of_loop(c, l) + ": has a handle of the model across it; look at the result");
-        return;
-      }
-      ok = fail(UpdateStatus::non_separating,
-                name_of_loop(c, l) + (separation == Separation::open_band
-                                          ? ": jumps between parts of the model that are not "
-                                            "connected; update each part by a cloud of its own"
-                                          : ": runs around a handle and does not cut the model in "
-                                            "two; add a cloud that closes the cut"));
     });
     return ok;
+  }
+
+  // Splits the regions on both sides of divided loops, and measures the angles again. The split
+  // holds if each of these loops then tells its sides apart.
+  bool split_divided_regions(const ModelIndex& index, std::vector<RegionAngles>& angles) {
+    std::vector<RegionId> divided;
+    for (const DividedLoop& loop : divided_loops_) divided.push_back(loop.region);
+    std::sort(divided.begin(), divided.end());
+    divided.erase(std::unique(divided.begin(), divided.end()), divided.end());
+    RegionSplit split =
+        split_regions(index, result_.regions, divided, border_rims(), clouds_, options_.split);
+    result_.split = std::move(split.split);
+    if (split.status != SplitStatus::ok) {
+      const RegionId failed = result_.split.back().outside;
+      for (const DividedLoop& loop : divided_loops_) {
+        if (loop.region == failed) return fail_divided(loop, explanation_of(split.status));
+      }
+    }
+    std::swap(result_.regions, split.regions);
+    angles = measure_angles(index);
+    for (const DividedLoop& loop : divided_loops_) {
+      if (labels_agree(loop, angles[loop.entry])) continue;
+      std::swap(result_.regions, split.regions);
+      return fail_divided(loop, "the angles at the rim do not tell its sides apart");
+    }
+    for (const SplitRegion& part : result_.split) warn_about_split(part);
+    return true;
+  }
+
+  static RegionId region_of(const LoopSides& sides) {
+    for (const LoopSide& side : sides.sides) {
+      if (!side.region.is_none()) return side.region;
+    }
+    return {};
+  }
+
+  // Whether the loop sees the part under the cloud at a clearly smaller angle than the other one.
+  bool labels_agree(const DividedLoop& loop, const RegionAngles& angles) const {
+    if (!tells_sides_apart(angles, options_.choice)) return false;
+    for (const SplitRegion& part : result_.split) {
+      if (part.outside != loop.region) continue;
+      const AngleMean& under = angles.regions[part.under];
+      const AngleMean& outside = angles.regions[part.outside];
+      return under.edges > 0 && outside.edges > 0 &&
+             outside.mean() - under.mean() > options_.choice.narrow_margin;
+    }
+    return false;
+  }
+
+  std::string explanation_of(SplitStatus status) const {
+    if (status == SplitStatus::one_sided) return "the model near the rim lies on one side of it";
+    return "what is nearest to its inner side reaches " + rounded(result_.split.back().reach) +
+           " cloud extents away from the cloud";
+  }
+
+  bool fail_divided(const DividedLoop& loop, const std::string& why) {
+    return fail(UpdateStatus::non_separating,
+                name_of_loop(loop.cloud, loop.loop) +
+                    ": runs around a handle and does not cut the model in two, and " + why +
+                    "; add a cloud that closes the cut");
+  }
+
+  void warn_about_split(const SplitRegion& part) {
+    for (const DividedLoop& loop : divided_loops_) {
+      if (loop.region != part.outside) continue;
+      warn(name_of_loop(loop.cloud, loop.loop) +
+           ": does not cut the model in two; facets are taken to lie under the cloud if nearer to "
+           "its inner side than to its outer one (" +
+           std::to_string(part.under_facets) + " facets, cut along " +
+           std::to_string(part.cut_edges) + " edges); look at the result");
+    }
   }
 
   bool report_choice() {
@@ -309,6 +399,7 @@ class Update {
   std::vector<Overlap> overlaps_;
   std::vector<Border> borders_;
   TriangleSet border_facets_;
+  std::vector<DividedLoop> divided_loops_;
   UpdateResult result_;
 };
 

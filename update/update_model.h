@@ -24,6 +24,7 @@
 #include "update/replace_points.h"
 #include "update/rim_angles.h"
 #include "update/segment_model.h"
+#include "update/split_regions.h"
 #include "update/trace_border.h"
 
 namespace cocoon {
@@ -33,6 +34,7 @@ struct UpdateOptions {
   OverlapOptions overlap;
   TraceOptions trace;
   SegmentOptions segment;
+  SplitOptions split;
   AngleOptions angles;
   ChoiceOptions choice;
   ReplaceOptions replace;
@@ -46,7 +48,7 @@ enum class UpdateStatus {
   no_cloud_surface,  // a cloud gives no surface: too few or too noisy samples
   cloud_closed,      // a cloud has no rim: it is a body of its own, not a patch
   no_overlap,        // a cloud's rim does not lie on the model
-  non_separating,    // a cloud's rim does not cut the model in two
+  non_separating,    // a cloud's rim does not cut the model in two, nor do labels (split_regions)
   ambiguous,         // the angles do not tell which region lies under a cloud
   empty_surface,     // nothing is left of the updated points' reconstruction
 };
@@ -56,9 +58,10 @@ struct LoopReport {
   std::size_t edges = 0;
   double perimeter = 0;
   LoopMatch match = LoopMatch::off_model;
-  std::size_t unmatched = 0;                      // rim points too far from the model
-  std::size_t covered = 0;                        // of these, points on another cloud
-  Separation separation = Separation::separates;  // meaningful if on_model
+  std::size_t unmatched = 0;  // rim points too far from the model
+  std::size_t covered = 0;    // of these, points on another cloud
+  // Of its band alone, without split_regions(); meaningful if on_model.
+  Separation separation = Separation::separates;
 };
 
 // How one cloud saw one region of the model.
@@ -96,6 +99,7 @@ struct UpdateResult {
 
   std::vector<CloudReport> clouds;  // in the order given
   Regions regions;                  // of the initial model
+  std::vector<SplitRegion> split;   // those that rims did not separate, split by labels
   RegionChoice choice;
   std::vector<RegionId> replaced_groups;  // under any cloud
 

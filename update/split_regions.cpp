@@ -1,0 +1,153 @@
+#include "update/split_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <tuple>
+
+#include "geom/box.h"
+#include "geom/nearest_point.h"
+#include "update/rim_index.h"
+
+namespace cocoon {
+
+namespace {
+
+// In the order in which they win at equal distance.
+enum class Label : std::uint8_t { outside, under };
+
+struct Labeled {
+  double distance = std::numeric_limits<double>::infinity();
+  Label label = Label::outside;
+  friend auto operator<=>(const Labeled&, const Labeled&) = default;
+};
+
+// Labels the facets of one region from its seeds.
+class Labeling {
+ public:
+  Labeling(const ModelIndex& model, const Regions& regions, RegionId region)
+      : model_(model),
+        regions_(regions),
+        region_(region),
+        labels_(regions.region_of_facet.size()) {}
+
+  void seed(const RimIndex& rims, std::span<const double> reaches, SplitRegion& counts) {
+    for (const TriangleId t : labels_.ids()) {
+      if (regions_.region_of_facet[t] != region_) continue;
+      const RimSide side = rims.side_of(model_.centroid(t));
+      if (!(side.distance <= reaches[side.rim])) continue;
+      labels_[t] = {0, side.on_cloud_side ? Label::under : Label::outside};
+      ++(side.on_cloud_side ? counts.under_seeds : counts.outside_seeds);
+      queue_.push({labels_[t], t});
+    }
+  }
+
+  void spread() {
+    while (!queue_.empty()) {
+      const Entry entry = queue_.top();
+      queue_.pop();
+      if (entry.labeled != labels_[entry.facet]) continue;  // reached on a shorter way meanwhile
+      for (const TriangleId next : model_.adjacency().neighbors[entry.facet]) {
+        if (next.is_none() || regions_.region_of_facet[next] != region_) continue;
+        const double step = distance(model_.centroid(entry.facet), model_.centroid(next));
+        const Labeled offer = {entry.labeled.distance + step, entry.labeled.label};
+        if (!(offer < labels_[next])) continue;
+        labels_[next] = offer;
+        queue_.push({offer, next});
+      }
+    }
+  }
+
+  bool is_under(TriangleId t) const {
+    return regions_.region_of_facet[t] == region_ && labels_[t].label == Label::under;
+  }
+
+ private:
+  struct Entry {
+    Labeled labeled;
+    TriangleId facet;
+    friend bool operator<(const Entry& a, const Entry& b) {  // the top of the queue is the nearest
+      return std::tuple(b.labeled, b.facet) < std::tuple(a.labeled, a.facet);
+    }
+  };
+
+  const ModelIndex& model_;
+  const Regions& regions_;
+  RegionId region_;
+  IdVector<TriangleId, Labeled> labels_;
+  std::priority_queue<Entry> queue_;
+};
+
+// Distances from the clouds, each as a share of its extent.
+class CloudReach {
+ public:
+  explicit CloudReach(std::span<const std::vector<Point>> clouds) {
+    for (const std::vector<Point>& cloud : clouds) {
+      if (cloud.empty()) continue;
+      Box box;
+      for (const Point& p : cloud) box.include(p);
+      clouds_.push_back({NearestPointTree(cloud), distance(box.low, box.high)});
+    }
+  }
+  double at(const Point& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Cloud& cloud : clouds_) {
+      least = std::min(least, std::sqrt(cloud.points.nearest(p).squared_distance) / cloud.extent);
+    }
+    return least;
+  }
+
+ private:
+  struct Cloud {
+    NearestPointTree points;
+    double extent;
+  };
+  std::vector<Cloud> clouds_;
+};
+
+}  // namespace
+
+RegionSplit split_regions(const ModelIndex& model, const Regions& regions,
+                          std::span<const RegionId> divided, std::span<const CloudRim> rims,
+                          std::span<const std::vector<Point>> clouds, const SplitOptions& options) {
+  const RimIndex rim_index(rims);
+  const CloudReach cloud_reach(clouds);
+  std::vector<double> seed_reaches;
+  for (const CloudRim& rim : rims) seed_reaches.push_back(options.seed_reach * rim.spacing);
+
+  RegionSplit result;
+  result.regions = regions;
+  for (const RegionId region : divided) {
+    SplitRegion& split = result.split.emplace_back();
+    split.outside = region;
+    Labeling labeling(model, regions, region);
+    if (!rim_index.empty()) labeling.seed(rim_index, seed_reaches, split);
+    if (split.under_seeds == 0 || split.outside_seeds == 0) {
+      result.status = SplitStatus::one_sided;
+      return result;
+    }
+    labeling.spread();
+
+    split.under = result.regions.regions.push_back({});
+    for (const TriangleId t : regions.region_of_facet.ids()) {
+      if (!labeling.is_under(t)) continue;
+      ++split.under_facets;
+      result.regions.region_of_facet[t] = split.under;
+      split.reach = std::max(split.reach, cloud_reach.at(model.centroid(t)));
+      for (const TriangleId next : model.adjacency().neighbors[t]) {
+        if (next.is_none() || regions.region_of_facet[next] != region) continue;
+        if (!labeling.is_under(next)) ++split.cut_edges;
+      }
+    }
+    if (split.reach > options.max_reach) {
+      result.status = SplitStatus::too_far;
+      return result;
+    }
+  }
+  count_and_group(model.mesh(), model.adjacency(), result.regions);
+  return result;
+}
+
+}  // namespace cocoon
