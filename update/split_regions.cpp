@@ -33,11 +33,13 @@ class Labeling {
         region_(region),
         labels_(regions.region_of_facet.size()) {}
 
-  void seed(const RimIndex& rims, std::span<const double> reaches, SplitRegion& counts) {
+  // Facets beside the border at which the rim is close enough to tell.
+  void seed(const RimIndex& rims, std::span<const double> spacings, double reach,
+            SplitRegion& counts) {
     for (const TriangleId t : labels_.ids()) {
-      if (regions_.region_of_facet[t] != region_) continue;
+      if (regions_.region_of_facet[t] != region_ || !is_beside_border(t)) continue;
       const RimSide side = rims.side_of(model_.centroid(t));
-      if (!(side.distance <= reaches[side.rim])) continue;
+      if (!(side.distance <= reach * std::max(spacings[side.rim], shortest_edge(t)))) continue;
       labels_[t] = {0, side.on_cloud_side ? Label::under : Label::outside};
       ++(side.on_cloud_side ? counts.under_seeds : counts.outside_seeds);
       queue_.push({labels_[t], t});
@@ -65,6 +67,20 @@ class Labeling {
   }
 
  private:
+  bool is_beside_border(TriangleId t) const {
+    for (const TriangleId next : model_.adjacency().neighbors[t]) {
+      if (!next.is_none() && regions_.region_of_facet[next].is_none()) return true;
+    }
+    return false;
+  }
+
+  double shortest_edge(TriangleId t) const {
+    const auto& [a, b, c] = model_.mesh().triangles[t];
+    const auto& points = model_.mesh().points;
+    return std::min({distance(points[a], points[b]), distance(points[b], points[c]),
+                     distance(points[c], points[a])});
+  }
+
   struct Entry {
     Labeled labeled;
     TriangleId facet;
@@ -114,8 +130,8 @@ RegionSplit split_regions(const ModelIndex& model, const Regions& regions,
                           std::span<const std::vector<Point>> clouds, const SplitOptions& options) {
   const RimIndex rim_index(rims);
   const CloudReach cloud_reach(clouds);
-  std::vector<double> seed_reaches;
-  for (const CloudRim& rim : rims) seed_reaches.push_back(options.seed_reach * rim.spacing);
+  std::vector<double> spacings;
+  for (const CloudRim& rim : rims) spacings.push_back(rim.spacing);
 
   RegionSplit result;
   result.regions = regions;
@@ -123,7 +139,7 @@ RegionSplit split_regions(const ModelIndex& model, const Regions& regions,
     SplitRegion& split = result.split.emplace_back();
     split.outside = region;
     Labeling labeling(model, regions, region);
-    if (!rim_index.empty()) labeling.seed(rim_index, seed_reaches, split);
+    if (!rim_index.empty()) labeling.seed(rim_index, spacings, options.seed_reach, split);
     if (split.under_seeds == 0 || split.outside_seeds == 0) {
       result.status = SplitStatus::one_sided;
       return result;

@@ -15,16 +15,18 @@
 namespace cocoon {
 
 struct SplitOptions {
-  // Facets with a centroid within this many rim spacings of the rim are seeds.
-  double seed_reach = 3;
+  // Facets beside the border are seeds if their centroids lie within this many spacings of the rim
+  // (those of the rim, or the facet's shortest edge if that is longer). Farther away the wedge at
+  // the rim says little: the other wall of a thin slot is near, too.
+  double seed_reach = 1.5;
   // The part under the clouds may reach no farther from the points of a cloud than this share of
   // the cloud's extent (diagonal of its bounding box): what lies farther away is not under it.
-  double max_reach = 0.5;
+  double max_reach = 0.3;
 };
 
 enum class SplitStatus {
   ok,
-  one_sided,  // all facets near the rim of a region lie on one side of it
+  one_sided,  // no seeds under the clouds, or none outside them
   too_far,    // the part under the clouds reaches farther than max_reach
 };
 
@@ -44,10 +46,10 @@ struct RegionSplit {
   Regions regions;                 // with the new regions behind the old ones, if ok
 };
 
-// Splits each region of `divided` in two: facets near a rim are seeds, labeled "under" or "outside"
-// by the side of the nearest rim edge on which they lie; all other facets of the region take the
-// label of the seed that is nearest over facets of the region, by the lengths between centroids. A
-// handle between both sides is so cut about halfway. At equal lengths "outside" wins.
+// Splits each region of `divided` in two: facets beside the border are seeds, labeled "under" or
+// "outside" by the side of the nearest rim edge on which they lie; all other facets of the region
+// take the label of the seed that is nearest over facets of the region, by the lengths between
+// centroids. A handle between both sides is so cut about halfway. At equal lengths "outside" wins.
 // The rims are those that formed the border, with their spacings; `clouds` as the rims. What it
 // cannot decide is reported, not guessed: see SplitStatus.
 // Complexity: O(n log n) for n facets. Deterministic: lengths decide, never numbers of facets.

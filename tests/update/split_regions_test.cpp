@@ -20,7 +20,7 @@ using testing::vertex;
 constexpr std::size_t plane_size = 30;
 
 // Takes the cell at (ax, y) and the cell at (bx, y) out of the grid plane and joins the holes by a
-// square tube that rises over the plane in a half circle. Its facets come last.
+// square tube that rises over the plane in half an ellipse. Its facets come last.
 void add_handle(TriangleMesh& mesh, std::size_t ax, std::size_t bx, std::size_t y) {
   const auto corner = [](std::size_t i, std::size_t j) { return vertex(j * (plane_size + 1) + i); };
   const auto is_in_cell = [&](const Triangle& t, std::size_t x) {
@@ -46,8 +46,8 @@ void add_handle(TriangleMesh& mesh, std::size_t ax, std::size_t bx, std::size_t 
     for (std::size_t k = 0; k < 4 && i < steps; ++k) {
       const double angle = std::numbers::pi * static_cast<double>(i) / static_cast<double>(steps);
       const double r = radius + (k == 1 || k == 2 ? -0.5 : 0.5);
-      next[k] = mesh.points.push_back(
-          {center - r * std::cos(angle), static_cast<double>(y + k / 2), r * std::sin(angle)});
+      next[k] = mesh.points.push_back({center - r * std::cos(angle), static_cast<double>(y + k / 2),
+                                       0.5 * r * std::sin(angle)});
     }
     for (std::size_t k = 0; k < 4; ++k) {
       const std::size_t l = (k + 1) % 4;
@@ -112,8 +112,8 @@ TEST(SplitRegions, CutsTheHandlesAcrossARim) {
   EXPECT_EQ(part.under, RegionId(1));
   EXPECT_EQ(part.under_facets, split.regions.regions[part.under].facets);
 
-  // On the plane the rim is the limit. Seen from the seeds, the mouth of the first tunnel inside is
-  // 4 away and the one outside 2: the tunnel of length 5 pi is cut at 6 to 7 from the inner mouth.
+  // On the plane the rim is the limit. The tunnels, 12 long, have their inner mouths 4 to 5 from
+  // the seeds and their outer ones 2: they are cut 4 to 6 from the inner mouth.
   for (const TriangleId t : plane.mesh.triangles.ids()) {
     const RegionId region = split.regions.region_of_facet[t];
     if (region.is_none()) continue;
