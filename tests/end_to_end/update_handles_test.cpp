@@ -1,0 +1,181 @@
+// Updates of models with handles that keep a rim from cutting the model in two.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geom/mesh_check.h"
+#include "geom/random.h"
+#include "tests/update/hand_made_models.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+namespace {
+
+using Clouds = std::vector<std::vector<Point>>;
+
+// A smooth hill: 1 in the middle, 0 from `width` on.
+double hill(double distance, double width) {
+  const double t = distance / width;
+  return t < 1 ? (1 - t * t) * (1 - t * t) : 0;
+}
+
+// The block of 24 * 20 * 8 with a square hole of size 4 through it, top to bottom, in its middle.
+TriangleMesh block_with_a_hole() {
+  TriangleMesh mesh = testing::block(24, 20, 8);
+  const auto is_in_mouth = [&](VertexId v) {
+    const Point& p = mesh.points[v];
+    return (p.z == 0 || p.z == 8) && p.x >= 10 && p.x <= 14 && p.y >= 8 && p.y <= 12;
+  };
+  IdVector<TriangleId, Triangle> left;
+  for (const Triangle& t : mesh.triangles) {
+    if (!std::all_of(t.begin(), t.end(), is_in_mouth)) left.push_back(t);
+  }
+  mesh.triangles = left;
+  std::map<Point, VertexId> vertex_at;
+  for (const VertexId v : mesh.points.ids()) vertex_at[mesh.points[v]] = v;
+  const auto at = [&](double x, double y, double z) {
+    const auto [entry, is_new] = vertex_at.try_emplace({x, y, z});
+    if (is_new) entry->second = mesh.points.push_back({x, y, z});
+    return entry->second;
+  };
+  // Counterclockwise around the hole, seen from above: the wall faces the axis.
+  std::vector<std::array<double, 2>> around;
+  for (int k = 0; k < 4; ++k) around.push_back({10.0 + k, 8});
+  for (int k = 0; k < 4; ++k) around.push_back({14, 8.0 + k});
+  for (int k = 0; k < 4; ++k) around.push_back({14.0 - k, 12});
+  for (int k = 0; k < 4; ++k) around.push_back({10, 12.0 - k});
+  for (std::size_t k = 0; k < around.size(); ++k) {
+    const auto [x, y] = around[k];
+    const auto [u, v] = around[(k + 1) % around.size()];
+    for (int z = 0; z < 8; ++z) {
+      mesh.triangles.push_back({at(x, y, z), at(x, y, z + 1), at(u, v, z + 1)});
+      mesh.triangles.push_back({at(x, y, z), at(u, v, z + 1), at(u, v, z)});
+    }
+  }
+  return mesh;
+}
+
+// A flat cap with a hill in its middle, on the plane of height z.
+std::vector<Point> cap_with_hill(const Point& center, double height) {
+  std::vector<Point> cap;
+  Random random(9);
+  for (int i = 0; i < 48; ++i) {
+    for (int j = 0; j < 48; ++j) {
+      const double x = 0.5 * i + random.uniform(-0.1, 0.1) - 12;
+      const double y = 0.5 * j + random.uniform(-0.1, 0.1) - 12;
+      const double r = std::hypot(x, y);
+      if (r < 8) cap.push_back(center + Vec3{x, y, height * hill(r, 6)});
+    }
+  }
+  return cap;
+}
+
+// The way through the hole leads from inside the rim to outside of it, on the far side of the
+// block. Whether the hole goes is nothing that a cloud over one of its mouths tells.
+TEST(UpdateWithHandles, BlockWithAHoleByACap) {
+  const TriangleMesh model = block_with_a_hole();
+  ASSERT_TRUE(mesh_check(model).is_closed_manifold());
+  ASSERT_EQ(mesh_check(model).euler, 0);
+  const UpdateResult result = update_model(model, Clouds{cap_with_hill({12, 10, 8}, 3)});
+  EXPECT_EQ(result.status, UpdateStatus::non_separating);
+  EXPECT_NE(result.message.find("extents away"), std::string::npos) << result.message;
+  EXPECT_TRUE(result.mesh.triangles.empty());
+}
+
+// The surface of all unit cells in [0, size) for which is_solid(cell) holds, facing outward.
+TriangleMesh cell_surface(const std::array<int, 3>& size,
+                          const std::function<bool(const std::array<int, 3>&)>& is_solid) {
+  TriangleMesh mesh;
+  std::map<std::array<int, 3>, VertexId> vertex_at;
+  const auto corner = [&](const std::array<int, 3>& at) {
+    const auto [entry, is_new] = vertex_at.try_emplace(at);
+    if (is_new) {
+      entry->second = mesh.points.push_back({1.0 * at[0], 1.0 * at[1], 1.0 * at[2]});
+    }
+    return entry->second;
+  };
+  const auto solid = [&](const std::array<int, 3>& cell) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (cell[axis] < 0 || cell[axis] >= size[axis]) return false;
+    }
+    return is_solid(cell);
+  };
+  const auto add_side = [&](const std::array<int, 3>& cell, std::size_t axis, int side) {
+    std::array<int, 3> next = cell;
+    next[axis] += 2 * side - 1;
+    if (!solid(cell) || solid(next)) return;
+    const auto at = [&](int u, int v) {
+      std::array<int, 3> place = cell;
+      place[axis] += side;
+      place[(axis + 1) % 3] += u;
+      place[(axis + 2) % 3] += v;
+      return corner(place);
+    };
+    Triangle first = {at(0, 0), at(1, 0), at(1, 1)};
+    Triangle second = {at(0, 0), at(1, 1), at(0, 1)};
+    if (side == 0) std::swap(first[1], first[2]);
+    if (side == 0) std::swap(second[1], second[2]);
+    mesh.triangles.push_back(first);
+    mesh.triangles.push_back(second);
+  };
+  for (int x = 0; x < size[0]; ++x) {
+    for (int y = 0; y < size[1]; ++y) {
+      for (int z = 0; z < size[2]; ++z) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          add_side({x, y, z}, axis, 0);
+          add_side({x, y, z}, axis, 1);
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+// A slot in the top of a block that is closed in its middle, under the rim: a tunnel from inside
+// the rim to outside of it. It is cut about halfway, under the rim.
+TEST(UpdateWithHandles, BlockWithAClosedSlotByACap) {
+  const TriangleMesh model = cell_surface({24, 36, 10}, [](const std::array<int, 3>& cell) {
+    const auto [x, y, z] = cell;
+    const bool in_slot = x >= 10 && x < 14 && y >= 13 && y < 27 && z >= 5;
+    const bool in_bridge = y >= 17 && y < 23 && z >= 8;
+    return !in_slot || in_bridge;
+  });
+  ASSERT_TRUE(mesh_check(model).is_closed_manifold());
+  ASSERT_EQ(mesh_check(model).euler, 0);
+  const Point center = {12, 12, 10};
+  const UpdateResult result = update_model(model, Clouds{cap_with_hill(center, 1)});
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_EQ(result.clouds[0].loops[0].separation, Separation::non_separating);
+  ASSERT_EQ(result.split.size(), 1U);
+  EXPECT_EQ(result.replaced_groups, std::vector<RegionId>{result.split[0].under});
+  EXPECT_EQ(std::count_if(result.warnings.begin(), result.warnings.end(),
+                          [](const std::string& warning) {
+                            return warning.find("does not cut the model in two") !=
+                                   std::string::npos;
+                          }),
+            1);
+  // Nearly all the model has to stay; of the top and the tunnel the rim decides.
+  for (const VertexId v : model.points.ids()) {
+    const Point& p = model.points[v];
+    const double r = std::hypot(p.x - center.x, p.y - center.y);
+    const bool in_tunnel = p.x >= 10 && p.x <= 14 && p.y >= 13 && p.y <= 27 && p.z >= 5;
+    const bool gone = result.replacement.point_of_vertex[v].is_none();
+    const bool must_go = (p.z == 10 && r < 7) || (in_tunnel && p.y < 18);
+    const bool must_stay =
+        (p.z == 10 && r > 9) || (in_tunnel && p.y > 22) || (p.z < 10 && !in_tunnel);
+    EXPECT_FALSE(must_go && !gone) << "left over: " << p.x << ' ' << p.y << ' ' << p.z;
+    EXPECT_FALSE(must_stay && gone) << "lost: " << p.x << ' ' << p.y << ' ' << p.z;
+  }
+  const MeshReport check = mesh_check(result.mesh);
+  EXPECT_EQ(check.open_edges, 0U);
+  EXPECT_TRUE(check.is_closed_manifold());
+  EXPECT_EQ(check.euler, 2);  // the tunnel is a dead end
+}
+
+}  // namespace
+}  // namespace cocoon
