@@ -36,6 +36,17 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("marking_conflicts", c.marking_conflicts);
   set("poor_cells", c.poor_cells);
   set("deferred_seeds", c.deferred_seeds);
+  set("clean_up/undecided_cells", c.clean_up.undecided_cells);
+  set("clean_up/relabeled_cells", c.clean_up.relabeled_cells);
+  set("clean_up/filled_cells", c.clean_up.filled_cells);
+  set("clean_up/moves", c.clean_up.moves);
+  set("clean_up/moved_cells", c.clean_up.moved_cells);
+  set("clean_up/dropped_components", c.clean_up.dropped_components);
+  set("clean_up/changed_cells", c.clean_up.changed_cells);
+  set("clean_up/defects_before", c.clean_up.defects_before);
+  set("clean_up/defects_after", c.clean_up.defects_after);
+  set("clean_up/unused_before", c.clean_up.unused_before);
+  set("clean_up/unused_after", c.clean_up.unused_after);
 }
 
 }  // namespace

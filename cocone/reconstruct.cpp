@@ -32,6 +32,7 @@ ReconstructOptions effective(ReconstructOptions options) {
   if (options.mode == Mode::paper) {
     options.boundary.radius_mode = RadiusMode::cocone;
     options.peel.deferred_seeding = false;
+    options.clean_up.enabled = false;
   }
   return options;
 }
@@ -109,8 +110,10 @@ class Reconstruction {
                                    options_.good_vertices, nested);
       marks = peel_cells(triangulation_, stars_, surface_.facets, std::move(marks), options_.peel,
                          nested);
-      deliver(surface_between(triangulation_, marks));
       ReconstructCounters& counters = result_.counters;
+      counters.clean_up =
+          clean_up_cells(triangulation_, dual_, stars_, poles_, marks, options_.clean_up, nested);
+      deliver(surface_between(triangulation_, marks));
       counters.good_vertices = marks.good_vertices;
       counters.demoted_vertices = marks.demoted_vertices;
       counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;

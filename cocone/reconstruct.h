@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "cocone/boundary_samples.h"
+#include "cocone/clean_up_cells.h"
 #include "cocone/cocones.h"
 #include "cocone/facet_set.h"
 #include "cocone/peel_cells.h"
@@ -27,7 +28,8 @@ enum class SurfaceStatus {
 };
 
 enum class Mode {
-  paper,   // as published: radius_mode = cocone and no deferred seeding, whatever the options say
+  paper,   // as published: radius_mode = cocone, no deferred seeding, no clean-up, whatever the
+           // options say
   robust,  // the options as they are
 };
 
@@ -40,6 +42,7 @@ struct ReconstructOptions {
   PruneOptions prune = {};
   GoodVertexOptions good_vertices = {};
   PeelOptions peel = {};
+  CleanUpOptions clean_up = {};  // reconstruct_tight, robust mode only
 };
 
 // For clouds whose surface has a rim (a scan from one side, the added cloud of an update):
@@ -71,6 +74,7 @@ struct ReconstructCounters {
   std::size_t marking_conflicts = 0;
   std::size_t poor_cells = 0;
   std::size_t deferred_seeds = 0;
+  CleanUpCounters clean_up;
 };
 
 struct ReconstructResult {

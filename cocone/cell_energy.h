@@ -1,0 +1,76 @@
+// The energy of a labeling of cells (clean_up_cells.h), evaluated around a few cells.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cocone/clean_up_cells.h"
+#include "cocone/side_evidence.h"
+
+namespace cocoon {
+
+// Energies are integers, in 2^-20 of a unit: sums are exact, whatever their order.
+using Energy = std::int64_t;
+Energy to_energy(double units);
+
+class CellEnergy {
+ public:
+  // All references must outlive the object. `out[c]` = 1: cell c is OUT.
+  CellEnergy(const Triangulation& triangulation, const Dual& dual, const VertexStars& stars,
+             const CleanUpOptions& options, IdVector<CellId, std::uint8_t>& out);
+
+  // What it costs that the cell is OUT rather than IN; may be negative.
+  void set_preference(CellId c, Energy cost_of_out) { preference_[c] = cost_of_out; }
+  // Only of these samples is it a loss that they are not on the surface.
+  void want(VertexId v) { wanted_[v] = 1; }
+  Energy preference(CellId c) const { return preference_[c]; }
+
+  // The cost of a facet, if its cells are on different sides. Precondition: a finite facet. O(1).
+  Energy facet_cost(FacetId f) const;
+  // The cost of defects at a vertex, apart from its edges. O(star).
+  Energy vertex_cost(VertexId v);
+  bool is_unused(VertexId v) const;
+  // Surface sheets at v beyond the first: what is pinched. O(star).
+  std::size_t extra_fans(VertexId v);
+  // Surface sheets at the edge ab of facet f. O(degree).
+  std::size_t sheets_at(FacetId f, VertexId a, VertexId b) const;
+
+  // How much the energy (without component_cost) grows if these cells change sides; they do not.
+  // Precondition: finite cells, all different.
+  Energy change(std::span<const CellId> cells);
+  void flip(std::span<const CellId> cells);
+  // Before each series of floods that shall not meet each other.
+  void begin_flood() { ++token_; }
+  // Cells of star(v) on the same side as `first` that hang together with it by facets at v.
+  void flood_star(VertexId v, CellId first, std::vector<CellId>& cells);
+
+ private:
+  struct Edge {
+    VertexId a;
+    VertexId b;
+    FacetId facet;
+  };
+  void collect(std::span<const CellId> cells);
+  Energy sum(std::span<const CellId> cells);
+
+  const Triangulation& triangulation_;
+  const Dual& dual_;
+  const VertexStars& stars_;
+  IdVector<CellId, std::uint8_t>& out_;
+  Energy defect_cost_;
+  Energy unused_cost_;
+  Energy handle_cost_;
+  IdVector<CellId, Energy> preference_;
+  VertexSet wanted_;
+  IdVector<CellId, std::uint32_t> stamp_;
+  std::uint32_t token_ = 0;
+  std::vector<CellId> component_;
+  std::vector<VertexId> vertices_;
+  std::vector<Edge> edges_;
+  std::vector<FacetId> facets_;
+};
+
+}  // namespace cocoon

@@ -1,0 +1,378 @@
+#include "cocone/clean_up_cells.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "cocone/cell_energy.h"
+#include "cocone/max_flow.h"
+#include "cocone/side_evidence.h"
+#include "delaunay/circulate.h"
+
+namespace cocoon {
+namespace {
+
+class CleanUp {
+ public:
+  CleanUp(const Triangulation& triangulation, const Dual& dual, const VertexStars& stars,
+          const Poles& poles, CellMarks& marks, const CleanUpOptions& options)
+      : triangulation_(triangulation),
+        dual_(dual),
+        stars_(stars),
+        poles_(poles),
+        marks_(marks),
+        options_(options),
+        out_(marks.reached),
+        energy_(triangulation, dual, stars, options, out_) {
+    for (const VertexId v : triangulation.vertices()) {
+      if (marks.good[v] == 0 || marks.conflicts != 0) doubtful_.push_back(v);
+    }
+  }
+
+  CleanUpCounters run() {
+    std::sort(doubtful_.begin(), doubtful_.end(), [&](VertexId a, VertexId b) {
+      return triangulation_.point(a) < triangulation_.point(b);
+    });
+    collect_undecided();
+    count(counters_.defects_before, counters_.unused_before);
+    set_preferences();
+    cut();
+    fill_cavities();
+    repair();
+    if (drop_components()) repair();
+    count(counters_.defects_after, counters_.unused_after);
+    for (const CellId c : triangulation_.finite_cells()) {
+      counters_.changed_cells += out_[c] != marks_.reached[c];
+    }
+    marks_.reached = std::move(out_);
+    return counters_;
+  }
+
+ private:
+  bool is_decided(CellId c) const {
+    for (const VertexId v : triangulation_.cell(c).vertices) {
+      if (marks_.good[v] != 0) return true;
+    }
+    return false;
+  }
+
+  void collect_undecided() {
+    node_ = IdVector<CellId, std::uint32_t>(triangulation_.num_cells(), no_node);
+    for (const VertexId v : doubtful_) {
+      for (const CellId c : stars_.star(v)) {
+        if (triangulation_.is_infinite(c) || node_[c] != no_node || is_decided(c)) continue;
+        node_[c] = static_cast<std::uint32_t>(undecided_.size());
+        undecided_.push_back(c);
+        for (const VertexId w : triangulation_.cell(c).vertices) energy_.want(w);
+      }
+    }
+    counters_.undecided_cells = undecided_.size();
+  }
+
+  // Decided cells around undecided ones take part in the cut, at a price.
+  void widen() {
+    free_ = undecided_;
+    std::size_t begin = 0;
+    for (int ring = 0; ring < options_.decided_rings; ++ring) {
+      const std::size_t end = free_.size();
+      for (std::size_t k = begin; k < end; ++k) {
+        for (const VertexId v : triangulation_.cell(free_[k]).vertices) {
+          if (v == infinite_vertex) continue;
+          for (const CellId c : stars_.star(v)) {
+            if (triangulation_.is_infinite(c) || node_[c] != no_node) continue;
+            node_[c] = static_cast<std::uint32_t>(free_.size());
+            free_.push_back(c);
+          }
+        }
+      }
+      begin = end;
+    }
+  }
+
+  void set_preferences() {
+    const Energy decided = to_energy(options_.mark_weight);
+    for (const CellId c : triangulation_.finite_cells()) {
+      energy_.set_preference(c, marks_.labels[c] == CellLabel::out ? -decided : decided);
+    }
+    const IdVector<CellId, SideEvidence> evidence =
+        side_evidence(triangulation_, dual_, stars_, poles_, marks_, undecided_);
+    for (const CellId c : undecided_) {
+      const double margin = static_cast<double>(evidence[c].in) - evidence[c].out;
+      energy_.set_preference(c, to_energy(options_.evidence_weight * margin));
+    }
+  }
+
+  // Labels the undecided cells; those decided stay as the marking, not the peel, has them.
+  void cut() {
+    widen();
+    MaxFlow flow(free_.size());
+    for (const CellId c : free_) {
+      const std::uint32_t node = node_[c];
+      const Energy cost_of_out = energy_.preference(c);
+      if (cost_of_out < 0) flow.pull_to_source(node, -cost_of_out);
+      if (cost_of_out > 0) flow.pull_to_sink(node, cost_of_out);
+      for (int i = 0; i < 4; ++i) {
+        const FacetId f = facet_id(c, i);
+        const CellId behind = triangulation_.neighbor(c, i);
+        if (node_[behind] != no_node) {
+          if (c < behind) flow.add_edge(node, node_[behind], energy_.facet_cost(f));
+        } else if (marks_.labels[behind] == CellLabel::out) {
+          flow.pull_to_source(node, energy_.facet_cost(f));
+        } else {
+          flow.pull_to_sink(node, energy_.facet_cost(f));
+        }
+      }
+    }
+    const std::vector<std::uint8_t> side = flow.source_side();
+    for (const CellId c : free_) out_[c] = side[node_[c]];
+    for (const CellId c : triangulation_.finite_cells()) {
+      if (node_[c] == no_node) out_[c] = marks_.labels[c] == CellLabel::out ? 1 : 0;
+      counters_.relabeled_cells += out_[c] != marks_.reached[c];
+    }
+  }
+
+  void fill_cavities() {
+    IdVector<CellId, std::uint8_t> reached(triangulation_.num_cells(), 0);
+    std::vector<CellId> stack;
+    for (const CellId c : triangulation_.infinite_cells()) {
+      reached[c] = 1;
+      stack.push_back(c);
+    }
+    while (!stack.empty()) {
+      const CellId c = stack.back();
+      stack.pop_back();
+      for (int i = 0; i < 4; ++i) {
+        const CellId behind = triangulation_.neighbor(c, i);
+        if (reached[behind] != 0 || out_[behind] == 0) continue;
+        reached[behind] = 1;
+        stack.push_back(behind);
+      }
+    }
+    for (const CellId c : triangulation_.finite_cells()) {
+      counters_.filled_cells += out_[c] != reached[c];
+      out_[c] = reached[c];
+    }
+  }
+
+  // A set of cells that might change sides.
+  struct Move {
+    Energy change = 0;
+    std::vector<CellId> cells;
+  };
+
+  // At every sample that is unused or where the surface is pinched (both ends of a non-manifold
+  // edge are), until no move helps.
+  void repair() {
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const VertexId v : doubtful_) {
+        while (energy_.vertex_cost(v) != 0 && improve(v)) changed = true;
+      }
+    }
+  }
+
+  bool improve(VertexId v) {
+    best_ = {};
+    const std::span<const CellId> star = stars_.star(v);
+    for (const CellId c : star) {
+      if (triangulation_.is_infinite(c)) continue;
+      consider({c});
+      for (int i = 0; i < 4; ++i) {
+        const CellId d = triangulation_.neighbor(c, i);
+        if (triangulation_.is_infinite(d)) continue;
+        if (out_[c] == out_[d] && (!has_vertex(triangulation_.cell(d), v) || c < d))
+          consider({c, d});
+      }
+    }
+    consider_parts(v);
+    if (best_.cells.empty()) return false;
+    energy_.flip(best_.cells);
+    ++counters_.moves;
+    counters_.moved_cells += best_.cells.size();
+    return true;
+  }
+
+  // The parts into which the surface divides the star of v.
+  void consider_parts(VertexId v) {
+    std::vector<std::vector<CellId>> parts;
+    IdVector<CellId, std::uint8_t>& seen = scratch();
+    for (const CellId c : stars_.star(v)) {
+      if (seen[c] != 0) continue;
+      parts.emplace_back();
+      energy_.begin_flood();
+      energy_.flood_star(v, c, parts.back());
+      for (const CellId d : parts.back()) seen[d] = 1;
+    }
+    for (const CellId c : stars_.star(v)) seen[c] = 0;
+    for (std::vector<CellId>& part : parts) {
+      const bool finite = std::none_of(part.begin(), part.end(),
+                                       [&](CellId c) { return triangulation_.is_infinite(c); });
+      if (finite && part.size() > 2) consider(std::move(part));
+    }
+  }
+
+  void consider(std::vector<CellId> cells) {
+    if (!is_attached(cells)) return;
+    const Energy change = energy_.change(cells);
+    if (change >= 0 || change > best_.change) return;
+    if (change == best_.change && !precedes(cells, best_.cells)) return;
+    if (splits(cells)) return;
+    best_ = {change, std::move(cells)};
+  }
+
+  // Would what is left on the cells' side fall apart? The cells next to them on that side must be
+  // joined elsewhere. Precondition: all cells are on one side.
+  bool splits(const std::vector<CellId>& cells) {
+    enum : std::uint8_t { untouched, wanted, found };
+    IdVector<CellId, std::uint8_t>& seen = scratch();
+    std::vector<CellId> queue(cells);  // touched, to be cleared; the cells themselves: no entry
+    for (const CellId c : cells) seen[c] = found;
+    std::size_t missing = 0;
+    CellId start;
+    const auto for_same_side = [&](CellId c, auto visit) {
+      for (int i = 0; i < 4; ++i) {
+        const CellId behind = triangulation_.neighbor(c, i);
+        if (out_[behind] == out_[c]) visit(behind);
+      }
+    };
+    for (const CellId c : cells) {
+      for_same_side(c, [&](CellId behind) {
+        if (seen[behind] != untouched) return;
+        seen[behind] = wanted;
+        ++missing;
+        start = behind;
+      });
+    }
+    if (missing > 0) {
+      seen[start] = found;
+      queue.push_back(start);
+      --missing;
+    }
+    for (std::size_t next = cells.size(); next < queue.size() && missing > 0; ++next) {
+      for_same_side(queue[next], [&](CellId behind) {
+        if (seen[behind] == found) return;
+        missing -= seen[behind] == wanted ? 1U : 0U;
+        seen[behind] = found;
+        queue.push_back(behind);
+      });
+    }
+    for (const CellId c : cells) for_same_side(c, [&](CellId behind) { seen[behind] = untouched; });
+    for (const CellId c : queue) seen[c] = untouched;
+    return missing > 0;
+  }
+
+  // Would the cells, on their other side, hang together with cells that are there already? Else
+  // the move would found a new part of the body, or a cavity.
+  bool is_attached(const std::vector<CellId>& cells) const {
+    for (const CellId c : cells) {
+      for (int i = 0; i < 4; ++i) {
+        const CellId behind = triangulation_.neighbor(c, i);
+        if (out_[behind] == out_[c]) continue;
+        if (std::find(cells.begin(), cells.end(), behind) == cells.end()) return true;
+      }
+    }
+    return false;
+  }
+
+  using Corners = std::array<Point, 4>;
+  std::vector<Corners> key(const std::vector<CellId>& cells) const {
+    std::vector<Corners> corners;
+    for (const CellId c : cells) {
+      Corners p;
+      for (int i = 0; i < 4; ++i) {
+        p[static_cast<std::size_t>(i)] = triangulation_.point(triangulation_.vertex(c, i));
+      }
+      std::sort(p.begin(), p.end());
+      corners.push_back(p);
+    }
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  }
+  bool precedes(const std::vector<CellId>& a, const std::vector<CellId>& b) const {
+    return a.size() != b.size() ? a.size() < b.size() : key(a) < key(b);
+  }
+
+  IdVector<CellId, std::uint8_t>& scratch() {
+    if (scratch_.empty()) scratch_ = IdVector<CellId, std::uint8_t>(triangulation_.num_cells(), 0);
+    return scratch_;
+  }
+
+  // Parts of the body whose samples and facets are not worth a part of its own.
+  bool drop_components() {
+    const Energy gain = to_energy(options_.component_cost);
+    bool dropped = false;
+    std::vector<std::vector<CellId>> parts;
+    IdVector<CellId, std::uint8_t> seen(triangulation_.num_cells(), 0);
+    for (const CellId first : triangulation_.finite_cells()) {
+      if (out_[first] != 0 || seen[first] != 0) continue;
+      std::vector<CellId> part{first};
+      seen[first] = 1;
+      for (std::size_t next = 0; next < part.size(); ++next) {
+        for (int i = 0; i < 4; ++i) {
+          const CellId behind = triangulation_.neighbor(part[next], i);
+          if (out_[behind] != 0 || seen[behind] != 0) continue;
+          seen[behind] = 1;
+          part.push_back(behind);
+        }
+      }
+      parts.push_back(std::move(part));
+    }
+    if (parts.size() < 2) return false;
+    std::sort(parts.begin(), parts.end(), [&](const auto& a, const auto& b) {
+      return a.size() != b.size() ? a.size() < b.size() : key(a) < key(b);
+    });
+    parts.pop_back();  // the largest stays
+    for (const std::vector<CellId>& part : parts) {
+      if (energy_.change(part) >= gain) continue;
+      energy_.flip(part);
+      ++counters_.dropped_components;
+      dropped = true;
+    }
+    return dropped;
+  }
+
+  void count(std::size_t& defects, std::size_t& unused) {
+    std::size_t edge_ends = 0;
+    for (const VertexId v : doubtful_) {
+      if (energy_.is_unused(v)) {
+        ++unused;
+      } else {
+        edge_ends += energy_.extra_fans(v);
+      }
+    }
+    defects = edge_ends;
+  }
+
+  static constexpr std::uint32_t no_node = 0xFFFFFFFFU;
+  const Triangulation& triangulation_;
+  const Dual& dual_;
+  const VertexStars& stars_;
+  const Poles& poles_;
+  CellMarks& marks_;
+  const CleanUpOptions& options_;
+  IdVector<CellId, std::uint8_t> out_;
+  CellEnergy energy_;
+  CleanUpCounters counters_;
+  std::vector<VertexId> doubtful_;  // where something may be wrong, in lexicographic order
+  std::vector<CellId> undecided_;
+  std::vector<CellId> free_;
+  IdVector<CellId, std::uint32_t> node_;
+  IdVector<CellId, std::uint8_t> scratch_;
+  Move best_;
+};
+
+}  // namespace
+
+CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Dual& dual,
+                               const VertexStars& stars, const Poles& poles, CellMarks& marks,
+                               const CleanUpOptions& options, const Execution& execution) {
+  if (!options.enabled) return {};
+  const bool all_good = marks.good_vertices == triangulation.num_vertices();
+  if (all_good && marks.conflicts == 0) return {};  // every vertex has one disk around it
+  report_progress(execution, "clean_up_cells", 0);
+  const CleanUpCounters counters = CleanUp(triangulation, dual, stars, poles, marks, options).run();
+  report_progress(execution, "clean_up_cells", 1);
+  return counters;
+}
+
+}  // namespace cocoon

@@ -1,0 +1,78 @@
+// Clean-up after the peel: undecided cells are labeled anew as a whole, then defects are repaired.
+//
+// One energy judges a labeling of the finite cells as OUT or IN (infinite cells are OUT):
+//
+//   E =  sum over surface facets of  1 - min(cos phi, cos psi)           quality of a facet, 0 .. 2
+//      + evidence_weight  * sum over undecided cells of max(0, contrary - own evidence)
+//      + mark_weight      * (decided cells that have left their label)
+//      + defect_cost      * (non-manifold edges + pinched vertices, with multiplicity)
+//      + unused_cost      * (samples of undecided cells that are not on the surface)
+//      - handle_cost / 2  * (Euler characteristic of the surface)
+//      + component_cost   * (parts of the body)
+//
+// phi, psi: angles between the facet and the circumballs on its two sides: 0 where both balls are
+// large, as across a well sampled surface. A cell is undecided if none of its vertices is good (a
+// poor cell of the peel). The evidence comes from the poles (side_evidence.h).
+//
+//  1. Cut. The first three terms are minimized over all labelings of the undecided cells and of the
+//     decided ones within decided_rings of them, the others held fixed: a minimum cut, so a global
+//     optimum; of several the one with most IN cells. OUT cells that infinity cannot reach through
+//     OUT cells are then filled, as in the peel.
+//  2. Moves. At a defect or an unused sample single cells, pairs, and parts of stars change sides
+//     where that lowers E, unless they would found a new part of the body or a cavity, or what they
+//     leave would fall apart; then small parts of the body are dropped where that lowers E. E falls
+//     strictly and there are finitely many labelings, so this ends.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "cocone/mark_cells.h"
+#include "cocone/poles.h"
+#include "delaunay/triangulation.h"
+#include "delaunay/vertex_stars.h"
+#include "delaunay/voronoi_dual.h"
+#include "geom/execution.h"
+
+namespace cocoon {
+
+// Costs in the unit of the facet term; chosen on 23 models (docs/stages/clean_up_cells.md).
+struct CleanUpOptions {
+  bool enabled = true;
+  // A facet costs 1 at most if the balls lie on its two sides: 3 overrules almost any surface.
+  double evidence_weight = 3;
+  // Below 0.4 well sampled thin parts shrink; above 1 wrong marks of bad samples stay.
+  double mark_weight = 0.5;
+  int decided_rings = 1;  // 0: decided cells are not relabeled by the cut
+  double defect_cost = 16;
+  double unused_cost = 8;  // a tent over one triangle costs less than 6
+  double handle_cost = 16;
+  double component_cost = 100;  // a part is dropped if it uses few samples: fewer than about 12
+};
+
+struct CleanUpCounters {
+  std::size_t undecided_cells = 0;
+  std::size_t relabeled_cells = 0;  // by the cut, against the peel
+  std::size_t filled_cells = 0;     // OUT cells shut off from infinity, now IN
+  std::size_t moves = 0;
+  std::size_t moved_cells = 0;
+  std::size_t dropped_components = 0;
+  std::size_t changed_cells = 0;  // that have another side now than after the peel
+  // After the peel and at the end: non-manifold edges and pinched vertices; unused samples.
+  std::size_t defects_before = 0;
+  std::size_t defects_after = 0;
+  std::size_t unused_before = 0;
+  std::size_t unused_after = 0;
+};
+
+// Changes marks.reached, and nothing where every vertex is good and no marks conflict.
+// Precondition: marks come from peel_cells. Complexity: one pass over the cells, and near linear in
+// the number of undecided cells and defects. Deterministic: costs are integers, the cut is unique,
+// moves are taken by falling gain at defects in lexicographic order; a function of the point set.
+// Source: Labatut, Pons & Keriven 2009 (cut, facet quality); Kolluri, Shewchuk & O'Brien 2004
+// (poles as evidence); Amenta, Choi & Kolluri 2001 (its propagation). The moves are ours.
+CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Dual& dual,
+                               const VertexStars& stars, const Poles& poles, CellMarks& marks,
+                               const CleanUpOptions& options = {}, const Execution& execution = {});
+
+}  // namespace cocoon

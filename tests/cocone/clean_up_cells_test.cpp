@@ -1,0 +1,89 @@
+#include "cocone/clean_up_cells.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "cocone/reconstruct.h"
+#include "geom/mesh_check.h"
+#include "io/mesh_file.h"
+#include "tests/cocone/sample_shapes.h"
+
+namespace cocoon {
+namespace {
+
+std::vector<Point> vertices_of_model(const std::string& name) {
+  const TriangleMesh mesh = read_mesh(std::string(COCOON_TEST_DATA) + "/models/" + name);
+  return {mesh.points.begin(), mesh.points.end()};
+}
+
+TEST(CleanUpCells, CleanDataIsNotTouched) {
+  for (const auto& points : {shapes::sphere(2000, 1), shapes::random_torus(2500, 0.4, 2),
+                             shapes::latitude_sphere(15, 24)}) {
+    const CleanUpCounters counters = reconstruct_tight(points).counters.clean_up;
+    EXPECT_EQ(counters.undecided_cells, 0U);
+    EXPECT_EQ(counters.relabeled_cells, 0U);
+    EXPECT_EQ(counters.moves, 0U);
+    EXPECT_EQ(counters.changed_cells, 0U);
+  }
+}
+
+TEST(CleanUpCells, PaperModeAndDisabledLeaveThePeelAsItIs) {
+  const std::vector<Point> points = shapes::noisy_sphere(2000, 0.03, 5);
+  ReconstructOptions off;
+  off.clean_up.enabled = false;
+  EXPECT_EQ(reconstruct_tight(points, off).counters.clean_up.undecided_cells, 0U);
+  const ReconstructResult paper = reconstruct_tight(points, {.mode = Mode::paper});
+  EXPECT_EQ(paper.counters.clean_up.undecided_cells, 0U);
+  EXPECT_GT(reconstruct_tight(points).counters.clean_up.undecided_cells, 0U);
+}
+
+// Noise makes non-manifold edges and leaves samples out; the clean-up says what it did about it.
+TEST(CleanUpCells, NoiseLosesItsDefects) {
+  const std::vector<Point> points = shapes::noisy_sphere(3000, 0.02, 6);
+  const ReconstructResult result = reconstruct_tight(points);
+  const MeshReport report = mesh_check(result.mesh);
+  const CleanUpCounters& counters = result.counters.clean_up;
+  EXPECT_TRUE(report.balanced);
+  EXPECT_GT(counters.defects_before, 0U);
+  EXPECT_LT(10 * counters.defects_after, counters.defects_before);
+  EXPECT_LE(counters.unused_after, counters.unused_before);
+  EXPECT_EQ(counters.unused_after, result.unused_points);
+}
+
+struct Known {
+  const char* file;
+  std::ptrdiff_t euler;
+};
+
+// Meshes whose vertices are too few for the theory's guarantee.
+TEST(CleanUpCells, UndersampledModelsGetTheirOwnTopology) {
+  for (const Known& known : {Known{"elephant.off", -4}, Known{"anchor_dense.off", -6}}) {
+    const std::vector<Point> points = vertices_of_model(known.file);
+    const ReconstructResult result = reconstruct_tight(points);
+    const MeshReport report = mesh_check(result.mesh);
+    EXPECT_TRUE(report.is_closed_manifold()) << known.file;
+    EXPECT_EQ(report.euler, known.euler) << known.file;
+    EXPECT_EQ(report.components, 1U) << known.file;
+    EXPECT_EQ(result.unused_points, 0U) << known.file;
+    ReconstructOptions off;
+    off.clean_up.enabled = false;
+    EXPECT_FALSE(mesh_check(reconstruct_tight(points, off).mesh).is_closed_manifold())
+        << known.file;
+  }
+}
+
+TEST(CleanUpCells, SameResultForEveryInputOrder) {
+  const std::vector<Point> points = vertices_of_model("elephant.off");
+  const ReconstructResult expected = reconstruct_tight(points);
+  ASSERT_GT(expected.counters.clean_up.changed_cells, 0U);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ReconstructResult other = reconstruct_tight(shapes::shuffled(points, seed));
+    EXPECT_EQ(other.mesh.triangles.size(), expected.mesh.triangles.size());
+    EXPECT_EQ(other.counters.clean_up.changed_cells, expected.counters.clean_up.changed_cells);
+    EXPECT_EQ(other.counters.clean_up.moves, expected.counters.clean_up.moves);
+  }
+}
+
+}  // namespace
+}  // namespace cocoon
