@@ -21,7 +21,7 @@ struct DelaunayCounters {
   std::size_t conflict_tests = 0;  // cells tested against a new point's position
   std::size_t cells_created = 0;   // over the whole build
   std::size_t cells_deleted = 0;
-  std::size_t exact_inspheres = 0;   // conflict tests that the filter left open
+  std::size_t exact_inspheres = 0;      // conflict tests that the filter left open
   std::size_t perturbed_inspheres = 0;  // known by the filter to be zero, left to the perturbation
 };
 

@@ -75,11 +75,11 @@ ClosestFacet ClosestFacetTree::closest(const Point& p) const {
     const Corners& corners = corners_[slot];
     const ClosestPoint candidate = closest_point_on_triangle(p, corners.points);
     const double squared = candidate.squared_distance;
-    const bool wins = squared < best.squared_distance || best_corners == nullptr ||
-                      (squared == best.squared_distance &&
-                       (corners.points != best_corners->points
-                            ? corners.points < best_corners->points
-                            : corners.triangle < best_corners->triangle));
+    const bool wins =
+        squared < best.squared_distance || best_corners == nullptr ||
+        (squared == best.squared_distance &&
+         (corners.points != best_corners->points ? corners.points < best_corners->points
+                                                 : corners.triangle < best_corners->triangle));
     if (wins) {
       best = {corners.triangle, candidate.point, squared};
       best_corners = &corners;

@@ -134,9 +134,9 @@ Triangulation triangulation_of_cells(DistinctPoints distinct, std::vector<CellVe
     link(facets[i].facet, facets[i + 1].facet);
     link(facets[i + 1].facet, facets[i].facet);
   }
-  return Triangulation({std::move(distinct.points), std::move(records),
-                        std::move(distinct.vertex_of_point)},
-                       num_finite);
+  return Triangulation(
+      {std::move(distinct.points), std::move(records), std::move(distinct.vertex_of_point)},
+      num_finite);
 }
 
 }  // namespace cocoon::ref
