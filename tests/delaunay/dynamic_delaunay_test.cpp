@@ -16,18 +16,10 @@
 #include "geom/random.h"
 #include "tests/delaunay/dynamic_checks.h"
 #include "tests/gallery.h"
+#include "tests/named_set.h"
 
 namespace cocoon {
 namespace {
-
-struct NamedSet {
-  const char* name;
-  std::function<std::vector<Point>()> make;
-};
-
-std::ostream& operator<<(std::ostream& out, const NamedSet& set) { return out << set.name; }
-
-std::string name_of(const testing::TestParamInfo<NamedSet>& info) { return info.param.name; }
 
 std::vector<NamedSet> sets() {
   using namespace gallery;

@@ -19,18 +19,10 @@
 #include "geom/orient3d.h"
 #include "geom/random.h"
 #include "tests/gallery.h"
+#include "tests/named_set.h"
 
 namespace cocoon {
 namespace {
-
-struct NamedSet {
-  const char* name;
-  std::function<std::vector<Point>()> make;
-};
-
-std::ostream& operator<<(std::ostream& out, const NamedSet& set) { return out << set.name; }
-
-std::string name_of(const testing::TestParamInfo<NamedSet>& info) { return info.param.name; }
 
 class PointQueries : public testing::TestWithParam<NamedSet> {};
 
