@@ -34,7 +34,8 @@ struct DelaunayResult {
 // perturbation of geom/perturbation.h: a function of the set of points alone. Equal points become
 // one vertex. Vertices are numbered along a Hilbert curve (geom/spatial_order.h), the same for
 // every order of the input; so are the cells of a build on one thread. canonical_order numbers the
-// cells by the point set alone whatever the history.
+// cells by the point set alone whatever the history. Insertion runs on the calling thread, whatever
+// execution.threads says; progress is reported as "delaunay".
 // Errors: InputError if a coordinate is not finite (names the first such point), if there are
 // fewer than four different points, if all points are coplanar, or if there are more points than
 // 32-bit ids can number.
