@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "app/carried_properties.h"
 #include "app/commands.h"
 #include "app/files.h"
 #include "app/reconstruct_report.h"
@@ -46,7 +47,10 @@ void add_boundary(JsonReport& report, const ReconstructResult& surface,
 void run_boundary(const BoundaryArguments& arguments, Job& job) {
   require_outputs(job, {{arguments.mesh, mesh_extensions}, {arguments.loops, {".obj"}}});
   const ReconstructOptions options = surface_options(arguments.parameters, open_cloud_defaults());
-  const std::vector<Point> points = read_cloud(job, arguments.points, "input");
+  VertexProperties properties;
+  const bool keep = holds_properties(arguments.mesh);
+  const std::vector<Point> points =
+      read_cloud(job, arguments.points, "input", keep ? &properties : nullptr);
   const ReconstructResult surface = naming_input(
       arguments.points, [&] { return reconstruct_cocone(points, options, job.execution()); });
   require_surface(arguments.points, surface, options.boundary.rho);
@@ -54,8 +58,9 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
       timed(job.execution(), "loops", [&] { return boundary_loops(surface.mesh); });
   const MeshReport certificate =
       timed(job.execution(), "check", [&] { return mesh_check(surface.mesh); });
+  properties = properties_of_surface(job, properties, arguments.points, surface);
   timed(job.execution(), "write", [&] {
-    write_mesh(arguments.mesh, surface.mesh, {.ascii = arguments.ascii});
+    write_mesh(arguments.mesh, surface.mesh, properties, {.ascii = arguments.ascii});
     if (!arguments.loops.empty()) {
       write_polylines(arguments.loops, surface.mesh.points.span(), vertices_of(boundary));
     }

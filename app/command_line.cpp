@@ -68,7 +68,10 @@ void add_surface_options(CLI::App& app, SurfaceArguments& parameters) {
 
 CLI::Option* add_mesh_output(CLI::App& app, std::string& mesh, bool& ascii) {
   app.add_flag("--ascii", ascii, "Write text where the format has a binary and a text form");
-  return app.add_option("-o,--output", mesh, "The mesh to write: .ply, .obj, .off or .stl")
+  return app
+      .add_option(
+          "-o,--output", mesh,
+          "The mesh to write: .ply, .obj, .off or .stl; PLY also keeps the vertices' properties")
       ->required()
       ->type_name("MESH");
 }

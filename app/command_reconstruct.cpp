@@ -1,3 +1,4 @@
+#include "app/carried_properties.h"
 #include "app/commands.h"
 #include "app/files.h"
 #include "app/reconstruct_report.h"
@@ -14,7 +15,10 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   const bool tight = arguments.surface == "tight";
   const ReconstructOptions options =
       surface_options(arguments.parameters, tight ? ReconstructOptions() : open_cloud_defaults());
-  const std::vector<Point> points = read_cloud(job, arguments.points, "input");
+  VertexProperties properties;
+  const bool keep = holds_properties(arguments.mesh);
+  const std::vector<Point> points =
+      read_cloud(job, arguments.points, "input", keep ? &properties : nullptr);
   const ReconstructResult result = naming_input(arguments.points, [&] {
     return tight ? reconstruct_tight(points, options, job.execution())
                  : reconstruct_cocone(points, options, job.execution());
@@ -22,8 +26,9 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   require_surface(arguments.points, result, options.boundary.rho);
   const MeshReport certificate =
       timed(job.execution(), "check", [&] { return mesh_check(result.mesh); });
+  properties = properties_of_surface(job, properties, arguments.points, result);
   timed(job.execution(), "write",
-        [&] { write_mesh(arguments.mesh, result.mesh, {.ascii = arguments.ascii}); });
+        [&] { write_mesh(arguments.mesh, result.mesh, properties, {.ascii = arguments.ascii}); });
 
   add_parameters(job.report(), options);
   add_reconstruction(job.report(), result, certificate);

@@ -1,24 +1,50 @@
+#include <utility>
+
+#include "app/carried_properties.h"
 #include "app/commands.h"
 #include "app/files.h"
 #include "app/updating.h"
 
 namespace cocoon::app {
 
+namespace {
+
+// The model and the clouds; a model given as points is reconstructed.
+UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& options, Job& job) {
+  UpdateInput input;
+  if (holds_properties(arguments.mesh)) input.properties.resize(1 + arguments.clouds.size());
+  const auto properties_of = [&](std::size_t i) {
+    return input.properties.empty() ? nullptr : &input.properties[i];
+  };
+  input.model_name = arguments.model;
+  input.model = read_shape(job, arguments.model, "input", properties_of(0));
+  for (const std::string& cloud : arguments.clouds) {
+    input.cloud_names.push_back(cloud);
+    input.clouds.push_back(
+        read_cloud(job, cloud, "input", properties_of(input.cloud_names.size())));
+  }
+  if (!input.model.triangles.empty()) return input;
+
+  ReconstructResult initial =
+      initial_model(job, arguments.model, input.model.points.raw(), options.reconstruct);
+  if (!input.properties.empty()) {
+    std::vector<RowOrigin> origins;
+    for (const PointId point : initial.point_of_vertex) origins.push_back({0, point.index()});
+    const std::vector<std::string> left_out = std::move(input.properties[0].left_out);
+    input.properties[0] = gather_properties({input.properties.data(), 1}, origins).properties;
+    input.properties[0].left_out = left_out;
+  }
+  input.model = std::move(initial.mesh);
+  return input;
+}
+
+}  // namespace
+
 void run_update(const UpdateArguments& arguments, Job& job) {
   require_outputs(job,
                   {{arguments.mesh, mesh_extensions}, {arguments.map, {}}, {arguments.html, {}}});
   const UpdateOptions options = update_options(arguments.parameters);
-  UpdateInput input;
-  input.model_name = arguments.model;
-  input.model = read_shape(job, arguments.model, "input");
-  for (const std::string& cloud : arguments.clouds) {
-    input.cloud_names.push_back(cloud);
-    input.clouds.push_back(read_cloud(job, cloud, "input"));
-  }
-  if (input.model.triangles.empty()) {
-    input.model =
-        initial_model(job, arguments.model, input.model.points.raw(), options.reconstruct);
-  }
+  const UpdateInput input = read_input(arguments, options, job);
   update_and_write(job, input, options,
                    {arguments.mesh, arguments.map, arguments.html, arguments.ascii});
   job.finish();

@@ -80,23 +80,29 @@ std::string in_folder(const std::string& folder, const std::string& name) {
   return (fs::path(folder) / name).string();
 }
 
-std::vector<Point> read_cloud(Job& job, const std::string& path, const std::string& section) {
+std::vector<Point> read_cloud(Job& job, const std::string& path, const std::string& section,
+                              VertexProperties* properties) {
   PointReadOptions options;
+  options.keep_properties = properties != nullptr;
   options.skip_non_finite = job.shared().skip_non_finite;
   PointCloud cloud = timed(job.execution(), "read", [&] { return read_points(path, options); });
   if (cloud.skipped > 0) {
     job.report().set(section + "/skipped_non_finite", cloud.skipped);
     job.warn(fmt::format("{}: {} points are not finite and were left out", path, cloud.skipped));
   }
+  if (properties != nullptr) *properties = std::move(cloud.properties);
   return std::move(cloud.points);
 }
 
-TriangleMesh read_shape(Job& job, const std::string& path, const std::string& section) {
+TriangleMesh read_shape(Job& job, const std::string& path, const std::string& section,
+                        VertexProperties* properties) {
   if (!has_mesh_extension(path)) {
-    return {IdVector<VertexId, Point>(read_cloud(job, path, section)), {}};
+    return {IdVector<VertexId, Point>(read_cloud(job, path, section, properties)), {}};
   }
   MeshReadReport read;
-  TriangleMesh mesh = timed(job.execution(), "read", [&] { return read_mesh(path, read); });
+  TriangleMesh mesh = timed(job.execution(), "read", [&] {
+    return properties == nullptr ? read_mesh(path, read) : read_mesh(path, read, *properties);
+  });
   job.report().set(section + "/faces", read.faces);
   if (read.polygons > 0) job.report().set(section + "/polygons_cut", read.polygons);
   const std::size_t left_out = read.short_faces + read.degenerate_triangles;

@@ -8,6 +8,7 @@
 #include "geom/errors.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
+#include "io/vertex_properties.h"
 
 namespace cocoon::app {
 
@@ -31,11 +32,14 @@ void make_folder(const std::string& path);
 std::string in_folder(const std::string& folder, const std::string& name);
 
 // Reads points; times it as stage "read". What the reader left out is counted in the report's
-// section `section` ("input") and warned of.
-std::vector<Point> read_cloud(Job& job, const std::string& path, const std::string& section);
+// section `section` ("input") and warned of. `properties`, if not null, gets what a PLY file says
+// of its vertices beside their position.
+std::vector<Point> read_cloud(Job& job, const std::string& path, const std::string& section,
+                              VertexProperties* properties = nullptr);
 
 // Reads what may be a mesh or a point cloud: a file without triangles gives points alone.
-TriangleMesh read_shape(Job& job, const std::string& path, const std::string& section);
+TriangleMesh read_shape(Job& job, const std::string& path, const std::string& section,
+                        VertexProperties* properties = nullptr);
 
 // Runs `body` and puts the name of the file in front of what the library says of its content.
 template <class Body>

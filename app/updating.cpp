@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "app/carried_properties.h"
 #include "app/files.h"
 #include "app/html_report.h"
 #include "app/reconstruct_report.h"
@@ -13,6 +14,7 @@
 #include "geom/mesh_check.h"
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
+#include "update/vertex_origins.h"
 
 namespace cocoon::app {
 
@@ -34,6 +36,18 @@ std::string with_cloud_names(std::string message, const std::vector<std::string>
     if (at != std::string::npos) message.replace(at, numbered.size(), names[c]);
   }
   return message;
+}
+
+VertexProperties properties_of_update(Job& job, const UpdateInput& input,
+                                      const UpdateResult& result) {
+  if (input.properties.empty()) return {};
+  std::vector<std::string> names = {input.model_name};
+  names.insert(names.end(), input.cloud_names.begin(), input.cloud_names.end());
+  std::vector<RowOrigin> origins;
+  for (const VertexOrigin& origin : vertex_origins(result)) {
+    origins.push_back({origin.input, origin.index});
+  }
+  return carried_properties(job, input.properties, names, origins);
 }
 
 }  // namespace
@@ -59,8 +73,8 @@ UpdateOptions update_options(const SurfaceArguments& arguments) {
   return options;
 }
 
-TriangleMesh initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
-                           const ReconstructOptions& options) {
+ReconstructResult initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
+                                const ReconstructOptions& options) {
   ReconstructResult result = timed(job.execution(), "initial_model", [&] {
     const Execution execution = job.execution();
     PrefixedProgress nested("initial_model", execution.progress);
@@ -73,7 +87,7 @@ TriangleMesh initial_model(Job& job, const std::string& name, const std::vector<
   job.report().set("initial_model/duplicates", result.duplicates);
   job.report().set("initial_model/unused_points", result.unused_points);
   job.report().set("initial_model/triangles", result.mesh.triangles.size());
-  return std::move(result.mesh);
+  return result;
 }
 
 void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,
@@ -102,8 +116,10 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   say_update(job, record);
   for (const std::string& warning : result.warnings) job.warn(warning);
 
+  const VertexProperties properties = properties_of_update(job, input, result);
+
   timed(job.execution(), "write", [&] {
-    write_mesh(output.mesh, result.mesh, {.ascii = output.ascii});
+    write_mesh(output.mesh, result.mesh, properties, {.ascii = output.ascii});
     if (!output.map.empty()) write_file(output.map, map_text(result.vertex_map));
     if (!output.html.empty()) {
       write_file(output.html, html_page(update_page(record, job.timings()), job.report()));

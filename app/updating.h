@@ -8,6 +8,7 @@
 #include "app/job.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
+#include "io/vertex_properties.h"
 #include "update/update_model.h"
 
 namespace cocoon::app {
@@ -23,6 +24,8 @@ struct UpdateInput {
   TriangleMesh model;
   std::vector<std::string> cloud_names;
   std::vector<std::vector<Point>> clouds;
+  // Of the model and of each cloud, to be carried to the output; empty: nothing is carried.
+  std::vector<VertexProperties> properties;
 };
 
 // What to write; empty: not wanted.
@@ -35,8 +38,8 @@ struct UpdateOutput {
 
 // The closed surface of a model given as points, as stage "initial_model"; its counts go to the
 // section "initial_model" of the report. Throws InputError if there is none.
-TriangleMesh initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
-                           const ReconstructOptions& options);
+ReconstructResult initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
+                                const ReconstructOptions& options);
 
 // Updates, writes the outputs, and fills in the report. Throws InputError, with the library's
 // explanation, if there is no updated model; then nothing is written.

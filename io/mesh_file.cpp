@@ -1,6 +1,7 @@
 #include "io/mesh_file.h"
 
 #include <string>
+#include <utility>
 
 #include "io/atomic_file.h"
 #include "io/file_bytes.h"
@@ -43,16 +44,33 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
   return read_mesh(path, report);
 }
 
+TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report,
+                       VertexProperties& properties) {
+  PolygonSoup soup = read_polygon_soup(path, true);
+  properties = std::move(soup.properties);
+  properties.rows = soup.points.size();
+  return triangles_of(std::move(soup), path, report);
+}
+
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
                 const MeshWriteOptions& options) {
+  write_mesh(path, mesh, VertexProperties{}, options);
+}
+
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+                const VertexProperties& properties, const MeshWriteOptions& options) {
   const FileFormat format = format_of(path);
   if (!is_mesh(format)) {
     throw file_error(path, "meshes are not written with extension " +
                                in_quotes(extension_of(path)) + "; use .ply, .obj, .off or .stl");
   }
   check_writable(path, mesh);
+  if (!properties.columns.empty() && properties.rows != mesh.points.size()) {
+    throw file_error(path, "not written: properties of " + std::to_string(properties.rows) +
+                               " vertices for " + std::to_string(mesh.points.size()));
+  }
   AtomicFile file(path);
-  if (format == FileFormat::ply) write_ply(file, mesh, options);
+  if (format == FileFormat::ply) write_ply(file, mesh, properties, options);
   if (format == FileFormat::obj) write_obj(file, mesh);
   if (format == FileFormat::off) write_off(file, mesh);
   if (format == FileFormat::stl) write_stl(file, mesh, options);

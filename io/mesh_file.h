@@ -6,6 +6,7 @@
 #include "geom/errors.h"
 #include "geom/triangle_mesh.h"
 #include "io/mesh_file_options.h"
+#include "io/vertex_properties.h"
 
 namespace cocoon {
 
@@ -22,6 +23,9 @@ bool has_mesh_extension(const std::filesystem::path& path);
 // O(bytes), but see triangulate_polygon for polygons that are not convex.
 TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report);
 TriangleMesh read_mesh(const std::filesystem::path& path);
+// The same, and what a PLY file says of its vertices beside their position: one row per vertex.
+TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report,
+                       VertexProperties& properties);
 
 // Writes vertices and triangles in their order; all bits of the coordinates are kept, but for PLY
 // with single_precision and for binary STL. The file appears complete or not at all
@@ -29,5 +33,9 @@ TriangleMesh read_mesh(const std::filesystem::path& path);
 // or a corner that is no vertex (no reader would take the file back), and if it cannot be written.
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
                 const MeshWriteOptions& options = {});
+// The same with properties of the vertices, one row per vertex; formats other than PLY have no
+// place for them. Also throws FileError if there are columns, but not as many rows as vertices.
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+                const VertexProperties& properties, const MeshWriteOptions& options = {});
 
 }  // namespace cocoon

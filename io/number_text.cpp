@@ -47,14 +47,17 @@ void append_shortest(std::string& text, T value) {
   text.append(buffer, result.ptr);
 }
 
-}  // namespace
+// Behind an optional plus sign, which from_chars does not take; null if what follows is no number.
+const char* behind_plus(const char* at, const char* end) {
+  if (at == end || *at != '+') return at;
+  ++at;
+  return at != end && *at == '-' ? nullptr : at;
+}
 
-bool parse_double(const char*& at, const char* end, double& value) {
-  const char* begin = at;
-  if (begin != end && *begin == '+') {
-    ++begin;  // from_chars takes no plus sign
-    if (begin != end && *begin == '-') return false;
-  }
+template <class T>
+bool parse_real(const char*& at, const char* end, T& value) {
+  const char* begin = behind_plus(at, end);
+  if (begin == nullptr) return false;
   const std::from_chars_result result = std::from_chars(begin, end, value);
   if (result.ec == std::errc::invalid_argument) return false;
   if (result.ec == std::errc::result_out_of_range) {
@@ -62,27 +65,41 @@ bool parse_double(const char*& at, const char* end, double& value) {
     const char* digits = begin + (negative ? 1 : 0);
     const bool large = is_too_large({digits, static_cast<std::size_t>(result.ptr - digits)});
     value =
-        std::copysign(large ? std::numeric_limits<double>::infinity() : 0.0, negative ? -1.0 : 1.0);
+        std::copysign(large ? std::numeric_limits<T>::infinity() : T(0), negative ? T(-1) : T(1));
   }
   at = result.ptr;
   return true;
 }
 
-bool parse_integer(const char*& at, const char* end, std::int64_t& value) {
-  const char* begin = at;
-  if (begin != end && *begin == '+') {
-    ++begin;
-    if (begin != end && *begin == '-') return false;
-  }
+template <class T>
+bool parse_whole(const char*& at, const char* end, T& value) {
+  const char* begin = behind_plus(at, end);
+  if (begin == nullptr) return false;
   const std::from_chars_result result = std::from_chars(begin, end, value);
   if (result.ec != std::errc()) return false;
   at = result.ptr;
   return true;
 }
 
+}  // namespace
+
+bool parse_double(const char*& at, const char* end, double& value) {
+  return parse_real(at, end, value);
+}
+bool parse_float(const char*& at, const char* end, float& value) {
+  return parse_real(at, end, value);
+}
+bool parse_integer(const char*& at, const char* end, std::int64_t& value) {
+  return parse_whole(at, end, value);
+}
+bool parse_integer(const char*& at, const char* end, std::uint64_t& value) {
+  return parse_whole(at, end, value);
+}
+
 void append_number(std::string& text, double value) { append_shortest(text, value); }
 void append_number(std::string& text, float value) { append_shortest(text, value); }
 void append_number(std::string& text, std::size_t value) { append_shortest(text, value); }
+void append_number(std::string& text, std::int64_t value) { append_shortest(text, value); }
 
 bool Fields::done() {
   skip_blanks();

@@ -16,14 +16,18 @@ constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c
 // that separates nothing. The result is the nearest double; too large a number gives an infinity,
 // too small a one 0, with its sign.
 bool parse_double(const char*& at, const char* end, double& value);
+// The same with the nearest float (which is not always the float nearest to the nearest double).
+bool parse_float(const char*& at, const char* end, float& value);
 
 // The same for a whole number (sign allowed); false also if it does not fit 64 bits.
 bool parse_integer(const char*& at, const char* end, std::int64_t& value);
+bool parse_integer(const char*& at, const char* end, std::uint64_t& value);
 
 // Appends the shortest decimal text that reads back as the same bits (at most 17 digits).
 void append_number(std::string& text, double value);
 void append_number(std::string& text, float value);
 void append_number(std::string& text, std::size_t value);
+void append_number(std::string& text, std::int64_t value);
 
 // Takes the blank-separated fields of one line, one after the other.
 class Fields {

@@ -8,6 +8,7 @@
 #include "io/number_text.h"
 #include "io/ply_body.h"
 #include "io/ply_header.h"
+#include "io/ply_properties.h"
 #include "io/single_precision.h"
 
 namespace cocoon {
@@ -61,8 +62,8 @@ std::vector<Role> roles_of(const PlyElement& element, const FileBytes& file) {
 template <class Body>
 class ElementReader {
  public:
-  ElementReader(const FileBytes& file, Body& body, PolygonSoup& soup)
-      : file_(file), body_(body), soup_(soup) {}
+  ElementReader(const FileBytes& file, Body& body, bool keep_properties, PolygonSoup& soup)
+      : file_(file), body_(body), keep_properties_(keep_properties), soup_(soup) {}
 
   void read(const PlyElement& element) {
     if (element.name == "vertex") {
@@ -87,6 +88,9 @@ class ElementReader {
 
   void read_vertices(const PlyElement& element) {
     const std::vector<Role> roles = roles_of(element, file_);
+    std::vector<bool> taken;
+    for (Role role : roles) taken.push_back(role != Role::none);
+    KeptProperties kept(element, taken, keep_properties_);
     soup_.points.reserve(element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
       body_.begin_element(element, i);
@@ -103,13 +107,14 @@ class ElementReader {
             point.z = body_.number(element.properties[k].type);
             break;
           default:
-            skip(element.properties[k]);
+            if (!kept.read(k, body_)) skip(element.properties[k]);
         }
       }
       if (!is_finite(point)) soup_.non_finite.note(i, body_.line());
       soup_.points.push_back(point);
       body_.end_element();
     }
+    soup_.properties = kept.take();
   }
 
   void read_faces(const PlyElement& element) {
@@ -173,14 +178,15 @@ class ElementReader {
 
   const FileBytes& file_;
   Body& body_;
+  bool keep_properties_;
   PolygonSoup& soup_;
 };
 
 template <class Body>
-PolygonSoup read_elements(const FileBytes& file, const PlyHeader& header) {
+PolygonSoup read_elements(const FileBytes& file, const PlyHeader& header, bool keep_properties) {
   PolygonSoup soup;
   Body body(file, header);
-  ElementReader<Body> reader(file, body, soup);
+  ElementReader<Body> reader(file, body, keep_properties, soup);
   for (const PlyElement& element : header.elements) reader.read(element);
   soup.surplus_lines = body.surplus_lines();
   soup.trailing_bytes = body.trailing_bytes();
@@ -206,12 +212,15 @@ void check_elements(const FileBytes& file, const PlyHeader& header) {
 // ---- writing ----
 
 std::string header_text(std::size_t points, const TriangleMesh* mesh,
-                        const MeshWriteOptions& options) {
+                        const VertexProperties& properties, const MeshWriteOptions& options) {
   const std::string type = options.single_precision ? "float" : "double";
   std::string text = "ply\nformat ";
   text += options.ascii ? "ascii" : "binary_little_endian";
   text += " 1.0\ncomment written by cocoon\nelement vertex " + std::to_string(points) + "\n";
   for (const char* axis : {"x", "y", "z"}) text += "property " + type + " " + axis + "\n";
+  for (const VertexProperty& column : properties.columns) {
+    text += "property " + type_text(column.declaration) + " " + column.declaration.name + "\n";
+  }
   if (mesh != nullptr) {
     // int is what most readers expect; beyond its range the same bytes are a uint.
     const bool fits_int = points <= static_cast<std::size_t>(std::numeric_limits<int>::max());
@@ -230,19 +239,32 @@ void append_coordinate(std::string& bytes, T value, bool ascii) {
   }
 }
 
-void write_vertices(AtomicFile& file, Points points, const MeshWriteOptions& options) {
-  for (const Point& point : points) {
-    for (int axis = 0; axis < 3; ++axis) {
-      float rounded = 0;
-      if (!options.single_precision) {
-        append_coordinate(file.buffer(), point[axis], options.ascii);
-      } else if (round_to_float(point[axis], rounded)) {
-        append_coordinate(file.buffer(), rounded, options.ascii);
-      } else {
-        throw file_error(file.target(), "a coordinate is too large for float; write double");
-      }
-      if (options.ascii) file.buffer() += axis < 2 ? ' ' : '\n';
+void write_position(AtomicFile& file, const Point& point, const MeshWriteOptions& options) {
+  for (int axis = 0; axis < 3; ++axis) {
+    float rounded = 0;
+    if (options.ascii && axis > 0) file.buffer() += ' ';
+    if (!options.single_precision) {
+      append_coordinate(file.buffer(), point[axis], options.ascii);
+    } else if (round_to_float(point[axis], rounded)) {
+      append_coordinate(file.buffer(), rounded, options.ascii);
+    } else {
+      throw file_error(file.target(), "a coordinate is too large for float; write double");
     }
+  }
+}
+
+void write_vertices(AtomicFile& file, Points points, const VertexProperties& properties,
+                    const MeshWriteOptions& options) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    write_position(file, points[i], options);
+    for (const VertexProperty& column : properties.columns) {
+      if (options.ascii) {
+        append_as_text(column, i, file.buffer());
+      } else {
+        append_as_bytes(column, i, file.buffer());
+      }
+    }
+    if (options.ascii) file.buffer() += '\n';
     file.flush_if_full();
   }
 }
@@ -266,22 +288,25 @@ void write_faces(AtomicFile& file, const TriangleMesh& mesh, const MeshWriteOpti
 
 }  // namespace
 
-PolygonSoup read_ply(const FileBytes& file) {
+PolygonSoup read_ply(const FileBytes& file, bool keep_properties) {
   const PlyHeader header = read_ply_header(file);
   check_elements(file, header);
-  if (header.encoding == PlyEncoding::ascii) return read_elements<PlyTextBody>(file, header);
-  return read_elements<PlyBinaryBody>(file, header);
+  if (header.encoding == PlyEncoding::ascii) {
+    return read_elements<PlyTextBody>(file, header, keep_properties);
+  }
+  return read_elements<PlyBinaryBody>(file, header, keep_properties);
 }
 
-void write_ply(AtomicFile& file, const TriangleMesh& mesh, const MeshWriteOptions& options) {
-  file.write(header_text(mesh.points.size(), &mesh, options));
-  write_vertices(file, mesh.points.span(), options);
+void write_ply(AtomicFile& file, const TriangleMesh& mesh, const VertexProperties& properties,
+               const MeshWriteOptions& options) {
+  file.write(header_text(mesh.points.size(), &mesh, properties, options));
+  write_vertices(file, mesh.points.span(), properties, options);
   write_faces(file, mesh, options);
 }
 
 void write_ply(AtomicFile& file, Points points, const MeshWriteOptions& options) {
-  file.write(header_text(points.size(), nullptr, options));
-  write_vertices(file, points, options);
+  file.write(header_text(points.size(), nullptr, {}, options));
+  write_vertices(file, points, {}, options);
 }
 
 }  // namespace cocoon

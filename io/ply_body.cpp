@@ -1,6 +1,7 @@
 #include "io/ply_body.h"
 
 #include <cmath>
+#include <iterator>
 
 #include "io/byte_order.h"
 
@@ -15,6 +16,55 @@ bool whole_number(double value, std::int64_t& result) {
   if (!(std::abs(value) < two_to_63) || value != std::trunc(value)) return false;
   result = static_cast<std::int64_t>(value);
   return true;
+}
+
+bool parse(const char*& at, const char* end, float& value) { return parse_float(at, end, value); }
+bool parse(const char*& at, const char* end, double& value) { return parse_double(at, end, value); }
+bool parse(const char*& at, const char* end, std::uint64_t& value) {
+  return parse_integer(at, end, value);
+}
+template <class T>
+bool parse(const char*& at, const char* end, T& value) {
+  std::int64_t wide = 0;
+  if (!parse_integer(at, end, wide)) return false;
+  value = static_cast<T>(wide);
+  return static_cast<std::int64_t>(value) == wide;
+}
+
+template <class T>
+bool append_parsed(std::string_view word, std::string& bytes) {
+  const char* at = word.data();
+  const char* end = at + word.size();
+  T value{};
+  if (!parse(at, end, value) || at != end) return false;
+  append_little_endian(bytes, value);
+  return true;
+}
+
+bool append_word(std::string_view word, PlyType type, std::string& bytes) {
+  switch (type) {
+    case PlyType::int8:
+      return append_parsed<std::int8_t>(word, bytes);
+    case PlyType::uint8:
+      return append_parsed<std::uint8_t>(word, bytes);
+    case PlyType::int16:
+      return append_parsed<std::int16_t>(word, bytes);
+    case PlyType::uint16:
+      return append_parsed<std::uint16_t>(word, bytes);
+    case PlyType::int32:
+      return append_parsed<std::int32_t>(word, bytes);
+    case PlyType::uint32:
+      return append_parsed<std::uint32_t>(word, bytes);
+    case PlyType::int64:
+      return append_parsed<std::int64_t>(word, bytes);
+    case PlyType::uint64:
+      return append_parsed<std::uint64_t>(word, bytes);
+    case PlyType::float32:
+      return append_parsed<float>(word, bytes);
+    case PlyType::float64:
+      return append_parsed<double>(word, bytes);
+  }
+  return false;
 }
 
 }  // namespace
@@ -65,6 +115,16 @@ void PlyTextBody::skip(PlyType, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     if (fields_.word().empty()) fail_value("one more value");
   }
+}
+
+bool PlyTextBody::append(PlyType type, std::size_t count, std::string& bytes) {
+  bool all = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string_view word = fields_.word();
+    if (word.empty()) fail_value("one more value");
+    all = append_word(word, type, bytes) && all;
+  }
+  return all;
 }
 
 void PlyTextBody::end_element() {
@@ -161,5 +221,18 @@ std::size_t PlyBinaryBody::list_length(PlyType count_type, PlyType type) {
 }
 
 void PlyBinaryBody::skip(PlyType type, std::size_t count) { take(size_of(type), count); }
+
+bool PlyBinaryBody::append(PlyType type, std::size_t count, std::string& bytes) {
+  const std::size_t size = size_of(type);
+  const char* values = take(size, count);
+  if (order_ == std::endian::little) {
+    bytes.append(values, size * count);
+    return true;
+  }
+  for (const char* value = values; value != values + size * count; value += size) {
+    bytes.append(std::make_reverse_iterator(value + size), std::make_reverse_iterator(value));
+  }
+  return true;
+}
 
 }  // namespace cocoon

@@ -6,9 +6,13 @@
 //   integer(type)               the next value as a whole number
 //   list_length(type, type)     the length of a list whose values of the second type follow
 //   skip(type, count)           leaves out values
+//   append(type, count, bytes)  appends values of this type, little endian, with their bits; false
+//                               if one of them is no such value (ascii only): it is then behind us
+//                               with all the others, but not appended
 //   line()                      of the element, 0 in a binary file
 //   end_element()
-// All throw FileError if the value is missing or cannot be what is asked for.
+// All but append() throw FileError if the value cannot be what is asked for; all do if it is
+// missing.
 #pragma once
 
 #include <bit>
@@ -34,6 +38,7 @@ class PlyTextBody {
   std::int64_t integer(PlyType type);
   std::size_t list_length(PlyType count_type, PlyType type);
   void skip(PlyType type, std::size_t count);
+  bool append(PlyType type, std::size_t count, std::string& bytes);
   void end_element();
   std::size_t line() const { return header_lines_ + lines_.number(); }
   std::size_t surplus_lines() const { return surplus_lines_; }
@@ -61,6 +66,7 @@ class PlyBinaryBody {
   std::int64_t integer(PlyType type);
   std::size_t list_length(PlyType count_type, PlyType type);
   void skip(PlyType type, std::size_t count);
+  bool append(PlyType type, std::size_t count, std::string& bytes);
   void end_element() {}
   std::size_t line() const { return 0; }
   std::size_t surplus_lines() const { return 0; }

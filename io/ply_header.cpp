@@ -206,6 +206,13 @@ std::size_t size_of(PlyType type) {
   return 0;
 }
 
+std::string_view name_of(PlyType type) {
+  for (const auto& [name, known] : type_names) {
+    if (known == type) return name;
+  }
+  return {};
+}
+
 PlyHeader read_ply_header(const FileBytes& file) { return HeaderReader(file).read(); }
 
 }  // namespace cocoon

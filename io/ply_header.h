@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/file_bytes.h"
@@ -16,11 +17,17 @@ enum class PlyType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, f
 
 std::size_t size_of(PlyType type);
 
+// "char", "uchar", ..., "double": the names of the original format (and "int64", "uint64", which it
+// lacks).
+std::string_view name_of(PlyType type);
+
 struct PlyProperty {
   std::string name;
   PlyType type = PlyType::float32;  // of the value, or of a list's values
   bool is_list = false;
   PlyType count_type = PlyType::uint8;  // of a list's length
+
+  friend bool operator==(const PlyProperty&, const PlyProperty&) = default;
 };
 
 struct PlyElement {

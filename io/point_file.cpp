@@ -1,6 +1,8 @@
 #include "io/point_file.h"
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "io/atomic_file.h"
 #include "io/file_bytes.h"
@@ -15,9 +17,12 @@ namespace cocoon {
 
 namespace {
 
-// Removes what is not finite; the number of points removed.
-std::size_t remove_non_finite(std::vector<Point>& points) {
-  return std::erase_if(points, [](const Point& point) { return !is_finite(point); });
+// Removes what is not finite, and counts it.
+void remove_non_finite(PointCloud& cloud) {
+  std::vector<std::uint8_t> kept;
+  for (const Point& point : cloud.points) kept.push_back(is_finite(point) ? 1 : 0);
+  cloud.skipped = std::erase_if(cloud.points, [](const Point& point) { return !is_finite(point); });
+  if (cloud.skipped > 0) cloud.properties = select_properties(cloud.properties, kept);
 }
 
 }  // namespace
@@ -34,13 +39,15 @@ PointCloud read_points(const std::filesystem::path& path, const PointReadOptions
   if (format == FileFormat::text) {
     cloud = read_xyz(read_file(path), non_finite);
   } else {
-    PolygonSoup soup = read_polygon_soup(path);
+    PolygonSoup soup = read_polygon_soup(path, options.keep_properties);
     check_corners(soup, path);
     non_finite = soup.non_finite;
     cloud.points = std::move(soup.points);
+    cloud.properties = std::move(soup.properties);
   }
+  cloud.properties.rows = cloud.points.size();
   if (options.skip_non_finite) {
-    cloud.skipped = remove_non_finite(cloud.points);
+    remove_non_finite(cloud);
   } else {
     non_finite.finish(path);
   }

@@ -9,6 +9,7 @@
 #include "geom/errors.h"
 #include "geom/point.h"
 #include "io/mesh_file_options.h"
+#include "io/vertex_properties.h"
 
 namespace cocoon {
 
@@ -16,6 +17,8 @@ struct PointReadOptions {
   // A point with a coordinate that is not a finite number (nan, inf, 1e999) is an error. With true
   // it is left out and counted: organized scans mark "nothing measured" in this way.
   bool skip_non_finite = false;
+  // Keep what a PLY file says of its vertices beside their position, in PointCloud::properties.
+  bool keep_properties = false;
 };
 
 struct PointCloud {
@@ -24,6 +27,7 @@ struct PointCloud {
   std::string header;         // text files: the line of column names that was skipped, if any
   std::size_t columns = 0;    // text files: of the first row; columns behind the third are ignored
   std::size_t announced = 0;  // text files: the count in a first line of its own, 0 without one
+  VertexProperties properties;  // one row per point; no column unless asked for
 };
 
 // Text (.xyz .pts .txt .csv .npts .pwn .asc): one point a line, x y z first, see io/xyz.h. Mesh

@@ -11,6 +11,7 @@
 #include "geom/triangle_mesh.h"
 #include "io/file_bytes.h"
 #include "io/mesh_file_options.h"
+#include "io/vertex_properties.h"
 
 namespace cocoon {
 
@@ -20,6 +21,7 @@ struct PolygonSoup {
   std::vector<std::size_t> face_ends;   // face f has corners [face_ends[f - 1], face_ends[f])
   std::vector<std::size_t> face_lines;  // the line of each face; empty if the format has no lines
   NonFinitePoints non_finite;           // which points are not finite
+  VertexProperties properties;          // PLY, if asked for
   std::size_t surplus_lines = 0;        // see MeshReadReport
   std::size_t trailing_bytes = 0;
 

@@ -9,14 +9,14 @@
 
 namespace cocoon {
 
-PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
+PolygonSoup read_polygon_soup(const std::filesystem::path& path, bool keep_properties) {
   const FileFormat format = format_of(path);
   if (!is_mesh(format)) {
     throw file_error(path, "extension " + in_quotes(extension_of(path)) +
                                " is not that of a mesh; use .ply, .obj, .off or .stl");
   }
   const FileBytes file = read_file(path);
-  if (format == FileFormat::ply) return read_ply(file);
+  if (format == FileFormat::ply) return read_ply(file, keep_properties);
   if (format == FileFormat::obj) return read_obj(file);
   if (format == FileFormat::off) return read_off(file);
   return read_stl(file);

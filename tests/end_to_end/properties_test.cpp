@@ -1,0 +1,153 @@
+// Colors and other properties of PLY files go where their vertices go.
+#include <algorithm>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "io/byte_order.h"
+#include "io/mesh_file.h"
+#include "io/point_file.h"
+#include "io/sample_models.h"
+#include "tests/run_program.h"
+#include "tests/test_clouds.h"
+
+namespace cocoon::test {
+namespace {
+
+using Json = nlohmann::json;
+
+// The points as ascii PLY with two properties that number them, from `first` on.
+std::string numbered_ply(Points points, int first, const std::string& number_type = "int") {
+  std::ostringstream text;
+  text.precision(17);
+  text << "ply\nformat ascii 1.0\nelement vertex " << points.size()
+       << "\nproperty uchar red\nproperty double x\nproperty double y\nproperty double z\n"
+       << "property " << number_type << " number\nend_header\n";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& p = points[i];
+    text << i % 256 << ' ' << p.x << ' ' << p.y << ' ' << p.z << ' ' << first + static_cast<int>(i)
+         << '\n';
+  }
+  return text.str();
+}
+
+struct NumberedMesh {
+  TriangleMesh mesh;
+  std::vector<int> numbers;
+  std::vector<int> reds;
+};
+
+NumberedMesh read_numbered(const std::string& path) {
+  NumberedMesh result;
+  MeshReadReport report;
+  VertexProperties properties;
+  result.mesh = read_mesh(path, report, properties);
+  EXPECT_EQ(properties.columns.size(), 2U);
+  if (properties.columns.size() != 2) return result;
+  EXPECT_EQ(type_text(properties.columns[0].declaration), "uchar");
+  EXPECT_EQ(type_text(properties.columns[1].declaration), "int");
+  for (std::size_t i = 0; i < properties.rows; ++i) {
+    result.reds.push_back(static_cast<std::uint8_t>(properties.columns[0].values[i]));
+    result.numbers.push_back(load_number<std::int32_t>(properties.columns[1].values.data() + 4 * i,
+                                                       std::endian::little));
+  }
+  return result;
+}
+
+std::vector<Point> sphere_points() {
+  std::istringstream text(whole_sphere(1500));
+  std::vector<Point> points;
+  for (Point p; text >> p.x >> p.y >> p.z;) points.push_back(p);
+  return points;
+}
+
+TEST(Properties, ReconstructCarriesTheRowOfTheFirstOfEqualPoints) {
+  const TemporaryFolder folder;
+  std::vector<Point> points = sphere_points();
+  const std::size_t distinct = points.size();
+  for (std::size_t i = 0; i < 100; ++i) points.push_back(points[i]);
+  const std::string cloud = folder.write("cloud.ply", numbered_ply(points, 0));
+  for (const std::string command : {"reconstruct", "boundary"}) {
+    const ProgramRun run =
+        run_program({command, cloud, "-o", folder.file("out.ply"), "--json", "-"});
+    ASSERT_EQ(run.exit_code, 0) << run.error;
+    EXPECT_EQ(Json::parse(run.out)["properties"],
+              Json::parse(R"([{"name":"red","type":"uchar","missing":0},
+                              {"name":"number","type":"int","missing":0}])"));
+    const NumberedMesh out = read_numbered(folder.file("out.ply"));
+    ASSERT_GT(out.numbers.size(), distinct / 2);
+    for (const VertexId v : out.mesh.points.ids()) {
+      const auto number = static_cast<std::size_t>(out.numbers[v.index()]);
+      ASSERT_LT(number, distinct);
+      EXPECT_EQ(out.mesh.points[v], points[number]);
+      EXPECT_EQ(out.reds[v.index()], static_cast<int>(number % 256));
+    }
+  }
+}
+
+TEST(Properties, OtherFormatsAreWrittenWithout) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.ply", numbered_ply(sphere_points(), 0));
+  const ProgramRun run =
+      run_program({"reconstruct", cloud, "-o", folder.file("out.obj"), "--json", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_FALSE(Json::parse(run.out).contains("properties"));
+}
+
+// A model given as points, as a mesh, and a cloud with, without and with other properties.
+TEST(Properties, UpdateCarriesThoseOfModelAndCloud) {
+  const TemporaryFolder folder;
+  const SampleModel block = sample_model("block");
+  const std::vector<Point>& added = block.clouds.front();
+  constexpr int first_of_cloud = 1000000;
+  const std::string points = folder.write("points.ply", numbered_ply(block.initial, 0));
+  const std::string cloud = folder.write("cloud.ply", numbered_ply(added, first_of_cloud));
+  const std::string bare = folder.file("bare.xyz");
+  write_points(bare, added);
+  const std::string other = folder.write("other.ply", numbered_ply(added, 0, "float"));
+  const std::string mesh = folder.file("mesh.ply");
+  ASSERT_EQ(run_program({"reconstruct", points, "-o", mesh}).exit_code, 0);
+
+  const auto update = [&](const std::string& model, const std::string& with) {
+    const ProgramRun run =
+        run_program({"update", model, with, "-o", folder.file("out.ply"), "--json", "-"});
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    return Json::parse(run.out);
+  };
+  for (const std::string& model : {points, mesh}) {
+    const Json report = update(model, cloud);
+    EXPECT_EQ(report["properties"][1]["missing"], 0);
+    const NumberedMesh out = read_numbered(folder.file("out.ply"));
+    std::size_t from_cloud = 0;
+    for (const VertexId v : out.mesh.points.ids()) {
+      const int number = out.numbers[v.index()];
+      const bool is_added = number >= first_of_cloud;
+      from_cloud += is_added ? 1U : 0U;
+      const auto index = static_cast<std::size_t>(is_added ? number - first_of_cloud : number);
+      EXPECT_EQ(out.mesh.points[v], is_added ? added[index] : block.initial[index]);
+    }
+    EXPECT_GT(from_cloud, 1000U);
+    EXPECT_GT(out.numbers.size() - from_cloud, 1000U);
+  }
+
+  const Json without = update(mesh, bare);
+  const NumberedMesh out = read_numbered(folder.file("out.ply"));
+  const auto zeros =
+      static_cast<std::size_t>(std::count(out.numbers.begin(), out.numbers.end(), 0));
+  const std::size_t missing = without["properties"][1]["missing"];
+  EXPECT_GT(missing, 1000U);
+  EXPECT_LE(zeros - missing, 1U);  // the model's point 0, if it is kept
+  EXPECT_NE(without["warnings"].dump().find("no value"), std::string::npos);
+
+  const Json conflict = update(mesh, other);
+  EXPECT_EQ(conflict["properties_left_out"],
+            Json::array({other + ": number is no int as in the files before"}));
+  EXPECT_EQ(conflict["properties"][0]["missing"], 0);
+  EXPECT_EQ(conflict["properties"][1]["missing"], missing);
+}
+
+}  // namespace
+}  // namespace cocoon::test
