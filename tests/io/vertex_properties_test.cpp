@@ -135,10 +135,10 @@ TEST(VertexProperties, ValuesThatAreNotOfTheirTypeLeaveThePropertyOut) {
   ASSERT_EQ(decimals.columns.size(), 1U);
   EXPECT_EQ(decimals.columns[0].declaration.name, "u");
   EXPECT_EQ(decimals.columns[0].values, bytes_of<std::int32_t>({1, -1}));
-  EXPECT_EQ(decimals.left_out, Strings{"t is no uchar in line 10"});
-  EXPECT_EQ(read(one, "0 0 1 256 1\n0 0 2 7 1\n").left_out, Strings{"t is no uchar in line 9"});
+  EXPECT_EQ(decimals.left_out, Strings{"t is no uchar in line 11"});
+  EXPECT_EQ(read(one, "0 0 1 256 1\n0 0 2 7 1\n").left_out, Strings{"t is no uchar in line 10"});
   EXPECT_EQ(read(one, "0 0 1 -1 1\n0 0 2 7 x\n").left_out,
-            (Strings{"t is no uchar in line 9", "u is no int in line 10"}));
+            (Strings{"t is no uchar in line 10", "u is no int in line 11"}));
 
   std::string long_list = "0 0 1 300";
   for (int i = 0; i < 300; ++i) long_list += " 1";
