@@ -1,22 +1,27 @@
 #include "cocone/boundary_samples.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <utility>
 #include <vector>
+
+#include "cocone/cocone_radii.h"
 
 namespace cocoon {
 namespace {
 
-constexpr std::size_t vertices_per_chunk = 4096;
+constexpr std::size_t facets_per_chunk = 8192;
 
-enum class State : std::uint8_t {
-  ratio_fails,  // boundary for good
-  pending,      // only the normal condition fails: phase 2 may still take it in
-  interior,
+// p is a cocone neighbor of q: p in N_q.
+struct NeighborOf {
+  VertexId q;
+  VertexId p;
+  friend auto operator<=>(const NeighborOf&, const NeighborOf&) = default;
 };
 
 struct Conditions {
   const Triangulation& triangulation;
-  const VertexStars& stars;
   const Poles& poles;
   const Cocones& cocones;
   double alpha_cosine;
@@ -25,61 +30,71 @@ struct Conditions {
     return std::abs(dot(poles.normals[p], poles.normals[q])) >= alpha_cosine;
   }
 
-  // Calls visit(p, q, p_in_N_q, q_in_N_p) for facets that contain p and another vertex q, until it
-  // returns false. A pair may come up several times. Returns false if it was stopped.
+  // Calls visit(p, q) for p in N_q as the facets begin .. end of `cocones` tell it; a pair may come
+  // up for several facets.
   template <class Visit>
-  bool for_each_neighbor(VertexId p, Visit visit) const {
-    for (const CellId c : stars.star(p)) {
-      const unsigned meets = cocones.meets[c];
-      if (meets == 0) continue;
-      const Cell& cell = triangulation.cell(c);
-      int corner = 0;
-      while (cell.vertices[static_cast<std::size_t>(corner)] != p) ++corner;
-      for (int i = 0; i < 4; ++i) {
-        const unsigned row = (meets >> (4 * i)) & 15U;
-        // Each facet at p shows in two cells of the star: the one with the smaller id tells of it.
-        if (i == corner || row == 0 || triangulation.mirror(facet_id(c, i)) < facet_id(c, i)) {
-          continue;
-        }
-        for (int k = 0; k < 4; ++k) {
-          if (k == i || k == corner) continue;
-          const VertexId q = cell.vertices[static_cast<std::size_t>(k)];
-          if (!visit(q, ((row >> k) & 1U) != 0, ((row >> corner) & 1U) != 0)) return false;
-        }
+  void for_each_neighbor(std::size_t begin, std::size_t end, Visit visit) const {
+    for (std::size_t k = begin; k < end; ++k) {
+      const FacetId f = cocones.facets[k];
+      const unsigned row = cocones.rows[k];
+      const Cell& cell = triangulation.cell(cell_of(f));
+      const int* corners = facet_corners[index_of(f)];
+      for (int i = 0; i < 3; ++i) {
+        if (((row >> corners[i]) & 1U) == 0) continue;
+        const VertexId q = cell.vertices[static_cast<std::size_t>(corners[i])];
+        visit(cell.vertices[static_cast<std::size_t>(corners[(i + 1) % 3])], q);
+        visit(cell.vertices[static_cast<std::size_t>(corners[(i + 2) % 3])], q);
       }
     }
-    return true;
-  }
-
-  bool normal_condition(VertexId p) const {
-    return for_each_neighbor(p, [&](VertexId q, bool p_is_neighbor_of_q, bool) {
-      return !p_is_neighbor_of_q || normals_agree(p, q);
-    });
-  }
-
-  bool joins(VertexId p, const IdVector<VertexId, State>& states) const {
-    return !for_each_neighbor(p, [&](VertexId q, bool p_is_neighbor_of_q, bool) {
-      return !(p_is_neighbor_of_q && states[q] == State::interior && normals_agree(p, q));
-    });
   }
 };
 
-// Phase 2: the least fixed point, from the pending samples outward.
+// 1 = the normal condition fails.
+VertexSet failing_normals(const Conditions& conditions, const Execution& execution) {
+  const std::size_t count = conditions.triangulation.num_vertices();
+  std::vector<std::atomic<std::uint8_t>> fails(count);
+  parallel_chunks(execution, conditions.cocones.facets.size(), facets_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    conditions.for_each_neighbor(begin, end, [&](VertexId p, VertexId q) {
+                      if (conditions.normals_agree(p, q)) return;
+                      fails[p.index()].store(1, std::memory_order_relaxed);
+                    });
+                  });
+  VertexSet flags(count);
+  for (const VertexId p : flags.ids()) flags[p] = fails[p.index()].load(std::memory_order_relaxed);
+  return flags;
+}
+
+enum class State : std::uint8_t {
+  ratio_fails,  // boundary for good
+  pending,      // only the normal condition fails: phase 2 may still take it in
+  interior,
+};
+
+// Phase 2: the least fixed point, from the interior samples outward along p in N_q with agreeing
+// normals and p pending.
 std::size_t recover_pending(const Conditions& conditions, IdVector<VertexId, State>& states) {
+  std::vector<NeighborOf> steps;
+  conditions.for_each_neighbor(0, conditions.cocones.facets.size(), [&](VertexId p, VertexId q) {
+    if (states[p] != State::pending || states[q] == State::ratio_fails) return;
+    if (conditions.normals_agree(p, q)) steps.push_back({q, p});
+  });
   std::vector<VertexId> joined;
-  for (const VertexId p : states.ids()) {
-    if (states[p] == State::pending && conditions.joins(p, states)) joined.push_back(p);
-  }
-  for (const VertexId p : joined) states[p] = State::interior;
+  const auto take = [&](VertexId p) {
+    if (states[p] != State::pending) return;
+    states[p] = State::interior;
+    joined.push_back(p);
+  };
+  const auto from_interior = [&](const NeighborOf& step) {
+    return states[step.q] == State::interior;
+  };
+  const auto first_joining = std::partition(steps.begin(), steps.end(), from_interior);
+  for (auto step = steps.begin(); step != first_joining; ++step) take(step->p);
+  std::sort(first_joining, steps.end());
   for (std::size_t next = 0; next < joined.size(); ++next) {
     const VertexId q = joined[next];
-    conditions.for_each_neighbor(q, [&](VertexId p, bool, bool p_is_neighbor_of_q) {
-      if (p_is_neighbor_of_q && states[p] == State::pending && conditions.normals_agree(p, q)) {
-        states[p] = State::interior;
-        joined.push_back(p);
-      }
-      return true;
-    });
+    auto step = std::lower_bound(first_joining, steps.end(), NeighborOf{q, VertexId(0)});
+    for (; step != steps.end() && step->q == q; ++step) take(step->p);
   }
   return joined.size();
 }
@@ -87,36 +102,25 @@ std::size_t recover_pending(const Conditions& conditions, IdVector<VertexId, Sta
 }  // namespace
 
 BoundarySamples boundary_samples(const Triangulation& triangulation, const Dual& dual,
-                                 const VertexStars& stars, const Poles& poles,
-                                 const Cocones& cocones, const BoundaryOptions& options,
-                                 const Execution& execution) {
+                                 const Poles& poles, const Cocones& cocones,
+                                 const BoundaryOptions& options, const Execution& execution) {
   report_progress(execution, "boundary_samples", 0);
-  const std::size_t count = triangulation.num_vertices();
-  const Conditions conditions{triangulation, stars, poles, cocones, options.alpha_cosine};
+  const Conditions conditions{triangulation, poles, cocones, options.alpha_cosine};
   // phase 1
-  IdVector<VertexId, State> states(count, State::ratio_fails);
-  parallel_chunks(execution, count, vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
-    for (VertexId p(begin); p.index() < end; ++p) {
-      // The cells of a star lie here and there in memory: ask for those of the next ones.
-      constexpr std::size_t ahead = 2;
-      if (p.index() + ahead < end) {
-        for (const CellId c : stars.star(VertexId(p.index() + ahead))) {
-          __builtin_prefetch(&cocones.meets[c]);
-          __builtin_prefetch(&triangulation.cell(c));
-        }
-      }
-      if (poles.degenerate[p] != 0) continue;
-      const double radius =
-          cocone_radius(triangulation, dual, stars, poles, cocones, p, options.radius_mode);
-      if (!(radius <= options.rho * poles.heights[p])) continue;
-      states[p] = conditions.normal_condition(p) ? State::interior : State::pending;
-    }
-  });
+  const IdVector<VertexId, double> radii =
+      cocone_radii(triangulation, dual, poles, cocones, options.radius_mode, execution);
+  report_progress(execution, "boundary_samples", 0.5);
+  const VertexSet normal_fails = failing_normals(conditions, execution);
   report_progress(execution, "boundary_samples", 0.8);
+  IdVector<VertexId, State> states(triangulation.num_vertices(), State::ratio_fails);
+  for (const VertexId p : states.ids()) {
+    if (poles.degenerate[p] != 0 || !(radii[p] <= options.rho * poles.heights[p])) continue;
+    states[p] = normal_fails[p] == 0 ? State::interior : State::pending;
+  }
   // phase 2
   BoundarySamples result;
   result.recovered = recover_pending(conditions, states);
-  result.boundary = VertexSet(count, 0);
+  result.boundary = VertexSet(states.size(), 0);
   for (const VertexId p : states.ids()) {
     result.boundary[p] = states[p] != State::interior;
     result.count += result.boundary[p];

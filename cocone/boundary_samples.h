@@ -13,11 +13,11 @@
 
 #include <cstddef>
 
+#include "cocone/cocone_radii.h"
 #include "cocone/cocones.h"
 #include "cocone/facet_set.h"
 #include "cocone/poles.h"
 #include "delaunay/triangulation.h"
-#include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/execution.h"
 
@@ -47,11 +47,12 @@ struct BoundarySamples {
 // until nothing changes. The result is a least fixed point, so the order of work does not matter.
 // Degenerate samples (poles.h) never join. If nothing is interior, no surface can be built from
 // these samples: interior() == 0.
-// Complexity: O(cells), phase 1 parallel over vertices.
+// Complexity: O(vertices + facets of `cocones`), and k log k for k facets at samples that fail the
+// normal condition; phase 1 parallel over facets.
 // Source: Dey & Giesen 2001 (Boundary); Woo & Dey 2005, section 3.2.
 BoundarySamples boundary_samples(const Triangulation& triangulation, const Dual& dual,
-                                 const VertexStars& stars, const Poles& poles,
-                                 const Cocones& cocones, const BoundaryOptions& options = {},
+                                 const Poles& poles, const Cocones& cocones,
+                                 const BoundaryOptions& options = {},
                                  const Execution& execution = {});
 
 }  // namespace cocoon

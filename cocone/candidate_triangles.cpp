@@ -1,37 +1,24 @@
 #include "cocone/candidate_triangles.h"
 
-#include <utility>
-
 namespace cocoon {
-
-namespace {
-constexpr std::size_t cells_per_chunk = 16384;
-}
 
 FacetSet candidate_triangles(const Triangulation& triangulation, const Cocones& cocones,
                              const VertexSet& boundary, const Execution& execution) {
   report_progress(execution, "candidate_triangles", 0);
-  const std::size_t count = triangulation.num_cells();
-  IdVector<CellId, std::uint8_t> flags(count, 0);
-  parallel_chunks(execution, count, cells_per_chunk, [&](std::size_t begin, std::size_t end) {
-    for (CellId c(begin); c.index() < end; ++c) {
-      if (cocones.meets[c] == 0) continue;
-      const Cell& cell = triangulation.cell(c);
-      unsigned interior = 0;  // bit i: vertex i votes
-      for (unsigned i = 0; i < (triangulation.is_infinite(c) ? 3U : 4U); ++i) {
-        interior |= (boundary[cell.vertices[i]] == 0 ? 1U : 0U) << i;
-      }
-      unsigned candidates = 0;
-      for (int i = 0; i < 4; ++i) {
-        const unsigned voters = interior & ~(1U << i);
-        const unsigned row = cocones.row(facet_id(c, i));
-        if (voters != 0 && (voters & ~row) == 0) candidates |= 1U << i;
-      }
-      flags[c] = static_cast<std::uint8_t>(candidates);
+  FacetSet candidates(triangulation.num_cells());
+  for (std::size_t k = 0; k < cocones.facets.size(); ++k) {
+    const FacetId f = cocones.facets[k];
+    const Cell& cell = triangulation.cell(cell_of(f));
+    unsigned voters = 0;  // bit j: vertex j votes
+    for (const int j : facet_corners[index_of(f)]) {
+      const VertexId v = cell.vertices[static_cast<std::size_t>(j)];
+      voters |= (boundary[v] == 0 ? 1U : 0U) << j;
     }
-  });
+    const unsigned row = cocones.rows[k];
+    if (voters != 0 && (voters & ~row) == 0) candidates.insert(triangulation, f);
+  }
   report_progress(execution, "candidate_triangles", 1);
-  return FacetSet(std::move(flags));
+  return candidates;
 }
 
 }  // namespace cocoon

@@ -81,8 +81,8 @@ class Reconstruction {
       cocones = intersect_cocones(triangulation_, dual_, poles_, options_.cocone, nested);
     });
     run_stage(execution_, "boundary", [&](const Execution& nested) {
-      boundary_ = boundary_samples(triangulation_, dual_, stars_, poles_, cocones,
-                                   options_.boundary, nested);
+      boundary_ =
+          boundary_samples(triangulation_, dual_, poles_, cocones, options_.boundary, nested);
     });
     run_stage(execution_, "cocone", [&](const Execution& nested) {
       const FacetSet candidates =

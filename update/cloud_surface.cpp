@@ -46,7 +46,7 @@ Trial try_search(const Foundation& f, Points cloud, const RimSearch& search,
   boundary_options.rho = search.rho;
   boundary_options.alpha_cosine = search.alpha_cosine;
   boundary_options.radius_mode = search.radius_mode;
-  const BoundarySamples boundary = boundary_samples(f.triangulation, f.dual, f.stars, f.poles,
+  const BoundarySamples boundary = boundary_samples(f.triangulation, f.dual, f.poles,
                                                     f.cocones, boundary_options, execution);
   const FacetSet candidates =
       candidate_triangles(f.triangulation, f.cocones, boundary.boundary, execution);

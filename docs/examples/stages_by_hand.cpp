@@ -36,7 +36,7 @@ int main() {
 
   // 3.2: which samples lie where the surface ends. On a ball, none.
   const cocoon::BoundarySamples boundary =
-      cocoon::boundary_samples(cells, dual, stars, poles, cocones);
+      cocoon::boundary_samples(cells, dual, poles, cocones);
 
   // 2.2: triangles whose dual edges meet the cocones of their corners, without those at sharp
   // edges; of what is left, the outside of a manifold.

@@ -53,7 +53,7 @@ TEST(BoundarySamples, DoNotDependOnInputOrderOrThreads) {
   const Stages other(shapes::shuffled(points, 9));
   EXPECT_EQ(boundary_points(s, labels), boundary_points(other, other.labels()));
   const BoundarySamples threaded =
-      boundary_samples(s.triangulation, s.dual, s.stars, s.poles, s.cocones, {}, {.threads = 4});
+      boundary_samples(s.triangulation, s.dual, s.poles, s.cocones, {}, {.threads = 4});
   EXPECT_EQ(threaded.boundary, labels.boundary);
 }
 

@@ -1,8 +1,11 @@
 #include "cocone/cocones.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <gtest/gtest.h>
 
+#include "cocone/cocone_radii.h"
 #include "cocone/double_cone.h"
 #include "delaunay/circulate.h"
 #include "ref/dense_cocone_sampling.h"
@@ -53,22 +56,16 @@ TEST(Cocones, EndPointTestAgreesWithDenseSampling) {
   EXPECT_GT(decided, 3500);
 }
 
-TEST(Cocones, BothSidesOfAFacetAgree) {
+TEST(Cocones, ListsFacetsOnceAscendingByTheirCanonicalIds) {
   const Stages s(shapes::random_torus(800, 0.4, 5));
-  for (const CellId c : s.triangulation.cells()) {
-    for (int i = 0; i < 4; ++i) {
-      const FacetId f = facet_id(c, i);
-      if (!s.triangulation.is_finite_facet(f)) {
-        EXPECT_EQ(s.cocones.row(f), 0U);
-        continue;
-      }
-      const FacetId mirror = s.triangulation.mirror(f);
-      for (const int j : facet_corners[i]) {
-        const int k =
-            index_of_vertex(s.triangulation.cell(cell_of(mirror)), s.triangulation.vertex(c, j));
-        EXPECT_EQ(s.cocones.meets_cocone_of(f, j), s.cocones.meets_cocone_of(mirror, k));
-      }
-    }
+  const std::vector<FacetId>& facets = s.cocones.facets;
+  ASSERT_EQ(facets.size(), s.cocones.rows.size());
+  EXPECT_TRUE(std::is_sorted(facets.begin(), facets.end(), std::less_equal<>()));
+  for (std::size_t k = 0; k < facets.size(); ++k) {
+    EXPECT_TRUE(s.triangulation.is_finite_facet(facets[k]));
+    EXPECT_EQ(s.triangulation.canonical(facets[k]), facets[k]);
+    EXPECT_NE(s.cocones.rows[k], 0);
+    EXPECT_EQ(s.cocones.row(facets[k]), s.cocones.rows[k]);
   }
 }
 
@@ -78,14 +75,14 @@ TEST(Cocones, BitsAreThoseOfTheDualEdges) {
   for (const CellId c : s.triangulation.cells()) {
     for (int i = 0; i < 4; ++i) {
       const FacetId f = facet_id(c, i);
-      if (!s.triangulation.is_finite_facet(f)) continue;
+      if (!s.triangulation.is_finite_facet(f) || s.triangulation.canonical(f) != f) continue;
       const DualEdge edge = dual_edge(s.triangulation, s.dual, f);
       for (const int j : facet_corners[i]) {
         const VertexId v = s.triangulation.vertex(c, j);
         const auto sampled =
             ref::sample_cocone(edge, s.triangulation.point(v), s.poles.normals[v], cosine, 2001);
         if (sampled.borderline) continue;
-        EXPECT_EQ(s.cocones.meets_cocone_of(f, j), sampled.meets);
+        EXPECT_EQ((s.cocones.row(f) >> j) & 1U, sampled.meets ? 1U : 0U);
         met += sampled.meets;
       }
     }
@@ -112,11 +109,12 @@ TEST(Cocones, RadiusAgreesWithDenseSampling) {
   int infinite = 0;
   for (const auto& points : {shapes::random_torus(400, 0.4, 7), shapes::dome_patch(12, 0.5, 8)}) {
     const Stages s(points);
+    const IdVector<VertexId, double> radii =
+        cocone_radii(s.triangulation, s.dual, s.poles, s.cocones, RadiusMode::cocone);
     for (const VertexId v : s.triangulation.vertices()) {
       bool borderline = false;
       const double expected = sampled_radius(s, v, borderline);
-      const double radius = cocone_radius(s.triangulation, s.dual, s.stars, s.poles, s.cocones, v,
-                                          RadiusMode::cocone);
+      const double radius = radii[v];
       if (std::isinf(expected)) {
         ++infinite;
         EXPECT_TRUE(std::isinf(radius));
@@ -137,16 +135,28 @@ TEST(Cocones, TangentPlaneRadiusIsTheConeOpenedByZero) {
   const std::vector<Point> points = shapes::random_torus(400, 0.4, 9);
   const Stages s(points);
   const Cocones flat = intersect_cocones(s.triangulation, s.dual, s.poles, {.cosine = 1e-7});
+  const auto radii = [&](const Cocones& cocones, RadiusMode mode) {
+    return cocone_radii(s.triangulation, s.dual, s.poles, cocones, mode);
+  };
+  const IdVector<VertexId, double> plane = radii(s.cocones, RadiusMode::tangent_plane);
+  const IdVector<VertexId, double> limit = radii(flat, RadiusMode::cocone);
+  const IdVector<VertexId, double> opened = radii(s.cocones, RadiusMode::cocone);
   for (const VertexId v : s.triangulation.vertices()) {
     if (is_hull_vertex(s.triangulation, s.stars, v)) continue;
-    const double plane = cocone_radius(s.triangulation, s.dual, s.stars, s.poles, s.cocones, v,
-                                       RadiusMode::tangent_plane);
-    const double limit =
-        cocone_radius(s.triangulation, s.dual, s.stars, s.poles, flat, v, RadiusMode::cocone);
-    EXPECT_NEAR(plane, limit, 1e-4 * limit);
-    const double opened =
-        cocone_radius(s.triangulation, s.dual, s.stars, s.poles, s.cocones, v, RadiusMode::cocone);
-    EXPECT_LE(plane, opened * (1 + 1e-12));
+    EXPECT_NEAR(plane[v], limit[v], 1e-4 * limit[v]);
+    EXPECT_LE(plane[v], opened[v] * (1 + 1e-12));
+  }
+}
+
+TEST(Cocones, ThreadsDoNotShow) {
+  const Stages s(shapes::random_torus(20000, 0.4, 10));
+  const Execution threaded{.threads = 4};
+  const Cocones cocones = intersect_cocones(s.triangulation, s.dual, s.poles, {}, threaded);
+  EXPECT_EQ(cocones.facets, s.cocones.facets);
+  EXPECT_EQ(cocones.rows, s.cocones.rows);
+  for (const RadiusMode mode : {RadiusMode::cocone, RadiusMode::tangent_plane}) {
+    EXPECT_EQ(cocone_radii(s.triangulation, s.dual, s.poles, cocones, mode, threaded),
+              cocone_radii(s.triangulation, s.dual, s.poles, cocones, mode));
   }
 }
 

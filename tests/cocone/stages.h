@@ -23,7 +23,7 @@ struct Stages {
   explicit Stages(const std::vector<Point>& points) : Stages(delaunay(points).triangulation) {}
 
   BoundarySamples labels(const BoundaryOptions& options = {}) const {
-    return boundary_samples(triangulation, dual, stars, poles, cocones, options);
+    return boundary_samples(triangulation, dual, poles, cocones, options);
   }
 
   Triangulation triangulation;

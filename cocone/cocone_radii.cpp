@@ -1,0 +1,155 @@
+#include "cocone/cocone_radii.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "cocone/double_cone.h"
+
+namespace cocoon {
+namespace {
+
+constexpr std::size_t facets_per_chunk = 8192;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A dual edge relative to the sample, in units of 1 / scale.
+struct RelativeEdge {
+  Vec3 x;
+  Vec3 y;  // the other end, or the direction of the ray
+  bool is_ray = false;
+};
+
+// Largest squared |x + t d| at the crossings of the edge with the cone |x.n| = C |x|.
+double squared_crossing_with_cone(const RelativeEdge& e, const Vec3& n, double squared_cosine) {
+  const Vec3 d = e.is_ray ? e.y : e.y - e.x;
+  // a t^2 + 2 b t + c = 0 for the difference of the squares of both sides
+  const double xn = dot(e.x, n);
+  const double dn = dot(d, n);
+  const double a = dn * dn - squared_cosine * squared_norm(d);
+  const double b = xn * dn - squared_cosine * dot(e.x, d);
+  const double c = xn * xn - squared_cosine * squared_norm(e.x);
+  const double root = std::sqrt(std::max(0.0, b * b - a * c));
+  const double q = -(b + std::copysign(root, b));
+  const double last = e.is_ray ? infinity : 1.0;
+  double largest = 0;
+  for (const double t : {q / a, c / q}) {
+    if (!(t >= 0 && t <= last) || !std::isfinite(t)) continue;
+    largest = std::max(largest, squared_norm(e.x + t * d));
+  }
+  // Rounding must not carry a crossing beyond the ends of a segment.
+  return e.is_ray ? largest : std::min(largest, std::max(squared_norm(e.x), squared_norm(e.y)));
+}
+
+double squared_radius_in_cocone(const RelativeEdge& e, const Vec3& n, double squared_cosine) {
+  const ConeSide from = cone_side(e.x, n, squared_cosine);
+  const ConeSide to = cone_side(e.y, n, squared_cosine);
+  double largest = 0;
+  if (in_cocone(from)) largest = squared_norm(e.x);
+  if (in_cocone(to)) largest = e.is_ray ? infinity : std::max(largest, squared_norm(e.y));
+  if (in_cocone(from) && in_cocone(to)) return largest;
+  return std::max(largest, squared_crossing_with_cone(e, n, squared_cosine));
+}
+
+double squared_radius_in_plane(const RelativeEdge& e, const Vec3& n) {
+  const double xn = dot(e.x, n);
+  const double yn = dot(e.y, n);
+  if (xn == 0) return squared_norm(e.x);
+  if (yn == 0) return e.is_ray ? infinity : squared_norm(e.y);
+  if ((xn < 0) == (yn < 0)) return 0;
+  if (e.is_ray) return squared_norm(e.x - (xn / yn) * e.y);
+  return squared_norm((1 / (yn - xn)) * (yn * e.x - xn * e.y));
+}
+
+// The two ends of a dual edge: the lexicographically smaller Voronoi vertex first, or the origin of
+// the ray.
+struct DualEnds {
+  Point from;
+  Vec3 to;
+  bool is_ray = false;
+};
+
+DualEnds dual_ends(const Triangulation& triangulation, const Dual& dual, FacetId f) {
+  const CellId behind = cell_of(triangulation.mirror(f));
+  const Point& here = dual.centers[cell_of(f)];  // finite: the id is canonical
+  const Point& there = dual.centers[behind];
+  if (triangulation.is_infinite(behind)) return {here, there, true};
+  return there < here ? DualEnds{there, here, false} : DualEnds{here, there, false};
+}
+
+double largest_coordinate(const Vec3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+class RadiusOfEdge {
+ public:
+  RadiusOfEdge(const Cocones& cocones, RadiusMode mode)
+      : squared_cosine_(cocones.cosine * cocones.cosine), mode_(mode) {}
+
+  double operator()(const DualEnds& ends, const Point& p, const Vec3& normal) const {
+    // Products of four lengths occur: far centers are measured in larger units.
+    const double reach =
+        std::max(largest_coordinate(ends.from), ends.is_ray ? 0 : largest_coordinate(ends.to));
+    const double scale = reach > largest_safe_length ? shrink : 1.0;
+    const RelativeEdge edge{scale * (ends.from - p), ends.is_ray ? ends.to : scale * (ends.to - p),
+                            ends.is_ray};
+    const double squared = mode_ == RadiusMode::cocone
+                               ? squared_radius_in_cocone(edge, normal, squared_cosine_)
+                               : squared_radius_in_plane(edge, normal);
+    return std::sqrt(squared) / scale;
+  }
+
+ private:
+  double squared_cosine_;
+  RadiusMode mode_;
+};
+
+void raise(std::atomic<double>& maximum, double value) {
+  double known = maximum.load(std::memory_order_relaxed);
+  while (known < value && !maximum.compare_exchange_weak(known, value, std::memory_order_relaxed)) {
+  }
+}
+
+}  // namespace
+
+IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, const Dual& dual,
+                                        const Poles& poles, const Cocones& cocones, RadiusMode mode,
+                                        const Execution& execution) {
+  const std::size_t count = triangulation.num_vertices();
+  std::vector<std::atomic<double>> largest(count);
+  const RadiusOfEdge radius_of(cocones, mode);
+  const std::size_t facets = cocones.facets.size();
+  parallel_chunks(execution, facets, facets_per_chunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      // The cells behind lie here and there in memory: ask for their centers in advance.
+      constexpr std::size_t ahead = 16;
+      if (k + ahead < end) {
+        __builtin_prefetch(&dual.centers[cell_of(triangulation.mirror(cocones.facets[k + ahead]))]);
+      }
+      const FacetId f = cocones.facets[k];
+      const Cell& cell = triangulation.cell(cell_of(f));
+      const DualEnds ends = dual_ends(triangulation, dual, f);
+      for (unsigned j = 0; j < 4; ++j) {
+        if (((cocones.rows[k] >> j) & 1U) == 0) continue;
+        const VertexId p = cell.vertices[j];
+        raise(largest[p.index()], radius_of(ends, triangulation.point(p), poles.normals[p]));
+      }
+    }
+  });
+  if (mode == RadiusMode::tangent_plane) {
+    for (const CellId c : triangulation.infinite_cells()) {
+      for (unsigned j = 0; j < 3; ++j) {
+        const VertexId p = triangulation.cell(c).vertices[j];
+        if (!(dot(dual.centers[c], poles.normals[p]) > 0)) raise(largest[p.index()], infinity);
+      }
+    }
+  }
+  IdVector<VertexId, double> radii(count);
+  for (const VertexId p : radii.ids())
+    radii[p] = largest[p.index()].load(std::memory_order_relaxed);
+  return radii;
+}
+
+}  // namespace cocoon
