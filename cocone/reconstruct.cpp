@@ -53,8 +53,12 @@ class Reconstruction {
     DelaunayResult built = delaunay(working, options_.delaunay, execution_);
     // Not for the result, which needs no order: neighbors in space become neighbors in memory,
     // which the later stages earn back.
-    triangulation_ = canonical_order(std::move(built.triangulation));
     result_.counters.delaunay = built.counters;
+    take(canonical_order(std::move(built.triangulation)));
+  }
+
+  void take(Triangulation triangulation) {
+    triangulation_ = std::move(triangulation);
     result_.points = points_.size();
     result_.duplicates = triangulation_.num_duplicates();
     result_.vertices = triangulation_.num_vertices();
@@ -178,6 +182,16 @@ ReconstructResult reconstruct_tight(Points points, const ReconstructOptions& opt
                                     const Execution& execution) {
   Reconstruction reconstruction(points, options, execution);
   reconstruction.triangulate();
+  reconstruction.find_poles();
+  reconstruction.build_surface();
+  reconstruction.close_surface();
+  return reconstruction.take_result();
+}
+
+ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
+                                    const ReconstructOptions& options, const Execution& execution) {
+  Reconstruction reconstruction(points, options, execution);
+  reconstruction.take(std::move(triangulation));
   reconstruction.find_poles();
   reconstruction.build_surface();
   reconstruction.close_surface();

@@ -106,6 +106,13 @@ struct ReconstructResult {
 ReconstructResult reconstruct_tight(Points points, const ReconstructOptions& options = {},
                                     const Execution& execution = {});
 
+// The same from a triangulation that is there already; `points` are its input points, and it is
+// that of working_scale(points) times them. Counters of `delaunay` stay zero. The faster, the
+// nearer cells lie that are neighbors (canonical_order.h). Complexity: O(n).
+ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
+                                    const ReconstructOptions& options = {},
+                                    const Execution& execution = {});
+
 // The Cocone surface with its boundary: open where the cloud is. As above without "tight".
 // Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Woo & Dey 2005, sections 2.1, 3.2.
 ReconstructResult reconstruct_cocone(Points points, const ReconstructOptions& options = {},

@@ -103,12 +103,11 @@ class Update {
     return report_choice();
   }
 
-  bool reconstruct(const Execution& execution) {
+  bool reconstruct(const UpdateParts& parts, const Execution& execution) {
     const std::vector<CloudRim> rims = border_rims();
     result_.replacement =
         replace_points(model_, result_.regions, result_.choice, rims, clouds_, options_.replace);
-    result_.reconstruction =
-        reconstruct_tight(result_.replacement.points, options_.reconstruct, execution);
+    result_.reconstruction = parts.reconstruct(result_.replacement, execution);
     if (result_.reconstruction.status != SurfaceStatus::ok) {
       return fail(UpdateStatus::empty_surface,
                   "the " + std::to_string(result_.replacement.points.size()) +
@@ -406,7 +405,8 @@ class Update {
 }  // namespace
 
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
-                          const UpdateOptions& options, const Execution& execution) {
+                          const UpdateParts& parts, const UpdateOptions& options,
+                          const Execution& execution) {
   if (clouds.empty()) throw InputError("update: no cloud given; give at least one");
   Update update(model, clouds, options);
   bool going = true;
@@ -414,9 +414,9 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
            [&](const Execution& nested) { going = update.detect_boundaries(nested); });
   if (!going) return update.take_result();
 
-  std::optional<ModelIndex> index;
+  const ModelIndex* index = nullptr;
   run_step(execution, "overlapping_facets", [&](const Execution& nested) {
-    index.emplace(model);
+    index = &parts.index();
     going = update.find_overlapping_facets(*index, nested);
   });
   if (!going) return update.take_result();
@@ -426,8 +426,19 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
   if (!going) return update.take_result();
 
   run_step(execution, "reconstruction",
-           [&](const Execution& nested) { update.reconstruct(nested); });
+           [&](const Execution& nested) { update.reconstruct(parts, nested); });
   return update.take_result();
+}
+
+UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
+                          const UpdateOptions& options, const Execution& execution) {
+  std::optional<ModelIndex> index;
+  const UpdateParts parts{[&]() -> const ModelIndex& { return index.emplace(model); },
+                          [&](const Replacement& replacement, const Execution& nested) {
+                            return reconstruct_tight(replacement.points, options.reconstruct,
+                                                     nested);
+                          }};
+  return update_model(model, clouds, parts, options, execution);
 }
 
 std::string_view name_of(UpdateStatus status) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +21,7 @@
 #include "update/choose_regions.h"
 #include "update/cloud_surface.h"
 #include "update/loop_sides.h"
+#include "update/model_index.h"
 #include "update/overlapping_facets.h"
 #include "update/replace_points.h"
 #include "update/rim_angles.h"
@@ -124,6 +126,22 @@ struct UpdateResult {
 // Source: Woo & Dey 2005, section 3. What is decided otherwise and why: docs/update.md.
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateOptions& options = {}, const Execution& execution = {});
+
+// The two parts of an update that cost in proportion to the model and not to the change. Whoever
+// keeps what they need from one update to the next (update_session.h) puts in something faster that
+// gives the same.
+struct UpdateParts {
+  // The index of the model; called once, after the clouds' surfaces.
+  std::function<const ModelIndex&()> index;
+  // reconstruct_tight of the updated points.
+  std::function<ReconstructResult(const Replacement& replacement, const Execution& execution)>
+      reconstruct;
+};
+
+// update_model with these parts. The index is that of `model`.
+UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
+                          const UpdateParts& parts, const UpdateOptions& options = {},
+                          const Execution& execution = {});
 
 // "ok", "no_overlap", ...: the names of the enumerators.
 std::string_view name_of(UpdateStatus status);

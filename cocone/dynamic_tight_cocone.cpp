@@ -1,0 +1,178 @@
+#include "cocone/dynamic_tight_cocone.h"
+
+#include <utility>
+#include <vector>
+
+#include "delaunay/canonical_order.h"
+#include "delaunay/delaunay.h"
+#include "delaunay/dynamic_delaunay.h"
+#include "geom/id_vector.h"
+#include "geom/working_scale.h"
+
+namespace cocoon {
+
+struct DynamicTightCocone::State {
+  ReconstructOptions options;
+  std::size_t num_points = 0;
+  DynamicDelaunay delaunay;                     // empty while points are of extreme size
+  IdVector<PointId, VertexId> vertex_of_point;  // in it
+
+  bool is_live() const { return delaunay.num_vertices() > 0; }
+  void take(std::size_t count, Triangulation triangulation);
+  void clear(std::size_t count);
+  // What a change of the triangulation does to the points, and how to take it back.
+  struct Step {
+    std::vector<VertexId> removed;
+    std::vector<Point> removed_points;
+    std::vector<PointId> inserted;  // positions among the new points
+    std::vector<Point> inserted_points;
+    IdVector<PointId, VertexId> vertex_of_point;  // none: to be inserted
+  };
+  Step plan(Points points, std::span<const PointId> old_position) const;
+  void undo(const Step& step, const DelaunayChange& change,
+            IdVector<PointId, VertexId> vertex_of_point);
+  Triangulation compact() const;
+};
+
+void DynamicTightCocone::State::take(std::size_t count, Triangulation triangulation) {
+  num_points = count;
+  vertex_of_point = triangulation.vertex_of_point();
+  delaunay = DynamicDelaunay(std::move(triangulation));
+}
+
+void DynamicTightCocone::State::clear(std::size_t count) {
+  num_points = count;
+  vertex_of_point = {};
+  delaunay = DynamicDelaunay();
+}
+
+DynamicTightCocone::State::Step DynamicTightCocone::State::plan(
+    Points points, std::span<const PointId> old_position) const {
+  Step step;
+  step.vertex_of_point.resize(points.size());
+  std::vector<std::uint8_t> stays(delaunay.num_vertex_slots(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (old_position[i].is_none()) {
+      step.inserted.push_back(PointId(i));
+      step.inserted_points.push_back(points[i]);
+    } else {
+      const VertexId v = vertex_of_point[old_position[i]];
+      step.vertex_of_point[PointId(i)] = v;
+      stays[v.index()] = 1;
+    }
+  }
+  for (const VertexId v : vertex_of_point) {
+    if (stays[v.index()] != 0) continue;
+    stays[v.index()] = 1;  // listed once
+    step.removed.push_back(v);
+    step.removed_points.push_back(delaunay.point(v));
+  }
+  return step;
+}
+
+// After a change that was done: the points from before come back. Those that were removed may get
+// other vertices than they had.
+void DynamicTightCocone::State::undo(const Step& step, const DelaunayChange& change,
+                                     IdVector<PointId, VertexId> before) {
+  const DelaunayChange back = delaunay.replace(change.inserted, step.removed_points);
+  IdVector<VertexId, VertexId> again;
+  for (const VertexId v : before) {
+    if (v.index() >= again.size()) again.resize(v.index() + 1);
+  }
+  for (std::size_t k = 0; k < step.removed.size(); ++k) {
+    again[step.removed[k]] = back.vertex_of_point[k];
+  }
+  for (VertexId& v : before) {
+    if (!again[v].is_none()) v = again[v];
+  }
+  vertex_of_point = std::move(before);
+}
+
+// The live cells and vertices, in the order of their slots, finite cells first.
+Triangulation DynamicTightCocone::State::compact() const {
+  const TriangulationView view = delaunay.view();
+  TriangulationArrays arrays;
+  IdVector<VertexId, VertexId> number(delaunay.num_vertex_slots());
+  for (const VertexId v : number.ids()) {
+    if (delaunay.contains(v)) number[v] = arrays.points.push_back(view.point(v));
+  }
+  IdVector<CellId, CellId> place(view.cell_records().size());
+  std::size_t count = 0;
+  for (const CellId c : place.ids()) {
+    if (view.is_finite_cell(c)) place[c] = CellId(count++);
+  }
+  const std::size_t finite_cells = count;
+  for (const CellId c : place.ids()) {
+    if (!view.is_free(c) && view.is_infinite(c)) place[c] = CellId(count++);
+  }
+  arrays.cells.resize(count);
+  for (const CellId c : place.ids()) {
+    if (place[c].is_none()) continue;
+    Cell cell = view.cell(c);
+    for (VertexId& v : cell.vertices) v = v == infinite_vertex ? v : number[v];
+    for (FacetId& f : cell.neighbors) f = facet_id(place[cell_of(f)], index_of(f));
+    arrays.cells[place[c]] = cell;
+  }
+  arrays.vertex_of_point.reserve(vertex_of_point.size());
+  for (const VertexId v : vertex_of_point) arrays.vertex_of_point.push_back(number[v]);
+  return Triangulation(std::move(arrays), finite_cells);
+}
+
+DynamicTightCocone::DynamicTightCocone(const ReconstructOptions& options)
+    : state_(std::make_unique<State>()) {
+  state_->options = options;
+}
+DynamicTightCocone::~DynamicTightCocone() = default;
+DynamicTightCocone::DynamicTightCocone(DynamicTightCocone&&) noexcept = default;
+DynamicTightCocone& DynamicTightCocone::operator=(DynamicTightCocone&&) noexcept = default;
+
+const ReconstructOptions& DynamicTightCocone::options() const { return state_->options; }
+std::size_t DynamicTightCocone::num_points() const { return state_->num_points; }
+
+void DynamicTightCocone::take(Points points, Triangulation triangulation) {
+  if (working_scale(points) == 1) {
+    state_->take(points.size(), std::move(triangulation));
+  } else {
+    state_->clear(points.size());
+  }
+}
+
+Triangulation DynamicTightCocone::snapshot() const { return state_->compact(); }
+
+ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution& execution) {
+  if (working_scale(points) != 1) {
+    ReconstructResult result = reconstruct_tight(points, state_->options, execution);
+    state_->clear(points.size());
+    return result;
+  }
+  DelaunayResult built = delaunay(points, state_->options.delaunay, execution);
+  Triangulation triangulation = canonical_order(std::move(built.triangulation));
+  ReconstructResult result = reconstruct_tight(triangulation, points, state_->options, execution);
+  result.counters.delaunay = built.counters;
+  state_->take(points.size(), std::move(triangulation));
+  return result;
+}
+
+ReconstructResult DynamicTightCocone::replace(Points points, std::span<const PointId> old_position,
+                                              const Execution& execution) {
+  State& state = *state_;
+  if (!state.is_live() || working_scale(points) != 1) return reconstruct(points, execution);
+  State::Step step = state.plan(points, old_position);
+  const DelaunayChange change =
+      state.delaunay.replace(step.removed, step.inserted_points, execution);
+  for (std::size_t k = 0; k < step.inserted.size(); ++k) {
+    step.vertex_of_point[step.inserted[k]] = change.vertex_of_point[k];
+  }
+  std::swap(state.vertex_of_point, step.vertex_of_point);
+  try {
+    ReconstructResult result = reconstruct_tight(state.compact(), points, state.options, execution);
+    result.counters.delaunay = change.insertion;
+    state.num_points = points.size();
+    return result;
+  } catch (...) {
+    state.undo(step, change, std::move(step.vertex_of_point));
+    throw;
+  }
+}
+
+}  // namespace cocoon

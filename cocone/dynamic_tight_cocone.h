@@ -1,0 +1,53 @@
+// The watertight surface of a set of points that changes.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "cocone/reconstruct.h"
+#include "delaunay/triangulation.h"
+#include "geom/execution.h"
+#include "geom/ids.h"
+#include "geom/point.h"
+
+namespace cocoon {
+
+// Keeps the Delaunay triangulation of its points from one change to the next. Every result is the
+// one that reconstruct_tight gives for the points, bit for bit, whatever the history, but for
+// counters.delaunay, which tell how the triangulation was changed.
+//
+// Points of extreme size (working_scale() is not 1) are triangulated anew each time.
+// If an operation throws (InputError as delaunay(), Cancelled), the points are those from before.
+class DynamicTightCocone {
+ public:
+  explicit DynamicTightCocone(const ReconstructOptions& options = {});
+  ~DynamicTightCocone();
+  DynamicTightCocone(DynamicTightCocone&&) noexcept;
+  DynamicTightCocone& operator=(DynamicTightCocone&&) noexcept;
+
+  const ReconstructOptions& options() const;
+  std::size_t num_points() const;
+
+  // Takes these points, in this order, instead of those so far.
+  ReconstructResult reconstruct(Points points, const Execution& execution = {});
+  // As reconstruct(points), but goes on from the points so far: old_position[i] is where points[i]
+  // was among them, or none if it is new. Points without a successor go.
+  // Precondition: equal coordinates at both positions, no position twice.
+  // Complexity: the triangulation changes in O(k log n) expected for k points that come or go.
+  ReconstructResult replace(Points points, std::span<const PointId> old_position,
+                            const Execution& execution = {});
+
+  // Takes over a triangulation whose input points are `points` (delaunay(points), or one saved by
+  // snapshot()), without looking for its surface.
+  void take(Points points, Triangulation triangulation);
+  // The triangulation so far as a value for take(): vertices and cells in the order of memory.
+  // Complexity: O(n).
+  Triangulation snapshot() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace cocoon

@@ -1,0 +1,169 @@
+// Clouds for models of any shape, and what must hold for an UpdateSession after every step.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "geom/random.h"
+#include "update/update_session.h"
+
+namespace cocoon {
+
+using Clouds = std::vector<std::vector<Point>>;
+
+// A scan of the part of the model within `reach` of a vertex: as many points as there are vertices,
+// beside them, raised by a smooth hill of the given height in the inner two thirds.
+inline std::vector<Point> scan_of(const TriangleMesh& model, VertexId center, double reach,
+                                  double height, double jitter, Random& random) {
+  Vec3 up;
+  for (const Triangle& t : model.triangles) {
+    if (std::find(t.begin(), t.end(), center) == t.end()) continue;
+    const Point& a = model.points[t[0]];
+    up = up + cross(model.points[t[1]] - a, model.points[t[2]] - a);
+  }
+  up = unit(up);
+  std::vector<Point> points;
+  const auto add = [&](const Point& p) {
+    const double t = distance(p, model.points[center]) / (reach * 2 / 3);
+    points.push_back(t < 1 ? p + height * (1 - t * t) * (1 - t * t) * up : p);
+  };
+  for (const VertexId v : model.points.ids()) {
+    if (distance(model.points[v], model.points[center]) > reach) continue;
+    add(model.points[v] + jitter * random.on_unit_sphere());
+  }
+  return points;
+}
+
+inline double mean_edge(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      sum += distance(mesh.points[t[i]], mesh.points[t[(i + 1) % 3]]);
+    }
+  }
+  return sum / (3.0 * static_cast<double>(mesh.triangles.size()));
+}
+
+// One or two scans of random places: hills, dents, and unchanged surface.
+inline Clouds random_scans(const TriangleMesh& model, Random& random) {
+  const double edge = mean_edge(model);
+  Clouds clouds(random.below(4) == 0 ? 2 : 1);
+  for (std::vector<Point>& cloud : clouds) {
+    const VertexId center(random.below(model.points.size()));
+    const double reach = edge * (4 + 6 * random.uniform());
+    cloud = scan_of(model, center, reach, reach * (random.uniform() - 0.5), 0.1 * edge, random);
+  }
+  return clouds;
+}
+
+// Counters are plain numbers; those of the Delaunay kernel tell of the history and are left out.
+inline void expect_equal_counters(ReconstructCounters actual, ReconstructCounters expected) {
+  static_assert(std::has_unique_object_representations_v<ReconstructCounters>);
+  actual.delaunay = {};
+  expected.delaunay = {};
+  EXPECT_EQ(std::memcmp(&actual, &expected, sizeof actual), 0);
+  EXPECT_EQ(actual.candidates, expected.candidates);
+  EXPECT_EQ(actual.pruned, expected.pruned);
+  EXPECT_EQ(actual.umbrellas, expected.umbrellas);
+  EXPECT_EQ(actual.boundary_samples, expected.boundary_samples);
+  EXPECT_EQ(actual.recovered_samples, expected.recovered_samples);
+  EXPECT_EQ(actual.surface_triangles, expected.surface_triangles);
+  EXPECT_EQ(actual.good_vertices, expected.good_vertices);
+}
+
+inline void expect_equal_reconstruction(const ReconstructResult& actual,
+                                        const ReconstructResult& expected) {
+  EXPECT_EQ(actual.status, expected.status);
+  EXPECT_TRUE(actual.mesh == expected.mesh);
+  EXPECT_TRUE(actual.point_of_vertex == expected.point_of_vertex);
+  EXPECT_TRUE(actual.normals == expected.normals);
+  EXPECT_TRUE(actual.boundary_sample == expected.boundary_sample);
+  EXPECT_EQ(actual.points, expected.points);
+  EXPECT_EQ(actual.duplicates, expected.duplicates);
+  EXPECT_EQ(actual.unused_points, expected.unused_points);
+  EXPECT_EQ(actual.vertices, expected.vertices);
+  EXPECT_EQ(actual.tetrahedra, expected.tetrahedra);
+  expect_equal_counters(actual.counters, expected.counters);
+}
+
+// `actual` without its mesh.
+inline void expect_equal_reports(const UpdateResult& actual, const UpdateResult& expected) {
+  ASSERT_EQ(actual.status, expected.status) << actual.message << " / " << expected.message;
+  EXPECT_EQ(actual.message, expected.message);
+  EXPECT_EQ(actual.warnings, expected.warnings);
+  EXPECT_TRUE(actual.vertex_map == expected.vertex_map);
+  EXPECT_TRUE(actual.regions.region_of_facet == expected.regions.region_of_facet);
+  EXPECT_TRUE(actual.regions.group_of_vertex == expected.regions.group_of_vertex);
+  EXPECT_EQ(actual.regions.regions.size(), expected.regions.regions.size());
+  EXPECT_EQ(actual.replaced_groups, expected.replaced_groups);
+  EXPECT_EQ(actual.replacement.points, expected.replacement.points);
+  EXPECT_EQ(actual.replacement.replaced, expected.replacement.replaced);
+  EXPECT_EQ(actual.replacement.kept, expected.replacement.kept);
+  EXPECT_EQ(actual.replacement.duplicates, expected.replacement.duplicates);
+  ASSERT_EQ(actual.clouds.size(), expected.clouds.size());
+  for (std::size_t c = 0; c < actual.clouds.size(); ++c) {
+    EXPECT_EQ(actual.clouds[c].overlapping_facets, expected.clouds[c].overlapping_facets);
+    EXPECT_EQ(actual.clouds[c].border_facets, expected.clouds[c].border_facets);
+    EXPECT_EQ(actual.clouds[c].margin_deg, expected.clouds[c].margin_deg);
+  }
+  expect_equal_reconstruction(actual.reconstruction, expected.reconstruction);
+}
+
+// The change leads from one mesh to the other, and says nothing too much.
+inline void expect_change(const TriangleMesh& before, const TriangleMesh& after,
+                          const MeshChange& change) {
+  const auto sorted = [](std::vector<Triangle> triangles) {
+    for (Triangle& t : triangles) {
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    }
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+  };
+  const std::vector<Triangle> old = sorted(before.triangles.raw());
+  std::vector<Triangle> kept;
+  std::set_difference(old.begin(), old.end(), change.removed.begin(), change.removed.end(),
+                      std::back_inserter(kept));
+  ASSERT_EQ(kept.size() + change.removed.size(), old.size());
+  for (Triangle& t : kept) {
+    for (VertexId& v : t) {
+      const VertexId mapped = change.vertex_map[v];
+      ASSERT_FALSE(mapped.is_none());
+      ASSERT_EQ(after.points[mapped], before.points[v]);
+      v = mapped;
+    }
+  }
+  for (const Triangle& t : sorted(change.added)) {
+    const std::vector<Triangle> same = sorted(kept);
+    ASSERT_FALSE(std::binary_search(same.begin(), same.end(), t));
+    break;  // once: the sizes below tell the rest
+  }
+  kept.insert(kept.end(), change.added.begin(), change.added.end());
+  ASSERT_EQ(sorted(kept), sorted(after.triangles.raw()));
+}
+
+// Applies the clouds to the session and, from scratch, to its model; both must agree in everything.
+// Returns whether the model was updated.
+inline bool apply_and_compare(UpdateSession& session, const Clouds& clouds,
+                              const Execution& execution = {}) {
+  const TriangleMesh before = session.model();
+  const std::size_t levels = session.undo_levels();
+  const UpdateResult expected = update_model(before, clouds, session.options());
+  const SessionUpdate actual = session.apply(clouds, execution);
+  expect_equal_reports(actual.result, expected);
+  if (expected.status != UpdateStatus::ok) {
+    EXPECT_TRUE(session.model() == before);
+    EXPECT_TRUE(actual.change.empty());
+    EXPECT_EQ(session.undo_levels(), levels);
+    return false;
+  }
+  EXPECT_TRUE(session.model() == expected.mesh);
+  expect_change(before, session.model(), actual.change);
+  return true;
+}
+
+}  // namespace cocoon

@@ -1,0 +1,223 @@
+// A session gives what starting over gives, after whatever came before.
+#include "update/update_session.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "delaunay/delaunay.h"
+#include "geom/errors.h"
+#include "io/mesh_file.h"
+#include "io/sample_models.h"
+#include "tests/gallery.h"
+#include "tests/update/session_checks.h"
+
+namespace cocoon {
+namespace {
+
+std::vector<Point> evenly_on_sphere(std::size_t n) {
+  std::vector<Point> points;
+  const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (std::size_t i = 0; i < n; ++i) {
+    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(n);
+    const double r = std::sqrt(1 - z * z);
+    const double angle = turn * static_cast<double>(i);
+    points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+  }
+  return points;
+}
+
+// Random updates and undos; every model that undo brings back is compared with the one from then.
+void run_steps(UpdateSession& session, std::size_t steps, std::uint64_t seed,
+               std::size_t& updates) {
+  Random random(seed);
+  std::vector<TriangleMesh> models;
+  for (std::size_t step = 0; step < steps; ++step) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", step " + std::to_string(step));
+    if (session.undo_levels() > 0 && random.below(3) == 0) {
+      const TriangleMesh before = session.model();
+      const MeshChange change = session.undo({.threads = static_cast<int>(1 + random.below(2))});
+      ASSERT_TRUE(session.model() == models.back());
+      expect_change(before, session.model(), change);
+      models.pop_back();
+      continue;
+    }
+    TriangleMesh before = session.model();
+    const bool updated = apply_and_compare(session, random_scans(before, random),
+                                           {.threads = static_cast<int>(1 + random.below(3))});
+    if (::testing::Test::HasFailure()) return;
+    if (!updated) continue;
+    ++updates;
+    models.push_back(std::move(before));
+  }
+}
+
+TEST(UpdateSession, StartsWithTheReconstructionOfItsPoints) {
+  const std::vector<Point> points = evenly_on_sphere(500);
+  const UpdateSession session(points);
+  const ReconstructResult expected = reconstruct_tight(points);
+  EXPECT_TRUE(session.model() == expected.mesh);
+  EXPECT_EQ(session.reconstruction().counters.candidates, expected.counters.candidates);
+  EXPECT_EQ(session.undo_levels(), 0U);
+}
+
+TEST(UpdateSession, RandomStepsOnASphere) {
+  UpdateSession session(evenly_on_sphere(700));
+  std::size_t updates = 0;
+  run_steps(session, 40, 1, updates);
+  EXPECT_GT(updates, 15U);
+}
+
+// Sharp edges, flat faces, cospherical lattices.
+TEST(UpdateSession, RandomStepsOnABox) {
+  UpdateSession session(gallery::box_faces(12));
+  std::size_t updates = 0;
+  run_steps(session, 25, 2, updates);
+  EXPECT_GT(updates, 3U);
+}
+
+TEST(UpdateSession, RandomStepsOnTheTestBlock) {
+  UpdateSession session(sample_model("block", {.points = 1500}).initial);
+  std::size_t updates = 0;
+  run_steps(session, 20, 3, updates);
+  EXPECT_GT(updates, 5U);
+}
+
+// A scanned animal, given as a mesh: thin legs, uneven sampling.
+TEST(UpdateSession, RandomStepsOnARealMesh) {
+  UpdateSession session(read_mesh(std::string(COCOON_TEST_DATA) + "/models/elephant.off"));
+  std::size_t updates = 0;
+  run_steps(session, 12, 4, updates);
+  EXPECT_GT(updates, 3U);
+}
+
+// A part of machinery, given as points: creases, flat faces, unused samples.
+TEST(UpdateSession, RandomStepsOnCadPoints) {
+  const TriangleMesh part = read_mesh(std::string(COCOON_TEST_DATA) + "/models/anchor_dense.off");
+  UpdateSession session(part.points.span());
+  std::size_t updates = 0;
+  run_steps(session, 12, 5, updates);
+  EXPECT_GT(updates, 1U);
+}
+
+TEST(UpdateSession, GoesOnFromASnapshot) {
+  Random random(6);
+  UpdateSession session(evenly_on_sphere(600));
+  for (int step = 0; step < 4; ++step) {
+    UpdateSession again(session.snapshot(), session.options());
+    ASSERT_TRUE(again.model() == session.model());
+    const Clouds clouds = random_scans(session.model(), random);
+    const UpdateStatus status = session.apply(clouds).result.status;
+    apply_and_compare(again, clouds);
+    EXPECT_TRUE(again.model() == session.model());
+    if (status == UpdateStatus::ok) {
+      again.undo();
+      const SessionSnapshot back = again.snapshot();
+      EXPECT_EQ(back.points.size(), back.triangulation.num_vertices());
+    }
+  }
+}
+
+TEST(UpdateSession, ExtremeCoordinatesWorkToo) {
+  const double size = 0x1p+300;
+  UpdateSession session(gallery::scaled(evenly_on_sphere(400), size));
+  Random random(7);
+  std::size_t updates = 0;
+  for (int step = 0; step < 5; ++step) {
+    updates += apply_and_compare(session, random_scans(session.model(), random)) ? 1 : 0;
+  }
+  EXPECT_GT(updates, 1U);
+  while (session.undo_levels() > 0) session.undo();
+  EXPECT_TRUE(session.model() ==
+              reconstruct_tight(gallery::scaled(evenly_on_sphere(400), size)).mesh);
+}
+
+// Stops at the n-th report.
+struct StopAfter : Progress {
+  explicit StopAfter(int n) : left(n) {}
+  bool report(std::string_view, double) override { return --left > 0; }
+  int left;
+};
+
+TEST(UpdateSession, CancelledAnywhereItStaysAsItWas) {
+  UpdateSession session(evenly_on_sphere(400));
+  Random random(8);
+  Clouds clouds = random_scans(session.model(), random);
+  while (update_model(session.model(), clouds).status != UpdateStatus::ok) {
+    clouds = random_scans(session.model(), random);
+  }
+  const TriangleMesh before = session.model();
+  int cancelled = 0;
+  for (int n = 1;; n += 3) {
+    StopAfter progress(n);
+    try {
+      session.apply(clouds, {1, &progress});
+      break;
+    } catch (const Cancelled&) {
+      ++cancelled;
+      ASSERT_TRUE(session.model() == before);
+      ASSERT_EQ(session.undo_levels(), 0U);
+    }
+  }
+  EXPECT_GT(cancelled, 10);
+  const TriangleMesh after = session.model();
+  for (int n = 1; session.undo_levels() > 0; n += 3) {
+    StopAfter progress(n);
+    try {
+      session.undo({1, &progress});
+    } catch (const Cancelled&) {
+      ASSERT_TRUE(session.model() == after);
+    }
+  }
+  EXPECT_TRUE(session.model() == before);
+  apply_and_compare(session, clouds);
+}
+
+TEST(UpdateSession, BadInputLeavesTheModel) {
+  UpdateSession session(evenly_on_sphere(400));
+  const TriangleMesh before = session.model();
+  EXPECT_THROW(session.apply({}), InputError);
+  EXPECT_THROW(session.apply(Clouds{{{0, 0, 0}, {1, 0, 0}}}), InputError);
+  EXPECT_THROW(session.apply(Clouds{{{0, 0, std::nan("")}}}), InputError);
+  EXPECT_NE(session.apply(Clouds{evenly_on_sphere(200)}).result.status, UpdateStatus::ok);
+  EXPECT_TRUE(session.model() == before);
+  UpdateSession empty{TriangleMesh{}};
+  std::vector<Point> cap = evenly_on_sphere(400);
+  std::erase_if(cap, [](const Point& p) { return p.z < 0.6; });
+  EXPECT_THROW(empty.apply(Clouds{cap}), InputError);
+}
+
+TEST(UpdateSession, KeepsTheLastStepsOnly) {
+  UpdateSession session(evenly_on_sphere(400));
+  Random random(9);
+  std::size_t updates = 0;
+  for (int step = 0; step < 60 && updates < UpdateSession::max_undo_levels + 2; ++step) {
+    const VertexId center(random.below(session.model().points.size()));
+    const Clouds clouds{scan_of(session.model(), center, 0.7, 0.1, 0.01, random)};
+    updates += session.apply(clouds).result.status == UpdateStatus::ok ? 1 : 0;
+  }
+  ASSERT_GT(updates, UpdateSession::max_undo_levels);
+  EXPECT_EQ(session.undo_levels(), UpdateSession::max_undo_levels);
+  while (session.undo_levels() > 0) session.undo();
+  apply_and_compare(session, random_scans(session.model(), random));
+}
+
+TEST(UpdateSession, RefusesSnapshotsThatDoNotFit) {
+  const UpdateSession session(evenly_on_sphere(100));
+  const auto error_after = [&](auto change) {
+    SessionSnapshot snapshot = session.snapshot();
+    change(snapshot);
+    EXPECT_THROW(UpdateSession(std::move(snapshot)), InputError);
+  };
+  error_after([](SessionSnapshot& s) { s.points.pop_back(); });
+  error_after([](SessionSnapshot& s) { s.points[3].x += 1; });
+  error_after([](SessionSnapshot& s) { s.point_of_vertex[VertexId(2)] = PointId(1000); });
+  error_after([](SessionSnapshot& s) { s.model.triangles[TriangleId(0)][1] = VertexId(5000); });
+  error_after(
+      [](SessionSnapshot& s) { s.triangulation = delaunay(evenly_on_sphere(99)).triangulation; });
+}
+
+}  // namespace
+}  // namespace cocoon
