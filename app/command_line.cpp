@@ -76,6 +76,13 @@ CLI::Option* add_mesh_output(CLI::App& app, std::string& mesh, bool& ascii) {
       ->type_name("MESH");
 }
 
+void add_manifold_option(CLI::App& app, bool& manifold) {
+  app.add_flag(
+      "--manifold", manifold,
+      "Split edges with more than two triangles and pinched vertices: the sheets that meet "
+      "there get vertices of their own");
+}
+
 // A command under construction: its arguments live here until CLI11 has filled them in.
 template <class Arguments>
 Arguments& add_command(CLI::App& app, const std::string& name, const std::string& description,
@@ -117,6 +124,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
   sub->add_option("--surface", reconstruct.surface,
                   "tight: watertight (default); cocone: the open surface")
       ->check(CLI::IsMember({"tight", "cocone"}));
+  add_manifold_option(*sub, reconstruct.manifold);
   add_surface_options(*sub, reconstruct.parameters);
 
   auto& boundary = add_command<BoundaryArguments>(
@@ -138,6 +146,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
       ->type_name("FILE");
   sub->add_option("--html", update.html, "Write a report that a browser opens offline")
       ->type_name("FILE");
+  add_manifold_option(*sub, update.manifold);
   add_surface_options(*sub, update.parameters);
 }
 

@@ -49,6 +49,7 @@ struct ReconstructArguments {
   std::string mesh;
   std::string surface = "tight";  // "tight" or "cocone"
   bool ascii = false;
+  bool manifold = false;
   SurfaceArguments parameters;
 };
 
@@ -67,6 +68,7 @@ struct UpdateArguments {
   std::string map;   // empty: not written
   std::string html;  // empty: not written
   bool ascii = false;
+  bool manifold = false;
   SurfaceArguments parameters;
 };
 

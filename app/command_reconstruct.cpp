@@ -1,6 +1,7 @@
 #include "app/carried_properties.h"
 #include "app/commands.h"
 #include "app/files.h"
+#include "app/make_manifold.h"
 #include "app/reconstruct_report.h"
 #include "app/surface_options.h"
 #include "app/surface_report.h"
@@ -19,14 +20,15 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   const bool keep = holds_properties(arguments.mesh);
   const std::vector<Point> points =
       read_cloud(job, arguments.points, "input", keep ? &properties : nullptr);
-  const ReconstructResult result = naming_input(arguments.points, [&] {
+  ReconstructResult result = naming_input(arguments.points, [&] {
     return tight ? reconstruct_tight(points, options, job.execution())
                  : reconstruct_cocone(points, options, job.execution());
   });
   require_surface(arguments.points, result, options.boundary.rho);
+  properties = properties_of_surface(job, properties, arguments.points, result);
+  if (arguments.manifold) make_manifold(job, arguments.mesh, result.mesh, properties);
   const MeshReport certificate =
       timed(job.execution(), "check", [&] { return mesh_check(result.mesh); });
-  properties = properties_of_surface(job, properties, arguments.points, result);
   timed(job.execution(), "write",
         [&] { write_mesh(arguments.mesh, result.mesh, properties, {.ascii = arguments.ascii}); });
 

@@ -45,8 +45,9 @@ void run_update(const UpdateArguments& arguments, Job& job) {
                   {{arguments.mesh, mesh_extensions}, {arguments.map, {}}, {arguments.html, {}}});
   const UpdateOptions options = update_options(arguments.parameters);
   const UpdateInput input = read_input(arguments, options, job);
-  update_and_write(job, input, options,
-                   {arguments.mesh, arguments.map, arguments.html, arguments.ascii});
+  update_and_write(
+      job, input, options,
+      {arguments.mesh, arguments.map, arguments.html, arguments.ascii, arguments.manifold});
   job.finish();
 }
 

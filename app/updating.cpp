@@ -6,6 +6,7 @@
 #include "app/carried_properties.h"
 #include "app/files.h"
 #include "app/html_report.h"
+#include "app/make_manifold.h"
 #include "app/reconstruct_report.h"
 #include "app/surface_options.h"
 #include "app/surface_report.h"
@@ -107,6 +108,8 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   for (std::string& warning : result.warnings) {
     warning = with_cloud_names(warning, input.cloud_names);
   }
+  VertexProperties properties = properties_of_update(job, input, result);
+  if (output.manifold) make_manifold(job, output.mesh, result.mesh, properties);
   const MeshReport certificate =
       timed(job.execution(), "check", [&] { return mesh_check(result.mesh); });
   const UpdateRecord record{input.model_name, input.model, input.cloud_names,
@@ -115,8 +118,6 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   add_parameters(job.report(), options.cloud.reconstruct);
   say_update(job, record);
   for (const std::string& warning : result.warnings) job.warn(warning);
-
-  const VertexProperties properties = properties_of_update(job, input, result);
 
   timed(job.execution(), "write", [&] {
     write_mesh(output.mesh, result.mesh, properties, {.ascii = output.ascii});

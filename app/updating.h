@@ -34,6 +34,7 @@ struct UpdateOutput {
   std::string map;  // one line per vertex of the model: its new index, or -1
   std::string html;
   bool ascii = false;
+  bool manifold = false;
 };
 
 // The closed surface of a model given as points, as stage "initial_model"; its counts go to the

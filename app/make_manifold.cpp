@@ -1,0 +1,45 @@
+#include "app/make_manifold.h"
+
+#include <utility>
+#include <vector>
+
+#include "geom/split_nonmanifold.h"
+#include "io/file_format.h"
+
+namespace cocoon::app {
+
+namespace {
+
+VertexProperties properties_of_copies(const VertexProperties& properties,
+                                      const IdVector<VertexId, VertexId>& source) {
+  if (properties.columns.empty()) return properties;
+  std::vector<RowOrigin> origins;
+  for (const VertexId v : source) origins.push_back({0, v.index()});
+  return gather_properties({&properties, 1}, origins).properties;
+}
+
+}  // namespace
+
+void make_manifold(Job& job, const std::string& file, TriangleMesh& mesh,
+                   VertexProperties& properties) {
+  SplitSurface split = timed(job.execution(), "manifold", [&] { return split_nonmanifold(mesh); });
+  job.report().set("manifold/split_edges", split.split_edges);
+  job.report().set("manifold/split_vertices", split.split_vertices);
+  job.report().set("manifold/copied_vertices", split.copies);
+  job.report().set("manifold/midpoints", split.midpoints);
+  job.report().set("manifold/unpaired_sides", split.unpaired_sides);
+  mesh = std::move(split.mesh);
+  if (split.copies + split.midpoints == 0) return;
+  properties = properties_of_copies(properties, split.source);
+  job.say(
+      "made manifold: {} edges with more than two triangles and {} vertices split; {} vertices "
+      "copied, {} edges given a midpoint",
+      split.split_edges, split.split_vertices, split.copies, split.midpoints);
+  if (split.copies > 0 && format_of(file) == FileFormat::stl) {
+    job.warn(file +
+             ": STL has no vertex ids, so a reader joins the copied vertices again; write .ply, "
+             ".obj or .off to keep the surface manifold");
+  }
+}
+
+}  // namespace cocoon::app
