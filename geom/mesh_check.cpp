@@ -296,7 +296,8 @@ class Checker {
   // Lengthens a walk at its head, or at its tail when the head is a dead end; the edges of the walk
   // come to the front. At an end of the walk exactly one more edge may be found.
   static bool walks_as_path_or_cycle(std::span<VertexPair> edges) {
-    auto [tail, head] = edges[0];
+    VertexId tail = edges[0][0];
+    VertexId head = edges[0][1];
     const auto at_head = [&head](const VertexPair& e) { return e[0] == head || e[1] == head; };
     for (auto rest = edges.begin() + 1; rest != edges.end(); ++rest) {
       if (head == tail) return false;  // closed already
