@@ -12,8 +12,15 @@ namespace cocoon::app {
 
 namespace {
 
+std::string base64_of(const std::string& bytes) {
+  std::string text;
+  append_base64(text, bytes);
+  return text;
+}
+
 // Little endian, as JavaScript's typed arrays are on every machine that runs a browser.
-void append_word(std::string& bytes, std::uint32_t word) {
+void append_float(std::string& bytes, double value) {
+  const auto word = std::bit_cast<std::uint32_t>(static_cast<float>(value));
   for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xFFU);
 }
 
@@ -22,70 +29,114 @@ std::string packed(const std::vector<Point>& points, const Point& origin) {
   bytes.reserve(12 * points.size());
   for (const Point& p : points) {
     const Vec3 relative = p - origin;
-    for (int axis = 0; axis < 3; ++axis) {
-      append_word(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(relative[axis])));
-    }
+    for (int axis = 0; axis < 3; ++axis) append_float(bytes, relative[axis]);
   }
-  std::string text;
-  append_base64(text, bytes);
-  return text;
+  return base64_of(bytes);
 }
 
-std::string packed(const std::vector<std::uint32_t>& indices) {
+std::string packed(const std::vector<double>& values) {
   std::string bytes;
-  bytes.reserve(4 * indices.size());
-  for (const std::uint32_t index : indices) append_word(bytes, index);
-  std::string text;
-  append_base64(text, bytes);
-  return text;
+  bytes.reserve(4 * values.size());
+  for (const double value : values) append_float(bytes, value);
+  return base64_of(bytes);
 }
 
-Point center_of(const std::vector<PageGeometry>& geometries) {
-  bool any = false;
-  Point low;
-  Point high;
-  for (const PageGeometry& geometry : geometries) {
-    for (const Point& p : geometry.points) {
-      if (!any) low = high = p;
-      any = true;
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
+// Differences of successive numbers (modulo 2^32), small ones of either sign made small unsigned
+// ones, in groups of seven bits from the lowest with the eighth bit set on all but the last: one or
+// two bytes for most indices of a mesh instead of four.
+std::string packed(const std::vector<std::uint32_t>& numbers) {
+  std::string bytes;
+  bytes.reserve(2 * numbers.size());
+  std::uint32_t last = 0;
+  for (const std::uint32_t number : numbers) {
+    const std::uint32_t difference = number - last;
+    last = number;
+    std::uint32_t code = difference << 1 ^ (difference >> 31 != 0 ? 0xFFFFFFFFU : 0U);
+    for (; code >= 0x80U; code >>= 7) bytes += static_cast<char>(code | 0x80U);
+    bytes += static_cast<char>(code);
+  }
+  return base64_of(bytes);
+}
+
+Point center_of(const std::vector<Point>& points) {
+  if (points.empty()) return {};
+  Point low = points.front();
+  Point high = low;
+  for (const Point& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   return low + 0.5 * (high - low);
 }
 
-const char* name_of(PageLayer::Kind kind) {
+const char* name_of(PageGeometry::Kind kind) {
   switch (kind) {
-    case PageLayer::Kind::triangles:
+    case PageGeometry::Kind::triangles:
       return "triangles";
-    case PageLayer::Kind::lines:
+    case PageGeometry::Kind::lines:
       return "lines";
-    case PageLayer::Kind::points:
+    case PageGeometry::Kind::points:
       return "points";
   }
-  throw std::logic_error("unknown kind of layer");
+  throw std::logic_error("unknown kind of geometry");
 }
 
-void add_scene(const ReportPage& page, JsonReport& data) {
-  const Point origin = center_of(page.geometries);
+void set_labels(JsonReport& data, const PageLabels& labels) {
+  data.set("texts", labels.texts);
+  data.set("labels", packed(labels.of_element));
+}
+
+void add_points(const PagePoints& points, JsonReport& data) {
+  const Point origin = center_of(points.positions);
   data.set("origin", std::vector<double>{origin.x, origin.y, origin.z});
-  for (const PageGeometry& geometry : page.geometries) {
-    const std::string path = "geometries/" + geometry.name;
-    data.set(path + "/positions", packed(geometry.points, origin));
-    if (!geometry.indices.empty()) data.set(path + "/indices", packed(geometry.indices));
+  JsonReport entry;
+  entry.set("positions", packed(points.positions, origin));
+  set_labels(entry, points.labels);
+  entry.set_empty_array("parts");
+  for (const PagePart& part : points.parts) {
+    JsonReport range;
+    range.set("name", part.name);
+    range.set("first", part.first);
+    range.set("count", part.count);
+    entry.append("parts", range);
   }
+  entry.set_empty_array("fields");
+  for (const PageField& field : points.fields) {
+    JsonReport numbers;
+    numbers.set("name", field.name);
+    numbers.set("values", packed(field.values));
+    entry.append("fields", numbers);
+  }
+  data.set("points", entry);
+}
+
+void add_geometries(const ReportPage& page, JsonReport& data) {
+  data.set_empty_array("geometries");
+  for (const PageGeometry& geometry : page.geometries) {
+    const bool inside = std::all_of(geometry.indices.begin(), geometry.indices.end(),
+                                    [&](auto i) { return i < page.points.positions.size(); });
+    if (!inside) throw std::logic_error("page geometry " + geometry.id + " names no point");
+    JsonReport entry;
+    entry.set("id", geometry.id);
+    entry.set("name", geometry.name);
+    entry.set("kind", name_of(geometry.kind));
+    entry.set("indices", packed(geometry.indices));
+    set_labels(entry, geometry.labels);
+    data.append("geometries", entry);
+  }
+}
+
+void add_layers_and_stages(const ReportPage& page, JsonReport& data) {
   data.set_empty_array("layers");
   for (const PageLayer& layer : page.layers) {
     JsonReport entry;
     entry.set("id", layer.id);
     entry.set("name", layer.name);
     entry.set("geometry", layer.geometry);
-    entry.set("kind", name_of(layer.kind));
     entry.set("color", layer.color);
+    entry.set("labels", layer.labels);
+    entry.set("field", layer.field);
     entry.set("opacity", layer.opacity);
-    entry.set("first", layer.first);
-    entry.set("count", layer.count);
     data.append("layers", entry);
   }
   data.set_empty_array("stages");
@@ -102,16 +153,21 @@ JsonReport table_data(const PageTable& table) {
   JsonReport data;
   data.set("title", table.title);
   data.set("columns", table.columns);
+  data.set("bars", table.bars);
   data.set_empty_array("rows");
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+  for (const auto& row : table.rows) {
     JsonReport cells;
     cells.set_empty_array("cells");
-    for (const PageTable::Cell& cell : table.rows[row]) {
+    for (const PageTable::Cell& cell : row) {
       std::visit([&](const auto& value) { cells.append("cells", value); }, cell);
     }
     data.append("rows", cells);
   }
   return data;
+}
+
+void replace_mark(std::string& text, std::string_view mark, std::string_view by) {
+  text.replace(text.find(mark), mark.size(), by);
 }
 
 }  // namespace
@@ -120,16 +176,19 @@ std::string html_page(const ReportPage& page, const JsonReport& numbers) {
   JsonReport data;
   data.set("title", page.title);
   data.set("subtitle", page.subtitle);
-  add_scene(page, data);
+  data.set("verdicts", page.verdicts);
+  add_points(page.points, data);
+  add_geometries(page, data);
+  add_layers_and_stages(page, data);
   data.set_empty_array("tables");
   for (const PageTable& table : page.tables) data.append("tables", table_data(table));
   data.set("warnings", page.warnings);
   data.set("papers", page.papers);
   data.set("json", numbers);
 
-  constexpr std::string_view mark = "{{report}}";
   std::string text = report_template;
-  text.replace(text.find(mark), mark.size(), data.script_text());
+  replace_mark(text, "{{viewer}}", report_viewer);
+  replace_mark(text, "{{report}}", data.script_text());
   return text;
 }
 

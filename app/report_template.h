@@ -1,9 +1,13 @@
-// The page of the HTML reports, app/report_template.html, as the build embeds it.
+// The page of the HTML reports and its viewer, as the build embeds them.
 #pragma once
 
 namespace cocoon::app {
 
-// Contains the mark "{{report}}" once, where the data go.
+// app/report_template.html. Contains the marks "{{report}}", where the data go, and then
+// "{{viewer}}", where the viewer goes, once each.
 extern const char* const report_template;
+
+// app/viewer/viewer.min.js: a script without "</script>" in it.
+extern const char* const report_viewer;
 
 }  // namespace cocoon::app

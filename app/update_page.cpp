@@ -3,6 +3,7 @@
 #include <array>
 #include <fmt/format.h>
 #include <iterator>
+#include <numeric>
 
 #include "app/surface_report.h"
 #include "app/update_report.h"
@@ -11,15 +12,25 @@ namespace cocoon::app {
 
 namespace {
 
-constexpr const char* model_color = "#b9c3cd";
+constexpr const char* model_color = "#b4bfca";
 constexpr const char* kept_color = "#8fa9c4";
 constexpr const char* replaced_color = "#d1495b";
-constexpr const char* border_color = "#f2b134";
+constexpr const char* overlap_color = "#f2b134";
+constexpr const char* traced_color = "#f8dda0";
 constexpr const char* loop_color = "#c1121f";
+constexpr const char* surface_color = "#dcc7a1";
 constexpr const char* new_color = "#e58f3c";
-constexpr std::array<const char*, 6> group_colors = {"#4c9f70", "#5876b8", "#c88a2d",
-                                                     "#8e5ea2", "#3ba3a8", "#b4656f"};
+constexpr std::array<const char*, 8> group_colors = {"#4e79a7", "#59a14f", "#b07aa1", "#4fb3bf",
+                                                     "#9c755f", "#86bcb6", "#6b6ecf", "#a0a84f"};
 constexpr std::array<const char*, 4> cloud_colors = {"#d9620b", "#7b2d8b", "#0a7d6f", "#a31f34"};
+
+// Groups beyond these many are one layer: a list that is too long to read helps nobody.
+constexpr std::size_t max_group_layers = 12;
+
+// Labels of facets of the initial model; groups follow.
+constexpr std::uint32_t overlapping_label = 0;
+constexpr std::uint32_t traced_label = 1;
+constexpr std::uint32_t first_group_label = 2;
 
 // One line each.
 constexpr const char* papers[] = {
@@ -30,144 +41,221 @@ constexpr const char* papers[] = {
     "Devillers & Teillaud: Perturbations and vertex removal in a 3D Delaunay triangulation, 2003",
 };
 
-// Triangles of a mesh as indices in an order of our own, so that layers are ranges.
-class IndexList {
+std::vector<std::uint32_t> numbers_from(std::size_t first, std::size_t count) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), static_cast<std::uint32_t>(first));
+  return numbers;
+}
+
+// The scene of the page. Its points are the vertices of the model, then the clouds.
+class SceneBuilder {
  public:
-  explicit IndexList(const TriangleMesh& mesh) : mesh_(mesh) {}
+  SceneBuilder(const UpdateRecord& record, ReportPage& page) : record_(record), page_(page) {}
 
-  void add(TriangleId triangle) {
-    for (const VertexId vertex : mesh_.triangles[triangle]) indices.push_back(vertex.value);
-  }
-  std::size_t size() const { return indices.size(); }
-
-  std::vector<std::uint32_t> indices;
-
- private:
-  const TriangleMesh& mesh_;
-};
-
-class PageBuilder {
- public:
-  explicit PageBuilder(const UpdateRecord& record) : record_(record) {}
-
-  ReportPage build(const std::vector<StageTime>& timings) {
-    page_.title = "Cocoon: local mesh update";
-    page_.subtitle =
-        fmt::format("{} updated by {} cloud{}; program version {}", record_.model_name,
-                    record_.clouds.size(), record_.clouds.size() == 1 ? "" : "s", COCOON_VERSION);
+  void build() {
+    name_groups();
+    add_points();
     add_model();
+    add_group_layers();
     for (std::size_t c = 0; c < record_.clouds.size(); ++c) add_cloud(c);
     add_updated();
     add_stages();
-    add_tables();
-    add_timings(timings);
-    page_.warnings = record_.result.warnings;
-    page_.papers.assign(std::begin(papers), std::end(papers));
-    return std::move(page_);
   }
 
  private:
-  void add_layer(const std::string& id, const std::string& name, const std::string& geometry,
-                 PageLayer::Kind kind, const char* color, std::size_t first, std::size_t count) {
-    if (count > 0) page_.layers.push_back({id, name, geometry, kind, color, 1, first, count});
+  using Kind = PageGeometry::Kind;
+
+  std::size_t cloud_begin(std::size_t c) const { return page_.points.parts[c + 1].first; }
+  std::string cloud_name(std::size_t c) const {
+    return record_.clouds.size() == 1 ? "cloud" : fmt::format("cloud {}", c + 1);
   }
 
-  // The model's triangles once, in the order border, group 0, group 1, ...; behind them once more
-  // those with a rim point on them.
+  void add_layer(PageLayer layer) { page_.layers.push_back(std::move(layer)); }
+
+  // "group 1: replaced, mean angle 7.2 degrees"; the angle is that of the cloud that counts most.
+  void name_groups() {
+    const RegionChoice& choice = record_.result.choice;
+    for (const RegionId group : record_.result.regions.regions.ids()) {
+      std::string name = fmt::format("group {}: {}", group.index(),
+                                     choice.replaced[group] != 0 ? "replaced" : "kept");
+      const GroupAngle* seen = nullptr;
+      for (const CloudReport& cloud : record_.result.clouds) {
+        for (const GroupAngle& angle : cloud.groups) {
+          if (angle.group == group && (seen == nullptr || angle.edges > seen->edges)) seen = &angle;
+        }
+      }
+      if (seen != nullptr) name += fmt::format(", mean angle {:.1f}\u00b0", seen->mean_angle_deg);
+      group_names_.push_back(std::move(name));
+    }
+  }
+
+  void add_points() {
+    PagePoints& points = page_.points;
+    points.positions = record_.model.points.raw();
+    points.parts.push_back({"initial model", 0, points.positions.size()});
+    points.labels.texts = {"border vertex", "", "sample of the rim", "boundary sample"};
+    const std::size_t first_group = points.labels.texts.size();
+    for (const std::string& name : group_names_) points.labels.texts.push_back(name);
+    const auto& groups = record_.result.regions.group_of_vertex;
+    for (const VertexId v : record_.model.points.ids()) {
+      const std::size_t label = groups[v].is_none() ? 0 : first_group + groups[v].index();
+      points.labels.of_element.push_back(static_cast<std::uint32_t>(label));
+    }
+    for (std::size_t c = 0; c < record_.clouds.size(); ++c) {
+      const auto& cloud = record_.clouds[c];
+      points.parts.push_back({cloud_name(c), points.positions.size(), cloud.size()});
+      points.positions.insert(points.positions.end(), cloud.begin(), cloud.end());
+      points.labels.of_element.resize(points.positions.size(), 1);
+      const CloudSurface& surface = record_.result.clouds[c].surface;
+      const auto label_vertex = [&](VertexId v, std::uint32_t label) {
+        points.labels.of_element[cloud_begin(c) + surface.point_of_vertex[v].index()] = label;
+      };
+      for (const VertexId v : surface.mesh.points.ids()) {
+        if (surface.boundary_sample[v] != 0) label_vertex(v, 3);
+      }
+      for (const RimLoop& loop : surface.rim.loops) {
+        for (const VertexId v : loop.vertices) label_vertex(v, 2);
+      }
+    }
+    std::vector<double> deviation(record_.model.points.size(), 0);
+    for (const auto& of_cloud : record_.deviation) {
+      deviation.insert(deviation.end(), of_cloud.begin(), of_cloud.end());
+    }
+    points.fields.push_back({"deviation", std::move(deviation)});
+  }
+
   void add_model() {
     const TriangleMesh& model = record_.model;
     const Regions& regions = record_.result.regions;
-    const auto add_group = [&](IndexList& list, RegionId group) {
-      for (const TriangleId t : model.triangles.ids()) {
-        if (regions.region_of_facet[t] == group) list.add(t);
-      }
-    };
-    IndexList list(model);
-    add_group(list, RegionId());
-    const std::size_t border = list.size();
-    std::vector<std::size_t> begins;
-    for (const RegionId group : regions.regions.ids()) {
-      begins.push_back(list.size());
-      add_group(list, group);
+    PageGeometry geometry{"model", "initial model", Kind::triangles, {}, {}};
+    geometry.labels.texts = {"overlapping facet", "facet traced between overlapping ones"};
+    for (const std::string& name : group_names_) geometry.labels.texts.push_back(name);
+    for (const TriangleId t : model.triangles.ids()) {
+      for (const VertexId v : model.triangles[t]) geometry.indices.push_back(v.value);
+      const RegionId region = regions.region_of_facet[t];
+      geometry.labels.of_element.push_back(region.is_none() ? traced_label
+                                                            : first_group_label + region.value);
     }
-    begins.push_back(list.size());
     for (const CloudReport& cloud : record_.result.clouds) {
-      for (const TriangleId t : cloud.overlapping_facets) list.add(t);
+      for (const TriangleId t : cloud.overlapping_facets) {
+        std::uint32_t& label = geometry.labels.of_element[t.index()];
+        if (label == traced_label) label = overlapping_label;
+      }
     }
-    constexpr auto triangles = PageLayer::Kind::triangles;
-    add_layer("model", "initial model", "model", triangles, model_color, 0, begins.back());
-    add_layer("overlap", "overlapping facets", "model", triangles, border_color, begins.back(),
-              list.size() - begins.back());
-    add_layer("border", "border (with traced facets)", "model", triangles, border_color, 0, border);
-    for (const RegionId group : regions.regions.ids()) {
-      const std::size_t k = group.index();
-      const std::size_t count = begins[k + 1] - begins[k];
-      const bool replaced = record_.result.choice.replaced[group] != 0;
-      add_layer(fmt::format("group-{}", k), fmt::format("group {}", k), "model", triangles,
-                group_colors[k % group_colors.size()], begins[k], count);
-      add_layer(fmt::format("choice-{}", k),
-                fmt::format("group {}: {}", k, replaced ? "replaced" : "kept"), "model", triangles,
-                replaced ? replaced_color : kept_color, begins[k], count);
+    page_.geometries.push_back(std::move(geometry));
+    add_layer({"model", "initial model", "model", model_color, {}, "", 1});
+    add_layer(
+        {"overlap", "overlapping facets", "model", overlap_color, {overlapping_label}, "", 1});
+    add_layer(
+        {"traced", "facets traced between them", "model", traced_color, {traced_label}, "", 1});
+  }
+
+  void add_group_layers() {
+    const auto& regions = record_.result.regions.regions;
+    std::vector<std::size_t> kept;
+    std::vector<std::size_t> replaced;
+    std::vector<RegionId> by_size;
+    for (const RegionId group : regions.ids()) {
+      const bool goes = record_.result.choice.replaced[group] != 0;
+      (goes ? replaced : kept).push_back(first_group_label + group.index());
+      by_size.push_back(group);
     }
-    page_.geometries.push_back({"model", model.points.raw(), std::move(list.indices)});
+    std::stable_sort(by_size.begin(), by_size.end(),
+                     [&](RegionId a, RegionId b) { return regions[a].facets > regions[b].facets; });
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < by_size.size(); ++i) {
+      const std::size_t k = by_size[i].index();
+      if (i >= max_group_layers) {
+        others.push_back(first_group_label + k);
+        continue;
+      }
+      add_layer({fmt::format("group-{}", k),
+                 fmt::format("group {}", k),
+                 "model",
+                 group_colors[i % group_colors.size()],
+                 {first_group_label + k},
+                 "",
+                 1});
+    }
+    if (!others.empty()) {
+      add_layer({"group-others", fmt::format("{} smaller groups", others.size()), "model",
+                 surface_color, others, "", 1});
+    }
+    if (!kept.empty()) add_layer({"kept", "kept groups", "model", kept_color, kept, "", 1});
+    if (!replaced.empty()) {
+      add_layer({"replaced", "replaced groups", "model", replaced_color, replaced, "", 1});
+    }
   }
 
   void add_cloud(std::size_t c) {
-    const std::string name = fmt::format("cloud-{}", c + 1);
-    const std::string title = record_.clouds.size() == 1 ? "cloud" : fmt::format("cloud {}", c + 1);
-    const auto& points = record_.clouds[c];
-    add_layer(name, title, name, PageLayer::Kind::points, cloud_colors[c % cloud_colors.size()], 0,
-              points.size());
-    page_.geometries.push_back({name, points, {}});
+    const std::string id = fmt::format("cloud-{}", c + 1);
+    const std::string name = cloud_name(c);
+    const CloudSurface& surface = record_.result.clouds[c].surface;
+    const auto index_of = [&](VertexId v) {
+      return static_cast<std::uint32_t>(cloud_begin(c) + surface.point_of_vertex[v].index());
+    };
+    page_.geometries.push_back(
+        {id, name, Kind::points, numbers_from(cloud_begin(c), record_.clouds[c].size()), {}});
+    add_layer({id, name, id, cloud_colors[c % cloud_colors.size()], {}, "", 1});
 
-    const TriangleMesh& surface = record_.result.clouds[c].surface.mesh;
-    IndexList list(surface);
-    for (const TriangleId t : surface.triangles.ids()) list.add(t);
-    const std::string surface_name = name + "-surface";
-    add_layer(surface_name, title + ": its Cocone surface", surface_name,
-              PageLayer::Kind::triangles, "#dcc7a1", 0, list.size());
-    page_.geometries.push_back({surface_name, surface.points.raw(), std::move(list.indices)});
-    add_loops(name, title, record_.result.clouds[c].surface.rim);
-  }
+    PageGeometry sheet{id + "-surface", "Cocone surface of the " + name, Kind::triangles, {}, {}};
+    for (const Triangle& triangle : surface.mesh.triangles) {
+      for (const VertexId v : triangle) sheet.indices.push_back(index_of(v));
+    }
+    add_layer({sheet.id, name + ": Cocone surface", sheet.id, surface_color, {}, "", 1});
+    page_.geometries.push_back(std::move(sheet));
 
-  void add_loops(const std::string& name, const std::string& title, const CloudRim& rim) {
-    PageGeometry geometry{name + "-loops", {}, {}};
-    for (const RimLoop& loop : rim.loops) {
-      const std::size_t first = geometry.points.size();
+    PageGeometry loops{id + "-loops", "boundary of the " + name, Kind::lines, {}, {}};
+    for (std::size_t l = 0; l < surface.rim.loops.size(); ++l) {
+      const RimLoop& loop = surface.rim.loops[l];
+      loops.labels.texts.push_back(fmt::format("loop {}, {} edges", l, loop.size()));
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        geometry.indices.push_back(static_cast<std::uint32_t>(first + i));
-        geometry.indices.push_back(static_cast<std::uint32_t>(first + loop.next(i)));
+        loops.indices.push_back(index_of(loop.vertices[i]));
+        loops.indices.push_back(index_of(loop.vertices[loop.next(i)]));
+        loops.labels.of_element.push_back(static_cast<std::uint32_t>(l));
       }
-      geometry.points.insert(geometry.points.end(), loop.points.begin(), loop.points.end());
     }
-    add_layer(geometry.name, title + ": boundary loops", geometry.name, PageLayer::Kind::lines,
-              loop_color, 0, geometry.indices.size());
-    page_.geometries.push_back(std::move(geometry));
+    add_layer({loops.id, name + ": boundary loops", loops.id, loop_color, {}, "", 1});
+    page_.geometries.push_back(std::move(loops));
   }
 
-  // Triangles between kept vertices only come first, then those with a vertex of a cloud.
-  void add_updated() {
-    const TriangleMesh& mesh = record_.result.mesh;
-    IdVector<VertexId, std::uint8_t> kept(mesh.points.size(), 0);
-    for (const VertexId vertex : record_.result.vertex_map) {
-      if (!vertex.is_none()) kept[vertex] = 1;
-    }
-    IndexList list(mesh);
-    std::size_t old_end = 0;
-    for (const bool old : {true, false}) {
-      for (const TriangleId t : mesh.triangles.ids()) {
-        const Triangle& triangle = mesh.triangles[t];
-        const bool all_kept =
-            std::all_of(triangle.begin(), triangle.end(), [&](VertexId v) { return kept[v] != 0; });
-        if (all_kept == old) list.add(t);
+  // Where each point of the replacement stands among the points of the page.
+  std::vector<std::uint32_t> page_indices() const {
+    const Replacement& replacement = record_.result.replacement;
+    std::vector<std::uint32_t> indices(replacement.points.size());
+    for (std::size_t c = record_.clouds.size(); c-- > 0;) {
+      const auto& of_cloud = replacement.point_of_cloud_point[c];
+      for (const PointId p : of_cloud.ids()) {
+        if (of_cloud[p].is_none()) continue;
+        indices[of_cloud[p].index()] = static_cast<std::uint32_t>(cloud_begin(c) + p.index());
       }
-      if (old) old_end = list.size();
     }
-    constexpr auto triangles = PageLayer::Kind::triangles;
-    add_layer("updated-old", "updated model: kept", "updated", triangles, model_color, 0, old_end);
-    add_layer("updated-new", "updated model: new", "updated", triangles, new_color, old_end,
-              list.size() - old_end);
-    page_.geometries.push_back({"updated", mesh.points.raw(), std::move(list.indices)});
+    for (const VertexId v : record_.model.points.ids()) {
+      const PointId p = replacement.point_of_vertex[v];
+      if (!p.is_none()) indices[p.index()] = v.value;
+    }
+    return indices;
+  }
+
+  void add_updated() {
+    const std::vector<std::uint32_t> index_of = page_indices();
+    const auto& point_of_vertex = record_.result.reconstruction.point_of_vertex;
+    PageGeometry geometry{"updated", "updated model", Kind::triangles, {}, {}};
+    geometry.labels.texts = {"kept vertices only", "with a vertex of a cloud"};
+    for (const Triangle& triangle : record_.result.mesh.triangles) {
+      bool all_kept = true;
+      for (const VertexId v : triangle) {
+        const std::uint32_t index = index_of[point_of_vertex[v].index()];
+        geometry.indices.push_back(index);
+        all_kept = all_kept && index < record_.model.points.size();
+      }
+      geometry.labels.of_element.push_back(all_kept ? 0U : 1U);
+    }
+    page_.geometries.push_back(std::move(geometry));
+    add_layer({"updated-old", "updated model: kept", "updated", model_color, {0}, "", 1});
+    add_layer({"updated-new", "updated model: new", "updated", new_color, {1}, "", 1});
+    add_layer(
+        {"deviation", "updated model: deviation", "updated", model_color, {}, "deviation", 1});
   }
 
   // Adds a stage that shows the layers whose ids begin with one of the given names; with '$' at
@@ -187,97 +275,136 @@ class PageBuilder {
   void add_stages() {
     std::vector<std::string> model_and_clouds = {"model$"};
     std::vector<std::string> rims = {"model$", "overlap$"};
-    std::vector<std::string> surfaces;
     for (std::size_t c = 1; c <= record_.clouds.size(); ++c) {
       model_and_clouds.push_back(fmt::format("cloud-{}$", c));
       rims.push_back(fmt::format("cloud-{}-loops$", c));
-      surfaces.push_back(fmt::format("cloud-{}-", c));
     }
-    add_stage(
-        "Model and cloud",
-        "The closed initial model, and the scan of what has changed, in the same coordinates.",
-        model_and_clouds);
-    add_stage("Boundary", "The Cocone surface of the cloud alone, and the closed loops of its rim.",
-              surfaces);
-    add_stage("Overlapping facets", "The facets of the model on which points of the rim lie.",
+    add_stage("Model and cloud", "The closed model and the scan of what has changed.",
+              model_and_clouds);
+    add_stage("Boundary",
+              "The boundary loops of the cloud (red), and the facets on which they lie (yellow).",
               rims);
-    add_stage("Groups",
-              "The border of overlapping facets, closed by tracing the rim from facet to facet, "
-              "cuts the model into groups.",
-              {"border", "group-"});
-    add_stage("Choice",
-              "The group with the small angle to the cloud lies under it and is replaced (red).",
-              {"border", "choice-"});
-    add_stage(
-        "Updated model",
-        "The closed surface of kept points and cloud; triangles with a point of the cloud are "
-        "orange.",
-        {"updated-"});
-  }
-
-  void add_tables() {
-    const UpdateResult& result = record_.result;
-    const auto number = [](std::size_t value) {
-      return PageTable::Cell(static_cast<double>(value));
-    };
-    const auto word = [](const char* text) { return PageTable::Cell(std::string(text)); };
-    PageTable points{"Points", {"", ""}, {}};
-    points.rows.push_back({word("initial model"), number(record_.model.points.size())});
-    for (const auto& cloud : record_.clouds) {
-      points.rows.push_back({word("+ cloud"), number(cloud.size())});
-    }
-    points.rows.push_back({word("\u2212 replaced"), number(result.replacement.replaced)});
-    points.rows.push_back({word("\u2212 equal to another"), number(result.replacement.duplicates)});
-    points.rows.push_back({word("updated"), number(result.replacement.points.size())});
-    page_.tables.push_back(std::move(points));
-
-    PageTable angles{"Mean angle at the rim", {"cloud", "group", "degrees", "decision"}, {}};
-    for (std::size_t c = 0; c < result.clouds.size(); ++c) {
-      for (const GroupAngle& group : result.clouds[c].groups) {
-        angles.rows.push_back({number(c + 1), number(group.group.index()), group.mean_angle_deg,
-                               word(group.under_cloud ? "replaced" : "kept")});
-      }
-    }
-    page_.tables.push_back(std::move(angles));
-
-    if (!result.split.empty()) {
-      PageTable split{"Groups split by labels",
-                      {"group", "new group", "facets under the cloud", "edges cut", "reach"},
-                      {}};
-      for (const SplitRegion& part : result.split) {
-        split.rows.push_back({number(part.outside.index()), number(part.under.index()),
-                              number(part.under_facets), number(part.cut_edges), part.reach});
-      }
-      page_.tables.push_back(std::move(split));
-    }
-
-    const MeshReport& surface = record_.certificate;
-    PageTable check{"Updated surface", {"", ""}, {}};
-    check.rows = {{word("triangles"), number(surface.triangles)},
-                  {word("open edges"), number(surface.open_edges)},
-                  {word("edges with more than two triangles"), number(surface.overfull_edges)},
-                  {word("pinched vertices"), number(surface.pinched_vertices)},
-                  {word("components"), number(surface.components)},
-                  {word("Euler characteristic"), static_cast<double>(surface.euler)},
-                  {word("points not on it"), number(result.reconstruction.unused_points)},
-                  {word("hash"), mesh_hash(result.mesh)}};
-    page_.tables.push_back(std::move(check));
-  }
-
-  void add_timings(const std::vector<StageTime>& timings) {
-    PageTable table{"Time", {"stage", "seconds"}, {}};
-    for (const StageTime& time : timings) table.rows.push_back({time.stage, time.seconds});
-    page_.tables.push_back(std::move(table));
+    add_stage("Groups", "The border of those facets, closed by tracing, cuts the model in groups.",
+              {"overlap$", "traced$", "group-"});
+    add_stage("Chosen region",
+              "The group at a small angle to the cloud lies under it and is replaced (red).",
+              {"overlap$", "traced$", "kept$", "replaced$"});
+    add_stage("Updated model", "The closed surface of the kept points and the cloud (orange).",
+              {"updated-"});
+    add_stage("Deviation", "Distance from the old model: red lies outside it, blue inside.",
+              {"deviation$"});
   }
 
   const UpdateRecord& record_;
-  ReportPage page_;
+  ReportPage& page_;
+  std::vector<std::string> group_names_;
 };
+
+PageTable::Cell number(std::size_t value) { return static_cast<double>(value); }
+PageTable::Cell word(std::string text) { return text; }
+
+PageTable point_table(const UpdateRecord& record) {
+  const Replacement& replacement = record.result.replacement;
+  PageTable table{"Points", {"", ""}, {}};
+  table.rows.push_back({word("initial model"), number(record.model.points.size())});
+  for (const auto& cloud : record.clouds) {
+    table.rows.push_back({word("+ cloud"), number(cloud.size())});
+  }
+  table.rows.push_back({word("\u2212 replaced"), number(replacement.replaced)});
+  table.rows.push_back({word("\u2212 equal to another"), number(replacement.duplicates)});
+  table.rows.push_back({word("updated"), number(replacement.points.size())});
+  return table;
+}
+
+PageTable angle_table(const UpdateRecord& record) {
+  PageTable table{"Mean angle at the rim", {"cloud", "group", "facets", "degrees", "decision"}, {}};
+  for (std::size_t c = 0; c < record.result.clouds.size(); ++c) {
+    for (const GroupAngle& group : record.result.clouds[c].groups) {
+      table.rows.push_back({number(c + 1), number(group.group.index()),
+                            number(record.result.regions.regions[group.group].facets),
+                            group.mean_angle_deg, word(group.under_cloud ? "replaced" : "kept")});
+    }
+  }
+  return table;
+}
+
+PageTable rim_table(const UpdateRecord& record) {
+  PageTable table{
+      "Boundary", {"cloud", "loops", "rim points", "on facets", "border facets", "rho"}, {}};
+  for (std::size_t c = 0; c < record.result.clouds.size(); ++c) {
+    const CloudReport& cloud = record.result.clouds[c];
+    table.rows.push_back({number(c + 1), number(cloud.loops.size()), number(cloud.boundary_points),
+                          number(cloud.overlapping_facets.size()), number(cloud.border_facets),
+                          cloud.surface.rho});
+  }
+  return table;
+}
+
+PageTable split_table(const UpdateRecord& record) {
+  PageTable table{"Groups split by labels",
+                  {"group", "new group", "facets under the cloud", "edges cut", "reach"},
+                  {}};
+  for (const SplitRegion& part : record.result.split) {
+    table.rows.push_back({number(part.outside.index()), number(part.under.index()),
+                          number(part.under_facets), number(part.cut_edges), part.reach});
+  }
+  return table;
+}
+
+PageTable surface_table(const UpdateRecord& record) {
+  const MeshReport& surface = record.certificate;
+  PageTable table{"Updated surface", {"", ""}, {}};
+  table.rows = {{word("triangles"), number(surface.triangles)},
+                {word("open edges"), number(surface.open_edges)},
+                {word("edges with more than two triangles"), number(surface.overfull_edges)},
+                {word("pinched vertices"), number(surface.pinched_vertices)},
+                {word("components"), number(surface.components)},
+                {word("Euler characteristic"), static_cast<double>(surface.euler)},
+                {word("points not on it"), number(record.result.reconstruction.unused_points)},
+                {word("hash"), mesh_hash(record.result.mesh)}};
+  return table;
+}
+
+// Steps in the order in which they ran; what ran inside a step is behind it, moved to the right.
+PageTable time_table(const std::vector<StageTime>& timings) {
+  PageTable table{"Time", {"step", "seconds"}, {}, true};
+  for (const StageTime& time : timings) {
+    if (time.stage.find('/') != std::string::npos) continue;
+    table.rows.push_back({time.stage, time.seconds});
+    for (const StageTime& inner : timings) {
+      if (inner.stage.rfind(time.stage + "/", 0) != 0) continue;
+      table.rows.push_back({"\u2003" + inner.stage.substr(time.stage.size() + 1), inner.seconds});
+    }
+  }
+  return table;
+}
+
+std::vector<std::string> verdicts_of(const MeshReport& surface) {
+  std::vector<std::string> verdicts;
+  verdicts.emplace_back(surface.open_edges == 0 ? "closed" : "open");
+  const bool manifold = surface.overfull_edges == 0 && surface.pinched_vertices == 0;
+  verdicts.emplace_back(manifold ? "manifold" : "not manifold");
+  verdicts.push_back(
+      fmt::format("{} component{}", surface.components, surface.components == 1 ? "" : "s"));
+  return verdicts;
+}
 
 }  // namespace
 
 ReportPage update_page(const UpdateRecord& record, const std::vector<StageTime>& timings) {
-  return PageBuilder(record).build(timings);
+  ReportPage page;
+  page.title = "Cocoon: local mesh update";
+  page.subtitle = fmt::format("{} updated by {} cloud{}", record.model_name, record.clouds.size(),
+                              record.clouds.size() == 1 ? "" : "s");
+  page.verdicts = verdicts_of(record.certificate);
+  SceneBuilder(record, page).build();
+  page.tables = {point_table(record), angle_table(record), rim_table(record)};
+  if (!record.result.split.empty()) page.tables.push_back(split_table(record));
+  page.tables.push_back(surface_table(record));
+  page.tables.push_back(time_table(timings));
+  page.warnings = record.result.warnings;
+  page.papers.assign(std::begin(papers), std::end(papers));
+  return page;
 }
 
 }  // namespace cocoon::app

@@ -22,6 +22,8 @@ struct UpdateRecord {
   const std::vector<std::vector<Point>>& clouds;
   const UpdateResult& result;
   const MeshReport& certificate;  // of the updated mesh
+  // For the page: the signed distance of each cloud point from the model (signed_distance.h).
+  std::vector<std::vector<double>> deviation = {};
 };
 
 // The sections "input", "delaunay", "surface" and "update".
@@ -30,7 +32,8 @@ void add_update(JsonReport& report, const UpdateRecord& record);
 // The summary for people, on standard output.
 void say_update(Job& job, const UpdateRecord& record);
 
-// The stages of the update one after the other, with tables of counts, angles and times.
+// The stages of the update one after the other, with tables of counts, angles and times. Needs the
+// deviation.
 ReportPage update_page(const UpdateRecord& record, const std::vector<StageTime>& timings);
 
 }  // namespace cocoon::app

@@ -13,6 +13,7 @@
 #include "app/update_report.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
+#include "geom/signed_distance.h"
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
 #include "update/vertex_origins.h"
@@ -49,6 +50,18 @@ VertexProperties properties_of_update(Job& job, const UpdateInput& input,
     origins.push_back({origin.input, origin.index});
   }
   return carried_properties(job, input.properties, names, origins);
+}
+
+// The signed distances from the model of the points of each cloud, and of what --manifold added.
+std::vector<std::vector<double>> deviation(const Job& job, const UpdateInput& input,
+                                           const UpdateResult& result) {
+  std::vector<std::vector<double>> distances;
+  const auto add = [&](Points points) {
+    distances.push_back(signed_distances(input.model, points, {job.execution().threads}));
+  };
+  for (const std::vector<Point>& cloud : input.clouds) add(cloud);
+  add(Points(result.mesh.points.raw()).subspan(result.reconstruction.point_of_vertex.size()));
+  return distances;
 }
 
 }  // namespace
@@ -112,13 +125,16 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   if (output.manifold) make_manifold(job, output.mesh, result.mesh, properties);
   const MeshReport certificate =
       timed(job.execution(), "check", [&] { return mesh_check(result.mesh); });
-  const UpdateRecord record{input.model_name, input.model, input.cloud_names,
-                            input.clouds,     result,      certificate};
+  UpdateRecord record{input.model_name, input.model, input.cloud_names,
+                      input.clouds,     result,      certificate};
   add_update(job.report(), record);
   add_parameters(job.report(), options.cloud.reconstruct);
   say_update(job, record);
   for (const std::string& warning : result.warnings) job.warn(warning);
 
+  if (!output.html.empty()) {
+    timed(job.execution(), "deviation", [&] { record.deviation = deviation(job, input, result); });
+  }
   timed(job.execution(), "write", [&] {
     write_mesh(output.mesh, result.mesh, properties, {.ascii = output.ascii});
     if (!output.map.empty()) write_file(output.map, map_text(result.vertex_map));

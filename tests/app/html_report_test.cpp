@@ -4,6 +4,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,18 @@ namespace {
 ReportPage tetrahedron_page() {
   ReportPage page;
   page.title = "A title with </script> in it";
+  page.verdicts = {"closed"};
+  page.points = {{{10, 0, 0}, {11, 0, 0}, {10, 1, 0}, {10, 0, 1}},
+                 {{"model", 0, 4}},
+                 {{"a", "b"}, {0, 0, 1, 1}},
+                 {{"deviation", {0, -0.5, 0.25, 0}}}};
   page.geometries = {{"model",
-                      {{10, 0, 0}, {11, 0, 0}, {10, 1, 0}, {10, 0, 1}},
-                      {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}}};
-  page.layers = {{"all", "all of it", "model", PageLayer::Kind::triangles, "#123456", 0.5, 3, 9}};
-  page.stages = {{"first", "a caption", {"all"}}};
+                      "the model",
+                      PageGeometry::Kind::triangles,
+                      {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3},
+                      {{"bottom", "side"}, {0, 1, 1, 1}}}};
+  page.layers = {{"sides", "its sides", "model", "#123456", {1}, "deviation", 0.5}};
+  page.stages = {{"first", "a caption", {"sides"}}};
   page.tables = {{"counts", {"what", "number"}, {{std::string("angle"), 4.5}}}};
   page.warnings = {"a warning"};
   return page;
@@ -44,12 +52,29 @@ std::vector<unsigned char> bytes_of_base64(const std::string& text) {
   return bytes;
 }
 
-template <class T>
-std::vector<T> unpacked(const nlohmann::json& text) {
+std::vector<float> floats_of(const nlohmann::json& text) {
   const std::vector<unsigned char> bytes = bytes_of_base64(text.get<std::string>());
-  std::vector<T> values(bytes.size() / sizeof(T));
-  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+  std::vector<float> values(bytes.size() / sizeof(float));
+  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
   return values;
+}
+
+// By the description in html_report.cpp.
+std::vector<std::uint32_t> integers_of(const nlohmann::json& text) {
+  std::vector<std::uint32_t> numbers;
+  std::uint64_t code = 0;
+  int shift = 0;
+  for (const unsigned char byte : bytes_of_base64(text.get<std::string>())) {
+    code |= static_cast<std::uint64_t>(byte & 127U) << shift;
+    shift += 7;
+    if (byte >= 128) continue;
+    const std::uint64_t last = numbers.empty() ? 0 : numbers.back();
+    numbers.push_back(
+        static_cast<std::uint32_t>(code % 2 == 0 ? last + code / 2 : last - code / 2 - 1));
+    code = 0;
+    shift = 0;
+  }
+  return numbers;
 }
 
 TEST(HtmlReport, HoldsTheSceneAndTheNumbers) {
@@ -57,11 +82,19 @@ TEST(HtmlReport, HoldsTheSceneAndTheNumbers) {
   numbers.set("surface/triangles", std::size_t{4});
   const nlohmann::json data = data_of(html_page(tetrahedron_page(), numbers));
   EXPECT_EQ(data["title"], "A title with </script> in it");
+  EXPECT_EQ(data["verdicts"][0], "closed");
+  EXPECT_EQ(data["points"]["parts"][0]["name"], "model");
+  EXPECT_EQ(data["points"]["parts"][0]["count"], 4);
+  EXPECT_EQ(data["points"]["texts"][1], "b");
+  EXPECT_EQ(integers_of(data["points"]["labels"]), (std::vector<std::uint32_t>{0, 0, 1, 1}));
+  EXPECT_EQ(floats_of(data["points"]["fields"][0]["values"]),
+            (std::vector<float>{0, -.5F, .25F, 0}));
+  EXPECT_EQ(data["geometries"][0]["kind"], "triangles");
+  EXPECT_EQ(integers_of(data["geometries"][0]["labels"]), (std::vector<std::uint32_t>{0, 1, 1, 1}));
   EXPECT_EQ(data["layers"][0]["color"], "#123456");
-  EXPECT_EQ(data["layers"][0]["first"], 3);
-  EXPECT_EQ(data["layers"][0]["count"], 9);
-  EXPECT_EQ(data["layers"][0]["kind"], "triangles");
-  EXPECT_EQ(data["stages"][0]["layers"][0], "all");
+  EXPECT_EQ(data["layers"][0]["labels"], std::vector<int>{1});
+  EXPECT_EQ(data["layers"][0]["field"], "deviation");
+  EXPECT_EQ(data["stages"][0]["layers"][0], "sides");
   EXPECT_EQ(data["tables"][0]["rows"][0]["cells"][1], 4.5);
   EXPECT_EQ(data["warnings"][0], "a warning");
   EXPECT_EQ(data["json"]["surface"]["triangles"], 4);
@@ -71,24 +104,57 @@ TEST(HtmlReport, PositionsAreRelativeToTheirCenter) {
   const nlohmann::json data = data_of(html_page(tetrahedron_page(), JsonReport()));
   EXPECT_EQ(data["origin"], (std::vector<double>{10.5, 0.5, 0.5}));
   EXPECT_EQ(
-      unpacked<float>(data["geometries"]["model"]["positions"]),
+      floats_of(data["points"]["positions"]),
       (std::vector<float>{-.5F, -.5F, -.5F, .5F, -.5F, -.5F, -.5F, .5F, -.5F, -.5F, -.5F, .5F}));
-  EXPECT_EQ(unpacked<std::uint32_t>(data["geometries"]["model"]["indices"]),
-            (std::vector<std::uint32_t>{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}));
 }
 
 TEST(HtmlReport, KeepsTheShapeFarFromTheOrigin) {
   ReportPage page = tetrahedron_page();
-  for (Point& p : page.geometries[0].points) p.x += 4500000;  // float32 steps there: 0.5
+  for (Point& p : page.points.positions) p.x += 4500000;  // float32 steps there: 0.5
   const nlohmann::json data = data_of(html_page(page, JsonReport()));
-  EXPECT_EQ(unpacked<float>(data["geometries"]["model"]["positions"])[3], 0.5F);
+  EXPECT_EQ(floats_of(data["points"]["positions"])[3], 0.5F);
 }
 
+// Small steps of either sign, and differences that need all 32 bits.
+TEST(HtmlReport, PackedIndicesComeBack) {
+  ReportPage page = tetrahedron_page();
+  page.points.labels.of_element = {0, 63, 64, 0, 4294967295U, 0, 2147483648U, 1, 70000, 69999};
+  page.geometries[0].indices = {3, 0, 2, 1, 1, 3};
+  const nlohmann::json data = data_of(html_page(page, JsonReport()));
+  EXPECT_EQ(integers_of(data["points"]["labels"]), page.points.labels.of_element);
+  EXPECT_EQ(integers_of(data["geometries"][0]["indices"]), page.geometries[0].indices);
+}
+
+TEST(HtmlReport, IndexBeyondThePointsIsAnError) {
+  ReportPage page = tetrahedron_page();
+  page.geometries[0].indices[0] = 4;
+  EXPECT_THROW(html_page(page, JsonReport()), std::logic_error);
+}
+
+// The page asks for nothing; that the viewer asks for nothing either is seen in a browser
+// (tests/report). Its one address names a language of documents.
 TEST(HtmlReport, OpensWithoutANetwork) {
-  const std::string html = html_page(tetrahedron_page(), JsonReport());
-  for (const char* reference : {"src=", "href=", "http:", "https:", "import ", "url("}) {
+  std::string html = html_page(tetrahedron_page(), JsonReport());
+  const std::string language = "http://www.w3.org/1999/xhtml";
+  for (std::size_t at; (at = html.find(language)) != std::string::npos;) {
+    html.erase(at, language.size());
+  }
+  for (const char* reference : {"http:", "https:", "@import", "url("}) {
     EXPECT_EQ(html.find(reference), std::string::npos) << reference;
   }
+  html.erase(html.find("<script>"));  // the viewer
+  for (const char* reference : {"src=", "href=", "import "}) {
+    EXPECT_EQ(html.find(reference), std::string::npos) << reference;
+  }
+}
+
+TEST(HtmlReport, HoldsTheViewerAndItsNotice) {
+  const std::string html = html_page(tetrahedron_page(), JsonReport());
+  for (const char* mark : {"{{viewer}}", "{{report}}"}) {
+    EXPECT_EQ(html.find(mark), std::string::npos) << mark;
+  }
+  EXPECT_GT(html.size(), 200000U);
+  EXPECT_NE(html.find("three.js authors"), std::string::npos);
 }
 
 }  // namespace

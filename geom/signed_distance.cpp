@@ -1,0 +1,99 @@
+#include "geom/signed_distance.h"
+
+#include <array>
+#include <cmath>
+
+#include "geom/closest_facet.h"
+#include "geom/mesh_adjacency.h"
+#include "geom/triangle_projection.h"
+
+namespace cocoon {
+
+namespace {
+
+constexpr std::size_t grain = 1024;
+
+TrianglePoints corners_of(const TriangleMesh& mesh, TriangleId t) {
+  const Triangle& triangle = mesh.triangles[t];
+  return {mesh.points[triangle[0]], mesh.points[triangle[1]], mesh.points[triangle[2]]};
+}
+
+// The angle-weighted normals of a mesh; they are sums and not of unit length.
+class Pseudonormals {
+ public:
+  explicit Pseudonormals(const TriangleMesh& mesh)
+      : mesh_(mesh), adjacency_(mesh_adjacency(mesh)), of_vertex_(mesh.points.size()) {
+    for (const TriangleId t : mesh.triangles.ids()) {
+      const TrianglePoints p = corners_of(mesh, t);
+      of_facet_.push_back(unit(cross(p[1] - p[0], p[2] - p[0])));
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 u = p[(i + 1) % 3] - p[i];
+        const Vec3 v = p[(i + 2) % 3] - p[i];
+        const double angle = std::atan2(norm(cross(u, v)), dot(u, v));
+        Vec3& sum = of_vertex_[mesh.triangles[t][i]];
+        sum = sum + angle * of_facet_[t];
+      }
+    }
+  }
+
+  Vec3 at(TriangleId t, TriangleFeature feature) const {
+    const Triangle& triangle = mesh_.triangles[t];
+    switch (feature) {
+      case TriangleFeature::vertex0:
+        return of_vertex_[triangle[0]];
+      case TriangleFeature::vertex1:
+        return of_vertex_[triangle[1]];
+      case TriangleFeature::vertex2:
+        return of_vertex_[triangle[2]];
+      case TriangleFeature::edge01:
+        return at_edge(t, 2);
+      case TriangleFeature::edge12:
+        return at_edge(t, 0);
+      case TriangleFeature::edge20:
+        return at_edge(t, 1);
+      case TriangleFeature::interior:
+        break;
+    }
+    return of_facet_[t];
+  }
+
+ private:
+  Vec3 at_edge(TriangleId t, int opposite_corner) const {
+    const EdgeId edge = adjacency_.edge_of[halfedge_of(t, opposite_corner)];
+    if (edge.is_none()) return of_facet_[t];
+    Vec3 sum;
+    for (const HalfedgeId side : adjacency_.halfedges_at(edge)) {
+      sum = sum + of_facet_[triangle_of(side)];
+    }
+    return sum;
+  }
+
+  const TriangleMesh& mesh_;
+  MeshAdjacency adjacency_;
+  IdVector<TriangleId, Vec3> of_facet_;
+  IdVector<VertexId, Vec3> of_vertex_;
+};
+
+}  // namespace
+
+std::vector<double> signed_distances(const TriangleMesh& mesh, Points points,
+                                     const Execution& execution) {
+  const ClosestFacetTree tree(mesh);
+  const Pseudonormals normals(mesh);
+  std::vector<double> distances(points.size());
+  report_progress(execution, "signed_distance", 0);
+  parallel_chunks(execution, points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const ClosestFacet facet = tree.closest(points[i]);
+      const ClosestPoint foot =
+          closest_point_on_triangle(points[i], corners_of(mesh, facet.triangle));
+      const Vec3 normal = normals.at(facet.triangle, foot.feature);
+      const double distance = std::sqrt(foot.squared_distance);
+      distances[i] = dot(points[i] - foot.point, normal) < 0 ? -distance : distance;
+    }
+  });
+  report_progress(execution, "signed_distance", 1);
+  return distances;
+}
+
+}  // namespace cocoon
