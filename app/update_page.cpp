@@ -7,6 +7,7 @@
 
 #include "app/surface_report.h"
 #include "app/update_report.h"
+#include "update/vertex_origins.h"
 
 namespace cocoon::app {
 
@@ -219,35 +220,17 @@ class SceneBuilder {
     page_.geometries.push_back(std::move(loops));
   }
 
-  // Where each point of the replacement stands among the points of the page.
-  std::vector<std::uint32_t> page_indices() const {
-    const Replacement& replacement = record_.result.replacement;
-    std::vector<std::uint32_t> indices(replacement.points.size());
-    for (std::size_t c = record_.clouds.size(); c-- > 0;) {
-      const auto& of_cloud = replacement.point_of_cloud_point[c];
-      for (const PointId p : of_cloud.ids()) {
-        if (of_cloud[p].is_none()) continue;
-        indices[of_cloud[p].index()] = static_cast<std::uint32_t>(cloud_begin(c) + p.index());
-      }
-    }
-    for (const VertexId v : record_.model.points.ids()) {
-      const PointId p = replacement.point_of_vertex[v];
-      if (!p.is_none()) indices[p.index()] = v.value;
-    }
-    return indices;
-  }
-
   void add_updated() {
-    const std::vector<std::uint32_t> index_of = page_indices();
-    const auto& point_of_vertex = record_.result.reconstruction.point_of_vertex;
+    const IdVector<VertexId, VertexOrigin> origins = vertex_origins(record_.result);
     PageGeometry geometry{"updated", "updated model", Kind::triangles, {}, {}};
     geometry.labels.texts = {"kept vertices only", "with a vertex of a cloud"};
     for (const Triangle& triangle : record_.result.mesh.triangles) {
       bool all_kept = true;
       for (const VertexId v : triangle) {
-        const std::uint32_t index = index_of[point_of_vertex[v].index()];
-        geometry.indices.push_back(index);
-        all_kept = all_kept && index < record_.model.points.size();
+        const auto& [input, index] = origins[v];
+        const std::size_t first = page_.points.parts[input].first;
+        geometry.indices.push_back(static_cast<std::uint32_t>(first + index));
+        all_kept = all_kept && input == 0;
       }
       geometry.labels.of_element.push_back(all_kept ? 0U : 1U);
     }
