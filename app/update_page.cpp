@@ -118,11 +118,24 @@ class SceneBuilder {
         for (const VertexId v : loop.vertices) label_vertex(v, 2);
       }
     }
+    add_split_vertices();
     std::vector<double> deviation(record_.model.points.size(), 0);
     for (const auto& of_cloud : record_.deviation) {
       deviation.insert(deviation.end(), of_cloud.begin(), of_cloud.end());
     }
     points.fields.push_back({"deviation", std::move(deviation)});
+  }
+
+  // The vertices of the updated mesh that are no input points: what --manifold added.
+  void add_split_vertices() {
+    const std::vector<Point>& vertices = record_.result.mesh.points.raw();
+    const std::size_t first = record_.result.reconstruction.point_of_vertex.size();
+    if (first == vertices.size()) return;
+    PagePoints& points = page_.points;
+    points.parts.push_back({"added vertices", points.positions.size(), vertices.size() - first});
+    points.positions.insert(points.positions.end(),
+                            vertices.begin() + static_cast<std::ptrdiff_t>(first), vertices.end());
+    points.labels.of_element.resize(points.positions.size(), 1);
   }
 
   void add_model() {
@@ -221,7 +234,11 @@ class SceneBuilder {
   }
 
   void add_updated() {
-    const IdVector<VertexId, VertexOrigin> origins = vertex_origins(record_.result);
+    IdVector<VertexId, VertexOrigin> origins = vertex_origins(record_.result);
+    const auto added = static_cast<std::uint32_t>(record_.clouds.size() + 1);
+    for (std::uint32_t i = 0; origins.size() < record_.result.mesh.points.size(); ++i) {
+      origins.push_back({added, i});
+    }
     PageGeometry geometry{"updated", "updated model", Kind::triangles, {}, {}};
     geometry.labels.texts = {"kept vertices only", "with a vertex of a cloud"};
     for (const Triangle& triangle : record_.result.mesh.triangles) {

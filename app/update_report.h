@@ -22,7 +22,8 @@ struct UpdateRecord {
   const std::vector<std::vector<Point>>& clouds;
   const UpdateResult& result;
   const MeshReport& certificate;  // of the updated mesh
-  // For the page: the signed distance of each cloud point from the model (signed_distance.h).
+  // For the page: the signed distances (signed_distance.h) from the model of the points of each
+  // cloud, then of the vertices that --manifold added to the updated mesh.
   std::vector<std::vector<double>> deviation = {};
 };
 

@@ -53,7 +53,7 @@ VertexProperties properties_of_update(Job& job, const UpdateInput& input,
 }
 
 // The signed distances from the model of the points of each cloud, and of what --manifold added.
-std::vector<std::vector<double>> deviation(const Job& job, const UpdateInput& input,
+std::vector<std::vector<double>> deviation(Job& job, const UpdateInput& input,
                                            const UpdateResult& result) {
   std::vector<std::vector<double>> distances;
   const auto add = [&](Points points) {

@@ -18,7 +18,7 @@ IdVector<VertexId, VertexOrigin> vertex_origins(const UpdateResult& result) {
       note(points[p], static_cast<std::uint32_t>(c + 1), p.value);
     }
   }
-  IdVector<VertexId, VertexOrigin> origins(result.mesh.points.size());
+  IdVector<VertexId, VertexOrigin> origins(result.reconstruction.point_of_vertex.size());
   for (const VertexId v : origins.ids()) {
     origins[v] = of_point[result.reconstruction.point_of_vertex[v]];
   }

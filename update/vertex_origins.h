@@ -18,7 +18,8 @@ struct VertexOrigin {
   friend bool operator==(const VertexOrigin&, const VertexOrigin&) = default;
 };
 
-// The origin of each vertex of `result.mesh`. Of equal points the first one: the model comes before
+// The origin of each vertex of `result.mesh` as the update made it; a caller may have added others
+// behind these. Of equal points the first one: the model comes before
 // the clouds, and these in the order given. Precondition: result.status is ok.
 // Complexity: O(vertices of the model + points of the clouds).
 IdVector<VertexId, VertexOrigin> vertex_origins(const UpdateResult& result);

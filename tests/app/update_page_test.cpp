@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "app/update_report.h"
+#include "geom/signed_distance.h"
+#include "tests/mesh_gallery.h"
+
+namespace cocoon::app {
+namespace {
+
+// A sphere, and a cap of a larger one around its pole, whose rim lies on it.
+struct UpdatedSphere {
+  UpdatedSphere() {
+    const double angle = 2.399963229728653;  // of the sunflower
+    const int count = 4000;
+    clouds.emplace_back();
+    for (int i = 0; i < count; ++i) {
+      const double z = 1 - 2 * (i + 0.5) / count;
+      if (z < 0.7) break;
+      const double r = std::sqrt(1 - z * z);
+      const double lift = std::max(0.0, 0.5 * (z - 0.8));
+      clouds[0].push_back({r * std::cos(angle * i), r * std::sin(angle * i), z + lift});
+    }
+    result = update_model(model, clouds);
+    certificate = mesh_check(result.mesh);
+  }
+  ReportPage page() const {
+    UpdateRecord record{"sphere", model, names, clouds, result, certificate};
+    const Points vertices = result.mesh.points.raw();
+    record.deviation = {
+        signed_distances(model, clouds[0]),
+        signed_distances(model, vertices.subspan(result.reconstruction.point_of_vertex.size()))};
+    return update_page(record, {});
+  }
+
+  TriangleMesh model = gallery::sphere(4);
+  std::vector<std::vector<Point>> clouds;
+  std::vector<std::string> names = {"cap"};
+  UpdateResult result;
+  MeshReport certificate;
+};
+
+const PageGeometry& geometry_of(const ReportPage& page, const std::string& id) {
+  return *std::find_if(page.geometries.begin(), page.geometries.end(),
+                       [&](const PageGeometry& geometry) { return geometry.id == id; });
+}
+
+TEST(UpdatePage, ShowsTheUpdatedMeshWithThePointsOfTheInputs) {
+  const UpdatedSphere sphere;
+  ASSERT_EQ(sphere.result.status, UpdateStatus::ok) << sphere.result.message;
+  const ReportPage page = sphere.page();
+  EXPECT_EQ(page.stages.size(), 6U);
+  for (const PageStage& stage : page.stages) EXPECT_FALSE(stage.layers.empty()) << stage.name;
+  EXPECT_EQ(page.points.positions.size(), sphere.model.points.size() + sphere.clouds[0].size());
+  EXPECT_EQ(page.points.labels.of_element.size(), page.points.positions.size());
+  EXPECT_EQ(page.points.fields[0].values.size(), page.points.positions.size());
+  const PageGeometry& updated = geometry_of(page, "updated");
+  ASSERT_EQ(updated.indices.size(), 3 * sphere.result.mesh.triangles.size());
+  for (const TriangleId t : sphere.result.mesh.triangles.ids()) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexId v = sphere.result.mesh.triangles[t][k];
+      EXPECT_EQ(page.points.positions[updated.indices[3 * t.index() + k]],
+                sphere.result.mesh.points[v]);
+    }
+  }
+}
+
+TEST(UpdatePage, CountsOfLayersAreThoseOfTheResult) {
+  const UpdatedSphere sphere;
+  const ReportPage page = sphere.page();
+  const PageGeometry& model = geometry_of(page, "model");
+  const auto count = [&](const std::string& id) {
+    const auto layer = std::find_if(page.layers.begin(), page.layers.end(),
+                                    [&](const PageLayer& entry) { return entry.id == id; });
+    return std::count_if(model.labels.of_element.begin(), model.labels.of_element.end(),
+                         [&](std::uint32_t label) {
+                           return std::count(layer->labels.begin(), layer->labels.end(), label) > 0;
+                         });
+  };
+  const UpdateResult& result = sphere.result;
+  EXPECT_EQ(count("overlap"), std::ptrdiff_t(result.clouds[0].overlapping_facets.size()));
+  EXPECT_EQ(count("overlap") + count("traced"), std::ptrdiff_t(result.regions.border_facets));
+  ASSERT_EQ(result.replaced_groups.size(), 1U);
+  EXPECT_EQ(count("replaced"),
+            std::ptrdiff_t(result.regions.regions[result.replaced_groups[0]].facets));
+  EXPECT_EQ(count("replaced") + count("kept") + count("overlap") + count("traced"),
+            std::ptrdiff_t(sphere.model.triangles.size()));
+}
+
+TEST(UpdatePage, DeviationIsPositiveOutsideTheOldModel) {
+  const UpdatedSphere sphere;
+  const ReportPage page = sphere.page();
+  const std::vector<double>& values = page.points.fields[0].values;
+  const std::size_t top = sphere.model.points.size();  // the first point of the cloud is its pole
+  EXPECT_NEAR(values[top], 0.1, 0.02);
+  EXPECT_EQ(values[0], 0);
+}
+
+// Vertices that are no input points, as --manifold adds them.
+TEST(UpdatePage, ShowsVerticesAddedBehindThoseOfTheUpdate) {
+  UpdatedSphere sphere;
+  TriangleMesh& mesh = sphere.result.mesh;
+  const VertexId copy = mesh.points.push_back(mesh.points[mesh.triangles[TriangleId(0)][0]]);
+  mesh.triangles[TriangleId(0)][0] = copy;
+  const ReportPage page = sphere.page();
+  EXPECT_EQ(page.points.parts.back().name, "added vertices");
+  EXPECT_EQ(page.points.parts.back().count, 1U);
+  EXPECT_EQ(geometry_of(page, "updated").indices[0], page.points.positions.size() - 1);
+  EXPECT_EQ(page.points.fields[0].values.size(), page.points.positions.size());
+}
+
+}  // namespace
+}  // namespace cocoon::app
