@@ -125,6 +125,9 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
                   "tight: watertight (default); cocone: the open surface")
       ->check(CLI::IsMember({"tight", "cocone"}));
   add_manifold_option(*sub, reconstruct.manifold);
+  sub->add_option("--session", reconstruct.session,
+                  "Also write a session, from which 'update --session' goes on without this work")
+      ->type_name("FILE");
   add_surface_options(*sub, reconstruct.parameters);
 
   auto& boundary = add_command<BoundaryArguments>(
@@ -138,9 +141,14 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
   auto& update = add_command<UpdateArguments>(
       app, "update", "Replace the parts of a mesh that new clouds show changed", chosen, shared,
       sub);
-  sub->add_option("MODEL", update.model, "Mesh, or a point cloud that is reconstructed first")
+  sub->add_option("MODEL", update.model,
+                  "Mesh, or a point cloud that is reconstructed first; with --session, a cloud")
       ->required();
-  sub->add_option("CLOUD", update.clouds, "New scans, registered to the model")->required();
+  sub->add_option("CLOUD", update.clouds, "New scans, registered to the model");
+  sub->add_option("--session", update.session,
+                  "Go on from this session instead of a MODEL, and write it back; its parameters "
+                  "hold, but for --rho")
+      ->type_name("FILE");
   add_mesh_output(*sub, update.mesh, update.ascii);
   sub->add_option("--map", update.map, "Write one line per old vertex: its new index, or -1")
       ->type_name("FILE");
@@ -148,6 +156,42 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
       ->type_name("FILE");
   add_manifold_option(*sub, update.manifold);
   add_surface_options(*sub, update.parameters);
+}
+
+void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) {
+  CLI::App* sub = nullptr;
+  auto& watch = add_command<WatchArguments>(
+      app, "watch", "Update a model by every cloud that appears in a folder", chosen, shared, sub);
+  sub->add_option("MODEL", watch.model, "Mesh, or a point cloud that is reconstructed first")
+      ->required();
+  sub->add_option("DIR", watch.folder, "Folder into which scanners drop their clouds")->required();
+  add_mesh_output(*sub, watch.mesh, watch.ascii);
+  sub->add_option("--session", watch.session,
+                  "Where the state is kept, to resume from after any end (MESH.session)")
+      ->type_name("FILE");
+  sub->add_option("--poll", watch.poll, "Seconds between two looks into the folder (0.5)")
+      ->check(between(0.01, 3600));
+  sub->add_option("--settle", watch.settle,
+                  "Seconds that a file must have stayed the same to count as complete (1)")
+      ->check(between(0, 3600));
+  sub->add_flag("--once", watch.once, "Stop when all clouds that are there have been looked at");
+  add_surface_options(*sub, watch.parameters);
+}
+
+// Of the positional arguments the first is the model, unless a session has it.
+void settle_model(UpdateArguments& update) {
+  if (!update.session.empty()) {
+    update.clouds.insert(update.clouds.begin(), std::move(update.model));
+    update.model.clear();
+    const SurfaceArguments& given = update.parameters;
+    if (given.alpha_deg || given.cocone_angle_deg || given.sharp_angle_deg ||
+        given.mode != SurfaceArguments().mode) {
+      throw UsageError(
+          "a session has parameters of its own: with --session only --rho may be given");
+    }
+  } else if (update.clouds.empty()) {
+    throw UsageError("CLOUD is required (see cocoon --help)");
+  }
 }
 
 void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared) {
@@ -200,12 +244,19 @@ Request parse_command_line(int argc, const char* const* argv) {
   add_shared_options(app, line.shared);
   add_demo_and_sample(app, line.command, line.shared);
   add_surface_commands(app, line.command, line.shared);
+  add_watch_command(app, line.command, line.shared);
   add_other_commands(app, line.command, line.shared);
   try {
     require_known_command(app, argc, argv);
     app.parse(argc, argv);
     if (const auto* check = std::get_if<CheckArguments>(&line.command)) {
       require_known_words(check->required);
+    }
+    if (auto* update = std::get_if<UpdateArguments>(&line.command)) settle_model(*update);
+    if (const auto* reconstruct = std::get_if<ReconstructArguments>(&line.command);
+        reconstruct != nullptr && !reconstruct->session.empty() &&
+        reconstruct->surface != "tight") {
+      throw UsageError("--session needs the watertight surface: leave out --surface cocone");
     }
   } catch (const CLI::CallForVersion& version) {
     return TextRequest{std::string(version.what()) + "\n"};

@@ -48,6 +48,7 @@ struct ReconstructArguments {
   std::string points;
   std::string mesh;
   std::string surface = "tight";  // "tight" or "cocone"
+  std::string session;            // empty: not written
   bool ascii = false;
   bool manifold = false;
   SurfaceArguments parameters;
@@ -62,13 +63,26 @@ struct BoundaryArguments {
 };
 
 struct UpdateArguments {
-  std::string model;
+  std::string model;    // empty: that of the session
+  std::string session;  // empty: none
   std::vector<std::string> clouds;
   std::string mesh;
   std::string map;   // empty: not written
   std::string html;  // empty: not written
   bool ascii = false;
   bool manifold = false;
+  SurfaceArguments parameters;
+};
+
+struct WatchArguments {
+  std::string model;
+  std::string folder;
+  std::string mesh;
+  std::string session;  // empty: beside the mesh
+  double poll = 0.5;    // seconds between two looks into the folder
+  double settle = 1;    // seconds that a file must have stayed the same
+  bool once = false;    // stop when everything there has been looked at
+  bool ascii = false;
   SurfaceArguments parameters;
 };
 
@@ -89,9 +103,9 @@ struct CompareArguments {
   std::size_t samples = 100000;
 };
 
-using Command =
-    std::variant<DemoArguments, SampleArguments, ReconstructArguments, BoundaryArguments,
-                 UpdateArguments, DelaunayArguments, CheckArguments, CompareArguments>;
+using Command = std::variant<DemoArguments, SampleArguments, ReconstructArguments,
+                             BoundaryArguments, UpdateArguments, WatchArguments, DelaunayArguments,
+                             CheckArguments, CompareArguments>;
 
 struct CommandLine {
   SharedArguments shared;

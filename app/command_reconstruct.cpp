@@ -1,10 +1,14 @@
+#include <optional>
+
 #include "app/carried_properties.h"
 #include "app/commands.h"
 #include "app/files.h"
 #include "app/make_manifold.h"
 #include "app/reconstruct_report.h"
+#include "app/session_file.h"
 #include "app/surface_options.h"
 #include "app/surface_report.h"
+#include "app/updating.h"
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
 #include "io/mesh_file.h"
@@ -12,7 +16,7 @@
 namespace cocoon::app {
 
 void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
-  require_outputs(job, {{arguments.mesh, mesh_extensions}});
+  require_outputs(job, {{arguments.mesh, mesh_extensions}, {arguments.session, {}}});
   const bool tight = arguments.surface == "tight";
   const ReconstructOptions options =
       surface_options(arguments.parameters, tight ? ReconstructOptions() : open_cloud_defaults());
@@ -20,7 +24,16 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   const bool keep = holds_properties(arguments.mesh);
   const std::vector<Point> points =
       read_cloud(job, arguments.points, "input", keep ? &properties : nullptr);
+  std::optional<UpdateSession> session;
   ReconstructResult result = naming_input(arguments.points, [&] {
+    if (!arguments.session.empty()) {
+      UpdateOptions update = update_options(arguments.parameters);
+      update.reconstruct = options;
+      session.emplace(points, update, job.execution());
+      ReconstructResult reconstruction = session->reconstruction();
+      reconstruction.mesh = session->model();
+      return reconstruction;
+    }
     return tight ? reconstruct_tight(points, options, job.execution())
                  : reconstruct_cocone(points, options, job.execution());
   });
@@ -31,6 +44,11 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
       timed(job.execution(), "check", [&] { return mesh_check(result.mesh); });
   timed(job.execution(), "write",
         [&] { write_mesh(arguments.mesh, result.mesh, properties, {.ascii = arguments.ascii}); });
+  if (session) {
+    timed(job.execution(), "write", [&] {
+      save_session(arguments.session, {session->snapshot(), arguments.parameters, {}});
+    });
+  }
 
   add_parameters(job.report(), options);
   add_reconstruction(job.report(), result, certificate);

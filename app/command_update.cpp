@@ -3,6 +3,7 @@
 #include "app/carried_properties.h"
 #include "app/commands.h"
 #include "app/files.h"
+#include "app/session_file.h"
 #include "app/updating.h"
 
 namespace cocoon::app {
@@ -38,11 +39,40 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
   return input;
 }
 
+// Reads the session, updates it, and writes it back after the mesh: if that fails, the file holds
+// the state from before.
+void update_session(const UpdateArguments& arguments, Job& job) {
+  SavedSession saved =
+      timed(job.execution(), "read", [&] { return load_session(arguments.session); });
+  saved.parameters.rho = arguments.parameters.rho;
+  const UpdateOptions options = update_options(saved.parameters);
+  UpdateInput input;
+  input.model_name = arguments.session;
+  input.model = saved.snapshot.model;
+  for (const std::string& cloud : arguments.clouds) {
+    input.cloud_names.push_back(cloud);
+    input.clouds.push_back(read_cloud(job, cloud, "input"));
+  }
+  UpdateSession session(std::move(saved.snapshot), options);
+  update_and_write(job, input, options,
+                   {arguments.mesh, arguments.map, arguments.html, arguments.ascii}, &session);
+  timed(job.execution(), "write", [&] {
+    save_session(arguments.session, {session.snapshot(), saved.parameters, saved.notes});
+  });
+}
+
 }  // namespace
 
 void run_update(const UpdateArguments& arguments, Job& job) {
-  require_outputs(job,
-                  {{arguments.mesh, mesh_extensions}, {arguments.map, {}}, {arguments.html, {}}});
+  require_outputs(job, {{arguments.mesh, mesh_extensions},
+                        {arguments.map, {}},
+                        {arguments.html, {}},
+                        {arguments.session, {}}});
+  if (!arguments.session.empty()) {
+    update_session(arguments, job);
+    job.finish();
+    return;
+  }
   const UpdateOptions options = update_options(arguments.parameters);
   const UpdateInput input = read_input(arguments, options, job);
   update_and_write(

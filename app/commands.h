@@ -12,6 +12,7 @@ void run_sample(const SampleArguments& arguments, Job& job);
 void run_reconstruct(const ReconstructArguments& arguments, Job& job);
 void run_boundary(const BoundaryArguments& arguments, Job& job);
 void run_update(const UpdateArguments& arguments, Job& job);
+void run_watch(const WatchArguments& arguments, Job& job);
 void run_delaunay(const DelaunayArguments& arguments, Job& job);
 void run_check(const CheckArguments& arguments, Job& job);
 void run_compare(const CompareArguments& arguments, Job& job);

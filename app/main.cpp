@@ -32,12 +32,13 @@ void run(const SampleArguments& arguments, Job& job) { run_sample(arguments, job
 void run(const ReconstructArguments& arguments, Job& job) { run_reconstruct(arguments, job); }
 void run(const BoundaryArguments& arguments, Job& job) { run_boundary(arguments, job); }
 void run(const UpdateArguments& arguments, Job& job) { run_update(arguments, job); }
+void run(const WatchArguments& arguments, Job& job) { run_watch(arguments, job); }
 void run(const DelaunayArguments& arguments, Job& job) { run_delaunay(arguments, job); }
 void run(const CheckArguments& arguments, Job& job) { run_check(arguments, job); }
 void run(const CompareArguments& arguments, Job& job) { run_compare(arguments, job); }
 
-constexpr const char* command_names[] = {"demo",   "sample",   "reconstruct", "boundary",
-                                         "update", "delaunay", "check",       "compare"};
+constexpr const char* command_names[] = {"demo",  "sample",   "reconstruct", "boundary", "update",
+                                         "watch", "delaunay", "check",       "compare"};
 static_assert(std::size(command_names) == std::variant_size_v<Command>);
 
 int run_command_line(const CommandLine& line) {

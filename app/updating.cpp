@@ -30,16 +30,6 @@ std::string map_text(const IdVector<VertexId, VertexId>& vertex_map) {
   return text;
 }
 
-// Messages of the library number the clouds; people know them by their files.
-std::string with_cloud_names(std::string message, const std::vector<std::string>& names) {
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    const std::string numbered = fmt::format("cloud {} of {}", c + 1, names.size());
-    const std::size_t at = message.find(numbered);
-    if (at != std::string::npos) message.replace(at, numbered.size(), names[c]);
-  }
-  return message;
-}
-
 VertexProperties properties_of_update(Job& job, const UpdateInput& input,
                                       const UpdateResult& result) {
   if (input.properties.empty()) return {};
@@ -104,11 +94,38 @@ ReconstructResult initial_model(Job& job, const std::string& name, const std::ve
   return result;
 }
 
+std::string with_cloud_names(std::string message, const std::vector<std::string>& names) {
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    const std::string numbered = fmt::format("cloud {} of {}", c + 1, names.size());
+    const std::size_t at = message.find(numbered);
+    if (at != std::string::npos) message.replace(at, numbered.size(), names[c]);
+  }
+  return message;
+}
+
+UpdateSession session_of_points(Job& job, const std::string& name, const std::vector<Point>& points,
+                                const UpdateOptions& options) {
+  UpdateSession session = timed(job.execution(), "initial_model", [&] {
+    const Execution execution = job.execution();
+    PrefixedProgress nested("initial_model", execution.progress);
+    return naming_input(name, [&] {
+      return UpdateSession(points, options, {execution.threads, &nested});
+    });
+  });
+  require_surface(name, session.reconstruction(), options.reconstruct.boundary.rho);
+  return session;
+}
+
 void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,
-                      const UpdateOutput& output) {
+                      const UpdateOutput& output, UpdateSession* session) {
   UpdateResult result;
   try {
-    result = update_model(input.model, input.clouds, options, job.execution());
+    if (session == nullptr) {
+      result = update_model(input.model, input.clouds, options, job.execution());
+    } else {
+      result = session->apply(input.clouds, job.execution()).result;
+      if (result.status == UpdateStatus::ok) result.mesh = session->model();
+    }
   } catch (const InputError& error) {
     throw InputError(fmt::format("cannot update {}: {}", input.model_name,
                                  with_cloud_names(error.what(), input.cloud_names)));

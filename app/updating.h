@@ -10,6 +10,7 @@
 #include "geom/triangle_mesh.h"
 #include "io/vertex_properties.h"
 #include "update/update_model.h"
+#include "update/update_session.h"
 
 namespace cocoon::app {
 
@@ -28,6 +29,14 @@ struct UpdateInput {
   std::vector<VertexProperties> properties;
 };
 
+// A session that begins with the closed surface of a model given as points, as stage
+// "initial_model". Throws InputError if there is none.
+UpdateSession session_of_points(Job& job, const std::string& name, const std::vector<Point>& points,
+                                const UpdateOptions& options);
+
+// Messages of the library number the clouds ("cloud 1 of 2"); people know them by their files.
+std::string with_cloud_names(std::string message, const std::vector<std::string>& names);
+
 // What to write; empty: not wanted.
 struct UpdateOutput {
   std::string mesh;
@@ -42,9 +51,10 @@ struct UpdateOutput {
 ReconstructResult initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
                                 const ReconstructOptions& options);
 
-// Updates, writes the outputs, and fills in the report. Throws InputError, with the library's
+// Updates (by the session, if there is one, whose model is then input.model), writes the outputs,
+// and fills in the report. Throws InputError, with the library's
 // explanation, if there is no updated model; then nothing is written.
 void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,
-                      const UpdateOutput& output);
+                      const UpdateOutput& output, UpdateSession* session = nullptr);
 
 }  // namespace cocoon::app

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "delaunay/check_delaunay.h"
-#include "io/atomic_file.h"
 #include "io/byte_order.h"
 #include "io/file_bytes.h"
+#include "io/summed_file.h"
+#include "io/triangulation_block.h"
 
 namespace cocoon {
 namespace {
@@ -17,60 +18,6 @@ namespace {
 constexpr std::string_view magic = "COCOONDT";
 constexpr std::uint32_t version = 1;
 constexpr std::size_t header_size = 48;
-constexpr std::size_t checksum_size = 8;
-
-constexpr std::size_t round_up_to_8(std::size_t size) { return (size + 7) / 8 * 8; }
-
-class Checksum {
- public:
-  // The size must be a multiple of 8.
-  void add(std::string_view bytes) {
-    for (std::size_t i = 0; i < bytes.size(); i += 8) {
-      hash_ ^= load_number<std::uint64_t>(bytes.data() + i, std::endian::little);
-      hash_ *= 0x9E3779B97F4A7C15U;
-      hash_ ^= hash_ >> 32;
-    }
-  }
-  std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0;
-};
-
-// --- Writing ---------------------------------------------------------------------------------
-
-// Collects bytes; whenever whole words are many enough, sums and writes them.
-class SummedFile {
- public:
-  explicit SummedFile(const std::filesystem::path& path) : file_(path) {}
-
-  template <class T>
-  void append(T value) {
-    append_little_endian(bytes_, value);
-    if (bytes_.size() >= limit && bytes_.size() % 8 == 0) flush();
-  }
-  void append(std::string_view text) { bytes_ += text; }
-  void commit() {
-    bytes_.resize(round_up_to_8(bytes_.size()), '\0');
-    flush();
-    append_little_endian(bytes_, checksum_.value());
-    file_.write(bytes_);
-    file_.commit();
-  }
-
- private:
-  static constexpr std::size_t limit = std::size_t{1} << 16;
-
-  void flush() {
-    checksum_.add(bytes_);
-    file_.write(bytes_);
-    bytes_.clear();
-  }
-
-  AtomicFile file_;
-  Checksum checksum_;
-  std::string bytes_;
-};
 
 // --- Reading ---------------------------------------------------------------------------------
 
@@ -86,14 +33,8 @@ struct Header {
   }
 };
 
-Header read_header(const FileBytes& file) {
-  const std::string_view bytes = file.view();
-  if (bytes.substr(0, magic.size()) != magic) {
-    throw file_error(file.path, "this is no triangulation file: it does not begin with COCOONDT");
-  }
-  if (bytes.size() < header_size + checksum_size) {
-    throw file_error(file.path, "the file ends inside its header: it was cut off; write it again");
-  }
+// `bytes` begin with a header.
+Header read_header(const std::filesystem::path& path, std::string_view bytes) {
   const auto number32 = [&](std::size_t at) {
     return load_number<std::uint32_t>(bytes.data() + at, std::endian::little);
   };
@@ -101,32 +42,26 @@ Header read_header(const FileBytes& file) {
     return load_number<std::uint64_t>(bytes.data() + at, std::endian::little);
   };
   if (number32(8) != version) {
-    throw file_error(file.path, "triangulation file of version " + std::to_string(number32(8)) +
-                                    ", but only version 1 can be read");
+    throw file_error(path, "triangulation file of version " + std::to_string(number32(8)) +
+                               ", but only version 1 can be read");
   }
   const Header header{number64(16), number64(24), number64(32), number64(40)};
   constexpr std::size_t max_cells = std::size_t{1} << 30;
   if (number32(12) != 0 || header.vertices >= infinite_vertex.value || header.cells > max_cells ||
       header.finite_cells > header.cells || header.points >= infinite_vertex.value ||
       header.points < header.vertices) {
-    throw file_error(file.path, "the numbers in the header cannot be true: the file is damaged");
+    throw file_error(path, "the numbers in the header cannot be true: the file is damaged");
   }
-  if (header.file_size() != bytes.size()) {
-    throw file_error(file.path, "the file has " + std::to_string(bytes.size()) +
-                                    " bytes, but its header promises " +
-                                    std::to_string(header.file_size()) +
-                                    ": it was cut off or damaged");
-  }
-  Checksum checksum;
-  checksum.add(bytes.substr(0, bytes.size() - checksum_size));
-  if (checksum.value() != number64(bytes.size() - checksum_size)) {
-    throw file_error(file.path, "the checksum is wrong: the file is damaged; write it again");
+  if (header.file_size() != bytes.size() + checksum_size) {
+    throw file_error(path, "the file has " + std::to_string(bytes.size() + checksum_size) +
+                               " bytes, but its header promises " +
+                               std::to_string(header.file_size()) + ": it was cut off or damaged");
   }
   return header;
 }
 
-TriangulationArrays read_arrays(const FileBytes& file, const Header& header) {
-  const char* at = file.data.get() + header_size;
+TriangulationArrays read_arrays(std::string_view bytes, const Header& header) {
+  const char* at = bytes.data() + header_size;
   const auto next = [&at]<class T>(T) {
     const T value = load_number<T>(at, std::endian::little);
     at += sizeof(T);
@@ -181,11 +116,12 @@ bool has_mutual_neighbors(const IdVector<CellId, Cell>& cells, CellId c) {
 }
 
 // The checksum was right, so whatever is wrong here was written so.
-void validate(const FileBytes& file, const Header& header, const TriangulationArrays& arrays) {
+void validate(const std::filesystem::path& path, const Header& header,
+              const TriangulationArrays& arrays) {
   const auto require = [&](bool condition, const char* element, std::size_t id, const char* what) {
     if (condition) return;
-    throw file_error(file.path, std::string(element) + " " + std::to_string(id) + " " + what +
-                                    ": this is no triangulation");
+    throw file_error(path, std::string(element) + " " + std::to_string(id) + " " + what +
+                               ": this is no triangulation");
   };
   for (const VertexId v : arrays.points.ids()) {
     require(is_finite(arrays.points[v]), "vertex", v.index(),
@@ -212,8 +148,7 @@ void validate(const FileBytes& file, const Header& header, const TriangulationAr
 
 }  // namespace
 
-void save_triangulation(const std::filesystem::path& path, const Triangulation& triangulation) {
-  SummedFile file(path);
+void append_triangulation(SummedFile& file, const Triangulation& triangulation) {
   file.append(magic);
   file.append(version);
   file.append(std::uint32_t{0});
@@ -231,6 +166,31 @@ void save_triangulation(const std::filesystem::path& path, const Triangulation& 
     for (const FacetId f : cell.neighbors) file.append(f.value);
   }
   for (const VertexId v : triangulation.vertex_of_point()) file.append(v.value);
+  file.fill_word();
+}
+
+std::size_t triangulation_block_size(const Triangulation& triangulation) {
+  const Header header{triangulation.num_vertices(), triangulation.num_cells(),
+                      triangulation.num_finite_cells(), triangulation.vertex_of_point().size()};
+  return header.file_size() - checksum_size;
+}
+
+Triangulation parse_triangulation(const std::filesystem::path& path, std::string_view bytes) {
+  if (bytes.substr(0, magic.size()) != magic) {
+    throw file_error(path, "this is no triangulation file: it does not begin with COCOONDT");
+  }
+  if (bytes.size() < header_size) {
+    throw file_error(path, "the file ends inside its header: it was cut off; write it again");
+  }
+  const Header header = read_header(path, bytes);
+  TriangulationArrays arrays = read_arrays(bytes, header);
+  validate(path, header, arrays);
+  return Triangulation(std::move(arrays), header.finite_cells);
+}
+
+void save_triangulation(const std::filesystem::path& path, const Triangulation& triangulation) {
+  SummedFile file(path);
+  append_triangulation(file, triangulation);
   file.commit();
 }
 
@@ -238,15 +198,15 @@ Triangulation load_triangulation(const std::filesystem::path& path,
                                  const LoadTriangulationOptions& options,
                                  const Execution& execution) {
   report_progress(execution, "load_triangulation", 0);
-  Header header;
-  TriangulationArrays arrays;
+  Triangulation triangulation;
   {
     const FileBytes file = read_file(path);
-    header = read_header(file);
-    arrays = read_arrays(file, header);
-    validate(file, header, arrays);
+    // The header knows better than the checksum what is wrong with the length.
+    if (file.size >= header_size + checksum_size && file.view().substr(0, magic.size()) == magic) {
+      read_header(path, file.view().substr(0, file.size - checksum_size));
+    }
+    triangulation = parse_triangulation(path, summed_content(file, magic, "triangulation file"));
   }
-  Triangulation triangulation(std::move(arrays), header.finite_cells);
   if (options.certify) {
     const DelaunayReport report = check_delaunay(triangulation, {}, execution);
     if (!report.ok()) {

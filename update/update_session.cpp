@@ -15,8 +15,13 @@ void require(bool condition, const char* what) {
   throw InputError(std::string("session: ") + what + "; start from the points again");
 }
 
+}  // namespace
+
 void check_snapshot(const SessionSnapshot& snapshot) {
   const std::size_t vertices = snapshot.model.points.size();
+  require(std::all_of(snapshot.points.begin(), snapshot.points.end(),
+                      [](const Point& p) { return is_finite(p); }),
+          "a point is not finite");
   require(snapshot.point_of_vertex.size() == vertices, "model and points do not fit together");
   for (const VertexId v : snapshot.model.points.ids()) {
     const PointId p = snapshot.point_of_vertex[v];
@@ -39,8 +44,6 @@ void check_snapshot(const SessionSnapshot& snapshot) {
             "a vertex of the triangulation is none of the points");
   }
 }
-
-}  // namespace
 
 UpdateSession::UpdateSession(Points points, const UpdateOptions& options,
                              const Execution& execution)

@@ -26,6 +26,11 @@ struct SessionSnapshot {
   Triangulation triangulation;                  // of `points`, or empty
 };
 
+// Throws InputError, one line, if the parts do not fit together or a coordinate is not finite;
+// whether the triangulation is a Delaunay triangulation is for its reader to know. Complexity:
+// O(n).
+void check_snapshot(const SessionSnapshot& snapshot);
+
 // What one update did.
 struct SessionUpdate {
   UpdateResult result;  // without its mesh, which is the session's model()
@@ -50,8 +55,7 @@ class UpdateSession {
                          const Execution& execution = {});
   // A closed mesh as it is. Its points are triangulated by the first update.
   explicit UpdateSession(TriangleMesh model, const UpdateOptions& options = {});
-  // Goes on from a snapshot. Throws InputError if its parts do not fit together; whether the
-  // triangulation is that of the points is for the reader of the file to know.
+  // Goes on from a snapshot. Errors: as check_snapshot.
   explicit UpdateSession(SessionSnapshot snapshot, const UpdateOptions& options = {});
 
   const TriangleMesh& model() const { return model_; }

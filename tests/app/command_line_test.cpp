@@ -53,6 +53,28 @@ TEST(CommandLine, UpdateTakesCloudsBehindTheOptionsToo) {
   EXPECT_EQ(arguments.clouds, (std::vector<std::string>{"c1.xyz"}));
 }
 
+TEST(CommandLine, ASessionTakesThePlaceOfTheModel) {
+  const auto arguments =
+      parsed<UpdateArguments>({"update", "--session", "s", "c1.xyz", "c2.xyz", "-o", "u.ply"});
+  EXPECT_EQ(arguments.model, "");
+  EXPECT_EQ(arguments.session, "s");
+  EXPECT_EQ(arguments.clouds, (std::vector<std::string>{"c1.xyz", "c2.xyz"}));
+  EXPECT_EQ(parsed<ReconstructArguments>({"reconstruct", "p.xyz", "-o", "m.ply", "--session", "s"})
+                .session,
+            "s");
+}
+
+TEST(CommandLine, WatchNeedsModelFolderAndMesh) {
+  const auto arguments = parsed<WatchArguments>(
+      {"watch", "m.ply", "scans", "-o", "l.ply", "--poll", "0.1", "--settle", "2", "--once"});
+  EXPECT_EQ(arguments.model, "m.ply");
+  EXPECT_EQ(arguments.folder, "scans");
+  EXPECT_EQ(arguments.poll, 0.1);
+  EXPECT_EQ(arguments.settle, 2.0);
+  EXPECT_TRUE(arguments.once);
+  EXPECT_EQ(arguments.session, "");
+}
+
 TEST(CommandLine, SampleAndDemo) {
   const auto sample = parsed<SampleArguments>(
       {"sample", "golf-club", "--points", "100", "--cloud-points", "50", "--seed", "7"});
@@ -93,8 +115,8 @@ TEST(CommandLine, HelpAndVersionAreTexts) {
   EXPECT_EQ(std::get<TextRequest>(parse({"--version"})).text.rfind("cocoon ", 0), 0U);
   EXPECT_EQ(std::get<TextRequest>(parse({"update", "--version"})).text.rfind("cocoon ", 0), 0U);
   const std::string help = std::get<TextRequest>(parse({"--help"})).text;
-  for (const char* name :
-       {"demo", "sample", "reconstruct", "boundary", "update", "delaunay", "check", "compare"}) {
+  for (const char* name : {"demo", "sample", "reconstruct", "boundary", "update", "watch",
+                           "delaunay", "check", "compare"}) {
     EXPECT_NE(help.find(name), std::string::npos) << name;
   }
   const std::string update_help = std::get<TextRequest>(parse({"update", "--help"})).text;
@@ -117,6 +139,10 @@ TEST(CommandLine, WrongOnesAreUsageErrorsOfOneLine) {
       {"reconstruct", "a.xyz", "-o", "a.ply", "--mode", "careless"},
       {"reconstruct", "a.xyz", "-o", "a.ply", "--no-such-option"},
       {"update", "m.ply", "-o", "u.ply"},
+      {"update", "--session", "s", "c.xyz", "-o", "u.ply", "--mode", "paper"},
+      {"reconstruct", "a.xyz", "-o", "a.ply", "--surface", "cocone", "--session", "s"},
+      {"watch", "m.ply", "-o", "u.ply"},
+      {"watch", "m.ply", "scans", "-o", "u.ply", "--poll", "0"},
       {"sample", "teapot"},
       {"sample", "block", "--points", "-5"},
       {"demo", "--threads", "-1"},

@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fmt/format.h>
+#include <optional>
+#include <thread>
+
+#include "app/commands.h"
+#include "app/files.h"
+#include "app/folder_watch.h"
+#include "app/interrupt.h"
+#include "app/session_file.h"
+#include "app/updating.h"
+#include "geom/errors.h"
+#include "io/file_bytes.h"
+#include "io/mesh_file.h"
+#include "io/summed_file.h"
+
+namespace cocoon::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// What tells one content from another.
+std::string fingerprint(const fs::path& path) {
+  const FileBytes file = read_file(path);
+  std::string bytes(file.view());
+  bytes.resize(round_up_to_8(bytes.size()), '\0');
+  Checksum checksum;
+  checksum.add(bytes);
+  return fmt::format("{:016x}-{}", checksum.value(), file.size);
+}
+
+// The first note of a session says which model it began with, the others which clouds it holds.
+std::string note_of_model(const std::string& path) { return "model " + fingerprint(path); }
+std::string note_of_cloud(const fs::path& path) {
+  return "cloud " + fingerprint(path) + " " + display_name(path.filename());
+}
+
+class Watch {
+ public:
+  Watch(const WatchArguments& arguments, Job& job)
+      : arguments_(arguments),
+        job_(job),
+        session_file_(arguments.session.empty() ? arguments.mesh + ".session" : arguments.session),
+        options_(update_options(arguments.parameters)) {
+    require_outputs(job, {{arguments.mesh, mesh_extensions}, {session_file_, {}}});
+    if (!fs::is_directory(arguments.folder)) {
+      throw FileError(arguments.folder + ": there is no such folder; make it first");
+    }
+  }
+
+  void run() {
+    begin();
+    FolderWatch folder(arguments_.folder, to_milliseconds(arguments_.settle));
+    for (;;) {
+      for (const fs::path& path : folder.poll()) {
+        look_at(path);
+        if (interrupted()) return;
+      }
+      if (arguments_.once && folder.waiting() == 0 && ++idle_polls_ > 1) return;
+      if (!pause()) return;
+    }
+  }
+
+  void report() {
+    job_.report().set("watch/applied", applied_);
+    job_.report().set("watch/refused", refused_);
+    job_.report().set("watch/known", known_);
+    job_.report().set("surface/vertices", session_->model().points.size());
+    job_.report().set("surface/triangles", session_->model().triangles.size());
+    job_.say("stopped: {} clouds applied, {} refused, {} known from before", applied_, refused_,
+             known_);
+  }
+
+ private:
+  static std::chrono::milliseconds to_milliseconds(double seconds) {
+    return std::chrono::milliseconds(static_cast<long>(1000 * seconds));
+  }
+
+  void say(const std::string& line) {
+    job_.say("{}", line);
+    std::fflush(stdout);
+  }
+
+  // From where the last run stopped, or from the model.
+  void begin() {
+    const std::string model = note_of_model(arguments_.model);
+    if (fs::exists(session_file_)) {
+      SavedSession saved = load_session(session_file_);
+      if (saved.notes.empty() || saved.notes.front() != model) {
+        throw InputError(session_file_ + ": was begun with another model than " + arguments_.model +
+                         "; remove it, or name another one by --session");
+      }
+      if (!same_parameters(saved.parameters, arguments_.parameters)) {
+        throw InputError(session_file_ +
+                         ": was begun with other parameters; remove it, or name "
+                         "another one by --session");
+      }
+      notes_ = std::move(saved.notes);
+      session_.emplace(std::move(saved.snapshot), options_);
+      say(fmt::format("{}: resumed with {} clouds applied", session_file_, notes_.size() - 1));
+    } else {
+      TriangleMesh mesh = read_shape(job_, arguments_.model, "input");
+      if (mesh.triangles.empty()) {
+        session_.emplace(session_of_points(job_, arguments_.model, mesh.points.raw(), options_));
+      } else {
+        session_.emplace(std::move(mesh), options_);
+      }
+      notes_ = {model};
+      save();
+      say(fmt::format("{}: {} vertices, {} triangles", arguments_.model,
+                      session_->model().points.size(), session_->model().triangles.size()));
+    }
+    // A run that was killed may have saved its session and not yet this.
+    write_model();
+  }
+
+  void save() const {
+    save_session(session_file_, {session_->snapshot(), arguments_.parameters, notes_});
+  }
+  void write_model() const {
+    write_mesh(arguments_.mesh, session_->model(), {.ascii = arguments_.ascii});
+  }
+
+  // One line whatever happens to the cloud; what happens to our own files ends the command. The
+  // session is saved before the mesh is written: a cloud is either in both, or will be in the mesh
+  // as soon as the session is taken up again.
+  void look_at(const fs::path& path) {
+    const std::string name = display_name(path.filename());
+    const auto start = std::chrono::steady_clock::now();
+    std::string note;
+    SessionUpdate update;
+    try {
+      note = note_of_cloud(path);
+      if (std::find(notes_.begin(), notes_.end(), note) != notes_.end()) {
+        ++known_;
+        return;
+      }
+      const std::vector<std::vector<Point>> clouds{read_cloud(job_, path.string(), "input")};
+      update = session_->apply(clouds, job_.execution());
+    } catch (const Cancelled&) {
+      return;  // the interrupt; the session is as it was
+    } catch (const Error& error) {
+      return refuse(name, error.what());
+    }
+    if (update.result.status != UpdateStatus::ok) return refuse(name, update.result.message);
+    notes_.push_back(note);
+    save();
+    write_model();
+    ++applied_;
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    std::string line =
+        fmt::format("{}: {} points for {} of the model, {} triangles new, {} gone, {:.2f} s", name,
+                    update.result.reconstruction.points - update.result.replacement.kept,
+                    update.result.replacement.replaced, update.change.added.size(),
+                    update.change.removed.size(), time.count());
+    for (const std::string& warning : update.result.warnings) {
+      line += "; warning: " + with_cloud_names(warning, {name});
+    }
+    say(line);
+  }
+
+  void refuse(const std::string& name, const std::string& why) {
+    ++refused_;
+    say(fmt::format("{}: not applied: {}", name, with_cloud_names(why, {name})));
+  }
+
+  // False if it is time to stop.
+  bool pause() const {
+    const auto end = std::chrono::steady_clock::now() + to_milliseconds(arguments_.poll);
+    while (!interrupted() && std::chrono::steady_clock::now() < end) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return !interrupted();
+  }
+
+  const WatchArguments& arguments_;
+  Job& job_;
+  std::string session_file_;
+  UpdateOptions options_;
+  std::optional<UpdateSession> session_;
+  std::vector<std::string> notes_;
+  std::size_t applied_ = 0;
+  std::size_t refused_ = 0;
+  std::size_t known_ = 0;
+  int idle_polls_ = 0;
+};
+
+}  // namespace
+
+void run_watch(const WatchArguments& arguments, Job& job) {
+  Watch watch(arguments, job);
+  watch.run();
+  watch.report();
+  job.finish();
+}
+
+}  // namespace cocoon::app

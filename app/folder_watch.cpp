@@ -1,0 +1,63 @@
+#include "app/folder_watch.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "geom/errors.h"
+#include "io/file_format.h"
+
+namespace cocoon::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool may_be_cloud(const fs::path& path) {
+  static const std::vector<std::string> extensions = {
+      ".xyz", ".pts", ".txt", ".csv", ".npts", ".pwn", ".asc", ".ply", ".obj", ".off", ".stl"};
+  if (path.filename().string().starts_with('.')) return false;
+  return std::find(extensions.begin(), extensions.end(), extension_of(path)) != extensions.end();
+}
+
+}  // namespace
+
+std::vector<fs::path> FolderWatch::poll() {
+  std::error_code error;
+  fs::directory_iterator entries(folder_, error);
+  if (error) {
+    throw FileError(folder_.string() + ": cannot read this folder: " + error.message());
+  }
+  const auto now = fs::file_time_type::clock::now();
+  std::map<fs::path, Seen> seen;
+  std::vector<std::pair<fs::file_time_type, fs::path>> complete;
+  waiting_ = 0;
+  for (; entries != fs::directory_iterator(); entries.increment(error)) {
+    const fs::path path = entries->path();
+    if (!may_be_cloud(path) || !entries->is_regular_file(error)) continue;
+    Seen file{fs::file_size(path, error), {}, false};
+    if (error) continue;  // gone meanwhile
+    file.changed = fs::last_write_time(path, error);
+    if (error) continue;
+    const auto before = seen_.find(path);
+    const bool same = before != seen_.end() && before->second.size == file.size &&
+                      before->second.changed == file.changed;
+    file.reported = same && before->second.reported;
+    if (!file.reported) {
+      if (same && now - file.changed >= settle_) {
+        file.reported = true;
+        complete.emplace_back(file.changed, path);
+      } else {
+        ++waiting_;
+      }
+    }
+    seen.emplace(path, file);
+  }
+  seen_ = std::move(seen);
+  std::sort(complete.begin(), complete.end());
+  std::vector<fs::path> paths;
+  for (auto& [changed, path] : complete) paths.push_back(std::move(path));
+  return paths;
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,41 @@
+// Which files of a folder are complete and have not been looked at yet.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cocoon::app {
+
+// A file counts as complete when two polls in a row see the same length and time of change, and
+// that time is at least `settle` ago: a file that is renamed into the folder is, at the second
+// poll; one that is being written there is not before its writer has paused for that long. Files
+// whose names begin with a dot, and what is no point format, are not looked at. A file that changes
+// later, or comes again under its old name, is a new one.
+class FolderWatch {
+ public:
+  FolderWatch(std::filesystem::path folder, std::chrono::milliseconds settle)
+      : folder_(std::move(folder)), settle_(settle) {}
+
+  // The files that have become complete, the earliest changed first, then by name; each once.
+  // Throws FileError if the folder cannot be read.
+  std::vector<std::filesystem::path> poll();
+  // Files seen that are not complete yet.
+  std::size_t waiting() const { return waiting_; }
+
+ private:
+  struct Seen {
+    std::uintmax_t size = 0;
+    std::filesystem::file_time_type changed;
+    bool reported = false;
+    friend bool operator==(const Seen&, const Seen&) = default;
+  };
+  std::filesystem::path folder_;
+  std::chrono::milliseconds settle_;
+  std::map<std::filesystem::path, Seen> seen_;
+  std::size_t waiting_ = 0;
+};
+
+}  // namespace cocoon::app

@@ -1,0 +1,42 @@
+// A session on disk: the model of an update with all that makes the next update fast.
+//
+//   bytes          content (all numbers little-endian)
+//   8              "COCOONUS"
+//   4, 4           version (1); bits: 1 = paper mode, 2, 4, 8 = the following angles were given
+//   8, 8, 8        alpha, cocone angle, sharp angle in degrees, 64-bit floating point
+//   8, 8, 8, 8, 8  numbers of model vertices n, triangles t, points k; bytes of the notes, and of
+//                  the triangulation
+//   24 n, 24 k     coordinates of the model's vertices and of the points
+//   4 n, 12 t      the point at each vertex (2^32 - 1 = none), the triangles; zero bytes up to a
+//                  multiple of 8
+//                  the notes: a line of text each; zero bytes up to a multiple of 8
+//                  the triangulation as io/triangulation_block.h has it, or nothing
+//   8              checksum (io/summed_file.h)
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command_line.h"
+#include "update/update_session.h"
+
+namespace cocoon::app {
+
+struct SavedSession {
+  SessionSnapshot snapshot;
+  SurfaceArguments parameters;     // without rho, which is that of the clouds
+  std::vector<std::string> notes;  // one line each: whatever the command wants to remember
+};
+
+// Are those that a session keeps the same?
+bool same_parameters(const SurfaceArguments& a, const SurfaceArguments& b);
+
+// The file appears complete or not at all, and is on the disk then (io/atomic_file.h).
+// Errors: FileError.
+void save_session(const std::string& path, const SavedSession& session);
+
+// Before anything is believed: checksum, length, ranges, and that model, points and triangulation
+// fit together. Memory is proportional to the length of the file. Errors: FileError, one line.
+SavedSession load_session(const std::string& path);
+
+}  // namespace cocoon::app

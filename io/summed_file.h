@@ -1,0 +1,66 @@
+// Binary files that end with a checksum of all their bytes.
+//
+// Checksum: h = 0; for each 64-bit little-endian word w: h = (h xor w) * 0x9E3779B97F4A7C15,
+// h = h xor (h >> 32). Every change of one word changes it; other damage is missed with a chance of
+// about 2^-64. It guards against accidents, not against forgery.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "io/atomic_file.h"
+#include "io/byte_order.h"
+#include "io/file_bytes.h"
+
+namespace cocoon {
+
+inline constexpr std::size_t checksum_size = 8;
+
+constexpr std::size_t round_up_to_8(std::size_t size) { return (size + 7) / 8 * 8; }
+
+class Checksum {
+ public:
+  // The size must be a multiple of 8.
+  void add(std::string_view bytes);
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0;
+};
+
+// Writes such a file; it appears complete or not at all (atomic_file.h). Errors: FileError.
+class SummedFile {
+ public:
+  explicit SummedFile(const std::filesystem::path& path) : file_(path) {}
+
+  // Little-endian. Precondition: aligned to the size of T, so that words come out whole.
+  template <class T>
+  void append(T value) {
+    append_little_endian(bytes_, value);
+    if (bytes_.size() >= limit && bytes_.size() % 8 == 0) flush();
+  }
+  void append(std::string_view text) { bytes_ += text; }
+  // Zero bytes up to a multiple of 8.
+  void fill_word() { bytes_.resize(round_up_to_8(bytes_.size()), '\0'); }
+  // Appends the checksum and puts the file in its place.
+  void commit();
+
+ private:
+  static constexpr std::size_t limit = std::size_t{1} << 16;
+  void flush();
+
+  AtomicFile file_;
+  Checksum checksum_;
+  std::string bytes_;
+};
+
+// What stands before the checksum, which is right. Throws FileError, with `kind` ("session file")
+// in its message, for a file that does not begin with `magic`, is not made of whole words, or is
+// damaged.
+std::string_view summed_content(const FileBytes& file, std::string_view magic,
+                                std::string_view kind);
+
+}  // namespace cocoon

@@ -1,0 +1,265 @@
+// Sessions and the watched folder, as a user runs them.
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "tests/run_program.h"
+#include "tests/test_clouds.h"
+
+namespace {
+
+using cocoon::test::content_of;
+using cocoon::test::expect_error;
+using cocoon::test::ProgramRun;
+using cocoon::test::run_program;
+using cocoon::test::RunningProgram;
+using cocoon::test::sphere_cap;
+using cocoon::test::TemporaryFolder;
+using cocoon::test::whole_sphere;
+
+// The south pole's cap: the other end of the sphere.
+std::string south_cap(std::size_t n, double reach, double bump) {
+  std::string text;
+  std::istringstream lines(sphere_cap(n, reach, bump));
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  while (lines >> x >> y >> z) text += cocoon::test::point_line(x, -y, -z);
+  return text;
+}
+
+const std::string north = sphere_cap(4000, 0.8, 0.2);
+const std::string south = south_cap(4000, 0.8, -0.2);
+
+bool wait_for(const std::function<bool()>& condition) {
+  for (int i = 0; i < 6000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+TEST(Session, UpdatesAsTheMeshAloneDoes) {
+  const TemporaryFolder folder;
+  const std::string points = folder.write("points.xyz", whole_sphere(2000));
+  const std::string a = folder.write("a.xyz", north);
+  const std::string b = folder.write("b.xyz", south);
+  ASSERT_EQ(run_program({"reconstruct", points, "-o", folder.file("model.ply"), "--session",
+                         folder.file("s.session")})
+                .exit_code,
+            0);
+  for (const std::string& cloud : {a, b}) {
+    const ProgramRun plain =
+        run_program({"update", folder.file("model.ply"), cloud, "-o", folder.file("plain.ply"),
+                     "--map", folder.file("plain.map")});
+    ASSERT_EQ(plain.exit_code, 0) << plain.error;
+    const ProgramRun live = run_program({"update", "--session", folder.file("s.session"), cloud,
+                                         "-o", folder.file("live.ply"), "--map",
+                                         folder.file("live.map"), "--json", folder.file("r.json")});
+    ASSERT_EQ(live.exit_code, 0) << live.error;
+    EXPECT_EQ(content_of(folder.file("plain.ply")), content_of(folder.file("live.ply")));
+    EXPECT_EQ(content_of(folder.file("plain.map")), content_of(folder.file("live.map")));
+    const auto report = nlohmann::json::parse(content_of(folder.file("r.json")));
+    EXPECT_EQ(report["command"], "update");
+    EXPECT_TRUE(report["surface"]["watertight"]);
+    EXPECT_GT(report["update"]["replaced_points"], 100);
+    std::filesystem::rename(folder.file("plain.ply"), folder.file("model.ply"));
+  }
+}
+
+TEST(Session, RefusesWhatDoesNotFit) {
+  const TemporaryFolder folder;
+  const std::string points = folder.write("points.xyz", whole_sphere(300));
+  const std::string cloud = folder.write("a.xyz", north);
+  const std::string mesh = folder.file("m.ply");
+  const std::string session = folder.file("s");
+  expect_error(
+      run_program({"reconstruct", points, "-o", mesh, "--surface", "cocone", "--session", session}),
+      2, "--session");
+  expect_error(run_program({"update", "--session", session, cloud, "-o", mesh}), 1, "s");
+  ASSERT_EQ(run_program({"reconstruct", points, "-o", mesh, "--session", session}).exit_code, 0);
+  expect_error(run_program({"update", "--session", session, cloud, "-o", mesh, "--alpha", "20"}), 2,
+               "--rho");
+  expect_error(run_program({"update", "--session", session, "-o", mesh}), 2, "MODEL");
+  expect_error(run_program({"update", mesh, "-o", mesh}), 2, "CLOUD");
+  expect_error(run_program({"update", "--session", session, cloud, "-o", session}), 2, "output");
+  // A refused cloud leaves the session as it was.
+  const std::string before = content_of(session);
+  const std::string far = folder.write("far.xyz", "9 9 9\n9 9 8\n9 8 9\n8 9 9\n8 8 8\n");
+  expect_error(run_program({"update", "--session", session, far, "-o", mesh}), 1, "cannot update");
+  EXPECT_EQ(content_of(session), before);
+}
+
+TEST(Session, DamagedFilesAreRefused) {
+  const TemporaryFolder folder;
+  const std::string points = folder.write("points.xyz", whole_sphere(100));
+  const std::string cloud = folder.write("a.xyz", north);
+  const std::string session = folder.file("s");
+  ASSERT_EQ(run_program({"reconstruct", points, "-o", folder.file("m.ply"), "--session", session})
+                .exit_code,
+            0);
+  const std::string good = content_of(session);
+  const auto refused = [&](std::string bytes) {
+    folder.write("bad", bytes);
+    expect_error(
+        run_program({"update", "--session", folder.file("bad"), cloud, "-o", folder.file("x.ply")}),
+        1, "bad: ");
+    EXPECT_EQ(content_of(folder.file("bad")), bytes);
+  };
+  for (const std::size_t at :
+       {std::size_t{3}, std::size_t{9}, std::size_t{50}, good.size() / 2, good.size() - 1}) {
+    std::string bad = good;
+    bad[at] = static_cast<char>(bad[at] ^ 4);
+    refused(bad);
+  }
+  for (const std::size_t size : {std::size_t{0}, std::size_t{7}, std::size_t{16}, std::size_t{88},
+                                 good.size() - 8, good.size() - 1}) {
+    refused(good.substr(0, size));
+  }
+  refused(good + "01234567");
+}
+
+struct Watched {
+  TemporaryFolder folder;
+  std::string drop = folder.file("drop");
+  std::string mesh = folder.file("out.ply");
+  std::vector<std::string> arguments;
+
+  Watched() {
+    std::filesystem::create_directory(drop);
+    arguments = {"watch", folder.write("points.xyz", whole_sphere(1500)),
+                 drop,    "-o",
+                 mesh,    "--poll",
+                 "0.02",  "--settle",
+                 "0.05",  "--threads",
+                 "1"};
+  }
+  // As a careful scanner does: complete when it appears.
+  void put(const std::string& name, const std::string& content) const {
+    const std::string part = folder.write("part", content);
+    std::filesystem::rename(part, drop + "/" + name);
+  }
+  std::vector<std::string> once() const {
+    std::vector<std::string> once = arguments;
+    once.push_back("--once");
+    return once;
+  }
+  // What two updates of the program itself give.
+  std::string expected(const std::vector<std::string>& clouds) const {
+    std::string model = arguments[1];
+    for (std::size_t k = 0; k < clouds.size(); ++k) {
+      const std::string next = folder.file("expected" + std::to_string(k) + ".ply");
+      const std::string cloud = folder.write("expected.xyz", clouds[k]);
+      EXPECT_EQ(run_program({"update", model, cloud, "-o", next}).exit_code, 0);
+      model = next;
+    }
+    return content_of(model);
+  }
+};
+
+TEST(Watch, AppliesWhatIsThereAndGoesOn) {
+  const Watched watched;
+  watched.put("1.xyz", north);
+  const ProgramRun first = run_program(watched.once());
+  ASSERT_EQ(first.exit_code, 0) << first.error;
+  EXPECT_NE(first.out.find("1.xyz: "), std::string::npos);
+  EXPECT_NE(first.out.find("1 clouds applied"), std::string::npos) << first.out;
+  watched.put("2.xyz", south);
+  const ProgramRun second = run_program(watched.once());
+  ASSERT_EQ(second.exit_code, 0) << second.error;
+  EXPECT_NE(second.out.find("resumed with 1 clouds"), std::string::npos) << second.out;
+  EXPECT_NE(second.out.find("1 clouds applied, 0 refused, 1 known"), std::string::npos);
+  EXPECT_EQ(content_of(watched.mesh), watched.expected({north, south}));
+}
+
+TEST(Watch, KeepsGoingOnBadFilesAndStopsOnASignal) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Watched watched;
+    const TemporaryFolder outputs;
+    const RunningProgram program(outputs, watched.arguments);
+    const auto said = [&](const std::string& text) {
+      return wait_for(
+          [&] { return content_of(outputs.file("stdout")).find(text) != std::string::npos; });
+    };
+    ASSERT_TRUE(said("triangles"));
+    watched.put("bad.xyz", "1 2 3\nfour five six\n");
+    ASSERT_TRUE(said("bad.xyz: not applied"));
+    watched.put(".hidden.xyz", south);
+    watched.put("notes.md", "nothing for us");
+    watched.put("few.xyz", "0 0 0\n1 0 0\n");
+    ASSERT_TRUE(said("few.xyz: not applied"));
+    watched.put("good.xyz", north);
+    ASSERT_TRUE(said("good.xyz: "));
+    program.send(signal);
+    const ProgramRun run = program.wait();
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    EXPECT_EQ(run.error, "");
+    EXPECT_NE(run.out.find("1 clouds applied, 2 refused"), std::string::npos) << run.out;
+    EXPECT_EQ(content_of(watched.mesh), watched.expected({north}));
+    EXPECT_TRUE(std::filesystem::exists(watched.drop + "/bad.xyz"));
+  }
+}
+
+// A file that is written slowly is taken when it is complete, not before.
+TEST(Watch, WaitsForTheEndOfAFile) {
+  const Watched watched;
+  std::vector<std::string> arguments = watched.arguments;
+  arguments[8] = "0.5";
+  const TemporaryFolder outputs;
+  const RunningProgram program(outputs, arguments);
+  const std::size_t half = north.find('\n', north.size() / 2) + 1;
+  {
+    std::ofstream file(watched.drop + "/slow.xyz");
+    file << north.substr(0, half) << std::flush;
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    file << north.substr(half);
+  }
+  ASSERT_TRUE(wait_for(
+      [&] { return content_of(outputs.file("stdout")).find("slow.xyz: ") != std::string::npos; }));
+  program.send(SIGTERM);
+  EXPECT_EQ(program.wait().exit_code, 0);
+  EXPECT_EQ(content_of(watched.mesh), watched.expected({north}));
+}
+
+// Killed at any moment, it neither loses a cloud nor applies one twice.
+TEST(Watch, ResumesAfterAKill) {
+  const Watched watched;
+  watched.put("1.xyz", north);
+  watched.put("2.xyz", south);
+  std::filesystem::last_write_time(
+      watched.drop + "/2.xyz",
+      std::filesystem::last_write_time(watched.drop + "/1.xyz") + std::chrono::milliseconds(5));
+  for (int milliseconds : {5, 60, 120, 180, 240, 300, 400, 500, 700}) {
+    const TemporaryFolder outputs;
+    const RunningProgram program(outputs, watched.arguments);
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    program.send(SIGKILL);
+    EXPECT_EQ(program.wait().signal, SIGKILL);
+  }
+  const ProgramRun run = run_program(watched.once());
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_NE(run.out.find("0 refused"), std::string::npos) << run.out;
+  EXPECT_EQ(content_of(watched.mesh), watched.expected({north, south}));
+}
+
+TEST(Watch, SaysWhatIsWrongBeforeItStarts) {
+  const Watched watched;
+  expect_error(run_program({"watch", watched.arguments[1], watched.folder.file("missing"), "-o",
+                            watched.mesh}),
+               1, "no such folder");
+  ASSERT_EQ(run_program(watched.once()).exit_code, 0);
+  std::vector<std::string> other = watched.once();
+  other[1] = watched.folder.write("other.xyz", whole_sphere(800));
+  expect_error(run_program(other), 1, "another model");
+  std::vector<std::string> changed = watched.once();
+  changed.insert(changed.end(), {"--alpha", "25"});
+  expect_error(run_program(changed), 1, "other parameters");
+}
+
+}  // namespace
