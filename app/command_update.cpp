@@ -54,8 +54,10 @@ void update_session(const UpdateArguments& arguments, Job& job) {
     input.clouds.push_back(read_cloud(job, cloud, "input"));
   }
   UpdateSession session(std::move(saved.snapshot), options);
-  update_and_write(job, input, options,
-                   {arguments.mesh, arguments.map, arguments.html, arguments.ascii}, &session);
+  update_and_write(
+      job, input, options,
+      {arguments.mesh, arguments.map, arguments.html, arguments.ascii, arguments.manifold},
+      &session);
   timed(job.execution(), "write", [&] {
     save_session(arguments.session, {session.snapshot(), saved.parameters, saved.notes});
   });
