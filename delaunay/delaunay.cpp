@@ -7,7 +7,6 @@
 #include "delaunay/cavity.h"
 #include "delaunay/cell_pool.h"
 #include "delaunay/first_cells.h"
-#include "delaunay/locate.h"
 #include "geom/errors.h"
 #include "geom/spatial_order.h"
 #include "geom/working_scale.h"
@@ -41,7 +40,7 @@ Vertices merge_duplicates(Points points, const Execution& execution) {
 }
 
 // Inserts the vertices one by one, in the given order, whose first four span space. The last
-// element of `points` is no vertex (see ConflictFilter).
+// element of `points` is no vertex (see ConflictSearch).
 CellPool insert_all(const IdVector<VertexId, Point>& points,
                     const std::vector<std::uint32_t>& order, DelaunayCounters& counters,
                     const Execution& execution) {
@@ -61,9 +60,7 @@ CellPool insert_all(const IdVector<VertexId, Point>& points,
                       static_cast<double>(i) / static_cast<double>(order.size()));
     }
     const VertexId v(order[i]);
-    const WalkResult walk = locate(pool.cells, points, points[v], hint);
-    counters.walk_steps += walk.steps;
-    hint = inserter.insert(v, walk.cell, counters);
+    hint = inserter.insert(v, inserter.find_start(points[v], hint, counters), counters);
   }
   return pool;
 }

@@ -164,16 +164,16 @@ VertexId DynamicDelaunay::State::take_vertex(const Point& p) {
     v = VertexId(points.size() - 1);
     points.push_back({});
     cell_at.push_back({});
-    inserter.make_room_for_points();
   }
   points[v] = p;
+  inserter.admit(p);
   return v;
 }
 
 CellId DynamicDelaunay::State::insert_vertex(VertexId v, CellId start, DelaunayCounters& counters) {
   last_created = inserter.insert(v, start, counters);
   for (const CellId c : inserter.removed_cells()) touch(c, true);
-  for (const FacetId f : inserter.star()) touch(cell_of(f), false);
+  for (const CellId c : inserter.new_cells()) touch(c, false);
   cell_at[v] = last_created;
   ++num_vertices;
   return last_created;
@@ -190,15 +190,14 @@ void DynamicDelaunay::State::insert_points(Points given, const Execution& execut
                       static_cast<double>(i) / static_cast<double>(order.size()));
     }
     const Point& p = given[order[i]];
-    const WalkResult walk = locate(pool.cells, points, p, hint);
-    change.insertion.walk_steps += walk.steps;
-    VertexId v = vertex_at(walk.cell, p);
+    const CellId start = inserter.find_start(p, hint, change.insertion);
+    VertexId v = vertex_at(start, p);
     if (v.is_none()) {
       v = take_vertex(p);
       change.inserted.push_back(v);
-      hint = insert_vertex(v, walk.cell, change.insertion);
+      hint = insert_vertex(v, start, change.insertion);
     } else {
-      hint = walk.cell;
+      hint = start;
       ++change.duplicates;
     }
     change.vertex_of_point[order[i]] = v;
@@ -237,8 +236,8 @@ void DynamicDelaunay::State::undo(DelaunayChange& change) {
   free_vertices.insert(free_vertices.end(), change.inserted.rbegin(), change.inserted.rend());
   for (const VertexId v : change.removed) {
     if (!cell_at[v].is_none()) continue;
-    const WalkResult walk = locate(pool.cells, points, points[v], last_created);
-    insert_vertex(v, walk.cell, change.insertion);
+    insert_vertex(v, inserter.find_start(points[v], last_created, change.insertion),
+                  change.insertion);
   }
   update_cells_at_vertices();
 }

@@ -6,7 +6,6 @@
 
 #include "delaunay/first_cells.h"
 #include "delaunay/insertion_order.h"
-#include "delaunay/locate.h"
 
 namespace cocoon {
 namespace {
@@ -58,9 +57,7 @@ void HoleFiller::triangulate(DelaunayCounters& counters) {
   CellId hint(0);
   for (std::size_t i = 4; i < order_.size(); ++i) {
     const VertexId v(order_[i]);
-    const WalkResult walk = locate(pool_.cells, points_, points_[v], hint);
-    counters.walk_steps += walk.steps;
-    hint = inserter_.insert(v, walk.cell, counters);
+    hint = inserter_.insert(v, inserter_.find_start(points_[v], hint, counters), counters);
   }
 }
 
