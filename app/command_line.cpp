@@ -110,7 +110,7 @@ void add_demo_and_sample(CLI::App& app, Command& chosen, SharedArguments& shared
   sub->add_option("--points", sample.points, "Points of the initial model (the paper's number)")
       ->check(CLI::PositiveNumber);
   sub->add_option("--cloud-points", sample.cloud_points,
-                  "Points of each cloud (the paper's numbers)")
+                  "Points of all clouds together (the paper's number)")
       ->check(CLI::PositiveNumber);
   sub->add_option("--seed", sample.seed, "Seed of the random placement");
 }

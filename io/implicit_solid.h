@@ -31,6 +31,19 @@ double rounded_extrusion(double figure, double height, double radius);
 // Source: the quadratic polynomial smooth minimum (Quilez, Smooth minimum).
 double filleted_union(double a, double b, double width);
 
+// What a and b have in common, and a without b: filleted_union() of the complements, so that what
+// is said there about the band holds. The edge that the second solid leaves is rounded.
+double filleted_intersection(double a, double b, double width);
+double filleted_difference(double a, double b, double width);
+
+// Distance to the hull of two balls about a and b (a capsule, if of equal radii). Precondition:
+// neither ball contains the other.
+double round_cone(const Point& p, const Point& a, double radius_a, const Point& b, double radius_b);
+
+// Close to the distance to the ellipsoid |p / half| <= 1 near its surface: the function is zero
+// there and has a gradient of length 1.
+double ellipsoid(const Point& p, const Vec3& half);
+
 // The gradient of f at p by central differences with the given step. Complexity: six calls of f.
 Vec3 gradient(const ImplicitFunction& f, const Point& p, double step);
 

@@ -22,6 +22,11 @@ struct Crossing {
 };
 using CrossingTriangle = std::array<Crossing, 3>;
 
+// Grid points are looked at in blocks of block^3. Where the function at the middle of one is larger
+// than what it can change within the block at this steepness, it keeps its sign in all of it.
+constexpr GridId block = 4;
+constexpr double largest_steepness = 2;
+
 class Grid {
  public:
   Grid(const ImplicitSolid& solid, double cell) : origin_(solid.box.low), cell_(cell) {
@@ -33,15 +38,10 @@ class Grid {
       if (!(total < 0x1p31)) throw InputError("grid cell is too small; give a larger one");
       count_[static_cast<std::size_t>(axis)] = static_cast<GridId>(cells) + 1;
     }
-    values_.reserve(static_cast<std::size_t>(total));
-    for (GridId z = 0; z < count_[2]; ++z) {
-      for (GridId y = 0; y < count_[1]; ++y) {
-        for (GridId x = 0; x < count_[0]; ++x) {
-          values_.push_back(solid.value(position(id(x, y, z))));
-          if (is_inside(id(x, y, z)) && on_border(x, y, z)) {
-            throw InputError("solid reaches the border of its box; give it a larger box");
-          }
-        }
+    values_.resize(static_cast<std::size_t>(total));
+    for (GridId z = 0; z < count_[2]; z += block) {
+      for (GridId y = 0; y < count_[1]; y += block) {
+        for (GridId x = 0; x < count_[0]; x += block) fill_block(solid, x, y, z);
       }
     }
   }
@@ -65,6 +65,21 @@ class Grid {
   }
 
  private:
+  void fill_block(const ImplicitSolid& solid, GridId x0, GridId y0, GridId z0) {
+    const double half = 0.5 * (block - 1) * cell_;
+    const double at_middle = solid.value(position(id(x0, y0, z0)) + Vec3{half, half, half});
+    const bool far = std::abs(at_middle) > largest_steepness * std::sqrt(3.0) * half;
+    for (GridId z = z0; z < std::min(z0 + block, count_[2]); ++z) {
+      for (GridId y = y0; y < std::min(y0 + block, count_[1]); ++y) {
+        for (GridId x = x0; x < std::min(x0 + block, count_[0]); ++x) {
+          values_[id(x, y, z)] = far ? at_middle : solid.value(position(id(x, y, z)));
+          if (is_inside(id(x, y, z)) && on_border(x, y, z)) {
+            throw InputError("solid reaches the border of its box; give it a larger box");
+          }
+        }
+      }
+    }
+  }
   bool on_border(GridId x, GridId y, GridId z) const {
     return x == 0 || y == 0 || z == 0 || x + 1 == count_[0] || y + 1 == count_[1] ||
            z + 1 == count_[2];

@@ -10,10 +10,12 @@ namespace cocoon {
 // tetrahedron the one or two triangles that separate its corners inside from those outside; then
 // moves the vertices to the surface. The result is a closed 2-manifold, oriented outward, whatever
 // the function (neighboring tetrahedra agree on their common face), as long as the solid does not
-// reach the border of its box. Features thinner than a cell may be lost.
+// reach the border of its box. Features thinner than a cell may be lost, and so may parts of a
+// surface across which the function changes faster than twice the distance.
 // Throws InputError for a cell that is not positive, or so small that there are more than 2^31
 // grid points, and if the solid reaches the border of its box.
-// Complexity: (box / cell)^3 calls of the function. Deterministic.
+// Complexity: (box / cell)^3 steps; calls of the function near the surface, one in 64 elsewhere.
+// Deterministic.
 // Source: Doi & Koide, An efficient method of triangulating equi-valued surfaces by using
 // tetrahedral cells (IEICE 1991); the subdivision is Kuhn's.
 TriangleMesh polygonize(const ImplicitSolid& solid, double cell);

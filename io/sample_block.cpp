@@ -18,10 +18,6 @@ constexpr double ridge_height = 0.5;
 constexpr double ridge_rounding = 0.25;
 constexpr double fillet_width = 0.2;
 
-// How far the scan reaches beyond the fillet: somewhat more than the cloud's spacing, less than
-// half the initial points'.
-constexpr double scan_margin = 0.06;
-
 double u_distance(double x, double y) {
   const double along = x - u_center_x;
   const double across = std::abs(y) - u_radius;
@@ -52,12 +48,10 @@ SampleModelDesign block_design() {
   design.before = {block, box};
   design.after = {[](const Point& p) { return filleted_union(block(p), ridge(p), fillet_width); },
                   box};
-  design.scanned.push_back([](const Point& p) {
-    return p.z > 0 && block_ridge_figure(p.x, p.y) < fillet_width + scan_margin;
-  });
+  design.changes = {[](const Point& p) { return p.z > 0; }};
   design.points = 5991;
   design.cloud_points = {11488};
-  design.mesh_cell = 0.05;
+  design.mesh_cell = 0.06;
   return design;
 }
 

@@ -6,8 +6,8 @@
 namespace cocoon {
 
 // Before: a solid block, 8 x 5 x 2, all edges rounded. After: the same with a U-shaped ridge on its
-// top, joined to it by a fillet. One cloud: the ridge, its fillet and a narrow rim of the unchanged
-// top face around it, so that the cloud is U-shaped and has one boundary loop.
+// top, joined to it by a fillet. One cloud: ridge and fillet, so that it is U-shaped and has one
+// boundary loop.
 SampleModelDesign block_design();
 
 // Signed distance in the plane to the figure of the ridge: all points within the ridge's half

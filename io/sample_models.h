@@ -1,5 +1,5 @@
 // The procedural models after the examples of Woo & Dey 2005: an initial part, the part after a
-// design change, and scans of what changed. A model is two implicit solids and the scanned regions
+// design change, and scans of what changed. A model is two implicit solids and where they differ
 // (one file each, sample_block and so on); all the rest is common.
 #pragma once
 
@@ -23,16 +23,18 @@ namespace cocoon {
 struct SampleModelDesign {
   ImplicitSolid before;
   ImplicitSolid after;
-  std::vector<SurfaceRegion> scanned;  // one for each cloud: what it covers of the new surface
-  std::size_t points = 0;              // the paper's counts
-  std::vector<std::size_t> cloud_points;
+  // One for each cloud: all places, on the old surface or the new one, at which the two differ and
+  // which the cloud is to show; besides, any that they have in common. No two overlap.
+  std::vector<SurfaceRegion> changes;
+  std::size_t points = 0;                 // the paper's counts
+  std::vector<std::size_t> cloud_points;  // for each cloud; the paper gives their sum
   double mesh_cell = 0;  // grid cell of the true mesh, smaller than the finest detail
 };
 
 struct SampleOptions {
   std::optional<std::size_t> points = std::nullopt;  // of the initial cloud; default: the paper's
-  std::optional<std::size_t> cloud_points =
-      std::nullopt;  // of each update cloud; default: the paper's
+  // Of all update clouds together, shared as the paper's; default: the paper's.
+  std::optional<std::size_t> cloud_points = std::nullopt;
   std::uint64_t seed = 1;
   // Points are moved off the surface in random directions, by up to this fraction of the mean
   // spacing of their cloud, sqrt(area / points).
@@ -42,7 +44,7 @@ struct SampleOptions {
 
 struct SampleModel {
   std::vector<Point> initial;              // samples of the surface before the change
-  std::vector<std::vector<Point>> clouds;  // samples of the scanned parts of the surface after it
+  std::vector<std::vector<Point>> clouds;  // scans of what the change made of it, see sample_design
   TriangleMesh truth;                      // the surface after the change: closed, oriented outward
   // The initial points, in increasing order, whose place on the old surface (before jitter) is not
   // on the new one.
@@ -52,16 +54,22 @@ struct SampleModel {
 // The names that sample_model knows.
 std::vector<std::string> sample_model_names();
 
-// Makes the model `name`: exactly the wanted numbers of points, evenly spread (blue noise).
-// Throws InputError for a name it does not know (the message lists those it does), for fewer than
-// four points or cloud points, or for a jitter that is not in [0, 1].
-// Complexity: O(n log n) for n points, and the polygonization of two solids, a few seconds at most.
-// Deterministic: a function of name and options, the same bits on every machine, since it uses
-// nothing but correctly rounded operations and its own random numbers.
-// Source of models and counts: Woo & Dey 2005, section 4.
+// Makes the model `name`: sample_design() of its design.
+// Throws InputError for a name it does not know (the message lists those it does), and as
+// sample_design() does. Source of models and counts: Woo & Dey 2005, section 4.
 SampleModel sample_model(std::string_view name, const SampleOptions& options = {});
 
-// The same for a design of one's own.
+// Samples a design: exactly the wanted numbers of points, evenly spread (blue noise).
+// A cloud is what a careful operator scans, the change and not much else: the places of the new
+// surface that are closer to the initial points which the change makes wrong, by a ratio of 0.65,
+// than to the others (and those farther from the old surface than 0.3 of the initial spacing in any
+// case). Its outline thus runs between the wrong points and the right ones, on places that the
+// change has left as they were or nearly so: an update that works removes exactly the wrong ones.
+// Throws InputError for fewer than four points in a cloud, for a jitter that is not in [0, 1], and
+// if none or all of the initial points lie in one of the changes.
+// Complexity: O(n log n) for n points, and the polygonization of two solids, a few seconds at most.
+// Deterministic: a function of design and options, the same bits on every machine if the design
+// uses nothing but correctly rounded operations.
 SampleModel sample_design(const SampleModelDesign& design, const SampleOptions& options = {});
 
 }  // namespace cocoon

@@ -31,25 +31,15 @@ Point random_point_of(const TriangleMesh& mesh, const Triangle& t, Random& rando
   return a + u * (mesh.points[t[1]] - a) + v * (mesh.points[t[2]] - a);
 }
 
-// Triangles with their center in the region or close to it, and the sum of areas up to each.
-struct CandidateTriangles {
-  std::vector<TriangleId> triangles;
+// The sum of areas up to each triangle.
+std::vector<double> areas_up_to(const TriangleMesh& mesh) {
   std::vector<double> area_up_to;
-};
-
-CandidateTriangles triangles_in(const TriangleMesh& mesh, const SurfaceRegion& region) {
-  CandidateTriangles result;
   double sum = 0;
-  for (const TriangleId t : mesh.triangles.ids()) {
-    const Triangle& triangle = mesh.triangles[t];
-    const bool any_corner = std::any_of(triangle.begin(), triangle.end(),
-                                        [&](VertexId v) { return region(mesh.points[v]); });
-    if (!any_corner) continue;
-    sum += triangle_area(mesh, triangle);
-    result.triangles.push_back(t);
-    result.area_up_to.push_back(sum);
+  for (const Triangle& t : mesh.triangles) {
+    sum += triangle_area(mesh, t);
+    area_up_to.push_back(sum);
   }
-  return result;
+  return area_up_to;
 }
 
 // The neighbors of each point within `reach`: lists in the order of the search.
@@ -135,20 +125,20 @@ std::vector<Point> sample_surface(const ImplicitSolid& solid, const TriangleMesh
                                   const SurfaceRegion& region, std::size_t count, Random& random) {
   constexpr std::size_t candidates_per_sample = 5;
   constexpr std::size_t tries_per_candidate = 4;
-  const CandidateTriangles from = triangles_in(mesh, region);
+  const std::vector<double> area_up_to = areas_up_to(mesh);
   const std::size_t wanted = candidates_per_sample * count;
   std::vector<Point> candidates;
   std::size_t tries = 0;
-  const double area = from.triangles.empty() ? 0 : from.area_up_to.back();
+  const double area = area_up_to.empty() ? 0 : area_up_to.back();
   const double step = finite_difference_step * norm(solid.box.size());
   while (candidates.size() < wanted) {
     if (area == 0 || ++tries > tries_per_candidate * wanted) {
       throw InputError("sampled region holds too little of the surface; give a larger one");
     }
-    const auto found = std::upper_bound(from.area_up_to.begin(), from.area_up_to.end() - 1,
-                                        random.uniform(0, area));
-    const auto position = static_cast<std::size_t>(found - from.area_up_to.begin());
-    const Triangle& triangle = mesh.triangles[from.triangles[position]];
+    const auto found =
+        std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, random.uniform(0, area));
+    const TriangleId position(static_cast<std::size_t>(found - area_up_to.begin()));
+    const Triangle& triangle = mesh.triangles[position];
     const Point p = project_to_surface(solid.value, random_point_of(mesh, triangle, random), step);
     if (region(p)) candidates.push_back(p);
   }

@@ -35,7 +35,7 @@ struct CloudSurfaceOptions {
       {.rho = 0.5},
       {.rho = 0.83, .alpha_cosine = 0.5, .radius_mode = RadiusMode::tangent_plane},
       {.rho = 1.5, .alpha_cosine = 0.5, .radius_mode = RadiusMode::tangent_plane}};
-  double max_gap_share = 0.1;
+  double max_gap_share = 0.05;
   TrimOptions trim;
   RimOptions rim;
   RimGapOptions gaps;

@@ -105,12 +105,18 @@ Location locate(const ModelIndex& model, const Query& query, const OverlapOption
     if (!location.facet.triangle.is_none()) return location;
     location.star_miss = true;
   }
-  const double bound = max_distance * max_distance;
-  location.facet = model.closest(query.point, bound, faces_at_least(options.min_normal_cosine));
-  if (location.facet.triangle.is_none()) {
-    location.facet = model.closest(query.point, bound, faces_at_least(-options.min_normal_cosine));
-    location.steep = !location.facet.triangle.is_none();
-  }
+  // The closest facet that does not face away; one that faces as the cloud does instead if there is
+  // one hardly farther away.
+  location.facet = model.closest(query.point, max_distance * max_distance,
+                                 faces_at_least(-options.min_normal_cosine));
+  if (location.facet.triangle.is_none()) return location;
+  if (faces_at_least(options.min_normal_cosine)(location.facet.triangle)) return location;
+  const double reach = std::min(max_distance, std::sqrt(location.facet.squared_distance) +
+                                                  options.facing_preference * spacing);
+  const ClosestFacet facing =
+      model.closest(query.point, reach * reach, faces_at_least(options.min_normal_cosine));
+  location.steep = facing.triangle.is_none();
+  if (!location.steep) location.facet = facing;
   return location;
 }
 

@@ -28,9 +28,12 @@ struct OverlapOptions {
   // larger one of the rim's and the model's median edge at the nearest vertex.
   double max_distance = 3;
   // Facets whose normal makes a smaller cosine than this with the surface normal of the cloud are
-  // taken only if there is no other within max_distance (a cloud that leaves the model steeply);
-  // those with less than minus this never: they are the far side of a thin wall.
+  // taken only if none with a larger one is hardly farther away (a cloud that leaves the model
+  // steeply); those with less than minus this never: they are the far side of a thin wall.
   double min_normal_cosine = 0.5;
+  // How many spacings farther away than the closest facet: that is too far for a facet that merely
+  // happens to face the same way, such as the next wall.
+  double facing_preference = 1;
   // A loop with a larger share of unmatched points does not lie on the model.
   double max_unmatched_share = 0.1;
 };

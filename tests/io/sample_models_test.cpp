@@ -8,8 +8,11 @@
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
 #include "geom/mesh_measure.h"
+#include "geom/nearest_point.h"
 #include "io/polygonize.h"
+#include "io/sample_airbag.h"
 #include "io/sample_block.h"
+#include "io/sample_golf_club.h"
 
 namespace cocoon {
 namespace {
@@ -146,24 +149,117 @@ TEST(SampleBlock, ReplacedPointsAreThoseUnderTheRidge) {
   const ClosestFacetTree truth(block().truth);
   for (std::size_t k = 0; k < replaced.size(); ++k) {
     const Point& p = block().initial[k];
+    const double figure = block_ridge_figure(p.x, p.y);
     if (replaced[k] != 0) {
       EXPECT_LT(design.after.value(p), 0.02 * 0.15);  // inside the new solid, but for the jitter
-      EXPECT_TRUE(design.scanned[0](p));
+      EXPECT_LT(figure, 0.2 + 0.02 * 0.15);
     } else {
       EXPECT_LE(std::sqrt(truth.closest(p).squared_distance), 0.006);
+      EXPECT_TRUE(p.z < 0.9 || figure > 0.2 - 0.02 * 0.15);
     }
   }
 }
 
-TEST(SampleBlock, RimOfTheCloudLiesOnTheOldSurface) {
-  const SampleModelDesign design = block_design();
-  std::size_t on_rim = 0;
-  for (const Point& p : block().clouds[0]) {
-    if (block_ridge_figure(p.x, p.y) < 0.2) continue;  // the fillet
-    ++on_rim;
-    EXPECT_LE(std::abs(design.before.value(p)), 0.02 * 0.05);
+// The figures of the paper's table: samples, cloud samples and removed samples.
+struct PaperCounts {
+  const char* name;
+  std::size_t points;
+  std::size_t cloud_points;
+  std::size_t removed;
+  std::size_t clouds;
+};
+constexpr PaperCounts paper_counts[] = {{"block", 5991, 11488, 422, 1},
+                                        {"airbag", 28650, 34866, 2557, 3},
+                                        {"golf-club", 49380, 4572, 382, 1},
+                                        {"joystick-1", 37122, 10574, 1803, 1},
+                                        {"joystick-2", 37122, 32187, 3353, 1}};
+
+class SampleModelsOfThePaper : public ::testing::TestWithParam<PaperCounts> {};
+
+TEST_P(SampleModelsOfThePaper, CountsShapesAndOutlines) {
+  const PaperCounts paper = GetParam();
+  const SampleModel model = sample_model(paper.name);
+
+  // The counts.
+  EXPECT_EQ(model.initial.size(), paper.points);
+  ASSERT_EQ(model.clouds.size(), paper.clouds);
+  std::size_t cloud_points = 0;
+  for (const auto& cloud : model.clouds) cloud_points += cloud.size();
+  EXPECT_EQ(cloud_points, paper.cloud_points);
+  const auto removed = static_cast<double>(paper.removed);
+  EXPECT_NEAR(static_cast<double>(model.replaced.size()), removed, 0.1 * removed);
+
+  // The true surface.
+  const MeshReport report = mesh_check(model.truth);
+  EXPECT_TRUE(report.is_closed_manifold());
+  EXPECT_EQ(report.components, 1U);
+  EXPECT_EQ(report.genus, 0U);
+  EXPECT_GT(mesh_measure(model.truth).signed_volume, 0);
+
+  // All points that are there after the change lie on it; those it makes wrong are covered.
+  const double spacing =
+      std::sqrt(mesh_measure(model.truth).area / 1.02 / static_cast<double>(model.initial.size()));
+  const ClosestFacetTree truth(model.truth);
+  std::vector<Point> all;
+  for (const auto& cloud : model.clouds) {
+    for (const Point& p : cloud) {
+      EXPECT_LE(std::sqrt(truth.closest(p).squared_distance), 0.1 * spacing);
+      all.push_back(p);
+    }
   }
-  EXPECT_GT(on_rim, 300U);
+  const NearestPointTree scanned(all);
+  std::vector<char> is_wrong(model.initial.size(), 0);
+  for (const PointId p : model.replaced) is_wrong[p.index()] = 1;
+  std::size_t close = 0;
+  for (std::size_t k = 0; k < model.initial.size(); ++k) {
+    const Point& p = model.initial[k];
+    if (is_wrong[k] != 0) continue;
+    EXPECT_LE(std::sqrt(truth.closest(p).squared_distance), 0.1 * spacing);
+    if (scanned.nearest(p).squared_distance < 0.09 * spacing * spacing) ++close;
+  }
+  EXPECT_EQ(close, 0U);  // the outline keeps its distance from the points that stay
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SampleModelsOfThePaper, ::testing::ValuesIn(paper_counts),
+                         [](const auto& named) {
+                           std::string name = named.param.name;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(SampleGolfClub, CloudLiesOnBothSidesOfTheOldSurface) {
+  const SampleModelDesign design = golf_club_design();
+  const SampleModel model = sample_model("golf-club", {.points = 20000});
+  double deepest = 0;
+  double highest = 0;
+  for (const Point& p : model.clouds[0]) {
+    deepest = std::min(deepest, design.before.value(p));
+    highest = std::max(highest, design.before.value(p));
+  }
+  EXPECT_LT(deepest, -0.15);
+  EXPECT_GT(highest, 0.15);
+}
+
+TEST(SampleAirbag, CloudsLieInsideTheOldSurface) {
+  const SampleModelDesign design = airbag_design();
+  const SampleModel model = sample_model("airbag", {.points = 8000, .cloud_points = 10001});
+  std::size_t total = 0;
+  for (const auto& cloud : model.clouds) {
+    total += cloud.size();
+    double deepest = 0;
+    for (const Point& p : cloud) {
+      EXPECT_LT(design.before.value(p), 0.01);
+      deepest = std::min(deepest, design.before.value(p));
+    }
+    EXPECT_LT(deepest, -0.5);
+  }
+  EXPECT_EQ(total, 10001U);  // of all clouds together
+}
+
+TEST(SampleJoysticks, AreTwoChangesOfOnePart) {
+  const SampleOptions options = {.points = 2000, .cloud_points = 2000};
+  EXPECT_EQ(sample_model("joystick-1", options).initial,
+            sample_model("joystick-2", options).initial);
 }
 
 TEST(SampleModels, SizesAndSeedAreOptions) {
@@ -203,6 +299,8 @@ TEST(SampleModels, RefusesOptionsOutOfRange) {
   EXPECT_THROW(sample_model("block", {.points = 3}), InputError);
   EXPECT_THROW(sample_model("block", {.cloud_points = 0}), InputError);
   EXPECT_THROW(sample_model("block", {.jitter = -1}), InputError);
+  EXPECT_THROW(sample_model("airbag", {.cloud_points = 11}), InputError);
+  EXPECT_THROW(sample_model("golf-club", {.points = 4}), InputError);  // none is on the change
 }
 
 }  // namespace

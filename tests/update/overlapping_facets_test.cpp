@@ -75,6 +75,26 @@ TEST(OverlappingFacets, DoesNotTakeTheFarSideOfAThinWall) {
   }
 }
 
+// Where the surface of a cloud tears, its rim climbs: such a point's normal is that of a wall of
+// the new shape. Its place is the floor below it and not the outer wall of the model, farther away.
+TEST(OverlappingFacets, DoesNotTakeAnotherWallFromAfar) {
+  const TriangleMesh model = testing::block(20, 20, 8);
+  RimLoop loop = circle(30, {10, 10, 8}, 7.5);
+  std::size_t first = 0;  // the point closest to the wall at x = 20
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (loop.points[i].x > loop.points[first].x) first = i;
+  }
+  loop.points[first].z = 8.5;
+  loop.normals[first] = {1, 0, 0};
+  const Overlap overlap = overlapping_facets(model, rim_of({loop}));
+  ASSERT_EQ(overlap.status, OverlapStatus::ok);
+  EXPECT_EQ(overlap.loops[0].feet[first].z, 8);
+  EXPECT_EQ(overlap.steep, 1U);
+  // At an edge the wall is as near as the floor, and then it is the better one.
+  loop.points[first].x = 19.6;
+  EXPECT_EQ(overlapping_facets(model, rim_of({loop})).loops[0].feet[first].x, 20);
+}
+
 TEST(OverlappingFacets, FarAwayIsNoOverlap) {
   const TriangleMesh model = testing::grid_plane(20);
   EXPECT_EQ(overlapping_facets(model, rim_of({circle(40, {10, 10, 2.9}, 6)})).status,
