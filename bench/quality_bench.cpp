@@ -1,0 +1,124 @@
+// Quality of reconstructions of known surfaces, ours beside CGAL's: one table of shapes, one of
+// noise and outliers.
+//
+//   quality_bench [--points N] [--only WORD]
+//
+// --only: models whose name contains WORD. Distances are in units of the mean spacing of the
+// samples.
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/quality_measures.h"
+#include "bench/quality_models.h"
+#include "bench/rivals/cgal_surfaces.h"
+#include "bench/stopwatch.h"
+#include "cocone/reconstruct.h"
+#include "io/mesh_file.h"
+
+namespace cocoon::bench {
+namespace {
+
+struct Method {
+  const char* name;
+  std::function<TriangleMesh(Points)> run;
+};
+
+const std::vector<Method>& methods() {
+  static const std::vector<Method> all{
+      {"ours, paper", [](Points p) { return reconstruct_tight(p, {.mode = Mode::paper}).mesh; }},
+      {"ours", [](Points p) { return reconstruct_tight(p).mesh; }},
+      {"CGAL advancing front", [](Points p) { return rivals::cgal_advancing_front(p).mesh; }},
+      {"CGAL scale space", [](Points p) { return rivals::cgal_scale_space(p).mesh; }}};
+  return all;
+}
+
+void print_header() {
+  std::printf("%-34s %6s  %-21s %-6s %-8s %5s %5s %6s %6s %7s %6s %6s %6s\n", "model", "points",
+              "method", "closed", "manifold", "parts", "genus", "mean", "rms", "max", "normal",
+              "unused", "s");
+}
+
+void measure(const QualityModel& model) {
+  for (const Method& method : methods()) {
+    const Stopwatch stopwatch;
+    const TriangleMesh mesh = method.run(model.points);
+    const double seconds = stopwatch.elapsed().processor;
+    const Quality q = quality_of(mesh, model);
+    std::printf("%-34s %6zu  %-21s %-6s %-8s %+5td %+5td %6.3f %6.3f %7.3f %6.1f %6zu %6.2f\n",
+                model.name.c_str(), model.points.size(), method.name,
+                q.triangles == 0 ? "empty"
+                : q.closed       ? "yes"
+                                 : "no",
+                q.manifold ? "yes" : "no", q.extra_components, q.extra_genus, q.mean, q.rms, q.max,
+                q.normal_deg, q.unused, seconds);
+    std::fflush(stdout);
+  }
+}
+
+struct Arguments {
+  std::size_t points = 5000;
+  std::string only;
+};
+
+std::string percent(double fraction) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%.0f %%", 100 * fraction);
+  return text;
+}
+
+// The shapes and real models that noise is added to.
+std::vector<QualityModel> noise_models(std::size_t count) {
+  std::vector<QualityModel> models = quality_models(count);
+  models.resize(2);
+  for (const char* name : {"elephant", "anchor_dense"}) {
+    const std::string file = std::string(COCOON_TEST_DATA) + "/models/" + name + ".off";
+    models.push_back(sampled(name, read_mesh(file), 2 * count, 21));
+  }
+  return models;
+}
+
+void run(const Arguments& arguments) {
+  const auto wanted = [&](const QualityModel& model) {
+    return model.name.find(arguments.only) != std::string::npos;
+  };
+  std::puts("\nShapes");
+  print_header();
+  for (const QualityModel& model : quality_models(arguments.points)) {
+    if (wanted(model)) measure(model);
+  }
+  std::puts("\nNoise (deviation in units of the spacing) and outliers");
+  print_header();
+  for (const QualityModel& model : noise_models(arguments.points)) {
+    for (const double noise : {0.0, 0.05, 0.1, 0.2, 0.5}) {
+      QualityModel noisy = disturbed(model, noise, 0, 31);
+      noisy.name += ", noise " + percent(noise);
+      if (wanted(noisy)) measure(noisy);
+    }
+    QualityModel stray = disturbed(model, 0, 0.01, 32);
+    stray.name += ", 1 % outliers";
+    if (wanted(stray)) measure(stray);
+  }
+}
+
+}  // namespace
+}  // namespace cocoon::bench
+
+int main(int argc, char** argv) {
+  cocoon::bench::Arguments arguments;
+  try {
+    for (int i = 1; i + 1 < argc; i += 2) {
+      const std::string option = argv[i];
+      if (option == "--points") arguments.points = std::stoul(argv[i + 1]);
+      if (option == "--only") arguments.only = argv[i + 1];
+    }
+    cocoon::bench::run(arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "quality_bench: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
