@@ -51,6 +51,7 @@ struct ReconstructArguments {
   std::string session;            // empty: not written
   bool ascii = false;
   bool manifold = false;
+  std::string noise = "none";  // "none" or "robust"
   SurfaceArguments parameters;
 };
 

@@ -10,13 +10,38 @@
 #include "app/surface_report.h"
 #include "app/updating.h"
 #include "cocone/reconstruct.h"
+#include "cocone/robust_cocone.h"
 #include "geom/mesh_check.h"
 #include "io/mesh_file.h"
 
 namespace cocoon::app {
 
+namespace {
+
+// Noise is filtered before anything else is built, which neither the open surface nor a session,
+// which keeps the triangulation of all points, has a place for.
+void require_possible_noise_filter(const ReconstructArguments& arguments) {
+  if (arguments.noise == "none") return;
+  if (arguments.surface != "tight") throw UsageError("--noise robust needs --surface tight");
+  if (!arguments.session.empty()) {
+    throw UsageError("--noise robust cannot be combined with --session");
+  }
+}
+
+ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
+                                const ReconstructOptions& options) {
+  RobustResult result = reconstruct_robust(points, {}, options, job.execution());
+  add_noise(job.report(), result.noise);
+  job.say("noise: {} outliers and {} points inside the layer left out", result.noise.outliers,
+          result.noise.layer_samples);
+  return std::move(result.surface);
+}
+
+}  // namespace
+
 void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   require_outputs(job, {{arguments.mesh, mesh_extensions}, {arguments.session, {}}});
+  require_possible_noise_filter(arguments);
   const bool tight = arguments.surface == "tight";
   const ReconstructOptions options =
       surface_options(arguments.parameters, tight ? ReconstructOptions() : open_cloud_defaults());
@@ -34,6 +59,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
       reconstruction.mesh = session->model();
       return reconstruction;
     }
+    if (arguments.noise == "robust") return without_noise(job, points, options);
     return tight ? reconstruct_tight(points, options, job.execution())
                  : reconstruct_cocone(points, options, job.execution());
   });

@@ -62,6 +62,16 @@ void add_reconstruction(JsonReport& report, const ReconstructResult& result,
   add_counters(report, result.counters);
 }
 
+void add_noise(JsonReport& report, const NoiseCounters& noise) {
+  report.set("noise/outliers", noise.outliers);
+  report.set("noise/outlier_rounds", noise.outlier_rounds);
+  report.set("noise/large_cells", noise.large_cells);
+  report.set("noise/outer_cells", noise.outer_cells);
+  report.set("noise/skin_samples", noise.skin_samples);
+  report.set("noise/good_samples", noise.good_samples);
+  report.set("noise/layer_samples", noise.layer_samples);
+}
+
 void require_surface(const std::string& file, const ReconstructResult& result, double rho) {
   if (result.status == SurfaceStatus::no_surface) {
     throw InputError(fmt::format(

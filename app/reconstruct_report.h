@@ -5,6 +5,7 @@
 
 #include "app/json_report.h"
 #include "cocone/reconstruct.h"
+#include "cocone/robust_cocone.h"
 #include "geom/mesh_check.h"
 
 namespace cocoon::app {
@@ -12,6 +13,9 @@ namespace cocoon::app {
 // The sections "input", "delaunay", "surface" and "counters" of the JSON report.
 void add_reconstruction(JsonReport& report, const ReconstructResult& result,
                         const MeshReport& certificate);
+
+// The section "noise": what was left out before the reconstruction.
+void add_noise(JsonReport& report, const NoiseCounters& noise);
 
 // Throws InputError unless the status is ok: what failed, the counts that say why, what to try.
 void require_surface(const std::string& file, const ReconstructResult& result, double rho);

@@ -17,6 +17,7 @@
 #include "bench/rivals/cgal_surfaces.h"
 #include "bench/stopwatch.h"
 #include "cocone/reconstruct.h"
+#include "cocone/robust_cocone.h"
 #include "io/mesh_file.h"
 
 namespace cocoon::bench {
@@ -31,6 +32,7 @@ const std::vector<Method>& methods() {
   static const std::vector<Method> all{
       {"ours, paper", [](Points p) { return reconstruct_tight(p, {.mode = Mode::paper}).mesh; }},
       {"ours", [](Points p) { return reconstruct_tight(p).mesh; }},
+      {"ours, noise robust", [](Points p) { return reconstruct_robust(p).surface.mesh; }},
       {"CGAL advancing front", [](Points p) { return rivals::cgal_advancing_front(p).mesh; }},
       {"CGAL scale space", [](Points p) { return rivals::cgal_scale_space(p).mesh; }}};
   return all;

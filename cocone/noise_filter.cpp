@@ -1,0 +1,135 @@
+#include "cocone/noise_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cocoon {
+namespace {
+
+constexpr std::size_t grain = 4096;  // vertices a chunk
+
+void collect_neighbors(const Triangulation& triangulation, const VertexStars& stars, VertexId v,
+                       std::vector<VertexId>& neighbors) {
+  neighbors.clear();
+  for (const CellId c : stars.star(v)) {
+    for (const VertexId w : triangulation.cell(c).vertices) {
+      if (w != v && w != infinite_vertex) neighbors.push_back(w);
+    }
+  }
+  std::sort(neighbors.begin(), neighbors.end());
+  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+}
+
+class Flood {
+ public:
+  Flood(const Triangulation& triangulation, const Dual& dual,
+        const IdVector<VertexId, double>& spacing, const NoiseOptions& options)
+      : triangulation_(triangulation), dual_(dual), spacing_(spacing), options_(options) {}
+
+  OuterSkin run() {
+    OuterSkin skin;
+    skin.touched = VertexSet(triangulation_.num_vertices(), 0);
+    IdVector<CellId, std::uint8_t> large(triangulation_.num_cells(), 0);
+    for (const CellId c : triangulation_.finite_cells()) {
+      large[c] = is_large(c) ? 1 : 0;
+      skin.large_cells += large[c];
+    }
+    std::vector<CellId> outer;
+    for (const CellId c : triangulation_.infinite_cells()) outer.push_back(c);
+    for (std::size_t next = 0; next < outer.size(); ++next) {
+      const CellId c = outer[next];
+      for (const VertexId v : triangulation_.cell(c).vertices) {
+        if (v != infinite_vertex) skin.touched[v] = 1;
+      }
+      for (int i = 0; i < 4; ++i) {
+        const CellId behind = triangulation_.neighbor(c, i);
+        if (large[behind] == 0 || !intersect_deeply(facet_id(c, i), behind)) continue;
+        large[behind] = 0;  // visited
+        outer.push_back(behind);
+        ++skin.outer_cells;
+      }
+    }
+    return skin;
+  }
+
+ private:
+  bool is_large(CellId c) const {
+    double largest = 0;
+    for (const VertexId v : triangulation_.cell(c).vertices) {
+      largest = std::max(largest, spacing_[v]);
+    }
+    const double radius =
+        distance(dual_.centers[c], triangulation_.point(triangulation_.vertex(c, 0)));
+    return radius > options_.large_ratio * largest;
+  }
+
+  // |c1 - c2|^2 = r1^2 + r2^2 - 2 r1 r2 cos(angle) at every sample that both balls touch; the
+  // half-space of an infinite cell has its "center" in the direction of the ray.
+  bool intersect_deeply(FacetId f, CellId behind) const {
+    const CellId c = cell_of(f);
+    const Point& sample = triangulation_.point(triangulation_.facet_vertices(f)[0]);
+    const Vec3 here =
+        triangulation_.is_infinite(c) ? dual_.centers[c] : unit(dual_.centers[c] - sample);
+    return dot(here, unit(dual_.centers[behind] - sample)) >= options_.deep_cosine;
+  }
+
+  const Triangulation& triangulation_;
+  const Dual& dual_;
+  const IdVector<VertexId, double>& spacing_;
+  const NoiseOptions& options_;
+};
+
+}  // namespace
+
+IdVector<VertexId, double> sample_spacing(const Triangulation& triangulation,
+                                          const VertexStars& stars, std::size_t neighbors,
+                                          const Execution& execution) {
+  IdVector<VertexId, double> spacing(triangulation.num_vertices(), 0);
+  const auto measure = [&](std::size_t begin, std::size_t end) {
+    std::vector<VertexId> around;
+    std::vector<double> squares;
+    for (std::size_t i = begin; i < end; ++i) {
+      const VertexId v(i);
+      collect_neighbors(triangulation, stars, v, around);
+      squares.clear();
+      for (const VertexId w : around) {
+        squares.push_back(squared_distance(triangulation.point(v), triangulation.point(w)));
+      }
+      std::sort(squares.begin(), squares.end());
+      squares.resize(std::min(squares.size(), std::max<std::size_t>(1, neighbors)));
+      double sum = 0;
+      for (const double square : squares) sum += square;
+      spacing[v] = std::sqrt(sum / static_cast<double>(squares.size()));
+    }
+  };
+  parallel_chunks(execution, triangulation.num_vertices(), grain, measure);
+  return spacing;
+}
+
+VertexSet outlier_samples(const Triangulation& triangulation, const VertexStars& stars,
+                          const IdVector<VertexId, double>& spacing, double ratio,
+                          const Execution& execution) {
+  VertexSet outlier(triangulation.num_vertices(), 0);
+  const auto judge = [&](std::size_t begin, std::size_t end) {
+    std::vector<VertexId> around;
+    std::vector<double> values;
+    for (std::size_t i = begin; i < end; ++i) {
+      const VertexId v(i);
+      collect_neighbors(triangulation, stars, v, around);
+      values.clear();
+      for (const VertexId w : around) values.push_back(spacing[w]);
+      const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+      std::nth_element(values.begin(), middle, values.end());
+      outlier[v] = spacing[v] > ratio * *middle ? 1 : 0;
+    }
+  };
+  parallel_chunks(execution, triangulation.num_vertices(), grain, judge);
+  return outlier;
+}
+
+OuterSkin outer_skin(const Triangulation& triangulation, const Dual& dual,
+                     const IdVector<VertexId, double>& spacing, const NoiseOptions& options) {
+  return Flood(triangulation, dual, spacing, options).run();
+}
+
+}  // namespace cocoon

@@ -1,0 +1,62 @@
+// Robust Cocone: which samples of a noisy cloud a surface can pass through.
+//
+// Noise spreads the samples over a thin layer. The balls of the cells inside the layer are small,
+// hardly larger than the distance between samples; those outside and inside the body are large.
+// Large balls that are neighbors on one side of the surface intersect deeply, those on different
+// sides hardly. So the outside is what infinity reaches through deep intersections of large balls,
+// and the samples that its balls touch are the outer skin of the layer.
+//
+//   spacing   of a sample: root mean square of its shortest Delaunay edges
+//   outlier   a sample whose spacing exceeds outlier_ratio times the median of its neighbors'
+//   large     a ball whose radius exceeds large_ratio times the largest spacing at its cell
+//   deep      the radii of two balls to a common sample make an angle of at most deep_angle
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "cocone/poles.h"
+#include "delaunay/triangulation.h"
+#include "delaunay/vertex_stars.h"
+#include "delaunay/voronoi_dual.h"
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+
+namespace cocoon {
+
+// Chosen on the noise table of the quality benchmark (bench/README.md).
+struct NoiseOptions {
+  std::size_t neighbors = 3;    // edges that make the spacing of a sample
+  double outlier_ratio = 3;     // above 4 outliers near the surface stay
+  double large_ratio = 1.7;     // larger: thinner skin, smoother, but narrow gaps close
+  double deep_cosine = 0.7071;  // cosine of deep_angle, 45 degrees
+  // Samples that the Cocone surface of the layer surrounds by one disk stay, on the skin or not: so
+  // clean parts of a cloud are left as they are. False: the published filter.
+  bool keep_good = true;
+};
+
+// Per vertex, in units of the coordinates. Complexity: O(cells), parallel. Deterministic: sums run
+// in increasing order.
+IdVector<VertexId, double> sample_spacing(const Triangulation& triangulation,
+                                          const VertexStars& stars, std::size_t neighbors,
+                                          const Execution& execution = {});
+
+// 1 = outlier: the spacing exceeds `ratio` times the median (the upper one of two) of the Delaunay
+// neighbors' spacings. Complexity: O(cells), parallel.
+VertexSet outlier_samples(const Triangulation& triangulation, const VertexStars& stars,
+                          const IdVector<VertexId, double>& spacing, double ratio,
+                          const Execution& execution = {});
+
+struct OuterSkin {
+  VertexSet touched;            // 1 = a vertex of an outer cell
+  std::size_t large_cells = 0;  // finite ones
+  std::size_t outer_cells = 0;  // finite ones, reached from infinity
+};
+
+// An infinite cell counts as a ball that is a half-space. Every hull vertex is touched.
+// Complexity: O(cells). Deterministic: a closure. Source: Dey & Goswami 2006.
+OuterSkin outer_skin(const Triangulation& triangulation, const Dual& dual,
+                     const IdVector<VertexId, double>& spacing, const NoiseOptions& options = {});
+
+}  // namespace cocoon

@@ -1,0 +1,158 @@
+#include "cocone/robust_cocone.h"
+
+#include <utility>
+
+#include "cocone/boundary_samples.h"
+#include "cocone/candidate_triangles.h"
+#include "cocone/cocones.h"
+#include "cocone/extract_manifold.h"
+#include "cocone/mark_cells.h"
+#include "cocone/prune_sharp_edges.h"
+#include "delaunay/canonical_order.h"
+#include "delaunay/delaunay.h"
+#include "geom/working_scale.h"
+
+namespace cocoon {
+namespace {
+
+// Samples with one disk of the Cocone surface around them.
+VertexSet good_samples(const Triangulation& triangulation, const Dual& dual,
+                       const VertexStars& stars, const ReconstructOptions& options,
+                       const Execution& execution) {
+  const Poles poles = compute_poles(triangulation, dual, stars, execution);
+  const Cocones cocones = intersect_cocones(triangulation, dual, poles, options.cocone, execution);
+  const BoundarySamples labels =
+      boundary_samples(triangulation, dual, poles, cocones, options.boundary, execution);
+  const FacetSet candidates =
+      candidate_triangles(triangulation, cocones, labels.boundary, execution);
+  const PrunedCandidates pruned =
+      prune_sharp_edges(triangulation, candidates, options.prune, execution);
+  const ManifoldSurface surface =
+      extract_manifold(triangulation, pruned.facets, pruned.umbrella, execution);
+  return mark_cells(triangulation, stars, surface.facets, labels.boundary, options.good_vertices,
+                    execution)
+      .good;
+}
+
+// The points still in, and what becomes of them.
+class Filter {
+ public:
+  Filter(Points points, const NoiseOptions& noise, const ReconstructOptions& options,
+         const Execution& execution)
+      : noise_(noise), options_(options), execution_(execution) {
+    const double scale = working_scale(points);
+    points_.reserve(points.size());
+    for (const Point& p : points) points_.push_back(scale * p);
+    for (std::size_t i = 0; i < points.size(); ++i) inputs_.push_back(PointId(i));
+    result_.kept = IdVector<PointId, std::uint8_t>(points.size(), 1);
+  }
+
+  RobustSamples run() {
+    triangulate();
+    result_.distinct = triangulation_.num_vertices();
+    while (leave_out(
+        outlier_samples(triangulation_, stars_, spacing_, noise_.outlier_ratio, execution_),
+        result_.counters.outliers)) {
+      triangulate();
+    }
+    judge_layer();
+    return std::move(result_);
+  }
+
+ private:
+  void triangulate() {
+    ++result_.counters.outlier_rounds;
+    triangulation_ =
+        canonical_order(delaunay(points_, options_.delaunay, execution_).triangulation);
+    stars_ = vertex_stars(triangulation_);
+    spacing_ = sample_spacing(triangulation_, stars_, noise_.neighbors, execution_);
+  }
+
+  // False if the set is empty.
+  bool leave_out(const VertexSet& out, std::size_t& count) {
+    const std::size_t before = count;
+    for (const std::uint8_t flag : out) count += flag;
+    if (count == before) return false;
+    std::vector<Point> points;
+    std::vector<PointId> inputs;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (out[triangulation_.vertex_of_point()[PointId(i)]] != 0) {
+        result_.kept[inputs_[i]] = 0;
+      } else {
+        points.push_back(points_[i]);
+        inputs.push_back(inputs_[i]);
+      }
+    }
+    points_ = std::move(points);
+    inputs_ = std::move(inputs);
+    return true;
+  }
+
+  void judge_layer() {
+    const Dual dual = voronoi_dual(triangulation_, execution_);
+    const OuterSkin skin = outer_skin(triangulation_, dual, spacing_, noise_);
+    VertexSet good(triangulation_.num_vertices(), 0);
+    if (noise_.keep_good) {
+      good = good_samples(triangulation_, dual, stars_, options_, execution_);
+    }
+    NoiseCounters& counters = result_.counters;
+    counters.large_cells = skin.large_cells;
+    counters.outer_cells = skin.outer_cells;
+    VertexSet out(triangulation_.num_vertices(), 0);
+    for (const VertexId v : triangulation_.vertices()) {
+      if (skin.touched[v] != 0) {
+        ++counters.skin_samples;
+      } else if (good[v] != 0) {
+        ++counters.good_samples;
+      } else {
+        out[v] = 1;
+      }
+    }
+    leave_out(out, counters.layer_samples);
+  }
+
+  const NoiseOptions& noise_;
+  const ReconstructOptions& options_;
+  const Execution& execution_;
+  std::vector<Point> points_;
+  std::vector<PointId> inputs_;
+  Triangulation triangulation_;
+  VertexStars stars_;
+  IdVector<VertexId, double> spacing_;
+  RobustSamples result_;
+};
+
+}  // namespace
+
+RobustSamples robust_samples(Points points, const NoiseOptions& noise,
+                             const ReconstructOptions& options, const Execution& execution) {
+  report_progress(execution, "noise", 0);
+  PrefixedProgress nested("noise", execution.progress);
+  RobustSamples samples =
+      Filter(points, noise, options,
+             {execution.threads, execution.progress == nullptr ? nullptr : &nested})
+          .run();
+  report_progress(execution, "noise", 1);
+  return samples;
+}
+
+RobustResult reconstruct_robust(Points points, const NoiseOptions& noise,
+                                const ReconstructOptions& options, const Execution& execution) {
+  const RobustSamples samples = robust_samples(points, noise, options, execution);
+  std::vector<Point> kept;
+  std::vector<PointId> inputs;
+  for (const PointId p : samples.kept.ids()) {
+    if (samples.kept[p] == 0) continue;
+    kept.push_back(points[p.index()]);
+    inputs.push_back(p);
+  }
+  RobustResult result{reconstruct_tight(kept, options, execution), samples.counters};
+  ReconstructResult& surface = result.surface;
+  for (PointId& p : surface.point_of_vertex) p = inputs[p.index()];
+  surface.points = points.size();
+  surface.duplicates = points.size() - samples.distinct;
+  surface.unused_points = samples.distinct - surface.mesh.points.size();
+  return result;
+}
+
+}  // namespace cocoon

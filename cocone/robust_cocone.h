@@ -1,0 +1,55 @@
+// Closed surfaces from noisy points: Robust Cocone as a composition of stages.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "cocone/noise_filter.h"
+#include "cocone/reconstruct.h"
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+#include "geom/point.h"
+
+namespace cocoon {
+
+struct NoiseCounters {
+  std::size_t outliers = 0;        // different points left out as outliers
+  std::size_t outlier_rounds = 0;  // triangulations until there were no more
+  std::size_t large_cells = 0;
+  std::size_t outer_cells = 0;
+  std::size_t skin_samples = 0;   // touched by outer balls
+  std::size_t good_samples = 0;   // not on the skin, kept since the surface surrounds them
+  std::size_t layer_samples = 0;  // different points left out inside the layer
+};
+
+struct RobustSamples {
+  IdVector<PointId, std::uint8_t> kept;  // per input point; equal points share their fate
+  std::size_t distinct = 0;              // different points
+  NoiseCounters counters;
+};
+
+// Leaves outliers out, in rounds until there are none; then keeps the outer skin of the rest, and
+// with noise.keep_good the samples with one disk around them on the Cocone surface of the rest
+// (`options` are for it). Everything stays if nothing is noisy.
+// Progress: "noise/...". Errors: InputError as delaunay(); also if all but coplanar points were
+// outliers. Complexity: O(n log n) expected for each round, few rounds.
+// Deterministic: a function of the set of points.
+// Source: Dey & Goswami 2006; outliers and good samples are ours (docs/stages/noise_filter.md).
+RobustSamples robust_samples(Points points, const NoiseOptions& noise = {},
+                             const ReconstructOptions& options = {},
+                             const Execution& execution = {});
+
+struct RobustResult {
+  // As of reconstruct_tight for all points: ids are those of the user's points, and what was left
+  // out counts as unused. Counters are those of the last reconstruction, of the kept samples.
+  ReconstructResult surface;
+  NoiseCounters noise;
+};
+
+// robust_samples, then reconstruct_tight of what is kept.
+RobustResult reconstruct_robust(Points points, const NoiseOptions& noise = {},
+                                const ReconstructOptions& options = {},
+                                const Execution& execution = {});
+
+}  // namespace cocoon

@@ -1,0 +1,135 @@
+#include "cocone/robust_cocone.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "cocone/noise_filter.h"
+#include "delaunay/delaunay.h"
+#include "geom/mesh_check.h"
+#include "geom/random.h"
+#include "tests/cocone/sample_shapes.h"
+
+namespace cocoon {
+namespace {
+
+// Each point moved by a normal variable of this deviation on each axis.
+std::vector<Point> shaken(std::vector<Point> points, double deviation, std::uint64_t seed) {
+  Random random(seed);
+  for (Point& p : points) {
+    p = p + deviation * Vec3{random.gaussian(), random.gaussian(), random.gaussian()};
+  }
+  return points;
+}
+
+std::vector<Point> scattered(std::size_t count, double size, std::uint64_t seed) {
+  std::vector<Point> points = shapes::random_cube(count, seed);
+  for (Point& p : points) p = size * (p - Vec3{0.5, 0.5, 0.5});
+  return points;
+}
+
+// Four samples on a line far apart from a fifth: distances 1, 1, 2, 3 at the first of the line.
+TEST(NoiseFilter, SpacingIsTheRootMeanSquareOfShortEdges) {
+  const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2}, {-9, 0, 0}};
+  const Triangulation triangulation = delaunay(points).triangulation;
+  const VertexStars stars = vertex_stars(triangulation);
+  const VertexId origin = triangulation.vertex_of_point()[PointId(0)];
+  EXPECT_DOUBLE_EQ(sample_spacing(triangulation, stars, 1)[origin], 1);
+  EXPECT_DOUBLE_EQ(sample_spacing(triangulation, stars, 3)[origin], std::sqrt((1 + 1 + 4) / 3.0));
+}
+
+TEST(NoiseFilter, CleanSamplesAllStay) {
+  for (const auto& points : {shapes::sphere(1500, 1), shapes::random_torus(2500, 0.4, 2),
+                             shapes::latitude_sphere(15, 24)}) {
+    const RobustResult result = reconstruct_robust(points);
+    EXPECT_EQ(result.noise.outliers, 0U);
+    EXPECT_EQ(result.noise.layer_samples, 0U);
+    const ReconstructResult plain = reconstruct_tight(points);
+    EXPECT_EQ(result.surface.mesh, plain.mesh);
+    EXPECT_EQ(result.surface.point_of_vertex, plain.point_of_vertex);
+    EXPECT_EQ(result.surface.unused_points, plain.unused_points);
+  }
+}
+
+TEST(NoiseFilter, OutliersGoAndSamplesStay) {
+  const std::vector<Point> clean = shapes::torus(80, 40, 0.4, 0.5, 3);
+  const std::vector<Point> stray = scattered(60, 4, 4);
+  const RobustSamples samples = robust_samples(shapes::joined(clean, stray));
+  std::size_t lost = 0;
+  for (std::size_t i = 0; i < clean.size(); ++i) lost += samples.kept[PointId(i)] == 0 ? 1U : 0U;
+  std::size_t found = 0;
+  for (std::size_t i = clean.size(); i < samples.kept.size(); ++i) {
+    found += samples.kept[PointId(i)] == 0 ? 1U : 0U;
+  }
+  EXPECT_LE(lost, clean.size() / 100);
+  EXPECT_GE(found, 50U);
+  EXPECT_GE(samples.counters.outlier_rounds, 2U);
+  EXPECT_EQ(samples.distinct, clean.size() + stray.size());
+}
+
+struct Noisy {
+  const char* name;
+  std::vector<Point> points;
+  std::ptrdiff_t euler;
+};
+
+// Half the spacing: too much for every reconstruction through all points.
+TEST(RobustCocone, LayersOfNoiseBecomeClosedSurfacesOfTheRightKind) {
+  const std::vector<Noisy> sets{
+      {"sphere", shaken(shapes::sphere(2000, 5), 0.035, 6), 2},
+      {"torus", shaken(shapes::torus(80, 40, 0.4, 0.3, 7), 0.032, 8), 0},
+      {"two layers", shapes::joined(shapes::sphere(1500, 9), shapes::sphere(1500, 10, 1.03)), 2},
+      {"outliers", shapes::joined(shapes::sphere(2000, 11), scattered(20, 3, 12)), 2}};
+  for (const Noisy& set : sets) {
+    const RobustResult result = reconstruct_robust(set.points);
+    const MeshReport report = mesh_check(result.surface.mesh);
+    EXPECT_TRUE(report.is_closed_manifold()) << set.name;
+    EXPECT_EQ(report.components, 1U) << set.name;
+    EXPECT_EQ(report.euler, set.euler) << set.name;
+    EXPECT_GT(result.noise.outliers + result.noise.layer_samples, 0U) << set.name;
+    EXPECT_EQ(result.surface.points, set.points.size());
+    for (const VertexId v : result.surface.mesh.points.ids()) {
+      const PointId p = result.surface.point_of_vertex[v];
+      ASSERT_EQ(result.surface.mesh.points[v], set.points[p.index()]) << set.name;
+    }
+  }
+}
+
+TEST(RobustCocone, PublishedFilterKeepsTheSkinAlone) {
+  const std::vector<Point> points = shaken(shapes::sphere(2000, 5), 0.01, 6);
+  const RobustSamples ours = robust_samples(points);
+  const RobustSamples published = robust_samples(points, {.keep_good = false});
+  EXPECT_EQ(published.counters.good_samples, 0U);
+  EXPECT_GT(ours.counters.good_samples, 0U);
+  EXPECT_GT(published.counters.layer_samples, ours.counters.layer_samples);
+  for (const NoiseCounters& c : {ours.counters, published.counters}) {
+    EXPECT_EQ(c.outliers + c.skin_samples + c.good_samples + c.layer_samples, points.size());
+  }
+}
+
+TEST(RobustCocone, SameChoiceForEveryOrderScaleAndThreadCount) {
+  const std::vector<Point> points =
+      shapes::joined(shaken(shapes::sphere(1200, 13), 0.04, 14), scattered(12, 3, 15));
+  const RobustSamples expected = robust_samples(points);
+  EXPECT_EQ(robust_samples(points, {}, {}, {.threads = 3}).kept, expected.kept);
+  std::vector<Point> scaled = points;
+  for (Point& p : scaled) p = 0x1p+600 * p;
+  EXPECT_EQ(robust_samples(scaled).kept, expected.kept);
+  std::vector<Point> reversed(points.rbegin(), points.rend());
+  RobustSamples other = robust_samples(reversed);
+  std::reverse(other.kept.begin(), other.kept.end());
+  EXPECT_EQ(other.kept, expected.kept);
+}
+
+TEST(RobustCocone, RubbishIsBalancedToo) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (const auto& points : {shapes::random_cube(20 + 60 * seed, seed), shapes::cube_grid(3),
+                               shapes::dome_patch(12, 1.0, seed)}) {
+      const MeshReport report = mesh_check(reconstruct_robust(points).surface.mesh);
+      EXPECT_EQ(report.unbalanced_edges, 0U) << seed;
+      EXPECT_EQ(report.odd_edges, 0U) << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cocoon
