@@ -1,18 +1,58 @@
 #include "geom/execution.h"
 
 #include <algorithm>
-#include <optional>
+#include <atomic>
 #include <string>
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #include <thread>
 
 #include "geom/errors.h"
+#include "geom/task_scheduler.h"
 
 namespace cocoon {
+namespace {
+
+// One parallel loop. What the calling thread wrote before it is seen by its tasks, and what these
+// wrote is seen by the caller after it. The scheduler sees to that too, but inside a library that
+// ThreadSanitizer does not see.
+class ChunkLoop {
+ public:
+  using Body = std::function<void(std::size_t, std::size_t)>;
+
+  ChunkLoop(std::size_t count, std::size_t grain, const Body& body)
+      : count_(count), grain_(grain), body_(body) {
+    begun_.store(true, std::memory_order_release);
+  }
+  ~ChunkLoop() { returned_.load(std::memory_order_acquire); }
+  ChunkLoop(const ChunkLoop&) = delete;
+  ChunkLoop& operator=(const ChunkLoop&) = delete;
+
+  std::size_t num_chunks() const { return (count_ + grain_ - 1) / grain_; }
+  void run(std::size_t chunk) const {
+    body_(chunk * grain_, std::min(count_, (chunk + 1) * grain_));
+  }
+  static void run_as_task(void* loop, std::size_t chunk) {
+    static_cast<ChunkLoop*>(loop)->run_ordered(chunk);
+  }
+
+ private:
+  void run_ordered(std::size_t chunk) {
+    struct Return {  // also if the body throws
+      std::atomic<std::size_t>& returned;
+      ~Return() { returned.fetch_add(1, std::memory_order_release); }
+    };
+    begun_.load(std::memory_order_acquire);
+    const Return at_end{returned_};
+    run(chunk);
+  }
+
+  std::size_t count_;
+  std::size_t grain_;
+  const Body& body_;
+  std::atomic<bool> begun_{false};
+  std::atomic<std::size_t> returned_{0};
+};
+
+}  // namespace
 
 bool PrefixedProgress::report(std::string_view stage, double fraction) {
   if (receiver_ == nullptr) return true;
@@ -34,31 +74,13 @@ void report_progress(const Execution& execution, std::string_view stage, double 
 void parallel_chunks(const Execution& execution, std::size_t count, std::size_t grain,
                      const std::function<void(std::size_t, std::size_t)>& body) {
   if (count == 0) return;
-  grain = std::max<std::size_t>(grain, 1);
-  const std::size_t chunks = (count + grain - 1) / grain;
-  const auto run_chunk = [&](std::size_t chunk) {
-    body(chunk * grain, std::min(count, (chunk + 1) * grain));
-  };
+  ChunkLoop loop(count, std::max<std::size_t>(grain, 1), body);
   const int threads = thread_count(execution);
-  if (threads == 1 || chunks == 1) {
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) run_chunk(chunk);
-    return;
+  if (threads == 1 || loop.num_chunks() == 1) {
+    for (std::size_t chunk = 0; chunk < loop.num_chunks(); ++chunk) loop.run(chunk);
+  } else {
+    run_tasks(threads, loop.num_chunks(), ChunkLoop::run_as_task, &loop);
   }
-  // More threads than cores were asked for (tests do): TBB warns on stderr unless it is allowed.
-  std::optional<tbb::global_control> allowance;
-  if (threads > tbb::info::default_concurrency()) {
-    allowance.emplace(tbb::global_control::max_allowed_parallelism,
-                      static_cast<std::size_t>(threads));
-  }
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                        for (std::size_t chunk = range.begin(); chunk != range.end(); ++chunk) {
-                          run_chunk(chunk);
-                        }
-                      });
-  });
 }
 
 }  // namespace cocoon

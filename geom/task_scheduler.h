@@ -1,0 +1,15 @@
+// The only code that calls the scheduler of oneTBB. Use geom/execution.h instead.
+#pragma once
+
+#include <cstddef>
+
+namespace cocoon {
+
+using Task = void (*)(void* context, std::size_t i);
+
+// Calls task(context, i) for each i in [0, count), on at most `threads` threads of which the
+// calling one is one. The first exception of a task reaches the caller; others may then not have
+// been called.
+void run_tasks(int threads, std::size_t count, Task task, void* context);
+
+}  // namespace cocoon
