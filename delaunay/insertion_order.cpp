@@ -19,7 +19,7 @@ std::vector<std::uint32_t> insertion_order(Points points) {
     return order;
   }
   const std::vector<PointId> along_curve = hilbert_order(points);
-  std::vector<std::uint32_t> order = insertion_rounds(points.size(), rounds_seed);
+  std::vector<std::uint32_t> order = insertion_rounds(points.size(), rounds_seed).order;
   for (std::uint32_t& position : order) position = along_curve[position].value;
   return order;
 }

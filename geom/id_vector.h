@@ -3,7 +3,10 @@
 
 #include <cassert>
 #include <cstddef>
+#include <memory>
+#include <new>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -11,16 +14,39 @@
 
 namespace cocoon {
 
+// Elements that are made without a value are left as the memory is: for large arrays that several
+// threads fill, each its own pages.
+template <class T>
+struct OverwriteAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = OverwriteAllocator<U>;
+  };
+  template <class U>
+  void construct(U*) noexcept {}
+  template <class U, class... Arguments>
+  void construct(U* at, Arguments&&... arguments) {
+    ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+
+// How IdVector stores its elements; specialized for types of which there are large arrays.
+template <class T>
+struct ElementStorage {
+  using type = std::vector<T>;
+};
+
 template <class IdType, class T>
 class IdVector {
  public:
   using value_type = T;
-  using iterator = typename std::vector<T>::iterator;
-  using const_iterator = typename std::vector<T>::const_iterator;
+  using Storage = typename ElementStorage<T>::type;
+  using iterator = typename Storage::iterator;
+  using const_iterator = typename Storage::const_iterator;
 
   IdVector() = default;
   explicit IdVector(std::size_t count, const T& value = T()) : data_(count, value) {}
-  explicit IdVector(std::vector<T> data) : data_(std::move(data)) {}
+  explicit IdVector(Storage data) : data_(std::move(data)) {}
 
   T& operator[](IdType id) {
     assert(id.index() < data_.size());
@@ -35,6 +61,11 @@ class IdVector {
   bool empty() const { return data_.empty(); }
   void reserve(std::size_t count) { data_.reserve(count); }
   void resize(std::size_t count, const T& value = T()) { data_.resize(count, value); }
+  // New elements have no value until they are assigned one. Only where ElementStorage says so.
+  void resize_for_overwrite(std::size_t count) {
+    static_assert(std::is_same_v<Storage, std::vector<T, OverwriteAllocator<T>>>);
+    data_.resize(count);
+  }
   void clear() { data_.clear(); }
   // Appends and returns the new element's id.
   IdType push_back(const T& value) {
@@ -50,13 +81,13 @@ class IdVector {
 
   std::span<T> span() { return data_; }
   std::span<const T> span() const { return data_; }
-  std::vector<T>& raw() { return data_; }
-  const std::vector<T>& raw() const { return data_; }
+  Storage& raw() { return data_; }
+  const Storage& raw() const { return data_; }
 
   friend bool operator==(const IdVector&, const IdVector&) = default;
 
  private:
-  std::vector<T> data_;
+  Storage data_;
 };
 
 }  // namespace cocoon

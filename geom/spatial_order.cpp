@@ -4,6 +4,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
+
+#include "geom/id_vector.h"
 
 namespace cocoon {
 namespace {
@@ -100,19 +103,41 @@ struct KeyedPoint {
   std::uint64_t key;
   PointId id;
 };
+using KeyedPoints = std::vector<KeyedPoint, OverwriteAllocator<KeyedPoint>>;
+
+// Loops over all points are cut into at most this many parts.
+constexpr std::size_t most_chunks = 64;
+constexpr std::size_t smallest_chunk = std::size_t{1} << 15;
+constexpr std::size_t grain_of(std::size_t count) {
+  return std::max(smallest_chunk, (count + most_chunks - 1) / most_chunks);
+}
 
 struct Cube {
   Point low;
   double half_side = 0;  // halved, so that the extent of huge coordinates does not overflow
 };
 
-Cube bounding_cube(Points points, std::span<const KeyedPoint> items) {
-  Point low = points[items.front().id.index()];
-  Point high = low;
-  for (const KeyedPoint& item : items) {
-    const Point& p = points[item.id.index()];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+Cube bounding_cube(Points points, std::span<const KeyedPoint> items, const Execution& execution) {
+  struct Corners {
+    Point low, high;
+  };
+  const std::size_t grain = grain_of(items.size());
+  std::vector<Corners> parts((items.size() + grain - 1) / grain);
+  parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
+    Point low = points[items[begin].id.index()];
+    Point high = low;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Point& p = points[items[i].id.index()];
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    parts[begin / grain] = {low, high};
+  });
+  auto [low, high] = parts.front();
+  for (const Corners& part : parts) {
+    low = {std::min(low.x, part.low.x), std::min(low.y, part.low.y), std::min(low.z, part.low.z)};
+    high = {std::max(high.x, part.high.x), std::max(high.y, part.high.y),
+            std::max(high.z, part.high.z)};
   }
   const double half_side = std::max(
       {0.5 * high.x - 0.5 * low.x, 0.5 * high.y - 0.5 * low.y, 0.5 * high.z - 0.5 * low.z});
@@ -134,54 +159,96 @@ void sort_lexicographically(Points points, std::span<KeyedPoint> items) {
 }
 
 // Stable radix sort by key; `buffer` has the size of `items`. The number of passes is even, so
-// the result ends in `items`.
-void radix_sort(std::span<KeyedPoint> items, std::span<KeyedPoint> buffer) {
+// the result ends in `items`. Each chunk counts its digits, then moves its items to places of its
+// own.
+void radix_sort(std::span<KeyedPoint> items, std::span<KeyedPoint> buffer,
+                const Execution& execution) {
   constexpr int digit_bits = 12;
   constexpr std::size_t buckets = std::size_t{1} << digit_bits;
   constexpr int passes = 4;
   static_assert(passes * digit_bits >= 3 * bits_per_axis && passes % 2 == 0);
-  std::vector<std::uint32_t> counts(buckets);
+  const std::size_t grain = grain_of(items.size());
+  const std::size_t chunks = (items.size() + grain - 1) / grain;
+  std::vector<std::uint32_t> counts(chunks * buckets);  // by chunk, then by digit
   for (int pass = 0; pass < passes; ++pass) {
     const int shift = pass * digit_bits;
     const auto digit = [&](const KeyedPoint& item) { return (item.key >> shift) & (buckets - 1); };
-    std::fill(counts.begin(), counts.end(), 0U);
-    for (const KeyedPoint& item : items) ++counts[digit(item)];
+    parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
+      std::uint32_t* const own = counts.data() + begin / grain * buckets;
+      std::fill_n(own, buckets, 0U);
+      for (std::size_t i = begin; i < end; ++i) ++own[digit(items[i])];
+    });
     std::uint32_t offset = 0;
-    for (std::uint32_t& count : counts) {
-      const std::uint32_t bucket_size = count;
-      count = offset;
-      offset += bucket_size;
+    for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
+      for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+        std::uint32_t& count = counts[chunk * buckets + bucket];
+        offset += std::exchange(count, offset);
+      }
     }
-    for (const KeyedPoint& item : items) buffer[counts[digit(item)]++] = item;
+    parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
+      std::uint32_t* const own = counts.data() + begin / grain * buckets;
+      for (std::size_t i = begin; i < end; ++i) buffer[own[digit(items[i])]++] = items[i];
+    });
     std::swap(items, buffer);
   }
 }
 
-void sort_along_curve(Points points, std::span<KeyedPoint> items, std::span<KeyedPoint> buffer) {
-  const Cube cube = bounding_cube(points, items);
+// Where points share a curve cell.
+struct Group {
+  std::size_t begin, end;
+};
+
+std::vector<Group> groups_of_equal_keys(std::span<const KeyedPoint> items,
+                                        const Execution& execution) {
+  const std::size_t grain = grain_of(items.size());
+  std::vector<std::vector<Group>> found((items.size() + grain - 1) / grain);
+  parallel_chunks(execution, items.size(), grain, [&](std::size_t first, std::size_t last) {
+    // The groups that begin in this chunk.
+    for (std::size_t begin = first; begin < last;) {
+      std::size_t end = begin + 1;
+      while (end < items.size() && items[end].key == items[begin].key) ++end;
+      const bool began_before = begin > 0 && items[begin - 1].key == items[begin].key;
+      if (end - begin > 1 && !began_before) found[first / grain].push_back({begin, end});
+      begin = end;
+    }
+  });
+  std::vector<Group> groups;
+  for (const auto& part : found) groups.insert(groups.end(), part.begin(), part.end());
+  return groups;
+}
+
+void sort_along_curve(Points points, std::span<KeyedPoint> items, std::span<KeyedPoint> buffer,
+                      const Execution& execution) {
+  const Cube cube = bounding_cube(points, items, execution);
   if (!(cube.half_side > 0)) {  // all points equal (or apart by the last subnormal bit)
     sort_lexicographically(points, items);
     return;
   }
-  for (KeyedPoint& item : items) {
-    const Point& p = points[item.id.index()];
-    item.key = curve_rank(curve_coordinate(p.x, cube.low.x, cube.half_side),
-                          curve_coordinate(p.y, cube.low.y, cube.half_side),
-                          curve_coordinate(p.z, cube.low.z, cube.half_side));
-  }
-  radix_sort(items, buffer);
+  parallel_chunks(execution, items.size(), grain_of(items.size()),
+                  [&](std::size_t begin, std::size_t end) {
+                    for (KeyedPoint& item : items.subspan(begin, end - begin)) {
+                      const Point& p = points[item.id.index()];
+                      item.key = curve_rank(curve_coordinate(p.x, cube.low.x, cube.half_side),
+                                            curve_coordinate(p.y, cube.low.y, cube.half_side),
+                                            curve_coordinate(p.z, cube.low.z, cube.half_side));
+                    }
+                  });
+  radix_sort(items, buffer, execution);
   // Points that share a curve cell: a finer curve of their own, or the lexicographic order.
-  for (std::size_t begin = 0; begin < items.size();) {
-    std::size_t end = begin + 1;
-    while (end < items.size() && items[end].key == items[begin].key) ++end;
-    if (end - begin > min_subcurve && end - begin < items.size()) {
-      sort_along_curve(points, items.subspan(begin, end - begin),
-                       buffer.subspan(begin, end - begin));
-    } else if (end - begin > 1) {
-      sort_lexicographically(points, items.subspan(begin, end - begin));
-    }
-    begin = end;
-  }
+  const std::vector<Group> groups = groups_of_equal_keys(items, execution);
+  constexpr std::size_t groups_at_a_time = 256;
+  parallel_chunks(
+      execution, groups.size(), groups_at_a_time, [&](std::size_t first, std::size_t last) {
+        for (std::size_t g = first; g < last; ++g) {
+          const std::size_t begin = groups[g].begin;
+          const std::size_t count = groups[g].end - begin;
+          if (count > min_subcurve && count < items.size()) {
+            sort_along_curve(points, items.subspan(begin, count), buffer.subspan(begin, count), {});
+          } else {
+            sort_lexicographically(points, items.subspan(begin, count));
+          }
+        }
+      });
 }
 
 std::uint64_t hash(std::uint64_t value) {  // the finalizer of splitmix64
@@ -194,27 +261,33 @@ std::uint64_t hash(std::uint64_t value) {  // the finalizer of splitmix64
 }  // namespace
 
 std::vector<PointId> hilbert_order(Points points, const Execution& execution) {
-  std::vector<KeyedPoint> items(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) items[i].id = PointId(i);
+  const std::size_t grain = grain_of(points.size());
+  KeyedPoints items(points.size());
+  parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) items[i] = {0, PointId(i)};
+  });
   if (!items.empty()) {
     report_progress(execution, "delaunay", 0);
-    std::vector<KeyedPoint> buffer(items.size());
-    sort_along_curve(points, items, buffer);
+    KeyedPoints buffer(items.size());
+    sort_along_curve(points, items, buffer, execution);
   }
   std::vector<PointId> order(items.size());
-  for (std::size_t i = 0; i < items.size(); ++i) order[i] = items[i].id;
+  parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) order[i] = items[i].id;
+  });
   return order;
 }
 
-std::vector<std::uint32_t> insertion_rounds(std::size_t count, std::uint64_t seed) {
+InsertionRounds insertion_rounds(std::size_t count, std::uint64_t seed,
+                                 const Execution& execution) {
   // An element stays for the last round with probability 7/8, otherwise for the one before with
   // probability 7/8, and so on: three hash bits a round.
   constexpr int bits_per_round = 3;
   constexpr std::size_t smallest_round = 512;
-  int rounds = 1;
+  std::size_t rounds = 1;
   for (std::size_t size = count; size > smallest_round; size >>= bits_per_round) ++rounds;
   const auto round_of = [&](std::size_t element) {
-    int round = rounds - 1;
+    std::size_t round = rounds - 1;
     for (std::uint64_t bits = hash(seed * 0x2545F4914F6CDD1DU + element);
          round > 0 && (bits & 7U) == 0; bits >>= bits_per_round) {
       --round;
@@ -222,20 +295,37 @@ std::vector<std::uint32_t> insertion_rounds(std::size_t count, std::uint64_t see
     return round;
   };
 
-  std::vector<std::size_t> offsets(static_cast<std::size_t>(rounds) + 1, 0);
-  for (std::size_t i = 0; i < count; ++i) ++offsets[static_cast<std::size_t>(round_of(i)) + 1];
-  for (std::size_t r = 1; r < offsets.size(); ++r) offsets[r] += offsets[r - 1];
-  std::vector<std::uint32_t> order(count);
-  std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
-  for (std::size_t i = 0; i < count; ++i) {
-    order[next[static_cast<std::size_t>(round_of(i))]++] = static_cast<std::uint32_t>(i);
+  // How many elements of each chunk belong to each round, then where they go.
+  const std::size_t grain = grain_of(count);
+  const std::size_t chunks = (count + grain - 1) / grain;
+  std::vector<std::size_t> offsets(chunks * rounds, 0);  // by chunk, then by round
+  parallel_chunks(execution, count, grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::size_t> sizes(rounds, 0);
+    for (std::size_t i = begin; i < end; ++i) ++sizes[round_of(i)];
+    std::copy(sizes.begin(), sizes.end(), offsets.data() + begin / grain * rounds);
+  });
+  InsertionRounds result{std::vector<std::uint32_t>(count), {}};
+  std::size_t placed = 0;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+      placed += std::exchange(offsets[chunk * rounds + round], placed);
+    }
+    result.ends.push_back(placed);
   }
-  for (int r = rounds - 2; r >= 0; r -= 2) {
-    std::reverse(
-        order.begin() + static_cast<std::ptrdiff_t>(offsets[static_cast<std::size_t>(r)]),
-        order.begin() + static_cast<std::ptrdiff_t>(offsets[static_cast<std::size_t>(r) + 1]));
-  }
-  return order;
+  // Every second round, counted from the last but one, runs backwards.
+  parallel_chunks(execution, count, grain, [&](std::size_t begin, std::size_t end) {
+    const std::size_t* const own = offsets.data() + begin / grain * rounds;
+    std::vector<std::size_t> next(own, own + rounds);
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t round = round_of(i);
+      const std::size_t at = next[round]++;
+      const std::size_t round_begin = round == 0 ? 0 : result.ends[round - 1];
+      const bool backwards = (rounds - 1 - round) % 2 == 1;
+      result.order[backwards ? round_begin + result.ends[round] - 1 - at : at] =
+          static_cast<std::uint32_t>(i);
+    }
+  });
+  return result;
 }
 
 }  // namespace cocoon

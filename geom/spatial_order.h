@@ -16,17 +16,24 @@ namespace cocoon {
 // end lexicographically by coordinates. The resulting sequence of coordinates is a function of the
 // point set alone; equal points are neighbors in it, in increasing order of id.
 // Precondition: all coordinates finite.
-// Complexity: O(n) (radix sort), plus O(k log k) for groups of k points that share a curve cell.
+// Complexity: O(n) (radix sort), plus O(k log k) for groups of k points that share a curve cell;
+// divided by the threads, but for one such group.
 // Source: Hamilton & Rau-Chaplin, Compact Hilbert indices (2008), for the state of the curve.
 std::vector<PointId> hilbert_order(Points points, const Execution& execution = {});
+
+struct InsertionRounds {
+  std::vector<std::uint32_t> order;
+  std::vector<std::size_t> ends;  // of the rounds, as positions in `order`
+};
 
 // A biased randomized insertion order of [0, count): rounds of geometrically growing size, each
 // element in a round drawn by a hash of (seed, element), each round in increasing order of element
 // (the first, third, ... round from the end in decreasing order, so that a round starts near where
 // the one before ended). Inserting points that are numbered along a space-filling curve in this
 // order keeps point location short and memory accesses local, while the expected total work stays
-// that of a random order. Complexity: O(n).
+// that of a random order. The same for every number of threads. Complexity: O(n).
 // Source: Amenta, Choi & Rote, Incremental constructions con BRIO (SoCG 2003).
-std::vector<std::uint32_t> insertion_rounds(std::size_t count, std::uint64_t seed);
+InsertionRounds insertion_rounds(std::size_t count, std::uint64_t seed,
+                                 const Execution& execution = {});
 
 }  // namespace cocoon
