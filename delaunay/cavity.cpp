@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <utility>
-
-#include "geom/errors.h"
 
 namespace cocoon {
 namespace {
@@ -38,10 +35,22 @@ std::array<VertexId, 3> corners_of(const Cell& behind, FacetId facet) {
 CavityInserter::CavityInserter(CellPool& pool, const IdVector<VertexId, Point>& points)
     : pool_(pool),
       points_(points),
+      shared_{nullptr, &pool.free, nullptr, nullptr, 0},
       search_(pool, points),
       border_vertices_(max_table_vertices + 1),
       local_id_(points.size() + 2, no_local_id),
       edge_table_(std::size_t{large_stride} * (large_stride + 1)) {}
+
+CavityInserter::CavityInserter(const CavityInserter& other, const SharedInsertion& shared)
+    : pool_(other.pool_),
+      points_(other.points_),
+      shared_(shared),
+      search_(other.search_),
+      border_vertices_(max_table_vertices + 1),
+      border_cells_(max_table_vertices + 1),
+      edge_table_(std::size_t{large_stride} * (large_stride + 1)) {
+  search_.search_beside_others(*shared.holder);
+}
 
 void CavityInserter::admit(const Point& p) {
   if (local_id_.size() < points_.size() + 2) local_id_.resize(points_.size() + 2, no_local_id);
@@ -55,49 +64,54 @@ void CavityInserter::read_points_again() {
 
 // The places of the cells that go, which are in cache; then free ones, then new ones.
 void CavityInserter::take_slots(const ConflictZone& zone) {
-  CellMark* const marks = pool_.marks.raw().data();
-  for (const CellId c : zone.cells()) marks[c.index()] = CellMark::untested;
+  std::vector<CellId>& free = *shared_.free;
+  search_.unmark_zone();
   const std::size_t count = zone.border().size();
   slots_.assign(zone.cells().begin(), zone.cells().end());
-  while (slots_.size() < count && !pool_.free.empty()) {
-    slots_.push_back(pool_.free.back());
-    pool_.free.pop_back();
+  while (slots_.size() < count && !free.empty()) {
+    slots_.push_back(free.back());
+    free.pop_back();
   }
   const std::size_t end = pool_.cells.size();
   if (slots_.size() < count) {
     const std::size_t added = count - slots_.size();
-    if (end + added > max_cells) {
-      throw InputError("too many points: the triangulation needs more than " +
-                       std::to_string(max_cells) + " tetrahedra, the most that can be numbered");
-    }
+    require_cell_numbers(end + added);
     for (std::size_t i = 0; i < added; ++i) slots_.push_back(CellId(end + i));
     pool_.cells.resize(end + added);
     pool_.marks.resize(end + added, CellMark::untested);
   }
   for (; slots_.size() > count; slots_.pop_back()) {
     pool_.cells[slots_.back()].vertices[0] = VertexId();
-    pool_.free.push_back(slots_.back());
+    free.push_back(slots_.back());
   }
+}
+
+std::size_t CavityInserter::num_slots_wanted() const {
+  const ConflictZone& zone = search_.zone();
+  return std::max(zone.border().size(), zone.cells().size()) - zone.cells().size();
 }
 
 // Makes one new cell for each border facet: its corners, and the new vertex in slot 3. Each edge of
 // the border belongs to two facets, which see it in opposite directions: enter the new cell's facet
 // at each directed edge, in a table by local numbers of the vertices, then look up the reverse.
 // Edge (corner 0, corner 1) belongs to the facet opposite corner 2, and so on around.
-template <unsigned stride>
+template <unsigned stride, bool is_shared>
 void CavityInserter::build_star(VertexId v, std::span<const FacetId> border) {
   if (reverse_edges_.size() < border.size()) reverse_edges_.resize(2 * border.size());
   Cell* const cells = pool_.cells.raw().data();
-  std::uint8_t* const local_id = local_id_.data();
+  std::uint8_t* const local_id = is_shared ? shared_.local_id : local_id_.data();
+  const auto entry = [infinite = shared_.infinite_entry](VertexId w) {
+    return is_shared ? std::size_t{std::min(w.value, infinite)} : entry_of(w);
+  };
   VertexId* const border_vertices = border_vertices_.data();
   FacetId* const table = edge_table_.data();
   unsigned next_id = no_local_id + 1;
   // Arithmetic instead of branches: whether a vertex was seen before is a coin toss.
   const auto number = [&](VertexId w) {
-    const unsigned known = local_id[entry_of(w)];
+    const unsigned known = local_id[entry(w)];
     const unsigned is_new = (known - 1) >> 31;  // known == no_local_id
     const unsigned id = known | (next_id & (0U - is_new));
-    local_id[entry_of(w)] = static_cast<std::uint8_t>(id);
+    local_id[entry(w)] = static_cast<std::uint8_t>(id);
     border_vertices[id] = w;
     next_id += is_new;
     return id;
@@ -114,6 +128,7 @@ void CavityInserter::build_star(VertexId v, std::span<const FacetId> border) {
     const unsigned id0 = number(v0);
     const unsigned id1 = number(v1);
     const unsigned id2 = number(v2);
+    if constexpr (is_shared) border_cells_[id0] = border_cells_[id1] = border_cells_[id2] = c;
     table[id0 * stride + id1] = facet_id(c, 2);
     table[id1 * stride + id2] = facet_id(c, 0);
     table[id2 * stride + id0] = facet_id(c, 1);
@@ -126,7 +141,8 @@ void CavityInserter::build_star(VertexId v, std::span<const FacetId> border) {
     for (std::size_t i = 0; i < 3; ++i) cell.neighbors[i] = table[reverse_edges_[b][i]];
   }
   for (unsigned id = no_local_id + 1; id < next_id; ++id) {
-    local_id[entry_of(border_vertices[id])] = no_local_id;
+    local_id[entry(border_vertices[id])] = no_local_id;
+    if constexpr (is_shared) shared_.cell_at[entry(border_vertices[id])] = border_cells_[id];
   }
 }
 
@@ -164,6 +180,14 @@ void CavityInserter::build_large_star(VertexId v, std::span<const FacetId> borde
   }
 }
 
+void CavityInserter::note_cells_at_corners() {
+  for (const CellId c : slots_) {
+    for (const VertexId w : pool_.cells[c].vertices) {
+      if (w != infinite_vertex) shared_.cell_at[w.index()] = c;
+    }
+  }
+}
+
 // Brings the vertex at infinity to slot 3 of a new cell that has it elsewhere.
 void CavityInserter::put_infinite_last(CellId c) {
   Cell& cell = pool_.cells[c];
@@ -185,17 +209,33 @@ void CavityInserter::put_infinite_last(CellId c) {
   }
 }
 
-CellId CavityInserter::insert(VertexId v, CellId start, DelaunayCounters& counters) {
-  const ConflictZone& zone = search_.find_zone(points_[v], start, counters);
-  const std::span<const FacetId> border = zone.border();
-  take_slots(zone);
+template <bool is_shared>
+void CavityInserter::fill_hole(VertexId v, std::span<const FacetId> border) {
   const std::size_t vertices = vertices_of_sphere(border.size());
   if (vertices <= small_stride) {
-    build_star<small_stride>(v, border);
+    build_star<small_stride, is_shared>(v, border);
   } else if (vertices <= max_table_vertices) {
-    build_star<large_stride>(v, border);
+    build_star<large_stride, is_shared>(v, border);
   } else {
     build_large_star(v, border);
+    if constexpr (is_shared) note_cells_at_corners();
+  }
+  if constexpr (is_shared) shared_.cell_at[v.index()] = slots_[0];
+}
+
+CellId CavityInserter::insert(VertexId v, CellId start, DelaunayCounters& counters) {
+  search_.find_zone(points_[v], start, counters);
+  return fill_zone(v, counters);
+}
+
+CellId CavityInserter::fill_zone(VertexId v, DelaunayCounters& counters) {
+  const ConflictZone& zone = search_.zone();
+  const std::span<const FacetId> border = zone.border();
+  take_slots(zone);
+  if (shared_.holder != nullptr) {
+    fill_hole<true>(v, border);
+  } else {
+    fill_hole<false>(v, border);
   }
   if (zone.has_infinite()) {
     for (const CellId c : slots_) put_infinite_last(c);

@@ -11,10 +11,21 @@
 #include "delaunay/cell_pool.h"
 #include "delaunay/conflict_search.h"
 #include "delaunay/delaunay.h"
+#include "delaunay/vertex_claims.h"
 #include "geom/id_vector.h"
 #include "geom/point.h"
 
 namespace cocoon {
+
+// What an inserter needs to work on the same cells as others, each on a thread of its own.
+struct SharedInsertion {
+  ClaimHolder* holder;        // takes every vertex that must be held
+  std::vector<CellId>* free;  // slots of this thread alone, used instead of the pool's
+  // By vertex, accessed only for vertices that are held:
+  CellId* cell_at;               // a cell there; kept up to date
+  std::uint8_t* local_id;        // scratch, zero
+  std::uint32_t infinite_entry;  // stands for the vertex at infinity there, for this thread alone
+};
 
 // Inserts points one after the other; holds the scratch memory that insertions share.
 class CavityInserter {
@@ -34,6 +45,21 @@ class CavityInserter {
   // Complexity: O(size of the conflict zone).
   CellId insert(VertexId v, CellId start, DelaunayCounters& counters);
 
+  // --- The same in steps, for several threads (delaunay/vertex_claims.h) ---
+
+  // An inserter beside `other`, which is not used meanwhile: same pool and points.
+  CavityInserter(const CavityInserter& other, const SharedInsertion& shared);
+
+  // First step of insert, where `start` is the result of find_start. False if another thread is in
+  // the way: then no cell was changed.
+  bool find_zone(VertexId v, CellId start, DelaunayCounters& counters) {
+    return search_.find_zone(points_[v], start, counters);
+  }
+  // Second step, or none. Precondition of filling: so many slots are free.
+  std::size_t num_slots_wanted() const;
+  CellId fill_zone(VertexId v, DelaunayCounters& counters);
+  void abandon_zone() { search_.unmark_zone(); }
+
   // Of the last insertion: the new cells, and the cells that are gone. Most new ones are in the
   // place of one that is gone.
   std::span<const CellId> new_cells() const { return slots_; }
@@ -47,18 +73,23 @@ class CavityInserter {
 
  private:
   void take_slots(const ConflictZone& zone);
-  template <unsigned stride>
+  template <unsigned stride, bool is_shared>
   void build_star(VertexId v, std::span<const FacetId> border);
   void build_large_star(VertexId v, std::span<const FacetId> border);
+  template <bool is_shared>
+  void fill_hole(VertexId v, std::span<const FacetId> border);
+  void note_cells_at_corners();
   void put_infinite_last(CellId c);
 
   CellPool& pool_;
   const IdVector<VertexId, Point>& points_;
+  SharedInsertion shared_;  // of an inserter that works alone only the slots, the pool's
   ConflictSearch search_;
   std::vector<CellId> slots_;  // the new cells, one for each facet of the border
   // For each border facet its edges in edge_table_, as the neighbors of the new cell enter them.
   std::vector<std::array<std::uint16_t, 3>> reverse_edges_;
   std::vector<VertexId> border_vertices_;  // by local id
+  std::vector<CellId> border_cells_;       // by local id a new cell there, if shared
   std::vector<std::uint8_t> local_id_;     // number of a border vertex, no_local_id elsewhere
   std::vector<FacetId> edge_table_;  // facet of a new cell by (local id, local id) of its edge
 };

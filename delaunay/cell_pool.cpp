@@ -1,6 +1,11 @@
 #include "delaunay/cell_pool.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include "geom/errors.h"
 
 namespace cocoon {
 namespace {
@@ -35,31 +40,50 @@ void swap_cells(CellPool& pool, CellId a, CellId b) {
   if (!a_is_free) point_neighbors_at(pool, b);
 }
 
+// The infinite cells in increasing order.
+std::vector<CellId> infinite_cells(const CellPool& pool, const Execution& execution) {
+  constexpr std::size_t grain = std::size_t{1} << 16;
+  std::vector<std::vector<CellId>> found(pool.cells.size() / grain + 1);
+  parallel_chunks(execution, pool.cells.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      if (pool.is_infinite(CellId(c))) found[begin / grain].push_back(CellId(c));
+    }
+  });
+  std::vector<CellId> all;
+  for (const std::vector<CellId>& part : found) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
 }  // namespace
 
-std::size_t compact_cells(CellPool& pool) {
+void require_cell_numbers(std::size_t count) {
+  if (count <= max_cells) return;
+  throw InputError("too many points: the triangulation needs more than " +
+                   std::to_string(max_cells) + " tetrahedra, the most that can be numbered");
+}
+
+std::size_t compact_cells(CellPool& pool, const Execution& execution) {
   // Free cells to the end: fill each hole with the last live cell.
+  std::sort(pool.free.begin(), pool.free.end());
   std::size_t live = pool.cells.size();
-  for (std::size_t c = 0; c < live; ++c) {
-    if (!pool.is_free(CellId(c))) continue;
-    do {
-      --live;
-    } while (live > c && pool.is_free(CellId(live)));
-    if (live > c) swap_cells(pool, CellId(c), CellId(live));
+  for (const CellId hole : pool.free) {
+    while (live > hole.index() && pool.is_free(CellId(live - 1))) --live;
+    if (live <= hole.index()) break;
+    swap_cells(pool, hole, CellId(--live));
   }
   pool.cells.resize(live);
   pool.marks.resize(live);
   pool.free.clear();
 
   // Infinite cells behind the finite ones: exchange the first infinite with the last finite one.
-  std::size_t front = 0;
+  const std::vector<CellId> infinite = infinite_cells(pool, execution);
   std::size_t back = live;
-  for (;;) {
-    while (front < back && !pool.is_infinite(CellId(front))) ++front;
-    while (front < back && pool.is_infinite(CellId(back - 1))) --back;
-    if (front == back) return front;
-    swap_cells(pool, CellId(front), CellId(back - 1));
+  for (const CellId front : infinite) {
+    while (back > front.index() && pool.is_infinite(CellId(back - 1))) --back;
+    if (back <= front.index()) break;
+    swap_cells(pool, front, CellId(--back));
   }
+  return live - infinite.size();
 }
 
 }  // namespace cocoon

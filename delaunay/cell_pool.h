@@ -6,12 +6,18 @@
 #include <vector>
 
 #include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "geom/id_vector.h"
 
 namespace cocoon {
 
 // What the search for the conflict zone of the current point knows about a cell.
 enum class CellMark : std::uint8_t { untested = 0, conflict = 1, outside = 2 };
+
+template <>
+struct ElementStorage<CellMark> {
+  using type = std::vector<CellMark, OverwriteAllocator<CellMark>>;
+};
 
 // Invariant between insertions: cells that are not on the free list form a Delaunay triangulation
 // with infinite cells (layout of triangulation.h, infinite cells anywhere), all marks are
@@ -25,12 +31,15 @@ struct CellPool {
   bool is_free(CellId c) const { return cells[c].vertices[0].is_none(); }
 };
 
-// FacetId packs a cell and a facet index into 32 bits.
-inline constexpr std::size_t max_cells = std::size_t{1} << 30;
+// FacetId packs a cell and a facet index into 32 bits; the last number stands for none.
+inline constexpr std::size_t max_cells = (std::size_t{1} << 30) - 1;
+
+// Errors: InputError if there are more cells than max_cells.
+void require_cell_numbers(std::size_t count);
 
 // Drops the free cells and moves the infinite ones behind the finite ones. Cells on the right side
-// already keep their numbers. Returns the number of finite cells. Complexity: O(cells), constant
-// extra memory.
-std::size_t compact_cells(CellPool& pool);
+// already keep their numbers. Returns the number of finite cells. Complexity: O(cells) to look at
+// them, on thread_count(execution) threads, and O(moved cells); O(free + infinite cells) of memory.
+std::size_t compact_cells(CellPool& pool, const Execution& execution = {});
 
 }  // namespace cocoon

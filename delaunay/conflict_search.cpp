@@ -23,6 +23,7 @@ struct SearchView {
   Point p;
   const IdVector<VertexId, Point>& points;
   DelaunayCounters& counters;
+  ClaimHolder* holder;
   bool has_infinite = false;  // has one come into view?
 
   const Cell& cell_behind(FacetId outer) const { return cells[cell_of(outer).index()]; }
@@ -36,6 +37,8 @@ struct SearchView {
   unsigned decide_open(const std::array<FacetId, 4>& outer, unsigned inside, unsigned open,
                        unsigned on_sphere);
   unsigned facets_beyond(const Cell& cell, unsigned facets) const;
+  bool hold(const std::array<VertexId, 4>& apexes, unsigned of) const;
+  bool hold_on_the_way(FacetId entry) const;
 };
 
 // The filters of the loops bound X, Y, Z, the largest |difference| on each axis, by the root of L,
@@ -148,7 +151,8 @@ HWY_INLINE std::uint32_t spread_bits(unsigned four_bits) {
 }
 
 // Breadth first. Nothing here branches on the result of a test: no branch predictor could learn it.
-void find_zone(SearchView& view, ConflictZone& zone, CellId start) {
+// Returns whether all was found: not if another thread is in the way.
+bool find_zone(SearchView& view, ConflictZone& zone, CellId start) {
   const FourVectors origin{broadcast(view.p.x), broadcast(view.p.y), broadcast(view.p.z)};
   ZoneLists lists = zone.start_lists();
   std::size_t num_cells = 1;
@@ -181,11 +185,16 @@ void find_zone(SearchView& view, ConflictZone& zone, CellId start) {
     const std::array<std::uint32_t, 4> neighbors = {n0.value, n1.value, n2.value, n3.value};
     num_cells += append(neighbors.data(), inside, &lists.cells[num_cells].value);
     view.counters.conflict_tests += static_cast<std::size_t>(4 - std::popcount(known));
+    if (view.holder != nullptr && !view.hold(apexes, inside)) {
+      zone.finish(num_cells, num_border, view.has_infinite);
+      return false;
+    }
     if (num_cells + 4 > lists.capacity) [[unlikely]] {
       lists = zone.grow();
     }
   }
   zone.finish(num_cells, num_border, view.has_infinite);
+  return true;
 }
 
 // In lane i the facet opposite vertex i of one cell: the determinant of its corners relative to p,
@@ -247,8 +256,10 @@ CellId find_start(SearchView& view, CellId hint) {
     const Cell& cell = view.cells[current.index()];
     const int exit = exit_facet(view, cell, origin);
     if (exit < 0) return current;
-    current = cell_of(cell.neighbors[static_cast<std::size_t>(exit)]);
+    const FacetId behind = cell.neighbors[static_cast<std::size_t>(exit)];
+    current = cell_of(behind);
     ++view.counters.walk_steps;
+    if (view.holder != nullptr && !view.hold_on_the_way(behind)) return {};
     if (is_infinite(view.cells[current.index()])) return current;
   }
 }
@@ -315,6 +326,24 @@ unsigned SearchView::facets_beyond(const Cell& cell, unsigned facets) const {
   return beyond;
 }
 
+// Holds those of the apexes that are in `of`, as far as others let it: with them all vertices of
+// cells of which a facet is held.
+bool SearchView::hold(const std::array<VertexId, 4>& apexes, unsigned of) const {
+  for (; of != 0; of &= of - 1) {
+    if (!holder->take(apexes[static_cast<std::size_t>(std::countr_zero(of))])) return false;
+  }
+  return true;
+}
+
+// The same for a cell that a walk enters through one of its facets. A long walk gives back what it
+// left behind.
+bool SearchView::hold_on_the_way(FacetId entry) const {
+  constexpr std::size_t many = 64;
+  if (!holder->take(apex(entry))) return false;
+  if (holder->num_held() > many) holder->release_but(cell_behind(entry));
+  return true;
+}
+
 // --- Lists -----------------------------------------------------------------------------------
 
 // Around a cell at most four cells and facets are found, and four are written before they are
@@ -374,7 +403,8 @@ SearchView ConflictSearch::view(const Point& p, DelaunayCounters& counters) {
           exact_reach_,
           p,
           points_,
-          counters};
+          counters,
+          holder_};
 }
 
 CellId ConflictSearch::find_start(const Point& p, CellId hint, DelaunayCounters& counters) {
@@ -382,11 +412,16 @@ CellId ConflictSearch::find_start(const Point& p, CellId hint, DelaunayCounters&
   return HWY_DYNAMIC_DISPATCH(find_start)(search, hint);
 }
 
-const ConflictZone& ConflictSearch::find_zone(const Point& p, CellId start,
-                                              DelaunayCounters& counters) {
+bool ConflictSearch::find_zone(const Point& p, CellId start, DelaunayCounters& counters) {
   SearchView search = view(p, counters);
-  HWY_DYNAMIC_DISPATCH(find_zone)(search, zone_, start);
-  return zone_;
+  const bool is_found = HWY_DYNAMIC_DISPATCH(find_zone)(search, zone_, start);
+  if (!is_found) unmark_zone();
+  return is_found;
+}
+
+void ConflictSearch::unmark_zone() {
+  CellMark* const marks = pool_.marks.raw().data();
+  for (const CellId c : zone_.cells()) marks[c.index()] = CellMark::untested;
 }
 
 }  // namespace cocoon

@@ -8,6 +8,7 @@
 
 #include "delaunay/cell_pool.h"
 #include "delaunay/delaunay.h"
+#include "delaunay/vertex_claims.h"
 #include "geom/id_vector.h"
 #include "geom/point.h"
 
@@ -58,6 +59,10 @@ class ConflictSearch {
   // is read as four doubles. Complexity: O(n).
   ConflictSearch(CellPool& pool, const IdVector<VertexId, Point>& points);
 
+  // For one of several threads, each with a copy: `holder`, which must outlive this, takes the
+  // vertices of all cells that a walk enters and of all cells in conflict.
+  void search_beside_others(ClaimHolder& holder) { holder_ = &holder; }
+
   // To be called when `points` was filled with other points. Complexity: O(n).
   void read_points_again();
 
@@ -69,18 +74,23 @@ class ConflictSearch {
   // walk from `hint` (delaunay/locate.h), all four facets of a cell in SIMD lanes; it ends at the
   // first cell whose circumsphere certainly contains p, which costs one more dot product: expanded
   // by the squared distances of the corners, the determinant of insphere has those of the four
-  // facets as cofactors. Complexity: as locate.
+  // facets as cofactors. Beside others: all vertices of `hint` must be held; none if another thread
+  // is in the way, otherwise all vertices of the result are held. Complexity: as locate.
   CellId find_start(const Point& p, CellId hint, DelaunayCounters& counters);
 
-  // All cells in conflict with p, where `start` is one: a set connected by facets. They are marked;
-  // who fills the hole takes the marks away. Around each cell found the four cells behind its
-  // facets are tested at once in SIMD lanes, by the determinant of insphere (geom/insphere.h) with
-  // a bound of its own; the value is also known to be exact where it is small in units of a grid on
-  // which all points lie; exact predicates decide the rest. The instruction set is chosen at run
-  // time; the result, order included, is the same on all. Complexity: O(size of the zone).
-  const ConflictZone& find_zone(const Point& p, CellId start, DelaunayCounters& counters);
+  // Finds all cells in conflict with p, where `start` is one: a set connected by facets. They are
+  // marked; who fills the hole takes the marks away. Around each cell found the four cells behind
+  // its facets are tested at once in SIMD lanes, by the determinant of insphere (geom/insphere.h)
+  // with a bound of its own; the value is also known to be exact where it is small in units of a
+  // grid on which all points lie; exact predicates decide the rest. The instruction set is chosen
+  // at run time; the result, order included, is the same on all. Beside others: false if another
+  // thread is in the way; then nothing is marked. Complexity: O(size of the zone).
+  bool find_zone(const Point& p, CellId start, DelaunayCounters& counters);
 
-  // The result of the last find_zone.
+  // Takes the marks of the zone away. Complexity: O(size of the zone).
+  void unmark_zone();
+
+  // What the last find_zone found.
   const ConflictZone& zone() const { return zone_; }
 
  private:
@@ -89,7 +99,8 @@ class ConflictSearch {
   CellPool& pool_;
   const IdVector<VertexId, Point>& points_;
   ConflictZone zone_;
-  double unit_ = 0;         // all coordinates are multiples of it; 0: nothing is known
+  ClaimHolder* holder_ = nullptr;  // not owned; null: there is one thread
+  double unit_ = 0;                // all coordinates are multiples of it; 0: nothing is known
   double exact_reach_ = 0;  // insphere's determinant is exact while no squared length is larger
 };
 

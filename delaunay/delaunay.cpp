@@ -1,5 +1,7 @@
 #include "delaunay/delaunay.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,6 +9,7 @@
 #include "delaunay/cavity.h"
 #include "delaunay/cell_pool.h"
 #include "delaunay/first_cells.h"
+#include "delaunay/parallel_insertion.h"
 #include "geom/errors.h"
 #include "geom/spatial_order.h"
 #include "geom/working_scale.h"
@@ -14,10 +17,16 @@
 namespace cocoon {
 namespace {
 
-// At most about this many cells per point are made on scanned surfaces and in volumes; memory is
-// reserved for them, and grows beyond if need be.
-constexpr double expected_cells_per_point = 8.0;
+// Fewer cells per point are made on scanned surfaces and in volumes. Address space is reserved for
+// so many, since memory is taken only where it is written to; it grows beyond if need be.
+constexpr double expected_cells_per_point = 10.0;
+constexpr std::size_t copy_grain = std::size_t{1} << 15;
 constexpr std::size_t progress_interval = std::size_t{1} << 15;
+
+// Threads do not pay for fewer points, and while there are so few for each they are in each
+// other's way.
+constexpr std::size_t min_points_for_threads = 10000;
+constexpr std::size_t points_before_threads = 500;
 
 // The different points along the Hilbert curve, and which of them each input point is.
 struct Vertices {
@@ -25,25 +34,58 @@ struct Vertices {
   IdVector<PointId, VertexId> of_point;
 };
 
+// The points have room for one more element, which the kernel wants.
 Vertices merge_duplicates(Points points, const Execution& execution) {
+  const std::vector<PointId> order = hilbert_order(points, execution);
   Vertices vertices;
   vertices.of_point.resize(points.size());
-  vertices.points.reserve(points.size());
-  for (const PointId id : hilbert_order(points, execution)) {
-    const Point& p = points[id.index()];
-    const bool repeated =
-        !vertices.points.empty() && vertices.points[VertexId(vertices.points.size() - 1)] == p;
-    vertices.of_point[id] =
-        repeated ? VertexId(vertices.points.size() - 1) : vertices.points.push_back(p);
+  vertices.points.reserve(points.size() + 1);
+  vertices.points.resize(points.size());
+  // Each chunk copies its points, without those equal to the one before, to where it begins.
+  std::vector<std::uint8_t> is_new(points.size());
+  std::vector<std::size_t> counts((points.size() + copy_grain - 1) / copy_grain);
+  parallel_chunks(execution, points.size(), copy_grain, [&](std::size_t begin, std::size_t end) {
+    std::size_t next = begin;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Point& p = points[order[i].index()];
+      is_new[i] = i == 0 || p != points[order[i - 1].index()] ? 1 : 0;
+      if (is_new[i] != 0) vertices.points[VertexId(next++)] = p;
+    }
+    counts[begin / copy_grain] = next - begin;
+  });
+  // Close the gaps.
+  std::size_t count = 0;
+  for (std::size_t chunk = 0; chunk < counts.size(); ++chunk) {
+    const auto first = vertices.points.begin() + static_cast<std::ptrdiff_t>(chunk * copy_grain);
+    const auto last = first + static_cast<std::ptrdiff_t>(counts[chunk]);
+    if (count != chunk * copy_grain) {
+      std::copy(first, last, vertices.points.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+    count += std::exchange(counts[chunk], count);
   }
+  vertices.points.resize(count);
+  parallel_chunks(execution, points.size(), copy_grain, [&](std::size_t begin, std::size_t end) {
+    std::size_t next = counts[begin / copy_grain];
+    for (std::size_t i = begin; i < end; ++i) {
+      next += is_new[i];
+      vertices.of_point[order[i]] = VertexId(next - 1);
+    }
+  });
   return vertices;
 }
 
-// Inserts the vertices one by one, in the given order, whose first four span space. The last
-// element of `points` is no vertex (see ConflictSearch).
-CellPool insert_all(const IdVector<VertexId, Point>& points,
-                    const std::vector<std::uint32_t>& order, DelaunayCounters& counters,
-                    const Execution& execution) {
+// How many of the first points to insert on one thread.
+std::size_t num_one_by_one(std::size_t count, const Execution& execution) {
+  const auto threads = static_cast<std::size_t>(thread_count(execution));
+  if (threads == 1 || count < min_points_for_threads) return count;
+  return std::min(count, points_before_threads * threads);
+}
+
+// Inserts the vertices in the given order, whose first four span space. The last element of
+// `points` is no vertex (see ConflictSearch).
+CellPool insert_all(const IdVector<VertexId, Point>& points, const InsertionRounds& rounds,
+                    DelaunayCounters& counters, const Execution& execution) {
+  const std::vector<std::uint32_t>& order = rounds.order;
   CellPool pool;
   const auto expected_cells =
       static_cast<std::size_t>(expected_cells_per_point * static_cast<double>(order.size())) + 64;
@@ -54,7 +96,8 @@ CellPool insert_all(const IdVector<VertexId, Point>& points,
       {VertexId(order[0]), VertexId(order[1]), VertexId(order[2]), VertexId(order[3])});
   CavityInserter inserter(pool, points);
   CellId hint(0);
-  for (std::size_t i = 4; i < order.size(); ++i) {
+  const std::size_t one_by_one = num_one_by_one(order.size(), execution);
+  for (std::size_t i = 4; i < one_by_one; ++i) {
     if (i % progress_interval == 0) {
       report_progress(execution, "delaunay",
                       static_cast<double>(i) / static_cast<double>(order.size()));
@@ -62,39 +105,56 @@ CellPool insert_all(const IdVector<VertexId, Point>& points,
     const VertexId v(order[i]);
     hint = inserter.insert(v, inserter.find_start(points[v], hint, counters), counters);
   }
+  if (one_by_one < order.size()) {
+    insert_in_parallel(pool, points, order, rounds.ends, one_by_one, counters, execution);
+  }
   return pool;
 }
 
-// The points on which the predicates are fast: a scaled copy where the size is extreme, with one
-// element behind the last vertex.
-IdVector<VertexId, Point> working_points(const IdVector<VertexId, Point>& points) {
+// A scaled copy of the points on which the predicates are fast; empty if they are so already.
+IdVector<VertexId, Point> scaled_points(const IdVector<VertexId, Point>& points) {
   const double scale = working_scale(points.span());
-  IdVector<VertexId, Point> working;
-  working.reserve(points.size() + 1);
-  const bool scaled = scale != 1 && scales_exactly(points.span(), scale);
-  for (const Point& p : points) working.push_back(scaled ? scale * p : p);
-  working.push_back({});
-  return working;
+  IdVector<VertexId, Point> scaled;
+  if (scale == 1 || !scales_exactly(points.span(), scale)) return scaled;
+  scaled.reserve(points.size());
+  for (const Point& p : points) scaled.push_back(scale * p);
+  return scaled;
 }
 
 }  // namespace
 
+DelaunayCounters& DelaunayCounters::operator+=(const DelaunayCounters& other) {
+  walk_steps += other.walk_steps;
+  conflict_tests += other.conflict_tests;
+  cells_created += other.cells_created;
+  cells_deleted += other.cells_deleted;
+  exact_inspheres += other.exact_inspheres;
+  perturbed_inspheres += other.perturbed_inspheres;
+  retries += other.retries;
+  stolen_runs += other.stolen_runs;
+  return *this;
+}
+
 DelaunayResult delaunay(Points points, const DelaunayOptions& options, const Execution& execution) {
-  require_finite(points);
-  report_progress(execution, "delaunay", 0);
   if (points.size() >= infinite_vertex.value) {
     throw InputError("too many points: at most " + std::to_string(infinite_vertex.value) +
                      " can be numbered");
   }
+  require_finite(points);
+  report_progress(execution, "delaunay", 0);
 
   // Number the different points along a space-filling curve, choose the order of insertion.
   Vertices vertices = merge_duplicates(points, execution);
-  std::vector<std::uint32_t> order = insertion_rounds(vertices.points.size(), options.seed);
-  require_space(bring_simplex_to_front(vertices.points, order), order.size());
+  InsertionRounds rounds = insertion_rounds(vertices.points.size(), options.seed, execution);
+  require_space(bring_simplex_to_front(vertices.points, rounds.order), rounds.order.size());
 
   DelaunayCounters counters;
-  CellPool pool = insert_all(working_points(vertices.points), order, counters, execution);
-  const std::size_t finite_cells = compact_cells(pool);
+  IdVector<VertexId, Point> scaled = scaled_points(vertices.points);
+  IdVector<VertexId, Point>& working = scaled.empty() ? vertices.points : scaled;
+  working.push_back({});
+  CellPool pool = insert_all(working, rounds, counters, execution);
+  working.resize(working.size() - 1);
+  const std::size_t finite_cells = compact_cells(pool, execution);
   report_progress(execution, "delaunay", 1);
   return {Triangulation(
               {std::move(vertices.points), std::move(pool.cells), std::move(vertices.of_point)},

@@ -23,6 +23,11 @@ struct DelaunayCounters {
   std::size_t cells_deleted = 0;
   std::size_t exact_inspheres = 0;      // conflict tests that the filter left open
   std::size_t perturbed_inspheres = 0;  // known by the filter to be zero, left to the perturbation
+  // With several threads:
+  std::size_t retries = 0;      // points put off, since another thread was at work there
+  std::size_t stolen_runs = 0;  // runs of points that a thread without work took from another
+
+  DelaunayCounters& operator+=(const DelaunayCounters& other);
 };
 
 struct DelaunayResult {
@@ -33,9 +38,11 @@ struct DelaunayResult {
 // The 3D Delaunay triangulation of `points`, cospherical ties broken by the lexicographic
 // perturbation of geom/perturbation.h: a function of the set of points alone. Equal points become
 // one vertex. Vertices are numbered along a Hilbert curve (geom/spatial_order.h), the same for
-// every order of the input; so are the cells of a build on one thread. canonical_order numbers the
-// cells by the point set alone whatever the history. Insertion runs on the calling thread, whatever
-// execution.threads says; progress is reported as "delaunay".
+// every order of the input; so are the cells of a build on one thread. With more threads their
+// numbers depend on how the threads meet, and so do the counters: canonical_order numbers the cells
+// by the point set alone whatever the history. Fewer than 10 000 different points are inserted on
+// one thread (delaunay/parallel_insertion.h says how many do it). Progress is reported as
+// "delaunay".
 // Errors: InputError if a coordinate is not finite (names the first such point), if there are
 // fewer than four different points, if all points are coplanar, or if there are more points than
 // 32-bit ids can number.

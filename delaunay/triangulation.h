@@ -33,6 +33,11 @@ struct alignas(32) Cell {
 };
 static_assert(sizeof(Cell) == 32);
 
+template <>
+struct ElementStorage<Cell> {
+  using type = std::vector<Cell, OverwriteAllocator<Cell>>;
+};
+
 constexpr bool is_infinite(const Cell& cell) { return cell.vertices[3] == infinite_vertex; }
 
 constexpr FacetId facet_id(CellId cell, int i) {

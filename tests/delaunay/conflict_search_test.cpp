@@ -40,8 +40,8 @@ class FiveCells {
 
   void search() {
     ConflictSearch search(pool_, points_);
-    const ConflictZone& zone =
-        search.find_zone(p(), search.find_start(p(), CellId(0), counters_), counters_);
+    ASSERT_TRUE(search.find_zone(p(), search.find_start(p(), CellId(0), counters_), counters_));
+    const ConflictZone& zone = search.zone();
     IdVector<CellId, std::uint8_t> expected;
     for (const Cell& cell : pool_.cells) expected.push_back(in_conflict(cell) ? 1 : 0);
     for (const CellId c : pool_.cells.ids()) {

@@ -1,0 +1,340 @@
+#include "delaunay/parallel_insertion.h"
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "delaunay/cavity.h"
+#include "delaunay/vertex_claims.h"
+
+namespace cocoon {
+namespace {
+
+constexpr std::size_t runs_between_reports = 32;
+constexpr std::size_t run_length = 512;       // points; long against the walk to its first one
+constexpr std::size_t slots_at_a_time = 512;  // fresh cells that a thread takes from the pool
+
+// --- Who does what ---------------------------------------------------------------------------
+
+// The runs of one thread that nobody has begun: [front, back), in one word that all may change.
+class RunQueue {
+ public:
+  void assign(std::size_t front, std::size_t back) { ends_.store(pack(front, back)); }
+  std::size_t size() const {
+    const std::uint64_t ends = ends_.load(std::memory_order_relaxed);
+    return back_of(ends) - front_of(ends);
+  }
+  bool take_front(std::size_t& run) {
+    std::uint64_t ends = ends_.load(std::memory_order_relaxed);
+    do {
+      if (front_of(ends) == back_of(ends)) return false;
+      run = front_of(ends);
+    } while (!ends_.compare_exchange_weak(ends, pack(run + 1, back_of(ends))));
+    return true;
+  }
+  bool take_back(std::size_t& run) {
+    std::uint64_t ends = ends_.load(std::memory_order_relaxed);
+    do {
+      if (front_of(ends) == back_of(ends)) return false;
+      run = back_of(ends) - 1;
+    } while (!ends_.compare_exchange_weak(ends, pack(front_of(ends), run)));
+    return true;
+  }
+
+ private:
+  static std::uint64_t pack(std::size_t front, std::size_t back) {
+    return std::uint64_t{front} << 32 | back;
+  }
+  static std::size_t front_of(std::uint64_t ends) { return ends >> 32; }
+  static std::size_t back_of(std::uint64_t ends) { return ends & 0xFFFFFFFFU; }
+
+  std::atomic<std::uint64_t> ends_{0};
+};
+
+// --- What the threads share ------------------------------------------------------------------
+
+enum class Stop : int { no = 0, out_of_cells = 1, failed = 2 };
+
+struct Shared {
+  CellPool& pool;
+  const IdVector<VertexId, Point>& points;
+  std::span<const std::uint32_t> order;
+  VertexClaims claims;
+  IdVector<VertexId, CellId> cell_at;  // a cell at each vertex that is inserted
+  std::vector<std::uint8_t> local_id;  // scratch of the inserters
+  std::atomic<std::size_t> num_cells;  // slots in use or taken by a thread
+  std::atomic<std::size_t> num_inserted;
+  std::atomic<Stop> stop{Stop::no};
+
+  Shared(CellPool& cells, const IdVector<VertexId, Point>& all_points,
+         std::span<const std::uint32_t> all, std::size_t inserted, std::size_t threads)
+      : pool(cells),
+        points(all_points),
+        order(all),
+        claims(all_points.size()),
+        cell_at(all_points.size() + threads),
+        local_id(all_points.size() + threads, 0),
+        num_cells(cells.cells.size()),
+        num_inserted(inserted) {
+    for (std::size_t i = 0; i < inserted; ++i) claims.admit(VertexId(order[i]));
+    for (const CellId c : pool.cells.ids()) {
+      if (pool.is_free(c)) continue;
+      for (const VertexId v : pool.cells[c].vertices) {
+        if (v != infinite_vertex) cell_at[v] = c;
+      }
+    }
+  }
+
+  // The inserted vertex next to v in number, which is next to it on the curve, that is not `but`.
+  VertexId inserted_neighbor(VertexId v) const {
+    const std::size_t count = points.size() - 1;
+    for (std::size_t away = 1;; ++away) {
+      if (v.index() >= away && claims.is_inserted(VertexId(v.index() - away))) {
+        return VertexId(v.index() - away);
+      }
+      if (v.index() + away < count && claims.is_inserted(VertexId(v.index() + away))) {
+        return VertexId(v.index() + away);
+      }
+    }
+  }
+};
+
+// --- One thread ------------------------------------------------------------------------------
+
+// Padded, so that threads do not write to the same cache line.
+class alignas(128) Worker {
+ public:
+  Worker(Shared& shared, const CavityInserter& model, std::size_t number)
+      : shared_(shared),
+        holder_(shared.claims, number),
+        inserter_(model, {&holder_, &free_, shared.cell_at.raw().data(), shared.local_id.data(),
+                          static_cast<std::uint32_t>(shared.points.size() + number)}) {}
+
+  RunQueue runs;
+  DelaunayCounters counters;
+
+  // Inserts the vertices of own runs, then of those left to others, until none are left or all are
+  // told to stop.
+  void work(std::vector<std::unique_ptr<Worker>>& workers, std::size_t begin, std::size_t end,
+            const Execution* execution);
+  bool has_left() const { return !left_.empty() || runs.size() != 0; }
+  std::vector<CellId>& free() { return free_; }
+
+ private:
+  bool next_run(std::vector<std::unique_ptr<Worker>>& workers, std::size_t& run);
+  void insert_all(std::span<const std::uint32_t> vertices);
+  void retry();
+  bool try_insert(VertexId v);
+  CellId locate_holding(VertexId v);
+  bool take_room();
+
+  Shared& shared_;
+  ClaimHolder holder_;
+  std::vector<CellId> free_;
+  CavityInserter inserter_;
+  std::vector<std::uint32_t> left_;  // vertices given up for now
+  std::size_t inserted_ = 0;         // since last added to the shared count
+};
+
+bool Worker::next_run(std::vector<std::unique_ptr<Worker>>& workers, std::size_t& run) {
+  if (runs.take_front(run)) return true;
+  for (;;) {
+    Worker* richest = nullptr;
+    std::size_t most = 0;
+    for (const std::unique_ptr<Worker>& other : workers) {
+      const std::size_t size = other->runs.size();
+      if (size <= most) continue;
+      most = size;
+      richest = other.get();
+    }
+    if (richest == nullptr) return false;
+    if (richest->runs.take_back(run)) {
+      ++counters.stolen_runs;
+      return true;
+    }
+  }
+}
+
+// As many free slots as the zone found wants.
+bool Worker::take_room() {
+  while (free_.size() < inserter_.num_slots_wanted()) {
+    const std::size_t begin = shared_.num_cells.fetch_add(slots_at_a_time);
+    if (begin + slots_at_a_time > shared_.pool.cells.size()) {
+      shared_.num_cells.fetch_sub(slots_at_a_time);
+      shared_.stop.store(Stop::out_of_cells);
+      return false;
+    }
+    for (std::size_t c = begin + slots_at_a_time; c-- > begin;) {  // the first is used first
+      shared_.pool.marks[CellId(c)] = CellMark::untested;
+      shared_.pool.cells[CellId(c)].vertices[0] = VertexId();
+      free_.push_back(CellId(c));
+    }
+  }
+  return true;
+}
+
+// Walks from the inserted vertex next to v to a cell in conflict with it, whose vertices are then
+// held. None if another thread is in the way.
+CellId Worker::locate_holding(VertexId v) {
+  const IdVector<CellId, Cell>& cells = shared_.pool.cells;
+  const VertexId near = shared_.inserted_neighbor(v);
+  if (!holder_.take(near)) return {};
+  CellId current = shared_.cell_at[near];
+  if (!holder_.take_corners(cells[current])) return {};
+  if (is_infinite(cells[current])) {
+    current = cell_of(cells[current].neighbors[3]);
+    if (!holder_.take_corners(cells[current])) return {};
+  }
+  return inserter_.find_start(shared_.points[v], current, counters);
+}
+
+// Returns whether v was inserted. If not, nothing was changed.
+bool Worker::try_insert(VertexId v) {
+  const CellId start = locate_holding(v);
+  if (start.is_none() || !inserter_.find_zone(v, start, counters)) {
+    holder_.release();
+    return false;
+  }
+  if (!take_room()) {
+    inserter_.abandon_zone();
+    holder_.release();
+    return false;
+  }
+  inserter_.fill_zone(v, counters);
+  shared_.claims.admit(v);
+  holder_.release();
+  ++inserted_;
+  return true;
+}
+
+void Worker::insert_all(std::span<const std::uint32_t> vertices) {
+  for (const std::uint32_t v : vertices) {
+    if (shared_.stop.load(std::memory_order_relaxed) != Stop::no || !try_insert(VertexId(v))) {
+      left_.push_back(v);
+    }
+  }
+}
+
+// One more attempt for each vertex that was given up.
+void Worker::retry() {
+  std::vector<std::uint32_t> again;
+  again.swap(left_);
+  insert_all(again);
+}
+
+void Worker::work(std::vector<std::unique_ptr<Worker>>& workers, std::size_t begin, std::size_t end,
+                  const Execution* execution) {
+  const auto stopped = [&] { return shared_.stop.load(std::memory_order_relaxed) != Stop::no; };
+  std::size_t run = 0;
+  std::size_t runs_done = 0;
+  while (!stopped() && next_run(workers, run)) {
+    const std::size_t run_begin = begin + run * run_length;
+    const std::size_t count = std::min(run_length, end - run_begin);
+    const std::size_t known = left_.size();
+    insert_all(shared_.order.subspan(run_begin, count));
+    if (!stopped()) counters.retries += left_.size() - known;
+    retry();
+    const std::size_t inserted = shared_.num_inserted.fetch_add(inserted_) + inserted_;
+    inserted_ = 0;
+    if (execution != nullptr && ++runs_done % runs_between_reports == 0) {
+      report_progress(*execution, "delaunay",
+                      static_cast<double>(inserted) / static_cast<double>(shared_.order.size()));
+    }
+  }
+  while (!stopped() && !left_.empty()) {
+    retry();
+    if (!left_.empty()) std::this_thread::yield();
+  }
+  shared_.num_inserted.fetch_add(inserted_);
+  inserted_ = 0;
+}
+
+// --- All -------------------------------------------------------------------------------------
+
+class Team {
+ public:
+  Team(Shared& shared, std::size_t threads, const Execution& execution)
+      : shared_(shared), execution_(execution), caller_(std::this_thread::get_id()) {
+    const CavityInserter model(shared.pool, shared.points);
+    for (std::size_t i = 0; i < threads; ++i) {
+      workers_.push_back(std::make_unique<Worker>(shared, model, i));
+    }
+  }
+
+  void insert_round(std::size_t begin, std::size_t end) {
+    const std::size_t runs = (end - begin + run_length - 1) / run_length;
+    for (std::size_t i = 0; i < workers_.size(); ++i) {
+      workers_[i]->runs.assign(runs * i / workers_.size(), runs * (i + 1) / workers_.size());
+    }
+    std::size_t room = shared_.pool.cells.raw().capacity();
+    for (;;) {
+      make_room(room);
+      shared_.stop.store(Stop::no);
+      parallel_chunks(execution_, workers_.size(), 1,
+                      [&](std::size_t i, std::size_t) { run_worker(*workers_[i], begin, end); });
+      if (shared_.stop.load() == Stop::no) return;
+      room = shared_.pool.cells.size() + shared_.pool.cells.size() / 2;
+    }
+  }
+
+  // Makes the pool one thread's again.
+  void finish(DelaunayCounters& counters) {
+    CellPool& pool = shared_.pool;
+    const std::size_t used = shared_.num_cells.load();
+    pool.cells.resize(used);
+    pool.marks.resize(used);
+    for (const std::unique_ptr<Worker>& worker : workers_) {
+      pool.free.insert(pool.free.end(), worker->free().begin(), worker->free().end());
+      counters += worker->counters;
+    }
+  }
+
+ private:
+  // For `expected` cells, as far as they can be numbered, and at least one block for each thread.
+  void make_room(std::size_t expected) {
+    CellPool& pool = shared_.pool;
+    const std::size_t used = shared_.num_cells.load();
+    const std::size_t least = used + workers_.size() * slots_at_a_time;
+    const std::size_t count = std::min(std::max(expected, least), max_cells);
+    require_cell_numbers(least);
+    if (count <= pool.cells.size()) return;
+    pool.cells.resize_for_overwrite(count);
+    pool.marks.resize_for_overwrite(count);
+  }
+
+  void run_worker(Worker& worker, std::size_t begin, std::size_t end) {
+    const bool on_calling_thread = std::this_thread::get_id() == caller_;
+    try {
+      worker.work(workers_, begin, end, on_calling_thread ? &execution_ : nullptr);
+    } catch (...) {
+      shared_.stop.store(Stop::failed);
+      throw;
+    }
+  }
+
+  Shared& shared_;
+  Execution execution_;
+  std::thread::id caller_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+};
+
+}  // namespace
+
+void insert_in_parallel(CellPool& pool, const IdVector<VertexId, Point>& points,
+                        std::span<const std::uint32_t> order,
+                        std::span<const std::size_t> round_ends, std::size_t first,
+                        DelaunayCounters& counters, const Execution& execution) {
+  const std::size_t threads =
+      std::min(static_cast<std::size_t>(thread_count(execution)), VertexClaims::max_holders);
+  Shared shared(pool, points, order, first, threads);
+  Team team(shared, threads, execution);
+  for (const std::size_t end : round_ends) {
+    if (end > first) team.insert_round(first, end);
+    first = std::max(first, end);
+  }
+  team.finish(counters);
+}
+
+}  // namespace cocoon
