@@ -1,10 +1,10 @@
-// The Delaunay kernel beside CGAL's, on the point sets of tests/gallery.h.
+// The Delaunay kernel beside CGAL's and TetGen's, on the point sets of tests/gallery.h.
 //
 //   delaunay_bench [--points N[,N...]] [--sets NAME[,NAME...]] [--threads N] [--benchmark_...]
 //
-// Every set is first triangulated by both and the cells compared; unequal cells are an error. Then
-// repetitions of both run in random alternation, so that whatever else the machine does hits both,
-// and a table gives medians and their ratio.
+// Every set is first triangulated by ours and CGAL's and the cells compared; unequal cells are an
+// error. Then repetitions of all run in random alternation, so that whatever else the machine does
+// hits all alike, and a table gives medians and their ratios.
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <cmath>
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "bench/rivals/cgal.h"
+#include "bench/rivals/tetgen.h"
 #include "bench/stopwatch.h"
 #include "delaunay/delaunay.h"
 #include "ref/cell_set.h"
@@ -77,7 +78,11 @@ struct Case {
   std::size_t finite_cells = 0;
   std::vector<bench::Elapsed> ours;  // by repetition
   std::vector<bench::Elapsed> cgal;
+  std::vector<bench::Elapsed> tetgen;
 };
+
+// On these sets TetGen breaks ties between cospherical points in its own way.
+bool has_ties(const Case& input) { return input.name == "grid" || input.name == "box"; }
 
 bool has_equal_cells(Case& input, const Execution& execution) {
   const Triangulation ours = delaunay(input.points, {}, execution).triangulation;
@@ -109,6 +114,18 @@ void run_cgal(benchmark::State& state, Case& input) {
   state.counters["points"] = static_cast<double>(input.points.size());
 }
 
+void run_tetgen(benchmark::State& state, Case& input) {
+  for ([[maybe_unused]] auto _ : state) {
+    const rivals::TimedBuild build = rivals::tetgen_delaunay(input.points);
+    if (build.finite_cells != input.finite_cells && !has_ties(input)) {
+      state.SkipWithError("wrong number of cells");
+    }
+    state.SetIterationTime(build.elapsed.wall);
+    input.tetgen.push_back(build.elapsed);
+  }
+  state.counters["points"] = static_cast<double>(input.points.size());
+}
+
 // The median of one of the two times, in ns per point.
 double median(const std::vector<bench::Elapsed>& runs, double bench::Elapsed::*time,
               std::size_t points) {
@@ -121,10 +138,11 @@ double median(const std::vector<bench::Elapsed>& runs, double bench::Elapsed::*t
   return seconds * 1e9 / static_cast<double>(points);
 }
 
-// The widest deviation of a run of one of the two from its median, in processor time, percent.
+// The widest deviation of a run of any kernel from its median, in processor time, percent.
 double spread(const Case& input) {
   double widest = 0;
-  for (const auto* runs : {&input.ours, &input.cgal}) {
+  for (const auto* runs : {&input.ours, &input.cgal, &input.tetgen}) {
+    if (runs->empty()) continue;
     const double middle = median(*runs, &bench::Elapsed::processor, 1) * 1e-9;
     for (const bench::Elapsed& run : *runs) {
       widest = std::max(widest, std::fabs(run.processor / middle - 1));
@@ -134,17 +152,22 @@ double spread(const Case& input) {
 }
 
 void print_table(const std::vector<Case>& cases) {
-  std::printf("\nmedians in ns per point; ratio = CGAL / Cocoon\n");
-  std::printf("%34s | %23s | %23s |\n", "", "wall-clock", "processor");
-  std::printf("%-14s %9s %9s | %7s %7s %7s | %7s %7s %7s | spread\n", "set", "points", "cells",
-              "CGAL", "Cocoon", "ratio", "CGAL", "Cocoon", "ratio");
+  std::printf("\nmedians in ns per point; ratio = rival / Cocoon\n");
+  std::printf("%34s | %33s | %33s |\n", "", "wall-clock", "processor");
+  std::printf("%-14s %9s %9s", "set", "points", "cells");
+  for (int clock = 0; clock < 2; ++clock) {
+    std::printf(" | %6s %6s %5s %7s %5s", "Cocoon", "CGAL", "ratio", "TetGen", "ratio");
+  }
+  std::printf(" | spread\n");
   for (const Case& input : cases) {
-    if (input.ours.empty() || input.cgal.empty()) continue;
+    if (input.ours.empty() || input.cgal.empty() || input.tetgen.empty()) continue;
     std::printf("%-14s %9zu %9zu", input.name.c_str(), input.points.size(), input.finite_cells);
     for (const auto time : {&bench::Elapsed::wall, &bench::Elapsed::processor}) {
-      const double cgal = median(input.cgal, time, input.points.size());
       const double ours = median(input.ours, time, input.points.size());
-      std::printf(" | %7.0f %7.0f %7.2f", cgal, ours, cgal / ours);
+      const double cgal = median(input.cgal, time, input.points.size());
+      const double tetgen = median(input.tetgen, time, input.points.size());
+      std::printf(" | %6.0f %6.0f %5.2f %7.0f %5.2f", ours, cgal, cgal / ours, tetgen,
+                  tetgen / ours);
     }
     std::printf(" | %4.0f %%\n", spread(input));
   }
@@ -155,7 +178,7 @@ std::vector<Case> make_cases(const Arguments& arguments, const Execution& execut
   std::vector<Case> cases;
   for (const std::string& set : arguments.sets) {
     for (const std::string& size : arguments.sizes) {
-      Case input{set, make_set(set, std::strtoull(size.c_str(), nullptr, 10)), 0, {}, {}};
+      Case input{set, make_set(set, std::strtoull(size.c_str(), nullptr, 10)), 0, {}, {}, {}};
       if (input.points.size() < 4) {
         std::fprintf(stderr, "delaunay_bench: no set '%s' of %s points\n", set.c_str(),
                      size.c_str());
@@ -178,18 +201,17 @@ int run(int argc, char** argv) {
   const Execution execution{.threads = own.threads};
   std::vector<Case> cases = make_cases(own, execution);
   for (Case& input : cases) {
-    const std::string suffix = "/" + input.name + "/" + std::to_string(input.points.size());
-    benchmark::RegisterBenchmark(
-        ("cocoon" + suffix).c_str(),
-        [&](benchmark::State& state) { run_ours(state, input, execution); })
-        ->Iterations(1)
-        ->UseManualTime()
-        ->Unit(benchmark::kMillisecond);
-    benchmark::RegisterBenchmark(("cgal" + suffix).c_str(),
-                                 [&](benchmark::State& state) { run_cgal(state, input); })
-        ->Iterations(1)
-        ->UseManualTime()
-        ->Unit(benchmark::kMillisecond);
+    const auto add = [&](const std::string& kernel, auto run_kernel) {
+      const std::string name =
+          kernel + "/" + input.name + "/" + std::to_string(input.points.size());
+      benchmark::RegisterBenchmark(name.c_str(), run_kernel)
+          ->Iterations(1)
+          ->UseManualTime()
+          ->Unit(benchmark::kMillisecond);
+    };
+    add("cocoon", [&](benchmark::State& state) { run_ours(state, input, execution); });
+    add("cgal", [&](benchmark::State& state) { run_cgal(state, input); });
+    add("tetgen", [&](benchmark::State& state) { run_tetgen(state, input); });
   }
   // Defaults that the command line may change, so they come before it.
   std::vector<std::string> defaults{"--benchmark_repetitions=5",

@@ -4,15 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "bench/rivals/timed_build.h"
 #include "bench/stopwatch.h"
 #include "geom/point.h"
 
 namespace cocoon::rivals {
-
-struct TimedBuild {
-  bench::Elapsed elapsed;
-  std::size_t finite_cells = 0;
-};
 
 // CGAL's Delaunay_triangulation_3 over Exact_predicates_inexact_constructions_kernel, one thread,
 // range insertion with its spatial sort. Timed: from a vector of CGAL points in memory to the
