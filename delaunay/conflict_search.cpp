@@ -80,9 +80,33 @@ HWY_INLINE bool has_infinite(const std::array<VertexId, 4>& vertices, VertexId f
 // One bit for each facet of a cell, about the cell behind it.
 struct NeighborDecision {
   unsigned inside;     // its circumsphere contains the point; only for cells that are not open
-  unsigned open;       // the filter cannot tell, or the cell is infinite, or the next
-  unsigned on_sphere;  // the point lies on the circumsphere of a finite cell
+  unsigned open;       // neither filter nor perturbation can tell, or the cell is infinite
+  unsigned on_sphere;  // certainly: the point lies on the circumsphere of a finite cell
 };
+
+// Points, each with the coefficient of its lift in the determinant of insphere.
+struct Lifted {
+  FourVectors point;
+  Four coefficient;
+};
+
+// The same as break_cospherical_tie, in each lane: the sign of the coefficient of the lift that is
+// raised most, that of the point of highest lexicographic rank. Zero if the next rank decides. All
+// is relative to the point that is new, whose own coefficient is negative.
+HWY_INLINE Four perturbed_value(const std::array<Lifted, 4>& corners) {
+  const Four zero = broadcast(0);
+  Lifted top{{zero, zero, zero}, broadcast(-1)};
+  for (const Lifted& corner : corners) {
+    const FourVectors& v = corner.point;
+    const FourVectors& t = top.point;
+    const FourMask above = either(
+        greater(v.x, t.x),
+        both(equal(v.x, t.x), either(greater(v.y, t.y), both(equal(v.y, t.y), greater(v.z, t.z)))));
+    top = {{choose(above, v.x, t.x), choose(above, v.y, t.y), choose(above, v.z, t.z)},
+           choose(above, corner.coefficient, top.coefficient)};
+  }
+  return top.coefficient;
+}
 
 // The four cells around a cell in SIMD lanes, lane i behind its facet i. They share three vertices
 // each with it, and with each other many of the 2 x 2 minors. `apexes` are the fourth vertices. The
@@ -126,9 +150,11 @@ HWY_INLINE NeighborDecision decide_neighbors(SearchView& view, const Cell& cell,
   const Four qr = rotate<1>(pq);
   const Four qs = minor_xy(q, s);
   const Four rs = minor_xy(r, s);
-  const Four value = alternate_signs(
-      (pp * (q.z * rs - r.z * qs + s.z * qr) - qq * (p.z * rs - r.z * ps + s.z * pr)) +
-      (rr * (p.z * qs - q.z * ps + s.z * pq) - ss * (p.z * qr - q.z * pr + r.z * pq)));
+  const Four qrs = q.z * rs - r.z * qs + s.z * qr;
+  const Four prs = p.z * rs - r.z * ps + s.z * pr;
+  const Four pqs = p.z * qs - q.z * ps + s.z * pq;
+  const Four pqr = p.z * qr - q.z * pr + r.z * pq;
+  const Four value = alternate_signs((pp * qrs - qq * prs) + (rr * pqs - ss * pqr));
   const Four reach = larger(larger(pp, qq), larger(rr, ss));
   const Four reach_2 = reach * reach;
   const Four error_2 =
@@ -137,10 +163,17 @@ HWY_INLINE NeighborDecision decide_neighbors(SearchView& view, const Cell& cell,
   const unsigned not_exact = is_greater(reach, broadcast(view.exact_reach));
   const unsigned inside = is_greater(value, broadcast(0));
   NeighborDecision decision{inside, (~certain & 0xFU) | infinite, 0};
-  if ((decision.open & ~not_exact) != 0) [[unlikely]] {
-    const unsigned not_zero = inside | is_greater(broadcast(0), value);
-    decision.on_sphere = ~(not_exact | not_zero | infinite) & 0xFU;
-    decision.open = ((not_exact | ~not_zero) & decision.open) | infinite;
+  if ((decision.open & ~(not_exact | infinite)) != 0) [[unlikely]] {
+    // Where the value is exact, so are its cofactors and the differences of coordinates.
+    const unsigned exact = ~(not_exact | infinite) & 0xFU;
+    const unsigned zero = ~(inside | is_greater(broadcast(0), value));
+    const Four zero_minus = broadcast(0);
+    const Four tie_break = perturbed_value(
+        {Lifted{p, alternate_signs(qrs)}, Lifted{q, zero_minus - alternate_signs(prs)},
+         Lifted{r, alternate_signs(pqs)}, Lifted{s, zero_minus - alternate_signs(pqr)}});
+    decision.on_sphere = exact & zero;
+    decision.inside |= decision.on_sphere & is_greater(tie_break, broadcast(0));
+    decision.open &= ~exact | (zero & bits_of(equal(tie_break, broadcast(0))));
   }
   return decision;
 }
@@ -184,6 +217,8 @@ bool find_zone(SearchView& view, ConflictZone& zone, CellId start) {
     num_border += append(&outer[0].value, outside, &lists.border[num_border].value);
     const std::array<std::uint32_t, 4> neighbors = {n0.value, n1.value, n2.value, n3.value};
     num_cells += append(neighbors.data(), inside, &lists.cells[num_cells].value);
+    view.counters.perturbed_inspheres +=
+        static_cast<std::size_t>(std::popcount(decision.on_sphere & ~known));
     view.counters.conflict_tests += static_cast<std::size_t>(4 - std::popcount(known));
     if (view.holder != nullptr && !view.hold(apexes, inside)) {
       zone.finish(num_cells, num_border, view.has_infinite);
@@ -305,7 +340,6 @@ unsigned SearchView::decide_open(const std::array<FacetId, 4>& outer, unsigned i
     const Cell& cell = cell_behind(outer[lane]);
     const bool is_tie = ((on_sphere >> lane) & 1U) != 0;
     const bool conflict = is_tie ? in_conflict_on_sphere(cell) : in_conflict(cell);
-    counters.perturbed_inspheres += is_tie ? 1 : 0;
     counters.exact_inspheres += is_tie || is_infinite(cell) ? 0 : 1;
     inside = (inside & ~(1U << lane)) | ((conflict ? 1U : 0U) << lane);
   }

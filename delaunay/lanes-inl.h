@@ -40,10 +40,17 @@ HWY_INLINE Four alternate_signs(Four a) {
   return hn::Xor(a, hn::Load(FourTag(), signs));
 }
 
-// Bit i: a > b in lane i; false for NaN.
-HWY_INLINE unsigned is_greater(Four a, Four b) {
+// A condition in each lane; comparisons with NaN are false.
+using FourMask = hn::Mask<FourTag>;
+HWY_INLINE FourMask greater(Four a, Four b) { return hn::Gt(a, b); }
+HWY_INLINE FourMask equal(Four a, Four b) { return hn::Eq(a, b); }
+HWY_INLINE FourMask both(FourMask a, FourMask b) { return hn::And(a, b); }
+HWY_INLINE FourMask either(FourMask a, FourMask b) { return hn::Or(a, b); }
+HWY_INLINE Four choose(FourMask mask, Four yes, Four no) { return hn::IfThenElse(mask, yes, no); }
+// Bit i: lane i.
+HWY_INLINE unsigned bits_of(FourMask mask) {
   std::array<std::uint8_t, 8> bytes;  // StoreMaskBits may write this many
-  hn::StoreMaskBits(FourTag(), hn::Gt(a, b), bytes.data());
+  hn::StoreMaskBits(FourTag(), mask, bytes.data());
   return bytes[0] & 0xFU;
 }
 
@@ -134,9 +141,29 @@ HWY_INLINE double first_lane(const Four& a) { return a.lane[0]; }
 HWY_INLINE Four alternate_signs(const Four& a) {
   return {{a.lane[0], -a.lane[1], a.lane[2], -a.lane[3]}};
 }
-HWY_INLINE unsigned is_greater(const Four& a, const Four& b) {
+using FourMask = std::array<bool, 4>;
+template <class F>
+HWY_INLINE FourMask mask_of_lanes(F f) {
+  return {f(0U), f(1U), f(2U), f(3U)};
+}
+HWY_INLINE FourMask greater(const Four& a, const Four& b) {
+  return mask_of_lanes([&](unsigned i) { return a.lane[i] > b.lane[i]; });
+}
+HWY_INLINE FourMask equal(const Four& a, const Four& b) {
+  return mask_of_lanes([&](unsigned i) { return a.lane[i] == b.lane[i]; });
+}
+HWY_INLINE FourMask both(const FourMask& a, const FourMask& b) {
+  return mask_of_lanes([&](unsigned i) { return a[i] && b[i]; });
+}
+HWY_INLINE FourMask either(const FourMask& a, const FourMask& b) {
+  return mask_of_lanes([&](unsigned i) { return a[i] || b[i]; });
+}
+HWY_INLINE Four choose(const FourMask& mask, const Four& yes, const Four& no) {
+  return in_each_lane([&](unsigned i) { return mask[i] ? yes.lane[i] : no.lane[i]; });
+}
+HWY_INLINE unsigned bits_of(const FourMask& mask) {
   unsigned bits = 0;
-  for (unsigned i = 0; i < 4; ++i) bits |= (a.lane[i] > b.lane[i] ? 1U : 0U) << i;
+  for (unsigned i = 0; i < 4; ++i) bits |= (mask[i] ? 1U : 0U) << i;
   return bits;
 }
 template <int by>
@@ -167,6 +194,7 @@ HWY_INLINE Four squared_norm(const FourVectors& v) { return v.x * v.x + v.y * v.
 HWY_INLINE Four minor_xy(const FourVectors& v, const FourVectors& w) {
   return v.x * w.y - v.y * w.x;
 }
+HWY_INLINE unsigned is_greater(const Four& a, const Four& b) { return bits_of(greater(a, b)); }
 template <int by>
 HWY_INLINE FourVectors rotate(const FourVectors& v) {
   return {rotate<by>(v.x), rotate<by>(v.y), rotate<by>(v.z)};

@@ -20,6 +20,14 @@ Sign lift_coefficient(const std::array<Point, 5>& p, std::size_t lifted) {
   return orient3d(row(0), row(1), row(2), row(3));
 }
 
+// 1 if p > q lexicographically, else 0, without branches: on grids any coordinates may be equal.
+unsigned ranks_above(const Point& p, const Point& q) {
+  const auto greater = [](double a, double b) { return static_cast<unsigned>(a > b); };
+  const auto not_less = [](double a, double b) { return static_cast<unsigned>(a >= b); };
+  return greater(p.x, q.x) |
+         (not_less(p.x, q.x) & (greater(p.y, q.y) | (not_less(p.y, q.y) & greater(p.z, q.z))));
+}
+
 // Adds eps_i to the lift of the point of rank i, with eps_0 << eps_1 << ... << eps_4 << 1. As the
 // unperturbed determinant is zero, its sign is that of the first nonzero coefficient from the top
 // rank down.
@@ -29,7 +37,8 @@ Sign break_tie(const std::array<Point, 5>& p) {
     // Mostly the first or second rank decides: select the top instead of sorting.
     std::size_t top = 0;
     for (std::size_t i = 1; i < count; ++i) {
-      if (p[left[i]] > p[left[top]]) top = i;
+      const std::size_t above = ranks_above(p[left[i]], p[left[top]]);
+      top ^= (top ^ i) & (0 - above);
     }
     const Sign sign = lift_coefficient(p, left[top]);
     if (sign != Sign::zero) return sign;
