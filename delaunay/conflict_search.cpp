@@ -320,9 +320,13 @@ bool SearchView::in_conflict(const Cell& cell) const {
     if (side != Sign::zero) return side == Sign::positive;
     finite = &cell_behind(cell.neighbors[3]);
   }
-  return insphere_perturbed(points[finite->vertices[0]], points[finite->vertices[1]],
-                            points[finite->vertices[2]], points[finite->vertices[3]],
-                            p) == Sign::positive;
+  const Point& a = points[finite->vertices[0]];
+  const Point& b = points[finite->vertices[1]];
+  const Point& c = points[finite->vertices[2]];
+  const Point& d = points[finite->vertices[3]];
+  const Sign sign =
+      is_infinite(cell) ? insphere(a, b, c, d, p) : insphere_after_filter(a, b, c, d, p);
+  return (sign != Sign::zero ? sign : break_cospherical_tie(a, b, c, d, p)) == Sign::positive;
 }
 
 // The same for a finite cell that has p on its circumsphere.

@@ -35,12 +35,15 @@ ExactVec3<K> operator-(const ExactVec3<K>& p, const ExactVec3<K>& q) {
   return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
 }
 
+template <std::size_t K>
+ExactVec3<K> on_grid(const Point& p, int unit) {
+  return {on_grid<K>(p.x, unit), on_grid<K>(p.y, unit), on_grid<K>(p.z, unit)};
+}
+
 // p - base in units of the grid.
 template <std::size_t K>
 ExactVec3<K> exact_difference(const Point& p, const Point& base, int unit) {
-  return {on_grid<K>(p.x, unit) - on_grid<K>(base.x, unit),
-          on_grid<K>(p.y, unit) - on_grid<K>(base.y, unit),
-          on_grid<K>(p.z, unit) - on_grid<K>(base.z, unit)};
+  return on_grid<K>(p, unit) - on_grid<K>(base, unit);
 }
 
 // p.x q.y - p.y q.x, and the same for any two axes.
@@ -90,9 +93,10 @@ Sign exact_orient2d(const std::array<double, 6>& xy, int unit) {
 // det[b - a; c - a; d - a].
 template <std::size_t K>
 Sign exact_orient3d(const std::array<Point, 4>& p, int unit) {
-  const ExactVec3<K> b = exact_difference<K>(p[1], p[0], unit);
-  const ExactVec3<K> c = exact_difference<K>(p[2], p[0], unit);
-  const ExactVec3<K> d = exact_difference<K>(p[3], p[0], unit);
+  const ExactVec3<K> base = on_grid<K>(p[0], unit);
+  const ExactVec3<K> b = on_grid<K>(p[1], unit) - base;
+  const ExactVec3<K> c = on_grid<K>(p[2], unit) - base;
+  const ExactVec3<K> d = on_grid<K>(p[3], unit) - base;
   return sign_of(exact_determinant<K>(b, c, d, exact_minor<K>(b, c), exact_minor<K>(b, d),
                                       exact_minor<K>(c, d)));
 }
@@ -100,10 +104,11 @@ Sign exact_orient3d(const std::array<Point, 4>& p, int unit) {
 // |a|^2 [bcd] - |b|^2 [acd] + |c|^2 [abd] - |d|^2 [abc], with all points relative to e.
 template <std::size_t K>
 Sign exact_insphere(const std::array<Point, 5>& p, int unit) {
-  const ExactVec3<K> a = exact_difference<K>(p[0], p[4], unit);
-  const ExactVec3<K> b = exact_difference<K>(p[1], p[4], unit);
-  const ExactVec3<K> c = exact_difference<K>(p[2], p[4], unit);
-  const ExactVec3<K> d = exact_difference<K>(p[3], p[4], unit);
+  const ExactVec3<K> base = on_grid<K>(p[4], unit);
+  const ExactVec3<K> a = on_grid<K>(p[0], unit) - base;
+  const ExactVec3<K> b = on_grid<K>(p[1], unit) - base;
+  const ExactVec3<K> c = on_grid<K>(p[2], unit) - base;
+  const ExactVec3<K> d = on_grid<K>(p[3], unit) - base;
   const ExactInteger<2 * K> ab = exact_minor<K>(a, b);
   const ExactInteger<2 * K> ac = exact_minor<K>(a, c);
   const ExactInteger<2 * K> ad = exact_minor<K>(a, d);
