@@ -23,10 +23,12 @@ static_assert(entry_of(infinite_vertex) == 0);
 // The border of a zone is a triangulated sphere.
 constexpr std::size_t vertices_of_sphere(std::size_t facets) { return facets / 2 + 2; }
 
+// facet_corners in four bytes each.
+constexpr std::uint8_t facet_slots[4][4] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
 // The vertices of a facet, in the order that faces the cell in front of it.
 std::array<VertexId, 3> corners_of(const Cell& behind, FacetId facet) {
-  constexpr std::uint8_t corners[4][4] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-  const auto& corner = corners[index_of(facet)];
+  const auto& corner = facet_slots[index_of(facet)];
   return {behind.vertices[corner[0]], behind.vertices[corner[1]], behind.vertices[corner[2]]};
 }
 
@@ -105,12 +107,14 @@ void CavityInserter::build_star(VertexId v, std::span<const FacetId> border) {
   };
   VertexId* const border_vertices = border_vertices_.data();
   FacetId* const table = edge_table_.data();
+  std::array<std::uint16_t, 3>* const reverse_edges = reverse_edges_.data();
+  const CellId* const slots = slots_.data();
   unsigned next_id = no_local_id + 1;
   // Arithmetic instead of branches: whether a vertex was seen before is a coin toss.
   const auto number = [&](VertexId w) {
     const unsigned known = local_id[entry(w)];
     const unsigned is_new = (known - 1) >> 31;  // known == no_local_id
-    const unsigned id = known | (next_id & (0U - is_new));
+    const std::size_t id = known | (next_id & (0U - is_new));
     local_id[entry(w)] = static_cast<std::uint8_t>(id);
     border_vertices[id] = w;
     next_id += is_new;
@@ -118,27 +122,30 @@ void CavityInserter::build_star(VertexId v, std::span<const FacetId> border) {
   };
   for (std::size_t b = 0; b < border.size(); ++b) {
     const FacetId outer = border[b];
-    const CellId c = slots_[b];
+    const CellId c = slots[b];
     Cell& behind = cells[cell_of(outer).index()];
     Cell& created = cells[c.index()];
     const auto [v0, v1, v2] = corners_of(behind, outer);
     created.vertices = {v0, v1, v2, v};
     created.neighbors[3] = outer;
     behind.neighbors[static_cast<std::size_t>(index_of(outer))] = facet_id(c, 3);
-    const unsigned id0 = number(v0);
-    const unsigned id1 = number(v1);
-    const unsigned id2 = number(v2);
+    const std::size_t id0 = number(v0);
+    const std::size_t id1 = number(v1);
+    const std::size_t id2 = number(v2);
     if constexpr (is_shared) border_cells_[id0] = border_cells_[id1] = border_cells_[id2] = c;
-    table[id0 * stride + id1] = facet_id(c, 2);
-    table[id1 * stride + id2] = facet_id(c, 0);
-    table[id2 * stride + id0] = facet_id(c, 1);
-    reverse_edges_[b] = {static_cast<std::uint16_t>(id2 * stride + id1),
-                         static_cast<std::uint16_t>(id0 * stride + id2),
-                         static_cast<std::uint16_t>(id1 * stride + id0)};
+    const std::size_t row0 = stride * id0;
+    const std::size_t row1 = stride * id1;
+    const std::size_t row2 = stride * id2;
+    table[row0 + id1] = facet_id(c, 2);
+    table[row1 + id2] = facet_id(c, 0);
+    table[row2 + id0] = facet_id(c, 1);
+    reverse_edges[b] = {static_cast<std::uint16_t>(row2 + id1),
+                        static_cast<std::uint16_t>(row0 + id2),
+                        static_cast<std::uint16_t>(row1 + id0)};
   }
   for (std::size_t b = 0; b < border.size(); ++b) {
-    Cell& cell = cells[slots_[b].index()];
-    for (std::size_t i = 0; i < 3; ++i) cell.neighbors[i] = table[reverse_edges_[b][i]];
+    Cell& cell = cells[slots[b].index()];
+    for (std::size_t i = 0; i < 3; ++i) cell.neighbors[i] = table[reverse_edges[b][i]];
   }
   for (unsigned id = no_local_id + 1; id < next_id; ++id) {
     local_id[entry(border_vertices[id])] = no_local_id;
