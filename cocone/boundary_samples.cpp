@@ -1,12 +1,12 @@
 #include "cocone/boundary_samples.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "cocone/cocone_radii.h"
+#include "cocone/shared_flags.h"
 
 namespace cocoon {
 namespace {
@@ -49,20 +49,16 @@ struct Conditions {
   }
 };
 
-// 1 = the normal condition fails.
-VertexSet failing_normals(const Conditions& conditions, const Execution& execution) {
-  const std::size_t count = conditions.triangulation.num_vertices();
-  std::vector<std::atomic<std::uint8_t>> fails(count);
+// Raised: the normal condition fails.
+SharedFlags failing_normals(const Conditions& conditions, const Execution& execution) {
+  SharedFlags fails(conditions.triangulation.num_vertices());
   parallel_chunks(execution, conditions.cocones.facets.size(), facets_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
                     conditions.for_each_neighbor(begin, end, [&](VertexId p, VertexId q) {
-                      if (conditions.normals_agree(p, q)) return;
-                      fails[p.index()].store(1, std::memory_order_relaxed);
+                      if (!conditions.normals_agree(p, q)) fails.raise(p);
                     });
                   });
-  VertexSet flags(count);
-  for (const VertexId p : flags.ids()) flags[p] = fails[p.index()].load(std::memory_order_relaxed);
-  return flags;
+  return fails;
 }
 
 enum class State : std::uint8_t {
@@ -110,12 +106,12 @@ BoundarySamples boundary_samples(const Triangulation& triangulation, const Dual&
   const IdVector<VertexId, double> radii =
       cocone_radii(triangulation, dual, poles, cocones, options.radius_mode, execution);
   report_progress(execution, "boundary_samples", 0.5);
-  const VertexSet normal_fails = failing_normals(conditions, execution);
+  const SharedFlags normal_fails = failing_normals(conditions, execution);
   report_progress(execution, "boundary_samples", 0.8);
   IdVector<VertexId, State> states(triangulation.num_vertices(), State::ratio_fails);
   for (const VertexId p : states.ids()) {
     if (poles.degenerate[p] != 0 || !(radii[p] <= options.rho * poles.heights[p])) continue;
-    states[p] = normal_fails[p] == 0 ? State::interior : State::pending;
+    states[p] = normal_fails.is_raised(p) ? State::pending : State::interior;
   }
   // phase 2
   BoundarySamples result;

@@ -12,119 +12,123 @@ namespace {
 
 using Corners = std::array<Point, 3>;
 
-// What is known of a facet, from one of its sides.
-enum class HalfState : std::uint8_t {
-  none,  // not a candidate
-  open,
-  proposed,
-  kept,
-  kept_from_back,
-  dropped
-};
+// What is known of a candidate, from one of its sides.
+enum class HalfState : std::uint8_t { open, proposed, kept, kept_from_back, dropped };
+
+// A candidate seen from one of its sides: 2 * triangle, from the cell that numbers the facet, or
+// 2 * triangle + 1, from the one behind.
+using Half = std::uint32_t;
+
+constexpr std::uint32_t triangle_of_half(Half half) { return half / 2; }
+constexpr Half other_half(Half half) { return half ^ 1U; }
 
 class Walk {
  public:
-  Walk(const Triangulation& triangulation, const FacetSet& candidates, const VertexSet& umbrella)
+  Walk(const Triangulation& triangulation, const LinkedFacets& candidates,
+       const VertexSet& umbrella)
       : triangulation_(triangulation),
         candidates_(candidates),
         umbrella_(umbrella),
-        states_(4 * triangulation.num_cells(), HalfState::none),
-        on_surface_(triangulation.num_vertices(), 0) {
-    for (const CellId c : triangulation.cells()) {
-      if (candidates.bits(c) == 0) continue;
-      for (int i = 0; i < 4; ++i) {
-        const FacetId f = facet_id(c, i);
-        if (!candidates.contains(f)) continue;
-        states_[f] = HalfState::open;
-        ++num_halves_;
-      }
-    }
-  }
+        states_(2 * candidates.size(), HalfState::open),
+        on_surface_(triangulation.num_vertices(), 0) {}
 
-  ManifoldSurface run() {
+  void run() {
     walk_from(hull_starts());
     walk_from(other_starts());
     keep_unwalked();
-    result_.facets = FacetSet(triangulation_.num_cells());
-    for (const FacetId f : result_.halves) result_.facets.insert(triangulation_, f);
-    result_.dropped = num_halves_ / 2 - result_.halves.size();
-    std::sort(result_.halves.begin(), result_.halves.end());
-    return std::move(result_);
   }
 
+  // The kept halves, in the order of their triangles.
+  std::vector<FacetId> halves() const {
+    std::vector<FacetId> halves;
+    for (Half h = 0; h < states_.size(); ++h) {
+      if (states_[h] == HalfState::kept) halves.push_back(facet_of(h));
+    }
+    return halves;
+  }
+  std::vector<std::uint8_t> off_surface() const {
+    std::vector<std::uint8_t> flags(candidates_.size(), 1);
+    for (Half h = 0; h < states_.size(); ++h) {
+      if (states_[h] == HalfState::kept) flags[triangle_of_half(h)] = 0;
+    }
+    return flags;
+  }
+  std::size_t walks() const { return walks_; }
+  std::size_t unwalked() const { return unwalked_; }
+  std::size_t back_contacts() const { return back_contacts_; }
+
  private:
-  HalfState& state(FacetId f) { return states_[f]; }
+  FacetId facet_of(Half h) const {
+    const FacetId f = candidates_.facets[triangle_of_half(h)];
+    return (h & 1U) == 0 ? f : triangulation_.mirror(f);
+  }
+  const Triangle& corners(Half h) const { return candidates_.corners[triangle_of_half(h)]; }
 
   // --- where to begin
 
-  std::vector<FacetId> hull_starts() {
-    std::vector<FacetId> starts;
-    for (const CellId c : triangulation_.infinite_cells()) {
-      const FacetId f = facet_id(c, 3);
-      if (candidates_.contains(f) && may_start(f)) starts.push_back(f);
+  // Infinite cells come last: seen from outside is seen from the cell behind.
+  std::vector<Half> hull_starts() const {
+    std::vector<Half> starts;
+    for (std::uint32_t t = 0; t < candidates_.size(); ++t) {
+      const CellId behind = cell_of(triangulation_.mirror(candidates_.facets[t]));
+      if (triangulation_.is_infinite(behind) && may_start(2 * t + 1)) starts.push_back(2 * t + 1);
     }
     return starts;
   }
 
   // Each facet once, seen from its positive side, or from the other one if that is the inside of a
   // flat tetrahedron all of whose facets are candidates.
-  std::vector<FacetId> other_starts() {
-    std::vector<FacetId> starts;
-    candidates_.for_each(triangulation_, [&](FacetId f) {
-      if (!may_start(f)) return;
-      const FacetId mirror = triangulation_.mirror(f);
-      const FacetId positive = sees_positive_side(f) ? f : mirror;
-      const bool inside_flat = candidates_.bits(cell_of(positive)) == 15;
-      starts.push_back(inside_flat ? triangulation_.mirror(positive) : positive);
-    });
+  std::vector<Half> other_starts() const {
+    std::vector<Half> starts;
+    for (std::uint32_t t = 0; t < candidates_.size(); ++t) {
+      if (!may_start(2 * t)) continue;
+      const Half positive = sees_positive_side(2 * t) ? 2 * t : 2 * t + 1;
+      const bool inside_flat = candidates_.set.bits(cell_of(facet_of(positive))) == 15;
+      starts.push_back(inside_flat ? other_half(positive) : positive);
+    }
     return starts;
   }
 
-  bool may_start(FacetId f) {
-    if (state(f) != HalfState::open) return false;
-    for (const VertexId v : triangulation_.facet_vertices(f)) {
+  bool may_start(Half h) const {
+    if (states_[h] != HalfState::open) return false;
+    for (const VertexId v : corners(h)) {
       if (umbrella_[v] == 0 || on_surface_[v] != 0) return false;
     }
     return true;
   }
 
-  void walk_from(std::vector<FacetId> starts) {
-    const auto smaller = [&](FacetId a, FacetId b) {
-      return sorted_corners(a) < sorted_corners(b);
-    };
+  void walk_from(std::vector<Half> starts) {
+    const auto smaller = [&](Half a, Half b) { return sorted_corners(a) < sorted_corners(b); };
     if (starts.empty()) return;
     // Nearly always the first walk covers all: sort only what it leaves.
     walk(*std::min_element(starts.begin(), starts.end(), smaller));
-    std::erase_if(starts, [&](FacetId f) { return !may_start(f); });
+    std::erase_if(starts, [&](Half h) { return !may_start(h); });
     std::sort(starts.begin(), starts.end(), smaller);
-    for (const FacetId f : starts) {
-      if (may_start(f)) walk(f);
+    for (const Half h : starts) {
+      if (may_start(h)) walk(h);
     }
   }
 
   // --- the walk
 
-  // A kept facet, and the edge (by its opposite vertex) over which the walk came.
+  // A half-facet and the side of its triangle over which the walk came.
   struct Arrival {
-    FacetId facet;
-    VertexId apex;
+    Half half;
+    SideId side;
   };
 
-  void walk(FacetId start) {
-    ++result_.walks;
+  void walk(Half start) {
+    ++walks_;
     keep(start);
-    std::vector<Arrival> frontier{{start, VertexId{}}};
+    std::vector<Arrival> frontier{{start, no_side}};
     std::vector<Arrival> kept;
-    std::vector<FacetId> dropped;
+    std::vector<Half> dropped;
     while (!frontier.empty()) {
-      for (std::size_t i = 0; i < frontier.size(); ++i) {
-        fetch_ahead(frontier, i);
-        turn_about_edges(frontier[i], kept, dropped);
-      }
-      std::erase_if(kept, [&](const Arrival& arrival) { return !is_accepted(arrival.facet); });
-      for (const Arrival& arrival : kept) keep(arrival.facet);
-      for (const FacetId f : dropped) {
-        if (state(f) == HalfState::open) drop(f);
+      for (const Arrival& arrival : frontier) turn_about_edges(arrival, kept, dropped);
+      std::erase_if(kept, [&](const Arrival& arrival) { return !is_accepted(arrival.half); });
+      for (const Arrival& arrival : kept) keep(arrival.half);
+      for (const Half h : dropped) {
+        if (states_[h] == HalfState::open) drop(h);
       }
       std::swap(frontier, kept);
       kept.clear();
@@ -132,101 +136,121 @@ class Walk {
     }
   }
 
-  // A round goes all over the memory: asks for the cells that it soon turns through, those next to
-  // the two cells of a facet, as soon as these should have come.
-  void fetch_ahead(const std::vector<Arrival>& frontier, std::size_t i) const {
-    constexpr std::size_t ahead = 8;
-    const auto fetch = [&](CellId c) { __builtin_prefetch(&triangulation_.cell(c)); };
-    if (i + 3 * ahead < frontier.size()) fetch(cell_of(frontier[i + 3 * ahead].facet));
-    if (i + 2 * ahead < frontier.size()) {
-      for (const FacetId f : triangulation_.cell(cell_of(frontier[i + 2 * ahead].facet)).neighbors)
-        fetch(cell_of(f));
-    }
-    if (i + ahead < frontier.size()) {
-      const CellId back = cell_of(triangulation_.mirror(frontier[i + ahead].facet));
-      for (const FacetId f : triangulation_.cell(back).neighbors) fetch(cell_of(f));
-    }
-  }
-
   void turn_about_edges(const Arrival& arrival, std::vector<Arrival>& kept,
-                        std::vector<FacetId>& dropped) {
-    const std::array<VertexId, 3> v = triangulation_.facet_vertices(arrival.facet);
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (v[i] == arrival.apex) continue;
-      if (umbrella_[v[(i + 1) % 3]] == 0 && umbrella_[v[(i + 2) % 3]] == 0) continue;
-      turn(arrival.facet, v[i], kept, dropped);
+                        std::vector<Half>& dropped) {
+    const SideId first = 3 * triangle_of_half(arrival.half);
+    for (SideId side = first; side < first + 3; ++side) {
+      if (side == arrival.side) continue;
+      const auto [a, b] = candidates_.ends(side);
+      if (umbrella_[a] == 0 && umbrella_[b] == 0) continue;
+      if (candidates_.is_two_sided(side)) {
+        const SideId met = candidates_.links[side];
+        if (states_[facing_half(arrival.half, side, met)] != HalfState::dropped) {
+          meet_first(facing_half(arrival.half, side, met), met, kept);
+        }
+      } else if (candidates_.links[side] != side) {
+        turn(arrival.half, side, kept, dropped);
+      }
     }
   }
 
-  // Once around the edge of f opposite `third`, beginning on f's side.
-  void turn(FacetId f, VertexId third, std::vector<Arrival>& kept, std::vector<FacetId>& dropped) {
+  // Of the triangle of `other`, the half on the walker's side when he comes from `half` over their
+  // edge: seen from one side, the triangles run through it in opposite directions.
+  Half facing_half(Half half, SideId side, SideId other) const {
+    const bool opposite = candidates_.ends(side)[0] != candidates_.ends(other)[0];
+    return 2 * triangle_of_side(other) + (opposite ? half & 1U : (half & 1U) ^ 1U);
+  }
+
+  void meet_first(Half met, SideId side, std::vector<Arrival>& kept) {
+    HalfState& state = states_[met];
+    if (state == HalfState::open) {
+      state = HalfState::proposed;
+      kept.push_back({met, side});
+    } else if (state == HalfState::kept_from_back) {
+      ++back_contacts_;
+    }
+  }
+
+  // Once around an edge with more than two candidates, beginning on the side of the half-facet.
+  void turn(Half half, SideId side, std::vector<Arrival>& kept, std::vector<Half>& dropped) {
+    FacetId f = facet_of(half);
     const FacetId back = triangulation_.mirror(f);
+    VertexId third = candidates_.corners[triangle_of_side(side)][corner_of_side(side)];
     bool first = true;
     for (;;) {
       const FacetId g =
           facet_id(cell_of(f), index_of_vertex(triangulation_.cell(cell_of(f)), third));
-      const VertexId apex = triangulation_.opposite_vertex(f);
       if (g == back) return;
-      HalfState& met = state(g);
-      if (met != HalfState::none && met != HalfState::dropped) {
-        if (!first) {
-          if (met == HalfState::open) dropped.push_back(g);
-        } else if (met == HalfState::open) {
-          met = HalfState::proposed;
-          kept.push_back({g, apex});
-        } else if (met == HalfState::kept_from_back) {
-          ++result_.back_contacts;
+      const SideId met_side = side_of_facet(side, g);
+      if (met_side != no_side) {
+        const Half met = facing_half(half, side, met_side);
+        if (states_[met] != HalfState::dropped) {
+          if (first) {
+            meet_first(met, met_side, kept);
+          } else if (states_[met] == HalfState::open) {
+            dropped.push_back(met);
+          }
+          first = false;
         }
-        first = false;
       }
-      third = apex;
+      third = triangulation_.opposite_vertex(f);
       f = triangulation_.mirror(g);
     }
   }
 
+  // The side of facet g at the edge of `side`, if g is a candidate.
+  SideId side_of_facet(SideId side, FacetId g) const {
+    if (!candidates_.set.contains(g)) return no_side;
+    const FacetId canonical = triangulation_.canonical(g);
+    SideId found = no_side;
+    for_each_side_at_edge(candidates_, side, [&](SideId other) {
+      if (candidates_.facets[triangle_of_side(other)] == canonical) found = other;
+    });
+    return found;
+  }
+
   // Of the two sides from which one round may propose a facet the positive one is taken.
-  bool is_accepted(FacetId f) {
-    const bool both = state(triangulation_.mirror(f)) == HalfState::proposed;
-    return !both || sees_positive_side(f);
+  bool is_accepted(Half h) const {
+    return states_[other_half(h)] != HalfState::proposed || sees_positive_side(h);
   }
 
-  void keep(FacetId f) {
-    state(f) = HalfState::kept;
-    state(triangulation_.mirror(f)) = HalfState::kept_from_back;
-    result_.halves.push_back(f);
-    for (const VertexId v : triangulation_.facet_vertices(f)) on_surface_[v] = 1;
+  void keep(Half h) {
+    states_[h] = HalfState::kept;
+    states_[other_half(h)] = HalfState::kept_from_back;
+    for (const VertexId v : corners(h)) on_surface_[v] = 1;
   }
 
-  void drop(FacetId f) {
-    state(f) = HalfState::dropped;
-    state(triangulation_.mirror(f)) = HalfState::dropped;
+  void drop(Half h) {
+    states_[h] = HalfState::dropped;
+    states_[other_half(h)] = HalfState::dropped;
   }
 
   // Candidates that no walk reached and that share no vertex with one.
   void keep_unwalked() {
-    std::vector<FacetId> apart;
-    candidates_.for_each(triangulation_, [&](FacetId f) {
-      if (state(f) != HalfState::open) return;
-      const auto [a, b, c] = triangulation_.facet_vertices(f);
-      if ((on_surface_[a] | on_surface_[b] | on_surface_[c]) != 0) return;
-      apart.push_back(sees_positive_side(f) ? f : triangulation_.mirror(f));
-    });
-    for (const FacetId f : apart) keep(f);
-    result_.unwalked = apart.size();
+    std::vector<Half> apart;
+    for (std::uint32_t t = 0; t < candidates_.size(); ++t) {
+      if (states_[2 * t] != HalfState::open) continue;
+      const auto [a, b, c] = candidates_.corners[t];
+      if ((on_surface_[a] | on_surface_[b] | on_surface_[c]) != 0) continue;
+      apart.push_back(sees_positive_side(2 * t) ? 2 * t : 2 * t + 1);
+    }
+    for (const Half h : apart) keep(h);
+    unwalked_ = apart.size();
   }
 
   // --- canonical choices
 
-  Corners sorted_corners(FacetId f) const {
-    const auto [a, b, c] = triangulation_.facet_vertices(f);
-    Corners corners{triangulation_.point(a), triangulation_.point(b), triangulation_.point(c)};
-    std::sort(corners.begin(), corners.end());
-    return corners;
+  Corners sorted_corners(Half h) const {
+    const auto [a, b, c] = corners(h);
+    Corners sorted{triangulation_.point(a), triangulation_.point(b), triangulation_.point(c)};
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
   }
 
   // Does the half-facet lie on the side to which the normal of its sorted corners points?
-  bool sees_positive_side(FacetId f) const {
-    std::array<VertexId, 3> v = triangulation_.facet_vertices(f);  // normal away from the side
+  bool sees_positive_side(Half h) const {
+    // normal away from the side
+    std::array<VertexId, 3> v = triangulation_.facet_vertices(facet_of(h));
     const auto less = [&](VertexId a, VertexId b) {
       return triangulation_.point(a) < triangulation_.point(b);
     };
@@ -234,21 +258,35 @@ class Walk {
     return less(v[2], v[1]);
   }
 
+  static constexpr SideId no_side = 0xFFFFFFFFU;
   const Triangulation& triangulation_;
-  const FacetSet& candidates_;
+  const LinkedFacets& candidates_;
   const VertexSet& umbrella_;
-  IdVector<FacetId, HalfState> states_;  // per half-facet
-  std::size_t num_halves_ = 0;           // of candidates
+  std::vector<HalfState> states_;  // per half
   VertexSet on_surface_;
-  ManifoldSurface result_;
+  std::size_t walks_ = 0;
+  std::size_t unwalked_ = 0;
+  std::size_t back_contacts_ = 0;
 };
 
 }  // namespace
 
-ManifoldSurface extract_manifold(const Triangulation& triangulation, const FacetSet& candidates,
+ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
                                  const VertexSet& umbrella, const Execution& execution) {
   report_progress(execution, "extract_manifold", 0);
-  ManifoldSurface surface = Walk(triangulation, candidates, umbrella).run();
+  ManifoldSurface surface;
+  std::vector<std::uint8_t> off_surface;
+  {
+    Walk walk(triangulation, candidates, umbrella);
+    walk.run();
+    surface.halves = walk.halves();
+    surface.walks = walk.walks();
+    surface.unwalked = walk.unwalked();
+    surface.back_contacts = walk.back_contacts();
+    off_surface = walk.off_surface();
+  }
+  surface.dropped = candidates.size() - surface.halves.size();
+  surface.triangles = without(triangulation, std::move(candidates), off_surface);
   report_progress(execution, "extract_manifold", 1);
   return surface;
 }

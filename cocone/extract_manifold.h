@@ -14,15 +14,15 @@
 #include <cstddef>
 #include <vector>
 
-#include "cocone/facet_set.h"
+#include "cocone/linked_facets.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 
 namespace cocoon {
 
 struct ManifoldSurface {
-  FacetSet facets;
-  // One id per facet, ascending: the facet seen from the side on which the walk came. Normals of
+  LinkedFacets triangles;
+  // One id per triangle: the facet seen from the side on which the walk came. Normals of
   // facet_vertices(mirror(half)) point to that side: outward where the walk began outside.
   std::vector<FacetId> halves;
   std::size_t walks = 0;     // connected pieces
@@ -41,12 +41,13 @@ struct ManifoldSurface {
 // A walk begins at a hull candidate, seen from outside, with umbrellas at its three vertices: the
 // lexicographically smallest one that has no vertex on the surface so far. When there are no more,
 // likewise at other candidates. So the result is a function of the set of candidates.
-// Complexity: O(cells + degrees of the candidates' edges).
+// Two candidates at an edge see each other without a turn; a turn through the cells is made only at
+// edges with more. Complexity: O(candidates + vertices), and one byte per cell.
 // Source: Amenta, Choi, Dey & Leekha 2002 (manifold extraction); spec 5.3, variant W. Classes of
 // half-facets (spec 12) would need no rounds, but one tear that links the two sides makes them one
 // class, and then both sheets of every flat tetrahedron stay; in rounds a tear does harm only where
 // it is.
-ManifoldSurface extract_manifold(const Triangulation& triangulation, const FacetSet& candidates,
+ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
                                  const VertexSet& umbrella, const Execution& execution = {});
 
 }  // namespace cocoon

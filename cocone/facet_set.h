@@ -39,6 +39,7 @@ class FacetSet {
   template <class Visit>
   void for_each(const Triangulation& triangulation, Visit visit) const {
     for (const CellId c : bits_.ids()) {
+      if (bits_[c] == 0) continue;
       for (int i = 0; i < 4; ++i) {
         const FacetId f = facet_id(c, i);
         if (contains(f) && triangulation.canonical(f) == f) visit(f);

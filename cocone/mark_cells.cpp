@@ -1,13 +1,15 @@
 #include "cocone/mark_cells.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
-#include "cocone/triangle_fans.h"
 #include "delaunay/circulate.h"
 
 namespace cocoon {
 namespace {
+
+constexpr std::size_t cells_per_chunk = 16384;
 
 struct LabelCount {
   std::size_t out = 0;
@@ -28,100 +30,142 @@ CellLabel opposite(CellLabel label) {
   return label == CellLabel::out ? CellLabel::in : CellLabel::out;
 }
 
-// Disjoint sets of cells. Sets are joined under the smaller root.
-class CellSets {
+// What the rounds give where no two vertices disagree. The vertices that get their turn are those
+// joined to the hull by triangles of the surface. A side of the surface, carried from triangle to
+// triangle around them, labels the cells on both sides of it; cells that share a facet at such a
+// vertex, off the surface, have the same label. Labels that meet all these conditions are those of
+// the rounds: OUT is what hangs together with an infinite cell by such facets, IN what lies behind.
+class ConsistentMarking {
  public:
-  explicit CellSets(std::size_t num_cells) {
-    parent_.reserve(num_cells);
-    for (const CellId c : id_range<CellId>(num_cells)) parent_.push_back(c);
-  }
-  // Halves the path.
-  CellId root(CellId c) {
-    while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
-    return c;
-  }
-  void join(CellId a, CellId b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
+  ConsistentMarking(const Triangulation& triangulation, const LinkedFacets& surface,
+                    CellMarks& marks)
+      : triangulation_(triangulation), surface_(surface), marks_(marks) {}
+
+  // False if the labels contradict each other; the marks are then of no use.
+  bool run(const Execution& execution) {
+    for (const CellId c : triangulation_.infinite_cells()) marks_.labels[c] = CellLabel::out;
+    if (!visit_surface() || !label_sides()) return false;
+    label_others();
+    return is_consistent(execution);
   }
 
  private:
-  IdVector<CellId, CellId> parent_;
-};
+  static constexpr std::uint8_t unknown = 2;
 
-// What the rounds give where no two vertices disagree, in one pass over the cells. The vertices
-// that get their turn are those joined to the hull by triangles of the surface. Two cells at such a
-// vertex are in one half if facets at the vertex lead from one to the other without crossing the
-// surface: cells joined by such facets have one label. It is OUT for the sets of the infinite
-// cells, IN for those behind the surface seen from there. If no set is told both, every half has
-// one label, the one that the rounds find.
-class ConsistentMarking {
- public:
-  ConsistentMarking(const Triangulation& triangulation, const FacetSet& surface,
-                    const TriangleFans& fans, CellMarks& marks)
-      : triangulation_(triangulation),
-        surface_(surface),
-        fans_(fans),
-        marks_(marks),
-        sets_(triangulation.num_cells()) {}
-
-  // False if the labels contradict each other; the marks are then of no use.
-  bool run(std::span<const VertexId> seeds) {
-    visit_surface(seeds);
-    join_cells();
-    // The label of a set is kept at its root until all are known.
+  // Goes over the surface from the hull, by good vertices. Of each triangle at one it learns on
+  // which side OUT is: 0, in the cell that numbers the facet, 1, in the one behind.
+  bool visit_surface() {
+    out_side_.assign(surface_.size(), unknown);
     for (const CellId c : triangulation_.infinite_cells()) {
-      marks_.labels[sets_.root(c)] = CellLabel::out;
+      for (unsigned i = 0; i < 3; ++i) {
+        const VertexId v = triangulation_.cell(c).vertices[i];
+        if (marks_.good[v] == 0 || marks_.visited[v] != 0) continue;
+        const FacetId seen = surface_seen_from(c, v);
+        const FacetId canonical = triangulation_.canonical(seen);
+        const auto place =
+            std::lower_bound(surface_.facets.begin(), surface_.facets.end(), canonical);
+        const auto t = static_cast<std::uint32_t>(place - surface_.facets.begin());
+        if (!visit_from(t, seen == canonical ? 0 : 1)) return false;
+      }
     }
-    for (const FacetId f : dividing_) {
-      const CellId front = sets_.root(cell_of(f));
-      const CellId back = sets_.root(triangulation_.neighbor(cell_of(f), index_of(f)));
-      const bool front_out = marks_.labels[front] == CellLabel::out;
-      const bool back_out = marks_.labels[back] == CellLabel::out;
-      if (front_out && back_out) return false;
-      if (front_out) marks_.labels[back] = CellLabel::in;
-      if (back_out) marks_.labels[front] = CellLabel::in;
-    }
-    for (const CellId c : triangulation_.cells()) marks_.labels[c] = marks_.labels[sets_.root(c)];
     return true;
   }
 
- private:
-  void visit_surface(std::span<const VertexId> seeds) {
-    std::vector<VertexId> stack;
-    const auto visit = [&](VertexId v) {
-      if (marks_.good[v] == 0 || marks_.visited[v] != 0) return;
-      marks_.visited[v] = 1;
-      ++marks_.visited_vertices;
-      stack.push_back(v);
-    };
-    for (const VertexId v : seeds) visit(v);
-    while (!stack.empty()) {
-      const VertexId v = stack.back();
-      stack.pop_back();
-      for (const std::uint32_t t : fans_.around(v)) {
-        for (const VertexId w : fans_.corners[t]) visit(w);
+  // The first facet of the surface at v met from the infinite cell c, seen from that side.
+  // Precondition: v is good.
+  FacetId surface_seen_from(CellId c, VertexId v) const {
+    std::vector<CellId> half{c};
+    for (std::size_t next = 0;; ++next) {
+      const int opposite_facet = index_of_vertex(triangulation_.cell(half[next]), v);
+      for (int i = 0; i < 4; ++i) {
+        if (i == opposite_facet) continue;
+        const FacetId f = facet_id(half[next], i);
+        if (surface_.set.contains(f)) return f;
+        const CellId behind = cell_of(triangulation_.mirror(f));
+        if (std::find(half.begin(), half.end(), behind) == half.end()) half.push_back(behind);
       }
     }
   }
 
-  // Facets at a visited vertex join their cells, or divide them if they lie on the surface.
-  void join_cells() {
-    for (const CellId c : triangulation_.cells()) {
-      const unsigned visited = visited_corners(c);
-      if (visited == 0) continue;
-      for (int i = 0; i < 4; ++i) {
-        const FacetId f = facet_id(c, i);
-        const CellId behind = triangulation_.neighbor(c, i);
-        if (c < behind || (visited & ~(1U << i)) == 0) continue;  // told once, by the larger cell
-        if (surface_.contains(f)) {
-          dividing_.push_back(f);
-        } else {
-          sets_.join(c, behind);
+  bool visit_from(std::uint32_t first, std::uint8_t out_side) {
+    stack_.assign(1, first);
+    out_side_[first] = out_side;
+    while (!stack_.empty()) {
+      const std::uint32_t t = stack_.back();
+      stack_.pop_back();
+      for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
+        const auto [a, b] = surface_.ends(side);
+        if ((marks_.good[a] | marks_.good[b]) == 0) continue;
+        // Around a good vertex every edge has two triangles.
+        const SideId across = surface_.links[side];
+        const bool turned = surface_.ends(across)[0] == a;
+        const auto expected = static_cast<std::uint8_t>(out_side_[t] ^ (turned ? 1U : 0U));
+        std::uint8_t& found = out_side_[triangle_of_side(across)];
+        if (found == unknown) {
+          found = expected;
+          stack_.push_back(triangle_of_side(across));
+        } else if (found != expected) {
+          return false;
         }
       }
+      for (const VertexId v : surface_.corners[t]) {
+        if (marks_.good[v] == 0 || marks_.visited[v] != 0) continue;
+        marks_.visited[v] = 1;
+        ++marks_.visited_vertices;
+      }
     }
+    return true;
+  }
+
+  bool label(CellId c, CellLabel wanted) {
+    CellLabel& label = marks_.labels[c];
+    if (label == CellLabel::unmarked) label = wanted;
+    return label == wanted;
+  }
+
+  bool label_sides() {
+    for (std::uint32_t t = 0; t < surface_.size(); ++t) {
+      if (out_side_[t] == unknown || !has_visited_corner(surface_.corners[t])) continue;
+      const FacetId f = surface_.facets[t];
+      const CellId here = cell_of(f);
+      const CellId behind = cell_of(triangulation_.mirror(f));
+      const bool out_here = out_side_[t] == 0;
+      if (!label(here, out_here ? CellLabel::out : CellLabel::in)) return false;
+      if (!label(behind, out_here ? CellLabel::in : CellLabel::out)) return false;
+    }
+    return true;
+  }
+
+  bool has_visited_corner(const Triangle& corners) const {
+    return (marks_.visited[corners[0]] | marks_.visited[corners[1]] | marks_.visited[corners[2]]) !=
+           0;
+  }
+
+  // Labels pass through facets at visited vertices; in the order of memory, as often as it takes.
+  void label_others() {
+    std::vector<CellId> left;
+    for (const CellId c : triangulation_.cells()) {
+      if (marks_.labels[c] != CellLabel::unmarked || visited_corners(c) == 0) continue;
+      if (!take_label(c)) left.push_back(c);
+    }
+    for (std::size_t before = left.size() + 1; left.size() < before;) {
+      before = left.size();
+      std::reverse(left.begin(), left.end());
+      std::erase_if(left, [&](CellId c) { return take_label(c); });
+    }
+  }
+
+  bool take_label(CellId c) {
+    const unsigned visited = visited_corners(c);
+    for (int i = 0; i < 4; ++i) {
+      const FacetId f = facet_id(c, i);
+      if ((visited & ~(1U << i)) == 0 || surface_.set.contains(f)) continue;
+      const CellLabel label = marks_.labels[triangulation_.neighbor(c, i)];
+      if (label == CellLabel::unmarked) continue;
+      marks_.labels[c] = label;
+      return true;
+    }
+    return false;
   }
 
   // Bit i: vertex i has had its turn.
@@ -134,12 +178,37 @@ class ConsistentMarking {
     return bits;
   }
 
+  bool is_consistent(const Execution& execution) const {
+    std::atomic<bool> consistent = true;
+    const bool all_visited = marks_.visited_vertices == triangulation_.num_vertices();
+    parallel_chunks(execution, triangulation_.num_cells(), cells_per_chunk,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (CellId c(begin); c.index() < end; ++c) {
+                        const unsigned visited = all_visited ? 15U : visited_corners(c);
+                        if (!agrees_with_neighbors(c, visited)) consistent = false;
+                      }
+                    });
+    return consistent;
+  }
+
+  bool agrees_with_neighbors(CellId c, unsigned visited) const {
+    const CellLabel label = marks_.labels[c];
+    for (int i = 0; i < 4; ++i) {
+      const FacetId f = facet_id(c, i);
+      const CellId behind = triangulation_.neighbor(c, i);
+      if (behind < c || (visited & ~(1U << i)) == 0) continue;  // told once, by the smaller cell
+      if (label == CellLabel::unmarked) return false;
+      const CellLabel expected = surface_.set.contains(f) ? opposite(label) : label;
+      if (marks_.labels[behind] != expected) return false;
+    }
+    return true;
+  }
+
   const Triangulation& triangulation_;
-  const FacetSet& surface_;
-  const TriangleFans& fans_;
+  const LinkedFacets& surface_;
   CellMarks& marks_;
-  CellSets sets_;
-  std::vector<FacetId> dividing_;  // facets of the surface at a visited vertex
+  std::vector<std::uint8_t> out_side_;  // per triangle
+  std::vector<std::uint32_t> stack_;
 };
 
 void clear_marks(const Triangulation& triangulation, CellMarks& marks) {
@@ -267,25 +336,24 @@ void mark_in_rounds(const Triangulation& triangulation, const VertexStars& stars
 }
 
 CellMarks mark_cells(const Triangulation& triangulation, const VertexStars& stars,
-                     const FacetSet& surface, const VertexSet& boundary,
+                     const LinkedFacets& surface, const VertexSet& boundary,
                      const GoodVertexOptions& options, const Execution& execution) {
   report_progress(execution, "mark_cells", 0);
-  const TriangleFans fans = triangle_fans(triangulation, surface, execution);
-  GoodVertices good = good_vertices(fans, boundary, options, execution);
-  report_progress(execution, "mark_cells", 0.6);
+  GoodVertices good = good_vertices(surface, boundary, options, execution);
+  report_progress(execution, "mark_cells", 0.4);
   CellMarks marks;
   marks.good = std::move(good.good);
   marks.good_vertices = good.count;
   marks.demoted_vertices = good.demoted;
-  // the first to have their turn: good vertices on the hull
-  std::vector<VertexId> seeds;
-  for (const CellId c : triangulation.infinite_cells()) {
-    for (int i = 0; i < 3; ++i) seeds.push_back(triangulation.vertex(c, i));
-  }
   clear_marks(triangulation, marks);
-  if (!ConsistentMarking(triangulation, surface, fans, marks).run(seeds)) {
+  if (!ConsistentMarking(triangulation, surface, marks).run(execution)) {
     clear_marks(triangulation, marks);
-    mark_in_rounds(triangulation, stars, surface, seeds, marks);
+    // the first to have their turn: good vertices on the hull
+    std::vector<VertexId> seeds;
+    for (const CellId c : triangulation.infinite_cells()) {
+      for (int i = 0; i < 3; ++i) seeds.push_back(triangulation.vertex(c, i));
+    }
+    mark_in_rounds(triangulation, stars, surface.set, seeds, marks);
   }
   report_progress(execution, "mark_cells", 1);
   return marks;

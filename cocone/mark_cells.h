@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cocone/facet_set.h"
+#include "cocone/linked_facets.h"
 #include "cocone/umbrella.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/vertex_stars.h"
@@ -48,7 +49,7 @@ struct CellMarks {
 // independent of order. Source: Dey & Goswami 2003 (Tight Cocone, marking); spec 6.1, 6.2,
 // section 12.
 CellMarks mark_cells(const Triangulation& triangulation, const VertexStars& stars,
-                     const FacetSet& surface, const VertexSet& boundary,
+                     const LinkedFacets& surface, const VertexSet& boundary,
                      const GoodVertexOptions& options = {}, const Execution& execution = {});
 
 // The rounds from the infinite cells on, without the pass that may replace them (mark_cells decides

@@ -67,7 +67,11 @@ class Peeling {
 
   void run(const PeelOptions& options) {
     find_poor_cells();
-    for (const CellId c : triangulation_.infinite_cells()) reach(c);
+    if (marks_.rounds == 0) {
+      reach_marked_cells();
+    } else {
+      for (const CellId c : triangulation_.infinite_cells()) reach(c);
+    }
     close();
     if (options.deferred_seeding) {
       while (plant_deferred_seed()) close();
@@ -85,9 +89,10 @@ class Peeling {
     return true;
   }
 
+  // Cells with a label have a vertex that gave it, or were poor before.
   void find_poor_cells() {
     for (const CellId c : triangulation_.finite_cells()) {
-      if (poor_[c] != 0 || !is_poor(c)) continue;
+      if (marks_.labels[c] != CellLabel::unmarked || poor_[c] != 0 || !is_poor(c)) continue;
       poor_[c] = 1;
       ++marks_.poor_cells;
       FacetId smallest = facet_id(c, 0);
@@ -106,6 +111,30 @@ class Peeling {
     marks_.reached[c] = 1;
     marks_.labels[c] = CellLabel::out;
     stack_.push_back(c);
+  }
+
+  // Labels that came without rounds lead from each OUT cell to infinity through OUT cells. The flood
+  // goes on from those with an unmarked neighbor, or with a good vertex that had no turn.
+  void reach_marked_cells() {
+    const bool all_visited = marks_.visited_vertices == marks_.good_vertices;
+    for (const CellId c : triangulation_.cells()) {
+      if (marks_.labels[c] == CellLabel::out) {
+        marks_.reached[c] = 1;
+        if (!all_visited && has_unvisited_vertex(c)) stack_.push_back(c);
+      } else if (marks_.labels[c] == CellLabel::unmarked) {
+        for (int i = 0; i < 4; ++i) {
+          const CellId behind = triangulation_.neighbor(c, i);
+          if (marks_.labels[behind] == CellLabel::out) stack_.push_back(behind);
+        }
+      }
+    }
+  }
+
+  bool has_unvisited_vertex(CellId c) const {
+    for (const VertexId v : triangulation_.cell(c).vertices) {
+      if (v != infinite_vertex && marks_.good[v] != 0 && marks_.visited[v] == 0) return true;
+    }
+    return false;
   }
 
   // May the peel go through facet f (seen from a reached cell) into the cell behind it?

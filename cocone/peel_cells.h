@@ -27,6 +27,8 @@ struct PeelOptions {
 // while cells are reached; then the good vertices of the newly reached cells run marking rounds;
 // repeated until nothing changes. The facet of a deferred seed is the one with the largest
 // circumradius, ties go to the lexicographically smaller corners, as for stop facets.
+// `marks.rounds` tells whether the labels are those of the one pass of mark_cells, which lead from
+// every OUT cell to infinity: then there is nothing to flood but what is not labeled.
 // Complexity: O(cells + d log d) for d undecided facets. Independent of order.
 // Source: Dey & Goswami 2003 (Tight Cocone, peeling); spec 6.3, 6.6, section 12.
 CellMarks peel_cells(const Triangulation& triangulation, const VertexStars& stars,

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "cocone/facet_set.h"
+#include "cocone/linked_facets.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 
@@ -17,7 +18,7 @@ struct PruneOptions {
 };
 
 struct PrunedCandidates {
-  FacetSet facets;             // what is left
+  LinkedFacets left;           // what was not pruned
   VertexSet umbrella;          // flags of the safety check, before anything was pruned
   std::size_t candidates = 0;  // before
   std::size_t pruned = 0;
@@ -29,10 +30,10 @@ struct PrunedCandidates {
 // candidates go that were not marked; repeated, since an edge that loses a candidate may become
 // sharp (one candidate is always sharp). Flags and marks are fixed beforehand and the largest
 // dihedral at an edge can only fall: the result does not depend on order.
-// Complexity: O(cells + candidates), the first two steps parallel.
+// Complexity: O(candidates + vertices) and one byte per cell; the first two steps parallel.
 // Source: Amenta, Choi, Dey & Leekha 2002; Woo & Dey 2005, section 2.2; guard by umbrellas and
 // thresholds after the practice of the Cocone programs (spec 5.2).
-PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, const FacetSet& candidates,
+PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet candidates,
                                    const PruneOptions& options = {},
                                    const Execution& execution = {});
 

@@ -89,11 +89,12 @@ class Reconstruction {
           boundary_samples(triangulation_, dual_, poles_, cocones, options_.boundary, nested);
     });
     run_stage(execution_, "cocone", [&](const Execution& nested) {
-      const FacetSet candidates =
+      FacetSet candidates =
           candidate_triangles(triangulation_, cocones, boundary_.boundary, nested);
-      const PrunedCandidates pruned =
-          prune_sharp_edges(triangulation_, candidates, options_.prune, nested);
-      surface_ = extract_manifold(triangulation_, pruned.facets, pruned.umbrella, nested);
+      PrunedCandidates pruned =
+          prune_sharp_edges(triangulation_, std::move(candidates), options_.prune, nested);
+      surface_ =
+          extract_manifold(triangulation_, std::move(pruned.left), pruned.umbrella, nested);
       result_.counters.candidates = pruned.candidates;
       result_.counters.pruned = pruned.pruned;
       result_.counters.umbrellas = pruned.umbrellas;
@@ -110,9 +111,9 @@ class Reconstruction {
   void close_surface() {
     if (boundary_.interior() == 0) return deliver({});
     run_stage(execution_, "tight", [&](const Execution& nested) {
-      CellMarks marks = mark_cells(triangulation_, stars_, surface_.facets, boundary_.boundary,
+      CellMarks marks = mark_cells(triangulation_, stars_, surface_.triangles, boundary_.boundary,
                                    options_.good_vertices, nested);
-      marks = peel_cells(triangulation_, stars_, surface_.facets, std::move(marks), options_.peel,
+      marks = peel_cells(triangulation_, stars_, surface_.triangles.set, std::move(marks), options_.peel,
                          nested);
       ReconstructCounters& counters = result_.counters;
       counters.clean_up =

@@ -22,7 +22,7 @@ struct SurfaceMesh {
 };
 
 // The mesh of the facets seen from `halves` (extract_manifold.h): the normals of its triangles
-// point into cell_of(half). Complexity: O(points + triangles log triangles). Deterministic: a
+// point into cell_of(half). Complexity: O(points + triangles). Deterministic: a
 // function of the set of facets.
 SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const FacetId> halves);
 

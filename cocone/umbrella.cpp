@@ -2,131 +2,187 @@
 
 #include <algorithm>
 #include <atomic>
+#include <span>
+#include <utility>
 #include <vector>
+
+#include "cocone/shared_flags.h"
 
 namespace cocoon {
 namespace {
 
-constexpr std::size_t vertices_per_chunk = 4096;
+constexpr std::size_t triangles_per_chunk = 8192;
+constexpr std::size_t vertices_per_chunk = 8192;
+
+// A triangle at a vertex, by its corner there.
+struct Corner {
+  VertexId vertex;
+  std::uint32_t triangle;
+  friend auto operator<=>(const Corner&, const Corner&) = default;
+};
 
 // Drops triangles without a partner at one of their spokes; true iff some survive.
 class UmbrellaSearch {
  public:
-  bool exists(const TriangleFans& fans, VertexId center, double sharp_cosine) {
-    if (fans.around(center).size() < 3) return false;
-    collect_spokes(fans, center, spokes_);
-    alive_.assign(fans.around(center).size(), 1);
-    while (drop_round(fans, sharp_cosine)) {
+  UmbrellaSearch(const LinkedFacets& triangles, double sharp_cosine)
+      : triangles_(triangles), sharp_cosine_(sharp_cosine) {}
+
+  // `fan`: all triangles at one vertex.
+  bool exists(std::span<const Corner> fan) {
+    if (fan.size() < 3) return false;
+    alive_.clear();
+    for (const Corner& corner : fan) alive_.push_back(corner.triangle);
+    while (drop_round(fan[0].vertex)) {
     }
-    return std::find(alive_.begin(), alive_.end(), 1) != alive_.end();
+    return !alive_.empty();
   }
 
  private:
-  bool drop_round(const TriangleFans& fans, double sharp_cosine) {
-    bool dropped = false;
-    for_each_edge(spokes_, [&](std::span<const Spoke> edge) {
-      for (const Spoke& spoke : edge) {
-        if (alive_[spoke.local] == 0 || has_partner(fans, edge, spoke, sharp_cosine)) continue;
-        alive_[spoke.local] = 0;
-        dropped = true;
+  // What survives a round is judged by the survivors of the one before.
+  bool drop_round(VertexId center) {
+    std::vector<std::uint32_t> next;
+    for (const std::uint32_t t : alive_) {
+      const Triangle& corners = triangles_.corners[t];
+      bool held = true;
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        if (corners[i] != center) held = held && has_partner(3 * t + i);
       }
-    });
+      if (held) next.push_back(t);
+    }
+    const bool dropped = next.size() < alive_.size();
+    alive_ = std::move(next);
     return dropped;
   }
 
-  bool has_partner(const TriangleFans& fans, std::span<const Spoke> edge, const Spoke& spoke,
-                   double sharp_cosine) const {
-    for (const Spoke& other : edge) {
-      if (other.local != spoke.local && alive_[other.local] != 0 &&
-          dihedral_cosine(fans, spoke, other) <= sharp_cosine) {
-        return true;
-      }
-    }
-    return false;
+  bool has_partner(SideId side) const {
+    bool found = false;
+    for_each_side_at_edge(triangles_, side, [&](SideId other) {
+      const std::uint32_t t = triangle_of_side(other);
+      found = found || (other != side &&
+                        dihedral_cosine(triangles_, side, other) <= sharp_cosine_ &&
+                        std::binary_search(alive_.begin(), alive_.end(), t));
+    });
+    return found;
   }
 
-  std::vector<Spoke> spokes_;
-  std::vector<std::uint8_t> alive_;
+  const LinkedFacets& triangles_;
+  double sharp_cosine_;
+  std::vector<std::uint32_t> alive_;  // ascending
 };
 
-// Do the triangles of these spokes make exactly one closed cycle?
-bool is_one_closed_umbrella(std::span<const Spoke> spokes, std::vector<std::uint32_t>& position) {
-  const std::size_t triangles = spokes.size() / 2;
-  if (triangles < 3) return false;
-  for (std::size_t s = 0; s < spokes.size(); s += 2) {
-    if (spokes[s].other != spokes[s + 1].other) return false;
-    if (s > 0 && spokes[s].other == spokes[s - 1].other) return false;
+// All corners of triangles at the flagged vertices, sorted by vertex, then triangle.
+std::vector<Corner> corners_at(const LinkedFacets& triangles, const SharedFlags& flags) {
+  std::vector<Corner> found;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (const VertexId v : triangles.corners[t]) {
+      if (flags.is_raised(v)) found.push_back({v, t});
+    }
   }
-  // the two spokes of each triangle; spokes 2 m and 2 m + 1 are partners
-  position.assign(spokes.size(), Id<struct SpokeTag>::none_value);
-  for (std::uint32_t s = 0; s < spokes.size(); ++s) {
-    const std::size_t first = 2 * spokes[s].local;
-    position[position[first] == Id<struct SpokeTag>::none_value ? first : first + 1] = s;
-  }
-  std::size_t walked = 0;
-  std::uint32_t spoke = 0;
-  do {
-    const std::uint32_t arrived = spoke ^ 1U;
-    const std::size_t first = 2 * spokes[arrived].local;
-    spoke = position[first] == arrived ? position[first + 1] : position[first];
-    ++walked;
-  } while (spoke != 0);
-  return walked == triangles;
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
-bool is_folded(const TriangleFans& fans, VertexId v, const VertexSet& umbrella,
-               const VertexSet& boundary, const GoodVertexOptions& options,
-               std::vector<Spoke>& spokes) {
-  collect_spokes(fans, v, spokes);
-  const double limit = boundary[v] != 0 ? options.crease_cosine : options.fold_cosine;
-  bool folded = false;
-  for_each_edge(spokes, [&](std::span<const Spoke> edge) {
-    if (edge.size() != 2 || (umbrella[v] == 0 && umbrella[edge[0].other] == 0)) return;
-    const double cosine = dihedral_cosine(fans, edge[0], edge[1]);
-    folded |= cosine >= options.fold_cosine || cosine > limit;
-  });
-  return folded;
+struct FirstCorners {
+  IdVector<VertexId, std::uint32_t> count;  // triangles at each vertex
+  IdVector<VertexId, SideId> side;          // opposite the vertex, in one of them
+};
+
+FirstCorners first_corners(const LinkedFacets& triangles, std::size_t num_vertices) {
+  FirstCorners first{IdVector<VertexId, std::uint32_t>(num_vertices, 0),
+                     IdVector<VertexId, SideId>(num_vertices, 0)};
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const VertexId v = triangles.corners[t][i];
+      ++first.count[v];
+      first.side[v] = 3 * t + i;
+    }
+  }
+  return first;
+}
+
+// Do the triangles around v, two at each spoke, make one single cycle?
+bool is_one_cycle(const LinkedFacets& triangles, VertexId v, const FirstCorners& first) {
+  if (first.count[v] < 6) return true;  // two cycles have three triangles each
+  std::uint32_t walked = 0;
+  SideId corner = first.side[v];
+  std::size_t arrived = next_corner(corner_of_side(corner));
+  do {
+    // Over the other of the two spokes into the next triangle.
+    const std::uint32_t t = triangle_of_side(corner);
+    const std::size_t leaving = 3 - corner_of_side(corner) - arrived;
+    const SideId crossed = triangles.links[3 * t + static_cast<SideId>(leaving)];
+    const Triangle& corners = triangles.corners[triangle_of_side(crossed)];
+    arrived = corner_of_side(crossed);
+    const std::size_t at =
+        corners[next_corner(arrived)] == v ? next_corner(arrived) : previous_corner(arrived);
+    corner = 3 * triangle_of_side(crossed) + static_cast<SideId>(at);
+    ++walked;
+  } while (triangle_of_side(corner) != triangle_of_side(first.side[v]));
+  return walked == first.count[v];
 }
 
 }  // namespace
 
-VertexSet vertices_with_umbrella(const TriangleFans& fans, double sharp_cosine,
-                                 const Execution& execution) {
-  VertexSet flags(fans.offsets.size() - 1, 0);
-  parallel_chunks(execution, flags.size(), vertices_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    UmbrellaSearch search;
-                    for (VertexId v(begin); v.index() < end; ++v) {
-                      flags[v] = search.exists(fans, v, sharp_cosine);
-                    }
-                  });
+VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::size_t num_vertices,
+                                 double sharp_cosine, const Execution& execution) {
+  SharedFlags doubtful(num_vertices);
+  parallel_chunks(
+      execution, triangles.size(), triangles_per_chunk, [&](std::size_t begin, std::size_t end) {
+        for_each_edge(triangles, begin, end, [&](SideId side) {
+          if (triangles.is_two_sided(side) &&
+              dihedral_cosine(triangles, side, triangles.links[side]) <= sharp_cosine) {
+            return;
+          }
+          for (const VertexId v : triangles.ends(side)) doubtful.raise(v);
+        });
+      });
+  VertexSet flags(num_vertices, 0);
+  for (const Triangle& corners : triangles.corners) {
+    for (const VertexId v : corners) flags[v] = 1;
+  }
+  const std::vector<Corner> corners = corners_at(triangles, doubtful);
+  UmbrellaSearch search(triangles, sharp_cosine);
+  for (std::size_t begin = 0; begin < corners.size();) {
+    std::size_t end = begin + 1;
+    while (end < corners.size() && corners[end].vertex == corners[begin].vertex) ++end;
+    flags[corners[begin].vertex] = search.exists(std::span(corners).subspan(begin, end - begin));
+    begin = end;
+  }
   return flags;
 }
 
-GoodVertices good_vertices(const TriangleFans& fans, const VertexSet& boundary,
+GoodVertices good_vertices(const LinkedFacets& triangles, const VertexSet& boundary,
                            const GoodVertexOptions& options, const Execution& execution) {
-  const std::size_t count = fans.offsets.size() - 1;
-  VertexSet umbrella(count, 0);
-  parallel_chunks(execution, count, vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
-    std::vector<Spoke> spokes;
-    std::vector<std::uint32_t> position;
-    for (VertexId v(begin); v.index() < end; ++v) {
-      collect_spokes(fans, v, spokes);
-      umbrella[v] = is_one_closed_umbrella(spokes, position);
-    }
-  });
-  GoodVertices result{umbrella, 0, 0};
+  const std::size_t count = boundary.size();
+  SharedFlags open(count);  // some spoke has one triangle, or more than two
+  SharedFlags folded(count);
+  parallel_chunks(
+      execution, triangles.size(), triangles_per_chunk, [&](std::size_t begin, std::size_t end) {
+        for_each_edge(triangles, begin, end, [&](SideId side) {
+          const bool regular = triangles.is_two_sided(side);
+          const double cosine =
+              regular ? dihedral_cosine(triangles, side, triangles.links[side]) : 0;
+          for (const VertexId v : triangles.ends(side)) {
+            if (!regular) {
+              open.raise(v);
+            } else if (cosine >= options.fold_cosine ||
+                       (boundary[v] != 0 && cosine > options.crease_cosine)) {
+              folded.raise(v);
+            }
+          }
+        });
+      });
+  const FirstCorners first = first_corners(triangles, count);
+  GoodVertices result{VertexSet(count, 0), 0, 0};
   std::atomic<std::size_t> good = 0;
   std::atomic<std::size_t> demoted = 0;
   parallel_chunks(execution, count, vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
-    std::vector<Spoke> spokes;
     std::size_t good_here = 0;
     std::size_t demoted_here = 0;
     for (VertexId v(begin); v.index() < end; ++v) {
-      if (umbrella[v] == 0) continue;
-      const bool folded = is_folded(fans, v, umbrella, boundary, options, spokes);
-      result.good[v] = !folded;
-      (folded ? demoted_here : good_here) += 1;
+      if (first.count[v] < 3 || open.is_raised(v) || !is_one_cycle(triangles, v, first)) continue;
+      result.good[v] = !folded.is_raised(v);
+      (folded.is_raised(v) ? demoted_here : good_here) += 1;
     }
     good += good_here;
     demoted += demoted_here;

@@ -4,21 +4,23 @@
 #include <cstddef>
 
 #include "cocone/facet_set.h"
-#include "cocone/triangle_fans.h"
+#include "cocone/linked_facets.h"
 #include "geom/execution.h"
 
 namespace cocoon {
 
-// Which vertices have some closed cycle of triangles around them in which consecutive ones meet at
-// a dihedral of at least the given angle (cosine: `sharp_cosine`, so dihedral cosine <= it). Found
-// without a search: around a vertex, drop every triangle that has no partner left at one of its
-// two spokes, until nothing changes; a cycle exists iff a triangle survives (a walk from partner to
-// partner in a finite set closes), and a survivor never comes with fewer than two others.
-// Greatest fixed point: independent of order. Complexity: O(triangles) for bounded valence;
-// parallel over vertices.
+// Which of the `num_vertices` vertices have some closed cycle of triangles around them in which
+// consecutive ones meet at a dihedral of at least the given angle (cosine: `sharp_cosine`, so
+// dihedral cosine <= it). Found without a search: around a vertex, drop every triangle that has no
+// partner left at one of its two spokes, until nothing changes; a cycle exists iff a triangle
+// survives (a walk from partner to partner in a finite set closes), and a survivor never comes with
+// fewer than two others. Where each spoke has two triangles, flat enough, nothing would be dropped:
+// one look at every edge settles nearly all vertices.
+// Greatest fixed point: independent of order. Complexity: O(triangles + vertices) for bounded
+// valence; parallel over edges.
 // Source: Cocone's safety check as in Dey's Tight Cocone; spec 5.2.1.
-VertexSet vertices_with_umbrella(const TriangleFans& fans, double sharp_cosine,
-                                 const Execution& execution = {});
+VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::size_t num_vertices,
+                                 double sharp_cosine, const Execution& execution = {});
 
 struct GoodVertexOptions {
   // A fold: two triangles at an edge with a dihedral cosine of at least this (25.8 degrees or less)
@@ -38,8 +40,9 @@ struct GoodVertices {
 // them, and they make one cycle. All others are poor: rims, pinched vertices, spokes with three
 // triangles, isolated samples. Demotions look at the umbrellas only, not at other demotions, so
 // they do not depend on order.
-// Complexity: O(triangles), parallel over vertices. Source: Dey & Goswami 2003 (Tight Cocone).
-GoodVertices good_vertices(const TriangleFans& fans, const VertexSet& boundary,
+// Complexity: O(triangles + vertices), parallel over edges, then over vertices.
+// Source: Dey & Goswami 2003 (Tight Cocone).
+GoodVertices good_vertices(const LinkedFacets& triangles, const VertexSet& boundary,
                            const GoodVertexOptions& options = {}, const Execution& execution = {});
 
 }  // namespace cocoon

@@ -1,6 +1,10 @@
 #include "geom/triangle_mesh.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace cocoon {
 
@@ -9,7 +13,22 @@ void canonicalize_triangles(TriangleMesh& mesh) {
     std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
                 triangle.end());
   }
-  std::sort(mesh.triangles.begin(), mesh.triangles.end());
+  // A counting sort by the first vertex leaves a few triangles each to sort.
+  std::vector<std::uint32_t> ends(mesh.points.size() + 1, 0);
+  for (const Triangle& triangle : mesh.triangles) ++ends[triangle[0].index() + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  IdVector<TriangleId, Triangle> sorted(mesh.triangles.size());
+  for (const Triangle& triangle : mesh.triangles) {
+    sorted[TriangleId(ends[triangle[0].index()]++)] = triangle;
+  }
+  // Placing moved the begin of each group to its end.
+  auto begin = sorted.begin();
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const auto end = sorted.begin() + ends[v];
+    std::sort(begin, end);
+    begin = end;
+  }
+  mesh.triangles = std::move(sorted);
 }
 
 }  // namespace cocoon

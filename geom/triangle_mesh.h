@@ -20,7 +20,8 @@ struct TriangleMesh {
 };
 
 // Rotates every triangle so that its smallest vertex id comes first, then sorts the triangles:
-// equal surfaces become equal arrays. Orientation is kept. Complexity: O(t log t).
+// equal surfaces become equal arrays. Orientation is kept.
+// Precondition: triangles name vertices that are there. Complexity: O(t + v) for bounded valence.
 void canonicalize_triangles(TriangleMesh& mesh);
 
 }  // namespace cocoon

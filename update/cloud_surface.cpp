@@ -48,12 +48,12 @@ Trial try_search(const Foundation& f, Points cloud, const RimSearch& search,
   boundary_options.radius_mode = search.radius_mode;
   const BoundarySamples boundary = boundary_samples(f.triangulation, f.dual, f.poles,
                                                     f.cocones, boundary_options, execution);
-  const FacetSet candidates =
+  FacetSet candidates =
       candidate_triangles(f.triangulation, f.cocones, boundary.boundary, execution);
-  const PrunedCandidates pruned =
-      prune_sharp_edges(f.triangulation, candidates, options.reconstruct.prune, execution);
+  PrunedCandidates pruned = prune_sharp_edges(f.triangulation, std::move(candidates),
+                                              options.reconstruct.prune, execution);
   const ManifoldSurface manifold =
-      extract_manifold(f.triangulation, pruned.facets, pruned.umbrella, execution);
+      extract_manifold(f.triangulation, std::move(pruned.left), pruned.umbrella, execution);
   SurfaceMesh sheet = surface_of(f.triangulation, manifold.halves);
 
   // 2. Its rim, after trimming, without seams.

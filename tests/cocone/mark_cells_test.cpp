@@ -14,10 +14,12 @@ namespace {
 
 struct Marked {
   explicit Marked(const std::vector<Point>& points) : s(points), labels(s.labels()) {
-    const FacetSet candidates = candidate_triangles(s.triangulation, s.cocones, labels.boundary);
-    const PrunedCandidates pruned = prune_sharp_edges(s.triangulation, candidates);
-    surface = extract_manifold(s.triangulation, pruned.facets, pruned.umbrella).facets;
-    marks = mark_cells(s.triangulation, s.stars, surface, labels.boundary);
+    PrunedCandidates pruned = prune_sharp_edges(
+        s.triangulation, candidate_triangles(s.triangulation, s.cocones, labels.boundary));
+    const LinkedFacets triangles =
+        extract_manifold(s.triangulation, std::move(pruned.left), pruned.umbrella).triangles;
+    marks = mark_cells(s.triangulation, s.stars, triangles, labels.boundary);
+    surface = triangles.set;
   }
 
   CellMarks by_rounds() const {

@@ -55,12 +55,12 @@ TEST(Umbrella, ClosedSurfaceHasGoodVertices) {
   const Octahedron o;
   ASSERT_EQ(o.triangulation.num_finite_cells(), 8U);
   const FacetSet hull = o.facets([&](FacetId f) { return o.on_hull(f); });
-  const TriangleFans fans = triangle_fans(o.triangulation, hull);
+  const LinkedFacets fans = link_facets(o.triangulation, hull);
   EXPECT_EQ(fans.size(), 8U);
   const GoodVertices good = good_vertices(fans, no_boundary(o.triangulation));
   EXPECT_EQ(good.count, 6U);
   EXPECT_EQ(good.good[o.vertex({0, 0, 0})], 0);
-  const VertexSet umbrella = vertices_with_umbrella(fans, 0.5);
+  const VertexSet umbrella = vertices_with_umbrella(fans, o.triangulation.num_vertices(), 0.5);
   EXPECT_EQ(std::count(umbrella.begin(), umbrella.end(), 1), 6);
 }
 
@@ -72,12 +72,12 @@ TEST(Umbrella, AMissingTriangleMakesItsCornersPoor) {
   const FacetSet torn = o.facets([&](FacetId f) {
     return o.on_hull(f) && !(o.contains(f, x) && o.contains(f, y) && o.contains(f, z));
   });
-  const TriangleFans fans = triangle_fans(o.triangulation, torn);
+  const LinkedFacets fans = link_facets(o.triangulation, torn);
   const GoodVertices good = good_vertices(fans, no_boundary(o.triangulation));
   EXPECT_EQ(good.count, 3U);
   for (const VertexId v : {x, y, z}) EXPECT_EQ(good.good[v], 0);
   // around the corners of the hole nothing closes either
-  const VertexSet umbrella = vertices_with_umbrella(fans, 0.5);
+  const VertexSet umbrella = vertices_with_umbrella(fans, o.triangulation.num_vertices(), 0.5);
   for (const VertexId v : {x, y, z}) EXPECT_EQ(umbrella[v], 0);
 }
 
@@ -89,13 +89,13 @@ TEST(Umbrella, AThirdTriangleAtASpokeMakesAVertexPoorButLeavesItsUmbrella) {
   const FacetSet flap = o.facets([&](FacetId f) {
     return o.on_hull(f) || (o.contains(f, x) && o.contains(f, y) && o.contains(f, center));
   });
-  const TriangleFans fans = triangle_fans(o.triangulation, flap);
+  const LinkedFacets fans = link_facets(o.triangulation, flap);
   ASSERT_EQ(fans.size(), 9U);
   const GoodVertices good = good_vertices(fans, no_boundary(o.triangulation));
   EXPECT_EQ(good.good[x], 0);
   EXPECT_EQ(good.good[y], 0);
   EXPECT_EQ(good.count, 4U);
-  EXPECT_EQ(vertices_with_umbrella(fans, 0.5)[x], 1);
+  EXPECT_EQ(vertices_with_umbrella(fans, o.triangulation.num_vertices(), 0.5)[x], 1);
 }
 
 TEST(Umbrella, BoundarySamplesAtCreasesAreDemoted) {
@@ -103,7 +103,7 @@ TEST(Umbrella, BoundarySamplesAtCreasesAreDemoted) {
   // poor; taken as a fold, every vertex is.
   const Octahedron o;
   const FacetSet hull = o.facets([&](FacetId f) { return o.on_hull(f); });
-  const TriangleFans fans = triangle_fans(o.triangulation, hull);
+  const LinkedFacets fans = link_facets(o.triangulation, hull);
   VertexSet boundary = no_boundary(o.triangulation);
   boundary[o.vertex({1, 0, 0})] = 1;
   EXPECT_EQ(good_vertices(fans, boundary).count, 6U);

@@ -1,0 +1,83 @@
+#include "cocone/linked_facets.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cocoon {
+namespace {
+
+constexpr std::size_t triangles_per_chunk = 8192;
+
+// The unit normal of the corners in lexicographic order, turned as the corners run.
+Vec3 oriented_normal(const Triangulation& triangulation, const Triangle& corners) {
+  std::array<Point, 3> p = {triangulation.point(corners[0]), triangulation.point(corners[1]),
+                            triangulation.point(corners[2])};
+  bool turned = false;
+  const auto order = [&](std::size_t i, std::size_t k) {
+    if (!(p[k] < p[i])) return;
+    std::swap(p[i], p[k]);
+    turned = !turned;
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  const Vec3 normal = unit(cross(p[1] - p[0], p[2] - p[0]));
+  return turned ? -normal : normal;
+}
+
+}  // namespace
+
+LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
+                         const Execution& execution) {
+  LinkedFacets triangles;
+  facets.for_each(triangulation, [&](FacetId f) { triangles.facets.push_back(f); });
+  triangles.corners.resize(triangles.size());
+  triangles.normals.resize(triangles.size());
+  parallel_chunks(execution, triangles.size(), triangles_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t t = begin; t < end; ++t) {
+                      triangles.corners[t] = triangulation.facet_vertices(triangles.facets[t]);
+                      triangles.normals[t] = oriented_normal(triangulation, triangles.corners[t]);
+                    }
+                  });
+  triangles.links = side_links(triangles.corners, triangulation.num_vertices(), execution);
+  triangles.set = std::move(facets);
+  return triangles;
+}
+
+LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
+                     const std::vector<std::uint8_t>& removed) {
+  // Where each triangle goes; what stays moves up.
+  std::vector<std::uint32_t> place(triangles.size());
+  std::uint32_t kept = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (removed[t] != 0) triangles.set.erase(triangulation, triangles.facets[t]);
+    place[t] = kept;
+    kept += removed[t] == 0 ? 1U : 0U;
+  }
+  if (kept == triangles.size()) return triangles;
+  // Rings close over the gaps. A side moves to a place that was read already.
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (removed[t] != 0) continue;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      SideId next = triangles.links[3 * t + i];
+      while (removed[triangle_of_side(next)] != 0) next = triangles.links[next];
+      triangles.links[3 * t + i] = 3 * place[triangle_of_side(next)] + corner_of_side(next);
+    }
+  }
+  for (std::size_t t = 0; t < place.size(); ++t) {
+    if (removed[t] != 0) continue;
+    const std::size_t to = place[t];
+    triangles.facets[to] = triangles.facets[t];
+    triangles.corners[to] = triangles.corners[t];
+    triangles.normals[to] = triangles.normals[t];
+    for (std::size_t i = 0; i < 3; ++i) triangles.links[3 * to + i] = triangles.links[3 * t + i];
+  }
+  triangles.facets.resize(kept);
+  triangles.corners.resize(kept);
+  triangles.normals.resize(kept);
+  triangles.links.resize(3 * std::size_t{kept});
+  return triangles;
+}
+
+}  // namespace cocoon

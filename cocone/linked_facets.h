@@ -1,0 +1,77 @@
+// A set of facets as triangles linked around their edges: what pruning, the search for umbrellas,
+// the extraction of a manifold and the marking read.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "cocone/facet_set.h"
+#include "delaunay/triangulation.h"
+#include "geom/execution.h"
+#include "geom/point.h"
+#include "geom/side_links.h"
+#include "geom/triangle_mesh.h"
+
+namespace cocoon {
+
+// Structure of arrays over the triangles of the set; a triangle is its position in them.
+struct LinkedFacets {
+  FacetSet set;
+  std::vector<FacetId> facets;    // canonical ids, ascending
+  std::vector<Triangle> corners;  // facet_vertices(facet): counterclockwise seen from behind
+  std::vector<Vec3> normals;      // unit, out of cell_of(facet); zero if degenerate
+  std::vector<SideId> links;      // rings of the sides on each edge: geom/side_links.h
+
+  std::size_t size() const { return facets.size(); }
+  // The two ends of a side, in the direction of its triangle.
+  std::array<VertexId, 2> ends(SideId side) const {
+    const Triangle& triangle = corners[triangle_of_side(side)];
+    const std::size_t i = corner_of_side(side);
+    return {triangle[next_corner(i)], triangle[previous_corner(i)]};
+  }
+  // Exactly two triangles at the edge of the side.
+  bool is_two_sided(SideId side) const { return links[side] != side && links[links[side]] == side; }
+};
+
+// Complexity: O(triangles) and one byte per cell, parallel. The normals are functions of the
+// triangles alone, up to their sign.
+LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
+                         const Execution& execution = {});
+
+// The triangles whose flag is 0. Complexity: O(triangles).
+LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
+                     const std::vector<std::uint8_t>& removed);
+
+// Cosine of the dihedral of two triangles at their common edge: the angle in [0, pi] between the
+// parts of their third vertices orthogonal to it; pi = flat (cosine -1), 0 = folded back (+1).
+// The normals say it, with the sign that the directions of the two sides demand; degenerate
+// triangles give 0. Precondition: the sides are on one edge.
+inline double dihedral_cosine(const LinkedFacets& triangles, SideId a, SideId b) {
+  const double cosine =
+      dot(triangles.normals[triangle_of_side(a)], triangles.normals[triangle_of_side(b)]);
+  return triangles.ends(a)[0] == triangles.ends(b)[0] ? cosine : -cosine;
+}
+
+// Calls visit(side) for the first (smallest) side of every edge of the triangles begin .. end.
+template <class Visit>
+void for_each_edge(const LinkedFacets& triangles, std::size_t begin, std::size_t end, Visit visit) {
+  for (auto side = static_cast<SideId>(3 * begin); side < 3 * end; ++side) {
+    SideId other = triangles.links[side];
+    while (other > side) other = triangles.links[other];
+    if (other == side) visit(side);
+  }
+}
+
+// Calls visit(side) for every side on the edge of `side`, beginning with it.
+template <class Visit>
+void for_each_side_at_edge(const LinkedFacets& triangles, SideId side, Visit visit) {
+  SideId other = side;
+  do {
+    visit(other);
+    other = triangles.links[other];
+  } while (other != side);
+}
+
+}  // namespace cocoon

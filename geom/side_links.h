@@ -1,0 +1,35 @@
+// Which sides of triangles lie on one edge, as rings of links: the leanest adjacency, for millions
+// of triangles. geom/mesh_adjacency.h gives more, at a price.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geom/execution.h"
+#include "geom/ids.h"
+#include "geom/triangle_mesh.h"
+
+namespace cocoon {
+
+// Side 3 t + i lies opposite corner i of triangle t and runs from corner i + 1 to i + 2 (modulo 3).
+using SideId = std::uint32_t;
+
+constexpr std::uint32_t triangle_of_side(SideId side) { return side / 3; }
+constexpr std::uint32_t corner_of_side(SideId side) { return side % 3; }
+
+// The next and the one after next of 0, 1, 2 in turn.
+constexpr std::size_t next_corner(std::size_t i) { return i == 2 ? 0 : i + 1; }
+constexpr std::size_t previous_corner(std::size_t i) { return i == 0 ? 2 : i - 1; }
+
+// links[side]: the next side on the same edge, whatever their directions; the sides of an edge make
+// a ring in ascending order. So a side linked to itself is the only one on its edge, and two sides
+// linked to each other are what a manifold has everywhere. Sides between equal vertices (of a
+// triangle that repeats one) are linked to themselves.
+// Precondition: vertices are smaller than num_vertices; fewer than 2^32 / 3 triangles.
+// Complexity: O(triangles + vertices) for bounded valence, parallel over vertices. Deterministic.
+std::vector<SideId> side_links(std::span<const Triangle> triangles, std::size_t num_vertices,
+                               const Execution& execution = {});
+
+}  // namespace cocoon
