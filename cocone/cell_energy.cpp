@@ -9,19 +9,21 @@ namespace cocoon {
 
 Energy to_energy(double units) { return std::llround(units * 0x1p+20); }
 
-CellEnergy::CellEnergy(const Triangulation& triangulation, const Dual& dual,
-                       const VertexStars& stars, const CleanUpOptions& options,
+CellEnergy::CellEnergy(const Triangulation& triangulation, const Dual& dual, StarCache& stars,
+                       const IdVector<CellId, CellLabel>& labels, const CleanUpOptions& options,
                        IdVector<CellId, std::uint8_t>& out)
     : triangulation_(triangulation),
       dual_(dual),
       stars_(stars),
+      labels_(labels),
       out_(out),
+      mark_weight_(to_energy(options.mark_weight)),
       defect_cost_(to_energy(options.defect_cost)),
       unused_cost_(to_energy(options.unused_cost)),
       handle_cost_(to_energy(options.handle_cost)),
-      preference_(triangulation.num_cells(), 0),
+      own_preference_(triangulation.num_cells()),
       wanted_(triangulation.num_vertices(), 0),
-      stamp_(triangulation.num_cells(), 0) {}
+      stamp_(triangulation.num_cells()) {}
 
 Energy CellEnergy::facet_cost(FacetId f) const {
   const double here = ball_cosine(triangulation_, dual_, f);
@@ -107,7 +109,7 @@ void CellEnergy::collect(std::span<const CellId> cells) {
 Energy CellEnergy::sum(std::span<const CellId> cells) {
   Energy total = 0;
   Energy euler = 0;  // of what these cells can change
-  for (const CellId c : cells) total += out_[c] != 0 ? preference_[c] : 0;
+  for (const CellId c : cells) total += out_[c] != 0 ? preference(c) : 0;
   for (const FacetId f : facets_) {
     if (out_[cell_of(f)] == out_[cell_of(triangulation_.mirror(f))]) continue;
     total += facet_cost(f);

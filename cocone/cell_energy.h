@@ -9,6 +9,8 @@
 
 #include "cocone/clean_up_cells.h"
 #include "cocone/side_evidence.h"
+#include "delaunay/star_cache.h"
+#include "geom/zeroed_array.h"
 
 namespace cocoon {
 
@@ -19,14 +21,18 @@ Energy to_energy(double units);
 class CellEnergy {
  public:
   // All references must outlive the object. `out[c]` = 1: cell c is OUT.
-  CellEnergy(const Triangulation& triangulation, const Dual& dual, const VertexStars& stars,
-             const CleanUpOptions& options, IdVector<CellId, std::uint8_t>& out);
+  // `labels`: those of the marking, which decided cells prefer at mark_weight.
+  CellEnergy(const Triangulation& triangulation, const Dual& dual, StarCache& stars,
+             const IdVector<CellId, CellLabel>& labels, const CleanUpOptions& options,
+             IdVector<CellId, std::uint8_t>& out);
 
   // What it costs that the cell is OUT rather than IN; may be negative.
-  void set_preference(CellId c, Energy cost_of_out) { preference_[c] = cost_of_out; }
+  void set_preference(CellId c, Energy cost_of_out) {
+    own_preference_[c] = cost_of_out - preference_by_label(c);
+  }
   // Only of these samples is it a loss that they are not on the surface.
   void want(VertexId v) { wanted_[v] = 1; }
-  Energy preference(CellId c) const { return preference_[c]; }
+  Energy preference(CellId c) const { return preference_by_label(c) + own_preference_[c]; }
 
   // The cost of a facet, if its cells are on different sides. Precondition: a finite facet. O(1).
   Energy facet_cost(FacetId f) const;
@@ -53,19 +59,24 @@ class CellEnergy {
     VertexId b;
     FacetId facet;
   };
+  Energy preference_by_label(CellId c) const {
+    return labels_[c] == CellLabel::out ? -mark_weight_ : mark_weight_;
+  }
   void collect(std::span<const CellId> cells);
   Energy sum(std::span<const CellId> cells);
 
   const Triangulation& triangulation_;
   const Dual& dual_;
-  const VertexStars& stars_;
+  StarCache& stars_;
+  const IdVector<CellId, CellLabel>& labels_;
   IdVector<CellId, std::uint8_t>& out_;
+  Energy mark_weight_;
   Energy defect_cost_;
   Energy unused_cost_;
   Energy handle_cost_;
-  IdVector<CellId, Energy> preference_;
+  ZeroedArray<CellId, Energy> own_preference_;  // beyond that by the label
   VertexSet wanted_;
-  IdVector<CellId, std::uint32_t> stamp_;
+  ZeroedArray<CellId, std::uint32_t> stamp_;
   std::uint32_t token_ = 0;
   std::vector<CellId> component_;
   std::vector<VertexId> vertices_;

@@ -8,22 +8,24 @@
 #include "cocone/max_flow.h"
 #include "cocone/side_evidence.h"
 #include "delaunay/circulate.h"
+#include "delaunay/star_cache.h"
 
 namespace cocoon {
 namespace {
 
 class CleanUp {
  public:
-  CleanUp(const Triangulation& triangulation, const Dual& dual, const VertexStars& stars,
-          const Poles& poles, CellMarks& marks, const CleanUpOptions& options)
+  CleanUp(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
+          CellMarks& marks, const CleanUpOptions& options)
       : triangulation_(triangulation),
         dual_(dual),
-        stars_(stars),
+        stars_(triangulation),
         poles_(poles),
         marks_(marks),
         options_(options),
         out_(marks.reached),
-        energy_(triangulation, dual, stars, options, out_) {
+        energy_(triangulation, dual, stars_, marks.labels, options, out_),
+        node_(triangulation.num_cells()) {
     for (const VertexId v : triangulation.vertices()) {
       if (marks.good[v] == 0 || marks.conflicts != 0) doubtful_.push_back(v);
     }
@@ -57,12 +59,11 @@ class CleanUp {
   }
 
   void collect_undecided() {
-    node_ = IdVector<CellId, std::uint32_t>(triangulation_.num_cells(), no_node);
     for (const VertexId v : doubtful_) {
       for (const CellId c : stars_.star(v)) {
         if (triangulation_.is_infinite(c) || node_[c] != no_node || is_decided(c)) continue;
-        node_[c] = static_cast<std::uint32_t>(undecided_.size());
         undecided_.push_back(c);
+        node_[c] = static_cast<std::uint32_t>(undecided_.size());
         for (const VertexId w : triangulation_.cell(c).vertices) energy_.want(w);
       }
     }
@@ -80,8 +81,8 @@ class CleanUp {
           if (v == infinite_vertex) continue;
           for (const CellId c : stars_.star(v)) {
             if (triangulation_.is_infinite(c) || node_[c] != no_node) continue;
-            node_[c] = static_cast<std::uint32_t>(free_.size());
             free_.push_back(c);
+            node_[c] = static_cast<std::uint32_t>(free_.size());
           }
         }
       }
@@ -90,11 +91,7 @@ class CleanUp {
   }
 
   void set_preferences() {
-    const Energy decided = to_energy(options_.mark_weight);
-    for (const CellId c : triangulation_.finite_cells()) {
-      energy_.set_preference(c, marks_.labels[c] == CellLabel::out ? -decided : decided);
-    }
-    const IdVector<CellId, SideEvidence> evidence =
+    const ZeroedArray<CellId, SideEvidence> evidence =
         side_evidence(triangulation_, dual_, stars_, poles_, marks_, undecided_);
     for (const CellId c : undecided_) {
       const double margin = static_cast<double>(evidence[c].in) - evidence[c].out;
@@ -107,7 +104,7 @@ class CleanUp {
     widen();
     MaxFlow flow(free_.size());
     for (const CellId c : free_) {
-      const std::uint32_t node = node_[c];
+      const std::uint32_t node = node_[c] - 1;
       const Energy cost_of_out = energy_.preference(c);
       if (cost_of_out < 0) flow.pull_to_source(node, -cost_of_out);
       if (cost_of_out > 0) flow.pull_to_sink(node, cost_of_out);
@@ -115,7 +112,7 @@ class CleanUp {
         const FacetId f = facet_id(c, i);
         const CellId behind = triangulation_.neighbor(c, i);
         if (node_[behind] != no_node) {
-          if (c < behind) flow.add_edge(node, node_[behind], energy_.facet_cost(f));
+          if (c < behind) flow.add_edge(node, node_[behind] - 1, energy_.facet_cost(f));
         } else if (marks_.labels[behind] == CellLabel::out) {
           flow.pull_to_source(node, energy_.facet_cost(f));
         } else {
@@ -124,14 +121,17 @@ class CleanUp {
       }
     }
     const std::vector<std::uint8_t> side = flow.source_side();
-    for (const CellId c : free_) out_[c] = side[node_[c]];
     for (const CellId c : triangulation_.finite_cells()) {
-      if (node_[c] == no_node) out_[c] = marks_.labels[c] == CellLabel::out ? 1 : 0;
+      out_[c] = marks_.labels[c] == CellLabel::out ? 1 : 0;
+    }
+    for (const CellId c : free_) out_[c] = side[node_[c] - 1];
+    for (const CellId c : triangulation_.finite_cells()) {
       counters_.relabeled_cells += out_[c] != marks_.reached[c];
     }
   }
 
   void fill_cavities() {
+    if (counters_.relabeled_cells == 0) return;  // as the peel left it: all reached from infinity
     IdVector<CellId, std::uint8_t> reached(triangulation_.num_cells(), 0);
     std::vector<CellId> stack;
     for (const CellId c : triangulation_.infinite_cells()) {
@@ -195,7 +195,7 @@ class CleanUp {
   // The parts into which the surface divides the star of v.
   void consider_parts(VertexId v) {
     std::vector<std::vector<CellId>> parts;
-    IdVector<CellId, std::uint8_t>& seen = scratch();
+    ZeroedArray<CellId, std::uint8_t>& seen = scratch();
     for (const CellId c : stars_.star(v)) {
       if (seen[c] != 0) continue;
       parts.emplace_back();
@@ -224,7 +224,7 @@ class CleanUp {
   // joined elsewhere. Precondition: all cells are on one side.
   bool splits(const std::vector<CellId>& cells) {
     enum : std::uint8_t { untouched, wanted, found };
-    IdVector<CellId, std::uint8_t>& seen = scratch();
+    ZeroedArray<CellId, std::uint8_t>& seen = scratch();
     std::vector<CellId> queue(cells);  // touched, to be cleared; the cells themselves: no entry
     for (const CellId c : cells) seen[c] = found;
     std::size_t missing = 0;
@@ -292,8 +292,10 @@ class CleanUp {
     return a.size() != b.size() ? a.size() < b.size() : key(a) < key(b);
   }
 
-  IdVector<CellId, std::uint8_t>& scratch() {
-    if (scratch_.empty()) scratch_ = IdVector<CellId, std::uint8_t>(triangulation_.num_cells(), 0);
+  ZeroedArray<CellId, std::uint8_t>& scratch() {
+    if (scratch_.size() == 0) {
+      scratch_ = ZeroedArray<CellId, std::uint8_t>(triangulation_.num_cells());
+    }
     return scratch_;
   }
 
@@ -343,10 +345,10 @@ class CleanUp {
     defects = edge_ends;
   }
 
-  static constexpr std::uint32_t no_node = 0xFFFFFFFFU;
+  static constexpr std::uint32_t no_node = 0;
   const Triangulation& triangulation_;
   const Dual& dual_;
-  const VertexStars& stars_;
+  StarCache stars_;
   const Poles& poles_;
   CellMarks& marks_;
   const CleanUpOptions& options_;
@@ -356,21 +358,21 @@ class CleanUp {
   std::vector<VertexId> doubtful_;  // where something may be wrong, in lexicographic order
   std::vector<CellId> undecided_;
   std::vector<CellId> free_;
-  IdVector<CellId, std::uint32_t> node_;
-  IdVector<CellId, std::uint8_t> scratch_;
+  ZeroedArray<CellId, std::uint32_t> node_;  // 1 + position in free_; 0 if not free
+  ZeroedArray<CellId, std::uint8_t> scratch_;
   Move best_;
 };
 
 }  // namespace
 
 CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Dual& dual,
-                               const VertexStars& stars, const Poles& poles, CellMarks& marks,
-                               const CleanUpOptions& options, const Execution& execution) {
+                               const Poles& poles, CellMarks& marks, const CleanUpOptions& options,
+                               const Execution& execution) {
   if (!options.enabled) return {};
   const bool all_good = marks.good_vertices == triangulation.num_vertices();
   if (all_good && marks.conflicts == 0) return {};  // every vertex has one disk around it
   report_progress(execution, "clean_up_cells", 0);
-  const CleanUpCounters counters = CleanUp(triangulation, dual, stars, poles, marks, options).run();
+  const CleanUpCounters counters = CleanUp(triangulation, dual, poles, marks, options).run();
   report_progress(execution, "clean_up_cells", 1);
   return counters;
 }

@@ -30,7 +30,6 @@
 #include "cocone/mark_cells.h"
 #include "cocone/poles.h"
 #include "delaunay/triangulation.h"
-#include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/execution.h"
 
@@ -72,7 +71,7 @@ struct CleanUpCounters {
 // Source: Labatut, Pons & Keriven 2009 (cut, facet quality); Kolluri, Shewchuk & O'Brien 2004
 // (poles as evidence); Amenta, Choi & Kolluri 2001 (its propagation). The moves are ours.
 CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Dual& dual,
-                               const VertexStars& stars, const Poles& poles, CellMarks& marks,
+                               const Poles& poles, CellMarks& marks,
                                const CleanUpOptions& options = {}, const Execution& execution = {});
 
 }  // namespace cocoon

@@ -1,13 +1,14 @@
 #include "cocone/cocone_radii.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <utility>
 #include <vector>
 
 #include "cocone/double_cone.h"
+#include "cocone/shared_maxima.h"
 
 namespace cocoon {
 namespace {
@@ -83,43 +84,55 @@ double largest_coordinate(const Vec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-class RadiusOfEdge {
+// The radii of dual edges, as a maximum per sample. Nearly all are kept in squares; products of
+// four lengths occur, so edges to the far centers of slivers are measured in larger units.
+class Radii {
  public:
-  RadiusOfEdge(const Cocones& cocones, RadiusMode mode)
-      : squared_cosine_(cocones.cosine * cocones.cosine), mode_(mode) {}
+  Radii(const Cocones& cocones, RadiusMode mode, std::size_t num_vertices)
+      : squared_cosine_(cocones.cosine * cocones.cosine), mode_(mode), squared_(num_vertices) {}
 
-  double operator()(const DualEnds& ends, const Point& p, const Vec3& normal) const {
-    // Products of four lengths occur: far centers are measured in larger units.
+  void take(VertexId v, const DualEnds& ends, const Point& p, const Vec3& normal) {
     const double reach =
         std::max(largest_coordinate(ends.from), ends.is_ray ? 0 : largest_coordinate(ends.to));
-    const double scale = reach > largest_safe_length ? shrink : 1.0;
-    const RelativeEdge edge{scale * (ends.from - p), ends.is_ray ? ends.to : scale * (ends.to - p),
-                            ends.is_ray};
-    const double squared = mode_ == RadiusMode::cocone
-                               ? squared_radius_in_cocone(edge, normal, squared_cosine_)
-                               : squared_radius_in_plane(edge, normal);
-    return std::sqrt(squared) / scale;
+    if (!(reach > largest_safe_length)) {
+      squared_.raise(v, squared_radius(ends, p, normal, 1));
+      return;
+    }
+    const double radius = std::sqrt(squared_radius(ends, p, normal, shrink)) / shrink;
+    const std::lock_guard lock(mutex_);
+    far_.emplace_back(v, radius);
+  }
+  void take_infinite(VertexId v) { squared_.raise(v, infinity); }
+
+  IdVector<VertexId, double> result(std::size_t num_vertices) const {
+    IdVector<VertexId, double> radii(num_vertices);
+    for (const VertexId v : radii.ids()) radii[v] = std::sqrt(squared_[v]);
+    for (const auto& [v, radius] : far_) radii[v] = std::max(radii[v], radius);
+    return radii;
   }
 
  private:
+  double squared_radius(const DualEnds& ends, const Point& p, const Vec3& normal,
+                        double scale) const {
+    const RelativeEdge edge{scale * (ends.from - p), ends.is_ray ? ends.to : scale * (ends.to - p),
+                            ends.is_ray};
+    return mode_ == RadiusMode::cocone ? squared_radius_in_cocone(edge, normal, squared_cosine_)
+                                       : squared_radius_in_plane(edge, normal);
+  }
+
   double squared_cosine_;
   RadiusMode mode_;
+  SharedMaxima squared_;
+  std::mutex mutex_;
+  std::vector<std::pair<VertexId, double>> far_;
 };
-
-void raise(std::atomic<double>& maximum, double value) {
-  double known = maximum.load(std::memory_order_relaxed);
-  while (known < value && !maximum.compare_exchange_weak(known, value, std::memory_order_relaxed)) {
-  }
-}
 
 }  // namespace
 
 IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, const Dual& dual,
                                         const Poles& poles, const Cocones& cocones, RadiusMode mode,
                                         const Execution& execution) {
-  const std::size_t count = triangulation.num_vertices();
-  std::vector<std::atomic<double>> largest(count);
-  const RadiusOfEdge radius_of(cocones, mode);
+  Radii radii(cocones, mode, triangulation.num_vertices());
   const std::size_t facets = cocones.facets.size();
   parallel_chunks(execution, facets, facets_per_chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -134,7 +147,7 @@ IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, cons
       for (unsigned j = 0; j < 4; ++j) {
         if (((cocones.rows[k] >> j) & 1U) == 0) continue;
         const VertexId p = cell.vertices[j];
-        raise(largest[p.index()], radius_of(ends, triangulation.point(p), poles.normals[p]));
+        radii.take(p, ends, triangulation.point(p), poles.normals[p]);
       }
     }
   });
@@ -142,14 +155,11 @@ IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, cons
     for (const CellId c : triangulation.infinite_cells()) {
       for (unsigned j = 0; j < 3; ++j) {
         const VertexId p = triangulation.cell(c).vertices[j];
-        if (!(dot(dual.centers[c], poles.normals[p]) > 0)) raise(largest[p.index()], infinity);
+        if (!(dot(dual.centers[c], poles.normals[p]) > 0)) radii.take_infinite(p);
       }
     }
   }
-  IdVector<VertexId, double> radii(count);
-  for (const VertexId p : radii.ids())
-    radii[p] = largest[p.index()].load(std::memory_order_relaxed);
-  return radii;
+  return radii.result(triangulation.num_vertices());
 }
 
 }  // namespace cocoon

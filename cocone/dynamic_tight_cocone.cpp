@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "delaunay/canonical_order.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/id_vector.h"
@@ -146,7 +145,7 @@ ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution
     return result;
   }
   DelaunayResult built = delaunay(points, state_->options.delaunay, execution);
-  Triangulation triangulation = canonical_order(std::move(built.triangulation));
+  Triangulation triangulation = std::move(built.triangulation);
   ReconstructResult result = reconstruct_tight(triangulation, points, state_->options, execution);
   result.counters.delaunay = built.counters;
   state_->take(points.size(), std::move(triangulation));

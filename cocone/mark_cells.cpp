@@ -219,13 +219,13 @@ void clear_marks(const Triangulation& triangulation, CellMarks& marks) {
 
 }  // namespace
 
-MarkingRounds::MarkingRounds(const Triangulation& triangulation, const VertexStars& stars,
-                             const FacetSet& surface, CellMarks& marks)
+MarkingRounds::MarkingRounds(const Triangulation& triangulation, const FacetSet& surface,
+                             CellMarks& marks)
     : triangulation_(triangulation),
-      stars_(stars),
+      stars_(triangulation),
       surface_(surface),
       marks_(marks),
-      scratch_(triangulation.num_cells(), 0) {}
+      scratch_(triangulation.num_cells()) {}
 
 void MarkingRounds::run(std::span<const VertexId> seeds, std::vector<CellId>& out_cells) {
   std::vector<VertexId> frontier;
@@ -328,16 +328,16 @@ void MarkingRounds::append_neighbors(VertexId v, std::vector<VertexId>& frontier
   }
 }
 
-void mark_in_rounds(const Triangulation& triangulation, const VertexStars& stars,
-                    const FacetSet& surface, std::span<const VertexId> seeds, CellMarks& marks) {
+void mark_in_rounds(const Triangulation& triangulation, const FacetSet& surface,
+                    std::span<const VertexId> seeds, CellMarks& marks) {
   for (const CellId c : triangulation.infinite_cells()) marks.labels[c] = CellLabel::out;
   std::vector<CellId> out_cells;
-  MarkingRounds(triangulation, stars, surface, marks).run(seeds, out_cells);
+  MarkingRounds(triangulation, surface, marks).run(seeds, out_cells);
 }
 
-CellMarks mark_cells(const Triangulation& triangulation, const VertexStars& stars,
-                     const LinkedFacets& surface, const VertexSet& boundary,
-                     const GoodVertexOptions& options, const Execution& execution) {
+CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
+                     const VertexSet& boundary, const GoodVertexOptions& options,
+                     const Execution& execution) {
   report_progress(execution, "mark_cells", 0);
   GoodVertices good = good_vertices(surface, boundary, options, execution);
   report_progress(execution, "mark_cells", 0.4);
@@ -353,7 +353,7 @@ CellMarks mark_cells(const Triangulation& triangulation, const VertexStars& star
     for (const CellId c : triangulation.infinite_cells()) {
       for (int i = 0; i < 3; ++i) seeds.push_back(triangulation.vertex(c, i));
     }
-    mark_in_rounds(triangulation, stars, surface.set, seeds, marks);
+    mark_in_rounds(triangulation, surface.set, seeds, marks);
   }
   report_progress(execution, "mark_cells", 1);
   return marks;

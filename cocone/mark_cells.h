@@ -14,9 +14,10 @@
 #include "cocone/facet_set.h"
 #include "cocone/linked_facets.h"
 #include "cocone/umbrella.h"
+#include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
-#include "delaunay/vertex_stars.h"
 #include "geom/execution.h"
+#include "geom/zeroed_array.h"
 
 namespace cocoon {
 
@@ -48,21 +49,20 @@ struct CellMarks {
 // only if it meets a contradiction. Complexity: O(cells). Rounds read only earlier rounds:
 // independent of order. Source: Dey & Goswami 2003 (Tight Cocone, marking); spec 6.1, 6.2,
 // section 12.
-CellMarks mark_cells(const Triangulation& triangulation, const VertexStars& stars,
-                     const LinkedFacets& surface, const VertexSet& boundary,
-                     const GoodVertexOptions& options = {}, const Execution& execution = {});
+CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
+                     const VertexSet& boundary, const GoodVertexOptions& options = {},
+                     const Execution& execution = {});
 
 // The rounds from the infinite cells on, without the pass that may replace them (mark_cells decides
 // which). Precondition: labels are unmarked, nobody is visited; good vertices are known.
-void mark_in_rounds(const Triangulation& triangulation, const VertexStars& stars,
-                    const FacetSet& surface, std::span<const VertexId> seeds, CellMarks& marks);
+void mark_in_rounds(const Triangulation& triangulation, const FacetSet& surface,
+                    std::span<const VertexId> seeds, CellMarks& marks);
 
 // The rounds by themselves, for the peel that discovers further seeds.
 class MarkingRounds {
  public:
   // All references must outlive the object.
-  MarkingRounds(const Triangulation& triangulation, const VertexStars& stars,
-                const FacetSet& surface, CellMarks& marks);
+  MarkingRounds(const Triangulation& triangulation, const FacetSet& surface, CellMarks& marks);
 
   // Runs rounds from these vertices to the end; those not good or already visited are skipped, the
   // others must touch a labeled cell. Newly labeled OUT cells are appended to `out_cells`.
@@ -81,12 +81,12 @@ class MarkingRounds {
   void append_neighbors(VertexId v, std::vector<VertexId>& frontier);
 
   const Triangulation& triangulation_;
-  const VertexStars& stars_;
+  StarCache stars_;
   const FacetSet& surface_;
   CellMarks& marks_;
   // Scratch per cell, zero between uses: membership in the flooded half of a star, then what the
   // round proposes for the cell.
-  IdVector<CellId, std::uint8_t> scratch_;
+  ZeroedArray<CellId, std::uint8_t> scratch_;
   std::vector<CellId> half_;
   std::vector<Proposal> proposals_;
 };

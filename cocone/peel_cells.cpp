@@ -54,13 +54,12 @@ struct DeferredSeed {
 
 class Peeling {
  public:
-  Peeling(const Triangulation& triangulation, const VertexStars& stars, const FacetSet& surface,
-          CellMarks& marks)
+  Peeling(const Triangulation& triangulation, const FacetSet& surface, CellMarks& marks)
       : triangulation_(triangulation),
         surface_(surface),
         marks_(marks),
-        rounds_(triangulation, stars, surface, marks),
-        poor_(triangulation.num_cells(), 0),
+        rounds_(triangulation, surface, marks),
+        poor_(triangulation.num_cells()),
         stops_(triangulation.num_cells()) {
     marks_.reached = IdVector<CellId, std::uint8_t>(triangulation.num_cells(), 0);
   }
@@ -113,8 +112,8 @@ class Peeling {
     stack_.push_back(c);
   }
 
-  // Labels that came without rounds lead from each OUT cell to infinity through OUT cells. The flood
-  // goes on from those with an unmarked neighbor, or with a good vertex that had no turn.
+  // Labels that came without rounds lead from each OUT cell to infinity through OUT cells. The
+  // flood goes on from those with an unmarked neighbor, or with a good vertex that had no turn.
   void reach_marked_cells() {
     const bool all_visited = marks_.visited_vertices == marks_.good_vertices;
     for (const CellId c : triangulation_.cells()) {
@@ -230,7 +229,7 @@ class Peeling {
   const FacetSet& surface_;
   CellMarks& marks_;
   MarkingRounds rounds_;
-  IdVector<CellId, std::uint8_t> poor_;
+  ZeroedArray<CellId, std::uint8_t> poor_;
   FacetSet stops_;
   std::vector<CellId> stack_;
   std::vector<VertexId> seeds_;
@@ -240,11 +239,10 @@ class Peeling {
 
 }  // namespace
 
-CellMarks peel_cells(const Triangulation& triangulation, const VertexStars& stars,
-                     const FacetSet& surface, CellMarks marks, const PeelOptions& options,
-                     const Execution& execution) {
+CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface, CellMarks marks,
+                     const PeelOptions& options, const Execution& execution) {
   report_progress(execution, "peel_cells", 0);
-  Peeling(triangulation, stars, surface, marks).run(options);
+  Peeling(triangulation, surface, marks).run(options);
   report_progress(execution, "peel_cells", 1);
   return marks;
 }

@@ -9,7 +9,6 @@
 #include "cocone/facet_set.h"
 #include "cocone/mark_cells.h"
 #include "delaunay/triangulation.h"
-#include "delaunay/vertex_stars.h"
 #include "geom/execution.h"
 #include "geom/triangle_mesh.h"
 
@@ -31,8 +30,7 @@ struct PeelOptions {
 // every OUT cell to infinity: then there is nothing to flood but what is not labeled.
 // Complexity: O(cells + d log d) for d undecided facets. Independent of order.
 // Source: Dey & Goswami 2003 (Tight Cocone, peeling); spec 6.3, 6.6, section 12.
-CellMarks peel_cells(const Triangulation& triangulation, const VertexStars& stars,
-                     const FacetSet& surface, CellMarks marks, const PeelOptions& options = {},
-                     const Execution& execution = {});
+CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface, CellMarks marks,
+                     const PeelOptions& options = {}, const Execution& execution = {});
 
 }  // namespace cocoon

@@ -13,7 +13,6 @@
 
 #include "cocone/facet_set.h"
 #include "delaunay/triangulation.h"
-#include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
@@ -33,11 +32,11 @@ struct Poles {
 // The poles of every vertex. Ties between equally far Voronoi vertices go to the lexicographically
 // smallest one, hull normals are summed in lexicographic order: the result is a function of the
 // point set, not of ids.
-// Preconditions: `dual` and `stars` belong to `triangulation`; |coordinate| < 1e75 (the
+// Preconditions: `dual` belongs to `triangulation`; |coordinate| < 1e75 (the
 // compositions of reconstruct.h see to that). Circumcenters may be anything finite.
-// Complexity: O(cells), parallel over vertices.
+// Complexity: O(cells + vertices): two passes over the cells, each a maximum per corner, parallel.
 // Source: Amenta, Bern & Kamvysselis 1998; Woo & Dey 2005, section 2.1 (poles).
-Poles compute_poles(const Triangulation& triangulation, const Dual& dual, const VertexStars& stars,
+Poles compute_poles(const Triangulation& triangulation, const Dual& dual,
                     const Execution& execution = {});
 
 // Of k unit normals the sum; if it is shorter than 0.1 k, the principal eigenvector instead.

@@ -11,8 +11,6 @@
 #include "cocone/orient_surface.h"
 #include "cocone/poles.h"
 #include "cocone/surface_mesh.h"
-#include "delaunay/canonical_order.h"
-#include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/working_scale.h"
 
@@ -51,10 +49,8 @@ class Reconstruction {
       working = scaled;
     }
     DelaunayResult built = delaunay(working, options_.delaunay, execution_);
-    // Not for the result, which needs no order: neighbors in space become neighbors in memory,
-    // which the later stages earn back.
     result_.counters.delaunay = built.counters;
-    take(canonical_order(std::move(built.triangulation)));
+    take(std::move(built.triangulation));
   }
 
   void take(Triangulation triangulation) {
@@ -68,8 +64,7 @@ class Reconstruction {
   void find_poles() {
     run_stage(execution_, "poles", [&](const Execution& nested) {
       dual_ = voronoi_dual(triangulation_, nested);
-      stars_ = vertex_stars(triangulation_);
-      poles_ = compute_poles(triangulation_, dual_, stars_, nested);
+      poles_ = compute_poles(triangulation_, dual_, nested);
     });
     ReconstructCounters& counters = result_.counters;
     counters.dual_extended_precision = dual_.extended_precision;
@@ -93,8 +88,7 @@ class Reconstruction {
           candidate_triangles(triangulation_, cocones, boundary_.boundary, nested);
       PrunedCandidates pruned =
           prune_sharp_edges(triangulation_, std::move(candidates), options_.prune, nested);
-      surface_ =
-          extract_manifold(triangulation_, std::move(pruned.left), pruned.umbrella, nested);
+      surface_ = extract_manifold(triangulation_, std::move(pruned.left), pruned.umbrella, nested);
       result_.counters.candidates = pruned.candidates;
       result_.counters.pruned = pruned.pruned;
       result_.counters.umbrellas = pruned.umbrellas;
@@ -111,13 +105,13 @@ class Reconstruction {
   void close_surface() {
     if (boundary_.interior() == 0) return deliver({});
     run_stage(execution_, "tight", [&](const Execution& nested) {
-      CellMarks marks = mark_cells(triangulation_, stars_, surface_.triangles, boundary_.boundary,
+      CellMarks marks = mark_cells(triangulation_, surface_.triangles, boundary_.boundary,
                                    options_.good_vertices, nested);
-      marks = peel_cells(triangulation_, stars_, surface_.triangles.set, std::move(marks), options_.peel,
+      marks = peel_cells(triangulation_, surface_.triangles.set, std::move(marks), options_.peel,
                          nested);
       ReconstructCounters& counters = result_.counters;
       counters.clean_up =
-          clean_up_cells(triangulation_, dual_, stars_, poles_, marks, options_.clean_up, nested);
+          clean_up_cells(triangulation_, dual_, poles_, marks, options_.clean_up, nested);
       deliver(surface_between(triangulation_, marks));
       counters.good_vertices = marks.good_vertices;
       counters.demoted_vertices = marks.demoted_vertices;
@@ -163,7 +157,6 @@ class Reconstruction {
   Execution execution_;
   Triangulation triangulation_;
   Dual dual_;
-  VertexStars stars_;
   Poles poles_;
   BoundarySamples boundary_;
   ManifoldSurface surface_;

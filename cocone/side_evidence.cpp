@@ -40,20 +40,20 @@ struct PolePair {
 
 class Propagation {
  public:
-  Propagation(const Triangulation& triangulation, const Dual& dual, const VertexStars& stars,
+  Propagation(const Triangulation& triangulation, const Dual& dual, StarCache& stars,
               const Poles& poles, const CellMarks& marks, const std::vector<CellId>& undecided)
       : triangulation_(triangulation),
         dual_(dual),
         stars_(stars),
         poles_(poles),
         evidence_(triangulation.num_cells()),
-        state_(triangulation.num_cells(), settled) {
+        state_(triangulation.num_cells()) {
     rank(undecided);
     find_domain(undecided);
     settle_known(marks);
   }
 
-  IdVector<CellId, SideEvidence> run() {
+  ZeroedArray<CellId, SideEvidence> run() {
     while (!turns_.empty()) {
       const Turn turn = turns_.top();
       turns_.pop();
@@ -67,7 +67,7 @@ class Propagation {
 
  private:
   // settled: not asked about. open, closed: undecided cells before and after their turn.
-  enum State : std::uint8_t { settled, open, closed };
+  enum State : std::uint8_t { settled = 0, open, closed };
 
   void rank(const std::vector<CellId>& undecided) {
     std::vector<std::pair<Corners, CellId>> order;
@@ -75,7 +75,7 @@ class Propagation {
     for (const CellId c : undecided) order.emplace_back(sorted_corners(triangulation_, c), c);
     std::sort(order.begin(), order.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
-    ranks_ = IdVector<CellId, std::uint32_t>(triangulation_.num_cells(), 0);
+    ranks_ = ZeroedArray<CellId, std::uint32_t>(triangulation_.num_cells());
     std::uint32_t next = 0;
     for (const auto& [corners, c] : order) ranks_[c] = next++;
   }
@@ -130,7 +130,7 @@ class Propagation {
   }
 
   void settle_known(const CellMarks& marks) {
-    IdVector<CellId, std::uint8_t> told(triangulation_.num_cells(), 0);
+    ZeroedArray<CellId, std::uint8_t> told(triangulation_.num_cells());
     for (const VertexId v : vertices_) {
       for (const CellId c : stars_.star(v)) {
         if (state_[c] != settled || told[c] != 0) continue;
@@ -193,11 +193,11 @@ class Propagation {
 
   const Triangulation& triangulation_;
   const Dual& dual_;
-  const VertexStars& stars_;
+  StarCache& stars_;
   const Poles& poles_;
-  IdVector<CellId, SideEvidence> evidence_;
-  IdVector<CellId, State> state_;
-  IdVector<CellId, std::uint32_t> ranks_;
+  ZeroedArray<CellId, SideEvidence> evidence_;
+  ZeroedArray<CellId, State> state_;
+  ZeroedArray<CellId, std::uint32_t> ranks_;
   IdVector<VertexId, PolePair> pairs_;
   std::vector<VertexId> vertices_;  // of undecided cells
   std::priority_queue<Turn> turns_;
@@ -218,10 +218,10 @@ double ball_cosine(const Triangulation& triangulation, const Dual& dual, FacetId
   return std::clamp(apex_above ? cosine : -cosine, -1.0, 1.0);
 }
 
-IdVector<CellId, SideEvidence> side_evidence(const Triangulation& triangulation, const Dual& dual,
-                                             const VertexStars& stars, const Poles& poles,
-                                             const CellMarks& marks,
-                                             const std::vector<CellId>& undecided) {
+ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,
+                                                const Dual& dual, StarCache& stars,
+                                                const Poles& poles, const CellMarks& marks,
+                                                const std::vector<CellId>& undecided) {
   return Propagation(triangulation, dual, stars, poles, marks, undecided).run();
 }
 

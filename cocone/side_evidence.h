@@ -16,10 +16,10 @@
 
 #include "cocone/mark_cells.h"
 #include "cocone/poles.h"
+#include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
-#include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
-#include "geom/id_vector.h"
+#include "geom/zeroed_array.h"
 
 namespace cocoon {
 
@@ -40,9 +40,9 @@ struct SideEvidence {
 // pass on their stronger side. Ties go to the lexicographically smaller corners: a function of the
 // point set. Complexity: O(d log d) for d cells at vertices of undecided cells.
 // Source: Amenta, Choi & Kolluri 2001 (the power crust, labeling of poles).
-IdVector<CellId, SideEvidence> side_evidence(const Triangulation& triangulation, const Dual& dual,
-                                             const VertexStars& stars, const Poles& poles,
-                                             const CellMarks& marks,
-                                             const std::vector<CellId>& undecided);
+ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,
+                                                const Dual& dual, StarCache& stars,
+                                                const Poles& poles, const CellMarks& marks,
+                                                const std::vector<CellId>& undecided);
 
 }  // namespace cocoon

@@ -58,9 +58,9 @@ class UmbrellaSearch {
     bool found = false;
     for_each_side_at_edge(triangles_, side, [&](SideId other) {
       const std::uint32_t t = triangle_of_side(other);
-      found = found || (other != side &&
-                        dihedral_cosine(triangles_, side, other) <= sharp_cosine_ &&
-                        std::binary_search(alive_.begin(), alive_.end(), t));
+      found =
+          found || (other != side && dihedral_cosine(triangles_, side, other) <= sharp_cosine_ &&
+                    std::binary_search(alive_.begin(), alive_.end(), t));
     });
     return found;
   }
@@ -126,16 +126,16 @@ bool is_one_cycle(const LinkedFacets& triangles, VertexId v, const FirstCorners&
 VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::size_t num_vertices,
                                  double sharp_cosine, const Execution& execution) {
   SharedFlags doubtful(num_vertices);
-  parallel_chunks(
-      execution, triangles.size(), triangles_per_chunk, [&](std::size_t begin, std::size_t end) {
-        for_each_edge(triangles, begin, end, [&](SideId side) {
-          if (triangles.is_two_sided(side) &&
-              dihedral_cosine(triangles, side, triangles.links[side]) <= sharp_cosine) {
-            return;
-          }
-          for (const VertexId v : triangles.ends(side)) doubtful.raise(v);
-        });
-      });
+  parallel_chunks(execution, triangles.size(), triangles_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for_each_edge(triangles, begin, end, [&](SideId side) {
+                      if (triangles.is_two_sided(side) &&
+                          dihedral_cosine(triangles, side, triangles.links[side]) <= sharp_cosine) {
+                        return;
+                      }
+                      for (const VertexId v : triangles.ends(side)) doubtful.raise(v);
+                    });
+                  });
   VertexSet flags(num_vertices, 0);
   for (const Triangle& corners : triangles.corners) {
     for (const VertexId v : corners) flags[v] = 1;
@@ -156,22 +156,22 @@ GoodVertices good_vertices(const LinkedFacets& triangles, const VertexSet& bound
   const std::size_t count = boundary.size();
   SharedFlags open(count);  // some spoke has one triangle, or more than two
   SharedFlags folded(count);
-  parallel_chunks(
-      execution, triangles.size(), triangles_per_chunk, [&](std::size_t begin, std::size_t end) {
-        for_each_edge(triangles, begin, end, [&](SideId side) {
-          const bool regular = triangles.is_two_sided(side);
-          const double cosine =
-              regular ? dihedral_cosine(triangles, side, triangles.links[side]) : 0;
-          for (const VertexId v : triangles.ends(side)) {
-            if (!regular) {
-              open.raise(v);
-            } else if (cosine >= options.fold_cosine ||
-                       (boundary[v] != 0 && cosine > options.crease_cosine)) {
-              folded.raise(v);
-            }
-          }
-        });
-      });
+  parallel_chunks(execution, triangles.size(), triangles_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for_each_edge(triangles, begin, end, [&](SideId side) {
+                      const bool regular = triangles.is_two_sided(side);
+                      const double cosine =
+                          regular ? dihedral_cosine(triangles, side, triangles.links[side]) : 0;
+                      for (const VertexId v : triangles.ends(side)) {
+                        if (!regular) {
+                          open.raise(v);
+                        } else if (cosine >= options.fold_cosine ||
+                                   (boundary[v] != 0 && cosine > options.crease_cosine)) {
+                          folded.raise(v);
+                        }
+                      }
+                    });
+                  });
   const FirstCorners first = first_corners(triangles, count);
   GoodVertices result{VertexSet(count, 0), 0, 0};
   std::atomic<std::size_t> good = 0;

@@ -92,8 +92,9 @@ void for_each_facet_around_vertex(const Triangulation& triangulation, const Vert
 
 // True iff v is on the convex hull: some cell of its star is infinite. O(1), because stars are in
 // increasing order and infinite cells come last.
-inline bool is_hull_vertex(const Triangulation& triangulation, const VertexStars& stars,
-                           VertexId v) {
+// `stars`: VertexStars or StarCache.
+template <class Stars>
+bool is_hull_vertex(const Triangulation& triangulation, Stars& stars, VertexId v) {
   const std::span<const CellId> star = stars.star(v);
   return !star.empty() && triangulation.is_infinite(star.back());
 }

@@ -2,13 +2,16 @@
 
 namespace cocoon {
 
-VertexStars vertex_stars(const Triangulation& triangulation) {
+namespace {
+
+// Of every star the cells that lie in a range.
+VertexStars stars_in_range(const Triangulation& triangulation, IdRange<CellId> range) {
   // Counting sort of the corners by vertex. Cells are visited in increasing order both times, so
   // every star comes out sorted.
   const std::size_t num_vertices = triangulation.num_vertices();
   std::vector<std::uint32_t> offsets(num_vertices + 1, 0);
-  for (const Cell& cell : triangulation.cell_records()) {
-    for (const VertexId v : cell.vertices) {
+  for (const CellId c : range) {
+    for (const VertexId v : triangulation.cell(c).vertices) {
       if (v != infinite_vertex) ++offsets[v.index() + 1];
     }
   }
@@ -16,12 +19,22 @@ VertexStars vertex_stars(const Triangulation& triangulation) {
 
   std::vector<CellId> cells(offsets.back());
   std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
-  for (const CellId c : triangulation.cells()) {
+  for (const CellId c : range) {
     for (const VertexId v : triangulation.cell(c).vertices) {
       if (v != infinite_vertex) cells[next[v.index()]++] = c;
     }
   }
   return VertexStars(std::move(offsets), std::move(cells));
+}
+
+}  // namespace
+
+VertexStars vertex_stars(const Triangulation& triangulation) {
+  return stars_in_range(triangulation, triangulation.cells());
+}
+
+VertexStars hull_stars(const Triangulation& triangulation) {
+  return stars_in_range(triangulation, triangulation.infinite_cells());
 }
 
 }  // namespace cocoon

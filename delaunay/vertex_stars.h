@@ -30,4 +30,8 @@ class VertexStars {
 // Lists the star of every finite vertex. Complexity: O(cells), 4 bytes per corner of a cell.
 VertexStars vertex_stars(const Triangulation& triangulation);
 
+// Of every star only the infinite cells; empty for vertices inside the hull.
+// Complexity: O(vertices + infinite cells).
+VertexStars hull_stars(const Triangulation& triangulation);
+
 }  // namespace cocoon

@@ -1,9 +1,11 @@
 #include "delaunay/voronoi_dual.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "geom/circumsphere.h"
+#include "geom/circumsphere_batch.h"
 #include "geom/triangle_normal.h"
 
 namespace cocoon {
@@ -29,6 +31,33 @@ Point cell_center(const Triangulation& triangulation, const Cell& cell, ChunkCou
   return result.center;
 }
 
+// Voronoi vertices of the cells begin .. end, all finite, in batches as far as they go.
+void cell_centers(const Triangulation& triangulation, CellId begin, CellId end, Dual& dual,
+                  ChunkCounts& counts) {
+  CircumcenterBatch batch;
+  for (CellId first = begin; first < end;) {
+    const std::size_t size = std::min(circumcenter_batch_size, end.index() - first.index());
+    unsigned certified = 0;
+    if (size == circumcenter_batch_size) {
+      for (std::size_t i = 0; i < size; ++i) {
+        const Cell& cell = triangulation.cell(CellId(first.index() + i));
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+          const Point& p = triangulation.point(cell.vertices[corner]);
+          batch.corners[corner][0][i] = p.x;
+          batch.corners[corner][1][i] = p.y;
+          batch.corners[corner][2][i] = p.z;
+        }
+      }
+      certified = circumcenters_in_doubles(batch);
+    }
+    for (std::size_t i = 0; i < size; ++i, ++first) {
+      dual.centers[first] = ((certified >> i) & 1U) != 0
+                                ? batch.centers[i]
+                                : cell_center(triangulation, triangulation.cell(first), counts);
+    }
+  }
+}
+
 // Direction of the Voronoi ray of an infinite cell: with a point beyond its hull facet as vertex 3
 // the cell would have orient3d > 0, so the facet's normal in the order of the vertices points out.
 Vec3 ray_direction(const Triangulation& triangulation, const Cell& cell, ChunkCounts& counts) {
@@ -46,16 +75,16 @@ Dual voronoi_dual(const Triangulation& triangulation, const Execution& execution
   Dual dual;
   dual.centers.resize(triangulation.num_cells());
   std::vector<ChunkCounts> counts((triangulation.num_cells() + grain - 1) / grain);
-  parallel_chunks(
-      execution, triangulation.num_cells(), grain, [&](std::size_t begin, std::size_t end) {
-        ChunkCounts& count = counts[begin / grain];
-        for (std::size_t i = begin; i < end; ++i) {
-          const CellId c(i);
-          const Cell& cell = triangulation.cell(c);
-          dual.centers[c] = triangulation.is_infinite(c) ? ray_direction(triangulation, cell, count)
-                                                         : cell_center(triangulation, cell, count);
-        }
-      });
+  parallel_chunks(execution, triangulation.num_cells(), grain,
+                  [&](std::size_t begin, std::size_t end) {
+                    ChunkCounts& count = counts[begin / grain];
+                    const CellId last(end);
+                    const CellId infinite(std::clamp(triangulation.num_finite_cells(), begin, end));
+                    cell_centers(triangulation, CellId(begin), infinite, dual, count);
+                    for (CellId c = infinite; c < last; ++c) {
+                      dual.centers[c] = ray_direction(triangulation, triangulation.cell(c), count);
+                    }
+                  });
   for (const ChunkCounts& count : counts) {
     dual.extended_precision += count.exact;
     dual.facet_fallbacks += count.facet_fallbacks;

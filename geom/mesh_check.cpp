@@ -1,7 +1,9 @@
 #include "geom/mesh_check.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <string>
@@ -9,107 +11,90 @@
 
 #include "geom/errors.h"
 #include "geom/orient3d.h"
+#include "geom/side_links.h"
 
 namespace cocoon {
 namespace {
 
-// Disjoint sets with a parity on the way to the root: two triangles of one set have equal parity
-// iff they agree in orientation. Sets are joined under the smaller root, so a root is the
+// Disjoint sets of 0 .. count - 1. Sets are joined under the smaller root, so a root is the
 // smallest member of its set.
-class ParitySets {
+class DisjointSets {
  public:
-  explicit ParitySets(std::size_t count) : parent_(count), parity_(count, 0) {
+  explicit DisjointSets(std::size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
   }
-
-  // Root of `member` and its parity against the root. Halves the path.
-  std::pair<std::size_t, int> find(std::size_t member) {
-    int parity = 0;
+  // Halves the path.
+  std::uint32_t root(std::uint32_t member) {
     while (parent_[member] != member) {
-      const std::size_t up = parent_[member];
-      parity_[member] = static_cast<std::uint8_t>(parity_[member] ^ parity_[up]);
-      parent_[member] = parent_[up];
-      parity ^= parity_[member];
-      member = parent_[member];
+      member = parent_[member] = parent_[parent_[member]];
     }
-    return {member, parity};
+    return member;
   }
-  std::size_t root(std::size_t member) { return find(member).first; }
-
-  // States that a and b differ by `parity`. False if that contradicts what is known.
-  bool join(std::size_t a, std::size_t b, int parity) {
-    auto [root_a, parity_a] = find(a);
-    auto [root_b, parity_b] = find(b);
-    const int between = parity_a ^ parity_b ^ parity;
-    if (root_a == root_b) return between == 0;
-    if (root_b < root_a) std::swap(root_a, root_b);
-    parent_[root_b] = static_cast<std::uint32_t>(root_a);
-    parity_[root_b] = static_cast<std::uint8_t>(between);
-    return true;
-  }
-  // States that a and b agree. True if they were in different sets.
-  bool unite(std::size_t a, std::size_t b) {
-    if (root(a) == root(b)) return false;
-    return join(a, b, 0);
+  // True if they were in different sets.
+  bool join(std::uint32_t a, std::uint32_t b) {
+    a = root(a);
+    b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+    return a != b;
   }
 
  private:
-  std::vector<std::uint32_t> parent_;  // ids of vertices and triangles have 32 bits
-  std::vector<std::uint8_t> parity_;   // against the parent; 0 at a root
+  std::vector<std::uint32_t> parent_;
 };
 
-// Sorts items whose order begins with a vertex, vertex_of(item): a counting sort by the vertices
-// brings together the few items of each, which are then sorted among themselves.
-template <class T, class VertexOf>
-void sort_by_vertex(std::vector<T>& items, std::size_t num_vertices, VertexOf vertex_of) {
-  std::vector<std::uint32_t> ends(num_vertices + 1, 0);
-  for (const T& item : items) ++ends[vertex_of(item).index() + 1];
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<T> sorted(items.size());
-  for (const T& item : items) sorted[ends[vertex_of(item).index()]++] = item;
-  // Placing moved the begin of each range to its end.
-  auto begin = sorted.begin();
-  for (std::size_t v = 0; v < num_vertices; ++v) {
-    const auto end = sorted.begin() + ends[v];
-    std::sort(begin, end);
-    begin = end;
+// How many of the points are different from all before them, by an open hash table.
+std::size_t count_distinct(std::span<const Point> points) {
+  std::vector<std::uint32_t> table(std::bit_ceil(2 * points.size() + 1), 0);  // place + 1
+  const auto mixed = [](std::uint64_t word) {
+    word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9U;
+    word = (word ^ (word >> 27)) * 0x94D049BB133111EBU;
+    return word ^ (word >> 31);
+  };
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };  // -0 is 0
+  std::size_t distinct = 0;
+  for (std::uint32_t k = 0; k < points.size(); ++k) {
+    const Point& p = points[k];
+    std::size_t slot = mixed(bits(p.x) + mixed(bits(p.y) + mixed(bits(p.z))));
+    for (;; ++slot) {
+      slot &= table.size() - 1;
+      if (table[slot] == 0) {
+        table[slot] = k + 1;
+        ++distinct;
+        break;
+      }
+      if (points[table[slot] - 1] == p) break;
+    }
   }
-  items = std::move(sorted);
+  return distinct;
 }
 
-// One side of a triangle.
-struct Side {
-  VertexPair edge;
-  TriangleId triangle;
-  bool forward = true;  // runs from edge[0] to edge[1]
-  friend auto operator<=>(const Side&, const Side&) = default;
-};
-
-// A triangle's corner at `vertex`, seen as an edge of the vertex's link.
-struct LinkEdge {
-  VertexId vertex;
-  TriangleId triangle;
-  VertexPair ends;
-  friend auto operator<=>(const LinkEdge&, const LinkEdge&) = default;
-};
-
-VertexPair sorted_pair(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
-
 bool repeats_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+// Triangles that hang together by edges with exactly two triangles. A component consists of one or
+// more: over edges with more triangles nothing follows for the orientation.
+struct Patch {
+  std::uint32_t first_triangle = 0;
+  std::size_t triangles = 0;
+  std::size_t edges = 0;
+  std::size_t vertices = 0;
+  bool closed = true;
+  bool manifold = true;
+  bool orientable = true;
+};
 
 class Checker {
  public:
   Checker(const TriangleMesh& mesh, const MeshCheckOptions& options)
-      : mesh_(mesh),
-        options_(options),
-        connected_(mesh.triangles.size()),
-        agreeing_(mesh.triangles.size()) {}
+      : mesh_(mesh), options_(options) {}
 
   MeshReport check() {
     require_indices();
     check_vertices();
     check_triangles();
+    links_ = side_links(triangles_, mesh_.points.size());
+    find_patches();
     check_edges();
+    join_patches();
     check_links();
     check_components();
     conclude();
@@ -135,19 +120,18 @@ class Checker {
 
   void check_vertices() {
     report_.vertices = mesh_.points.size();
-    std::vector<Point> sorted;
+    std::vector<Point> finite;
+    std::span<const Point> points = mesh_.points.span();
     for (const VertexId v : mesh_.points.ids()) {
-      if (is_finite(mesh_.points[v])) {
-        sorted.push_back(mesh_.points[v]);
-      } else {
-        ++report_.non_finite_vertices;
-        add_example(report_.examples.non_finite_vertices, v);
-      }
+      if (is_finite(mesh_.points[v])) continue;
+      ++report_.non_finite_vertices;
+      add_example(report_.examples.non_finite_vertices, v);
     }
-    std::sort(sorted.begin(), sorted.end(),
-              [](const Point& a, const Point& b) { return (a <=> b) < 0; });
-    const auto distinct_end = std::unique(sorted.begin(), sorted.end());
-    report_.coincident_vertices = static_cast<std::size_t>(sorted.end() - distinct_end);
+    if (report_.non_finite_vertices > 0) {
+      std::copy_if(points.begin(), points.end(), std::back_inserter(finite), is_finite);
+      points = finite;
+    }
+    report_.coincident_vertices = points.size() - count_distinct(points);
 
     IdVector<VertexId, char> used(mesh_.points.size(), 0);
     for (const Triangle& triangle : mesh_.triangles) {
@@ -160,9 +144,8 @@ class Checker {
   // Sorts out the triangles that are no triangles.
   void check_triangles() {
     report_.triangles = mesh_.triangles.size();
-    std::vector<std::pair<Triangle, TriangleId>> by_vertices;
     for (const TriangleId t : mesh_.triangles.ids()) {
-      Triangle triangle = mesh_.triangles[t];
+      const Triangle& triangle = mesh_.triangles[t];
       if (repeats_vertex(triangle)) {
         ++report_.repeated_vertex_triangles;
         add_example(report_.examples.repeated_vertex_triangles, t);
@@ -175,246 +158,296 @@ class Checker {
         ++report_.zero_area_triangles;
         add_example(report_.examples.zero_area_triangles, t);
       }
-      std::sort(triangle.begin(), triangle.end());
-      by_vertices.emplace_back(triangle, t);
     }
-    sort_by_vertex(by_vertices, mesh_.points.size(),
-                   [](const auto& triangle) { return triangle.first[0]; });
-    std::vector<TriangleId> duplicates;
-    for (std::size_t k = 1; k < by_vertices.size(); ++k) {
-      if (by_vertices[k].first == by_vertices[k - 1].first) {
-        duplicates.push_back(by_vertices[k].second);
+    triangles_ = mesh_.triangles.span();
+    if (report_.repeated_vertex_triangles == 0) return;
+    for (const TriangleId t : mesh_.triangles.ids()) {
+      if (repeats_vertex(mesh_.triangles[t])) continue;
+      proper_.push_back(mesh_.triangles[t]);
+      ids_of_proper_.push_back(t);
+    }
+    triangles_ = proper_;
+  }
+
+  TriangleId id_of(std::uint32_t triangle) const {
+    return ids_of_proper_.empty() ? TriangleId(triangle) : ids_of_proper_[triangle];
+  }
+  VertexId from(SideId side) const {
+    return triangles_[triangle_of_side(side)][next_corner(corner_of_side(side))];
+  }
+  VertexId to(SideId side) const {
+    return triangles_[triangle_of_side(side)][previous_corner(corner_of_side(side))];
+  }
+  VertexPair edge_of(SideId side) const {
+    return {std::min(from(side), to(side)), std::max(from(side), to(side))};
+  }
+  // Exactly two triangles at the edge of the side.
+  bool is_two_sided(SideId side) const {
+    return links_[side] != side && links_[links_[side]] == side;
+  }
+
+  static constexpr std::uint32_t none = 0xFFFFFFFFU;
+
+  // Patches are found from their smallest triangles, so they are numbered in their order.
+  void find_patches() {
+    patch_.assign(triangles_.size(), none);
+    turned_.assign(triangles_.size(), 0);
+    std::vector<std::uint32_t> stack;
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      if (patch_[t] != none) continue;
+      patches_.push_back({.first_triangle = t});
+      patch_[t] = static_cast<std::uint32_t>(patches_.size() - 1);
+      stack.push_back(t);
+      while (!stack.empty()) {
+        const std::uint32_t next = stack.back();
+        stack.pop_back();
+        ++patches_.back().triangles;
+        for (SideId side = 3 * next; side < 3 * next + 3; ++side) {
+          if (is_two_sided(side) && !spread_patch(side, stack)) patches_.back().orientable = false;
+        }
       }
     }
-    std::sort(duplicates.begin(), duplicates.end());
-    report_.duplicate_triangles = duplicates.size();
-    for (const TriangleId t : duplicates) add_example(report_.examples.duplicate_triangles, t);
+  }
+
+  // Over an edge with two triangles: one orientation follows from the other. False if it
+  // contradicts what is known.
+  bool spread_patch(SideId side, std::vector<std::uint32_t>& stack) {
+    const std::uint32_t here = triangle_of_side(side);
+    const std::uint32_t there = triangle_of_side(links_[side]);
+    const bool conflict = from(side) == from(links_[side]);
+    const auto turned = static_cast<char>(turned_[here] ^ (conflict ? 1 : 0));
+    if (patch_[there] != none) return turned_[there] == turned;
+    patch_[there] = patch_[here];
+    turned_[there] = turned;
+    stack.push_back(there);
+    return true;
   }
 
   void check_edges() {
-    sides_.reserve(3 * mesh_.triangles.size());
-    for (const TriangleId t : mesh_.triangles.ids()) {
-      const Triangle& triangle = mesh_.triangles[t];
-      if (repeats_vertex(triangle)) continue;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const VertexId from = triangle[i];
-        const VertexId to = triangle[(i + 1) % 3];
-        sides_.push_back({sorted_pair(from, to), t, from < to});
+    at_overfull_ = IdVector<VertexId, char>(mesh_.points.size(), 0);
+    std::vector<SideId> ring;
+    for (SideId side = 0; side < links_.size(); ++side) {
+      SideId other = links_[side];
+      while (other > side) other = links_[other];
+      if (other < side) continue;  // told by the first side of the edge
+      ++report_.edges;
+      Patch& patch = patches_[patch_[triangle_of_side(side)]];
+      ++patch.edges;
+      if (is_two_sided(side) && from(side) == to(links_[side]) &&
+          apex(side) != apex(links_[side])) {
+        continue;
       }
+      ring.clear();
+      do {
+        ring.push_back(other);
+        other = links_[other];
+      } while (other != side);
+      if (ring.size() != 2) patch.closed = false;
+      if (ring.size() > 2) {
+        patch.manifold = false;
+        at_overfull_[from(side)] = at_overfull_[to(side)] = 1;
+        overfull_.push_back(side);
+      }
+      check_irregular_edge(ring);
     }
-    sort_by_vertex(sides_, mesh_.points.size(), [](const Side& side) { return side.edge[0]; });
-    contradicted_.assign(mesh_.triangles.size(), 0);
-    for_each_edge([this](std::size_t begin, std::size_t end) { check_edge(begin, end); });
+    sort_examples(report_.examples.open_edges);
+    sort_examples(report_.examples.overfull_edges);
+    sort_examples(report_.examples.orientation_conflicts);
+    std::sort(duplicates_.begin(), duplicates_.end());
+    report_.duplicate_triangles = duplicates_.size();
+    for (const std::uint32_t t : duplicates_) {
+      add_example(report_.examples.duplicate_triangles, id_of(t));
+    }
   }
 
-  // Calls visit(begin, end) for the range of sides of every edge.
-  template <class Visit>
-  void for_each_edge(const Visit& visit) const {
-    for (std::size_t begin = 0, end = 0; begin < sides_.size(); begin = end) {
-      while (end < sides_.size() && sides_[end].edge == sides_[begin].edge) ++end;
-      visit(begin, end);
-    }
+  VertexId apex(SideId side) const {
+    return triangles_[triangle_of_side(side)][corner_of_side(side)];
   }
 
-  void check_edge(std::size_t begin, std::size_t end) {
-    const VertexPair& edge = sides_[begin].edge;
-    const std::size_t count = end - begin;
-    std::size_t forward = 0;
-    for (std::size_t k = begin; k < end; ++k) forward += sides_[k].forward ? 1 : 0;
-    ++report_.edges;
-    if (count == 1) {
+  void check_irregular_edge(std::span<const SideId> ring) {
+    const VertexPair edge = edge_of(ring[0]);
+    const auto forward = static_cast<std::size_t>(std::count_if(
+        ring.begin(), ring.end(), [&](SideId side) { return from(side) == edge[0]; }));
+    if (ring.size() == 1) {
       ++report_.open_edges;
-      add_example(report_.examples.open_edges, edge);
+      report_.examples.open_edges.push_back(edge);
+      open_.push_back(edge);
     }
-    if (count > 2) {
+    if (ring.size() > 2) {
       ++report_.overfull_edges;
-      add_example(report_.examples.overfull_edges, edge);
+      report_.examples.overfull_edges.push_back(edge);
     }
-    if (count % 2 == 1) ++report_.odd_edges;
-    if (2 * forward != count) {
+    if (ring.size() % 2 == 1) ++report_.odd_edges;
+    if (2 * forward != ring.size()) {
       ++report_.unbalanced_edges;
-      if (count > 2) ++unbalanced_overfull_edges_;
+      if (ring.size() > 2) ++unbalanced_overfull_edges_;
     }
-    if (count == 2 && forward != 1) {
+    if (ring.size() == 2 && forward != 1) {
       ++report_.orientation_conflicts;
-      add_example(report_.examples.orientation_conflicts, edge);
+      report_.examples.orientation_conflicts.push_back(edge);
     }
-    const std::size_t first = sides_[begin].triangle.index();
-    for (std::size_t k = begin + 1; k < end; ++k) {
-      connected_.join(first, sides_[k].triangle.index(), 0);
+    find_duplicates(edge[0], ring);
+  }
+
+  // Triangles with the same three vertices lie together on every edge, with the same vertex
+  // opposite; told at the edge that is opposite the smallest.
+  void find_duplicates(VertexId smaller_end, std::span<const SideId> ring) {
+    std::vector<std::pair<VertexId, std::uint32_t>> opposite;
+    for (const SideId side : ring) {
+      if (apex(side) < smaller_end) opposite.emplace_back(apex(side), triangle_of_side(side));
     }
-    if (count == 2) {
-      // Only where exactly two triangles meet does one orientation follow from the other.
-      const int parity = forward == 1 ? 0 : 1;
-      if (!agreeing_.join(first, sides_[begin + 1].triangle.index(), parity)) {
-        contradicted_[first] = 1;
-      }
+    std::sort(opposite.begin(), opposite.end());
+    for (std::size_t k = 1; k < opposite.size(); ++k) {
+      if (opposite[k].first == opposite[k - 1].first) duplicates_.push_back(opposite[k].second);
     }
   }
+
+  void sort_examples(std::vector<VertexPair>& list) const {
+    const std::size_t kept = std::min(list.size(), options_.max_examples);
+    std::partial_sort(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(kept), list.end());
+    list.resize(kept);
+    list.shrink_to_fit();
+  }
+
+  // Patches that meet at edges with more than two triangles make one component.
+  void join_patches() {
+    DisjointSets sets(patches_.size());
+    for (const SideId side : overfull_) {
+      for (SideId other = links_[side]; other != side; other = links_[other]) {
+        sets.join(patch_[triangle_of_side(side)], patch_[triangle_of_side(other)]);
+      }
+    }
+    component_of_patch_.resize(patches_.size());
+    for (std::uint32_t k = 0; k < patches_.size(); ++k) {
+      const std::uint32_t root = sets.root(k);
+      component_of_patch_[k] =
+          root == k ? static_cast<std::uint32_t>(components_.size()) : component_of_patch_[root];
+      if (root == k) {
+        components_.push_back(patches_[k]);
+        continue;
+      }
+      Patch& component = components_[component_of_patch_[k]];
+      component.triangles += patches_[k].triangles;
+      component.edges += patches_[k].edges;
+      component.closed = component.closed && patches_[k].closed;
+      component.manifold = component.manifold && patches_[k].manifold;
+      component.orientable = component.orientable && patches_[k].orientable;
+    }
+  }
+
+  std::uint32_t component_of(std::uint32_t triangle) const {
+    return component_of_patch_[patch_[triangle]];
+  }
+
+  // What meets at a vertex: its triangles, and a component beyond the first.
+  struct Corners {
+    std::uint32_t count = 0;
+    SideId one = 0;  // the side opposite the vertex in one of the triangles
+    std::uint32_t component = none;
+  };
+  using FurtherComponent = std::pair<VertexId, std::uint32_t>;
 
   // A vertex is pinched iff its link, the graph of the edges opposite to it in its triangles, is
-  // not one single path or cycle.
+  // not one single path or cycle: if a spoke has more than two triangles, or if a walk around the
+  // vertex does not meet all of them.
   void check_links() {
-    links_.reserve(sides_.size());
-    for (const TriangleId t : mesh_.triangles.ids()) {
-      const Triangle& triangle = mesh_.triangles[t];
-      if (repeats_vertex(triangle)) continue;
-      for (std::size_t i = 0; i < 3; ++i) {
-        links_.push_back(
-            {triangle[i], t, sorted_pair(triangle[(i + 1) % 3], triangle[(i + 2) % 3])});
+    IdVector<VertexId, Corners> corners(mesh_.points.size());
+    std::vector<FurtherComponent> further;
+    for (SideId side = 0; side < links_.size(); ++side) {
+      const std::uint32_t component = component_of(triangle_of_side(side));
+      Corners& at = corners[apex(side)];
+      ++at.count;
+      at.one = side;
+      if (at.component == none) {
+        at.component = component;
+        ++components_[component].vertices;
+      } else if (at.component != component) {
+        further.emplace_back(apex(side), component);
       }
     }
-    sort_by_vertex(links_, mesh_.points.size(), [](const LinkEdge& edge) { return edge.vertex; });
-    pinched_.resize(mesh_.points.size(), 0);
-    std::vector<VertexPair> edges;
-    for_each_link([&](std::span<const LinkEdge> link) {
-      edges.clear();
-      for (const LinkEdge& edge : link) edges.push_back(edge.ends);
-      if (edges.size() <= longest_walked_link ? walks_as_path_or_cycle(edges)
-                                              : is_path_or_cycle(edges)) {
-        return;
-      }
-      const VertexId v = link[0].vertex;
-      pinched_[v] = 1;
+    std::sort(further.begin(), further.end());
+    further.erase(std::unique(further.begin(), further.end()), further.end());
+    for (const auto& [v, component] : further) ++components_[component].vertices;
+    for (const VertexId v : corners.ids()) {
+      if (corners[v].count == 0) continue;
+      ++vertices_with_edges_;
+      if (at_overfull_[v] == 0 && walks_around(v, corners[v])) continue;
       ++report_.pinched_vertices;
       add_example(report_.examples.pinched_vertices, v);
-    });
-  }
-
-  // Calls visit(span) for the link of every vertex that has one, in the order of vertices.
-  template <class Visit>
-  void for_each_link(const Visit& visit) const {
-    for (std::size_t begin = 0, end = 0; begin < links_.size(); begin = end) {
-      while (end < links_.size() && links_[end].vertex == links_[begin].vertex) ++end;
-      visit(std::span(links_).subspan(begin, end - begin));
-    }
-  }
-
-  // Walking compares all edges with all: better than sorting for the links of ordinary vertices.
-  static constexpr std::size_t longest_walked_link = 32;
-
-  // Lengthens a walk at its head, or at its tail when the head is a dead end; the edges of the walk
-  // come to the front. At an end of the walk exactly one more edge may be found.
-  static bool walks_as_path_or_cycle(std::span<VertexPair> edges) {
-    VertexId tail = edges[0][0];
-    VertexId head = edges[0][1];
-    const auto at_head = [&head](const VertexPair& e) { return e[0] == head || e[1] == head; };
-    for (auto rest = edges.begin() + 1; rest != edges.end(); ++rest) {
-      if (head == tail) return false;  // closed already
-      auto next = std::find_if(rest, edges.end(), at_head);
-      if (next == edges.end()) {
-        std::swap(head, tail);
-        next = std::find_if(rest, edges.end(), at_head);
-        if (next == edges.end()) return false;
+      components_[corners[v].component].manifold = false;
+      auto also = std::lower_bound(further.begin(), further.end(), FurtherComponent{v, 0});
+      for (; also != further.end() && also->first == v; ++also) {
+        components_[also->second].manifold = false;
       }
-      if (std::find_if(next + 1, edges.end(), at_head) != edges.end()) return false;
-      head = (*next)[0] == head ? (*next)[1] : (*next)[0];
-      std::swap(*rest, *next);
     }
-    return true;
+    count_vertex_components(corners, further);
   }
 
-  // A connected graph whose nodes all have one or two edges is a path or a cycle.
-  static bool is_path_or_cycle(std::span<const VertexPair> edges) {
+  // Precondition: no spoke of v has more than two triangles.
+  bool walks_around(VertexId v, const Corners& corners) const {
+    std::uint32_t met = 1;
+    const std::size_t opposite = corner_of_side(corners.one);
+    for (const std::size_t arrived : {next_corner(opposite), previous_corner(opposite)}) {
+      SideId corner = corners.one;
+      std::size_t spoke = 3 - opposite - arrived;
+      for (;;) {
+        const SideId crossed = 3 * triangle_of_side(corner) + static_cast<SideId>(spoke);
+        const SideId across = links_[crossed];
+        if (across == crossed) break;  // an open edge; the other way remains
+        const std::size_t entered = corner_of_side(across);
+        const Triangle& triangle = triangles_[triangle_of_side(across)];
+        const std::size_t at =
+            triangle[next_corner(entered)] == v ? next_corner(entered) : previous_corner(entered);
+        corner = 3 * triangle_of_side(across) + static_cast<SideId>(at);
+        spoke = 3 - entered - at;
+        if (corner == corners.one) return met == corners.count;
+        ++met;
+      }
+    }
+    return met == corners.count;
+  }
+
+  // Components that share vertices, and curves of open edges.
+  void count_vertex_components(const IdVector<VertexId, Corners>& corners,
+                               const std::vector<FurtherComponent>& further) {
+    DisjointSets sets(components_.size());
+    report_.vertex_components = components_.size();
+    for (const auto& [v, component] : further) {
+      report_.vertex_components -= sets.join(corners[v].component, component) ? 1U : 0U;
+    }
     std::vector<VertexId> ends;
-    for (const VertexPair& edge : edges) ends.insert(ends.end(), edge.begin(), edge.end());
+    for (const VertexPair& edge : open_) ends.insert(ends.end(), edge.begin(), edge.end());
     std::sort(ends.begin(), ends.end());
-    for (std::size_t k = 2; k < ends.size(); ++k) {
-      if (ends[k] == ends[k - 2]) return false;
-    }
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    const auto node = [&ends](VertexId v) {
-      return static_cast<std::size_t>(std::lower_bound(ends.begin(), ends.end(), v) - ends.begin());
+    const auto place = [&ends](VertexId v) {
+      return static_cast<std::uint32_t>(std::lower_bound(ends.begin(), ends.end(), v) -
+                                        ends.begin());
     };
-    ParitySets connected(ends.size());
-    for (const VertexPair& edge : edges) connected.join(node(edge[0]), node(edge[1]), 0);
-    for (std::size_t k = 0; k < ends.size(); ++k) {
-      if (connected.root(k) != 0) return false;
+    DisjointSets curves(ends.size());
+    report_.boundary_curves = ends.size();
+    for (const auto& [a, b] : open_) {
+      report_.boundary_curves -= curves.join(place(a), place(b)) ? 1U : 0U;
     }
-    return true;
   }
 
   void check_components() {
-    count_vertex_components();
-    // One report for each root, in the order of roots: each is the smallest triangle of its set.
-    std::vector<std::size_t> component_of_root(mesh_.triangles.size());
-    for (const TriangleId t : mesh_.triangles.ids()) {
-      if (repeats_vertex(mesh_.triangles[t])) continue;
-      const std::size_t root = connected_.root(t.index());
-      if (root == t.index()) {
-        component_of_root[root] = report_.component_reports.size();
-        MeshComponent component;
-        component.first_triangle = t;
-        component.closed = component.manifold = component.orientable = true;
-        report_.component_reports.push_back(component);
+    report_.components = components_.size();
+    for (const Patch& patch : components_) {
+      MeshComponent component;
+      component.first_triangle = id_of(patch.first_triangle);
+      component.triangles = patch.triangles;
+      component.vertices = patch.vertices;
+      component.edges = patch.edges;
+      component.closed = patch.closed;
+      component.manifold = patch.manifold;
+      component.orientable = patch.orientable;
+      component.euler = static_cast<std::ptrdiff_t>(patch.vertices + patch.triangles) -
+                        static_cast<std::ptrdiff_t>(patch.edges);
+      if (component.closed && component.manifold && component.orientable) {
+        component.genus = static_cast<std::size_t>((2 - component.euler) / 2);
       }
-      ++report_.component_reports[component_of_root[root]].triangles;
+      report_.component_reports.push_back(component);
     }
-    report_.components = report_.component_reports.size();
-    const auto component_of = [&](TriangleId t) -> MeshComponent& {
-      return report_.component_reports[component_of_root[connected_.root(t.index())]];
-    };
-    for_each_edge([&](std::size_t begin, std::size_t end) {
-      MeshComponent& component = component_of(sides_[begin].triangle);
-      ++component.edges;
-      if (end - begin != 2) component.closed = false;
-      if (end - begin > 2) component.manifold = false;
-    });
-    for (const TriangleId t : mesh_.triangles.ids()) {
-      if (contradicted_[t.index()] != 0) component_of(t).orientable = false;
-    }
-    count_component_vertices(component_of);
-    for (MeshComponent& component : report_.component_reports) finish(component);
-  }
-
-  template <class ComponentOf>
-  void count_component_vertices(const ComponentOf& component_of) {
-    std::vector<MeshComponent*> at_vertex;
-    for_each_link([&](std::span<const LinkEdge> link) {
-      at_vertex.clear();
-      for (const LinkEdge& edge : link) {
-        MeshComponent* const component = &component_of(edge.triangle);
-        if (at_vertex.empty() || at_vertex.back() != component) at_vertex.push_back(component);
-      }
-      std::sort(at_vertex.begin(), at_vertex.end());
-      at_vertex.erase(std::unique(at_vertex.begin(), at_vertex.end()), at_vertex.end());
-      for (MeshComponent* const component : at_vertex) {
-        ++component->vertices;
-        if (pinched_[link[0].vertex] != 0) component->manifold = false;
-      }
-    });
-  }
-
-  static void finish(MeshComponent& component) {
-    component.euler = static_cast<std::ptrdiff_t>(component.vertices + component.triangles) -
-                      static_cast<std::ptrdiff_t>(component.edges);
-    if (component.closed && component.manifold && component.orientable) {
-      component.genus = static_cast<std::size_t>((2 - component.euler) / 2);
-    }
-  }
-
-  // Counts the sets of vertices joined by edges: all edges, and open edges only.
-  void count_vertex_components() {
-    ParitySets all(mesh_.points.size());
-    ParitySets open(mesh_.points.size());
-    std::size_t joined_all = 0;
-    std::size_t joined_open = 0;
-    std::vector<char> in_triangle(mesh_.points.size(), 0);
-    std::vector<char> on_boundary(mesh_.points.size(), 0);
-    for_each_edge([&](std::size_t begin, std::size_t end) {
-      const auto [a, b] = sides_[begin].edge;
-      in_triangle[a.index()] = in_triangle[b.index()] = 1;
-      joined_all += all.unite(a.index(), b.index());
-      if (end - begin != 1) return;
-      on_boundary[a.index()] = on_boundary[b.index()] = 1;
-      joined_open += open.unite(a.index(), b.index());
-    });
-    const auto count = [](const std::vector<char>& flags) {
-      return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
-    };
-    vertices_with_edges_ = count(in_triangle);
-    report_.vertex_components = vertices_with_edges_ - joined_all;
-    report_.boundary_curves = count(on_boundary) - joined_open;
   }
 
   void conclude() {
@@ -441,12 +474,19 @@ class Checker {
   const TriangleMesh& mesh_;
   const MeshCheckOptions& options_;
   MeshReport report_;
-  ParitySets connected_;              // triangles joined by edges
-  ParitySets agreeing_;               // by edges with two triangles; parity = turned
-  std::vector<Side> sides_;           // of all proper triangles, sorted by edge
-  std::vector<LinkEdge> links_;       // of all proper triangles, sorted by vertex
-  std::vector<char> contradicted_;    // by triangle: an edge of it contradicts the orientation
-  IdVector<VertexId, char> pinched_;  // by vertex
+  std::span<const Triangle> triangles_;    // the proper ones
+  std::vector<Triangle> proper_;           // if not all are
+  std::vector<TriangleId> ids_of_proper_;  // their ids then
+  std::vector<SideId> links_;
+  std::vector<std::uint32_t> patch_;  // per triangle
+  std::vector<char> turned_;          // per triangle: against the first one of its patch
+  std::vector<Patch> patches_;
+  std::vector<std::uint32_t> component_of_patch_;
+  std::vector<Patch> components_;
+  std::vector<SideId> overfull_;           // a side of each edge with more than two
+  IdVector<VertexId, char> at_overfull_;   // ends of such edges
+  std::vector<VertexPair> open_;           // edges
+  std::vector<std::uint32_t> duplicates_;  // triangles
   std::size_t vertices_with_edges_ = 0;
   std::size_t unbalanced_overfull_edges_ = 0;
 };

@@ -6,7 +6,6 @@
 #include "cocone/extract_manifold.h"
 #include "cocone/poles.h"
 #include "cocone/surface_mesh.h"
-#include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
 
 namespace cocoon {
@@ -17,7 +16,6 @@ namespace {
 struct Foundation {
   Triangulation triangulation;
   Dual dual;
-  VertexStars stars;
   Poles poles;
   Cocones cocones;
   NearestPointTree samples;
@@ -27,11 +25,10 @@ Foundation lay_foundation(Points cloud, const ReconstructOptions& options,
                           const Execution& execution) {
   Triangulation triangulation = delaunay(cloud, options.delaunay, execution).triangulation;
   Dual dual = voronoi_dual(triangulation, execution);
-  VertexStars stars = vertex_stars(triangulation);
-  Poles poles = compute_poles(triangulation, dual, stars, execution);
+  Poles poles = compute_poles(triangulation, dual, execution);
   Cocones cocones = intersect_cocones(triangulation, dual, poles, options.cocone, execution);
-  return {std::move(triangulation), std::move(dual),    std::move(stars),
-          std::move(poles),         std::move(cocones), NearestPointTree(cloud)};
+  return {std::move(triangulation), std::move(dual), std::move(poles), std::move(cocones),
+          NearestPointTree(cloud)};
 }
 
 struct Trial {
@@ -46,8 +43,8 @@ Trial try_search(const Foundation& f, Points cloud, const RimSearch& search,
   boundary_options.rho = search.rho;
   boundary_options.alpha_cosine = search.alpha_cosine;
   boundary_options.radius_mode = search.radius_mode;
-  const BoundarySamples boundary = boundary_samples(f.triangulation, f.dual, f.poles,
-                                                    f.cocones, boundary_options, execution);
+  const BoundarySamples boundary =
+      boundary_samples(f.triangulation, f.dual, f.poles, f.cocones, boundary_options, execution);
   FacetSet candidates =
       candidate_triangles(f.triangulation, f.cocones, boundary.boundary, execution);
   PrunedCandidates pruned = prune_sharp_edges(f.triangulation, std::move(candidates),

@@ -13,7 +13,6 @@
 #include "cocone/prune_sharp_edges.h"
 #include "cocone/surface_mesh.h"
 #include "delaunay/delaunay.h"
-#include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
 
 int main() {
@@ -28,15 +27,13 @@ int main() {
   // Cells, the Voronoi vertices dual to them, and the cells at each vertex.
   const cocoon::Triangulation cells = cocoon::delaunay(ball).triangulation;
   const cocoon::Dual dual = cocoon::voronoi_dual(cells);
-  const cocoon::VertexStars stars = cocoon::vertex_stars(cells);
 
   // 2.1: poles estimate normals; cocones are what the Voronoi cells have around the tangent plane.
-  const cocoon::Poles poles = cocoon::compute_poles(cells, dual, stars);
+  const cocoon::Poles poles = cocoon::compute_poles(cells, dual);
   const cocoon::Cocones cocones = cocoon::intersect_cocones(cells, dual, poles);
 
   // 3.2: which samples lie where the surface ends. On a ball, none.
-  const cocoon::BoundarySamples boundary =
-      cocoon::boundary_samples(cells, dual, poles, cocones);
+  const cocoon::BoundarySamples boundary = cocoon::boundary_samples(cells, dual, poles, cocones);
 
   // 2.2: triangles whose dual edges meet the cocones of their corners, without those at sharp
   // edges; of what is left, the outside of a manifold.
@@ -44,7 +41,7 @@ int main() {
       cocoon::candidate_triangles(cells, cocones, boundary.boundary);
   const cocoon::PrunedCandidates pruned = cocoon::prune_sharp_edges(cells, candidates);
   const cocoon::ManifoldSurface surface =
-      cocoon::extract_manifold(cells, pruned.facets, pruned.umbrella);
+      cocoon::extract_manifold(cells, pruned.left, pruned.umbrella);
   const cocoon::TriangleMesh mesh = cocoon::surface_of(cells, surface.halves).mesh;
 
   std::printf("%zu cells, %zu boundary samples, %zu candidates, %zu triangles\n",

@@ -18,7 +18,7 @@ struct Marked {
         s.triangulation, candidate_triangles(s.triangulation, s.cocones, labels.boundary));
     const LinkedFacets triangles =
         extract_manifold(s.triangulation, std::move(pruned.left), pruned.umbrella).triangles;
-    marks = mark_cells(s.triangulation, s.stars, triangles, labels.boundary);
+    marks = mark_cells(s.triangulation, triangles, labels.boundary);
     surface = triangles.set;
   }
 
@@ -31,7 +31,7 @@ struct Marked {
     for (const CellId c : s.triangulation.infinite_cells()) {
       for (int i = 0; i < 3; ++i) seeds.push_back(s.triangulation.vertex(c, i));
     }
-    mark_in_rounds(s.triangulation, s.stars, surface, seeds, rounds);
+    mark_in_rounds(s.triangulation, surface, seeds, rounds);
     return rounds;
   }
 
@@ -80,16 +80,17 @@ TEST(PeelCells, WithoutASurfaceEverythingIsPoor) {
   const Stages s(shapes::sphere(300, 7));
   const FacetSet nothing(s.triangulation.num_cells());
   const VertexSet all_boundary(s.triangulation.num_vertices(), 1);
-  CellMarks marks = mark_cells(s.triangulation, s.stars, nothing, all_boundary);
+  CellMarks marks =
+      mark_cells(s.triangulation, link_facets(s.triangulation, nothing), all_boundary);
   EXPECT_EQ(marks.good_vertices, 0U);
-  marks = peel_cells(s.triangulation, s.stars, nothing, std::move(marks));
+  marks = peel_cells(s.triangulation, nothing, std::move(marks));
   EXPECT_EQ(marks.poor_cells, s.triangulation.num_finite_cells());
   for (const CellId c : s.triangulation.cells()) EXPECT_NE(marks.labels[c], CellLabel::in);
 }
 
 TEST(PeelCells, TheBodyOfACleanSurfaceIsWhatWasMarkedIn) {
   const Marked m(shapes::random_torus(2000, 0.4, 8));
-  const CellMarks peeled = peel_cells(m.s.triangulation, m.s.stars, m.surface, m.marks);
+  const CellMarks peeled = peel_cells(m.s.triangulation, m.surface, m.marks);
   for (const CellId c : m.s.triangulation.cells()) {
     EXPECT_EQ(peeled.reached[c] != 0, m.marks.labels[c] == CellLabel::out);
   }

@@ -85,7 +85,7 @@ TEST(Poles, FarCircumcentersDoNotOverflow) {
 
 TEST(Poles, SameForEveryThreadCount) {
   const Stages s(shapes::random_torus(12000, 0.4, 8));
-  const Poles threaded = compute_poles(s.triangulation, s.dual, s.stars, {.threads = 3});
+  const Poles threaded = compute_poles(s.triangulation, s.dual, {.threads = 3});
   EXPECT_EQ(threaded.normals, s.poles.normals);
   EXPECT_EQ(threaded.heights, s.poles.heights);
 }

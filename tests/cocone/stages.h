@@ -18,7 +18,7 @@ struct Stages {
       : triangulation(std::move(of_points)),
         dual(voronoi_dual(triangulation)),
         stars(vertex_stars(triangulation)),
-        poles(compute_poles(triangulation, dual, stars)),
+        poles(compute_poles(triangulation, dual)),
         cocones(intersect_cocones(triangulation, dual, poles)) {}
   explicit Stages(const std::vector<Point>& points) : Stages(delaunay(points).triangulation) {}
 

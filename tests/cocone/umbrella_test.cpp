@@ -148,7 +148,7 @@ TEST(PruneSharpEdges, AFreeEdgeBetweenUmbrellasIsPruned) {
   const PrunedCandidates result = prune_sharp_edges(o.triangulation, candidates);
   EXPECT_EQ(result.umbrellas, 7U);
   EXPECT_EQ(result.pruned, 1U);
-  EXPECT_FALSE(result.facets.contains(standing));
+  EXPECT_FALSE(result.left.set.contains(standing));
 }
 
 TEST(PruneSharpEdges, DoesNotDependOnInputOrder) {
@@ -159,9 +159,9 @@ TEST(PruneSharpEdges, DoesNotDependOnInputOrder) {
         candidate_triangles(s.triangulation, s.cocones, s.labels().boundary);
     const PrunedCandidates pruned = prune_sharp_edges(s.triangulation, candidates);
     EXPECT_GT(pruned.pruned, 20U);
-    EXPECT_EQ(pruned.candidates - pruned.pruned, pruned.facets.size());
+    EXPECT_EQ(pruned.candidates - pruned.pruned, pruned.left.size());
     std::multiset<std::array<Point, 3>> left;
-    pruned.facets.for_each(s.triangulation, [&](FacetId f) {
+    pruned.left.set.for_each(s.triangulation, [&](FacetId f) {
       std::array<Point, 3> corners;
       const auto v = s.triangulation.facet_vertices(f);
       for (std::size_t k = 0; k < 3; ++k) corners[k] = s.triangulation.point(v[k]);

@@ -1,0 +1,305 @@
+// The whole way from points to a surface: each stage beside the Delaunay step, the whole beside
+// CGAL's, and how much memory it takes.
+//
+//   pipeline_bench [--points N] [--rival_points N] [--threads N] [--benchmark_...]
+//
+// Stages: the composition of reconstruct.h by hand, on two scans of N points and a real one; its
+// mesh must be that of reconstruct_tight. Whole: reconstruct_tight, Cocone on CGAL's triangulation
+// (ref/cgal_cocone.h: labels and candidates only, no surface), CGAL's advancing front, on scans of
+// --rival_points. Repetitions in random alternation; medians. Memory: peak of a process of its own.
+#include <algorithm>
+#include <benchmark/benchmark.h>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/rivals/cgal_surfaces.h"
+#include "bench/stopwatch.h"
+#include "cocone/candidate_triangles.h"
+#include "cocone/extract_manifold.h"
+#include "cocone/mark_cells.h"
+#include "cocone/poles.h"
+#include "cocone/reconstruct.h"
+#include "cocone/surface_mesh.h"
+#include "delaunay/voronoi_dual.h"
+#include "geom/mesh_check.h"
+#include "io/mesh_file.h"
+#include "io/point_file.h"
+#include "ref/cgal_cocone.h"
+#include "tests/gallery.h"
+
+namespace cocoon {
+namespace {
+
+struct Arguments {
+  std::size_t points = 1000000;
+  std::size_t rival_points = 100000;
+  int threads = 1;
+  std::string peak_of;  // internal: measure this set in a process of its own
+  std::string peak_stage;
+};
+
+std::vector<Point> make_set(const std::string& name, std::size_t count) {
+  if (name == "torus") return gallery::displaced_torus(count);
+  if (name == "bumpy_sphere") return gallery::bumpy_sphere(count);
+  return read_points(std::string(COCOON_TEST_DATA) + "/points/" + name + ".xyz").points;
+}
+
+// Takes our own arguments out of argv and leaves Google Benchmark's.
+Arguments parse_arguments(std::vector<char*>& argv) {
+  Arguments arguments;
+  std::vector<char*> rest{argv[0]};
+  for (std::size_t i = 1; i < argv.size(); ++i) {
+    const std::string name = argv[i];
+    const bool has_value = i + 1 < argv.size();
+    if (name == "--points" && has_value) {
+      arguments.points = std::strtoull(argv[++i], nullptr, 10);
+    } else if (name == "--rival_points" && has_value) {
+      arguments.rival_points = std::strtoull(argv[++i], nullptr, 10);
+    } else if (name == "--threads" && has_value) {
+      arguments.threads = std::atoi(argv[++i]);
+    } else if (name == "--peak" && i + 2 < argv.size()) {
+      arguments.peak_of = argv[++i];
+      arguments.peak_stage = argv[++i];
+    } else {
+      rest.push_back(argv[i]);
+    }
+  }
+  argv = rest;
+  return arguments;
+}
+
+// Medians over the repetitions of one benchmark, by what was timed.
+class Times {
+ public:
+  void add(const std::string& name, const bench::Elapsed& elapsed) {
+    if (!seconds_.contains(name)) names_.push_back(name);
+    seconds_[name].push_back(elapsed.processor);
+  }
+  const std::vector<std::string>& names() const { return names_; }
+  double median(const std::string& name) const {
+    std::vector<double> sorted = seconds_.at(name);
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t middle = sorted.size() / 2;
+    return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::string, std::vector<double>> seconds_;
+};
+
+template <class Body>
+auto timed(Times& times, const std::string& name, Body body) {
+  const bench::Stopwatch stopwatch;
+  auto result = body();
+  times.add(name, stopwatch.elapsed());
+  return result;
+}
+
+// reconstruct_tight with its defaults, stage by stage, then what the program does with the mesh.
+TriangleMesh run_stages(Points points, const Execution& execution, Times& times) {
+  Triangulation t =
+      timed(times, "delaunay", [&] { return delaunay(points, {}, execution).triangulation; });
+  const Dual dual = timed(times, "voronoi_dual", [&] { return voronoi_dual(t, execution); });
+  const Poles poles = timed(times, "poles", [&] { return compute_poles(t, dual, execution); });
+  const Cocones cocones =
+      timed(times, "cocones", [&] { return intersect_cocones(t, dual, poles, {}, execution); });
+  const BoundarySamples boundary = timed(
+      times, "boundary", [&] { return boundary_samples(t, dual, poles, cocones, {}, execution); });
+  FacetSet candidates = timed(times, "candidates", [&] {
+    return candidate_triangles(t, cocones, boundary.boundary, execution);
+  });
+  PrunedCandidates pruned = timed(
+      times, "prune", [&] { return prune_sharp_edges(t, std::move(candidates), {}, execution); });
+  const ManifoldSurface surface = timed(times, "extract", [&] {
+    return extract_manifold(t, std::move(pruned.left), pruned.umbrella, execution);
+  });
+  CellMarks marks = timed(times, "mark", [&] {
+    return mark_cells(t, surface.triangles, boundary.boundary, {}, execution);
+  });
+  marks = timed(times, "peel", [&] {
+    return peel_cells(t, surface.triangles.set, std::move(marks), {}, execution);
+  });
+  timed(times, "clean_up", [&] { return clean_up_cells(t, dual, poles, marks, {}, execution); });
+  SurfaceMesh mesh = timed(times, "mesh", [&] { return surface_between(t, marks); });
+  timed(times, "check", [&] { return mesh_check(mesh.mesh); });
+  const auto file = std::filesystem::temp_directory_path() / "cocoon_pipeline_bench.ply";
+  timed(times, "write", [&] {
+    write_mesh(file.string(), mesh.mesh, {});
+    return true;
+  });
+  std::filesystem::remove(file);
+  return std::move(mesh.mesh);
+}
+
+struct Case {
+  std::string name;
+  std::vector<Point> points;
+  std::size_t triangles = 0;
+  Times times;
+};
+
+void print_stages(const std::vector<Case>& cases) {
+  std::printf("\nstages: medians of processor time in ms, and parts of the Delaunay step\n%-14s",
+              "");
+  for (const Case& c : cases) std::printf(" %13.13s %7zu", c.name.c_str(), c.points.size());
+  std::printf("\n");
+  std::vector<double> after(cases.size(), 0);
+  const auto row = [&](const char* name, const std::function<double(std::size_t)>& seconds) {
+    std::printf("%-14s", name);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const double share = seconds(i) / cases[i].times.median("delaunay");
+      std::printf(" %13.1f %6.1f%%", 1e3 * seconds(i), 100 * share);
+    }
+    std::printf("\n");
+  };
+  for (const std::string& name : cases[0].times.names()) {
+    const auto seconds = [&](std::size_t i) { return cases[i].times.median(name); };
+    for (std::size_t i = 0; i < cases.size(); ++i) after[i] += name == "delaunay" ? 0 : seconds(i);
+    row(name.c_str(), seconds);
+  }
+  row("all after it", [&](std::size_t i) { return after[i]; });
+}
+
+void print_rivals(const std::vector<Case>& cases) {
+  std::printf("\nwhole: medians of processor time in ms; ratio to Cocoon\n");
+  for (const Case& c : cases) {
+    const double ours = c.times.median("cocoon");
+    std::printf("%-14s %7zu", c.name.c_str(), c.points.size());
+    for (const std::string& name : c.times.names()) {
+      const double seconds = c.times.median(name);
+      std::printf(" | %s %.0f (%.1f)", name.c_str(), 1e3 * seconds, seconds / ours);
+    }
+    std::printf("\n");
+  }
+}
+
+// The highest resident set of this process so far, in MB.
+double peak_megabytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmHWM:")) return std::strtod(line.c_str() + 6, nullptr) / 1024;
+  }
+  return 0;
+}
+
+// In a process of its own: runs one stage of the way and prints the peak.
+int measure_peak(const Arguments& arguments) {
+  const std::vector<Point> points = make_set(arguments.peak_of, arguments.points);
+  const Execution execution{.threads = arguments.threads};
+  std::size_t result = 0;
+  if (arguments.peak_stage == "delaunay") {
+    result = delaunay(points, {}, execution).triangulation.num_cells();
+  } else {
+    result = reconstruct_tight(points, {}, execution).mesh.triangles.size();
+  }
+  std::printf("%f\n", peak_megabytes());
+  return result > 0 ? 0 : 1;
+}
+
+double peak_of_child(const char* program, const Arguments& arguments, const std::string& set,
+                     const char* stage) {
+  const std::string command = std::string(program) + " --points " +
+                              std::to_string(arguments.points) + " --threads " +
+                              std::to_string(arguments.threads) + " --peak " + set + " " + stage;
+  FILE* pipe = popen(command.c_str(), "r");
+  double megabytes = 0;
+  if (pipe == nullptr || std::fscanf(pipe, "%lf", &megabytes) != 1 || pclose(pipe) != 0) {
+    std::fprintf(stderr, "pipeline_bench: failed: %s\n", command.c_str());
+    std::exit(1);
+  }
+  return megabytes;
+}
+
+void print_memory(const char* program, const Arguments& arguments) {
+  std::printf("\npeak memory in MB\n");
+  for (const std::string set : {"torus", "bumpy_sphere"}) {
+    const double triangulation = peak_of_child(program, arguments, set, "delaunay");
+    const double whole = peak_of_child(program, arguments, set, "reconstruct");
+    std::printf("%-14s %zu points: delaunay %.0f, whole %.0f (%.2f)\n", set.c_str(),
+                arguments.points, triangulation, whole, whole / triangulation);
+  }
+}
+
+void register_benchmark(const std::string& name, std::function<void(benchmark::State&)> body) {
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [body](benchmark::State& state) {
+                                 for ([[maybe_unused]] auto _ : state) body(state);
+                               })
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
+}
+
+void register_stages(Case& input, const Execution& execution) {
+  register_benchmark("stages/" + input.name, [&](benchmark::State& state) {
+    if (run_stages(input.points, execution, input.times).triangles.size() != input.triangles) {
+      state.SkipWithError("wrong number of triangles");
+    }
+  });
+}
+
+void register_rivals(Case& input, const Execution& execution) {
+  register_benchmark("cocoon/" + input.name, [&](benchmark::State&) {
+    timed(input.times, "cocoon", [&] { return reconstruct_tight(input.points, {}, execution); });
+  });
+  register_benchmark("cgal_cocone/" + input.name, [&](benchmark::State&) {
+    timed(input.times, "cgal_cocone", [&] { return ref::cgal_cocone(input.points); });
+  });
+  register_benchmark("cgal_advancing_front/" + input.name, [&](benchmark::State&) {
+    input.times.add("cgal_advancing_front", rivals::cgal_advancing_front(input.points).elapsed);
+  });
+}
+
+int run(int argc, char** argv) {
+  std::vector<char*> arguments(argv, argv + argc);
+  const Arguments own = parse_arguments(arguments);
+  if (!own.peak_of.empty()) return measure_peak(own);
+  const Execution execution{.threads = own.threads};
+  std::vector<Case> scans;
+  std::vector<Case> small;
+  for (const std::string set : {"torus", "bumpy_sphere", "kitten"}) {
+    scans.push_back({set, make_set(set, own.points), 0, {}});
+    small.push_back({set, make_set(set, own.rival_points), 0, {}});
+  }
+  for (Case& input : scans) {
+    const TriangleMesh expected = reconstruct_tight(input.points, {}, execution).mesh;
+    Times untimed;
+    if (run_stages(input.points, execution, untimed).triangles != expected.triangles) {
+      std::fprintf(stderr, "pipeline_bench: stages and reconstruct_tight differ on %s\n",
+                   input.name.c_str());
+      return 1;
+    }
+    input.triangles = expected.triangles.size();
+    register_stages(input, execution);
+  }
+  for (Case& input : small) register_rivals(input, execution);
+  // Defaults that the command line may change, so they come before it.
+  std::vector<std::string> defaults{"--benchmark_repetitions=3",
+                                    "--benchmark_enable_random_interleaving=true",
+                                    "--benchmark_report_aggregates_only=true"};
+  std::vector<char*> all{arguments[0]};
+  for (std::string& argument : defaults) all.push_back(argument.data());
+  all.insert(all.end(), arguments.begin() + 1, arguments.end());
+  int count = static_cast<int>(all.size());
+  benchmark::Initialize(&count, all.data());
+  if (benchmark::ReportUnrecognizedArguments(count, all.data())) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  print_stages(scans);
+  print_rivals(small);
+  print_memory(argv[0], own);
+  return 0;
+}
+
+}  // namespace
+}  // namespace cocoon
+
+int main(int argc, char** argv) { return cocoon::run(argc, argv); }

@@ -1,0 +1,52 @@
+#include "delaunay/star_cache.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "delaunay/circulate.h"
+
+namespace cocoon {
+
+namespace {
+constexpr std::uint32_t not_found = 0xFFFFFFFFU;
+}
+
+std::span<const CellId> StarCache::star(VertexId v) {
+  if (first_cell_.empty()) find_first_cells();
+  if (place_[v] == not_found) {
+    place_[v] = static_cast<std::uint32_t>(stars_.size());
+    stars_.push_back(collect(v));
+  }
+  return stars_[place_[v]];
+}
+
+void StarCache::find_first_cells() {
+  const std::size_t count = triangulation_.num_vertices();
+  first_cell_.resize(count);
+  place_.resize(count, not_found);
+  seen_ = ZeroedArray<CellId, std::uint8_t>(triangulation_.num_cells());
+  for (const CellId c : triangulation_.finite_cells()) {
+    for (const VertexId v : triangulation_.cell(c).vertices) first_cell_[v] = c;
+  }
+}
+
+// From cell to cell through the facets at v.
+std::vector<CellId> StarCache::collect(VertexId v) {
+  std::vector<CellId> cells{first_cell_[v]};
+  seen_[cells[0]] = 1;
+  for (std::size_t next = 0; next < cells.size(); ++next) {
+    const Cell& cell = triangulation_.cell(cells[next]);
+    const int opposite = index_of_vertex(cell, v);
+    for (int i = 0; i < 4; ++i) {
+      const CellId behind = cell_of(cell.neighbors[static_cast<std::size_t>(i)]);
+      if (i == opposite || seen_[behind] != 0) continue;
+      seen_[behind] = 1;
+      cells.push_back(behind);
+    }
+  }
+  for (const CellId c : cells) seen_[c] = 0;
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+}  // namespace cocoon

@@ -1,0 +1,36 @@
+// The cells around some of the vertices, found when asked for: for stages that look at few stars.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "delaunay/triangulation.h"
+#include "geom/id_vector.h"
+#include "geom/zeroed_array.h"
+
+namespace cocoon {
+
+// Not to be shared by threads: a question may change it. vertex_stars() lists all stars at once.
+class StarCache {
+ public:
+  // Keeps a reference, which must outlive the object. O(1); the first question costs O(cells).
+  explicit StarCache(const Triangulation& triangulation) : triangulation_(triangulation) {}
+
+  // All cells, finite and infinite, that have v as a vertex, in increasing order. Valid as long as
+  // the object. O(star log star) the first time, then O(1).
+  std::span<const CellId> star(VertexId v);
+
+ private:
+  void find_first_cells();
+  std::vector<CellId> collect(VertexId v);
+
+  const Triangulation& triangulation_;
+  IdVector<VertexId, CellId> first_cell_;
+  IdVector<VertexId, std::uint32_t> place_;  // in stars_
+  std::deque<std::vector<CellId>> stars_;
+  ZeroedArray<CellId, std::uint8_t> seen_;  // scratch, zero between questions
+};
+
+}  // namespace cocoon
