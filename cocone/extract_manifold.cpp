@@ -59,8 +59,8 @@ class Walk {
 
  private:
   FacetId facet_of(Half h) const {
-    const FacetId f = candidates_.facets[triangle_of_half(h)];
-    return (h & 1U) == 0 ? f : triangulation_.mirror(f);
+    const std::uint32_t t = triangle_of_half(h);
+    return (h & 1U) == 0 ? candidates_.facets[t] : candidates_.mirrors[t];
   }
   const Triangle& corners(Half h) const { return candidates_.corners[triangle_of_half(h)]; }
 
@@ -70,7 +70,7 @@ class Walk {
   std::vector<Half> hull_starts() const {
     std::vector<Half> starts;
     for (std::uint32_t t = 0; t < candidates_.size(); ++t) {
-      const CellId behind = cell_of(triangulation_.mirror(candidates_.facets[t]));
+      const CellId behind = cell_of(candidates_.mirrors[t]);
       if (triangulation_.is_infinite(behind) && may_start(2 * t + 1)) starts.push_back(2 * t + 1);
     }
     return starts;
@@ -249,8 +249,8 @@ class Walk {
 
   // Does the half-facet lie on the side to which the normal of its sorted corners points?
   bool sees_positive_side(Half h) const {
-    // normal away from the side
-    std::array<VertexId, 3> v = triangulation_.facet_vertices(facet_of(h));
+    Triangle v = corners(h);  // normal away from the side
+    if ((h & 1U) != 0) std::swap(v[1], v[2]);
     const auto less = [&](VertexId a, VertexId b) {
       return triangulation_.point(a) < triangulation_.point(b);
     };

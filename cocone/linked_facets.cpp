@@ -25,18 +25,42 @@ Vec3 oriented_normal(const Triangulation& triangulation, const Triangle& corners
   return turned ? -normal : normal;
 }
 
+VertexId smallest(const Triangle& corners) {
+  return std::min({corners[0], corners[1], corners[2]});
+}
+
+// Facets, mirrors and corners, by a counting sort.
+LinkedFacets by_smallest_vertex(const Triangulation& triangulation, const FacetSet& facets) {
+  std::vector<std::uint32_t> places(triangulation.num_vertices() + 1, 0);
+  std::vector<FacetId> found;
+  facets.for_each(triangulation, [&](FacetId f) {
+    found.push_back(f);
+    ++places[smallest(triangulation.facet_vertices(f)).index() + 1];
+  });
+  for (std::size_t v = 1; v < places.size(); ++v) places[v] += places[v - 1];
+  LinkedFacets triangles;
+  triangles.facets.resize(found.size());
+  triangles.mirrors.resize(found.size());
+  triangles.corners.resize(found.size());
+  for (const FacetId f : found) {
+    const Triangle corners = triangulation.facet_vertices(f);
+    const std::uint32_t t = places[smallest(corners).index()]++;
+    triangles.facets[t] = f;
+    triangles.mirrors[t] = triangulation.mirror(f);
+    triangles.corners[t] = corners;
+  }
+  return triangles;
+}
+
 }  // namespace
 
 LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
                          const Execution& execution) {
-  LinkedFacets triangles;
-  facets.for_each(triangulation, [&](FacetId f) { triangles.facets.push_back(f); });
-  triangles.corners.resize(triangles.size());
+  LinkedFacets triangles = by_smallest_vertex(triangulation, facets);
   triangles.normals.resize(triangles.size());
   parallel_chunks(execution, triangles.size(), triangles_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
                     for (std::size_t t = begin; t < end; ++t) {
-                      triangles.corners[t] = triangulation.facet_vertices(triangles.facets[t]);
                       triangles.normals[t] = oriented_normal(triangulation, triangles.corners[t]);
                     }
                   });
@@ -69,11 +93,13 @@ LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
     if (removed[t] != 0) continue;
     const std::size_t to = place[t];
     triangles.facets[to] = triangles.facets[t];
+    triangles.mirrors[to] = triangles.mirrors[t];
     triangles.corners[to] = triangles.corners[t];
     triangles.normals[to] = triangles.normals[t];
     for (std::size_t i = 0; i < 3; ++i) triangles.links[3 * to + i] = triangles.links[3 * t + i];
   }
   triangles.facets.resize(kept);
+  triangles.mirrors.resize(kept);
   triangles.corners.resize(kept);
   triangles.normals.resize(kept);
   triangles.links.resize(3 * std::size_t{kept});

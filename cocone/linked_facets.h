@@ -16,10 +16,12 @@
 
 namespace cocoon {
 
-// Structure of arrays over the triangles of the set; a triangle is its position in them.
+// Structure of arrays over the triangles of the set; a triangle is its position in them. They are
+// ordered by their smallest vertex, so that neighbors in space are neighbors in memory.
 struct LinkedFacets {
   FacetSet set;
-  std::vector<FacetId> facets;    // canonical ids, ascending
+  std::vector<FacetId> facets;    // canonical ids
+  std::vector<FacetId> mirrors;   // the same facets as the cells behind number them
   std::vector<Triangle> corners;  // facet_vertices(facet): counterclockwise seen from behind
   std::vector<Vec3> normals;      // unit, out of cell_of(facet); zero if degenerate
   std::vector<SideId> links;      // rings of the sides on each edge: geom/side_links.h

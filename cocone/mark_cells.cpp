@@ -56,16 +56,17 @@ class ConsistentMarking {
   // which side OUT is: 0, in the cell that numbers the facet, 1, in the one behind.
   bool visit_surface() {
     out_side_.assign(surface_.size(), unknown);
+    side_opposite_.resize(triangulation_.num_vertices());
+    for (SideId side = 0; side < surface_.links.size(); ++side) {
+      side_opposite_[surface_.corners[triangle_of_side(side)][corner_of_side(side)]] = side;
+    }
     for (const CellId c : triangulation_.infinite_cells()) {
       for (unsigned i = 0; i < 3; ++i) {
         const VertexId v = triangulation_.cell(c).vertices[i];
         if (marks_.good[v] == 0 || marks_.visited[v] != 0) continue;
         const FacetId seen = surface_seen_from(c, v);
-        const FacetId canonical = triangulation_.canonical(seen);
-        const auto place =
-            std::lower_bound(surface_.facets.begin(), surface_.facets.end(), canonical);
-        const auto t = static_cast<std::uint32_t>(place - surface_.facets.begin());
-        if (!visit_from(t, seen == canonical ? 0 : 1)) return false;
+        const std::uint32_t t = triangle_of_facet(seen, v);
+        if (!visit_from(t, seen == surface_.facets[t] ? 0 : 1)) return false;
       }
     }
     return true;
@@ -84,6 +85,20 @@ class ConsistentMarking {
         const CellId behind = cell_of(triangulation_.mirror(f));
         if (std::find(half.begin(), half.end(), behind) == half.end()) half.push_back(behind);
       }
+    }
+  }
+
+  // The position of a facet of the surface at the good vertex v: found by going around v.
+  std::uint32_t triangle_of_facet(FacetId f, VertexId v) const {
+    SideId crossed = side_opposite_[v];
+    for (std::size_t arrived = next_corner(corner_of_side(crossed));;) {
+      const std::uint32_t t = triangle_of_side(crossed);
+      if (surface_.facets[t] == f || surface_.mirrors[t] == f) return t;
+      const Triangle& corners = surface_.corners[t];
+      std::size_t leaving = next_corner(arrived);
+      if (corners[leaving] == v) leaving = next_corner(leaving);
+      crossed = surface_.links[3 * t + static_cast<SideId>(leaving)];
+      arrived = corner_of_side(crossed);
     }
   }
 
@@ -126,9 +141,8 @@ class ConsistentMarking {
   bool label_sides() {
     for (std::uint32_t t = 0; t < surface_.size(); ++t) {
       if (out_side_[t] == unknown || !has_visited_corner(surface_.corners[t])) continue;
-      const FacetId f = surface_.facets[t];
-      const CellId here = cell_of(f);
-      const CellId behind = cell_of(triangulation_.mirror(f));
+      const CellId here = cell_of(surface_.facets[t]);
+      const CellId behind = cell_of(surface_.mirrors[t]);
       const bool out_here = out_side_[t] == 0;
       if (!label(here, out_here ? CellLabel::out : CellLabel::in)) return false;
       if (!label(behind, out_here ? CellLabel::in : CellLabel::out)) return false;
@@ -207,7 +221,8 @@ class ConsistentMarking {
   const Triangulation& triangulation_;
   const LinkedFacets& surface_;
   CellMarks& marks_;
-  std::vector<std::uint8_t> out_side_;  // per triangle
+  std::vector<std::uint8_t> out_side_;        // per triangle
+  IdVector<VertexId, SideId> side_opposite_;  // of some triangle at the vertex
   std::vector<std::uint32_t> stack_;
 };
 
