@@ -133,7 +133,7 @@ TriangleMesh run_stages(Points points, const Execution& execution, Times& times)
   timed(times, "check", [&] { return mesh_check(mesh.mesh); });
   const auto file = std::filesystem::temp_directory_path() / "cocoon_pipeline_bench.ply";
   timed(times, "write", [&] {
-    write_mesh(file.string(), mesh.mesh, {});
+    write_mesh(file, mesh.mesh);
     return true;
   });
   std::filesystem::remove(file);

@@ -6,9 +6,8 @@
 #include "cocone/candidate_triangles.h"
 #include "cocone/cocones.h"
 #include "cocone/extract_manifold.h"
-#include "cocone/mark_cells.h"
 #include "cocone/prune_sharp_edges.h"
-#include "delaunay/canonical_order.h"
+#include "cocone/umbrella.h"
 #include "delaunay/delaunay.h"
 #include "geom/working_scale.h"
 
@@ -17,21 +16,17 @@ namespace {
 
 // Samples with one disk of the Cocone surface around them.
 VertexSet good_samples(const Triangulation& triangulation, const Dual& dual,
-                       const VertexStars& stars, const ReconstructOptions& options,
-                       const Execution& execution) {
-  const Poles poles = compute_poles(triangulation, dual, stars, execution);
+                       const ReconstructOptions& options, const Execution& execution) {
+  const Poles poles = compute_poles(triangulation, dual, execution);
   const Cocones cocones = intersect_cocones(triangulation, dual, poles, options.cocone, execution);
   const BoundarySamples labels =
       boundary_samples(triangulation, dual, poles, cocones, options.boundary, execution);
-  const FacetSet candidates =
-      candidate_triangles(triangulation, cocones, labels.boundary, execution);
-  const PrunedCandidates pruned =
-      prune_sharp_edges(triangulation, candidates, options.prune, execution);
+  PrunedCandidates pruned = prune_sharp_edges(
+      triangulation, candidate_triangles(triangulation, cocones, labels.boundary, execution),
+      options.prune, execution);
   const ManifoldSurface surface =
-      extract_manifold(triangulation, pruned.facets, pruned.umbrella, execution);
-  return mark_cells(triangulation, stars, surface.facets, labels.boundary, options.good_vertices,
-                    execution)
-      .good;
+      extract_manifold(triangulation, std::move(pruned.left), pruned.umbrella, execution);
+  return good_vertices(surface.triangles, labels.boundary, options.good_vertices, execution).good;
 }
 
 // The points still in, and what becomes of them.
@@ -62,8 +57,7 @@ class Filter {
  private:
   void triangulate() {
     ++result_.counters.outlier_rounds;
-    triangulation_ =
-        canonical_order(delaunay(points_, options_.delaunay, execution_).triangulation);
+    triangulation_ = delaunay(points_, options_.delaunay, execution_).triangulation;
     stars_ = vertex_stars(triangulation_);
     spacing_ = sample_spacing(triangulation_, stars_, noise_.neighbors, execution_);
   }
@@ -93,7 +87,7 @@ class Filter {
     const OuterSkin skin = outer_skin(triangulation_, dual, spacing_, noise_);
     VertexSet good(triangulation_.num_vertices(), 0);
     if (noise_.keep_good) {
-      good = good_samples(triangulation_, dual, stars_, options_, execution_);
+      good = good_samples(triangulation_, dual, options_, execution_);
     }
     NoiseCounters& counters = result_.counters;
     counters.large_cells = skin.large_cells;

@@ -90,8 +90,8 @@ struct MeshCheckOptions {
 // Checks `mesh`. Throws InputError if a triangle names a vertex that is not there; everything
 // else that can be wrong with a mesh is a count. Self-intersections are a question of geometry
 // and cost more: see self_intersection.h.
-// Complexity: O((t + v) log (t + v)), near O(t) for bounded valence. Deterministic: sorts only;
-// counts do not depend on the order of vertices and triangles.
+// Complexity: O((t + v) log (t + v)), O(t + v) expected for bounded valence. Deterministic: counts do
+// not depend on the order of vertices and triangles.
 MeshReport mesh_check(const TriangleMesh& mesh, const MeshCheckOptions& options = {});
 
 }  // namespace cocoon
