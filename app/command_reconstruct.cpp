@@ -3,6 +3,7 @@
 #include "app/carried_properties.h"
 #include "app/commands.h"
 #include "app/files.h"
+#include "app/findings.h"
 #include "app/make_manifold.h"
 #include "app/reconstruct_report.h"
 #include "app/session_file.h"
@@ -64,6 +65,8 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
                  : reconstruct_cocone(points, options, job.execution());
   });
   require_surface(arguments.points, result, options.boundary.rho);
+  const SurfaceDoubts doubts =
+      timed(job.execution(), "check", [&] { return surface_doubts(result, points); });
   properties = properties_of_surface(job, properties, arguments.points, result);
   if (arguments.manifold) make_manifold(job, arguments.mesh, result.mesh, properties);
   const MeshReport certificate =
@@ -81,6 +84,11 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   job.say("{} points ({} duplicates, {} not on the surface), {} tetrahedra", result.points,
           result.duplicates, result.unused_points, result.tetrahedra);
   job.say("{} -> {}", surface_summary(certificate), arguments.mesh);
+  std::vector<Finding> findings =
+      findings_of(doubts, result.points - result.duplicates, arguments.noise == "robust");
+  const bool parted = certificate.edge_manifold && certificate.vertex_manifold;
+  std::erase_if(findings, [&](const Finding& f) { return parted && f.kind == "contacts"; });
+  report_findings(job, findings);
   job.finish();
 }
 

@@ -76,7 +76,8 @@ void require_surface(const std::string& file, const ReconstructResult& result, d
   if (result.status == SurfaceStatus::no_surface) {
     throw InputError(fmt::format(
         "{}: no surface: none of the {} samples lies well inside one; they are too sparse, thin or "
-        "noisy for --rho {:.3g}; try a larger one, or more points",
+        "noisy for --rho {:.3g}; try --noise robust if the scan is noisy, a larger --rho, or more "
+        "points",
         file, result.vertices, rho));
   }
   if (result.status == SurfaceStatus::empty) {

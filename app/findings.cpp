@@ -1,0 +1,101 @@
+#include "app/findings.h"
+
+#include <fmt/format.h>
+
+namespace cocoon::app {
+
+namespace {
+
+std::string place(const DoubtfulSpot& spot) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", spot.at.x, spot.at.y, spot.at.z);
+}
+
+// A deviation of normal noise from the median roughness it causes (surface_doubts.h).
+double noise_of(double roughness) { return roughness / 0.7; }
+
+Finding sparse_finding(const SurfaceDoubts& d) {
+  return {
+      "sparse",
+      fmt::format("samples are too sparse, or edges too sharp, at {} samples ({} more are beside "
+                  "gaps); the longest triangle edge there is {:.3g} ({:.1f} times the median), "
+                  "near {}; scan such places more densely",
+                  d.boundary_samples, d.gap_samples, d.sparse[0].size, d.sparse[0].size / d.spacing,
+                  place(d.sparse[0])),
+      d.boundary_samples + d.gap_samples, d.sparse};
+}
+
+Finding noise_finding(const SurfaceDoubts& d, bool noise_filtered) {
+  return {"noise",
+          fmt::format("noise is about {:.0f} % of the spacing {:.3g}; {}",
+                      100 * noise_of(d.roughness), d.spacing,
+                      noise_filtered ? "smooth or thin out the points" : "try --noise robust"),
+          0,
+          {}};
+}
+
+Finding fragments_finding(const SurfaceDoubts& d) {
+  return {"fragments",
+          fmt::format("{} small parts beside the main surface; the largest has {} triangles and is "
+                      "{:.3g} across, near {}; add samples there or remove stray ones",
+                      d.fragments, d.dust[0].count, d.dust[0].size, place(d.dust[0])),
+          d.fragments, d.dust};
+}
+
+Finding unused_finding(const SurfaceDoubts& d, std::size_t points, bool noise_filtered) {
+  return {
+      "unused",
+      fmt::format("{} of {} points are not on the surface; the farthest is {:.3g} ({:.1f} times "
+                  "the spacing) off, at {}; {}",
+                  d.unused_points, points, d.unused[0].size, d.unused[0].size / d.spacing,
+                  place(d.unused[0]),
+                  noise_filtered ? "they count as noise or outliers"
+                                 : "outliers, inner surfaces, or samples too sparse there"),
+      d.unused_points, d.unused};
+}
+
+Finding contacts_finding(const SurfaceDoubts& d) {
+  return {"contacts",
+          fmt::format("the surface touches itself at {} edges and {} vertices, as near {}; "
+                      "--manifold parts the sheets",
+                      d.bad_edges, d.pinched_vertices, place(d.contacts[0])),
+          d.bad_edges + d.pinched_vertices, d.contacts};
+}
+
+}  // namespace
+
+std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, bool noise_filtered) {
+  constexpr double noise_limit = 0.2;    // where reconstructions through all points begin to fail
+  constexpr double sparse_share = 0.05;  // of the points
+  std::vector<Finding> findings;
+  if (d.spacing == 0) return findings;
+  const bool many =
+      static_cast<double>(d.boundary_samples) > sparse_share * static_cast<double>(points);
+  if (many || d.gap_samples > 0) findings.push_back(sparse_finding(d));
+  if (noise_of(d.roughness) > noise_limit) findings.push_back(noise_finding(d, noise_filtered));
+  if (d.fragments > 0) findings.push_back(fragments_finding(d));
+  if (!d.unused.empty()) findings.push_back(unused_finding(d, points, noise_filtered));
+  if (!d.contacts.empty()) findings.push_back(contacts_finding(d));
+  return findings;
+}
+
+void report_findings(Job& job, const std::vector<Finding>& findings) {
+  job.report().set_empty_array("findings");
+  for (const Finding& finding : findings) {
+    JsonReport entry;
+    entry.set("kind", finding.kind);
+    entry.set("message", finding.message);
+    entry.set("count", finding.count);
+    entry.set_empty_array("spots");
+    for (const DoubtfulSpot& spot : finding.spots) {
+      JsonReport where;
+      where.set("at", std::vector<double>{spot.at.x, spot.at.y, spot.at.z});
+      where.set("count", spot.count);
+      where.set("size", spot.size);
+      entry.append("spots", where);
+    }
+    job.report().append("findings", entry);
+    job.warn(finding.message);
+  }
+}
+
+}  // namespace cocoon::app

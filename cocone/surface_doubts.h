@@ -1,0 +1,52 @@
+// Where a surface should not be believed: what its samples and triangles say about themselves.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cocone/reconstruct.h"
+#include "geom/point.h"
+
+namespace cocoon {
+
+// A place to look at.
+struct DoubtfulSpot {
+  Point at;
+  std::size_t count = 0;  // samples, triangles: what there is of it
+  double size = 0;        // in units of the coordinates, see the lists
+
+  friend bool operator==(const DoubtfulSpot&, const DoubtfulSpot&) = default;
+};
+
+struct SurfaceDoubtOptions {
+  std::size_t max_spots = 3;     // of each list
+  double gap_ratio = 4;          // longest edge at a vertex over the median of its edges: a gap
+  double fragment_share = 0.01;  // of the triangles of the largest component: smaller ones are dust
+};
+
+struct SurfaceDoubts {
+  double spacing = 0;  // median length of the surface's edges
+  // Median over the vertices of the distance to the mean of their neighbors, along the normal of
+  // the triangles, divided by the mean distance to them: 0.7 times the deviation of normal noise in
+  // units of the spacing, where curvature does not matter.
+  double roughness = 0;
+  std::size_t boundary_samples = 0;  // vertices that fail the ratio or the normal condition
+  std::size_t gap_samples = 0;       // vertices at a gap
+  std::vector<DoubtfulSpot> sparse;  // groups of both joined by edges; count: samples, at: the
+                                     // one with the longest edge, size: that edge
+  std::size_t fragments = 0;         // components with few triangles
+  std::vector<DoubtfulSpot> dust;    // the largest of them; count: triangles, size: of its box
+  std::size_t unused_points = 0;     // input points that no triangle uses (equal ones count once)
+  std::vector<DoubtfulSpot> unused;  // farthest from the vertices; size: the distance
+  std::size_t bad_edges = 0;         // with more than two triangles
+  std::size_t pinched_vertices = 0;
+  std::vector<DoubtfulSpot> contacts;  // ends of such edges, pinched vertices; size: 0
+};
+
+// What is doubtful about a reconstruction of `points`; empty meshes: zeros. Lists have the worst
+// first, ties by coordinates. Complexity: O(n log n). Deterministic: a function of the point set
+// and the surface. Source: ours, docs/stages/surface_doubts.md.
+SurfaceDoubts surface_doubts(const ReconstructResult& result, Points points,
+                             const SurfaceDoubtOptions& options = {});
+
+}  // namespace cocoon
