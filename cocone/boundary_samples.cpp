@@ -61,11 +61,7 @@ SharedFlags failing_normals(const Conditions& conditions, const Execution& execu
   return fails;
 }
 
-enum class State : std::uint8_t {
-  ratio_fails,  // boundary for good
-  pending,      // only the normal condition fails: phase 2 may still take it in
-  interior,
-};
+using State = SampleState;
 
 // Phase 2: the least fixed point, from the interior samples outward along p in N_q with agreeing
 // normals and p pending.
@@ -97,23 +93,42 @@ std::size_t recover_pending(const Conditions& conditions, IdVector<VertexId, Sta
 
 }  // namespace
 
-BoundarySamples boundary_samples(const Triangulation& triangulation, const Dual& dual,
-                                 const Poles& poles, const Cocones& cocones,
-                                 const BoundaryOptions& options, const Execution& execution) {
-  report_progress(execution, "boundary_samples", 0);
+IdVector<VertexId, SampleState> judge_samples(const Triangulation& triangulation, const Dual& dual,
+                                              const Poles& poles, const Cocones& cocones,
+                                              const BoundaryOptions& options,
+                                              const Execution& execution) {
   const Conditions conditions{triangulation, poles, cocones, options.alpha_cosine};
-  // phase 1
   const IdVector<VertexId, double> radii =
       cocone_radii(triangulation, dual, poles, cocones, options.radius_mode, execution);
-  report_progress(execution, "boundary_samples", 0.5);
   const SharedFlags normal_fails = failing_normals(conditions, execution);
-  report_progress(execution, "boundary_samples", 0.8);
   IdVector<VertexId, State> states(triangulation.num_vertices(), State::ratio_fails);
   for (const VertexId p : states.ids()) {
     if (poles.degenerate[p] != 0 || !(radii[p] <= options.rho * poles.heights[p])) continue;
     states[p] = normal_fails.is_raised(p) ? State::pending : State::interior;
   }
-  // phase 2
+  return states;
+}
+
+VertexSet taken_in_at_once(const Triangulation& triangulation, const Poles& poles,
+                           const Cocones& cocones, const IdVector<VertexId, SampleState>& states,
+                           const BoundaryOptions& options) {
+  const Conditions conditions{triangulation, poles, cocones, options.alpha_cosine};
+  VertexSet taken(states.size(), 0);
+  conditions.for_each_neighbor(0, cocones.facets.size(), [&](VertexId p, VertexId q) {
+    if (states[p] != State::pending || states[q] != State::interior) return;
+    if (conditions.normals_agree(p, q)) taken[p] = 1;
+  });
+  return taken;
+}
+
+BoundarySamples boundary_samples(const Triangulation& triangulation, const Dual& dual,
+                                 const Poles& poles, const Cocones& cocones,
+                                 const BoundaryOptions& options, const Execution& execution) {
+  report_progress(execution, "boundary_samples", 0);
+  const Conditions conditions{triangulation, poles, cocones, options.alpha_cosine};
+  IdVector<VertexId, State> states =
+      judge_samples(triangulation, dual, poles, cocones, options, execution);
+  report_progress(execution, "boundary_samples", 0.8);
   BoundarySamples result;
   result.recovered = recover_pending(conditions, states);
   result.boundary = VertexSet(states.size(), 0);

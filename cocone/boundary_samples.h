@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "cocone/cocone_radii.h"
 #include "cocone/cocones.h"
@@ -34,6 +35,13 @@ struct BoundaryOptions {
   RadiusMode radius_mode = RadiusMode::tangent_plane;
 };
 
+// What the conditions say of a sample.
+enum class SampleState : std::uint8_t {
+  ratio_fails,  // boundary for good
+  pending,      // only the normal condition fails: phase 2 may still take it in
+  interior,
+};
+
 struct BoundarySamples {
   VertexSet boundary;            // 1 = boundary sample, 0 = interior
   std::size_t count = 0;         // boundary samples
@@ -54,5 +62,18 @@ BoundarySamples boundary_samples(const Triangulation& triangulation, const Dual&
                                  const Poles& poles, const Cocones& cocones,
                                  const BoundaryOptions& options = {},
                                  const Execution& execution = {});
+
+// Phase 1 alone. A function of the stars of each sample and its neighbors.
+// Complexity: O(vertices + facets of `cocones`), parallel over facets.
+IdVector<VertexId, SampleState> judge_samples(const Triangulation& triangulation, const Dual& dual,
+                                              const Poles& poles, const Cocones& cocones,
+                                              const BoundaryOptions& options = {},
+                                              const Execution& execution = {});
+
+// 1 = a pending sample that an interior one takes in: the first step of phase 2, which later steps
+// only add to. Complexity: O(facets of `cocones`).
+VertexSet taken_in_at_once(const Triangulation& triangulation, const Poles& poles,
+                           const Cocones& cocones, const IdVector<VertexId, SampleState>& states,
+                           const BoundaryOptions& options = {});
 
 }  // namespace cocoon

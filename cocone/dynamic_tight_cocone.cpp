@@ -1,8 +1,11 @@
 #include "cocone/dynamic_tight_cocone.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
+#include "cocone/certified_surface.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/id_vector.h"
@@ -13,8 +16,13 @@ namespace cocoon {
 struct DynamicTightCocone::State {
   ReconstructOptions options;
   std::size_t num_points = 0;
+  std::size_t local_changes = 0;
   DynamicDelaunay delaunay;                     // empty while points are of extreme size
   IdVector<PointId, VertexId> vertex_of_point;  // in it
+  CertifiedSurface certified;
+  // If that exists: its triangles by mesh vertices, in canonical order, and the vertices.
+  std::vector<Triangle> triangles;
+  IdVector<VertexId, VertexId> vertex_of_mesh;
 
   bool is_live() const { return delaunay.num_vertices() > 0; }
   void take(std::size_t count, Triangulation triangulation);
@@ -28,20 +36,27 @@ struct DynamicTightCocone::State {
     IdVector<PointId, VertexId> vertex_of_point;  // none: to be inserted
   };
   Step plan(Points points, std::span<const PointId> old_position) const;
+  DelaunayChange change_triangulation(const Step& step, const Execution& execution);
   void undo(const Step& step, const DelaunayChange& change,
             IdVector<PointId, VertexId> vertex_of_point);
   Triangulation compact() const;
+  ReconstructResult run_stages(Points points, const Execution& execution);
+  void look_for_certificate(const ReconstructResult& result, const Execution& execution);
+  ReconstructResult assemble(Points points);
+  std::vector<Triangle> kept_triangles(const IdVector<VertexId, VertexId>& number) const;
 };
 
 void DynamicTightCocone::State::take(std::size_t count, Triangulation triangulation) {
   num_points = count;
   vertex_of_point = triangulation.vertex_of_point();
+  certified.clear();
   delaunay = DynamicDelaunay(std::move(triangulation));
 }
 
 void DynamicTightCocone::State::clear(std::size_t count) {
   num_points = count;
   vertex_of_point = {};
+  certified.clear();
   delaunay = DynamicDelaunay();
 }
 
@@ -69,10 +84,22 @@ DynamicTightCocone::State::Step DynamicTightCocone::State::plan(
   return step;
 }
 
+// If it throws the points are as before, but cells may have other numbers.
+DelaunayChange DynamicTightCocone::State::change_triangulation(const Step& step,
+                                                               const Execution& execution) {
+  try {
+    return delaunay.replace(step.removed, step.inserted_points, execution);
+  } catch (...) {
+    certified.clear();
+    throw;
+  }
+}
+
 // After a change that was done: the points from before come back. Those that were removed may get
 // other vertices than they had.
 void DynamicTightCocone::State::undo(const Step& step, const DelaunayChange& change,
                                      IdVector<PointId, VertexId> before) {
+  certified.clear();
   const DelaunayChange back = delaunay.replace(change.inserted, step.removed_points);
   IdVector<VertexId, VertexId> again;
   for (const VertexId v : before) {
@@ -117,9 +144,96 @@ Triangulation DynamicTightCocone::State::compact() const {
   return Triangulation(std::move(arrays), finite_cells);
 }
 
+// All stages after the triangulation.
+ReconstructResult DynamicTightCocone::State::run_stages(Points points, const Execution& execution) {
+  ReconstructResult result = reconstruct_tight(compact(), points, options, execution);
+  look_for_certificate(result, execution);
+  return result;
+}
+
+// Only where the counts leave hope.
+void DynamicTightCocone::State::look_for_certificate(const ReconstructResult& result,
+                                                     const Execution& execution) {
+  const ReconstructCounters& counters = result.counters;
+  const bool hopeful = result.status == SurfaceStatus::ok && result.unused_points == 0 &&
+                       counters.boundary_samples == 0 && counters.pruned == 0 &&
+                       counters.surface_walks == 1 && counters.back_contacts == 0 &&
+                       counters.good_vertices == result.vertices;
+  if (!hopeful || !certified.certify(delaunay, execution)) return;
+  triangles = result.mesh.triangles.raw();
+  vertex_of_mesh.clear();
+  for (const PointId p : result.point_of_vertex) vertex_of_mesh.push_back(vertex_of_point[p]);
+}
+
+// The triangles so far that have no touched vertex, in new numbers and canonical order.
+std::vector<Triangle> DynamicTightCocone::State::kept_triangles(
+    const IdVector<VertexId, VertexId>& number) const {
+  IdVector<VertexId, VertexId> after(vertex_of_mesh.size());
+  VertexSet touched(number.size(), 0);
+  for (const VertexId v : certified.touched()) touched[v] = 1;
+  bool increasing = true;
+  VertexId last;
+  for (const VertexId m : after.ids()) {
+    const VertexId v = vertex_of_mesh[m];
+    if (v.index() >= number.size() || touched[v] != 0 || number[v].is_none()) continue;
+    after[m] = number[v];
+    increasing = increasing && (last.is_none() || last < after[m]);
+    last = after[m];
+  }
+  std::vector<Triangle> kept;
+  kept.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
+    const Triangle mapped{after[t[0]], after[t[1]], after[t[2]]};
+    if (mapped[0].is_none() || mapped[1].is_none() || mapped[2].is_none()) continue;
+    kept.push_back(mapped);
+  }
+  if (!increasing) {
+    TriangleMesh mesh{{}, IdVector<TriangleId, Triangle>(std::move(kept))};
+    canonicalize_triangles(mesh);
+    kept = std::move(mesh.triangles.raw());
+  }
+  return kept;
+}
+
+// The result from what is certified. Complexity: one pass over points and triangles, and sorting
+// what is new.
+ReconstructResult DynamicTightCocone::State::assemble(Points points) {
+  ReconstructResult result;
+  IdVector<VertexId, VertexId> number(delaunay.num_vertex_slots());
+  IdVector<VertexId, VertexId> vertices;
+  for (const PointId p : vertex_of_point.ids()) {
+    const VertexId v = vertex_of_point[p];
+    if (!number[v].is_none()) continue;
+    number[v] = result.mesh.points.push_back(points[p.index()]);
+    vertices.push_back(v);
+    result.point_of_vertex.push_back(p);
+    result.normals.push_back(certified.normal(v));
+  }
+  const std::vector<Triangle> kept = kept_triangles(number);
+  TriangleMesh fresh;
+  for (const auto& [a, b, c] : certified.triangles_at_touched()) {
+    fresh.triangles.push_back({number[a], number[b], number[c]});
+  }
+  canonicalize_triangles(fresh);
+  triangles.clear();
+  triangles.reserve(kept.size() + fresh.triangles.size());
+  std::merge(kept.begin(), kept.end(), fresh.triangles.begin(), fresh.triangles.end(),
+             std::back_inserter(triangles));
+  vertex_of_mesh = std::move(vertices);
+  result.mesh.triangles = IdVector<TriangleId, Triangle>(triangles);
+  result.boundary_sample.resize(vertex_of_mesh.size(), 0);
+  result.points = points.size();
+  result.duplicates = points.size() - vertex_of_mesh.size();
+  result.vertices = delaunay.num_vertices();
+  result.tetrahedra = certified.finite_cells();
+  certified.count(result.counters);
+  return result;
+}
+
 DynamicTightCocone::DynamicTightCocone(const ReconstructOptions& options)
     : state_(std::make_unique<State>()) {
   state_->options = options;
+  state_->certified = CertifiedSurface(effective_options(options));
 }
 DynamicTightCocone::~DynamicTightCocone() = default;
 DynamicTightCocone::DynamicTightCocone(DynamicTightCocone&&) noexcept = default;
@@ -127,6 +241,7 @@ DynamicTightCocone& DynamicTightCocone::operator=(DynamicTightCocone&&) noexcept
 
 const ReconstructOptions& DynamicTightCocone::options() const { return state_->options; }
 std::size_t DynamicTightCocone::num_points() const { return state_->num_points; }
+std::size_t DynamicTightCocone::local_changes() const { return state_->local_changes; }
 
 void DynamicTightCocone::take(Points points, Triangulation triangulation) {
   if (working_scale(points) == 1) {
@@ -149,6 +264,7 @@ ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution
   ReconstructResult result = reconstruct_tight(triangulation, points, state_->options, execution);
   result.counters.delaunay = built.counters;
   state_->take(points.size(), std::move(triangulation));
+  state_->look_for_certificate(result, {execution.threads, nullptr});
   return result;
 }
 
@@ -157,14 +273,20 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
   State& state = *state_;
   if (!state.is_live() || working_scale(points) != 1) return reconstruct(points, execution);
   State::Step step = state.plan(points, old_position);
-  const DelaunayChange change =
-      state.delaunay.replace(step.removed, step.inserted_points, execution);
+  const DelaunayChange change = state.change_triangulation(step, execution);
   for (std::size_t k = 0; k < step.inserted.size(); ++k) {
     step.vertex_of_point[step.inserted[k]] = change.vertex_of_point[k];
   }
   std::swap(state.vertex_of_point, step.vertex_of_point);
+  if (state.certified.exists() && state.certified.update(state.delaunay, change, execution)) {
+    ReconstructResult result = state.assemble(points);
+    result.counters.delaunay = change.insertion;
+    state.num_points = points.size();
+    ++state.local_changes;
+    return result;
+  }
   try {
-    ReconstructResult result = reconstruct_tight(state.compact(), points, state.options, execution);
+    ReconstructResult result = state.run_stages(points, execution);
     result.counters.delaunay = change.insertion;
     state.num_points = points.size();
     return result;

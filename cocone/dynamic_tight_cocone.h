@@ -28,6 +28,9 @@ class DynamicTightCocone {
 
   const ReconstructOptions& options() const;
   std::size_t num_points() const;
+  // Calls of replace() that looked at the surface only where the points changed; the others ran all
+  // stages over the whole triangulation.
+  std::size_t local_changes() const;
 
   // Takes these points, in this order, instead of those so far.
   ReconstructResult reconstruct(Points points, const Execution& execution = {});

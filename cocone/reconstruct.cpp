@@ -26,20 +26,11 @@ void run_stage(const Execution& execution, std::string_view stage, Body body) {
   report_progress(execution, stage, 1);
 }
 
-ReconstructOptions effective(ReconstructOptions options) {
-  if (options.mode == Mode::paper) {
-    options.boundary.radius_mode = RadiusMode::cocone;
-    options.peel.deferred_seeding = false;
-    options.clean_up.enabled = false;
-  }
-  return options;
-}
-
 // The work both compositions share, and its intermediate values.
 class Reconstruction {
  public:
   Reconstruction(Points points, const ReconstructOptions& options, const Execution& execution)
-      : points_(points), options_(effective(options)), execution_(execution) {}
+      : points_(points), options_(effective_options(options)), execution_(execution) {}
 
   void triangulate() {
     std::vector<Point> scaled;
@@ -164,6 +155,15 @@ class Reconstruction {
 };
 
 }  // namespace
+
+ReconstructOptions effective_options(ReconstructOptions options) {
+  if (options.mode == Mode::paper) {
+    options.boundary.radius_mode = RadiusMode::cocone;
+    options.peel.deferred_seeding = false;
+    options.clean_up.enabled = false;
+  }
+  return options;
+}
 
 ReconstructOptions open_cloud_defaults() {
   ReconstructOptions options;

@@ -45,6 +45,9 @@ struct ReconstructOptions {
   CleanUpOptions clean_up = {};  // reconstruct_tight, robust mode only
 };
 
+// What the stages get: in mode paper some options are as published, whatever they say.
+ReconstructOptions effective_options(ReconstructOptions options);
+
 // For clouds whose surface has a rim (a scan from one side, the added cloud of an update):
 // rho = 0.3, alpha = 30 degrees, radius_mode = cocone. Smaller rho (0.2, 0.13) finds smaller holes.
 ReconstructOptions open_cloud_defaults();

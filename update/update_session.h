@@ -72,6 +72,10 @@ class UpdateSession {
   // that changed. Precondition: undo_levels() > 0. Throws Cancelled; then nothing was undone.
   MeshChange undo(const Execution& execution = {});
 
+  // Updates and undos whose surface was looked at only where points changed
+  // (cocone/certified_surface.h); the others ran the stages over the whole triangulation.
+  std::size_t local_changes() const { return surface_.local_changes(); }
+
   // Complexity: O(n).
   SessionSnapshot snapshot() const;
 

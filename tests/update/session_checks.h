@@ -16,25 +16,33 @@ namespace cocoon {
 
 using Clouds = std::vector<std::vector<Point>>;
 
+// The normals of a mesh at its vertices, weighted by area.
+inline std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
+  std::vector<Vec3> normals(mesh.points.size());
+  for (const Triangle& t : mesh.triangles) {
+    const Point& a = mesh.points[t[0]];
+    const Vec3 area = cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a);
+    for (const VertexId v : t) normals[v.index()] = normals[v.index()] + area;
+  }
+  for (Vec3& normal : normals) normal = unit(normal);
+  return normals;
+}
+
 // A scan of the part of the model within `reach` of a vertex: as many points as there are vertices,
-// beside them, raised by a smooth hill of the given height in the inner two thirds.
+// beside them on the surface, raised by a smooth hill of the given height in the inner two thirds.
 inline std::vector<Point> scan_of(const TriangleMesh& model, VertexId center, double reach,
                                   double height, double jitter, Random& random) {
-  Vec3 up;
-  for (const Triangle& t : model.triangles) {
-    if (std::find(t.begin(), t.end(), center) == t.end()) continue;
-    const Point& a = model.points[t[0]];
-    up = up + cross(model.points[t[1]] - a, model.points[t[2]] - a);
-  }
-  up = unit(up);
+  const std::vector<Vec3> normals = vertex_normals(model);
+  const Vec3 up = normals[center.index()];
   std::vector<Point> points;
-  const auto add = [&](const Point& p) {
-    const double t = distance(p, model.points[center]) / (reach * 2 / 3);
-    points.push_back(t < 1 ? p + height * (1 - t * t) * (1 - t * t) * up : p);
-  };
   for (const VertexId v : model.points.ids()) {
-    if (distance(model.points[v], model.points[center]) > reach) continue;
-    add(model.points[v] + jitter * random.on_unit_sphere());
+    const Point& p = model.points[v];
+    const double t = distance(p, model.points[center]) / (reach * 2 / 3);
+    if (t > 1.5) continue;
+    const Vec3 step = jitter * random.on_unit_sphere();
+    const Vec3& normal = normals[v.index()];
+    const Point beside = p + (step - dot(step, normal) * normal);
+    points.push_back(t < 1 ? beside + height * (1 - t * t) * (1 - t * t) * up : beside);
   }
   return points;
 }
@@ -49,14 +57,16 @@ inline double mean_edge(const TriangleMesh& mesh) {
   return sum / (3.0 * static_cast<double>(mesh.triangles.size()));
 }
 
-// One or two scans of random places: hills, dents, and unchanged surface.
-inline Clouds random_scans(const TriangleMesh& model, Random& random) {
+// One or two scans of random places: hills, dents, and unchanged surface. Heights are at most
+// `steepness` times the reach.
+inline Clouds random_scans(const TriangleMesh& model, Random& random, double steepness = 0.5) {
   const double edge = mean_edge(model);
   Clouds clouds(random.below(4) == 0 ? 2 : 1);
   for (std::vector<Point>& cloud : clouds) {
     const VertexId center(random.below(model.points.size()));
     const double reach = edge * (4 + 6 * random.uniform());
-    cloud = scan_of(model, center, reach, reach * (random.uniform() - 0.5), 0.1 * edge, random);
+    cloud = scan_of(model, center, reach, steepness * reach * (2 * random.uniform() - 1),
+                    0.2 * edge, random);
   }
   return clouds;
 }
