@@ -12,6 +12,17 @@
 #include "geom/working_scale.h"
 
 namespace cocoon {
+namespace {
+
+// Smallest vertex first, and sorted: as canonicalize_triangles, but in proportion to the list.
+void canonicalize(std::vector<Triangle>& triangles) {
+  for (Triangle& t : triangles) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  }
+  std::sort(triangles.begin(), triangles.end());
+}
+
+}  // namespace
 
 struct DynamicTightCocone::State {
   ReconstructOptions options;
@@ -187,11 +198,7 @@ std::vector<Triangle> DynamicTightCocone::State::kept_triangles(
     if (mapped[0].is_none() || mapped[1].is_none() || mapped[2].is_none()) continue;
     kept.push_back(mapped);
   }
-  if (!increasing) {
-    TriangleMesh mesh{{}, IdVector<TriangleId, Triangle>(std::move(kept))};
-    canonicalize_triangles(mesh);
-    kept = std::move(mesh.triangles.raw());
-  }
+  if (!increasing) canonicalize(kept);
   return kept;
 }
 
@@ -210,15 +217,14 @@ ReconstructResult DynamicTightCocone::State::assemble(Points points) {
     result.normals.push_back(certified.normal(v));
   }
   const std::vector<Triangle> kept = kept_triangles(number);
-  TriangleMesh fresh;
+  std::vector<Triangle> fresh;
   for (const auto& [a, b, c] : certified.triangles_at_touched()) {
-    fresh.triangles.push_back({number[a], number[b], number[c]});
+    fresh.push_back({number[a], number[b], number[c]});
   }
-  canonicalize_triangles(fresh);
+  canonicalize(fresh);
   triangles.clear();
-  triangles.reserve(kept.size() + fresh.triangles.size());
-  std::merge(kept.begin(), kept.end(), fresh.triangles.begin(), fresh.triangles.end(),
-             std::back_inserter(triangles));
+  triangles.reserve(kept.size() + fresh.size());
+  std::merge(kept.begin(), kept.end(), fresh.begin(), fresh.end(), std::back_inserter(triangles));
   vertex_of_mesh = std::move(vertices);
   result.mesh.triangles = IdVector<TriangleId, Triangle>(triangles);
   result.boundary_sample.resize(vertex_of_mesh.size(), 0);

@@ -68,7 +68,7 @@ TEST(UpdateSession, StartsWithTheReconstructionOfItsPoints) {
 
 TEST(UpdateSession, RandomStepsOnASphere) {
   UpdateSession session(evenly_on_sphere(700));
-  EXPECT_GT(run_steps(session, 40, 1), 15U);
+  EXPECT_GT(run_steps(session, 20, 1), 6U);
 }
 
 // Gentle changes leave the surface certain: nothing but what is near them is looked at, and the
