@@ -1,0 +1,217 @@
+// Table 1 of Woo & Dey 2005: the four columns of the local update, for all of the paper's models
+// that there are, three times: the paper's seconds (Pentium IV, 1.6 GHz), those of the same steps
+// written plainly with CGAL (ref/cgal_update.h), and ours; the latter two in this run, on one
+// thread each.
+//
+//   paper_bench [--repetitions R] [--points N] [--cloud-points N] [MODEL ...]
+//
+// R (3) repetitions in turn, medians of processor time. Both programs must replace the same number
+// of points, but for those at the border (1 %), and both results must be closed; else exit code 1.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cocone/reconstruct.h"
+#include "io/sample_models.h"
+#include "ref/cgal_update.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+namespace {
+
+constexpr std::array<const char*, 4> columns = {"boundary_detection", "overlapping_facets",
+                                                "segmentation_and_selection", "reconstruction"};
+using Columns = std::array<double, 4>;
+
+// Processor time between a stage's first and last report, for all stages.
+class ProcessorClock : public Progress {
+ public:
+  bool report(std::string_view stage, double fraction) override {
+    const double now = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    if (fraction == 0) begin_[std::string(stage)] = now;
+    if (fraction == 1) seconds_[std::string(stage)] += now - begin_[std::string(stage)];
+    return true;
+  }
+  double seconds(const std::string& stage) const {
+    const auto found = seconds_.find(stage);
+    return found == seconds_.end() ? 0 : found->second;
+  }
+
+ private:
+  std::map<std::string, double> begin_;
+  std::map<std::string, double> seconds_;
+};
+
+struct Ours {
+  Columns seconds = {};
+  double cloud_delaunay = 0;
+  double model_delaunay = 0;
+  UpdateResult result;
+};
+
+Ours run_ours(const TriangleMesh& model, const std::vector<std::vector<Point>>& clouds) {
+  ProcessorClock clock;
+  Ours ours;
+  ours.result = update_model(model, clouds, {}, {.threads = 1, .progress = &clock});
+  for (std::size_t c = 0; c < 4; ++c) ours.seconds[c] = clock.seconds(columns[c]);
+  ours.cloud_delaunay = clock.seconds("boundary_detection/delaunay");
+  ours.model_delaunay = clock.seconds("reconstruction/delaunay");
+  return ours;
+}
+
+// By model, as the file has them.
+std::map<std::string, Columns> papers_table() {
+  std::ifstream file(COCOON_TABLE1);
+  std::map<std::string, Columns> table;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line[0] == '#' || line.rfind("model,", 0) == 0) continue;
+    std::istringstream cells(line);
+    std::string name;
+    std::getline(cells, name, ',');
+    for (double& seconds : table[name]) {
+      std::string cell;
+      std::getline(cells, cell, ',');
+      seconds = std::stod(cell);
+    }
+  }
+  return table;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+Columns medians(const std::vector<Columns>& runs) {
+  Columns result;
+  for (std::size_t c = 0; c < 4; ++c) {
+    std::vector<double> values;
+    for (const Columns& run : runs) values.push_back(run[c]);
+    result[c] = median(values);
+  }
+  return result;
+}
+
+void print_row(const char* model, const char* who, const Columns& values, const char* format) {
+  std::printf("%-12s %-16s", model, who);
+  for (const double value : values) std::printf(format, value);
+  std::printf("\n");
+}
+
+Columns divided(const Columns& a, const Columns& b) {
+  Columns result;
+  for (std::size_t c = 0; c < 4; ++c) result[c] = a[c] / b[c];
+  return result;
+}
+
+// What a column costs beyond the triangulation of its own data, as a share of that triangulation:
+// of the clouds for the first three columns, of the updated points for the last.
+Columns beyond_delaunay(const Ours& ours) {
+  const double clouds = ours.cloud_delaunay;
+  const double updated = ours.model_delaunay;
+  return {(ours.seconds[0] - clouds) / clouds, ours.seconds[1] / clouds, ours.seconds[2] / clouds,
+          (ours.seconds[3] - updated) / updated};
+}
+
+struct Arguments {
+  std::size_t repetitions = 3;
+  SampleOptions sample;
+  std::vector<std::string> models;
+};
+
+bool agree(const Ours& ours, const ref::CgalUpdate& cgal, std::size_t points) {
+  const auto& replaced = ours.result.replacement.replaced;
+  std::printf("%-12s %zu points; ours / CGAL: %zu / %zu rim points, %zu / %zu replaced, "
+              "%zu / %zu triangles\n",
+              "", points, ours.result.clouds.empty() ? 0 : [&] {
+                std::size_t rim = 0;
+                for (const CloudReport& cloud : ours.result.clouds) rim += cloud.boundary_points;
+                return rim;
+              }(), cgal.rim_points, replaced, cgal.replaced,
+              ours.result.mesh.triangles.size(), cgal.updated_triangles);
+  const double difference =
+      std::abs(static_cast<double>(replaced) - static_cast<double>(cgal.replaced));
+  return ours.result.status == UpdateStatus::ok && difference <= 0.01 * static_cast<double>(points);
+}
+
+// Whether both programs agree.
+bool run_model(const std::string& name, const Arguments& arguments,
+               const std::map<std::string, Columns>& paper) {
+  const SampleModel sample = sample_model(name, arguments.sample);
+  const TriangleMesh model = reconstruct_tight(sample.initial).mesh;
+  std::vector<Columns> our_runs;
+  std::vector<Columns> cgal_runs;
+  std::vector<Columns> shares;
+  Ours ours;
+  ref::CgalUpdate cgal;
+  for (std::size_t r = 0; r < arguments.repetitions; ++r) {
+    ours = run_ours(model, sample.clouds);
+    our_runs.push_back(ours.seconds);
+    shares.push_back(beyond_delaunay(ours));
+    cgal = ref::cgal_update(model, sample.clouds);
+    cgal_runs.push_back(cgal.seconds);
+  }
+  const Columns our_seconds = medians(our_runs);
+  const Columns cgal_seconds = medians(cgal_runs);
+  const bool papers_size = !arguments.sample.points && !arguments.sample.cloud_points;
+  if (const auto found = paper.find(name); found != paper.end() && papers_size) {
+    print_row(name.c_str(), "paper", found->second, "%12.2f");
+    print_row("", "  / ours", divided(found->second, our_seconds), "%11.0fx");
+  }
+  print_row(name.c_str(), "CGAL", cgal_seconds, "%12.4f");
+  print_row(name.c_str(), "ours", our_seconds, "%12.4f");
+  print_row("", "  CGAL / ours", divided(cgal_seconds, our_seconds), "%11.1fx");
+  print_row("", "  over Delaunay", medians(shares), "%12.2f");
+  return agree(ours, cgal, sample.initial.size());
+}
+
+Arguments parse(int argc, char** argv) {
+  Arguments arguments;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const auto value = [&] {
+      return static_cast<std::size_t>(i + 1 < argc ? std::atol(argv[++i]) : 0);
+    };
+    if (word == "--repetitions") {
+      arguments.repetitions = std::max<std::size_t>(1, value());
+    } else if (word == "--points") {
+      arguments.sample.points = value();
+    } else if (word == "--cloud-points") {
+      arguments.sample.cloud_points = value();
+    } else {
+      arguments.models.push_back(word);
+    }
+  }
+  if (arguments.models.empty()) arguments.models = sample_model_names();
+  return arguments;
+}
+
+}  // namespace
+}  // namespace cocoon
+
+int main(int argc, char** argv) {
+  using namespace cocoon;
+  const Arguments arguments = parse(argc, argv);
+  const auto paper = papers_table();
+  std::printf(
+      "Seconds of processor time, one thread, medians of %zu. \"over Delaunay\": what is not\n"
+      "the triangulation of the column's own data, as a share of that triangulation.\n\n",
+      arguments.repetitions);
+  std::printf("%-12s %-16s%12s%12s%12s%12s\n", "model", "", "boundary", "overlapping", "segment,",
+              "reconstruct");
+  std::printf("%-12s %-16s%12s%12s%12s%12s\n", "", "", "detection", "facets", "select", "");
+  bool good = true;
+  for (const std::string& name : arguments.models) good = run_model(name, arguments, paper) && good;
+  if (!good) std::printf("the two updates do not agree\n");
+  return good ? 0 : 1;
+}

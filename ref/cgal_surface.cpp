@@ -1,0 +1,62 @@
+#include "ref/cgal_surface.h"
+
+#include <ctime>
+#include <utility>
+
+#include "ref/cgal_triangulation.h"
+
+namespace cocoon::ref {
+namespace {
+
+using namespace on_cgal;
+
+Delaunay triangulation_of(Points points, double& seconds) {
+  std::vector<std::pair<Kernel::Point_3, VertexInfo>> labeled;
+  labeled.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    VertexInfo info;
+    info.id = static_cast<std::uint32_t>(i);
+    labeled.emplace_back(Kernel::Point_3(points[i].x, points[i].y, points[i].z), info);
+  }
+  Delaunay delaunay;
+  const std::clock_t begin = std::clock();
+  delaunay.insert(labeled.begin(), labeled.end());
+  seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  return delaunay;
+}
+
+std::array<PointId, 3> ids(const Facet& f) {
+  return {PointId(corner(f, 0)->info().id), PointId(corner(f, 1)->info().id),
+          PointId(corner(f, 2)->info().id)};
+}
+
+}  // namespace
+
+CgalSurface cgal_open_surface(Points points, const CgalSurfaceOptions& options) {
+  CgalSurface result;
+  Delaunay delaunay = triangulation_of(points, result.delaunay_seconds);
+  find_candidates(delaunay, options);
+  prune_and_walk(delaunay);
+  for (const Facet& f : delaunay.finite_facets()) {
+    if (is_surface(f)) result.triangles.push_back(ids(f));
+  }
+  return result;
+}
+
+CgalSurface cgal_tight_surface(Points points, const CgalSurfaceOptions& options) {
+  CgalSurface result;
+  Delaunay delaunay = triangulation_of(points, result.delaunay_seconds);
+  find_candidates(delaunay, options);
+  prune_and_walk(delaunay);
+  mark_and_peel(delaunay);
+  // CGAL numbers the corners of a facet counterclockwise seen from outside of its cell.
+  for (const CellHandle c : delaunay.finite_cell_handles()) {
+    if (c->info().reached) continue;
+    for (int i = 0; i < 4; ++i) {
+      if (c->neighbor(i)->info().reached) result.triangles.push_back(ids({c, i}));
+    }
+  }
+  return result;
+}
+
+}  // namespace cocoon::ref

@@ -1,0 +1,84 @@
+// The triangulation on which cgal_surface.cpp and its parts work, and what they note in it. Only
+// these include it: CGAL stays out of all other headers.
+#pragma once
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "geom/point.h"
+#include "ref/cgal_surface.h"
+
+namespace cocoon::ref::on_cgal {
+
+// What the algorithms note at vertices and cells, where CGAL keeps it.
+enum class Mark : std::uint8_t { none, out, in };
+
+struct VertexInfo {
+  std::uint32_t id = 0;
+  Vec3 normal;
+  double height = 0;
+  double radius = 0;
+  bool degenerate = false;
+  bool interior = false;
+  bool umbrella = false;  // it has a closed fan of triangles
+  bool on_surface = false;
+  bool good = false;
+  bool visited = false;
+};
+
+struct CellInfo {
+  Vec3 center;                       // circumcenter of a finite cell
+  std::array<bool, 4> surface = {};  // facets that are candidates, then on the surface
+  std::array<bool, 4> visited = {};  // facets that the walk has met
+  bool reached = false;
+  Mark mark = Mark::none;
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<VertexInfo, Kernel>;
+using CellBase = CGAL::Delaunay_triangulation_cell_base_3<
+    Kernel, CGAL::Triangulation_cell_base_with_info_3<CellInfo, Kernel>>;
+using DataStructure = CGAL::Triangulation_data_structure_3<VertexBase, CellBase>;
+using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, DataStructure>;
+using VertexHandle = Delaunay::Vertex_handle;
+using CellHandle = Delaunay::Cell_handle;
+using Facet = Delaunay::Facet;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+inline Vec3 to_vec3(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
+inline Vec3 place(VertexHandle v) { return to_vec3(v->point()); }
+inline VertexHandle corner(const Facet& f, int k) {
+  return f.first->vertex(Delaunay::vertex_triple_index(f.second, k));
+}
+
+inline bool is_surface(const Facet& f) {
+  return f.first->info().surface[static_cast<std::size_t>(f.second)];
+}
+inline void set_surface(const Delaunay& delaunay, const Facet& f, bool value) {
+  const Facet mirror = delaunay.mirror_facet(f);
+  f.first->info().surface[static_cast<std::size_t>(f.second)] = value;
+  mirror.first->info().surface[static_cast<std::size_t>(mirror.second)] = value;
+}
+
+// The surface facets at v, each by its two other corners.
+std::vector<std::array<VertexHandle, 2>> link_of(const Delaunay& delaunay, VertexHandle v);
+
+// Poles, labels, candidate facets: sets `surface` of the cells. Boundary samples are those vertices
+// that are not `interior`.
+void find_candidates(Delaunay& delaunay, const CgalSurfaceOptions& options);
+
+// Takes away candidates at sharp edges, then those beside the sheet that a walk over the candidates
+// meets first.
+void prune_and_walk(Delaunay& delaunay);
+
+// Marks cells from good vertices and peels the others from outside: sets `reached` outside.
+void mark_and_peel(Delaunay& delaunay);
+
+}  // namespace cocoon::ref::on_cgal
