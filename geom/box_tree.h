@@ -48,7 +48,11 @@ class BoxTree {
   static constexpr std::size_t max_depth = 40;
   static constexpr std::size_t leaf_size = 4;
 
-  std::uint32_t build(std::span<const Box> boxes, std::size_t begin, std::size_t end);
+  struct Center {
+    Point at;
+    std::uint32_t item = 0;
+  };
+  std::uint32_t build(std::span<const Box> boxes, std::span<Center> centers, std::size_t first);
 
   std::vector<Node> nodes_;  // the root first; empty for no items
   std::vector<std::uint32_t> items_;

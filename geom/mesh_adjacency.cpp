@@ -1,6 +1,7 @@
 #include "geom/mesh_adjacency.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 #include "geom/errors.h"
@@ -58,10 +59,18 @@ void list_triangles_at_vertices(const TriangleMesh& mesh, MeshAdjacency& adjacen
   }
 }
 
-struct Side {
-  VertexId larger;
-  HalfedgeId halfedge;
+// (larger vertex, halfedge) in one word, which sorts as the pair does.
+class Side {
+ public:
+  Side() = default;
+  Side(VertexId larger, HalfedgeId halfedge)
+      : word_(std::uint64_t{larger.value} << 32 | halfedge.value) {}
+  VertexId larger() const { return VertexId(static_cast<std::uint32_t>(word_ >> 32)); }
+  HalfedgeId halfedge() const { return HalfedgeId(static_cast<std::uint32_t>(word_)); }
   friend auto operator<=>(const Side&, const Side&) = default;
+
+ private:
+  std::uint64_t word_ = 0;
 };
 
 // All sides, grouped by their smaller vertex (bucket sort), each group sorted by (larger vertex,
@@ -82,7 +91,7 @@ std::vector<Side> sorted_sides(const TriangleMesh& mesh, std::vector<std::uint32
   std::vector<Side> sides(begin.back());
   std::vector<std::uint32_t> next = begin;
   for_each_side([&](VertexId smaller, VertexId larger, HalfedgeId h) {
-    sides[next[smaller.index()]++] = {larger, h};
+    sides[next[smaller.index()]++] = Side(larger, h);
   });
   for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
     std::sort(sides.begin() + begin[v], sides.begin() + begin[v + 1]);
@@ -95,16 +104,18 @@ void list_sides_at_edges(const TriangleMesh& mesh, MeshAdjacency& adjacency) {
   const std::vector<Side> sides = sorted_sides(mesh, begin);
   adjacency.edge_of.resize(3 * mesh.triangles.size());
   adjacency.edge_halfedges.reserve(sides.size());
+  adjacency.edges.reserve(sides.size() / 2);
+  adjacency.edge_begin.reserve(sides.size() / 2 + 1);
   for (const VertexId smaller : mesh.points.ids()) {
     VertexId larger;
     for (std::size_t k = begin[smaller.index()]; k < begin[smaller.index() + 1]; ++k) {
-      if (sides[k].larger != larger) {
-        larger = sides[k].larger;
+      if (sides[k].larger() != larger) {
+        larger = sides[k].larger();
         adjacency.edge_begin.push_back(static_cast<std::uint32_t>(k));
         adjacency.edges.push_back({smaller, larger});
       }
-      adjacency.edge_halfedges.push_back(sides[k].halfedge);
-      adjacency.edge_of[sides[k].halfedge] = EdgeId(adjacency.edges.size() - 1);
+      adjacency.edge_halfedges.push_back(sides[k].halfedge());
+      adjacency.edge_of[sides[k].halfedge()] = EdgeId(adjacency.edges.size() - 1);
     }
   }
   adjacency.edge_begin.push_back(static_cast<std::uint32_t>(sides.size()));

@@ -25,9 +25,10 @@ Delaunay triangulation_of(Points points, double& seconds) {
   return delaunay;
 }
 
+// CGAL numbers the corners of a facet clockwise seen from outside of its cell.
 std::array<PointId, 3> ids(const Facet& f) {
-  return {PointId(corner(f, 0)->info().id), PointId(corner(f, 1)->info().id),
-          PointId(corner(f, 2)->info().id)};
+  return {PointId(corner(f, 0)->info().id), PointId(corner(f, 2)->info().id),
+          PointId(corner(f, 1)->info().id)};
 }
 
 }  // namespace
@@ -49,7 +50,6 @@ CgalSurface cgal_tight_surface(Points points, const CgalSurfaceOptions& options)
   find_candidates(delaunay, options);
   prune_and_walk(delaunay);
   mark_and_peel(delaunay);
-  // CGAL numbers the corners of a facet counterclockwise seen from outside of its cell.
   for (const CellHandle c : delaunay.finite_cell_handles()) {
     if (c->info().reached) continue;
     for (int i = 0; i < 4; ++i) {

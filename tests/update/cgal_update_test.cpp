@@ -1,0 +1,79 @@
+// The plain update on CGAL's triangulation, which `./dev bench paper` measures against, does the
+// same job.
+#include "ref/cgal_update.h"
+
+#include <algorithm>
+#include <array>
+#include <gtest/gtest.h>
+#include <set>
+
+#include "cocone/reconstruct.h"
+#include "geom/mesh_measure.h"
+#include "io/sample_models.h"
+#include "ref/cgal_surface.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+namespace {
+
+const SampleModel& block() {
+  static const SampleModel model = sample_model("block");
+  return model;
+}
+
+std::set<std::array<PointId, 3>> sorted(const std::vector<std::array<PointId, 3>>& triangles) {
+  std::set<std::array<PointId, 3>> result;
+  for (auto triangle : triangles) {
+    std::sort(triangle.begin(), triangle.end());
+    result.insert(triangle);
+  }
+  return result;
+}
+
+std::set<std::array<PointId, 3>> sorted(const ReconstructResult& result) {
+  std::vector<std::array<PointId, 3>> triangles;
+  for (const auto& [a, b, c] : result.mesh.triangles) {
+    const auto& point_of = result.point_of_vertex;
+    triangles.push_back({point_of[a], point_of[b], point_of[c]});
+  }
+  return sorted(triangles);
+}
+
+TEST(CgalSurface, TightSurfaceIsOurs) {
+  const auto& points = block().initial;
+  const ref::CgalSurface plain = ref::cgal_tight_surface(points);
+  EXPECT_EQ(sorted(plain.triangles), sorted(reconstruct_tight(points)));
+  TriangleMesh mesh;
+  mesh.points = IdVector<VertexId, Point>(points);
+  for (const auto& [a, b, c] : plain.triangles) {
+    mesh.triangles.push_back({VertexId(a.value), VertexId(b.value), VertexId(c.value)});
+  }
+  EXPECT_GT(mesh_measure(mesh).signed_volume, 0) << "oriented outward";
+}
+
+TEST(CgalSurface, OpenSurfaceIsOurs) {
+  const auto& points = block().clouds[0];
+  ReconstructOptions options = open_cloud_defaults();
+  options.boundary.rho = 0.3;
+  options.boundary.radius_mode = RadiusMode::cocone;
+  const ref::CgalSurface plain =
+      ref::cgal_open_surface(points, {.rho = 0.3, .tangent_plane_radius = false});
+  EXPECT_EQ(sorted(plain.triangles), sorted(reconstruct_cocone(points, options)));
+}
+
+TEST(CgalUpdate, ReplacesTheSamePoints) {
+  const TriangleMesh model = reconstruct_tight(block().initial).mesh;
+  const UpdateResult ours = update_model(model, block().clouds);
+  ASSERT_EQ(ours.status, UpdateStatus::ok);
+  const ref::CgalUpdate plain = ref::cgal_update(model, block().clouds);
+  EXPECT_EQ(plain.rim_points, ours.clouds[0].boundary_points);
+  EXPECT_EQ(plain.regions, ours.regions.regions.size());
+  // It keeps border vertices.
+  EXPECT_LE(plain.replaced, ours.replacement.replaced);
+  EXPECT_GE(plain.replaced + ours.replacement.border_replaced + 10, ours.replacement.replaced);
+  EXPECT_NEAR(static_cast<double>(plain.updated_triangles),
+              static_cast<double>(ours.mesh.triangles.size()), 40);
+}
+
+}  // namespace
+}  // namespace cocoon
