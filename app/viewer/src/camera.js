@@ -77,8 +77,10 @@ export class Turntable {
   lookThrough(aspect) {
     const {camera} = this, {right, up, back} = this.axes(), distance = this.distance(aspect);
     camera.aspect = aspect;
-    camera.near = Math.max(distance - 3 * this.radius, 0.002 * this.radius);
-    camera.far = distance + 3 * this.radius + this.center.distanceTo(this.home);
+    // As tight as the scene allows: what is drawn a little nearer than it is relies on it.
+    const reach = 1.05 * this.radius + this.center.distanceTo(this.home);
+    camera.near = Math.max(distance - reach, 0.02 * distance);
+    camera.far = distance + reach;
     camera.updateProjectionMatrix();
     camera.position.copy(this.center).addScaledVector(back, distance);
     camera.matrixAutoUpdate = false;

@@ -159,7 +159,7 @@ export class ReportScene {
     });
     const geometry = new LineSegmentsGeometry().setPositions(ends);
     return new LineSegments2(geometry, new LineMaterial({
-      color: layer.color, linewidth: 2.6, polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -2000,
+      color: layer.color, linewidth: 2.6, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -1500,
     }));
   }
 
