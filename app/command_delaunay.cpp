@@ -2,7 +2,9 @@
 
 #include "app/commands.h"
 #include "app/files.h"
+#include "app/verification.h"
 #include "delaunay/canonical_order.h"
+#include "delaunay/check_delaunay.h"
 #include "delaunay/delaunay.h"
 #include "io/tetrahedra_file.h"
 
@@ -27,6 +29,12 @@ void run_delaunay(const DelaunayArguments& arguments, Job& job) {
   DelaunayResult result =
       naming_input(arguments.points, [&] { return delaunay(points, {}, job.execution()); });
   const Triangulation triangulation = canonical_order(std::move(result.triangulation));
+  if (arguments.verify) {
+    const DelaunayReport verified = timed(job.execution(), "verify", [&] {
+      return check_delaunay(triangulation, {}, {job.shared().threads, nullptr});
+    });
+    report_verification(job.report(), arguments.points, triangulation.num_finite_cells(), verified);
+  }
   timed(job.execution(), "write", [&] { write_tetrahedra(arguments.file, triangulation); });
 
   JsonReport& report = job.report();

@@ -42,6 +42,11 @@ void add_shared_options(CLI::App& app, SharedArguments& shared) {
   app.set_version_flag("--version", std::string("cocoon ") + COCOON_VERSION);
 }
 
+void add_verify(CLI::App& app, bool& verify) {
+  app.add_flag("--verify", verify,
+               "Check the result exactly before it is written, and write nothing if that fails");
+}
+
 void add_surface_options(CLI::App& app, SurfaceArguments& parameters) {
   app.add_option("-r,--rho", parameters.rho,
                  "Ratio condition: a sample is well sampled only if the radius of its cocone is at "
@@ -64,6 +69,7 @@ void add_surface_options(CLI::App& app, SurfaceArguments& parameters) {
                  "paper: the published algorithms alone; robust (default): with our repairs, each "
                  "counted in the report")
       ->check(CLI::IsMember({"paper", "robust"}));
+  add_verify(app, parameters.verify);
 }
 
 CLI::Option* add_mesh_output(CLI::App& app, std::string& mesh, bool& ascii) {
@@ -206,6 +212,7 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
   sub->add_option("-o,--output", delaunay.file, "The file to write: .vtu, .mesh or .tet")
       ->required()
       ->type_name("FILE");
+  add_verify(*sub, delaunay.verify);
 
   auto& check =
       add_command<CheckArguments>(app, "check", "A certificate of a mesh", chosen, shared, sub);

@@ -30,6 +30,7 @@ struct SurfaceArguments {
   std::optional<double> cocone_angle_deg;  // -c: half opening of the cocone about the tangent plane
   std::optional<double> sharp_angle_deg;   // -s: dihedral angle below which an edge is sharp
   std::string mode = "robust";             // "paper" or "robust"
+  bool verify = false;                     // certify triangulation and surface before writing
 };
 
 struct DemoArguments {
@@ -90,6 +91,7 @@ struct WatchArguments {
 struct DelaunayArguments {
   std::string points;
   std::string file;
+  bool verify = false;  // certify it before writing
 };
 
 struct CheckArguments {

@@ -64,7 +64,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
     return tight ? reconstruct_tight(points, options, job.execution())
                  : reconstruct_cocone(points, options, job.execution());
   });
-  require_surface(arguments.points, result, options.boundary.rho);
+  require_surface(job.report(), arguments.points, result, options.boundary.rho);
   const SurfaceDoubts doubts =
       timed(job.execution(), "check", [&] { return surface_doubts(result, points); });
   properties = properties_of_surface(job, properties, arguments.points, result);

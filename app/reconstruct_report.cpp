@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/surface_report.h"
+#include "app/verification.h"
 #include "geom/errors.h"
 
 namespace cocoon::app {
@@ -72,7 +73,9 @@ void add_noise(JsonReport& report, const NoiseCounters& noise) {
   report.set("noise/layer_samples", noise.layer_samples);
 }
 
-void require_surface(const std::string& file, const ReconstructResult& result, double rho) {
+void require_surface(JsonReport& report, const std::string& file, const ReconstructResult& result,
+                     double rho) {
+  report_verification(report, file, result.verification);
   if (result.status == SurfaceStatus::no_surface) {
     throw InputError(fmt::format(
         "{}: no surface: none of the {} samples lies well inside one; they are too sparse, thin or "

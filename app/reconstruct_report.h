@@ -17,7 +17,9 @@ void add_reconstruction(JsonReport& report, const ReconstructResult& result,
 // The section "noise": what was left out before the reconstruction.
 void add_noise(JsonReport& report, const NoiseCounters& noise);
 
-// Throws InputError unless the status is ok: what failed, the counts that say why, what to try.
-void require_surface(const std::string& file, const ReconstructResult& result, double rho);
+// Throws InputError unless the status is ok: what failed, the counts that say why, what to try. If
+// a verification was asked for, it goes to the report (app/verification.h), or refutes the result.
+void require_surface(JsonReport& report, const std::string& file, const ReconstructResult& result,
+                     double rho);
 
 }  // namespace cocoon::app

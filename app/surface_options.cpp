@@ -14,6 +14,7 @@ constexpr double degree = std::numbers::pi / 180;
 ReconstructOptions surface_options(const SurfaceArguments& arguments, ReconstructOptions defaults) {
   ReconstructOptions options = defaults;
   options.mode = arguments.mode == "paper" ? Mode::paper : Mode::robust;
+  options.verify = arguments.verify;
   if (arguments.rho) options.boundary.rho = *arguments.rho;
   if (arguments.alpha_deg) options.boundary.alpha_cosine = std::cos(*arguments.alpha_deg * degree);
   // theta is measured from the normal, the user's angle from the tangent plane.

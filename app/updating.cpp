@@ -11,6 +11,7 @@
 #include "app/surface_options.h"
 #include "app/surface_report.h"
 #include "app/update_report.h"
+#include "app/verification.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
 #include "geom/signed_distance.h"
@@ -86,7 +87,7 @@ ReconstructResult initial_model(Job& job, const std::string& name, const std::ve
       return reconstruct_tight(points, options, {execution.threads, &nested});
     });
   });
-  require_surface(name, result, options.boundary.rho);
+  require_surface(job.report(), name, result, options.boundary.rho);
   job.report().set("initial_model/points", result.points);
   job.report().set("initial_model/duplicates", result.duplicates);
   job.report().set("initial_model/unused_points", result.unused_points);
@@ -112,7 +113,7 @@ UpdateSession session_of_points(Job& job, const std::string& name, const std::ve
       return UpdateSession(points, options, {execution.threads, &nested});
     });
   });
-  require_surface(name, session.reconstruction(), options.reconstruct.boundary.rho);
+  require_surface(job.report(), name, session.reconstruction(), options.reconstruct.boundary.rho);
   return session;
 }
 
@@ -130,6 +131,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
     throw InputError(fmt::format("cannot update {}: {}", input.model_name,
                                  with_cloud_names(error.what(), input.cloud_names)));
   }
+  report_verification(job.report(), input.model_name, result.reconstruction.verification);
   if (result.status != UpdateStatus::ok) {
     throw InputError(fmt::format("cannot update {} ({}): {}", input.model_name,
                                  name_of(result.status),

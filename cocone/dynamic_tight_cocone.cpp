@@ -284,7 +284,9 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
     step.vertex_of_point[step.inserted[k]] = change.vertex_of_point[k];
   }
   std::swap(state.vertex_of_point, step.vertex_of_point);
-  if (state.certified.exists() && state.certified.update(state.delaunay, change, execution)) {
+  // What is to be verified is computed as a whole.
+  if (!state.options.verify && state.certified.exists() &&
+      state.certified.update(state.delaunay, change, execution)) {
     ReconstructResult result = state.assemble(points);
     result.counters.delaunay = change.insertion;
     state.num_points = points.size();

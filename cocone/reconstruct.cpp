@@ -11,7 +11,9 @@
 #include "cocone/orient_surface.h"
 #include "cocone/poles.h"
 #include "cocone/surface_mesh.h"
+#include "delaunay/first_cells.h"
 #include "delaunay/voronoi_dual.h"
+#include "geom/errors.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
@@ -36,6 +38,7 @@ class Reconstruction {
     std::vector<Point> scaled;
     Points working = points_;
     if (const double scale = working_scale(points_); scale != 1) {
+      require_exact(scale);
       for (const Point& p : points_) scaled.push_back(scale * p);
       working = scaled;
     }
@@ -44,7 +47,9 @@ class Reconstruction {
     take(std::move(built.triangulation));
   }
 
+  // `triangulation` is that of the points times their working scale.
   void take(Triangulation triangulation) {
+    scale_ = working_scale(points_);
     triangulation_ = std::move(triangulation);
     result_.points = points_.size();
     result_.duplicates = triangulation_.num_duplicates();
@@ -122,17 +127,38 @@ class Reconstruction {
     });
   }
 
+  // If asked for; what is refuted is taken back.
+  void verify(bool closed) {
+    if (!options_.verify || result_.status != SurfaceStatus::ok) return;
+    result_.verification = verify_surface(
+        triangulation_, {result_.mesh, result_.point_of_vertex, triangulation_vertex_}, points_,
+        {.closed = closed, .scale = scale_}, execution_);
+    if (result_.verification.ok()) return;
+    result_.status = SurfaceStatus::refuted;
+    result_.mesh = {};
+  }
+
   ReconstructResult take_result() { return std::move(result_); }
 
  private:
+  // Where scaling loses bits the surface would be that of other points.
+  void require_exact(double scale) const {
+    require_finite(points_);
+    if (scales_exactly(points_, scale)) return;
+    throw InputError(
+        "the coordinates reach beyond 2^100 (1.27e30), and some of them are so much smaller that "
+        "no double can hold both after scaling; set those to 0, or use other units");
+  }
+
   void deliver(SurfaceMesh surface) {
     result_.mesh = std::move(surface.mesh);
     result_.point_of_vertex = std::move(surface.point_of_vertex);
+    triangulation_vertex_ = std::move(surface.triangulation_vertex);
     const std::size_t count = result_.mesh.points.size();
     result_.normals.resize(count);
     result_.boundary_sample.resize(count);
     for (const VertexId v : result_.mesh.points.ids()) {
-      const VertexId source = surface.triangulation_vertex[v];
+      const VertexId source = triangulation_vertex_[v];
       result_.mesh.points[v] = points_[result_.point_of_vertex[v].index()];
       result_.normals[v] = poles_.normals[source];
       result_.boundary_sample[v] = boundary_.boundary[source];
@@ -151,6 +177,8 @@ class Reconstruction {
   Poles poles_;
   BoundarySamples boundary_;
   ManifoldSurface surface_;
+  IdVector<VertexId, VertexId> triangulation_vertex_;  // of each vertex of the result
+  double scale_ = 1;
   ReconstructResult result_;
 };
 
@@ -179,6 +207,7 @@ ReconstructResult reconstruct_tight(Points points, const ReconstructOptions& opt
   reconstruction.find_poles();
   reconstruction.build_surface();
   reconstruction.close_surface();
+  reconstruction.verify(true);
   return reconstruction.take_result();
 }
 
@@ -189,6 +218,7 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
   reconstruction.find_poles();
   reconstruction.build_surface();
   reconstruction.close_surface();
+  reconstruction.verify(true);
   return reconstruction.take_result();
 }
 
@@ -199,6 +229,7 @@ ReconstructResult reconstruct_cocone(Points points, const ReconstructOptions& op
   reconstruction.find_poles();
   reconstruction.build_surface();
   reconstruction.deliver_open_surface();
+  reconstruction.verify(false);
   return reconstruction.take_result();
 }
 

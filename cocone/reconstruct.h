@@ -12,6 +12,7 @@
 #include "cocone/peel_cells.h"
 #include "cocone/prune_sharp_edges.h"
 #include "cocone/umbrella.h"
+#include "cocone/verify_surface.h"
 #include "delaunay/delaunay.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
@@ -25,6 +26,7 @@ enum class SurfaceStatus {
   ok,
   no_surface,  // no sample is interior: too sparse, too thin or too noisy for these options
   empty,       // a surface was begun, but nothing is left (tight: everything was peeled)
+  refuted,     // asked for, its verification failed: a fault of this library or of the machine
 };
 
 enum class Mode {
@@ -43,6 +45,9 @@ struct ReconstructOptions {
   GoodVertexOptions good_vertices = {};
   PeelOptions peel = {};
   CleanUpOptions clean_up = {};  // reconstruct_tight, robust mode only
+  // Verify triangulation and surface (verify_surface.h) before they are believed. What is refuted
+  // is not delivered: the mesh is left empty.
+  bool verify = false;
 };
 
 // What the stages get: in mode paper some options are as published, whatever they say.
@@ -95,6 +100,7 @@ struct ReconstructResult {
   std::size_t vertices = 0;                          // of the triangulation
   std::size_t tetrahedra = 0;                        // finite cells
   ReconstructCounters counters;
+  SurfaceVerification verification;  // if asked for
 };
 
 // The watertight surface (Tight Cocone): the boundary of a union of tetrahedra. Every edge has an
@@ -103,7 +109,8 @@ struct ReconstructResult {
 // somehow. Progress: "delaunay", "poles", "cocone", "boundary", "tight".
 // Coordinates of any finite size: beyond 2^100 or below 2^-100 the work is done on a copy scaled by
 // a power of two, which changes nothing else.
-// Errors: InputError as delaunay(). Complexity: O(n log n) expected.
+// Errors: InputError as delaunay(), and if that scaling would lose bits: coordinates beyond 2^100
+// beside others so small that no double holds both. Complexity: O(n log n) expected.
 // Deterministic: a function of the set of points, but for the order of vertices, which is the
 // user's. Source: Dey & Goswami 2003; Woo & Dey 2005, section 2.2.
 ReconstructResult reconstruct_tight(Points points, const ReconstructOptions& options = {},

@@ -67,7 +67,9 @@ struct ProgramRun {
 // A program that is running; its outputs go to files of `folder`.
 class RunningProgram {
  public:
-  RunningProgram(const TemporaryFolder& outputs, std::vector<std::string> arguments)
+  // `limit` is called in the new process before the program begins.
+  RunningProgram(const TemporaryFolder& outputs, std::vector<std::string> arguments,
+                 void (*limit)() = nullptr)
       : out_(outputs.file("stdout")), error_(outputs.file("stderr")) {
     arguments.insert(arguments.begin(), COCOON_PROGRAM);
     process_ = fork();
@@ -77,6 +79,7 @@ class RunningProgram {
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
+    if (limit != nullptr) limit();
     execv(argv[0], argv.data());
     _exit(127);
   }
@@ -105,9 +108,10 @@ class RunningProgram {
   pid_t process_ = -1;
 };
 
-inline ProgramRun run_program(const std::vector<std::string>& arguments) {
+inline ProgramRun run_program(const std::vector<std::string>& arguments,
+                              void (*limit)() = nullptr) {
   const TemporaryFolder outputs;
-  return RunningProgram(outputs, arguments).wait();
+  return RunningProgram(outputs, arguments, limit).wait();
 }
 
 // How an error must look: exit code, nothing on standard output, one line that begins with

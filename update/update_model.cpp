@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geom/errors.h"
+#include "geom/working_scale.h"
 #include "update/model_index.h"
 
 namespace cocoon {
@@ -29,6 +30,20 @@ void run_step(const Execution& execution, std::string_view step, Body body) {
   PrefixedProgress nested{std::string(step), execution.progress};
   body(Execution{execution.threads, execution.progress == nullptr ? nullptr : &nested});
   report_progress(execution, step, 1);
+}
+
+// The stages multiply up to four lengths, so they need room on both sides.
+void require_ordinary_size(const TriangleMesh& model, std::span<const std::vector<Point>> clouds) {
+  std::string too_far;
+  if (working_scale(model.points.span()) != 1) too_far = "the model";
+  for (std::size_t c = 0; c < clouds.size() && too_far.empty(); ++c) {
+    if (working_scale(clouds[c]) == 1) continue;
+    too_far = "cloud " + std::to_string(c + 1) + " of " + std::to_string(clouds.size());
+  }
+  if (too_far.empty()) return;
+  throw InputError(too_far +
+                   ": its largest coordinate is not between 2^-100 (7.9e-31) and 2^100 (1.27e30), "
+                   "where an update can measure lengths; use other units for model and clouds");
 }
 
 // The state of one update; its steps return false when the result is final.
@@ -108,6 +123,9 @@ class Update {
     result_.replacement =
         replace_points(model_, result_.regions, result_.choice, rims, clouds_, options_.replace);
     result_.reconstruction = parts.reconstruct(result_.replacement, execution);
+    if (result_.reconstruction.status == SurfaceStatus::refuted) {
+      return fail(UpdateStatus::refuted, result_.reconstruction.verification.failure);
+    }
     if (result_.reconstruction.status != SurfaceStatus::ok) {
       return fail(UpdateStatus::empty_surface,
                   "the " + std::to_string(result_.replacement.points.size()) +
@@ -408,6 +426,7 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
                           const UpdateParts& parts, const UpdateOptions& options,
                           const Execution& execution) {
   if (clouds.empty()) throw InputError("update: no cloud given; give at least one");
+  require_ordinary_size(model, clouds);
   Update update(model, clouds, options);
   bool going = true;
   run_step(execution, "boundary_detection",
@@ -457,6 +476,8 @@ std::string_view name_of(UpdateStatus status) {
       return "ambiguous";
     case UpdateStatus::empty_surface:
       return "empty_surface";
+    case UpdateStatus::refuted:
+      return "refuted";
   }
   return "unknown";
 }

@@ -53,6 +53,7 @@ enum class UpdateStatus {
   non_separating,    // a cloud's rim does not cut the model in two, nor do labels (split_regions)
   ambiguous,         // the angles do not tell which region lies under a cloud
   empty_surface,     // nothing is left of the updated points' reconstruction
+  refuted,           // its verification failed (ReconstructOptions::verify)
 };
 
 // One boundary loop of a cloud.
@@ -120,7 +121,8 @@ struct UpdateResult {
 // Progress: its four steps are "boundary_detection", "overlapping_facets",
 // "segmentation_and_selection" and "reconstruction"; stages report below them.
 // Errors: InputError for no cloud, a cloud that cannot be triangulated (too few points, all
-// coplanar, not finite), a model without triangles or with bad indices.
+// coplanar, not finite), a model without triangles or with bad indices, a model or cloud whose largest
+// coordinate is not in [2^-100, 2^100].
 // Complexity: O(n log n) expected for n points in all. Deterministic for any thread count; the
 // order of model and clouds matters for numbering only.
 // Source: Woo & Dey 2005, section 3. What is decided otherwise and why: docs/update.md.
