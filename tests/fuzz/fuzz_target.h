@@ -35,6 +35,7 @@ void read_off_target(Bytes bytes);
 void read_stl_target(Bytes bytes);
 void read_text_points_target(Bytes bytes);
 void triangulation_file_target(Bytes bytes);
+void session_file_target(Bytes bytes);
 void predicates_target(Bytes bytes);
 void delaunay_target(Bytes bytes);
 void dynamic_delaunay_target(Bytes bytes);

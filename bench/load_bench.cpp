@@ -1,0 +1,144 @@
+// Time and memory per point as inputs grow: uniform in a cube, scanned from a surface, and a grid
+// (all cells cospherical). Each line is measured in a process of its own, so that its peak memory
+// is its own.
+//
+//   load_bench [LARGEST [THREADS]]     sizes 10^4, 10^5, ... up to LARGEST (10^6), and LARGEST
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+#include "bench/stopwatch.h"
+#include "cocone/reconstruct.h"
+#include "delaunay/delaunay.h"
+#include "geom/mesh_check.h"
+#include "tests/gallery.h"
+#include "update/update_model.h"
+
+namespace cocoon::bench {
+namespace {
+
+struct Shape {
+  const char* name;
+  std::vector<Point> (*points)(std::size_t count);
+};
+
+std::vector<Point> uniform_points(std::size_t count) { return gallery::uniform_cube(count); }
+std::vector<Point> scan_points(std::size_t count) { return gallery::bumpy_sphere(count); }
+std::vector<Point> grid_points(std::size_t count) {
+  return gallery::integer_grid(static_cast<int>(std::lround(std::cbrt(count))));
+}
+
+constexpr std::array<Shape, 3> shapes = {
+    {{"uniform", uniform_points}, {"scan", scan_points}, {"grid", grid_points}}};
+
+struct Measured {
+  std::size_t points = 0;
+  Elapsed elapsed;
+  bool right = false;
+};
+
+Measured measure_delaunay(const std::vector<Point>& points, int threads) {
+  const Stopwatch stopwatch;
+  const DelaunayResult result = delaunay(points, {}, {.threads = threads});
+  const Elapsed elapsed = stopwatch.elapsed();
+  return {points.size(), elapsed, result.triangulation.num_vertices() == points.size()};
+}
+
+Measured measure_reconstruct(const std::vector<Point>& points, int threads) {
+  const Stopwatch stopwatch;
+  const ReconstructResult result = reconstruct_tight(points, {}, {.threads = threads});
+  const Elapsed elapsed = stopwatch.elapsed();
+  return {points.size(), elapsed,
+          result.status != SurfaceStatus::ok || mesh_check(result.mesh).balanced};
+}
+
+// A cap of the scanned body, a twentieth of its points, raised in the middle, onto a model that is
+// reconstructed outside of the measurement.
+Measured measure_update(const std::vector<Point>& points, int threads) {
+  const TriangleMesh model = reconstruct_tight(points, {}, {.threads = threads}).mesh;
+  std::vector<Point> cap;
+  for (const Point& p : scan_points(points.size() + 1)) {
+    const double height = unit(p).z - 0.9;
+    if (height > 0) cap.push_back((1 + 4 * height * height) * p);
+  }
+  const Stopwatch stopwatch;
+  const UpdateResult result =
+      update_model(model, std::vector<std::vector<Point>>{cap}, {}, {.threads = threads});
+  const Elapsed elapsed = stopwatch.elapsed();
+  if (result.status != UpdateStatus::ok) std::printf("%s\n", result.message.c_str());
+  return {points.size() + cap.size(), elapsed, result.status == UpdateStatus::ok};
+}
+
+struct Work {
+  const char* name;
+  Measured (*measure)(const std::vector<Point>& points, int threads);
+  bool scans_only;
+};
+
+constexpr std::array<Work, 3> works = {{{"delaunay", measure_delaunay, false},
+                                        {"reconstruct", measure_reconstruct, false},
+                                        {"update", measure_update, true}}};
+
+// Measures in a child process and prints one line; false if that failed.
+bool measure(const Shape& shape, const Work& work, std::size_t count, int threads) {
+  int pipe_ends[2];
+  if (pipe(pipe_ends) != 0) return false;
+  const pid_t child = fork();
+  if (child == 0) {
+    const Measured measured = work.measure(shape.points(count), threads);
+    const bool sent =
+        write(pipe_ends[1], &measured, sizeof measured) == static_cast<ssize_t>(sizeof measured);
+    _exit(sent ? 0 : 1);
+  }
+  close(pipe_ends[1]);
+  Measured measured;
+  const ssize_t got = read(pipe_ends[0], &measured, sizeof measured);
+  close(pipe_ends[0]);
+  int status = 0;
+  rusage usage = {};
+  wait4(child, &status, 0, &usage);
+  const bool done = got == static_cast<ssize_t>(sizeof measured) && measured.right;
+  if (!done) {
+    std::printf("| %s | %zu | %s | failed (status %d) |\n", shape.name, count, work.name, status);
+    return false;
+  }
+  const double n = static_cast<double>(measured.points);
+  std::printf("| %s | %zu | %s | %.2f | %.2f | %.2f | %.0f |\n", shape.name, measured.points,
+              work.name, measured.elapsed.wall, measured.elapsed.processor,
+              1e6 * measured.elapsed.processor / n,
+              1024 * static_cast<double>(usage.ru_maxrss) / n);
+  std::fflush(stdout);
+  return true;
+}
+
+}  // namespace
+}  // namespace cocoon::bench
+
+int main(int argc, char** argv) {
+  using namespace cocoon::bench;
+  const std::size_t largest = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000000;
+  const int threads = argc > 2 ? std::atoi(argv[2]) : 1;
+  std::vector<std::size_t> sizes;
+  for (std::size_t size = 10000; size < largest; size *= 10) sizes.push_back(size);
+  sizes.push_back(largest);
+  std::printf(
+      "| points | number | work | s | processor s | us per point | peak bytes per point |\n"
+      "| --- | --- | --- | --- | --- | --- | --- |\n");
+  bool all = true;
+  for (const std::size_t size : sizes) {
+    for (const Shape& shape : shapes) {
+      for (const Work& work : works) {
+        if (work.scans_only && std::string(shape.name) != "scan") continue;
+        all = measure(shape, work, size, threads) && all;
+      }
+    }
+  }
+  return all ? 0 : 1;
+}
