@@ -4,8 +4,8 @@
 
 namespace cocoon::app {
 
-// From now on a first SIGINT or SIGTERM is only noted; a second one ends the program at once. A file
-// that grows beyond a limit (SIGXFSZ) is an error of the write, like a full disk.
+// From now on a first SIGINT or SIGTERM is only noted; a second one ends the program at once. A
+// file that grows beyond a limit (SIGXFSZ) is an error of the write, like a full disk.
 void catch_interrupts();
 
 bool interrupted();
