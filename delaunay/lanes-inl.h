@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace cocoon::HWY_NAMESPACE {
 
-#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2  // AVX2 and better
 
 namespace hn = hwy::HWY_NAMESPACE;
 using FourTag = hn::FixedTag<double, 4>;
