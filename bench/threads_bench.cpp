@@ -105,7 +105,8 @@ int run(const Arguments& arguments) {
     }
     const std::uint64_t expected = ref::cell_set_hash(delaunay(points).triangulation);
     std::vector<Row> rows;
-    for (const std::string& threads : arguments.threads) rows.emplace_back().threads = std::stoi(threads);
+    for (const std::string& threads : arguments.threads)
+      rows.emplace_back().threads = std::stoi(threads);
     for (int repetition = 0; repetition < arguments.repetitions; ++repetition) {
       for (Row& row : rows) measure(points, expected, row);
     }

@@ -365,10 +365,12 @@ unsigned SearchView::facets_beyond(const Cell& cell, unsigned facets) const {
 }
 
 // Holds those of the apexes that are in `of`, as far as others let it: with them all vertices of
-// cells of which a facet is held.
+// cells of which a facet is held. Most are held already.
 bool SearchView::hold(const std::array<VertexId, 4>& apexes, unsigned of) const {
-  for (; of != 0; of &= of - 1) {
-    if (!holder->take(apexes[static_cast<std::size_t>(std::countr_zero(of))])) return false;
+  const auto is_missing = [&](std::size_t i) { return holder->holds(apexes[i]) ? 0U : 1U << i; };
+  unsigned missing = (is_missing(0) | is_missing(1) | is_missing(2) | is_missing(3)) & of;
+  for (; missing != 0; missing &= missing - 1) {
+    if (!holder->take(apexes[static_cast<std::size_t>(std::countr_zero(missing))])) return false;
   }
   return true;
 }

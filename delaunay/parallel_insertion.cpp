@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -53,6 +54,15 @@ class RunQueue {
   std::atomic<std::uint64_t> ends_{0};
 };
 
+// Large blocks of vertices to a claim make claims cheap; many blocks for each thread, conflicts
+// rare.
+unsigned block_bits(std::size_t count, std::size_t threads) {
+  constexpr std::size_t blocks_per_thread = 4096;
+  constexpr unsigned most_bits = 6;
+  const std::size_t share = count / (blocks_per_thread * threads);
+  return std::min(most_bits, static_cast<unsigned>(std::bit_width(share | 1U)) - 1);
+}
+
 // --- What the threads share ------------------------------------------------------------------
 
 enum class Stop : int { no = 0, out_of_cells = 1, failed = 2 };
@@ -62,9 +72,10 @@ struct Shared {
   const IdVector<VertexId, Point>& points;
   std::span<const std::uint32_t> order;
   VertexClaims claims;
-  IdVector<VertexId, CellId> cell_at;  // a cell at each vertex that is inserted
-  std::vector<std::uint8_t> local_id;  // scratch of the inserters
-  std::atomic<std::size_t> num_cells;  // slots in use or taken by a thread
+  std::vector<std::atomic<bool>> is_inserted;  // by vertex
+  IdVector<VertexId, CellId> cell_at;          // a cell at each vertex that is inserted
+  std::vector<std::uint8_t> local_id;          // scratch of the inserters
+  std::atomic<std::size_t> num_cells;          // slots in use or taken by a thread
   std::atomic<std::size_t> num_inserted;
   std::atomic<Stop> stop{Stop::no};
 
@@ -73,12 +84,13 @@ struct Shared {
       : pool(cells),
         points(all_points),
         order(all),
-        claims(all_points.size()),
+        claims(all_points.size(), block_bits(all_points.size(), threads)),
+        is_inserted(all_points.size()),
         cell_at(all_points.size() + threads),
         local_id(all_points.size() + threads, 0),
         num_cells(cells.cells.size()),
         num_inserted(inserted) {
-    for (std::size_t i = 0; i < inserted; ++i) claims.admit(VertexId(order[i]));
+    for (std::size_t i = 0; i < inserted; ++i) is_inserted[order[i]].store(true);
     for (const CellId c : pool.cells.ids()) {
       if (pool.is_free(c)) continue;
       for (const VertexId v : pool.cells[c].vertices) {
@@ -87,16 +99,14 @@ struct Shared {
     }
   }
 
-  // The inserted vertex next to v in number, which is next to it on the curve, that is not `but`.
+  // The inserted vertex next to v in number, which is next to it on the curve.
   VertexId inserted_neighbor(VertexId v) const {
     const std::size_t count = points.size() - 1;
+    // What its inserter wrote is seen.
+    const auto has = [&](std::size_t w) { return is_inserted[w].load(std::memory_order_acquire); };
     for (std::size_t away = 1;; ++away) {
-      if (v.index() >= away && claims.is_inserted(VertexId(v.index() - away))) {
-        return VertexId(v.index() - away);
-      }
-      if (v.index() + away < count && claims.is_inserted(VertexId(v.index() + away))) {
-        return VertexId(v.index() + away);
-      }
+      if (v.index() >= away && has(v.index() - away)) return VertexId(v.index() - away);
+      if (v.index() + away < count && has(v.index() + away)) return VertexId(v.index() + away);
     }
   }
 };
@@ -203,7 +213,7 @@ bool Worker::try_insert(VertexId v) {
     return false;
   }
   inserter_.fill_zone(v, counters);
-  shared_.claims.admit(v);
+  shared_.is_inserted[v.index()].store(true, std::memory_order_release);
   holder_.release();
   ++inserted_;
   return true;

@@ -13,9 +13,14 @@
 // with the first. The vertex at infinity need not be held, which would let only one thread at a
 // time work on the hull: any two facets of an infinite cell share a finite vertex.
 //
+// A claim is for a block of vertices, neighbors on the curve: that makes claims few. While there
+// are far more blocks than threads they are rarely in each other's way. A vertex that is being
+// inserted need not be held: nobody else can see it, but through cells whose other vertices are
+// held.
+//
 // Nobody waits for a vertex: who does not get one gives back all that it holds and tries another
 // point first, so there are no deadlocks. What a thread wrote while it held a vertex is seen by
-// the next holder (release and acquire on the vertex's claim).
+// the next holder (release and acquire on the claim).
 // Source: Blandford, Blelloch & Kadow, Engineering a compact parallel Delaunay algorithm in 3D
 // (SoCG 2006), for locks on vertices.
 #pragma once
@@ -31,28 +36,31 @@
 
 namespace cocoon {
 
-// The claims of one triangulation: a byte a vertex.
+// The claims of one triangulation.
 class VertexClaims {
  public:
   static constexpr std::size_t max_holders = 250;
 
-  // None of the vertices is inserted.
-  explicit VertexClaims(std::size_t num_vertices) : claims_(num_vertices) {}
-
-  bool is_inserted(VertexId v) const {
-    return claims_[v.index()].load(std::memory_order_relaxed) != not_inserted;
+  // 2^block_bits consecutive vertices share a claim.
+  VertexClaims(std::size_t num_vertices, unsigned block_bits)
+      : block_bits_(block_bits), num_vertices_(num_vertices) {
+    claims_ = std::vector<std::atomic<std::uint8_t>>(block_of(infinite_vertex) + 1);
   }
-  // Makes v a vertex that can be held, and that nobody holds; what this thread wrote before is seen
-  // by the next holder.
-  void admit(VertexId v) { claims_[v.index()].store(nobody, std::memory_order_release); }
 
  private:
   friend class ClaimHolder;
-  static constexpr std::uint8_t not_inserted = 0;
-  static constexpr std::uint8_t nobody = 1;
-  static constexpr std::uint8_t first_holder = 2;
+  static constexpr std::uint8_t nobody = 0;
+  static constexpr std::uint8_t first_holder = 1;
 
-  std::vector<std::atomic<std::uint8_t>> claims_;
+  // The vertex at infinity has the block behind the last vertex, which nobody holds.
+  std::size_t block_of(VertexId v) const {
+    return std::min<std::size_t>(v.index(), num_vertices_ + (std::size_t{1} << block_bits_)) >>
+           block_bits_;
+  }
+
+  unsigned block_bits_;
+  std::size_t num_vertices_;
+  std::vector<std::atomic<std::uint8_t>> claims_;  // by block: who holds it
 };
 
 // One of the threads, and the vertices that it holds.
@@ -64,19 +72,21 @@ class ClaimHolder {
     assert(number < VertexClaims::max_holders);
   }
 
+  // False for the vertex at infinity.
+  bool holds(VertexId v) const {
+    return claims_->claims_[claims_->block_of(v)].load(std::memory_order_relaxed) == name_;
+  }
+
   // Holds v if nobody else does; the vertex at infinity counts as held. Returns whether v is held.
-  // False as well for a vertex that is not inserted.
   bool take(VertexId v) {
-    if (v == infinite_vertex) return true;
-    std::atomic<std::uint8_t>& claim = claims_->claims_[v.index()];
-    std::uint8_t seen = claim.load(std::memory_order_relaxed);
-    if (seen == name_) return true;
-    if (seen != VertexClaims::nobody) return false;
-    if (!claim.compare_exchange_strong(seen, name_, std::memory_order_acquire,
-                                       std::memory_order_relaxed)) {
+    if (holds(v) || v == infinite_vertex) return true;
+    const std::size_t block = claims_->block_of(v);
+    std::uint8_t expected = VertexClaims::nobody;
+    if (!claims_->claims_[block].compare_exchange_strong(expected, name_, std::memory_order_acquire,
+                                                         std::memory_order_relaxed)) {
       return false;
     }
-    held_.push_back(v);
+    held_.push_back(block);
     return true;
   }
   bool take_corners(const Cell& cell) {
@@ -88,23 +98,28 @@ class ClaimHolder {
 
   // Gives all back.
   void release() {
-    for (const VertexId v : held_) claims_->admit(v);
+    for (const std::size_t block : held_) give_back(block);
     held_.clear();
   }
   // Gives all back but the vertices of `cell`.
   void release_but(const Cell& cell) {
-    const auto kept = std::partition(held_.begin(), held_.end(), [&](VertexId v) {
-      return std::find(cell.vertices.begin(), cell.vertices.end(), v) != cell.vertices.end();
+    const auto kept = std::partition(held_.begin(), held_.end(), [&](std::size_t block) {
+      return std::any_of(cell.vertices.begin(), cell.vertices.end(),
+                         [&](VertexId v) { return claims_->block_of(v) == block; });
     });
-    std::for_each(kept, held_.end(), [&](VertexId v) { claims_->admit(v); });
+    std::for_each(kept, held_.end(), [&](std::size_t block) { give_back(block); });
     held_.erase(kept, held_.end());
   }
-  std::size_t num_held() const { return held_.size(); }
+  std::size_t num_held() const { return held_.size(); }  // claims
 
  private:
+  void give_back(std::size_t block) {
+    claims_->claims_[block].store(VertexClaims::nobody, std::memory_order_release);
+  }
+
   VertexClaims* claims_;
   std::uint8_t name_;
-  std::vector<VertexId> held_;
+  std::vector<std::size_t> held_;  // blocks
 };
 
 }  // namespace cocoon

@@ -155,34 +155,44 @@ TEST(ThreadedDelaunay, CanBeCancelledWhileThreadsWork) {
 // --- Claims --------------------------------------------------------------------------------------
 
 TEST(VertexClaims, OneHolderAtATime) {
-  VertexClaims claims(3);
-  const VertexId v(1);
-  ClaimHolder first(claims, 0);
-  ClaimHolder last(claims, VertexClaims::max_holders - 1);
-  EXPECT_FALSE(claims.is_inserted(v));
-  EXPECT_FALSE(first.take(v)) << "not inserted yet";
-  claims.admit(v);
-  EXPECT_TRUE(claims.is_inserted(v));
-  EXPECT_TRUE(first.take(v));
-  EXPECT_TRUE(first.take(v)) << "again";
-  EXPECT_EQ(first.num_held(), 1U);
-  EXPECT_FALSE(last.take(v));
-  EXPECT_TRUE(first.take(infinite_vertex));
-  EXPECT_TRUE(last.take(infinite_vertex));
-  first.release();
-  EXPECT_TRUE(last.take(v));
-  EXPECT_FALSE(first.take(v));
-  EXPECT_TRUE(claims.is_inserted(v));
+  for (const unsigned block_bits : {0U, 3U}) {
+    VertexClaims claims(100, block_bits);
+    const VertexId v(40);
+    const VertexId far(60);
+    ClaimHolder first(claims, 0);
+    ClaimHolder last(claims, VertexClaims::max_holders - 1);
+    EXPECT_FALSE(first.holds(v));
+    EXPECT_TRUE(first.take(v));
+    EXPECT_TRUE(first.take(v)) << "again";
+    EXPECT_TRUE(first.holds(v));
+    EXPECT_EQ(first.num_held(), 1U);
+    EXPECT_FALSE(last.take(v));
+    EXPECT_TRUE(last.take(far));
+    EXPECT_EQ(last.take(VertexId(41)), block_bits == 0) << "the block of 40";
+    EXPECT_TRUE(first.take(infinite_vertex));
+    EXPECT_TRUE(last.take(infinite_vertex));
+    EXPECT_FALSE(first.holds(infinite_vertex)) << "counts as held without being so";
+    first.release();
+    EXPECT_TRUE(last.take(v));
+    EXPECT_FALSE(first.take(v));
+  }
+}
+
+TEST(VertexClaims, TheLastVertexIsNotTheOneAtInfinity) {
+  for (const std::size_t count : {1U, 7U, 8U, 9U}) {
+    VertexClaims claims(count, 3);
+    ClaimHolder holder(claims, 0);
+    EXPECT_TRUE(holder.take(VertexId(count - 1)));
+    EXPECT_TRUE(holder.holds(VertexId(count - 1)));
+    EXPECT_FALSE(holder.holds(infinite_vertex));
+  }
 }
 
 TEST(VertexClaims, ReleaseAllButOneCell) {
-  VertexClaims claims(8);
+  VertexClaims claims(8, 0);
   ClaimHolder holder(claims, 0);
   ClaimHolder other(claims, 1);
-  for (std::size_t i = 0; i < 8; ++i) {
-    claims.admit(VertexId(i));
-    EXPECT_TRUE(holder.take(VertexId(i)));
-  }
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_TRUE(holder.take(VertexId(i)));
   holder.release_but({{VertexId(2), VertexId(7), VertexId(4), infinite_vertex}, {}});
   EXPECT_EQ(holder.num_held(), 3U);
   for (std::size_t i = 0; i < 8; ++i) {
