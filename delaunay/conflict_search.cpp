@@ -37,7 +37,16 @@ struct SearchView {
   unsigned decide_open(const std::array<FacetId, 4>& outer, unsigned inside, unsigned open,
                        unsigned on_sphere);
   unsigned facets_beyond(const Cell& cell, unsigned facets) const;
-  bool hold(const std::array<VertexId, 4>& apexes, unsigned of) const;
+  // Holds those of the apexes that are in `of`, as far as others let it: with them all vertices of
+  // cells of which a facet is held. Most are held already.
+  bool hold(const std::array<VertexId, 4>& apexes, unsigned of) const {
+    const auto is_missing = [&](std::size_t i) { return holder->holds(apexes[i]) ? 0U : 1U << i; };
+    unsigned missing = (is_missing(0) | is_missing(1) | is_missing(2) | is_missing(3)) & of;
+    for (; missing != 0; missing &= missing - 1) {
+      if (!holder->take(apexes[static_cast<std::size_t>(std::countr_zero(missing))])) return false;
+    }
+    return true;
+  }
   bool hold_on_the_way(FacetId entry) const;
 };
 
@@ -364,19 +373,8 @@ unsigned SearchView::facets_beyond(const Cell& cell, unsigned facets) const {
   return beyond;
 }
 
-// Holds those of the apexes that are in `of`, as far as others let it: with them all vertices of
-// cells of which a facet is held. Most are held already.
-bool SearchView::hold(const std::array<VertexId, 4>& apexes, unsigned of) const {
-  const auto is_missing = [&](std::size_t i) { return holder->holds(apexes[i]) ? 0U : 1U << i; };
-  unsigned missing = (is_missing(0) | is_missing(1) | is_missing(2) | is_missing(3)) & of;
-  for (; missing != 0; missing &= missing - 1) {
-    if (!holder->take(apexes[static_cast<std::size_t>(std::countr_zero(missing))])) return false;
-  }
-  return true;
-}
-
-// The same for a cell that a walk enters through one of its facets. A long walk gives back what it
-// left behind.
+// Holds the vertices of a cell that a walk enters through one of its facets, if others let it. A
+// long walk gives back what it left behind.
 bool SearchView::hold_on_the_way(FacetId entry) const {
   constexpr std::size_t many = 64;
   if (!holder->take(apex(entry))) return false;

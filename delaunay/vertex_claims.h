@@ -43,23 +43,17 @@ class VertexClaims {
 
   // 2^block_bits consecutive vertices share a claim.
   VertexClaims(std::size_t num_vertices, unsigned block_bits)
-      : block_bits_(block_bits), num_vertices_(num_vertices) {
-    claims_ = std::vector<std::atomic<std::uint8_t>>(block_of(infinite_vertex) + 1);
-  }
+      : block_bits_(block_bits),
+        beyond_(static_cast<std::uint32_t>(num_vertices + (std::size_t{1} << block_bits))),
+        claims_((beyond_ >> block_bits) + 1) {}
 
  private:
   friend class ClaimHolder;
   static constexpr std::uint8_t nobody = 0;
   static constexpr std::uint8_t first_holder = 1;
 
-  // The vertex at infinity has the block behind the last vertex, which nobody holds.
-  std::size_t block_of(VertexId v) const {
-    return std::min<std::size_t>(v.index(), num_vertices_ + (std::size_t{1} << block_bits_)) >>
-           block_bits_;
-  }
-
   unsigned block_bits_;
-  std::size_t num_vertices_;
+  std::uint32_t beyond_;                           // a number whose block has no vertex
   std::vector<std::atomic<std::uint8_t>> claims_;  // by block: who holds it
 };
 
@@ -68,22 +62,25 @@ class ClaimHolder {
  public:
   // `number` < max_holders tells the holders of `claims`, which must outlive them, apart.
   ClaimHolder(VertexClaims& claims, std::size_t number)
-      : claims_(&claims), name_(static_cast<std::uint8_t>(VertexClaims::first_holder + number)) {
+      : claims_(claims.claims_.data()),
+        block_bits_(claims.block_bits_),
+        beyond_(claims.beyond_),
+        name_(static_cast<std::uint8_t>(VertexClaims::first_holder + number)) {
     assert(number < VertexClaims::max_holders);
   }
 
   // False for the vertex at infinity.
   bool holds(VertexId v) const {
-    return claims_->claims_[claims_->block_of(v)].load(std::memory_order_relaxed) == name_;
+    return claims_[block_of(v)].load(std::memory_order_relaxed) == name_;
   }
 
   // Holds v if nobody else does; the vertex at infinity counts as held. Returns whether v is held.
   bool take(VertexId v) {
     if (holds(v) || v == infinite_vertex) return true;
-    const std::size_t block = claims_->block_of(v);
+    const std::size_t block = block_of(v);
     std::uint8_t expected = VertexClaims::nobody;
-    if (!claims_->claims_[block].compare_exchange_strong(expected, name_, std::memory_order_acquire,
-                                                         std::memory_order_relaxed)) {
+    if (!claims_[block].compare_exchange_strong(expected, name_, std::memory_order_acquire,
+                                                std::memory_order_relaxed)) {
       return false;
     }
     held_.push_back(block);
@@ -105,7 +102,7 @@ class ClaimHolder {
   void release_but(const Cell& cell) {
     const auto kept = std::partition(held_.begin(), held_.end(), [&](std::size_t block) {
       return std::any_of(cell.vertices.begin(), cell.vertices.end(),
-                         [&](VertexId v) { return claims_->block_of(v) == block; });
+                         [&](VertexId v) { return block_of(v) == block; });
     });
     std::for_each(kept, held_.end(), [&](std::size_t block) { give_back(block); });
     held_.erase(kept, held_.end());
@@ -114,10 +111,14 @@ class ClaimHolder {
 
  private:
   void give_back(std::size_t block) {
-    claims_->claims_[block].store(VertexClaims::nobody, std::memory_order_release);
+    claims_[block].store(VertexClaims::nobody, std::memory_order_release);
   }
+  // The vertex at infinity has a block behind the last vertex, which nobody holds.
+  std::size_t block_of(VertexId v) const { return std::min(v.value, beyond_) >> block_bits_; }
 
-  VertexClaims* claims_;
+  std::atomic<std::uint8_t>* claims_;
+  unsigned block_bits_;
+  std::uint32_t beyond_;
   std::uint8_t name_;
   std::vector<std::size_t> held_;  // blocks
 };

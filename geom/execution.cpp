@@ -8,6 +8,12 @@
 #include "geom/errors.h"
 #include "geom/task_scheduler.h"
 
+#if defined(__SANITIZE_THREAD__)
+// ThreadSanitizer sees the calls that the library of oneTBB makes to malloc and memcmp, but not
+// what orders them.
+extern "C" const char* __tsan_default_suppressions() { return "called_from_lib:libtbb.so.12"; }
+#endif
+
 namespace cocoon {
 namespace {
 
