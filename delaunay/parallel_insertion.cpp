@@ -13,6 +13,9 @@
 namespace cocoon {
 namespace {
 
+// The next point of a run is near the last: a thread keeps its claims, if no more than these, until
+// it meets another thread or ends the run.
+constexpr std::size_t claims_kept = 24;
 constexpr std::size_t runs_between_reports = 32;
 constexpr std::size_t run_length = 512;       // points; long against the walk to its first one
 constexpr std::size_t slots_at_a_time = 512;  // fresh cells that a thread takes from the pool
@@ -214,7 +217,7 @@ bool Worker::try_insert(VertexId v) {
   }
   inserter_.fill_zone(v, counters);
   shared_.is_inserted[v.index()].store(true, std::memory_order_release);
-  holder_.release();
+  if (holder_.num_held() > claims_kept) holder_.release();
   ++inserted_;
   return true;
 }
@@ -246,6 +249,7 @@ void Worker::work(std::vector<std::unique_ptr<Worker>>& workers, std::size_t beg
     insert_all(shared_.order.subspan(run_begin, count));
     if (!stopped()) counters.retries += left_.size() - known;
     retry();
+    holder_.release();
     const std::size_t inserted = shared_.num_inserted.fetch_add(inserted_) + inserted_;
     inserted_ = 0;
     if (execution != nullptr && ++runs_done % runs_between_reports == 0) {
@@ -255,6 +259,7 @@ void Worker::work(std::vector<std::unique_ptr<Worker>>& workers, std::size_t beg
   }
   while (!stopped() && !left_.empty()) {
     retry();
+    holder_.release();
     if (!left_.empty()) std::this_thread::yield();
   }
   shared_.num_inserted.fetch_add(inserted_);
