@@ -1,6 +1,7 @@
 #include "update/update_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <optional>
@@ -8,7 +9,6 @@
 #include <utility>
 
 #include "geom/errors.h"
-#include "geom/working_scale.h"
 #include "update/model_index.h"
 
 namespace cocoon {
@@ -32,17 +32,26 @@ void run_step(const Execution& execution, std::string_view step, Body body) {
   report_progress(execution, step, 1);
 }
 
-// The stages multiply up to four lengths, so they need room on both sides.
+// The stages multiply three lengths and more, so they need room on both sides.
+bool has_ordinary_size(Points points) {
+  double largest = 0;
+  for (const Point& p : points) {
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  // What is not finite is for delaunay() to name.
+  return largest == 0 || !std::isfinite(largest) || (largest >= 0x1p-200 && largest <= 0x1p+200);
+}
+
 void require_ordinary_size(const TriangleMesh& model, std::span<const std::vector<Point>> clouds) {
   std::string too_far;
-  if (working_scale(model.points.span()) != 1) too_far = "the model";
+  if (!has_ordinary_size(model.points.span())) too_far = "the model";
   for (std::size_t c = 0; c < clouds.size() && too_far.empty(); ++c) {
-    if (working_scale(clouds[c]) == 1) continue;
+    if (has_ordinary_size(clouds[c])) continue;
     too_far = "cloud " + std::to_string(c + 1) + " of " + std::to_string(clouds.size());
   }
   if (too_far.empty()) return;
   throw InputError(too_far +
-                   ": its largest coordinate is not between 2^-100 (7.9e-31) and 2^100 (1.27e30), "
+                   ": its largest coordinate is not between 2^-200 (6.2e-61) and 2^200 (1.6e60), "
                    "where an update can measure lengths; use other units for model and clouds");
 }
 

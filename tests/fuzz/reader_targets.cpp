@@ -95,9 +95,9 @@ void read_text_points_target(Bytes bytes) {
   } catch (const FileError&) {
     return;
   }
-  require(!cloud.points.empty(), "a text has points");
   for (const Point& p : cloud.points) require(is_finite(p), "points are finite");
-  if (cloud.points.size() > 64) return;
+  // A text that announces 0 points is one; written as .xyz it would be an empty file.
+  if (cloud.points.empty() || cloud.points.size() > 64) return;
   const TemporaryFolder folder;
   for (const char* name : {"a.xyz", "a.csv", "a.pts"}) {
     write_points(folder / name, cloud.points);

@@ -141,7 +141,7 @@ TEST(UpdateSession, GoesOnFromASnapshot) {
 }
 
 TEST(UpdateSession, ExtremeCoordinatesWorkToo) {
-  const double size = 0x1p+300;
+  const double size = 0x1p+150;
   UpdateSession session(gallery::scaled(evenly_on_sphere(400), size));
   Random random(7);
   std::size_t updates = 0;
