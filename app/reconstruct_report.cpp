@@ -35,6 +35,7 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("unvisited_vertices", c.unvisited_vertices);
   set("marking_rounds", c.marking_rounds);
   set("marking_conflicts", c.marking_conflicts);
+  set("known_cells", c.known_cells);
   set("poor_cells", c.poor_cells);
   set("deferred_seeds", c.deferred_seeds);
   set("clean_up/undecided_cells", c.clean_up.undecided_cells);

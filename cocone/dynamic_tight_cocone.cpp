@@ -51,7 +51,8 @@ struct DynamicTightCocone::State {
   void undo(const Step& step, const DelaunayChange& change,
             IdVector<PointId, VertexId> vertex_of_point);
   Triangulation compact() const;
-  ReconstructResult run_stages(Points points, const Execution& execution);
+  ReconstructResult run_stages(Points points, std::span<const KnownTriangle> known,
+                               const Execution& execution);
   void look_for_certificate(const ReconstructResult& result, const Execution& execution);
   ReconstructResult assemble(Points points);
   std::vector<Triangle> kept_triangles(const IdVector<VertexId, VertexId>& number) const;
@@ -156,8 +157,10 @@ Triangulation DynamicTightCocone::State::compact() const {
 }
 
 // All stages after the triangulation.
-ReconstructResult DynamicTightCocone::State::run_stages(Points points, const Execution& execution) {
-  ReconstructResult result = reconstruct_tight(compact(), points, options, execution);
+ReconstructResult DynamicTightCocone::State::run_stages(Points points,
+                                                        std::span<const KnownTriangle> known,
+                                                        const Execution& execution) {
+  ReconstructResult result = reconstruct_tight_again(compact(), points, known, options, execution);
   look_for_certificate(result, execution);
   return result;
 }
@@ -259,15 +262,17 @@ void DynamicTightCocone::take(Points points, Triangulation triangulation) {
 
 Triangulation DynamicTightCocone::snapshot() const { return state_->compact(); }
 
-ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution& execution) {
+ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution& execution,
+                                                  std::span<const KnownTriangle> known) {
   if (working_scale(points) != 1) {
-    ReconstructResult result = reconstruct_tight(points, state_->options, execution);
+    ReconstructResult result = reconstruct_tight_again(points, known, state_->options, execution);
     state_->clear(points.size());
     return result;
   }
   DelaunayResult built = delaunay(points, state_->options.delaunay, execution);
   Triangulation triangulation = std::move(built.triangulation);
-  ReconstructResult result = reconstruct_tight(triangulation, points, state_->options, execution);
+  ReconstructResult result =
+      reconstruct_tight_again(triangulation, points, known, state_->options, execution);
   result.counters.delaunay = built.counters;
   state_->take(points.size(), std::move(triangulation));
   state_->look_for_certificate(result, {execution.threads, nullptr});
@@ -275,9 +280,10 @@ ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution
 }
 
 ReconstructResult DynamicTightCocone::replace(Points points, std::span<const PointId> old_position,
-                                              const Execution& execution) {
+                                              const Execution& execution,
+                                              std::span<const KnownTriangle> known) {
   State& state = *state_;
-  if (!state.is_live() || working_scale(points) != 1) return reconstruct(points, execution);
+  if (!state.is_live() || working_scale(points) != 1) return reconstruct(points, execution, known);
   State::Step step = state.plan(points, old_position);
   const DelaunayChange change = state.change_triangulation(step, execution);
   for (std::size_t k = 0; k < step.inserted.size(); ++k) {
@@ -294,7 +300,7 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
     return result;
   }
   try {
-    ReconstructResult result = state.run_stages(points, execution);
+    ReconstructResult result = state.run_stages(points, known, execution);
     result.counters.delaunay = change.insertion;
     state.num_points = points.size();
     return result;

@@ -14,8 +14,8 @@
 namespace cocoon {
 
 // Keeps the Delaunay triangulation of its points from one change to the next. Every result is the
-// one that reconstruct_tight gives for the points, bit for bit, whatever the history, but for
-// counters.delaunay, which tell how the triangulation was changed.
+// one that reconstruct_tight_again gives for points and triangles, bit for bit, whatever the
+// history, but for counters.delaunay, which tell how the triangulation was changed.
 //
 // Points of extreme size (working_scale() is not 1) are triangulated anew each time.
 // If an operation throws (InputError as delaunay(), Cancelled), the points are those from before.
@@ -32,14 +32,17 @@ class DynamicTightCocone {
   // stages over the whole triangulation.
   std::size_t local_changes() const;
 
-  // Takes these points, in this order, instead of those so far.
-  ReconstructResult reconstruct(Points points, const Execution& execution = {});
+  // Takes these points, in this order, instead of those so far. `known`: triangles of an old mesh,
+  // see reconstruct_tight_again().
+  ReconstructResult reconstruct(Points points, const Execution& execution = {},
+                                std::span<const KnownTriangle> known = {});
   // As reconstruct(points), but goes on from the points so far: old_position[i] is where points[i]
   // was among them, or none if it is new. Points without a successor go.
   // Precondition: equal coordinates at both positions, no position twice.
   // Complexity: the triangulation changes in O(k log n) expected for k points that come or go.
   ReconstructResult replace(Points points, std::span<const PointId> old_position,
-                            const Execution& execution = {});
+                            const Execution& execution = {},
+                            std::span<const KnownTriangle> known = {});
 
   // Takes over a triangulation whose input points are `points` (delaunay(points), or one saved by
   // snapshot()), without looking for its surface.

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <utility>
 
+#include "cocone/known_sides.h"
 #include "delaunay/circulate.h"
 
 namespace cocoon {
@@ -232,6 +233,25 @@ void clear_marks(const Triangulation& triangulation, CellMarks& marks) {
   marks.visited_vertices = 0;
 }
 
+// Gives the cells their known labels, if they touch a good vertex: others are left to the peel.
+// Their good vertices are among the first to have their turn.
+void take_known_sides(const Triangulation& triangulation, const LinkedFacets& surface,
+                      std::span<const KnownTriangle> triangles, CellMarks& marks,
+                      std::vector<VertexId>& seeds) {
+  if (triangles.empty()) return;
+  const KnownSides known = known_sides(triangulation, surface, triangles);
+  for (const CellId c : triangulation.finite_cells()) {
+    if (known.labels[c] == CellLabel::unmarked) continue;
+    for (const VertexId v : triangulation.cell(c).vertices) {
+      if (marks.good[v] == 0) continue;
+      seeds.push_back(v);
+      if (marks.labels[c] != CellLabel::unmarked) continue;
+      marks.labels[c] = known.labels[c];
+      ++marks.known_cells;
+    }
+  }
+}
+
 }  // namespace
 
 MarkingRounds::MarkingRounds(const Triangulation& triangulation, const FacetSet& surface,
@@ -353,6 +373,13 @@ void mark_in_rounds(const Triangulation& triangulation, const FacetSet& surface,
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      const VertexSet& boundary, const GoodVertexOptions& options,
                      const Execution& execution) {
+  return mark_cells(triangulation, surface, boundary, std::span<const KnownTriangle>(), options,
+                    execution);
+}
+
+CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
+                     const VertexSet& boundary, std::span<const KnownTriangle> known,
+                     const GoodVertexOptions& options, const Execution& execution) {
   report_progress(execution, "mark_cells", 0);
   GoodVertices good = good_vertices(surface, boundary, options, execution);
   report_progress(execution, "mark_cells", 0.4);
@@ -368,6 +395,7 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
     for (const CellId c : triangulation.infinite_cells()) {
       for (int i = 0; i < 3; ++i) seeds.push_back(triangulation.vertex(c, i));
     }
+    take_known_sides(triangulation, surface, known, marks, seeds);
     mark_in_rounds(triangulation, surface.set, seeds, marks);
   }
   report_progress(execution, "mark_cells", 1);

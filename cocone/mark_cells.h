@@ -6,6 +6,7 @@
 // vertex.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,6 +22,10 @@
 
 namespace cocoon {
 
+// Of an old mesh, on the surface still: corners as positions among the input points,
+// counterclockwise seen from outside.
+using KnownTriangle = std::array<PointId, 3>;
+
 enum class CellLabel : std::uint8_t { unmarked, out, in };
 
 struct CellMarks {
@@ -34,6 +39,7 @@ struct CellMarks {
   std::size_t demoted_vertices = 0;  // closed umbrellas at folds (umbrella.h)
   std::size_t visited_vertices = 0;
   std::size_t rounds = 0;          // 0: no two vertices disagreed, one pass decided
+  std::size_t known_cells = 0;     // that had their labels before the rounds
   std::size_t conflicts = 0;       // halves, or cells, that were told both; see below
   std::size_t deferred_seeds = 0;  // of peel_cells
   std::size_t poor_cells = 0;      // of peel_cells: cells without a good vertex
@@ -52,6 +58,14 @@ struct CellMarks {
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      const VertexSet& boundary, const GoodVertexOptions& options = {},
                      const Execution& execution = {});
+
+// The same with triangles whose places are known beforehand. They count only where vertices
+// disagree, which is where marks may have gone astray: then the cells that they label (known_sides)
+// and that touch a good vertex have their labels before the first round, and their good vertices
+// are among the first.
+CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
+                     const VertexSet& boundary, std::span<const KnownTriangle> known,
+                     const GoodVertexOptions& options = {}, const Execution& execution = {});
 
 // The rounds from the infinite cells on, without the pass that may replace them (mark_cells decides
 // which). Precondition: labels are unmarked, nobody is visited; good vertices are known.

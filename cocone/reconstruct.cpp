@@ -98,10 +98,11 @@ class Reconstruction {
     counters.back_contacts = surface_.back_contacts;
   }
 
-  void close_surface() {
+  void close_surface(std::span<const KnownTriangle> known) {
     if (boundary_.interior() == 0) return deliver({});
     run_stage(execution_, "tight", [&](const Execution& nested) {
-      CellMarks marks = mark_cells(triangulation_, surface_.triangles, boundary_.boundary,
+      if (options_.mode == Mode::paper) known = {};
+      CellMarks marks = mark_cells(triangulation_, surface_.triangles, boundary_.boundary, known,
                                    options_.good_vertices, nested);
       marks = peel_cells(triangulation_, surface_.triangles.set, std::move(marks), options_.peel,
                          nested);
@@ -114,6 +115,7 @@ class Reconstruction {
       counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;
       counters.marking_rounds = marks.rounds;
       counters.marking_conflicts = marks.conflicts;
+      counters.known_cells = marks.known_cells;
       counters.poor_cells = marks.poor_cells;
       counters.deferred_seeds = marks.deferred_seeds;
     });
@@ -202,22 +204,35 @@ ReconstructOptions open_cloud_defaults() {
 
 ReconstructResult reconstruct_tight(Points points, const ReconstructOptions& options,
                                     const Execution& execution) {
-  Reconstruction reconstruction(points, options, execution);
-  reconstruction.triangulate();
-  reconstruction.find_poles();
-  reconstruction.build_surface();
-  reconstruction.close_surface();
-  reconstruction.verify(true);
-  return reconstruction.take_result();
+  return reconstruct_tight_again(points, {}, options, execution);
 }
 
 ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
                                     const ReconstructOptions& options, const Execution& execution) {
+  return reconstruct_tight_again(std::move(triangulation), points, {}, options, execution);
+}
+
+ReconstructResult reconstruct_tight_again(Points points, std::span<const KnownTriangle> known,
+                                          const ReconstructOptions& options,
+                                          const Execution& execution) {
+  Reconstruction reconstruction(points, options, execution);
+  reconstruction.triangulate();
+  reconstruction.find_poles();
+  reconstruction.build_surface();
+  reconstruction.close_surface(known);
+  reconstruction.verify(true);
+  return reconstruction.take_result();
+}
+
+ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
+                                          std::span<const KnownTriangle> known,
+                                          const ReconstructOptions& options,
+                                          const Execution& execution) {
   Reconstruction reconstruction(points, options, execution);
   reconstruction.take(std::move(triangulation));
   reconstruction.find_poles();
   reconstruction.build_surface();
-  reconstruction.close_surface();
+  reconstruction.close_surface(known);
   reconstruction.verify(true);
   return reconstruction.take_result();
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "cocone/boundary_samples.h"
 #include "cocone/clean_up_cells.h"
@@ -80,6 +81,7 @@ struct ReconstructCounters {
   std::size_t unvisited_vertices = 0;  // good ones that no mark reached
   std::size_t marking_rounds = 0;
   std::size_t marking_conflicts = 0;
+  std::size_t known_cells = 0;  // labeled beforehand, see mark_cells.h
   std::size_t poor_cells = 0;
   std::size_t deferred_seeds = 0;
   CleanUpCounters clean_up;
@@ -122,6 +124,18 @@ ReconstructResult reconstruct_tight(Points points, const ReconstructOptions& opt
 ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
                                     const ReconstructOptions& options = {},
                                     const Execution& execution = {});
+
+// Both again after a change, with triangles of the old mesh where nothing has changed
+// (mark_cells.h): they keep marks from going astray where the samples themselves contradict each
+// other, as at walls thinner than their spacing. Without contradictions they change nothing; in
+// paper mode they are left aside.
+ReconstructResult reconstruct_tight_again(Points points, std::span<const KnownTriangle> known,
+                                          const ReconstructOptions& options = {},
+                                          const Execution& execution = {});
+ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
+                                          std::span<const KnownTriangle> known,
+                                          const ReconstructOptions& options = {},
+                                          const Execution& execution = {});
 
 // The Cocone surface with its boundary: open where the cloud is. As above without "tight".
 // Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Woo & Dey 2005, sections 2.1, 3.2.

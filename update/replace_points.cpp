@@ -125,6 +125,16 @@ Replacement replace_points(const TriangleMesh& model, const Regions& regions,
     result.point_of_cloud_point.emplace_back(std::vector<PointId>(next, end));
     next = end;
   }
+  for (const TriangleId t : model.triangles.ids()) {
+    const RegionId region = regions.region_of_facet[t];
+    if (region.is_none() || choice.replaced[region] != 0) continue;
+    KnownTriangle corners;
+    std::transform(model.triangles[t].begin(), model.triangles[t].end(), corners.begin(),
+                   [&](VertexId v) { return result.point_of_vertex[v]; });
+    const bool stays =
+        std::none_of(corners.begin(), corners.end(), [](PointId p) { return p.is_none(); });
+    if (stays) result.known.push_back(corners);
+  }
   return result;
 }
 

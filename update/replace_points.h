@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "cocone/mark_cells.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/point.h"
@@ -30,6 +31,9 @@ struct Replacement {
   // vertices share a point.
   IdVector<VertexId, PointId> point_of_vertex;
   std::vector<IdVector<PointId, PointId>> point_of_cloud_point;  // per cloud
+  // The model's triangles in kept regions, off the border, whose corners all stay: their places in
+  // the surface are known.
+  std::vector<KnownTriangle> known;
 
   std::size_t kept = 0;             // model vertices, with border vertices
   std::size_t replaced = 0;         // model vertices, with border vertices

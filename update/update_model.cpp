@@ -463,8 +463,8 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
   std::optional<ModelIndex> index;
   const UpdateParts parts{[&]() -> const ModelIndex& { return index.emplace(model); },
                           [&](const Replacement& replacement, const Execution& nested) {
-                            return reconstruct_tight(replacement.points, options.reconstruct,
-                                                     nested);
+                            return reconstruct_tight_again(replacement.points, replacement.known,
+                                                           options.reconstruct, nested);
                           }};
   return update_model(model, clouds, parts, options, execution);
 }

@@ -134,7 +134,7 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
 struct UpdateParts {
   // The index of the model; called once, after the clouds' surfaces.
   std::function<const ModelIndex&()> index;
-  // reconstruct_tight of the updated points.
+  // reconstruct_tight_again of the updated points and the known triangles.
   std::function<ReconstructResult(const Replacement& replacement, const Execution& execution)>
       reconstruct;
 };

@@ -98,8 +98,11 @@ std::vector<PointId> UpdateSession::old_positions(const Replacement& replacement
 
 ReconstructResult UpdateSession::reconstruct(const Replacement& replacement,
                                              const Execution& execution) {
-  if (surface_.num_points() == 0) return surface_.reconstruct(replacement.points, execution);
-  return surface_.replace(replacement.points, old_positions(replacement), execution);
+  if (surface_.num_points() == 0) {
+    return surface_.reconstruct(replacement.points, execution, replacement.known);
+  }
+  return surface_.replace(replacement.points, old_positions(replacement), execution,
+                          replacement.known);
 }
 
 // Where the points of the model are among the updated ones; none: they go.

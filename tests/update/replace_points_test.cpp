@@ -1,5 +1,6 @@
 #include "update/replace_points.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -61,6 +62,27 @@ TEST(ReplacePoints, KeptVerticesComeFirstInOrderWithTheirBits) {
     const PointId p = result.point_of_cloud_point[0][PointId(i)];
     EXPECT_EQ(p.index(), result.kept + i);
     EXPECT_EQ(result.points[p.index()], scene.clouds[0][i]);
+  }
+}
+
+TEST(ReplacePoints, TrianglesOfKeptRegionsAreKnown) {
+  const Scene scene;
+  const Replacement result = scene.replace();
+  std::size_t far = 0;
+  for (const Triangle& t : scene.model.triangles) {
+    far += std::all_of(t.begin(), t.end(), [&](VertexId v) {
+      return distance(scene.model.points[v], {10, 10, 0}) > 8;
+    });
+  }
+  EXPECT_GE(result.known.size(), far);
+  for (const KnownTriangle& t : result.known) {
+    for (const PointId p : t) {
+      ASSERT_LT(p.index(), result.kept);
+      EXPECT_GT(distance(result.points[p.index()], {10, 10, 0}), 6.3);
+    }
+    const Point& a = result.points[t[0].index()];
+    const Vec3 normal = cross(result.points[t[1].index()] - a, result.points[t[2].index()] - a);
+    EXPECT_GT(normal.z, 0);  // turned as in the model
   }
 }
 
