@@ -1,4 +1,5 @@
 // The local update as a whole, on shapes whose updated surface is known.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -374,6 +375,67 @@ TEST(UpdateScenarios, CloudWithAHoleOnTheNewShape) {
       [&](const Point& p) { return polar_angle(p, axis) > 0.83; });
   EXPECT_EQ(mesh_check(result.mesh).euler, 2);
   ASSERT_EQ(result.clouds[0].loops.size(), 2U);
+}
+
+// Two sheets close together: the cloud lies on one of them, two spacings away from the other.
+TEST(UpdateScenarios, ThinPlateByACap) {
+  const TriangleMesh model = testing::block(24, 20, 2);
+  Clouds clouds(1);
+  Random random(9);
+  for (int i = 0; i < 48; ++i) {
+    for (int j = 0; j < 48; ++j) {
+      const double x = 0.5 * i + random.uniform(-0.1, 0.1) - 12;
+      const double y = 0.5 * j + random.uniform(-0.1, 0.1) - 12;
+      const double r = std::hypot(x, y);
+      if (r < 8) clouds[0].push_back({12 + x, 10 + y, 2 + 3 * hill(r, 6)});
+    }
+  }
+  const auto off_axis = [](const Point& p) { return std::hypot(p.x - 12, p.y - 10); };
+  const auto is_corner = [](const Point& p) {
+    return (p.x == 0 || p.x == 24) && (p.y == 0 || p.y == 20) && (p.z == 0 || p.z == 2);
+  };
+  const UpdateResult result = update_model(model, clouds);
+  expect_local_update(
+      model, clouds, result, [&](const Point& p) { return p.z == 2 && off_axis(p) < 7; },
+      [&](const Point& p) { return (p.z < 2 || off_axis(p) > 8.2) && !is_corner(p); });
+  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+}
+
+// Bodies that no rim touches stay as they are.
+TEST(UpdateScenarios, OtherBodiesAreKept) {
+  std::vector<Point> points = sphere_points(sphere_size);
+  for (const Point& p : sphere_points(1000, 5)) points.push_back(0.5 * p + Vec3{3, 0, 0});
+  const TriangleMesh model = reconstruct_tight(points).mesh;
+  ASSERT_EQ(mesh_check(model).components, 2U);
+  const Clouds clouds = {raised_cap(4 * sphere_size, {0, 0, 1}, 0.6, 0.25)};
+  const UpdateResult result = update_model(model, clouds);
+  expect_local_update(
+      model, clouds, result,
+      [&](const Point& p) {
+        return p.x < 2 && polar_angle(p, {0, 0, 1}) < 0.52;
+      },
+      [&](const Point& p) {
+        return p.x > 2 || polar_angle(p, {0, 0, 1}) > 0.62;
+      });
+  EXPECT_EQ(mesh_check(result.mesh).components, 2U);
+  EXPECT_EQ(result.replaced_groups.size(), 1U);
+}
+
+// Tight Cocone sees bodies from outside only: what lies inside is lost, and that is said.
+TEST(UpdateScenarios, LostSamplesAreReported) {
+  const TriangleMesh model = sphere_model(sphere_size);
+  Clouds clouds = {raised_cap(4 * sphere_size, {0, 0, 1}, 0.6, 0.25)};
+  Random random(4);
+  for (int k = 0; k < 20; ++k) clouds[0].push_back(0.2 * random.on_unit_sphere());
+  const UpdateResult result = update_model(model, clouds);
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_GE(result.reconstruction.unused_points, 15U);
+  const bool warned =
+      std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& text) {
+        return text.find("are not on the surface") != std::string::npos;
+      });
+  EXPECT_TRUE(warned);
+  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
 }
 
 TEST(UpdateScenarios, CallerMistakes) {
