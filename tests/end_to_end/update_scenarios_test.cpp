@@ -421,23 +421,6 @@ TEST(UpdateScenarios, OtherBodiesAreKept) {
   EXPECT_EQ(result.replaced_groups.size(), 1U);
 }
 
-// Tight Cocone sees bodies from outside only: what lies inside is lost, and that is said.
-TEST(UpdateScenarios, LostSamplesAreReported) {
-  const TriangleMesh model = sphere_model(sphere_size);
-  Clouds clouds = {raised_cap(4 * sphere_size, {0, 0, 1}, 0.6, 0.25)};
-  Random random(4);
-  for (int k = 0; k < 20; ++k) clouds[0].push_back(0.2 * random.on_unit_sphere());
-  const UpdateResult result = update_model(model, clouds);
-  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
-  EXPECT_GE(result.reconstruction.unused_points, 15U);
-  const bool warned =
-      std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& text) {
-        return text.find("are not on the surface") != std::string::npos;
-      });
-  EXPECT_TRUE(warned);
-  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
-}
-
 TEST(UpdateScenarios, CallerMistakes) {
   const TriangleMesh model = sphere_model(300);
   EXPECT_THROW(update_model(model, Clouds{}), InputError);
