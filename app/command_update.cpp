@@ -45,6 +45,7 @@ void update_session(const UpdateArguments& arguments, Job& job) {
   SavedSession saved =
       timed(job.execution(), "read", [&] { return load_session(arguments.session); });
   saved.parameters.rho = arguments.parameters.rho;
+  saved.parameters.verify = arguments.parameters.verify;
   const UpdateOptions options = update_options(saved.parameters);
   UpdateInput input;
   input.model_name = arguments.session;
