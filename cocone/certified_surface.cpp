@@ -67,7 +67,8 @@ struct CertifiedSurface::Examination {
   Cocones cocones;
   IdVector<VertexId, SampleState> states;
   VertexSet taken;
-  FacetSet candidates;
+  FacetSet candidates;  // before pruning
+  FacetSet left;        // after it
   IdVector<CellId, std::uint8_t> outer;
   FacetSet surface;
 
@@ -86,7 +87,10 @@ struct CertifiedSurface::Examination {
   void find_normals(const IdVector<VertexId, Vec3>& known, const Execution& execution);
   bool all_interior() const;
   void find_candidates(const IdVector<CellId, std::uint8_t>& known);
-  bool has_sharp_edges(const PruneOptions& options, const Execution& execution) const;
+  bool prune(const PruneOptions& options, const IdVector<CellId, std::uint8_t>& known,
+             const Execution& execution);
+  bool agrees_at_the_rim(const LinkedFacets& links, const std::vector<std::uint8_t>& removed,
+                         const IdVector<CellId, std::uint8_t>& known) const;
   void take_outer_halves(const IdVector<CellId, std::uint8_t>& known);
   FacetId first_met(FacetId f, VertexId third) const;
   bool grow(std::vector<FacetId> open);
@@ -136,22 +140,93 @@ void CertifiedSurface::Examination::find_candidates(const IdVector<CellId, std::
   }
 }
 
-// At the core; also true if a core vertex has no umbrella. What is pruned off the core, where stars
-// are cut off, may spread into it: then true is returned for nothing, which is safe.
-bool CertifiedSurface::Examination::has_sharp_edges(const PruneOptions& options,
-                                                    const Execution& execution) const {
-  const PrunedCandidates pruned =
-      prune_sharp_edges(triangulation(), candidates, options, execution);
-  for (const VertexId v : triangulation().vertices()) {
-    if (patch.is_core[v] != 0 && pruned.umbrella[v] == 0) return true;
-  }
-  if (pruned.pruned == 0) return false;
-  bool sharp = false;
-  candidates.for_each(triangulation(), [&](FacetId f) {
-    if (pruned.left.set.contains(f)) return;
-    for (const VertexId v : triangulation().facet_vertices(f)) sharp |= patch.is_core[v] != 0;
+// Smallest cosine = largest dihedral among the triangles at an edge that are not removed; above
+// every limit for one.
+double flattest_cosine(const LinkedFacets& links, SideId side,
+                       const std::vector<std::uint8_t>& removed) {
+  double flattest = 2;
+  for_each_side_at_edge(links, side, [&](SideId a) {
+    if (removed[triangle_of_side(a)] != 0) return;
+    for_each_side_at_edge(links, side, [&](SideId b) {
+      if (b <= a || removed[triangle_of_side(b)] != 0) return;
+      flattest = std::min(flattest, dihedral_cosine(links, a, b));
+    });
   });
-  return sharp;
+  return flattest;
+}
+
+// Pruning at edges with a core vertex, which are complete. Vertices off the core have umbrellas, as
+// all had before. False if a core vertex has none, or if what happens at the rim differs from what
+// is known there: then more than the core changes.
+bool CertifiedSurface::Examination::prune(const PruneOptions& options,
+                                          const IdVector<CellId, std::uint8_t>& known,
+                                          const Execution& execution) {
+  const LinkedFacets links = link_facets(triangulation(), candidates, execution);
+  const VertexSet umbrella = vertices_with_umbrella(links, triangulation().num_vertices(),
+                                                    options.sharp_cosine, execution);
+  for (const VertexId v : triangulation().vertices()) {
+    if (patch.is_core[v] != 0 && umbrella[v] == 0) return false;
+  }
+  const auto is_complete = [&](SideId side) {
+    const auto [a, b] = links.ends(side);
+    return patch.is_core[a] != 0 || patch.is_core[b] != 0;
+  };
+  std::vector<std::uint8_t> removed(links.size(), 0);
+  std::vector<std::uint8_t> kept(links.size(), 0);
+  std::vector<SideId> work;
+  for_each_edge(links, 0, links.size(), [&](SideId side) {
+    if (!is_complete(side)) return;
+    const double flattest = flattest_cosine(links, side, removed);
+    if (links.is_two_sided(side) && flattest <= options.keep_cosine) {
+      kept[triangle_of_side(side)] = 1;
+      kept[triangle_of_side(links.links[side])] = 1;
+    }
+    if (flattest > options.sharp_cosine) work.push_back(side);
+  });
+  while (!work.empty()) {
+    const SideId side = work.back();
+    work.pop_back();
+    if (flattest_cosine(links, side, removed) <= options.sharp_cosine) continue;
+    for_each_side_at_edge(links, side, [&](SideId at) {
+      const std::uint32_t t = triangle_of_side(at);
+      if (kept[t] != 0 || removed[t] != 0) return;
+      removed[t] = 1;
+      for (SideId other = 3 * t; other < 3 * t + 3; ++other) {
+        if (is_complete(other)) work.push_back(other);
+      }
+    });
+  }
+  if (!agrees_at_the_rim(links, removed, known)) return false;
+  left = candidates;
+  for (std::uint32_t t = 0; t < links.size(); ++t) {
+    const FacetId f = links.facets[t];
+    const bool off_core = std::none_of(links.corners[t].begin(), links.corners[t].end(),
+                                       [&](VertexId v) { return patch.is_core[v] != 0; });
+    const CellId slot = patch.slot_of_cell[cell_of(f)];
+    const bool gone = off_core
+                          ? slot.index() < known.size() && ((known[slot] >> index_of(f)) & 1) != 0
+                          : removed[t] != 0;
+    if (gone) left.erase(triangulation(), f);
+  }
+  return true;
+}
+
+// Triangles with an edge off the core end as they did before; those without a core vertex are taken
+// for what they were. As long as the former hold, the latter do, and nothing is pruned there that
+// was not: the greatest fixed point of the part and what is known around it make that of the whole.
+bool CertifiedSurface::Examination::agrees_at_the_rim(
+    const LinkedFacets& links, const std::vector<std::uint8_t>& removed,
+    const IdVector<CellId, std::uint8_t>& known) const {
+  for (std::uint32_t t = 0; t < links.size(); ++t) {
+    int in_core = 0;
+    for (const VertexId v : links.corners[t]) in_core += patch.is_core[v];
+    if (in_core != 1) continue;
+    const FacetId f = links.facets[t];
+    const CellId slot = patch.slot_of_cell[cell_of(f)];
+    if (slot.index() >= known.size()) return false;
+    if (((known[slot] >> index_of(f)) & 1) != removed[t]) return false;
+  }
+  return true;
 }
 
 void CertifiedSurface::Examination::take_outer_halves(const IdVector<CellId, std::uint8_t>& known) {
@@ -175,7 +250,7 @@ FacetId CertifiedSurface::Examination::first_met(FacetId f, VertexId third) cons
   for (;;) {
     const FacetId g = facet_id(cell_of(f), index_of_vertex(t.cell(cell_of(f)), third));
     if (g == back) return {};
-    if (candidates.contains(g)) return g;
+    if (left.contains(g)) return g;
     third = t.opposite_vertex(f);
     f = t.mirror(g);
   }
@@ -209,7 +284,7 @@ FacetId CertifiedSurface::Examination::first_hull_candidate() const {
   FacetId first;
   for (const CellId c : t.infinite_cells()) {
     const FacetId f = facet_id(c, 3);
-    if (!candidates.contains(f)) continue;
+    if (!left.contains(f)) continue;
     if (first.is_none() || sorted_corners(t, f) < sorted_corners(t, first)) first = f;
   }
   return first;
@@ -282,15 +357,17 @@ bool CertifiedSurface::update(const DynamicDelaunay& delaunay, const DelaunayCha
 
 // What went takes its counts along. Slots of deleted cells may already hold new ones.
 void CertifiedSurface::forget(const DelaunayChange& change) {
-  for (const CellId c : change.deleted) set_cell(c, 0, 0);
+  for (const CellId c : change.deleted) set_cell(c, 0, 0, 0);
   for (const VertexId v : change.removed) set_vertex(v, 0);
 }
 
 // Both keep the counts.
-void CertifiedSurface::set_cell(CellId c, std::uint8_t flags, std::uint8_t outer) {
+void CertifiedSurface::set_cell(CellId c, std::uint8_t flags, std::uint8_t outer,
+                                std::uint8_t pruned) {
   const auto tally = [&](std::size_t step) {  // 1, or its negative
     candidates_ += step * bits_of(cell_flags_[c] & candidate_facets);
     outer_halves_ += step * bits_of(outer_[c]);
+    pruned_halves_ += step * bits_of(pruned_[c]);
     exact_centers_ += step * bits_of(cell_flags_[c] & exact_center);
     facet_centers_ += step * bits_of(cell_flags_[c] & facet_center);
     finite_cells_ += step * bits_of(cell_flags_[c] & finite);
@@ -298,6 +375,7 @@ void CertifiedSurface::set_cell(CellId c, std::uint8_t flags, std::uint8_t outer
   tally(static_cast<std::size_t>(-1));
   cell_flags_[c] = flags;
   outer_[c] = outer;
+  pruned_[c] = pruned;
   tally(1);
 }
 
@@ -357,7 +435,7 @@ bool CertifiedSurface::examine(const DynamicDelaunay& delaunay, std::vector<Vert
     for (const VertexId v : x.dirty.ids()) x.dirty[v] = whole[x.patch.vertex_in_whole[v]];
   }
   x.find_candidates(cell_flags_);
-  if (x.has_sharp_edges(options_.prune, quiet)) return false;
+  if (!x.prune(options_.prune, pruned_, quiet)) return false;
   x.take_outer_halves(outer_);
   std::vector<FacetId> open = x.halves();
   if (open.empty()) {
@@ -379,12 +457,14 @@ void CertifiedSurface::commit(const DynamicDelaunay& delaunay, Examination& x) {
   const std::size_t slots = delaunay.view().cell_records().size();
   outer_.resize(slots, 0);
   cell_flags_.resize(slots, 0);
+  pruned_.resize(slots, 0);
   const bool plain_centers = x.dual.extended_precision == 0 && x.dual.facet_fallbacks == 0;
   for (const CellId c : t.cells()) {
     unsigned flags = x.candidates.bits(c);
     flags |= t.is_infinite(c) ? infinite : finite;
     if (!plain_centers) flags |= center_flags(t, c);
-    set_cell(x.patch.slot_of_cell[c], static_cast<std::uint8_t>(flags), x.outer[c]);
+    set_cell(x.patch.slot_of_cell[c], static_cast<std::uint8_t>(flags), x.outer[c],
+             static_cast<std::uint8_t>(x.candidates.bits(c) & ~x.left.bits(c)));
   }
   VertexSet hull(t.num_vertices(), 0);
   for (const CellId c : t.infinite_cells()) {
@@ -411,7 +491,7 @@ bool CertifiedSurface::first_hull_candidate_is_outer(const DynamicDelaunay& dela
                                                      const Examination& x) {
   const TriangulationView view = delaunay.view();
   const auto is_hull_candidate = [&](CellId c) {
-    return (cell_flags_[c] & (infinite | 8U)) == (infinite | 8U);
+    return (cell_flags_[c] & (infinite | 8U)) == (infinite | 8U) && (pruned_[c] & 8U) == 0;
   };
   const FacetId here = x.first_hull_candidate();
   CellId first = here.is_none() ? CellId() : x.patch.slot_of_cell[cell_of(here)];
@@ -481,6 +561,7 @@ void CertifiedSurface::count(ReconstructCounters& counters) const {
   counters.dual_facet_fallbacks = facet_centers_;
   counters.recovered_samples = taken_in_;
   counters.candidates = candidates_ / 2;
+  counters.pruned = pruned_halves_ / 2;
   counters.umbrellas = num_vertices_;
   counters.surface_triangles = outer_halves_;
   counters.surface_walks = 1;

@@ -5,7 +5,7 @@
 //
 //   1. v is an interior sample: it meets both conditions of boundary_samples.h, or meets the ratio
 //      condition and is taken in at once by a neighbor that meets both.
-//   2. v has an umbrella of candidates, and no edge at v is sharp (prune_sharp_edges.h).
+//   2. v has an umbrella of candidates (prune_sharp_edges.h).
 //   3. S is one closed umbrella at v, and not folded: v is good (umbrella.h).
 //   4. Whoever stands on the outer side of a facet of S at v and turns about one of its edges first
 //      meets the next facet of S, from its outer side.
@@ -14,13 +14,13 @@
 // S, its outer side towards infinity.
 //
 // Then S is the result of all later stages. No sample is boundary, so candidates are the facets
-// whose dual edge meets the cocones of all three corners; none is pruned. extract_manifold begins
-// at that hull candidate and, by 4, walks over S alone, from the outer side, whatever the order of
-// its rounds: a facet off S would have to be met first somewhere, one of S can only be dropped at
-// an edge with a third facet of S, against 3. S holds all vertices, so no second walk begins. A
-// closed connected surface in the 3-sphere has two sides, so marking, from any vertex, finds one
-// OUT and one IN; every vertex is good, so no cell is poor, the peel reaches what is OUT, and
-// nothing is left to clean up.
+// whose dual edge meets the cocones of all three corners. extract_manifold begins at that hull
+// candidate and, by 4, walks over S alone, from the outer side, whatever the order of its rounds: a
+// facet off S would have to be met first somewhere, and one of S can only be dropped at an edge
+// with a third facet of S, against 3. S holds all vertices, so no second walk begins. A closed
+// connected surface in the 3-sphere has two sides, so marking, from any vertex, finds one OUT and
+// one IN; every vertex is good, so no cell is poor, the peel reaches what is OUT, and nothing is
+// left to clean up.
 #pragma once
 
 #include <array>
@@ -75,7 +75,7 @@ class CertifiedSurface {
   bool examine(const DynamicDelaunay& delaunay, std::vector<VertexId> core,
                std::span<const VertexId> dirty, const Execution& execution);
   void forget(const DelaunayChange& change);
-  void set_cell(CellId c, std::uint8_t flags, std::uint8_t outer);
+  void set_cell(CellId c, std::uint8_t flags, std::uint8_t outer, std::uint8_t pruned);
   void set_vertex(VertexId v, std::uint8_t flags);
   void commit(const DynamicDelaunay& delaunay, Examination& examination);
   bool first_hull_candidate_is_outer(const DynamicDelaunay& delaunay,
@@ -92,10 +92,13 @@ class CertifiedSurface {
   IdVector<CellId, std::uint8_t> outer_;
   // ... and bit i = facet i is a candidate; above: how the center was obtained, and infinity.
   IdVector<CellId, std::uint8_t> cell_flags_;
+  // ... and bit i = facet i is a candidate that was pruned.
+  IdVector<CellId, std::uint8_t> pruned_;
   CellId first_hull_;  // the infinite cell at the first hull candidate
 
   std::size_t candidates_ = 0;  // from both sides
   std::size_t outer_halves_ = 0;
+  std::size_t pruned_halves_ = 0;
   std::size_t num_vertices_ = 0;
   std::size_t hull_vertices_ = 0;
   std::size_t taken_in_ = 0;

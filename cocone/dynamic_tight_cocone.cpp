@@ -170,9 +170,8 @@ void DynamicTightCocone::State::look_for_certificate(const ReconstructResult& re
                                                      const Execution& execution) {
   const ReconstructCounters& counters = result.counters;
   const bool hopeful = result.status == SurfaceStatus::ok && result.unused_points == 0 &&
-                       counters.boundary_samples == 0 && counters.pruned == 0 &&
-                       counters.surface_walks == 1 && counters.back_contacts == 0 &&
-                       counters.good_vertices == result.vertices;
+                       counters.boundary_samples == 0 && counters.surface_walks == 1 &&
+                       counters.back_contacts == 0 && counters.good_vertices == result.vertices;
   if (!hopeful || !certified.certify(delaunay, execution)) return;
   triangles = result.mesh.triangles.raw();
   vertex_of_mesh.clear();
