@@ -12,8 +12,8 @@
 #include "geom/mesh_check.h"
 #include "geom/random.h"
 #include "geom/surface_distance.h"
-#include "io/point_file.h"
 #include "io/sample_models.h"
+#include "tests/end_to_end/local_update.h"
 #include "tests/update/hand_made_models.h"
 #include "update/model_index.h"
 #include "update/update_model.h"
@@ -22,8 +22,9 @@ namespace cocoon {
 namespace {
 
 using std::numbers::pi;
-using Clouds = std::vector<std::vector<Point>>;
-using Predicate = std::function<bool(const Point&)>;
+using testing::Clouds;
+using testing::expect_local_update;
+using testing::hill;
 
 // n points on the unit sphere, evenly spread along a spiral, with a little noise across.
 std::vector<Point> sphere_points(std::size_t n, std::uint64_t seed = 1) {
@@ -51,12 +52,6 @@ double polar_angle(const Point& p, const Vec3& axis) {
   return std::acos(std::clamp(dot(unit(p), axis), -1.0, 1.0));
 }
 
-// A smooth hill: 1 in the middle, 0 from `width` on.
-double hill(double distance, double width) {
-  const double t = distance / width;
-  return t < 1 ? (1 - t * t) * (1 - t * t) : 0;
-}
-
 // The cap of polar angle `polar` about `axis`, raised by a hill of the given height in its inner
 // two thirds; n is the number of points the whole sphere would have.
 std::vector<Point> raised_cap(std::size_t n, const Vec3& axis, double polar, double height) {
@@ -66,29 +61,6 @@ std::vector<Point> raised_cap(std::size_t n, const Vec3& axis, double polar, dou
     if (angle <= polar) cap.push_back((1 + height * hill(angle, polar * 2 / 3)) * p);
   }
   return cap;
-}
-
-// What every update must be: closed, manifold, with all its vertices from the input. Kept vertices
-// keep their bits; what must go is gone, what must stay is there.
-void expect_local_update(const TriangleMesh& model, const Clouds& clouds,
-                         const UpdateResult& result, const Predicate& must_go,
-                         const Predicate& must_stay) {
-  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
-  EXPECT_TRUE(mesh_check(result.mesh).is_closed_manifold());
-  std::size_t cloud_points = 0;
-  for (const std::vector<Point>& cloud : clouds) cloud_points += cloud.size();
-  const Replacement& replacement = result.replacement;
-  EXPECT_EQ(replacement.points.size(), replacement.kept + cloud_points - replacement.duplicates);
-  EXPECT_EQ(replacement.kept + replacement.replaced, model.points.size());
-  ASSERT_EQ(result.vertex_map.size(), model.points.size());
-  for (const VertexId v : model.points.ids()) {
-    const VertexId mapped = result.vertex_map[v];
-    if (!mapped.is_none()) {
-      EXPECT_EQ(result.mesh.points[mapped], model.points[v]);
-    }
-    EXPECT_FALSE(must_go(model.points[v]) && !mapped.is_none()) << "left over: " << v.value;
-    EXPECT_FALSE(must_stay(model.points[v]) && mapped.is_none()) << "lost: " << v.value;
-  }
 }
 
 // The largest deviation of the corners and centroids of triangles from a star-shaped surface.
@@ -451,60 +423,6 @@ TEST(UpdateScenarios, ReportsTheFourStepsOfThePaper) {
   EXPECT_EQ(steps.finished,
             (std::vector<std::string>{"boundary_detection", "overlapping_facets",
                                       "segmentation_and_selection", "reconstruction"}));
-}
-
-// A scanned statuette of genus 1: a patch of its side is replaced by a denser one with a bump.
-TEST(UpdateScenarios, KittenByADenserPatch) {
-  const std::vector<Point> initial =
-      read_points(std::string(COCOON_TEST_DATA) + "/points/kitten.xyz").points;
-  const TriangleMesh model = reconstruct_tight(initial).mesh;
-  const MeshReport before = mesh_check(model);
-  ASSERT_TRUE(before.is_closed_manifold());
-
-  // Points on the facets within 0.15 of a vertex, pushed outward by a hill.
-  const ModelIndex index(model);
-  const Point center = model.points[index.nearest_vertex({0.3, 0, 0})];
-  Random random(12);
-  Clouds clouds(1);
-  const double spacing = 0.009;  // half of the model's
-  for (const TriangleId t : model.triangles.ids()) {
-    const auto& [a, b, c] = model.triangles[t];
-    const Vec3 ab = model.points[b] - model.points[a];
-    const Vec3 ac = model.points[c] - model.points[a];
-    const double wanted = 6 * 0.5 * norm(cross(ab, ac)) / (spacing * spacing);
-    for (int k = 0; k < static_cast<int>(wanted + random.uniform()); ++k) {
-      double s = random.uniform();
-      double r = random.uniform();
-      if (s + r > 1) {
-        s = 1 - s;
-        r = 1 - r;
-      }
-      const Point p = model.points[a] + s * ab + r * ac;
-      if (distance(p, center) > 0.15) continue;
-      const Point moved = p + 0.03 * hill(distance(p, center), 0.09) * index.normal(t);
-      // Dart throwing: no two points closer than the spacing.
-      bool apart = true;
-      for (const Point& q : clouds[0]) apart &= distance(moved, q) > spacing;
-      if (apart) clouds[0].push_back(moved);
-    }
-  }
-  ASSERT_GT(clouds[0].size(), 400U);
-
-  const UpdateResult result = update_model(model, clouds);
-  expect_local_update(
-      model, clouds, result, [&](const Point& p) { return distance(p, center) < 0.11; },
-      [&](const Point& p) { return distance(p, center) > 0.17; });
-  EXPECT_EQ(mesh_check(result.mesh).euler, before.euler);
-  // It follows the patch: every cloud point lies on it, up to a fraction of the spacing.
-  const ModelIndex updated(result.mesh);
-  for (const Point& p : clouds[0]) {
-    EXPECT_LT(std::sqrt(updated.closest(p).squared_distance), spacing / 2);
-  }
-  // And nothing moved elsewhere.
-  for (const VertexId v : model.points.ids()) {
-    if (distance(model.points[v], center) < 0.17) continue;
-    EXPECT_EQ(result.mesh.points[result.vertex_map[v]], model.points[v]);
-  }
 }
 
 }  // namespace

@@ -1,0 +1,47 @@
+// What every local update must hold to, and the hill that the tests raise.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "geom/mesh_check.h"
+#include "geom/triangle_mesh.h"
+#include "update/update_model.h"
+
+namespace cocoon::testing {
+
+using Clouds = std::vector<std::vector<Point>>;
+using Predicate = std::function<bool(const Point&)>;
+
+// A smooth hill: 1 in the middle, 0 from `width` on.
+inline double hill(double distance, double width) {
+  const double t = distance / width;
+  return t < 1 ? (1 - t * t) * (1 - t * t) : 0;
+}
+
+// What every update must be: closed, manifold, with all its vertices from the input. Kept vertices
+// keep their bits; what must go is gone, what must stay is there.
+inline void expect_local_update(const TriangleMesh& model, const Clouds& clouds,
+                                const UpdateResult& result, const Predicate& must_go,
+                                const Predicate& must_stay) {
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_TRUE(mesh_check(result.mesh).is_closed_manifold());
+  std::size_t cloud_points = 0;
+  for (const std::vector<Point>& cloud : clouds) cloud_points += cloud.size();
+  const Replacement& replacement = result.replacement;
+  EXPECT_EQ(replacement.points.size(), replacement.kept + cloud_points - replacement.duplicates);
+  EXPECT_EQ(replacement.kept + replacement.replaced, model.points.size());
+  ASSERT_EQ(result.vertex_map.size(), model.points.size());
+  for (const VertexId v : model.points.ids()) {
+    const VertexId mapped = result.vertex_map[v];
+    if (!mapped.is_none()) {
+      EXPECT_EQ(result.mesh.points[mapped], model.points[v]);
+    }
+    EXPECT_FALSE(must_go(model.points[v]) && !mapped.is_none()) << "left over: " << v.value;
+    EXPECT_FALSE(must_stay(model.points[v]) && mapped.is_none()) << "lost: " << v.value;
+  }
+}
+
+}  // namespace cocoon::testing
