@@ -1,6 +1,7 @@
-// The update against the truth, on the procedural models of the paper's examples. A few runs at
-// a quarter of the paper's sizes; bench/update_scores_bench.cpp makes the table of many seeds at
-// full size.
+// The update against the truth, on the procedural models of the paper's examples. One scan of each,
+// the large ones at a quarter of the paper's sizes, but the golf club at its full size: of its 382
+// wrong points a quarter would be so few that a single one on the border weighs more than the goal
+// allows. bench/update_scores_bench.cpp makes the table of many seeds at full size.
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -81,7 +82,7 @@ TEST_P(UpdateScores, ReplaceWhatIsWrongAndNothingElse) {
 INSTANTIATE_TEST_SUITE_P(Models, UpdateScores,
                          ::testing::Values(ScoredModel{"block", 5991, 11488, 3, 2},
                                            ScoredModel{"airbag", 7000, 9000, 4, 4},
-                                           ScoredModel{"golf-club", 24000, 2300, 5, 2},
+                                           ScoredModel{"golf-club", 49380, 4572, 5, 2},
                                            ScoredModel{"joystick-1", 9000, 2600, 6, 2},
                                            ScoredModel{"joystick-2", 9000, 8000, 7, 2}),
                          [](const auto& named) {
