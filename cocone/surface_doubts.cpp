@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <iterator>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "geom/box.h"
@@ -14,11 +17,20 @@
 namespace cocoon {
 namespace {
 
-double median(std::vector<double>& values) {
+// Reorders the values.
+double median(std::span<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+// The points in lexicographic order, equal ones once.
+std::vector<Point> distinct(Points points) {
+  std::vector<Point> sorted(points.begin(), points.end());
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  return sorted;
 }
 
 // Sets of ids 0 .. count - 1 that `join` has put together.
@@ -82,15 +94,25 @@ class Doubts {
   }
 
   void find_gaps() {
-    std::vector<std::vector<double>> edges_at(mesh_.points.size());
+    // The lengths of the edges at vertex v: lengths[begin[v], begin[v + 1]).
+    std::vector<std::size_t> begin(mesh_.points.size() + 2, 0);
+    for (const auto& [a, b] : adjacency_.edges) {
+      ++begin[a.index() + 2];
+      ++begin[b.index() + 2];
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<double> lengths(2 * adjacency_.edges.size());
     for (const auto& [a, b] : adjacency_.edges) {
       const double length = distance(mesh_.points[a], mesh_.points[b]);
-      edges_at[a.index()].push_back(length);
-      edges_at[b.index()].push_back(length);
+      lengths[begin[a.index() + 1]++] = length;
+      lengths[begin[b.index() + 1]++] = length;
     }
     sparse_ = IdVector<VertexId, std::uint8_t>(mesh_.points.size(), 0);
     for (const VertexId v : mesh_.points.ids()) {
-      const bool gap = longest_[v] > options_.gap_ratio * median(edges_at[v.index()]);
+      const bool gap =
+          longest_[v] >
+          options_.gap_ratio * median(std::span(lengths).subspan(
+                                   begin[v.index()], begin[v.index() + 1] - begin[v.index()]));
       const bool boundary =
           v.index() < result_.boundary_sample.size() && result_.boundary_sample[v] != 0;
       doubts_.gap_samples += gap && !boundary ? 1U : 0U;
@@ -174,15 +196,15 @@ class Doubts {
   void find_unused_points() {
     doubts_.unused_points = result_.unused_points;
     if (result_.unused_points == 0 || mesh_.points.empty()) return;
-    const NearestPointTree tree(mesh_.points.span());
-    for (const Point& p : points_) {
-      const double reach = std::sqrt(tree.nearest(p).squared_distance);
-      if (reach > 0) doubts_.unused.push_back({p, 1, reach});
+    const std::vector<Point> all = distinct(points_);
+    const std::vector<Point> used = distinct(mesh_.points.span());
+    std::vector<Point> unused;
+    std::set_difference(all.begin(), all.end(), used.begin(), used.end(),
+                        std::back_inserter(unused));
+    const NearestPointTree tree(used);
+    for (const Point& p : unused) {
+      doubts_.unused.push_back({p, 1, std::sqrt(tree.nearest(p).squared_distance)});
     }
-    std::sort(doubts_.unused.begin(), doubts_.unused.end(),
-              [](const DoubtfulSpot& a, const DoubtfulSpot& b) { return a.at < b.at; });
-    const auto end = std::unique(doubts_.unused.begin(), doubts_.unused.end());
-    doubts_.unused.erase(end, doubts_.unused.end());
     keep_worst(doubts_.unused, options_.max_spots, larger);
   }
 
