@@ -68,9 +68,11 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   const SurfaceDoubts doubts =
       timed(job.execution(), "check", [&] { return surface_doubts(result, points); });
   properties = properties_of_surface(job, properties, arguments.points, result);
-  if (arguments.manifold) make_manifold(job, arguments.mesh, result.mesh, properties);
-  const MeshReport certificate =
-      timed(job.execution(), "check", [&] { return mesh_check(result.mesh); });
+  MeshReport certificate = doubts.certificate;
+  if (arguments.manifold) {
+    make_manifold(job, arguments.mesh, result.mesh, properties);
+    certificate = timed(job.execution(), "check", [&] { return mesh_check(result.mesh); });
+  }
   timed(job.execution(), "write",
         [&] { write_mesh(arguments.mesh, result.mesh, properties, {.ascii = arguments.ascii}); });
   if (session) {

@@ -11,7 +11,6 @@
 
 #include "geom/box.h"
 #include "geom/mesh_adjacency.h"
-#include "geom/mesh_check.h"
 #include "geom/nearest_point.h"
 
 namespace cocoon {
@@ -209,7 +208,8 @@ class Doubts {
   }
 
   void find_contacts() {
-    const MeshReport report = mesh_check(mesh_, {.max_examples = options_.max_spots});
+    doubts_.certificate = mesh_check(mesh_);
+    const MeshReport& report = doubts_.certificate;
     doubts_.bad_edges = report.overfull_edges;
     doubts_.pinched_vertices = report.pinched_vertices;
     for (const auto& [a, b] : report.examples.overfull_edges) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cocone/reconstruct.h"
+#include "geom/mesh_check.h"
 #include "geom/point.h"
 
 namespace cocoon {
@@ -40,7 +41,8 @@ struct SurfaceDoubts {
   std::vector<DoubtfulSpot> unused;  // farthest from the vertices; size: the distance
   std::size_t bad_edges = 0;         // with more than two triangles
   std::size_t pinched_vertices = 0;
-  std::vector<DoubtfulSpot> contacts;  // ends of such edges, pinched vertices; size: 0
+  std::vector<DoubtfulSpot> contacts;  // some ends of such edges and pinched vertices; size: 0
+  MeshReport certificate;              // mesh_check of the surface
 };
 
 // What is doubtful about a reconstruction of `points`; empty meshes: zeros. Lists have the worst
