@@ -20,6 +20,7 @@
 #include "bench/stopwatch.h"
 #include "cocone/reconstruct.h"
 #include "geom/random.h"
+#include "tests/gallery.h"
 #include "update/update_session.h"
 
 namespace cocoon {
@@ -38,16 +39,11 @@ double radius(const Vec3& u) {
 
 std::vector<Point> evenly_on_surface(std::size_t n, std::uint64_t seed) {
   Random random(seed);
-  std::vector<Point> points;
-  const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
+  std::vector<Point> points = gallery::even_sphere(n);
   const double spacing = std::sqrt(4 * std::numbers::pi / static_cast<double>(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(n);
-    const double r = std::sqrt(1 - z * z);
-    const double angle = turn * static_cast<double>(i);
-    const Vec3 u = unit(Vec3{r * std::cos(angle), r * std::sin(angle), z} +
-                        0.2 * spacing * random.on_unit_sphere());
-    points.push_back(radius(u) * u);
+  for (Point& p : points) {
+    const Vec3 u = unit(p + 0.2 * spacing * random.on_unit_sphere());
+    p = radius(u) * u;
   }
   return points;
 }

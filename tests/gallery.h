@@ -62,6 +62,19 @@ inline std::vector<Point> displaced_torus(std::size_t count, std::uint64_t seed 
   return points;
 }
 
+// The unit sphere along a spiral of even density.
+inline std::vector<Point> even_sphere(std::size_t count) {
+  std::vector<Point> points;
+  const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (std::size_t i = 0; i < count; ++i) {
+    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count);
+    const double r = std::sqrt(1 - z * z);
+    const double angle = turn * static_cast<double>(i);
+    points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+  }
+  return points;
+}
+
 // A sphere with bumps along a jittered spiral of even density, noise.
 inline std::vector<Point> bumpy_sphere(std::size_t count, std::uint64_t seed = 1,
                                        double noise = 1e-5) {

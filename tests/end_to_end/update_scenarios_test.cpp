@@ -14,6 +14,7 @@
 #include "geom/surface_distance.h"
 #include "io/sample_models.h"
 #include "tests/end_to_end/local_update.h"
+#include "tests/gallery.h"
 #include "tests/update/hand_made_models.h"
 #include "update/model_index.h"
 #include "update/update_model.h"
@@ -29,16 +30,9 @@ using testing::hill;
 // n points on the unit sphere, evenly spread along a spiral, with a little noise across.
 std::vector<Point> sphere_points(std::size_t n, std::uint64_t seed = 1) {
   Random random(seed);
-  std::vector<Point> points;
-  const double turn = pi * (3 - std::sqrt(5.0));
+  std::vector<Point> points = gallery::even_sphere(n);
   const double spacing = std::sqrt(4 * pi / static_cast<double>(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(n);
-    const double radius = std::sqrt(1 - z * z);
-    const double angle = turn * static_cast<double>(i);
-    points.push_back(unit(Point{radius * std::cos(angle), radius * std::sin(angle), z} +
-                          0.1 * spacing * random.on_unit_sphere()));
-  }
+  for (Point& p : points) p = unit(p + 0.1 * spacing * random.on_unit_sphere());
   return points;
 }
 
@@ -192,19 +186,25 @@ TEST(UpdateScenarios, SphereByAnAnnulus) {
   EXPECT_LT(largest_deviation(result.mesh, [&](const Point& p) { return 1 + ridge(p); }), 0.01);
 }
 
-// The top of a block with flat sides and sharp edges gets a hill.
-TEST(UpdateScenarios, BlockByACap) {
-  const TriangleMesh model = testing::block(24, 20, 8);
-  Clouds clouds(1);
+// A hill on the middle of the top of a block of 24 x 20 and the given height.
+std::vector<Point> hill_on_top(double height) {
+  std::vector<Point> cloud;
   Random random(9);
   for (int i = 0; i < 48; ++i) {
     for (int j = 0; j < 48; ++j) {
       const double x = 0.5 * i + random.uniform(-0.1, 0.1) - 12;
       const double y = 0.5 * j + random.uniform(-0.1, 0.1) - 12;
       const double r = std::hypot(x, y);
-      if (r < 8) clouds[0].push_back({12 + x, 10 + y, 8 + 3 * hill(r, 6)});
+      if (r < 8) cloud.push_back({12 + x, 10 + y, height + 3 * hill(r, 6)});
     }
   }
+  return cloud;
+}
+
+// The top of a block with flat sides and sharp edges gets a hill.
+TEST(UpdateScenarios, BlockByACap) {
+  const TriangleMesh model = testing::block(24, 20, 8);
+  const Clouds clouds = {hill_on_top(8)};
   auto off_axis = [](const Point& p) { return std::hypot(p.x - 12, p.y - 10); };
   // Tight Cocone cuts off a sharp corner of three faces if that is one sample.
   auto is_corner = [](const Point& p) {
@@ -352,16 +352,7 @@ TEST(UpdateScenarios, CloudWithAHoleOnTheNewShape) {
 // Two sheets close together: the cloud lies on one of them, two spacings away from the other.
 TEST(UpdateScenarios, ThinPlateByACap) {
   const TriangleMesh model = testing::block(24, 20, 2);
-  Clouds clouds(1);
-  Random random(9);
-  for (int i = 0; i < 48; ++i) {
-    for (int j = 0; j < 48; ++j) {
-      const double x = 0.5 * i + random.uniform(-0.1, 0.1) - 12;
-      const double y = 0.5 * j + random.uniform(-0.1, 0.1) - 12;
-      const double r = std::hypot(x, y);
-      if (r < 8) clouds[0].push_back({12 + x, 10 + y, 2 + 3 * hill(r, 6)});
-    }
-  }
+  const Clouds clouds = {hill_on_top(2)};
   const auto off_axis = [](const Point& p) { return std::hypot(p.x - 12, p.y - 10); };
   const auto is_corner = [](const Point& p) {
     return (p.x == 0 || p.x == 24) && (p.y == 0 || p.y == 20) && (p.z == 0 || p.z == 2);

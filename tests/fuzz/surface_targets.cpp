@@ -14,6 +14,7 @@
 #include "geom/self_intersection.h"
 #include "geom/surface_distance.h"
 #include "tests/fuzz/fuzz_target.h"
+#include "tests/gallery.h"
 #include "update/update_model.h"
 #include "update/vertex_origins.h"
 
@@ -32,25 +33,13 @@ void require_input_points(const ReconstructResult& result, Points points) {
   }
 }
 
-std::vector<Point> sphere(std::size_t n) {
-  std::vector<Point> points;
-  const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(n);
-    const double r = std::sqrt(1 - z * z);
-    const double angle = turn * static_cast<double>(i);
-    points.push_back({r * std::cos(angle), r * std::sin(angle), z});
-  }
-  return points;
-}
-
 // The part of a sphere about one of its points, its radius stretched, its points moved a little:
 // clouds that an update may accept.
 std::vector<Point> bent_cap(ByteReader& bytes) {
   const double reach = 1 - bytes.byte() / 128.0;
   const double stretch = 0.9 + bytes.byte() / 1024.0;
   std::vector<Point> cap;
-  for (const Point& p : sphere(120)) {
+  for (const Point& p : gallery::even_sphere(120)) {
     if (p.z < reach) continue;
     const double height = 1 + (stretch - 1) * (p.z - reach);
     cap.push_back(height * p + (bytes.byte() % 16 / 2048.0) * Vec3{p.y, p.z, p.x});
@@ -84,7 +73,7 @@ void reconstruct_target(Bytes bytes) {
 void update_target(Bytes bytes) {
   ByteReader reader(bytes);
   const std::uint8_t kind = reader.byte();
-  static const TriangleMesh ball = reconstruct_tight(sphere(150)).mesh;
+  static const TriangleMesh ball = reconstruct_tight(gallery::even_sphere(150)).mesh;
   TriangleMesh model = ball;
   if (kind % 4 == 3) {
     std::vector<Point> points = take_points(reader, 16);

@@ -17,18 +17,6 @@
 namespace cocoon {
 namespace {
 
-std::vector<Point> evenly_on_sphere(std::size_t n) {
-  std::vector<Point> points;
-  const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(n);
-    const double r = std::sqrt(1 - z * z);
-    const double angle = turn * static_cast<double>(i);
-    points.push_back({r * std::cos(angle), r * std::sin(angle), z});
-  }
-  return points;
-}
-
 // Random updates and undos; every model that undo brings back is compared with the one from then.
 // Returns the number of updates.
 std::size_t run_steps(UpdateSession& session, std::size_t steps, std::uint64_t seed,
@@ -58,7 +46,7 @@ std::size_t run_steps(UpdateSession& session, std::size_t steps, std::uint64_t s
 }
 
 TEST(UpdateSession, StartsWithTheReconstructionOfItsPoints) {
-  const std::vector<Point> points = evenly_on_sphere(500);
+  const std::vector<Point> points = gallery::even_sphere(500);
   const UpdateSession session(points);
   const ReconstructResult expected = reconstruct_tight(points);
   EXPECT_TRUE(session.model() == expected.mesh);
@@ -67,7 +55,7 @@ TEST(UpdateSession, StartsWithTheReconstructionOfItsPoints) {
 }
 
 TEST(UpdateSession, RandomStepsOnASphere) {
-  UpdateSession session(evenly_on_sphere(700));
+  UpdateSession session(gallery::even_sphere(700));
   EXPECT_GT(run_steps(session, 20, 1), 6U);
 }
 
@@ -99,7 +87,7 @@ std::size_t run_gentle_steps(UpdateSession& session, int steps) {
 // Gentle changes leave the surface certain: nothing but what is near them is looked at, and the
 // result is still that of starting over.
 TEST(UpdateSession, GentleStepsOnASphereAreLocal) {
-  UpdateSession session(evenly_on_sphere(1500));
+  UpdateSession session(gallery::even_sphere(1500));
   EXPECT_GT(run_gentle_steps(session, 25), 20U);
   EXPECT_GT(session.local_changes(), 15U);
 }
@@ -137,7 +125,7 @@ TEST(UpdateSession, RandomStepsOnCadPoints) {
 
 TEST(UpdateSession, GoesOnFromASnapshot) {
   Random random(6);
-  UpdateSession session(evenly_on_sphere(600));
+  UpdateSession session(gallery::even_sphere(600));
   for (int step = 0; step < 4; ++step) {
     UpdateSession again(session.snapshot(), session.options());
     ASSERT_TRUE(again.model() == session.model());
@@ -155,7 +143,7 @@ TEST(UpdateSession, GoesOnFromASnapshot) {
 
 TEST(UpdateSession, ExtremeCoordinatesWorkToo) {
   const double size = 0x1p+150;
-  UpdateSession session(gallery::scaled(evenly_on_sphere(400), size));
+  UpdateSession session(gallery::scaled(gallery::even_sphere(400), size));
   Random random(7);
   std::size_t updates = 0;
   for (int step = 0; step < 5; ++step) {
@@ -164,7 +152,7 @@ TEST(UpdateSession, ExtremeCoordinatesWorkToo) {
   EXPECT_GT(updates, 1U);
   while (session.undo_levels() > 0) session.undo();
   EXPECT_TRUE(session.model() ==
-              reconstruct_tight(gallery::scaled(evenly_on_sphere(400), size)).mesh);
+              reconstruct_tight(gallery::scaled(gallery::even_sphere(400), size)).mesh);
 }
 
 // Stops at the n-th report.
@@ -175,7 +163,7 @@ struct StopAfter : Progress {
 };
 
 TEST(UpdateSession, CancelledAnywhereItStaysAsItWas) {
-  UpdateSession session(evenly_on_sphere(400));
+  UpdateSession session(gallery::even_sphere(400));
   Random random(8);
   Clouds clouds = random_scans(session.model(), random);
   while (update_model(session.model(), clouds).status != UpdateStatus::ok) {
@@ -209,21 +197,21 @@ TEST(UpdateSession, CancelledAnywhereItStaysAsItWas) {
 }
 
 TEST(UpdateSession, BadInputLeavesTheModel) {
-  UpdateSession session(evenly_on_sphere(400));
+  UpdateSession session(gallery::even_sphere(400));
   const TriangleMesh before = session.model();
   EXPECT_THROW(session.apply({}), InputError);
   EXPECT_THROW(session.apply(Clouds{{{0, 0, 0}, {1, 0, 0}}}), InputError);
   EXPECT_THROW(session.apply(Clouds{{{0, 0, std::nan("")}}}), InputError);
-  EXPECT_NE(session.apply(Clouds{evenly_on_sphere(200)}).result.status, UpdateStatus::ok);
+  EXPECT_NE(session.apply(Clouds{gallery::even_sphere(200)}).result.status, UpdateStatus::ok);
   EXPECT_TRUE(session.model() == before);
   UpdateSession empty{TriangleMesh{}};
-  std::vector<Point> cap = evenly_on_sphere(400);
+  std::vector<Point> cap = gallery::even_sphere(400);
   std::erase_if(cap, [](const Point& p) { return p.z < 0.6; });
   EXPECT_THROW(empty.apply(Clouds{cap}), InputError);
 }
 
 TEST(UpdateSession, KeepsTheLastStepsOnly) {
-  UpdateSession session(evenly_on_sphere(400));
+  UpdateSession session(gallery::even_sphere(400));
   Random random(9);
   std::size_t updates = 0;
   for (int step = 0; step < 60 && updates < UpdateSession::max_undo_levels + 2; ++step) {
@@ -238,7 +226,7 @@ TEST(UpdateSession, KeepsTheLastStepsOnly) {
 }
 
 TEST(UpdateSession, RefusesSnapshotsThatDoNotFit) {
-  const UpdateSession session(evenly_on_sphere(100));
+  const UpdateSession session(gallery::even_sphere(100));
   const auto error_after = [&](auto change) {
     SessionSnapshot snapshot = session.snapshot();
     change(snapshot);
@@ -248,8 +236,9 @@ TEST(UpdateSession, RefusesSnapshotsThatDoNotFit) {
   error_after([](SessionSnapshot& s) { s.points[3].x += 1; });
   error_after([](SessionSnapshot& s) { s.point_of_vertex[VertexId(2)] = PointId(1000); });
   error_after([](SessionSnapshot& s) { s.model.triangles[TriangleId(0)][1] = VertexId(5000); });
-  error_after(
-      [](SessionSnapshot& s) { s.triangulation = delaunay(evenly_on_sphere(99)).triangulation; });
+  error_after([](SessionSnapshot& s) {
+    s.triangulation = delaunay(gallery::even_sphere(99)).triangulation;
+  });
 }
 
 }  // namespace
