@@ -17,6 +17,7 @@
 
 #include "bench/rivals/cgal.h"
 #include "bench/rivals/tetgen.h"
+#include "bench/run_benchmarks.h"
 #include "bench/stopwatch.h"
 #include "delaunay/delaunay.h"
 #include "ref/cell_set.h"
@@ -213,18 +214,7 @@ int run(int argc, char** argv) {
     add("cgal", [&](benchmark::State& state) { run_cgal(state, input); });
     add("tetgen", [&](benchmark::State& state) { run_tetgen(state, input); });
   }
-  // Defaults that the command line may change, so they come before it.
-  std::vector<std::string> defaults{"--benchmark_repetitions=5",
-                                    "--benchmark_enable_random_interleaving=true",
-                                    "--benchmark_report_aggregates_only=true"};
-  std::vector<char*> all{arguments[0]};
-  for (std::string& argument : defaults) all.push_back(argument.data());
-  all.insert(all.end(), arguments.begin() + 1, arguments.end());
-  int count = static_cast<int>(all.size());
-  benchmark::Initialize(&count, all.data());
-  if (benchmark::ReportUnrecognizedArguments(count, all.data())) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
+  if (!bench::run_benchmarks(arguments, 5)) return 2;
   print_table(cases);
   return 0;
 }

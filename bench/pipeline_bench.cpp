@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "bench/rivals/cgal_surfaces.h"
+#include "bench/run_benchmarks.h"
 #include "bench/stopwatch.h"
 #include "cocone/candidate_triangles.h"
 #include "cocone/extract_manifold.h"
@@ -281,18 +282,7 @@ int run(int argc, char** argv) {
     register_stages(input, execution);
   }
   for (Case& input : small) register_rivals(input, execution);
-  // Defaults that the command line may change, so they come before it.
-  std::vector<std::string> defaults{"--benchmark_repetitions=3",
-                                    "--benchmark_enable_random_interleaving=true",
-                                    "--benchmark_report_aggregates_only=true"};
-  std::vector<char*> all{arguments[0]};
-  for (std::string& argument : defaults) all.push_back(argument.data());
-  all.insert(all.end(), arguments.begin() + 1, arguments.end());
-  int count = static_cast<int>(all.size());
-  benchmark::Initialize(&count, all.data());
-  if (benchmark::ReportUnrecognizedArguments(count, all.data())) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
+  if (!bench::run_benchmarks(arguments, 3)) return 2;
   print_stages(scans);
   print_rivals(small);
   print_memory(argv[0], own);
