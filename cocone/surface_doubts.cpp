@@ -81,18 +81,6 @@ class Doubts {
 
  private:
   void measure_edges() {
-    std::vector<double> lengths;
-    longest_ = IdVector<VertexId, double>(mesh_.points.size(), 0);
-    for (const auto& [a, b] : adjacency_.edges) {
-      lengths.push_back(distance(mesh_.points[a], mesh_.points[b]));
-      longest_[a] = std::max(longest_[a], lengths.back());
-      longest_[b] = std::max(longest_[b], lengths.back());
-    }
-    doubts_.spacing = median(lengths);
-    find_gaps();
-  }
-
-  void find_gaps() {
     // The lengths of the edges at vertex v: lengths[begin[v], begin[v + 1]).
     std::vector<std::size_t> begin(mesh_.points.size() + 2, 0);
     for (const auto& [a, b] : adjacency_.edges) {
@@ -106,18 +94,23 @@ class Doubts {
       lengths[begin[a.index() + 1]++] = length;
       lengths[begin[b.index() + 1]++] = length;
     }
+    longest_ = IdVector<VertexId, double>(mesh_.points.size(), 0);
     sparse_ = IdVector<VertexId, std::uint8_t>(mesh_.points.size(), 0);
     for (const VertexId v : mesh_.points.ids()) {
-      const bool gap =
-          longest_[v] >
-          options_.gap_ratio * median(std::span(lengths).subspan(
-                                   begin[v.index()], begin[v.index() + 1] - begin[v.index()]));
-      const bool boundary =
-          v.index() < result_.boundary_sample.size() && result_.boundary_sample[v] != 0;
-      doubts_.gap_samples += gap && !boundary ? 1U : 0U;
-      doubts_.boundary_samples += boundary ? 1U : 0U;
-      sparse_[v] = gap || boundary ? 1 : 0;
+      find_gap(
+          v, std::span(lengths).subspan(begin[v.index()], begin[v.index() + 1] - begin[v.index()]));
     }
+    doubts_.spacing = median(lengths);  // each edge is there twice
+  }
+
+  void find_gap(VertexId v, std::span<double> lengths) {
+    if (!lengths.empty()) longest_[v] = *std::max_element(lengths.begin(), lengths.end());
+    const bool gap = longest_[v] > options_.gap_ratio * median(lengths);
+    const bool boundary =
+        v.index() < result_.boundary_sample.size() && result_.boundary_sample[v] != 0;
+    doubts_.gap_samples += gap && !boundary ? 1U : 0U;
+    doubts_.boundary_samples += boundary ? 1U : 0U;
+    sparse_[v] = gap || boundary ? 1 : 0;
   }
 
   void measure_roughness() {
