@@ -1,9 +1,9 @@
 #include "update/replace_points.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
+#include "geom/equal_points.h"
 #include "geom/nearest_point.h"
 #include "update/rim_index.h"
 
@@ -49,17 +49,7 @@ class ThinningTest {
 // Merges equal points of `points`, keeping the first of each in place; returns the new position of
 // every old one.
 std::vector<PointId> merge_equal(std::vector<Point>& points) {
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const auto by_position = points[a] <=> points[b];
-    return by_position != 0 ? by_position < 0 : a < b;
-  });
-  std::vector<std::uint32_t> first(points.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const bool repeats = k > 0 && points[order[k]] == points[order[k - 1]];
-    first[order[k]] = repeats ? first[order[k - 1]] : order[k];
-  }
+  const std::vector<std::uint32_t> first = first_of_equal(points);
   std::vector<PointId> new_position(points.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -108,6 +98,7 @@ Replacement replace_points(const TriangleMesh& model, const Regions& regions,
   result.kept = kept.size();
 
   // 2. Then the clouds; equal points once.
+  result.points.reserve(kept.size());
   for (const VertexId v : kept) result.points.push_back(model.points[v]);
   for (const std::vector<Point>& cloud : clouds) {
     result.points.insert(result.points.end(), cloud.begin(), cloud.end());

@@ -48,7 +48,7 @@ struct Replacement {
 // replaced iff it lies on the cloud's side of the rim edge nearest to it; the rims are those that
 // formed the border. A border vertex all of whose neighboring regions are kept although it lies
 // under the cloud is replaced as well: then the cloud covers it without covering a facet.
-// Complexity: O(n log n). Deterministic.
+// Complexity: O(n) for n points and triangles, and a search per border vertex. Deterministic.
 // Source: Woo & Dey 2005, section 3.4 ("the vertices in the region"; border vertices are open).
 Replacement replace_points(const TriangleMesh& model, const Regions& regions,
                            const RegionChoice& choice, std::span<const CloudRim> rims,

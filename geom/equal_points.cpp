@@ -1,0 +1,70 @@
+#include "geom/equal_points.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <numeric>
+
+namespace cocoon {
+namespace {
+
+std::uint64_t hash_of(const Point& p) {
+  const auto mixed = [](std::uint64_t word) {
+    word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9U;
+    word = (word ^ (word >> 27)) * 0x94D049BB133111EBU;
+    return word ^ (word >> 31);
+  };
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };  // -0 is 0
+  return mixed(bits(p.x) + mixed(bits(p.y) + mixed(bits(p.z))));
+}
+
+class BitTable {
+ public:
+  explicit BitTable(std::size_t size) : words_(size / 64, 0) {}
+  // Sets the bit; whether it was set before.
+  bool set(std::uint64_t at) {
+    std::uint64_t& word = words_[at / 64];
+    const std::uint64_t bit = std::uint64_t{1} << (at % 64);
+    const bool before = (word & bit) != 0;
+    word |= bit;
+    return before;
+  }
+  bool contains(std::uint64_t at) const { return ((words_[at / 64] >> (at % 64)) & 1U) != 0; }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
+// The positions of all points that share their place in the table with others.
+std::vector<std::uint32_t> look_alikes(Points points) {
+  const std::size_t size = std::bit_ceil(std::max<std::size_t>(16 * points.size(), 64));
+  BitTable met(size);
+  BitTable met_again(size);
+  for (const Point& p : points) {
+    const std::uint64_t at = hash_of(p) & (size - 1);
+    if (met.set(at)) met_again.set(at);
+  }
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (met_again.contains(hash_of(points[i]) & (size - 1))) found.push_back(i);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> first_of_equal(Points points) {
+  std::vector<std::uint32_t> first(points.size());
+  std::iota(first.begin(), first.end(), 0U);
+  std::vector<std::uint32_t> order = look_alikes(points);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto by_position = points[a] <=> points[b];
+    return by_position != 0 ? by_position < 0 : a < b;
+  });
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    if (points[order[k]] == points[order[k - 1]]) first[order[k]] = first[order[k - 1]];
+  }
+  return first;
+}
+
+}  // namespace cocoon
