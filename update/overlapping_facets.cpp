@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <numeric>
+#include <optional>
 
 #include "geom/nearest_point.h"
 #include "geom/triangle_projection.h"
 #include "update/median.h"
+#include "update/near_facets.h"
 
 namespace cocoon {
 
@@ -50,13 +54,14 @@ std::vector<double> facing_signs(const ModelIndex& model, const CloudRim& rim,
   return votes;
 }
 
-// The paper's choice: the facet at the nearest vertex that contains the projection of b (Eq. 1-3);
-// of several the one with the least distance |D| from its plane.
-ClosestFacet star_facet(const ModelIndex& model, const Point& b, double max_distance) {
+// The paper's choice: of the facets at the nearest vertex, that which contains the projection of b
+// (Eq. 1-3); of several the one with the least distance |D| from its plane.
+ClosestFacet star_facet(const ModelIndex& model, VertexId nearest, const Point& b,
+                        double max_distance) {
   const TriangleMesh& mesh = model.mesh();
   ClosestFacet best;
   best.squared_distance = max_distance * max_distance;
-  for (const TriangleId t : model.adjacency().triangles_at(model.nearest_vertex(b))) {
+  for (const TriangleId t : model.adjacency().triangles_at(nearest)) {
     const Triangle& v = mesh.triangles[t];
     const PlaneProjection projection =
         project_to_triangle_plane(b, {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]});
@@ -68,6 +73,33 @@ ClosestFacet star_facet(const ModelIndex& model, const Point& b, double max_dist
   }
   return best;
 }
+
+// The vertex nearest to a point among those that triangles use, for the paper's choice alone.
+// Ties by lexicographic coordinates.
+class NearestVertex {
+ public:
+  explicit NearestVertex(const ModelIndex& model)
+      : used_(used_vertices(model)), tree_(points_of(model.mesh(), used_)) {}
+  VertexId operator()(const Point& p) const { return used_[tree_.nearest(p).point.index()]; }
+
+ private:
+  static std::vector<VertexId> used_vertices(const ModelIndex& model) {
+    std::vector<VertexId> used;
+    for (const VertexId v : model.mesh().points.ids()) {
+      if (!model.adjacency().triangles_at(v).empty()) used.push_back(v);
+    }
+    return used;
+  }
+  static std::vector<Point> points_of(const TriangleMesh& mesh, const std::vector<VertexId>& used) {
+    std::vector<Point> points;
+    points.reserve(used.size());
+    for (const VertexId v : used) points.push_back(mesh.points[v]);
+    return points;
+  }
+
+  std::vector<VertexId> used_;
+  NearestPointTree tree_;
+};
 
 struct Location {
   ClosestFacet facet;  // triangle none: unmatched
@@ -81,44 +113,72 @@ constexpr std::uint32_t any_component = 0xFFFFFFFFU;
 // One rim point and what its facet must be like.
 struct Query {
   Point point;
-  Vec3 facing;  // the cloud's normal, on the model's side
-  double rim_spacing = 0;
-  TriangleId closest;  // the closest facet of all
+  Vec3 facing;           // the cloud's normal, on the model's side
+  double spacing = 0;    // of rim and model there
+  ClosestFacet closest;  // of all facets
   std::uint32_t component = any_component;
 };
 
-Location locate(const ModelIndex& model, const Query& query, const OverlapOptions& options) {
-  const double spacing = std::max(query.rim_spacing, facet_spacing(model.mesh(), query.closest));
-  const double max_distance = options.max_distance * spacing;
-  // A point without a normal, or a facet without area, has no side to be on.
-  auto faces_at_least = [&](double cosine) {
-    return [&model, &query, cosine](TriangleId t) {
-      if (query.component != any_component && model.component(t) != query.component) return false;
-      if (query.facing == Vec3{} || model.normal(t) == Vec3{}) return true;
-      return dot(model.normal(t), query.facing) >= cosine;
-    };
-  };
-  Location location;
-  location.facing_away = !faces_at_least(options.min_normal_cosine)(query.closest);
-  if (options.rule == LocationRule::nearest_vertex_star) {
-    location.facet = star_facet(model, query.point, max_distance);
-    if (!location.facet.triangle.is_none()) return location;
-    location.star_miss = true;
+// Finds the overlapping facets of rim points.
+class Locator {
+ public:
+  Locator(const ModelIndex& model, const OverlapOptions& options)
+      : model_(model), options_(options) {
+    if (options.rule == LocationRule::nearest_vertex_star) nearest_vertex_.emplace(model);
   }
-  // The closest facet that does not face away; one that faces as the cloud does instead if there is
-  // one hardly farther away.
-  location.facet = model.closest(query.point, max_distance * max_distance,
-                                 faces_at_least(-options.min_normal_cosine));
-  if (location.facet.triangle.is_none()) return location;
-  if (faces_at_least(options.min_normal_cosine)(location.facet.triangle)) return location;
-  const double reach = std::min(max_distance, std::sqrt(location.facet.squared_distance) +
-                                                  options.facing_preference * spacing);
-  const ClosestFacet facing =
-      model.closest(query.point, reach * reach, faces_at_least(options.min_normal_cosine));
-  location.steep = facing.triangle.is_none();
-  if (!location.steep) location.facet = facing;
-  return location;
-}
+
+  double max_distance(const Query& query) const { return options_.max_distance * query.spacing; }
+
+  // The location of most points: the closest facet of all is fine or too far away, and there is no
+  // need to look for another one.
+  std::optional<Location> locate_at_once(const Query& query) const {
+    if (nearest_vertex_ || !faces_at_least(query, query.closest.triangle, good())) return {};
+    const double max = max_distance(query);
+    if (query.closest.squared_distance > max * max) return Location{};
+    return Location{.facet = query.closest};
+  }
+
+  // `near` reaches max_distance() at least.
+  Location locate(const NearFacets& near, const Query& query) const {
+    const auto facing = [&](double cosine) {
+      return [&, cosine](TriangleId t) { return faces_at_least(query, t, cosine); };
+    };
+    Location location;
+    const double max = max_distance(query);
+    location.facing_away = !faces_at_least(query, query.closest.triangle, good());
+    if (nearest_vertex_) {
+      location.facet = star_facet(model_, (*nearest_vertex_)(query.point), query.point, max);
+      if (!location.facet.triangle.is_none()) return location;
+      location.star_miss = true;
+    }
+    // The closest facet that does not face away; one that faces as the cloud does instead if there
+    // is one hardly farther away.
+    location.facet = near.closest(query.point, max * max, facing(-good()));
+    if (location.facet.triangle.is_none()) return location;
+    if (faces_at_least(query, location.facet.triangle, good())) return location;
+    const double reach = std::min(max, std::sqrt(location.facet.squared_distance) +
+                                           options_.facing_preference * query.spacing);
+    const ClosestFacet better = near.closest(query.point, reach * reach, facing(good()));
+    location.steep = better.triangle.is_none();
+    if (!location.steep) location.facet = better;
+    return location;
+  }
+
+ private:
+  double good() const { return options_.min_normal_cosine; }
+
+  // A point without a normal, or a facet without area, has no side to be on.
+  bool faces_at_least(const Query& query, TriangleId t, double cosine) const {
+    if (query.component != any_component && model_.component(t) != query.component) return false;
+    const Vec3 normal = model_.normal(t);
+    if (query.facing == Vec3{} || normal == Vec3{}) return true;
+    return dot(normal, query.facing) >= cosine;
+  }
+
+  const ModelIndex& model_;
+  const OverlapOptions& options_;
+  std::optional<NearestVertex> nearest_vertex_;
+};
 
 // The component that most points of each loop lie on; any_component if too many do not.
 std::vector<std::uint32_t> main_components(const ModelIndex& model, const CloudRim& rim,
@@ -191,6 +251,69 @@ void match_loops(const CloudRim& rim, double max_share, Overlap& overlap) {
   overlap.status = overlaps ? OverlapStatus::ok : OverlapStatus::no_overlap;
 }
 
+std::vector<Point> points_at(const CloudRim& rim, const std::vector<RimPoint>& points,
+                             const std::vector<std::size_t>& chosen) {
+  std::vector<Point> result;
+  result.reserve(chosen.size());
+  for (const std::size_t k : chosen) {
+    result.push_back(rim.loops[points[k].loop].points[points[k].index]);
+  }
+  return result;
+}
+
+// The closest facet of all for each rim point. Rims lie on the model, so facets within a spacing
+// hold the answer as a rule; farther ones are looked at for the points that find nothing there.
+std::vector<ClosestFacet> closest_facets(const ModelIndex& model, const CloudRim& rim,
+                                         const std::vector<RimPoint>& points,
+                                         const Execution& execution) {
+  constexpr double farther = 8;
+  constexpr int near_rounds = 3;
+  std::vector<ClosestFacet> closest(points.size());
+  std::vector<std::size_t> open(points.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  double reach = rim.spacing;
+  for (int round = 0; !open.empty(); ++round, reach *= farther) {
+    if (round == near_rounds) reach = std::numeric_limits<double>::infinity();
+    const std::vector<Point> centers = points_at(rim, points, open);
+    const NearFacets near(model.mesh(), centers, reach);
+    parallel_chunks(
+        execution, open.size(), points_per_chunk, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) {
+            closest[open[i]] =
+                near.closest(centers[i], reach * reach, [](TriangleId) { return true; });
+          }
+        });
+    std::erase_if(open, [&](std::size_t k) { return !closest[k].triangle.is_none(); });
+  }
+  return closest;
+}
+
+// Fills located[k] for each k of `chosen`.
+void locate_points(const ModelIndex& model, const Locator& locator,
+                   const std::vector<Query>& queries, const std::vector<std::size_t>& chosen,
+                   const Execution& execution, std::vector<Location>& located) {
+  std::vector<std::size_t> open;
+  std::vector<Point> centers;
+  double reach = 0;
+  for (const std::size_t k : chosen) {
+    if (const std::optional<Location> location = locator.locate_at_once(queries[k])) {
+      located[k] = *location;
+      continue;
+    }
+    open.push_back(k);
+    centers.push_back(queries[k].point);
+    reach = std::max(reach, locator.max_distance(queries[k]));
+  }
+  if (open.empty()) return;
+  const NearFacets near(model.mesh(), centers, reach);
+  parallel_chunks(execution, open.size(), points_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i) {
+                      located[open[i]] = locator.locate(near, queries[open[i]]);
+                    }
+                  });
+}
+
 }  // namespace
 
 Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
@@ -199,43 +322,34 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
   const std::vector<RimPoint> points = all_points(rim);
 
   // 1. The closest facet of all: gives the local spacing and the side the cloud is seen from.
-  std::vector<ClosestFacet> closest(points.size());
-  parallel_chunks(execution, points.size(), points_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t k = begin; k < end; ++k) {
-                      closest[k] = model.closest(rim.loops[points[k].loop].points[points[k].index]);
-                    }
-                  });
+  const std::vector<ClosestFacet> closest = closest_facets(model, rim, points, execution);
   const std::vector<double> signs = facing_signs(model, rim, points, closest);
 
   // 2. The overlapping facets.
+  std::vector<Query> queries;
+  std::vector<std::size_t> chosen;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto [l, i] = points[k];
+    const RimLoop& loop = rim.loops[l];
+    queries.push_back({loop.points[i], signs[l] * loop.normals[i],
+                       std::max(rim.spacing, facet_spacing(model.mesh(), closest[k].triangle)),
+                       closest[k]});
+    if (!loop.is_gap_point(i)) chosen.push_back(k);
+  }
+  const Locator locator(model, options);
   std::vector<Location> located(points.size());
-  auto locate_point = [&](std::size_t k, std::uint32_t component) {
-    const RimLoop& loop = rim.loops[points[k].loop];
-    const std::size_t i = points[k].index;
-    if (loop.is_gap_point(i)) return;
-    located[k] = locate(model,
-                        {loop.points[i], signs[points[k].loop] * loop.normals[i], rim.spacing,
-                         closest[k].triangle, component},
-                        options);
-  };
-  parallel_chunks(execution, points.size(), points_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t k = begin; k < end; ++k) locate_point(k, any_component);
-                  });
+  locate_points(model, locator, queries, chosen, execution, located);
   Overlap overlap;
   const std::vector<std::uint32_t> main =
       main_components(model, rim, points, located, options.max_unmatched_share);
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  std::erase_if(chosen, [&](std::size_t k) {
     const TriangleId facet = located[k].facet.triangle;
-    const std::uint32_t component = main[points[k].loop];
-    if (facet.is_none() || component == any_component || model.component(facet) == component) {
-      continue;
-    }
-    ++overlap.relocated;
-    located[k] = {};
-    locate_point(k, component);
-  }
+    queries[k].component = main[points[k].loop];
+    return facet.is_none() || queries[k].component == any_component ||
+           model.component(facet) == queries[k].component;
+  });
+  overlap.relocated = chosen.size();
+  locate_points(model, locator, queries, chosen, execution, located);
 
   // 3. Gathered by loop, and judged.
   gather_by_loop(rim, points, located, overlap);

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "cocone/reconstruct.h"
+#include "geom/closest_facet.h"
 #include "geom/mesh_check.h"
+#include "geom/nearest_point.h"
 #include "geom/random.h"
 #include "io/point_file.h"
 #include "tests/end_to_end/local_update.h"
@@ -29,7 +31,8 @@ TEST(UpdateOfAScan, KittenByADenserPatch) {
 
   // Points on the facets within 0.15 of a vertex, pushed outward by a hill.
   const ModelIndex index(model);
-  const Point center = model.points[index.nearest_vertex({0.3, 0, 0})];
+  const PointId middle = NearestPointTree(model.points.span()).nearest({0.3, 0, 0}).point;
+  const Point center = model.points[VertexId(middle.index())];
   Random random(12);
   Clouds clouds(1);
   const double spacing = 0.009;  // half of the model's
@@ -62,7 +65,7 @@ TEST(UpdateOfAScan, KittenByADenserPatch) {
       [&](const Point& p) { return distance(p, center) > 0.17; });
   EXPECT_EQ(mesh_check(result.mesh).euler, before.euler);
   // It follows the patch: every cloud point lies on it, up to a fraction of the spacing.
-  const ModelIndex updated(result.mesh);
+  const ClosestFacetTree updated(result.mesh);
   for (const Point& p : clouds[0]) {
     EXPECT_LT(std::sqrt(updated.closest(p).squared_distance), spacing / 2);
   }

@@ -1,6 +1,7 @@
 // Small models and rims with known answers, for the tests of the update stages.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -139,6 +140,14 @@ inline TriangleMesh torus(std::size_t nu, std::size_t nv, double tube) {
     }
   }
   return mesh;
+}
+
+inline VertexId nearest_vertex(const TriangleMesh& mesh, const Point& p) {
+  const auto closer = [&p](const Point& a, const Point& b) {
+    return squared_distance(a, p) < squared_distance(b, p);
+  };
+  const auto nearest = std::min_element(mesh.points.begin(), mesh.points.end(), closer);
+  return vertex(static_cast<std::size_t>(nearest - mesh.points.begin()));
 }
 
 // A closed loop through `points`, whose cocone triangles reach towards `inside` by the length of

@@ -24,7 +24,7 @@ struct Scene {
     const Border border = trace_border(index, rims[0], overlapping_facets(index, rims[0]));
     regions = segment_model(model, border.facets);
     choice.replaced = IdVector<RegionId, std::uint8_t>(regions.regions.size(), 0);
-    choice.replaced[regions.group_of_vertex[index.nearest_vertex({10, 10, 0})]] = 1;
+    choice.replaced[regions.group_of_vertex[testing::nearest_vertex(model, {10, 10, 0})]] = 1;
   }
   Replacement replace(const ReplaceOptions& options = {}) const {
     return replace_points(model, regions, choice, rims, clouds, options);

@@ -28,7 +28,7 @@ Segmented measure(const TriangleMesh& mesh, const CloudRim& rim) {
 }
 
 RegionId region_at(const TriangleMesh& mesh, const Regions& regions, const Point& p) {
-  return regions.group_of_vertex[ModelIndex(mesh).nearest_vertex(p)];
+  return regions.group_of_vertex[testing::nearest_vertex(mesh, p)];
 }
 
 // A cloud whose triangles at the rim rise from a plane at angle a: the region under it is seen at

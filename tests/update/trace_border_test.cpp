@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "geom/closest_facet.h"
 #include "geom/random.h"
 #include "tests/update/hand_made_models.h"
 #include "update/loop_sides.h"
@@ -122,10 +123,11 @@ TEST(TraceBorder, UnmatchedStretchIsBridged) {
 TEST(TraceBorder, SearchesAroundWhereTheWalkFails) {
   const TriangleMesh mesh = testing::block(10, 10, 10);
   const ModelIndex model(mesh);
+  const ClosestFacetTree tree(mesh);
   Overlap overlap;  // from the middle of the top to the middle of the bottom and back
   overlap.loops.resize(1);
   for (const Point& p : {Point{5.2, 5.1, 10}, Point{5.3, 4.8, 0}}) {
-    overlap.loops[0].facets.push_back(model.closest(p).triangle);
+    overlap.loops[0].facets.push_back(tree.closest(p).triangle);
     overlap.loops[0].feet.push_back(p);
   }
   RimLoop loop;
