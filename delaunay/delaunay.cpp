@@ -11,6 +11,7 @@
 #include "delaunay/first_cells.h"
 #include "delaunay/parallel_insertion.h"
 #include "geom/errors.h"
+#include "geom/large_pages.h"
 #include "geom/spatial_order.h"
 #include "geom/working_scale.h"
 
@@ -40,6 +41,7 @@ Vertices merge_duplicates(Points points, const Execution& execution) {
   Vertices vertices;
   vertices.of_point.resize(points.size());
   vertices.points.reserve(points.size() + 1);
+  prefer_large_pages(vertices.points.raw());
   vertices.points.resize(points.size());
   // Each chunk copies its points, without those equal to the one before, to where it begins.
   std::vector<std::uint8_t> is_new(points.size());
@@ -91,6 +93,8 @@ CellPool insert_all(const IdVector<VertexId, Point>& points, const InsertionRoun
       static_cast<std::size_t>(expected_cells_per_point * static_cast<double>(order.size())) + 64;
   pool.cells.reserve(expected_cells);
   pool.marks.reserve(expected_cells);
+  prefer_large_pages(pool.cells.raw());
+  prefer_large_pages(pool.marks.raw());
   make_first_cells(
       pool, points,
       {VertexId(order[0]), VertexId(order[1]), VertexId(order[2]), VertexId(order[3])});
@@ -116,7 +120,8 @@ IdVector<VertexId, Point> scaled_points(const IdVector<VertexId, Point>& points)
   const double scale = working_scale(points.span());
   IdVector<VertexId, Point> scaled;
   if (scale == 1 || !scales_exactly(points.span(), scale)) return scaled;
-  scaled.reserve(points.size());
+  scaled.reserve(points.size() + 1);
+  prefer_large_pages(scaled.raw());
   for (const Point& p : points) scaled.push_back(scale * p);
   return scaled;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geom/id_vector.h"
+#include "geom/large_pages.h"
 
 namespace cocoon {
 namespace {
@@ -263,12 +264,14 @@ std::uint64_t hash(std::uint64_t value) {  // the finalizer of splitmix64
 std::vector<PointId> hilbert_order(Points points, const Execution& execution) {
   const std::size_t grain = grain_of(points.size());
   KeyedPoints items(points.size());
+  prefer_large_pages(items);
   parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) items[i] = {0, PointId(i)};
   });
   if (!items.empty()) {
     report_progress(execution, "delaunay", 0);
     KeyedPoints buffer(items.size());
+    prefer_large_pages(buffer);
     sort_along_curve(points, items, buffer, execution);
   }
   std::vector<PointId> order(items.size());
