@@ -7,21 +7,15 @@
 namespace cocoon {
 namespace {
 
-// A border of at most 32 vertices uses a table of 4 KiB, which stays in the L1 cache.
-constexpr unsigned small_stride = 32;
+// Vertices of a zone are numbered by their places in its list. Of the table of directed edges most
+// zones use 24 rows of 24 entries, which stay in the L1 cache. Local ids fit a byte, and a table of
+// 256 rows the L2 cache; the few larger zones pair their edges by sorting.
+constexpr unsigned small_stride = 64;
 constexpr unsigned large_stride = 256;
-// Local ids fit a byte, and the table of directed edges stays in the L2 cache; the few larger
-// borders pair their edges by sorting.
-constexpr std::size_t max_table_vertices = 250;
-
-constexpr std::uint8_t no_local_id = 0;
 
 // Entry of local_id_: the vertex at infinity, number 2^32 - 2, has the first.
 constexpr std::size_t entry_of(VertexId v) { return v.value + 2U; }
 static_assert(entry_of(infinite_vertex) == 0);
-
-// The border of a zone is a triangulated sphere.
-constexpr std::size_t vertices_of_sphere(std::size_t facets) { return facets / 2 + 2; }
 
 // facet_corners in four bytes each.
 constexpr std::uint8_t facet_slots[4][4] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
@@ -39,28 +33,25 @@ CavityInserter::CavityInserter(CellPool& pool, const IdVector<VertexId, Point>& 
       points_(points),
       shared_{nullptr, &pool.free, nullptr, nullptr, 0},
       search_(pool, points),
-      border_vertices_(max_table_vertices + 1),
-      local_id_(points.size() + 2, no_local_id),
-      edge_table_(std::size_t{large_stride} * (large_stride + 1)) {}
+      local_id_(points.size() + 2),
+      edge_table_(std::size_t{large_stride} * large_stride) {}
 
 CavityInserter::CavityInserter(const CavityInserter& other, const SharedInsertion& shared)
     : pool_(other.pool_),
       points_(other.points_),
       shared_(shared),
       search_(other.search_),
-      border_vertices_(max_table_vertices + 1),
-      border_cells_(max_table_vertices + 1),
-      edge_table_(std::size_t{large_stride} * (large_stride + 1)) {
+      edge_table_(std::size_t{large_stride} * large_stride) {
   search_.search_beside_others(*shared.holder);
 }
 
 void CavityInserter::admit(const Point& p) {
-  if (local_id_.size() < points_.size() + 2) local_id_.resize(points_.size() + 2, no_local_id);
+  if (local_id_.size() < points_.size() + 2) local_id_.resize(points_.size() + 2);
   search_.admit(p);
 }
 
 void CavityInserter::read_points_again() {
-  if (local_id_.size() < points_.size() + 2) local_id_.resize(points_.size() + 2, no_local_id);
+  if (local_id_.size() < points_.size() + 2) local_id_.resize(points_.size() + 2);
   search_.read_points_again();
 }
 
@@ -98,28 +89,22 @@ std::size_t CavityInserter::num_slots_wanted() const {
 // at each directed edge, in a table by local numbers of the vertices, then look up the reverse.
 // Edge (corner 0, corner 1) belongs to the facet opposite corner 2, and so on around.
 template <unsigned stride, bool is_shared>
-void CavityInserter::build_star(VertexId v, std::span<const FacetId> border) {
+void CavityInserter::build_star(VertexId v, const ConflictZone& zone) {
+  const std::span<const FacetId> border = zone.border();
+  const std::span<const VertexId> vertices = zone.vertices();
   if (reverse_edges_.size() < border.size()) reverse_edges_.resize(2 * border.size());
   Cell* const cells = pool_.cells.raw().data();
   std::uint8_t* const local_id = is_shared ? shared_.local_id : local_id_.data();
   const auto entry = [infinite = shared_.infinite_entry](VertexId w) {
     return is_shared ? std::size_t{std::min(w.value, infinite)} : entry_of(w);
   };
-  VertexId* const border_vertices = border_vertices_.data();
   FacetId* const table = edge_table_.data();
   std::array<std::uint16_t, 3>* const reverse_edges = reverse_edges_.data();
   const CellId* const slots = slots_.data();
-  unsigned next_id = no_local_id + 1;
-  // Arithmetic instead of branches: whether a vertex was seen before is a coin toss.
-  const auto number = [&](VertexId w) {
-    const unsigned known = local_id[entry(w)];
-    const unsigned is_new = (known - 1) >> 31;  // known == no_local_id
-    const std::size_t id = known | (next_id & (0U - is_new));
-    local_id[entry(w)] = static_cast<std::uint8_t>(id);
-    border_vertices[id] = w;
-    next_id += is_new;
-    return id;
-  };
+  // A vertex that is listed twice gets the second number.
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    local_id[entry(vertices[i])] = static_cast<std::uint8_t>(i);
+  }
   for (std::size_t b = 0; b < border.size(); ++b) {
     const FacetId outer = border[b];
     const CellId c = slots[b];
@@ -129,10 +114,12 @@ void CavityInserter::build_star(VertexId v, std::span<const FacetId> border) {
     created.vertices = {v0, v1, v2, v};
     created.neighbors[3] = outer;
     behind.neighbors[static_cast<std::size_t>(index_of(outer))] = facet_id(c, 3);
-    const std::size_t id0 = number(v0);
-    const std::size_t id1 = number(v1);
-    const std::size_t id2 = number(v2);
-    if constexpr (is_shared) border_cells_[id0] = border_cells_[id1] = border_cells_[id2] = c;
+    const std::size_t id0 = local_id[entry(v0)];
+    const std::size_t id1 = local_id[entry(v1)];
+    const std::size_t id2 = local_id[entry(v2)];
+    if constexpr (is_shared) {
+      shared_.cell_at[entry(v0)] = shared_.cell_at[entry(v1)] = shared_.cell_at[entry(v2)] = c;
+    }
     const std::size_t row0 = stride * id0;
     const std::size_t row1 = stride * id1;
     const std::size_t row2 = stride * id2;
@@ -146,10 +133,6 @@ void CavityInserter::build_star(VertexId v, std::span<const FacetId> border) {
   for (std::size_t b = 0; b < border.size(); ++b) {
     Cell& cell = cells[slots[b].index()];
     for (std::size_t i = 0; i < 3; ++i) cell.neighbors[i] = table[reverse_edges[b][i]];
-  }
-  for (unsigned id = no_local_id + 1; id < next_id; ++id) {
-    local_id[entry(border_vertices[id])] = no_local_id;
-    if constexpr (is_shared) shared_.cell_at[entry(border_vertices[id])] = border_cells_[id];
   }
 }
 
@@ -217,14 +200,13 @@ void CavityInserter::put_infinite_last(CellId c) {
 }
 
 template <bool is_shared>
-void CavityInserter::fill_hole(VertexId v, std::span<const FacetId> border) {
-  const std::size_t vertices = vertices_of_sphere(border.size());
-  if (vertices <= small_stride) {
-    build_star<small_stride, is_shared>(v, border);
-  } else if (vertices <= max_table_vertices) {
-    build_star<large_stride, is_shared>(v, border);
+void CavityInserter::fill_hole(VertexId v, const ConflictZone& zone) {
+  if (zone.vertices().size() <= small_stride) {
+    build_star<small_stride, is_shared>(v, zone);
+  } else if (zone.vertices().size() <= large_stride) {
+    build_star<large_stride, is_shared>(v, zone);
   } else {
-    build_large_star(v, border);
+    build_large_star(v, zone.border());
     if constexpr (is_shared) note_cells_at_corners();
   }
   if constexpr (is_shared) shared_.cell_at[v.index()] = slots_[0];
@@ -240,9 +222,9 @@ CellId CavityInserter::fill_zone(VertexId v, DelaunayCounters& counters) {
   const std::span<const FacetId> border = zone.border();
   take_slots(zone);
   if (shared_.holder != nullptr) {
-    fill_hole<true>(v, border);
+    fill_hole<true>(v, zone);
   } else {
-    fill_hole<false>(v, border);
+    fill_hole<false>(v, zone);
   }
   if (zone.has_infinite()) {
     for (const CellId c : slots_) put_infinite_last(c);

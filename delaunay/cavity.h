@@ -23,7 +23,7 @@ struct SharedInsertion {
   std::vector<CellId>* free;  // slots of this thread alone, used instead of the pool's
   // By vertex, accessed only for vertices that are held:
   CellId* cell_at;               // a cell there; kept up to date
-  std::uint8_t* local_id;        // scratch, zero
+  std::uint8_t* local_id;        // scratch
   std::uint32_t infinite_entry;  // stands for the vertex at infinity there, for this thread alone
 };
 
@@ -74,10 +74,10 @@ class CavityInserter {
  private:
   void take_slots(const ConflictZone& zone);
   template <unsigned stride, bool is_shared>
-  void build_star(VertexId v, std::span<const FacetId> border);
+  void build_star(VertexId v, const ConflictZone& zone);
   void build_large_star(VertexId v, std::span<const FacetId> border);
   template <bool is_shared>
-  void fill_hole(VertexId v, std::span<const FacetId> border);
+  void fill_hole(VertexId v, const ConflictZone& zone);
   void note_cells_at_corners();
   void put_infinite_last(CellId c);
 
@@ -88,10 +88,8 @@ class CavityInserter {
   std::vector<CellId> slots_;  // the new cells, one for each facet of the border
   // For each border facet its edges in edge_table_, as the neighbors of the new cell enter them.
   std::vector<std::array<std::uint16_t, 3>> reverse_edges_;
-  std::vector<VertexId> border_vertices_;  // by local id
-  std::vector<CellId> border_cells_;       // by local id a new cell there, if shared
-  std::vector<std::uint8_t> local_id_;     // number of a border vertex, no_local_id elsewhere
-  std::vector<FacetId> edge_table_;  // facet of a new cell by (local id, local id) of its edge
+  std::vector<std::uint8_t> local_id_;  // number of a vertex of the zone; elsewhere anything
+  std::vector<FacetId> edge_table_;     // facet of a new cell by (local id, local id) of its edge
 };
 
 }  // namespace cocoon

@@ -50,6 +50,9 @@ struct SearchView {
   bool hold_on_the_way(FacetId entry) const;
 };
 
+// The loops compute what insphere_filter and orient3d_filter do, but round only once where a
+// product is added: each error that is missing can only tighten the bounds that are derived there.
+//
 // The filters of the loops bound X, Y, Z, the largest |difference| on each axis, by the root of L,
 // the largest squared length, which is at hand: sqrt(L) (1 + 2 u) is at least each, u = 2^-53. So
 // by the derivations in geom/insphere.h and geom/orient3d.h the errors are below 384.02 u L^(5/2)
@@ -159,11 +162,12 @@ HWY_INLINE NeighborDecision decide_neighbors(SearchView& view, const Cell& cell,
   const Four qr = rotate<1>(pq);
   const Four qs = minor_xy(q, s);
   const Four rs = minor_xy(r, s);
-  const Four qrs = q.z * rs - r.z * qs + s.z * qr;
-  const Four prs = p.z * rs - r.z * ps + s.z * pr;
-  const Four pqs = p.z * qs - q.z * ps + s.z * pq;
-  const Four pqr = p.z * qr - q.z * pr + r.z * pq;
-  const Four value = alternate_signs((pp * qrs - qq * prs) + (rr * pqs - ss * pqr));
+  const Four qrs = alternating_sum(q.z, rs, r.z, qs, s.z, qr);
+  const Four prs = alternating_sum(p.z, rs, r.z, ps, s.z, pr);
+  const Four pqs = alternating_sum(p.z, qs, q.z, ps, s.z, pq);
+  const Four pqr = alternating_sum(p.z, qr, q.z, pr, r.z, pq);
+  const Four value =
+      alternate_signs(multiply_subtract(pp, qrs, qq * prs) + multiply_subtract(rr, pqs, ss * pqr));
   const Four reach = larger(larger(pp, qq), larger(rr, ss));
   const Four reach_2 = reach * reach;
   const Four error_2 =
@@ -200,9 +204,13 @@ bool find_zone(SearchView& view, ConflictZone& zone, CellId start) {
   std::size_t num_cells = 1;
   std::size_t num_border = 0;
   lists.cells[0] = start;
+  std::copy_n(view.cells[start.index()].vertices.begin(), 4, lists.vertices);
   view.marks[start.index()] = CellMark::conflict;
+  CellId next = start;
   for (std::size_t expanded = 0; expanded < num_cells; ++expanded) {
-    const Cell& cell = view.cells[lists.cells[expanded].index()];
+    const Cell& cell = view.cells[next.index()];
+    const bool knows_next = expanded + 1 < num_cells;
+    next = lists.cells[expanded + 1];
     const std::array<FacetId, 4>& outer = cell.neighbors;
     const CellId n0 = cell_of(outer[0]), n1 = cell_of(outer[1]);
     const CellId n2 = cell_of(outer[2]), n3 = cell_of(outer[3]);
@@ -213,7 +221,9 @@ bool find_zone(SearchView& view, ConflictZone& zone, CellId start) {
         (is_known(n0) + 2 * is_known(n1)) + 4 * (is_known(n2) + 2 * is_known(n3));
     NeighborDecision decision = decide_neighbors(view, cell, apexes, origin);
     decision.open &= ~known;
-    if (decision.open != 0) [[unlikely]] {
+    if ((decision.open | decision.on_sphere) != 0) [[unlikely]] {
+      view.counters.perturbed_inspheres +=
+          static_cast<std::size_t>(std::popcount(decision.on_sphere & ~known));
       decision.inside = view.decide_open(outer, decision.inside, decision.open, decision.on_sphere);
     }
     const unsigned inside = decision.inside & ~known;
@@ -225,10 +235,8 @@ bool find_zone(SearchView& view, ConflictZone& zone, CellId start) {
     view.marks[n3.index()] = static_cast<CellMark>(marks >> 24);
     num_border += append(&outer[0].value, outside, &lists.border[num_border].value);
     const std::array<std::uint32_t, 4> neighbors = {n0.value, n1.value, n2.value, n3.value};
+    append(&apexes[0].value, inside, &lists.vertices[num_cells + 3].value);
     num_cells += append(neighbors.data(), inside, &lists.cells[num_cells].value);
-    view.counters.perturbed_inspheres +=
-        static_cast<std::size_t>(std::popcount(decision.on_sphere & ~known));
-    view.counters.conflict_tests += static_cast<std::size_t>(4 - std::popcount(known));
     if (view.holder != nullptr && !view.hold(apexes, inside)) {
       zone.finish(num_cells, num_border, view.has_infinite);
       return false;
@@ -236,7 +244,10 @@ bool find_zone(SearchView& view, ConflictZone& zone, CellId start) {
     if (num_cells + 4 > lists.capacity) [[unlikely]] {
       lists = zone.grow();
     }
+    if (!knows_next) [[unlikely]]
+      next = lists.cells[expanded + 1];
   }
+  view.counters.conflict_tests += num_cells - 1 + num_border;  // each test has found one of them
   zone.finish(num_cells, num_border, view.has_infinite);
   return true;
 }
@@ -260,7 +271,7 @@ HWY_INLINE Facets facets_of(const SearchView& view, const Cell& cell, const Four
   const Four ab = minor_xy(a, b);
   const Four bc = rotate<1>(ab);
   const Four ac = minor_xy(a, c);
-  const Four determinant = a.z * bc - b.z * ac + c.z * ab;
+  const Four determinant = alternating_sum(a.z, bc, b.z, ac, c.z, ab);
   const Four lift = squared_norm(v);
   const Four pairs = larger(lift, rotate<2>(lift));
   return {alternate_signs(determinant), lift, larger(pairs, rotate<1>(pairs))};
@@ -389,9 +400,10 @@ bool SearchView::hold_on_the_way(FacetId entry) const {
 ZoneLists ConflictZone::start_lists() {
   if (cells_.size() < capacity_ + 4) {
     cells_.resize(capacity_ + 4);
+    vertices_.resize(capacity_ + 7);
     border_.resize(4 * capacity_ + 4);
   }
-  return {cells_.data(), border_.data(), capacity_};
+  return {cells_.data(), vertices_.data(), border_.data(), capacity_};
 }
 
 ZoneLists ConflictZone::grow() {

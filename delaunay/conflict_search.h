@@ -18,7 +18,8 @@ struct SearchView;
 
 // Where a search enters what it finds.
 struct ZoneLists {
-  CellId* cells;  // in conflict, in breadth-first order
+  CellId* cells;       // in conflict, in breadth-first order
+  VertexId* vertices;  // the corners of the first cell, then the apex of each other
   FacetId* border;
   std::size_t capacity;  // of `cells`; `border` has room for all their facets
 };
@@ -29,6 +30,8 @@ class ConflictZone {
  public:
   std::span<const CellId> cells() const { return {cells_.data(), num_cells_}; }
   std::span<const FacetId> border() const { return {border_.data(), num_border_}; }
+  // All vertices of the cells, some more than once.
+  std::span<const VertexId> vertices() const { return {vertices_.data(), num_cells_ + 3}; }
 
   // Is there an infinite cell among them or behind the border? If not, the border is finite.
   bool has_infinite() const { return has_infinite_; }
@@ -45,6 +48,7 @@ class ConflictZone {
  private:
   std::size_t capacity_ = 64;
   std::vector<CellId> cells_;
+  std::vector<VertexId> vertices_;
   std::vector<FacetId> border_;
   std::size_t num_cells_ = 0;
   std::size_t num_border_ = 0;

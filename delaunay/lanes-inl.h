@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <hwy/highway.h>
@@ -30,6 +31,10 @@ struct FourVectors {
 };
 
 HWY_INLINE Four broadcast(double value) { return hn::Set(FourTag(), value); }
+// a b + c, a b - c, c - a b, rounded once.
+HWY_INLINE Four multiply_add(Four a, Four b, Four c) { return hn::MulAdd(a, b, c); }
+HWY_INLINE Four multiply_subtract(Four a, Four b, Four c) { return hn::MulSub(a, b, c); }
+HWY_INLINE Four subtract_product(Four c, Four a, Four b) { return hn::NegMulAdd(a, b, c); }
 HWY_INLINE Four larger(Four a, Four b) { return hn::Max(a, b); }
 HWY_INLINE void store(Four a, double* to) { hn::StoreU(a, FourTag(), to); }
 HWY_INLINE double first_lane(Four a) { return hn::GetLane(a); }
@@ -132,6 +137,15 @@ HWY_INLINE Four operator-(const Four& a, const Four& b) {
 HWY_INLINE Four operator*(const Four& a, const Four& b) {
   return in_each_lane([&](unsigned i) { return a.lane[i] * b.lane[i]; });
 }
+HWY_INLINE Four multiply_add(const Four& a, const Four& b, const Four& c) {
+  return in_each_lane([&](unsigned i) { return std::fma(a.lane[i], b.lane[i], c.lane[i]); });
+}
+HWY_INLINE Four multiply_subtract(const Four& a, const Four& b, const Four& c) {
+  return in_each_lane([&](unsigned i) { return std::fma(a.lane[i], b.lane[i], -c.lane[i]); });
+}
+HWY_INLINE Four subtract_product(const Four& c, const Four& a, const Four& b) {
+  return in_each_lane([&](unsigned i) { return std::fma(-a.lane[i], b.lane[i], c.lane[i]); });
+}
 HWY_INLINE Four broadcast(double value) { return {{value, value, value, value}}; }
 HWY_INLINE Four larger(const Four& a, const Four& b) {
   return in_each_lane([&](unsigned i) { return std::max(a.lane[i], b.lane[i]); });
@@ -190,9 +204,16 @@ HWY_INLINE FourVectors load_points(const double* p0, const double* p1, const dou
 HWY_INLINE FourVectors operator-(const FourVectors& a, const FourVectors& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-HWY_INLINE Four squared_norm(const FourVectors& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
+HWY_INLINE Four squared_norm(const FourVectors& v) {
+  return multiply_add(v.x, v.x, multiply_add(v.y, v.y, v.z * v.z));
+}
 HWY_INLINE Four minor_xy(const FourVectors& v, const FourVectors& w) {
-  return v.x * w.y - v.y * w.x;
+  return multiply_subtract(v.x, w.y, v.y * w.x);
+}
+// a x - b y + c z
+HWY_INLINE Four alternating_sum(const Four& a, const Four& x, const Four& b, const Four& y,
+                                const Four& c, const Four& z) {
+  return multiply_add(a, x, subtract_product(c * z, b, y));
 }
 HWY_INLINE unsigned is_greater(const Four& a, const Four& b) { return bits_of(greater(a, b)); }
 template <int by>
