@@ -106,6 +106,14 @@ struct KeyedPoint {
 };
 using KeyedPoints = std::vector<KeyedPoint, OverwriteAllocator<KeyedPoint>>;
 
+// What the sort looks at in one pass.
+constexpr int digit_bits = 8;
+constexpr std::size_t num_digits = std::size_t{1} << digit_bits;
+constexpr int top_digit_shift = 3 * bits_per_axis - digit_bits;
+constexpr std::size_t digit(const KeyedPoint& item, int shift) {
+  return (item.key >> shift) & (num_digits - 1);
+}
+
 // Loops over all points are cut into at most this many parts.
 constexpr std::size_t most_chunks = 64;
 constexpr std::size_t smallest_chunk = std::size_t{1} << 15;
@@ -159,39 +167,64 @@ void sort_lexicographically(Points points, std::span<KeyedPoint> items) {
   });
 }
 
-// Stable radix sort by key; `buffer` has the size of `items`. The number of passes is even, so
-// the result ends in `items`. Each chunk counts its digits, then moves its items to places of its
-// own.
+// Sorts one bucket, which lies in `from`, by the lower key bits, into `to`, which has its size.
+// Least significant digit first: at an odd number of passes it ends there.
+void sort_bucket(std::span<KeyedPoint> from, std::span<KeyedPoint> to) {
+  constexpr std::size_t too_few_to_count = 64;
+  if (from.size() < too_few_to_count) {
+    std::copy(from.begin(), from.end(), to.begin());
+    std::sort(to.begin(), to.end(),
+              [](const KeyedPoint& a, const KeyedPoint& b) { return a.key < b.key; });
+    return;
+  }
+  constexpr int passes = 5;
+  static_assert(passes % 2 == 1 && passes * digit_bits >= top_digit_shift);
+  std::array<std::array<std::uint32_t, num_digits>, passes> next{};
+  for (const KeyedPoint& item : from) {
+    for (int pass = 0; pass < passes; ++pass)
+      ++next[static_cast<std::size_t>(pass)][digit(item, pass * digit_bits)];
+  }
+  for (int pass = 0; pass < passes; ++pass) {
+    std::array<std::uint32_t, num_digits>& places = next[static_cast<std::size_t>(pass)];
+    std::uint32_t offset = 0;
+    for (std::uint32_t& count : places) offset += std::exchange(count, offset);
+    for (const KeyedPoint& item : from) to[places[digit(item, pass * digit_bits)]++] = item;
+    std::swap(from, to);
+  }
+}
+
+// Sorts by key; `buffer` has the size of `items`. The first pass distributes by the top digit: each
+// chunk counts its digits, then moves its items to places of its own. The buckets, which fit the
+// caches, are sorted one by one.
 void radix_sort(std::span<KeyedPoint> items, std::span<KeyedPoint> buffer,
                 const Execution& execution) {
-  constexpr int digit_bits = 12;
-  constexpr std::size_t buckets = std::size_t{1} << digit_bits;
-  constexpr int passes = 4;
-  static_assert(passes * digit_bits >= 3 * bits_per_axis && passes % 2 == 0);
   const std::size_t grain = grain_of(items.size());
   const std::size_t chunks = (items.size() + grain - 1) / grain;
-  std::vector<std::uint32_t> counts(chunks * buckets);  // by chunk, then by digit
-  for (int pass = 0; pass < passes; ++pass) {
-    const int shift = pass * digit_bits;
-    const auto digit = [&](const KeyedPoint& item) { return (item.key >> shift) & (buckets - 1); };
-    parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
-      std::uint32_t* const own = counts.data() + begin / grain * buckets;
-      std::fill_n(own, buckets, 0U);
-      for (std::size_t i = begin; i < end; ++i) ++own[digit(items[i])];
-    });
-    std::uint32_t offset = 0;
-    for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
-      for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-        std::uint32_t& count = counts[chunk * buckets + bucket];
-        offset += std::exchange(count, offset);
-      }
+  std::vector<std::uint32_t> counts(chunks * num_digits);  // by chunk, then by digit
+  parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t* const own = counts.data() + begin / grain * num_digits;
+    for (std::size_t i = begin; i < end; ++i) ++own[digit(items[i], top_digit_shift)];
+  });
+  std::array<std::uint32_t, num_digits + 1> bucket_ends{};  // of the bucket before
+  std::uint32_t offset = 0;
+  for (std::size_t bucket = 0; bucket < num_digits; ++bucket) {
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+      std::uint32_t& count = counts[chunk * num_digits + bucket];
+      offset += std::exchange(count, offset);
     }
-    parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
-      std::uint32_t* const own = counts.data() + begin / grain * buckets;
-      for (std::size_t i = begin; i < end; ++i) buffer[own[digit(items[i])]++] = items[i];
-    });
-    std::swap(items, buffer);
+    bucket_ends[bucket + 1] = offset;
   }
+  parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t* const own = counts.data() + begin / grain * num_digits;
+    for (std::size_t i = begin; i < end; ++i) {
+      buffer[own[digit(items[i], top_digit_shift)]++] = items[i];
+    }
+  });
+  parallel_chunks(execution, num_digits, 1, [&](std::size_t bucket, std::size_t) {
+    const std::size_t begin = bucket_ends[bucket];
+    const std::size_t count = bucket_ends[bucket + 1] - begin;
+    sort_bucket(buffer.subspan(begin, count), items.subspan(begin, count));
+  });
 }
 
 // Where points share a curve cell.
