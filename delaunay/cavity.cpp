@@ -61,22 +61,20 @@ void CavityInserter::take_slots(const ConflictZone& zone) {
   search_.unmark_zone();
   const std::size_t count = zone.border().size();
   slots_.assign(zone.cells().begin(), zone.cells().end());
-  while (slots_.size() < count && !free.empty()) {
-    slots_.push_back(free.back());
-    free.pop_back();
-  }
-  const std::size_t end = pool_.cells.size();
-  if (slots_.size() < count) {
-    const std::size_t added = count - slots_.size();
-    require_cell_numbers(end + added);
-    for (std::size_t i = 0; i < added; ++i) slots_.push_back(CellId(end + i));
-    pool_.cells.resize(end + added);
-    pool_.marks.resize(end + added, CellMark::untested);
-  }
   for (; slots_.size() > count; slots_.pop_back()) {
     pool_.cells[slots_.back()].vertices[0] = VertexId();
     free.push_back(slots_.back());
   }
+  const std::size_t used = std::min(free.size(), count - slots_.size());
+  slots_.insert(slots_.end(), free.rbegin(), free.rbegin() + static_cast<std::ptrdiff_t>(used));
+  free.resize(free.size() - used);
+  const std::size_t end = pool_.cells.size();
+  const std::size_t added = count - slots_.size();
+  if (added == 0) return;
+  require_cell_numbers(end + added);
+  for (std::size_t i = 0; i < added; ++i) slots_.push_back(CellId(end + i));
+  pool_.cells.resize_for_overwrite(end + added);
+  pool_.marks.resize(end + added, CellMark::untested);
 }
 
 std::size_t CavityInserter::num_slots_wanted() const {

@@ -173,12 +173,14 @@ HWY_INLINE NeighborDecision decide_neighbors(SearchView& view, const Cell& cell,
   const Four error_2 =
       broadcast(insphere_coefficient) * (reach_2 * reach_2 * reach) + broadcast(insphere_smallest);
   const unsigned certain = is_greater(value * value, error_2);
-  const unsigned not_exact = is_greater(reach, broadcast(view.exact_reach));
   const unsigned inside = is_greater(value, broadcast(0));
   NeighborDecision decision{inside, (~certain & 0xFU) | infinite, 0};
-  if ((decision.open & ~(not_exact | infinite)) != 0) [[unlikely]] {
-    // Where the value is exact, so are its cofactors and the differences of coordinates.
-    const unsigned exact = ~(not_exact | infinite) & 0xFU;
+  if (decision.open == 0) [[likely]]
+    return decision;
+  // Where the value is exact, so are its cofactors and the differences of coordinates.
+  const unsigned not_exact = is_greater(reach, broadcast(view.exact_reach));
+  const unsigned exact = ~(not_exact | infinite) & 0xFU;
+  if ((decision.open & exact) != 0) {
     const unsigned zero = ~(inside | is_greater(broadcast(0), value));
     const Four zero_minus = broadcast(0);
     const Four tie_break = perturbed_value(
@@ -234,9 +236,8 @@ bool find_zone(SearchView& view, ConflictZone& zone, CellId start) {
     view.marks[n2.index()] = static_cast<CellMark>((marks >> 16) & 1U);
     view.marks[n3.index()] = static_cast<CellMark>(marks >> 24);
     num_border += append(&outer[0].value, outside, &lists.border[num_border].value);
-    const std::array<std::uint32_t, 4> neighbors = {n0.value, n1.value, n2.value, n3.value};
     append(&apexes[0].value, inside, &lists.vertices[num_cells + 3].value);
-    num_cells += append(neighbors.data(), inside, &lists.cells[num_cells].value);
+    num_cells += append<2>(&outer[0].value, inside, &lists.cells[num_cells].value);  // cell_of
     if (view.holder != nullptr && !view.hold(apexes, inside)) {
       zone.finish(num_cells, num_border, view.has_infinite);
       return false;

@@ -89,13 +89,15 @@ constexpr FrontShuffles make_front_shuffles() {
 }
 inline constexpr FrontShuffles front_shuffles = make_front_shuffles();
 
-// Appends element i of four to `to` for each bit i of `which`, and returns how many. May write
-// four.
+// Appends element i of four, shifted right, to `to` for each bit i of `which`, and returns how
+// many. May write four.
+template <int shift = 0>
 HWY_INLINE std::size_t append(const std::uint32_t* four, unsigned which, std::uint32_t* to) {
   const hn::FixedTag<std::uint8_t, 16> bytes;
   const hn::FixedTag<std::uint32_t, 4> d;
   const auto shuffle = hn::Load(bytes, front_shuffles.bytes[which]);
-  const auto packed = hn::TableLookupBytes(hn::BitCast(bytes, hn::LoadU(d, four)), shuffle);
+  const auto shifted = hn::ShiftRight<shift>(hn::LoadU(d, four));
+  const auto packed = hn::TableLookupBytes(hn::BitCast(bytes, shifted), shuffle);
   hn::StoreU(hn::BitCast(d, packed), d, to);
   return static_cast<std::size_t>(std::popcount(which));
 }
@@ -184,10 +186,11 @@ template <int by>
 HWY_INLINE Four rotate(const Four& a) {
   return in_each_lane([&](unsigned i) { return a.lane[(i + by) % 4]; });
 }
+template <int shift = 0>
 HWY_INLINE std::size_t append(const std::uint32_t* four, unsigned which, std::uint32_t* to) {
   std::size_t count = 0;
   for (unsigned i = 0; i < 4; ++i) {
-    to[count] = four[i];
+    to[count] = four[i] >> shift;
     count += (which >> i) & 1U;
   }
   return count;
