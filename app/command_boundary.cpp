@@ -56,8 +56,8 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
   require_surface(job.report(), arguments.points, surface, options.boundary.rho);
   const BoundaryLoops boundary =
       timed(job.execution(), "loops", [&] { return boundary_loops(surface.mesh); });
-  const MeshReport certificate =
-      timed(job.execution(), "check", [&] { return mesh_check(surface.mesh); });
+  const MeshReport certificate = timed(
+      job.execution(), "check", [&] { return mesh_check(surface.mesh, {}, job.execution()); });
   properties = properties_of_surface(job, properties, arguments.points, surface);
   timed(job.execution(), "write", [&] {
     write_mesh(arguments.mesh, surface.mesh, properties, {.ascii = arguments.ascii});

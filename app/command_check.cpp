@@ -80,7 +80,7 @@ void run_check(const CheckArguments& arguments, Job& job) {
   Certificate certificate;
   MeshMeasure measure;
   timed(job.execution(), "check", [&] {
-    certificate.report = mesh_check(mesh);
+    certificate.report = mesh_check(mesh, {}, job.execution());
     measure = mesh_measure(mesh);
   });
   if (arguments.self_intersections || needs_self_intersections(arguments.required)) {

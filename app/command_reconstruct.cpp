@@ -65,13 +65,15 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
                  : reconstruct_cocone(points, options, job.execution());
   });
   require_surface(job.report(), arguments.points, result, options.boundary.rho);
-  const SurfaceDoubts doubts =
-      timed(job.execution(), "check", [&] { return surface_doubts(result, points); });
+  const SurfaceDoubts doubts = timed(job.execution(), "check", [&] {
+    return surface_doubts(result, points, {}, job.execution());
+  });
   properties = properties_of_surface(job, properties, arguments.points, result);
   MeshReport certificate = doubts.certificate;
   if (arguments.manifold) {
     make_manifold(job, arguments.mesh, result.mesh, properties);
-    certificate = timed(job.execution(), "check", [&] { return mesh_check(result.mesh); });
+    certificate = timed(job.execution(), "check",
+                        [&] { return mesh_check(result.mesh, {}, job.execution()); });
   }
   timed(job.execution(), "write",
         [&] { write_mesh(arguments.mesh, result.mesh, properties, {.ascii = arguments.ascii}); });

@@ -143,7 +143,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   VertexProperties properties = properties_of_update(job, input, result);
   if (output.manifold) make_manifold(job, output.mesh, result.mesh, properties);
   const MeshReport certificate =
-      timed(job.execution(), "check", [&] { return mesh_check(result.mesh); });
+      timed(job.execution(), "check", [&] { return mesh_check(result.mesh, {}, job.execution()); });
   UpdateRecord record{input.model_name, input.model, input.cloud_names,
                       input.clouds,     result,      certificate};
   add_update(job.report(), record);

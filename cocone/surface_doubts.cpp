@@ -4,17 +4,20 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <iterator>
-#include <numeric>
+#include <limits>
+#include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "geom/box.h"
-#include "geom/mesh_adjacency.h"
+#include "geom/linked_mesh.h"
 #include "geom/nearest_point.h"
 
 namespace cocoon {
 namespace {
+
+constexpr std::size_t vertices_per_chunk = 8192;
 
 // Reorders the values.
 double median(std::span<double> values) {
@@ -24,28 +27,20 @@ double median(std::span<double> values) {
   return *middle;
 }
 
-// The points in lexicographic order, equal ones once.
-std::vector<Point> distinct(Points points) {
-  std::vector<Point> sorted(points.begin(), points.end());
-  std::sort(sorted.begin(), sorted.end());
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  return sorted;
-}
-
-// Sets of ids 0 .. count - 1 that `join` has put together.
+// Sets of vertices that `join` has put together.
 class Groups {
  public:
   explicit Groups(std::size_t count) : parent_(count) {
-    for (std::size_t i = 0; i < count; ++i) parent_[i] = i;
+    for (const VertexId v : parent_.ids()) parent_[v] = v;
   }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
+  VertexId find(VertexId v) {
+    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+    return v;
   }
-  void join(std::size_t i, std::size_t j) { parent_[find(i)] = find(j); }
+  void join(VertexId v, VertexId w) { parent_[find(v)] = find(w); }
 
  private:
-  std::vector<std::size_t> parent_;
+  IdVector<VertexId, VertexId> parent_;
 };
 
 void keep_worst(std::vector<DoubtfulSpot>& spots, std::size_t count,
@@ -62,17 +57,18 @@ bool more(const DoubtfulSpot& a, const DoubtfulSpot& b) { return a.count > b.cou
 
 class Doubts {
  public:
-  Doubts(const ReconstructResult& result, Points points, const SurfaceDoubtOptions& options)
+  Doubts(const ReconstructResult& result, Points points, const SurfaceDoubtOptions& options,
+         const Execution& execution)
       : result_(result),
-        mesh_(result.mesh),
         points_(points),
         options_(options),
-        adjacency_(mesh_adjacency(result.mesh)) {}
+        execution_(execution),
+        mesh_(link_mesh(result.mesh, execution)) {}
 
   SurfaceDoubts run() {
     measure_edges();
-    measure_roughness();
     find_sparse_samples();
+    doubts_.certificate = mesh_check(mesh_, {}, execution_);
     find_fragments();
     find_unused_points();
     find_contacts();
@@ -80,145 +76,209 @@ class Doubts {
   }
 
  private:
+  // What is measured at a range of vertices.
+  struct Measured {
+    std::vector<double> lengths;     // of the edges, told at one of their ends
+    std::vector<double> deviations;  // from the mean of the neighbors, see roughness
+    std::size_t boundary = 0;
+    std::size_t gaps = 0;
+  };
+
   void measure_edges() {
-    // The lengths of the edges at vertex v: lengths[begin[v], begin[v + 1]).
-    std::vector<std::size_t> begin(mesh_.points.size() + 2, 0);
-    for (const auto& [a, b] : adjacency_.edges) {
-      ++begin[a.index() + 2];
-      ++begin[b.index() + 2];
-    }
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<double> lengths(2 * adjacency_.edges.size());
-    for (const auto& [a, b] : adjacency_.edges) {
-      const double length = distance(mesh_.points[a], mesh_.points[b]);
-      lengths[begin[a.index() + 1]++] = length;
-      lengths[begin[b.index() + 1]++] = length;
-    }
-    longest_ = IdVector<VertexId, double>(mesh_.points.size(), 0);
-    sparse_ = IdVector<VertexId, std::uint8_t>(mesh_.points.size(), 0);
+    const std::size_t count = mesh_.points.size();
+    longest_ = IdVector<VertexId, double>(count, 0);
+    sparse_ = IdVector<VertexId, std::uint8_t>(count, 0);
     for (const VertexId v : mesh_.points.ids()) {
-      find_gap(
-          v, std::span(lengths).subspan(begin[v.index()], begin[v.index() + 1] - begin[v.index()]));
+      const VertexId given = mesh_.vertex_of[v];
+      if (given.index() < result_.boundary_sample.size())
+        sparse_[v] = result_.boundary_sample[given];
     }
-    doubts_.spacing = median(lengths);  // each edge is there twice
-  }
-
-  void find_gap(VertexId v, std::span<double> lengths) {
-    if (!lengths.empty()) longest_[v] = *std::max_element(lengths.begin(), lengths.end());
-    const bool gap = longest_[v] > options_.gap_ratio * median(lengths);
-    const bool boundary =
-        v.index() < result_.boundary_sample.size() && result_.boundary_sample[v] != 0;
-    doubts_.gap_samples += gap && !boundary ? 1U : 0U;
-    doubts_.boundary_samples += boundary ? 1U : 0U;
-    sparse_[v] = gap || boundary ? 1 : 0;
-  }
-
-  void measure_roughness() {
-    IdVector<VertexId, Vec3> normal(mesh_.points.size());
-    IdVector<VertexId, Vec3> arms(mesh_.points.size());
-    IdVector<VertexId, double> lengths(mesh_.points.size(), 0);
+    std::vector<Measured> parts((count + vertices_per_chunk - 1) / vertices_per_chunk);
+    parallel_chunks(execution_, count, vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
+      std::vector<double> lengths;
+      for (VertexId v(begin); v.index() < end; ++v) {
+        measure_at(v, lengths, parts[begin / vertices_per_chunk]);
+      }
+    });
+    std::vector<double> lengths;
     std::vector<double> deviations;
-    for (const auto& [a, b, c] : mesh_.triangles) {
-      const Vec3 n = cross(mesh_.points[b] - mesh_.points[a], mesh_.points[c] - mesh_.points[a]);
-      for (const VertexId v : {a, b, c}) normal[v] = normal[v] + n;
+    for (const Measured& part : parts) {
+      lengths.insert(lengths.end(), part.lengths.begin(), part.lengths.end());
+      deviations.insert(deviations.end(), part.deviations.begin(), part.deviations.end());
+      doubts_.boundary_samples += part.boundary;
+      doubts_.gap_samples += part.gaps;
     }
-    for (const auto& [a, b] : adjacency_.edges) {
-      const Vec3 arm = mesh_.points[b] - mesh_.points[a];
-      arms[a] = arms[a] + arm;
-      arms[b] = arms[b] - arm;
-      lengths[a] += norm(arm);
-      lengths[b] += norm(arm);
-    }
-    for (const VertexId v : mesh_.points.ids()) {
-      if (lengths[v] > 0)
-        deviations.push_back(std::abs(dot(arms[v], unit(normal[v]))) / lengths[v]);
-    }
+    doubts_.spacing = median(lengths);
     doubts_.roughness = median(deviations);
+  }
+
+  void measure_at(VertexId v, std::vector<double>& lengths, Measured& measured) {
+    lengths.clear();
+    Vec3 normal;
+    Vec3 arms;
+    double sum = 0;
+    for (const SideId corner : mesh_.corners_at(v)) {
+      const SideId first = 3 * triangle_of_side(corner);
+      const Point& a = mesh_.points[mesh_.from(corner)];
+      const Point& b = mesh_.points[mesh_.to(corner)];
+      normal = normal + cross(a - mesh_.points[v], b - mesh_.points[v]);
+      const auto at = static_cast<std::size_t>(corner - first);
+      // The spoke to a lies opposite b, and the other way round.
+      for (const std::size_t i : {next_corner(at), previous_corner(at)}) {
+        const SideId spoke = first + static_cast<SideId>(i);
+        if (!mesh_.is_first(spoke)) continue;
+        const VertexId other = i == next_corner(at) ? mesh_.to(corner) : mesh_.from(corner);
+        const Vec3 arm = mesh_.points[other] - mesh_.points[v];
+        arms = arms + arm;
+        lengths.push_back(norm(arm));
+        sum += lengths.back();
+        if (v < other) measured.lengths.push_back(lengths.back());
+      }
+    }
+    if (sum > 0) measured.deviations.push_back(std::abs(dot(arms, unit(normal))) / sum);
+    find_gap(v, lengths, measured);
+  }
+
+  void find_gap(VertexId v, std::span<double> lengths, Measured& measured) {
+    bool gap = false;
+    if (!lengths.empty()) {
+      const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+      longest_[v] = *longest;
+      // The median is not below the shortest.
+      gap = *longest > options_.gap_ratio * *shortest &&
+            longest_[v] > options_.gap_ratio * median(lengths);
+    }
+    const bool boundary = sparse_[v] != 0;
+    measured.gaps += gap && !boundary ? 1U : 0U;
+    measured.boundary += boundary ? 1U : 0U;
+    sparse_[v] = gap || boundary ? 1 : 0;
   }
 
   void find_sparse_samples() {
     Groups groups(mesh_.points.size());
-    for (const auto& [a, b] : adjacency_.edges) {
-      if (sparse_[a] != 0 && sparse_[b] != 0) groups.join(a.index(), b.index());
+    for (SideId side = 0; side < mesh_.links.size(); ++side) {
+      const VertexId a = mesh_.from(side);
+      const VertexId b = mesh_.to(side);
+      if (sparse_[a] != 0 && sparse_[b] != 0) groups.join(a, b);
     }
-    std::vector<DoubtfulSpot> spot_of(mesh_.points.size());
+    IdVector<VertexId, std::uint32_t> spot_of(mesh_.points.size(), 0);  // place + 1
     for (const VertexId v : mesh_.points.ids()) {
       if (sparse_[v] == 0) continue;
-      DoubtfulSpot& spot = spot_of[groups.find(v.index())];
+      std::uint32_t& place = spot_of[groups.find(v)];
+      if (place == 0) {
+        doubts_.sparse.push_back({mesh_.points[v], 0, longest_[v]});
+        place = static_cast<std::uint32_t>(doubts_.sparse.size());
+      }
+      DoubtfulSpot& spot = doubts_.sparse[place - 1];
       const Point& p = mesh_.points[v];
-      if (spot.count == 0 || longest_[v] > spot.size || (longest_[v] == spot.size && p < spot.at)) {
+      if (longest_[v] > spot.size || (longest_[v] == spot.size && p < spot.at)) {
         spot.at = p;
         spot.size = longest_[v];
       }
       ++spot.count;
     }
-    for (const DoubtfulSpot& spot : spot_of) {
-      if (spot.count > 0) doubts_.sparse.push_back(spot);
-    }
     keep_worst(doubts_.sparse, options_.max_spots, larger);
   }
 
   void find_fragments() {
-    Groups groups(mesh_.triangles.size());
-    for (const EdgeId e : adjacency_.edges.ids()) {
-      const auto sides = adjacency_.halfedges_at(e);
-      for (const HalfedgeId side : sides) {
-        groups.join(triangle_of(side).index(), triangle_of(sides.front()).index());
-      }
+    std::size_t largest = 0;
+    for (const MeshComponent& component : doubts_.certificate.component_reports) {
+      largest = std::max(largest, component.triangles);
     }
-    std::vector<Box> boxes(mesh_.triangles.size());
-    std::vector<std::size_t> counts(mesh_.triangles.size(), 0);
-    for (const TriangleId t : mesh_.triangles.ids()) {
-      const std::size_t group = groups.find(t.index());
-      for (const VertexId v : mesh_.triangles[t]) boxes[group].include(mesh_.points[v]);
-      ++counts[group];
-    }
-    const std::size_t largest =
-        counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
-    for (std::size_t g = 0; g < counts.size(); ++g) {
-      const bool is_dust =
-          static_cast<double>(counts[g]) < options_.fragment_share * static_cast<double>(largest);
-      if (counts[g] == 0 || !is_dust) continue;
+    const auto is_dust = [&](const MeshComponent& component) {
+      return static_cast<double>(component.triangles) <
+             options_.fragment_share * static_cast<double>(largest);
+    };
+    IdVector<TriangleId, std::uint8_t> seeds(result_.mesh.triangles.size(), 0);
+    for (const MeshComponent& component : doubts_.certificate.component_reports) {
+      if (!is_dust(component)) continue;
+      seeds[component.first_triangle] = 1;
       ++doubts_.fragments;
-      doubts_.dust.push_back({boxes[g].center(), counts[g], norm(boxes[g].size())});
+    }
+    if (doubts_.fragments == 0) return;
+    std::vector<std::uint8_t> seen(mesh_.triangles.size(), 0);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (seeds[mesh_.triangle_of[t]] != 0) doubts_.dust.push_back(fragment_of(t, seen));
     }
     keep_worst(doubts_.dust, options_.max_spots, more);
+  }
+
+  // The component of a triangle.
+  DoubtfulSpot fragment_of(std::uint32_t first, std::vector<std::uint8_t>& seen) const {
+    Box box;
+    std::vector<std::uint32_t> found{first};
+    seen[first] = 1;
+    for (std::size_t next = 0; next < found.size(); ++next) {
+      for (const VertexId v : mesh_.triangles[found[next]]) box.include(mesh_.points[v]);
+      for (SideId side = 3 * found[next]; side < 3 * found[next] + 3; ++side) {
+        for (SideId other = mesh_.links[side]; other != side; other = mesh_.links[other]) {
+          if (seen[triangle_of_side(other)] != 0) continue;
+          seen[triangle_of_side(other)] = 1;
+          found.push_back(triangle_of_side(other));
+        }
+      }
+    }
+    return {box.center(), found.size(), norm(box.size())};
   }
 
   void find_unused_points() {
     doubts_.unused_points = result_.unused_points;
     if (result_.unused_points == 0 || mesh_.points.empty()) return;
-    const std::vector<Point> all = distinct(points_);
-    const std::vector<Point> used = distinct(mesh_.points.span());
-    std::vector<Point> unused;
-    std::set_difference(all.begin(), all.end(), used.begin(), used.end(),
-                        std::back_inserter(unused));
-    const NearestPointTree tree(used);
+    const std::vector<Point> unused = unused_points();
+    // A tree pays for many searches only.
+    constexpr std::size_t few = 32;
+    std::optional<NearestPointTree> tree;
+    if (unused.size() > few) tree.emplace(mesh_.points.span());
     for (const Point& p : unused) {
-      doubts_.unused.push_back({p, 1, std::sqrt(tree.nearest(p).squared_distance)});
+      const double squared = tree ? tree->nearest(p).squared_distance : nearest_vertex(p);
+      doubts_.unused.push_back({p, 1, std::sqrt(squared)});
     }
     keep_worst(doubts_.unused, options_.max_spots, larger);
   }
 
+  // Different ones, in lexicographic order.
+  std::vector<Point> unused_points() const {
+    std::vector<std::uint8_t> has_vertex(points_.size(), 0);
+    for (const PointId p : result_.point_of_vertex) has_vertex[p.index()] = 1;
+    std::vector<Point> unused;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (has_vertex[i] == 0) unused.push_back(points_[i]);
+    }
+    std::sort(unused.begin(), unused.end());
+    unused.erase(std::unique(unused.begin(), unused.end()), unused.end());
+    if (result_.duplicates == 0) return unused;
+    // A vertex stands for the first of equal points; the others are not unused.
+    std::vector<Point> used(mesh_.points.begin(), mesh_.points.end());
+    std::sort(used.begin(), used.end());
+    std::erase_if(unused,
+                  [&](const Point& p) { return std::binary_search(used.begin(), used.end(), p); });
+    return unused;
+  }
+
+  double nearest_vertex(const Point& p) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Point& q : mesh_.points) nearest = std::min(nearest, squared_distance(p, q));
+    return nearest;
+  }
+
   void find_contacts() {
-    doubts_.certificate = mesh_check(mesh_);
     const MeshReport& report = doubts_.certificate;
     doubts_.bad_edges = report.overfull_edges;
     doubts_.pinched_vertices = report.pinched_vertices;
     for (const auto& [a, b] : report.examples.overfull_edges) {
-      doubts_.contacts.push_back({std::min(mesh_.points[a], mesh_.points[b]), 1, 0});
+      doubts_.contacts.push_back({std::min(result_.mesh.points[a], result_.mesh.points[b]), 1, 0});
     }
     for (const VertexId v : report.examples.pinched_vertices) {
-      doubts_.contacts.push_back({mesh_.points[v], 1, 0});
+      doubts_.contacts.push_back({result_.mesh.points[v], 1, 0});
     }
     keep_worst(doubts_.contacts, options_.max_spots, larger);
   }
 
   const ReconstructResult& result_;
-  const TriangleMesh& mesh_;
   Points points_;
   const SurfaceDoubtOptions& options_;
-  MeshAdjacency adjacency_;
+  const Execution& execution_;
+  LinkedMesh mesh_;                          // ids of vertices below are its own
   IdVector<VertexId, double> longest_;       // edge at each vertex
   IdVector<VertexId, std::uint8_t> sparse_;  // 1 = boundary sample, or at a gap
   SurfaceDoubts doubts_;
@@ -227,8 +287,8 @@ class Doubts {
 }  // namespace
 
 SurfaceDoubts surface_doubts(const ReconstructResult& result, Points points,
-                             const SurfaceDoubtOptions& options) {
-  return Doubts(result, points, options).run();
+                             const SurfaceDoubtOptions& options, const Execution& execution) {
+  return Doubts(result, points, options, execution).run();
 }
 
 }  // namespace cocoon

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cocone/reconstruct.h"
+#include "geom/execution.h"
 #include "geom/mesh_check.h"
 #include "geom/point.h"
 
@@ -46,9 +47,11 @@ struct SurfaceDoubts {
 };
 
 // What is doubtful about a reconstruction of `points`; empty meshes: zeros. Lists have the worst
-// first, ties by coordinates. Complexity: O(n log n). Deterministic: a function of the point set
-// and the surface. Source: ours, docs/stages/surface_doubts.md.
+// first, ties by coordinates. Complexity: O(n log n), O(n) if all points are used, measures and
+// most checks parallel. Deterministic: a function of the point set and the surface. Source: ours,
+// docs/stages/surface_doubts.md.
 SurfaceDoubts surface_doubts(const ReconstructResult& result, Points points,
-                             const SurfaceDoubtOptions& options = {});
+                             const SurfaceDoubtOptions& options = {},
+                             const Execution& execution = {});
 
 }  // namespace cocoon

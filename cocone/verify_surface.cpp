@@ -120,7 +120,7 @@ SurfaceVerification verify_surface(const Triangulation& triangulation, const Sur
     result.strange_triangles = facets.missing();
   }
   result.moved_vertices = count_moved(triangulation, surface, points, options.scale);
-  const MeshReport mesh = mesh_check(surface.mesh);
+  const MeshReport mesh = mesh_check(surface.mesh, {}, {execution.threads, nullptr});
   result.repeated_corners = mesh.repeated_vertex_triangles;
   result.repeated_triangles = mesh.duplicate_triangles;
   if (options.closed) result.unbalanced_edges = mesh.unbalanced_edges;

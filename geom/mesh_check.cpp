@@ -6,12 +6,10 @@
 #include <iterator>
 #include <numeric>
 #include <span>
-#include <string>
 #include <utility>
 
-#include "geom/errors.h"
+#include "geom/linked_mesh.h"
 #include "geom/orient3d.h"
-#include "geom/side_links.h"
 
 namespace cocoon {
 namespace {
@@ -68,12 +66,26 @@ std::size_t count_distinct(std::span<const Point> points) {
   return distinct;
 }
 
-bool repeats_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+constexpr std::size_t triangles_per_chunk = 16384;
+constexpr std::size_t vertices_per_chunk = 8192;
+
+// What find(i, found) appends to `found` for each i below count, in the order of i.
+template <class T, class Find>
+std::vector<T> collect(std::size_t count, std::size_t grain, const Execution& execution,
+                       Find find) {
+  std::vector<std::vector<T>> parts((count + grain - 1) / grain);
+  parallel_chunks(execution, count, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) find(i, parts[begin / grain]);
+  });
+  std::vector<T> all;
+  for (const std::vector<T>& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
 
 // Triangles that hang together by edges with exactly two triangles. A component consists of one or
 // more: over edges with more triangles nothing follows for the orientation.
 struct Patch {
-  std::uint32_t first_triangle = 0;
+  TriangleId first_triangle;  // as it was given
   std::size_t triangles = 0;
   std::size_t edges = 0;
   std::size_t vertices = 0;
@@ -84,14 +96,12 @@ struct Patch {
 
 class Checker {
  public:
-  Checker(const TriangleMesh& mesh, const MeshCheckOptions& options)
-      : mesh_(mesh), options_(options) {}
+  Checker(const LinkedMesh& mesh, const MeshCheckOptions& options, const Execution& execution)
+      : mesh_(mesh), options_(options), execution_(execution) {}
 
   MeshReport check() {
-    require_indices();
     check_vertices();
     check_triangles();
-    links_ = side_links(triangles_, mesh_.points.size());
     find_patches();
     check_edges();
     join_patches();
@@ -102,119 +112,94 @@ class Checker {
   }
 
  private:
+  // The smallest of the examples.
   template <class T>
-  void add_example(std::vector<T>& list, const T& example) const {
-    if (list.size() < options_.max_examples) list.push_back(example);
-  }
-
-  void require_indices() const {
-    for (const TriangleId t : mesh_.triangles.ids()) {
-      for (const VertexId v : mesh_.triangles[t]) {
-        if (v.index() < mesh_.points.size()) continue;
-        throw InputError("triangle " + std::to_string(t.value) + " names vertex " +
-                         std::to_string(v.value) + " of a mesh with " +
-                         std::to_string(mesh_.points.size()) + " vertices; repair its indices");
-      }
-    }
+  std::vector<T> examples(std::vector<T> all) const {
+    const std::size_t kept = std::min(all.size(), options_.max_examples);
+    std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept), all.end());
+    return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept)};
   }
 
   void check_vertices() {
     report_.vertices = mesh_.points.size();
-    std::vector<Point> finite;
     std::span<const Point> points = mesh_.points.span();
+    std::vector<VertexId> non_finite;
     for (const VertexId v : mesh_.points.ids()) {
-      if (is_finite(mesh_.points[v])) continue;
-      ++report_.non_finite_vertices;
-      add_example(report_.examples.non_finite_vertices, v);
+      if (!is_finite(mesh_.points[v])) non_finite.push_back(mesh_.vertex_of[v]);
     }
-    if (report_.non_finite_vertices > 0) {
-      std::copy_if(points.begin(), points.end(), std::back_inserter(finite), is_finite);
-      points = finite;
-    }
+    report_.non_finite_vertices = non_finite.size();
+    report_.examples.non_finite_vertices = examples(std::move(non_finite));
+    points = points.first(points.size() - report_.non_finite_vertices);  // they come last
     report_.coincident_vertices = points.size() - count_distinct(points);
 
     IdVector<VertexId, char> used(mesh_.points.size(), 0);
-    for (const Triangle& triangle : mesh_.triangles) {
+    for (const VertexId v : mesh_.points.ids()) used[v] = mesh_.corners_at(v).empty() ? 0 : 1;
+    vertices_with_edges_ = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+    for (const Triangle& triangle : mesh_.improper) {
       for (const VertexId v : triangle) used[v] = 1;
     }
     report_.used_vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
     report_.unused_vertices = report_.vertices - report_.used_vertices;
   }
 
-  // Sorts out the triangles that are no triangles.
   void check_triangles() {
-    report_.triangles = mesh_.triangles.size();
-    for (const TriangleId t : mesh_.triangles.ids()) {
-      const Triangle& triangle = mesh_.triangles[t];
-      if (repeats_vertex(triangle)) {
-        ++report_.repeated_vertex_triangles;
-        add_example(report_.examples.repeated_vertex_triangles, t);
-        continue;
-      }
-      const Point& a = mesh_.points[triangle[0]];
-      const Point& b = mesh_.points[triangle[1]];
-      const Point& c = mesh_.points[triangle[2]];
-      if (is_finite(a) && is_finite(b) && is_finite(c) && are_collinear(a, b, c)) {
-        ++report_.zero_area_triangles;
-        add_example(report_.examples.zero_area_triangles, t);
-      }
-    }
-    triangles_ = mesh_.triangles.span();
-    if (report_.repeated_vertex_triangles == 0) return;
-    for (const TriangleId t : mesh_.triangles.ids()) {
-      if (repeats_vertex(mesh_.triangles[t])) continue;
-      proper_.push_back(mesh_.triangles[t]);
-      ids_of_proper_.push_back(t);
-    }
-    triangles_ = proper_;
+    report_.triangles = mesh_.triangles.size() + mesh_.improper.size();
+    report_.repeated_vertex_triangles = mesh_.improper.size();
+    report_.examples.repeated_vertex_triangles = examples(mesh_.improper_of);
+    std::vector<TriangleId> flat =
+        collect<TriangleId>(mesh_.triangles.size(), triangles_per_chunk, execution_,
+                            [&](std::size_t t, std::vector<TriangleId>& found) {
+                              if (has_no_area(mesh_.triangles[t]))
+                                found.push_back(mesh_.triangle_of[t]);
+                            });
+    report_.zero_area_triangles = flat.size();
+    report_.examples.zero_area_triangles = examples(std::move(flat));
   }
 
-  TriangleId id_of(std::uint32_t triangle) const {
-    return ids_of_proper_.empty() ? TriangleId(triangle) : ids_of_proper_[triangle];
+  bool has_no_area(const Triangle& triangle) const {
+    const Point& a = mesh_.points[triangle[0]];
+    const Point& b = mesh_.points[triangle[1]];
+    const Point& c = mesh_.points[triangle[2]];
+    return is_finite(a) && is_finite(b) && is_finite(c) && are_collinear(a, b, c);
   }
-  VertexId from(SideId side) const {
-    return triangles_[triangle_of_side(side)][next_corner(corner_of_side(side))];
-  }
-  VertexId to(SideId side) const {
-    return triangles_[triangle_of_side(side)][previous_corner(corner_of_side(side))];
-  }
+
   VertexPair edge_of(SideId side) const {
-    return {std::min(from(side), to(side)), std::max(from(side), to(side))};
-  }
-  // Exactly two triangles at the edge of the side.
-  bool is_two_sided(SideId side) const {
-    return links_[side] != side && links_[links_[side]] == side;
+    const VertexId a = mesh_.vertex_of[mesh_.from(side)];
+    const VertexId b = mesh_.vertex_of[mesh_.to(side)];
+    return {std::min(a, b), std::max(a, b)};
   }
 
   static constexpr std::uint32_t none = 0xFFFFFFFFU;
 
-  // Patches are found from their smallest triangles, so they are numbered in their order.
   void find_patches() {
-    patch_.assign(triangles_.size(), none);
-    turned_.assign(triangles_.size(), 0);
+    patch_.assign(mesh_.triangles.size(), none);
+    turned_.assign(mesh_.triangles.size(), 0);
     std::vector<std::uint32_t> stack;
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       if (patch_[t] != none) continue;
-      patches_.push_back({.first_triangle = t});
-      patch_[t] = static_cast<std::uint32_t>(patches_.size() - 1);
+      Patch patch{.first_triangle = mesh_.triangle_of[t]};
+      patch_[t] = static_cast<std::uint32_t>(patches_.size());
       stack.push_back(t);
       while (!stack.empty()) {
         const std::uint32_t next = stack.back();
         stack.pop_back();
-        ++patches_.back().triangles;
+        ++patch.triangles;
+        patch.first_triangle = std::min(patch.first_triangle, mesh_.triangle_of[next]);
         for (SideId side = 3 * next; side < 3 * next + 3; ++side) {
-          if (is_two_sided(side) && !spread_patch(side, stack)) patches_.back().orientable = false;
+          if (mesh_.is_two_sided(side) && !spread_patch(side, stack)) patch.orientable = false;
         }
       }
+      patches_.push_back(patch);
     }
   }
 
   // Over an edge with two triangles: one orientation follows from the other. False if it
   // contradicts what is known.
   bool spread_patch(SideId side, std::vector<std::uint32_t>& stack) {
+    const SideId across = mesh_.links[side];
     const std::uint32_t here = triangle_of_side(side);
-    const std::uint32_t there = triangle_of_side(links_[side]);
-    const bool conflict = from(side) == from(links_[side]);
+    const std::uint32_t there = triangle_of_side(across);
+    const bool conflict = mesh_.from(side) == mesh_.from(across);
     const auto turned = static_cast<char>(turned_[here] ^ (conflict ? 1 : 0));
     if (patch_[there] != none) return turned_[there] == turned;
     patch_[there] = patch_[here];
@@ -223,54 +208,62 @@ class Checker {
     return true;
   }
 
+  // Edges with two triangles that run through it in opposite directions, and are not one triangle
+  // twice, are the rule; the others are looked at one by one.
   void check_edges() {
+    const std::vector<SideId> irregular =
+        collect<SideId>(3 * mesh_.triangles.size(), 3 * triangles_per_chunk, execution_,
+                        [&](std::size_t i, std::vector<SideId>& found) {
+                          const auto side = static_cast<SideId>(i);
+                          const SideId across = mesh_.links[side];
+                          const bool regular = across != side && mesh_.links[across] == side &&
+                                               mesh_.from(side) == mesh_.to(across) &&
+                                               mesh_.apex(side) != mesh_.apex(across);
+                          if (!regular && mesh_.is_first(side)) found.push_back(side);
+                        });
     at_overfull_ = IdVector<VertexId, char>(mesh_.points.size(), 0);
+    for (Patch& patch : patches_) patch.edges = 3 * patch.triangles;  // sides with a partner
     std::vector<SideId> ring;
-    for (SideId side = 0; side < links_.size(); ++side) {
-      SideId other = links_[side];
-      while (other > side) other = links_[other];
-      if (other < side) continue;  // told by the first side of the edge
-      ++report_.edges;
-      Patch& patch = patches_[patch_[triangle_of_side(side)]];
-      ++patch.edges;
-      if (is_two_sided(side) && from(side) == to(links_[side]) &&
-          apex(side) != apex(links_[side])) {
-        continue;
-      }
+    std::vector<std::size_t> other_edges(patches_.size(), 0);  // without two triangles
+    for (const SideId side : irregular) {
       ring.clear();
+      SideId other = side;
       do {
         ring.push_back(other);
-        other = links_[other];
+        other = mesh_.links[other];
       } while (other != side);
-      if (ring.size() != 2) patch.closed = false;
-      if (ring.size() > 2) {
-        patch.manifold = false;
-        at_overfull_[from(side)] = at_overfull_[to(side)] = 1;
-        overfull_.push_back(side);
+      if (ring.size() != 2) {
+        for (const SideId s : ring) --patches_[patch_[triangle_of_side(s)]].edges;
+        ++other_edges[patch_[triangle_of_side(side)]];
+        patches_[patch_[triangle_of_side(side)]].closed = false;
       }
+      if (ring.size() > 2) overfull_.push_back(side);
       check_irregular_edge(ring);
     }
-    sort_examples(report_.examples.open_edges);
-    sort_examples(report_.examples.overfull_edges);
-    sort_examples(report_.examples.orientation_conflicts);
-    std::sort(duplicates_.begin(), duplicates_.end());
-    report_.duplicate_triangles = duplicates_.size();
-    for (const std::uint32_t t : duplicates_) {
-      add_example(report_.examples.duplicate_triangles, id_of(t));
+    for (std::size_t k = 0; k < patches_.size(); ++k) {
+      patches_[k].edges = patches_[k].edges / 2 + other_edges[k];
+      report_.edges += patches_[k].edges;
     }
-  }
-
-  VertexId apex(SideId side) const {
-    return triangles_[triangle_of_side(side)][corner_of_side(side)];
+    for (const SideId side : overfull_) {
+      patches_[patch_[triangle_of_side(side)]].manifold = false;
+      at_overfull_[mesh_.from(side)] = at_overfull_[mesh_.to(side)] = 1;
+    }
+    report_.examples.open_edges = examples(open_);
+    report_.examples.overfull_edges = examples(std::move(report_.examples.overfull_edges));
+    report_.examples.orientation_conflicts =
+        examples(std::move(report_.examples.orientation_conflicts));
+    report_.duplicate_triangles = duplicates_.size();
+    report_.examples.duplicate_triangles = examples(std::move(duplicates_));
   }
 
   void check_irregular_edge(std::span<const SideId> ring) {
     const VertexPair edge = edge_of(ring[0]);
-    const auto forward = static_cast<std::size_t>(std::count_if(
-        ring.begin(), ring.end(), [&](SideId side) { return from(side) == edge[0]; }));
+    const auto forward =
+        static_cast<std::size_t>(std::count_if(ring.begin(), ring.end(), [&](SideId side) {
+          return mesh_.from(side) == mesh_.from(ring[0]);
+        }));
     if (ring.size() == 1) {
       ++report_.open_edges;
-      report_.examples.open_edges.push_back(edge);
       open_.push_back(edge);
     }
     if (ring.size() > 2) {
@@ -286,15 +279,17 @@ class Checker {
       ++report_.orientation_conflicts;
       report_.examples.orientation_conflicts.push_back(edge);
     }
-    find_duplicates(edge[0], ring);
+    find_duplicates(ring);
   }
 
   // Triangles with the same three vertices lie together on every edge, with the same vertex
   // opposite; told at the edge that is opposite the smallest.
-  void find_duplicates(VertexId smaller_end, std::span<const SideId> ring) {
-    std::vector<std::pair<VertexId, std::uint32_t>> opposite;
+  void find_duplicates(std::span<const SideId> ring) {
+    const VertexId smaller_end = std::min(mesh_.from(ring[0]), mesh_.to(ring[0]));
+    std::vector<std::pair<VertexId, TriangleId>> opposite;
     for (const SideId side : ring) {
-      if (apex(side) < smaller_end) opposite.emplace_back(apex(side), triangle_of_side(side));
+      if (mesh_.apex(side) >= smaller_end) continue;
+      opposite.emplace_back(mesh_.apex(side), mesh_.triangle_of[triangle_of_side(side)]);
     }
     std::sort(opposite.begin(), opposite.end());
     for (std::size_t k = 1; k < opposite.size(); ++k) {
@@ -302,18 +297,11 @@ class Checker {
     }
   }
 
-  void sort_examples(std::vector<VertexPair>& list) const {
-    const std::size_t kept = std::min(list.size(), options_.max_examples);
-    std::partial_sort(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(kept), list.end());
-    list.resize(kept);
-    list.shrink_to_fit();
-  }
-
   // Patches that meet at edges with more than two triangles make one component.
   void join_patches() {
     DisjointSets sets(patches_.size());
     for (const SideId side : overfull_) {
-      for (SideId other = links_[side]; other != side; other = links_[other]) {
+      for (SideId other = mesh_.links[side]; other != side; other = mesh_.links[other]) {
         sets.join(patch_[triangle_of_side(side)], patch_[triangle_of_side(other)]);
       }
     }
@@ -327,6 +315,7 @@ class Checker {
         continue;
       }
       Patch& component = components_[component_of_patch_[k]];
+      component.first_triangle = std::min(component.first_triangle, patches_[k].first_triangle);
       component.triangles += patches_[k].triangles;
       component.edges += patches_[k].edges;
       component.closed = component.closed && patches_[k].closed;
@@ -335,86 +324,79 @@ class Checker {
     }
   }
 
-  std::uint32_t component_of(std::uint32_t triangle) const {
-    return component_of_patch_[patch_[triangle]];
+  std::uint32_t component_at(SideId side) const {
+    return component_of_patch_[patch_[triangle_of_side(side)]];
   }
-
-  // What meets at a vertex: its triangles, and a component beyond the first.
-  struct Corners {
-    std::uint32_t count = 0;
-    SideId one = 0;  // the side opposite the vertex in one of the triangles
-    std::uint32_t component = none;
-  };
-  using FurtherComponent = std::pair<VertexId, std::uint32_t>;
 
   // A vertex is pinched iff its link, the graph of the edges opposite to it in its triangles, is
   // not one single path or cycle: if a spoke has more than two triangles, or if a walk around the
   // vertex does not meet all of them.
   void check_links() {
-    IdVector<VertexId, Corners> corners(mesh_.points.size());
-    std::vector<FurtherComponent> further;
-    for (SideId side = 0; side < links_.size(); ++side) {
-      const std::uint32_t component = component_of(triangle_of_side(side));
-      Corners& at = corners[apex(side)];
-      ++at.count;
-      at.one = side;
-      if (at.component == none) {
-        at.component = component;
-        ++components_[component].vertices;
-      } else if (at.component != component) {
-        further.emplace_back(apex(side), component);
-      }
+    const std::vector<VertexId> pinched =
+        collect<VertexId>(mesh_.points.size(), vertices_per_chunk, execution_,
+                          [&](std::size_t i, std::vector<VertexId>& found) {
+                            const VertexId v(i);
+                            if (mesh_.corners_at(v).empty()) return;
+                            if (at_overfull_[v] != 0 || !walks_around(v)) found.push_back(v);
+                          });
+    for (const VertexId v : pinched) {
+      report_.examples.pinched_vertices.push_back(mesh_.vertex_of[v]);
+      for (const SideId side : mesh_.corners_at(v))
+        components_[component_at(side)].manifold = false;
     }
-    std::sort(further.begin(), further.end());
-    further.erase(std::unique(further.begin(), further.end()), further.end());
-    for (const auto& [v, component] : further) ++components_[component].vertices;
-    for (const VertexId v : corners.ids()) {
-      if (corners[v].count == 0) continue;
-      ++vertices_with_edges_;
-      if (at_overfull_[v] == 0 && walks_around(v, corners[v])) continue;
-      ++report_.pinched_vertices;
-      add_example(report_.examples.pinched_vertices, v);
-      components_[corners[v].component].manifold = false;
-      auto also = std::lower_bound(further.begin(), further.end(), FurtherComponent{v, 0});
-      for (; also != further.end() && also->first == v; ++also) {
-        components_[also->second].manifold = false;
-      }
-    }
-    count_vertex_components(corners, further);
+    report_.pinched_vertices = pinched.size();
+    report_.examples.pinched_vertices = examples(std::move(report_.examples.pinched_vertices));
+    count_vertices();
+    count_boundary_curves();
   }
 
-  // Precondition: no spoke of v has more than two triangles.
-  bool walks_around(VertexId v, const Corners& corners) const {
-    std::uint32_t met = 1;
-    const std::size_t opposite = corner_of_side(corners.one);
+  // Precondition: v has a triangle, and no spoke of v has more than two.
+  bool walks_around(VertexId v) const {
+    const std::span<const SideId> corners = mesh_.corners_at(v);
+    std::size_t met = 1;
+    const std::size_t opposite = corner_of_side(corners[0]);
     for (const std::size_t arrived : {next_corner(opposite), previous_corner(opposite)}) {
-      SideId corner = corners.one;
+      SideId corner = corners[0];
       std::size_t spoke = 3 - opposite - arrived;
       for (;;) {
         const SideId crossed = 3 * triangle_of_side(corner) + static_cast<SideId>(spoke);
-        const SideId across = links_[crossed];
+        const SideId across = mesh_.links[crossed];
         if (across == crossed) break;  // an open edge; the other way remains
         const std::size_t entered = corner_of_side(across);
-        const Triangle& triangle = triangles_[triangle_of_side(across)];
+        const Triangle& triangle = mesh_.triangles[triangle_of_side(across)];
         const std::size_t at =
             triangle[next_corner(entered)] == v ? next_corner(entered) : previous_corner(entered);
         corner = 3 * triangle_of_side(across) + static_cast<SideId>(at);
         spoke = 3 - entered - at;
-        if (corner == corners.one) return met == corners.count;
+        if (corner == corners[0]) return met == corners.size();
         ++met;
       }
     }
-    return met == corners.count;
+    return met == corners.size();
   }
 
-  // Components that share vertices, and curves of open edges.
-  void count_vertex_components(const IdVector<VertexId, Corners>& corners,
-                               const std::vector<FurtherComponent>& further) {
-    DisjointSets sets(components_.size());
+  // Of the components, and which of them share vertices.
+  void count_vertices() {
     report_.vertex_components = components_.size();
-    for (const auto& [v, component] : further) {
-      report_.vertex_components -= sets.join(corners[v].component, component) ? 1U : 0U;
+    if (components_.size() == 1) {
+      components_[0].vertices = vertices_with_edges_;
+      return;
     }
+    DisjointSets sets(components_.size());
+    std::vector<std::uint32_t> at_vertex;
+    for (const VertexId v : mesh_.points.ids()) {
+      at_vertex.clear();
+      for (const SideId side : mesh_.corners_at(v)) at_vertex.push_back(component_at(side));
+      std::sort(at_vertex.begin(), at_vertex.end());
+      at_vertex.erase(std::unique(at_vertex.begin(), at_vertex.end()), at_vertex.end());
+      for (const std::uint32_t component : at_vertex) {
+        ++components_[component].vertices;
+        report_.vertex_components -= sets.join(at_vertex[0], component) ? 1U : 0U;
+      }
+    }
+  }
+
+  void count_boundary_curves() {
     std::vector<VertexId> ends;
     for (const VertexPair& edge : open_) ends.insert(ends.end(), edge.begin(), edge.end());
     std::sort(ends.begin(), ends.end());
@@ -432,9 +414,11 @@ class Checker {
 
   void check_components() {
     report_.components = components_.size();
+    std::sort(components_.begin(), components_.end(),
+              [](const Patch& a, const Patch& b) { return a.first_triangle < b.first_triangle; });
     for (const Patch& patch : components_) {
       MeshComponent component;
-      component.first_triangle = id_of(patch.first_triangle);
+      component.first_triangle = patch.first_triangle;
       component.triangles = patch.triangles;
       component.vertices = patch.vertices;
       component.edges = patch.edges;
@@ -471,30 +455,33 @@ class Checker {
     if (all_have_genus) r.genus = genus;
   }
 
-  const TriangleMesh& mesh_;
+  const LinkedMesh& mesh_;
   const MeshCheckOptions& options_;
+  const Execution& execution_;
   MeshReport report_;
-  std::span<const Triangle> triangles_;    // the proper ones
-  std::vector<Triangle> proper_;           // if not all are
-  std::vector<TriangleId> ids_of_proper_;  // their ids then
-  std::vector<SideId> links_;
   std::vector<std::uint32_t> patch_;  // per triangle
   std::vector<char> turned_;          // per triangle: against the first one of its patch
   std::vector<Patch> patches_;
   std::vector<std::uint32_t> component_of_patch_;
   std::vector<Patch> components_;
-  std::vector<SideId> overfull_;           // a side of each edge with more than two
-  IdVector<VertexId, char> at_overfull_;   // ends of such edges
-  std::vector<VertexPair> open_;           // edges
-  std::vector<std::uint32_t> duplicates_;  // triangles
+  std::vector<SideId> overfull_;          // a side of each edge with more than two
+  IdVector<VertexId, char> at_overfull_;  // ends of such edges
+  std::vector<VertexPair> open_;          // edges, as they were given
+  std::vector<TriangleId> duplicates_;    // as they were given
   std::size_t vertices_with_edges_ = 0;
   std::size_t unbalanced_overfull_edges_ = 0;
 };
 
 }  // namespace
 
-MeshReport mesh_check(const TriangleMesh& mesh, const MeshCheckOptions& options) {
-  return Checker(mesh, options).check();
+MeshReport mesh_check(const LinkedMesh& mesh, const MeshCheckOptions& options,
+                      const Execution& execution) {
+  return Checker(mesh, options, execution).check();
+}
+
+MeshReport mesh_check(const TriangleMesh& mesh, const MeshCheckOptions& options,
+                      const Execution& execution) {
+  return mesh_check(link_mesh(mesh, execution), options, execution);
 }
 
 }  // namespace cocoon

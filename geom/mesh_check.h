@@ -1,6 +1,7 @@
 // A certificate: what kind of surface a triangle mesh is, in counts that anyone can recompute.
-// Independent on purpose: it uses no other mesh code of this library, only the exact collinearity
-// test, so that it can judge what the stages produce. See docs/stages/mesh_check.md.
+// Independent on purpose: of this library's mesh code it uses only the links of linked_mesh.h and
+// the exact collinearity test, so that it can judge what the stages produce. See
+// docs/stages/mesh_check.md.
 #pragma once
 
 #include <array>
@@ -8,7 +9,9 @@
 #include <optional>
 #include <vector>
 
+#include "geom/execution.h"
 #include "geom/ids.h"
+#include "geom/linked_mesh.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
@@ -90,8 +93,15 @@ struct MeshCheckOptions {
 // Checks `mesh`. Throws InputError if a triangle names a vertex that is not there; everything
 // else that can be wrong with a mesh is a count. Self-intersections are a question of geometry
 // and cost more: see self_intersection.h.
-// Complexity: O((t + v) log (t + v)), O(t + v) expected for bounded valence. Deterministic: counts do
-// not depend on the order of vertices and triangles.
-MeshReport mesh_check(const TriangleMesh& mesh, const MeshCheckOptions& options = {});
+// Complexity: O((t + v) log (t + v)), O(t + v) expected for bounded valence; parallel but for the
+// search for components. Deterministic: counts do not depend on the order of vertices and
+// triangles.
+MeshReport mesh_check(const TriangleMesh& mesh, const MeshCheckOptions& options = {},
+                      const Execution& execution = {});
+
+// The same of a mesh that is linked already; examples and first triangles have the ids of the mesh
+// that was linked.
+MeshReport mesh_check(const LinkedMesh& mesh, const MeshCheckOptions& options = {},
+                      const Execution& execution = {});
 
 }  // namespace cocoon

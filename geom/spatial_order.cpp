@@ -4,8 +4,10 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
+#include "geom/box.h"
 #include "geom/id_vector.h"
 #include "geom/large_pages.h"
 
@@ -84,10 +86,13 @@ constexpr StepTable step_table = make_step_table();
 // Spreads three bits to positions 0, 3, 6.
 constexpr std::array<std::uint16_t, 8> spread_bits = {0, 1, 8, 9, 64, 65, 72, 73};
 
-std::uint64_t curve_rank(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+// Rank among the cells of the curve's first `levels` levels.
+std::uint64_t curve_rank(std::uint32_t x, std::uint32_t y, std::uint32_t z,
+                         int levels = bits_per_axis) {
   std::uint64_t rank = 0;
   unsigned state = 0;
-  for (int shift = bits_per_axis - levels_per_step; shift >= 0; shift -= levels_per_step) {
+  for (int shift = bits_per_axis - levels_per_step; shift >= bits_per_axis - levels;
+       shift -= levels_per_step) {
     const unsigned octants = static_cast<unsigned>(spread_bits[(x >> shift) & 7U]) |
                              static_cast<unsigned>(spread_bits[(y >> shift) & 7U] << 1) |
                              static_cast<unsigned>(spread_bits[(z >> shift) & 7U] << 2);
@@ -311,6 +316,35 @@ std::vector<PointId> hilbert_order(Points points, const Execution& execution) {
   parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) order[i] = items[i].id;
   });
+  return order;
+}
+
+std::vector<PointId> rough_order(Points points, const Execution& execution) {
+  constexpr int levels = 2 * levels_per_step;
+  constexpr std::uint32_t beyond = std::uint32_t{1} << (3 * levels);  // of what is not finite
+  Box box;
+  for (const Point& p : points) {
+    if (is_finite(p)) box.include(p);
+  }
+  const Vec3 half = 0.5 * box.high - 0.5 * box.low;
+  const double half_side = std::max({half.x, half.y, half.z});
+  const auto cell_of = [&](const Point& p) {
+    if (!is_finite(p)) return beyond;
+    if (!(half_side > 0)) return std::uint32_t{0};
+    return static_cast<std::uint32_t>(curve_rank(
+        curve_coordinate(p.x, box.low.x, half_side), curve_coordinate(p.y, box.low.y, half_side),
+        curve_coordinate(p.z, box.low.z, half_side), levels));
+  };
+  std::vector<std::uint32_t> cells(points.size());
+  parallel_chunks(execution, points.size(), smallest_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i) cells[i] = cell_of(points[i]);
+                  });
+  std::vector<std::uint32_t> places(beyond + 2, 0);
+  for (const std::uint32_t cell : cells) ++places[cell + 1];
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  std::vector<PointId> order(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) order[places[cells[i]]++] = PointId(i);
   return order;
 }
 
