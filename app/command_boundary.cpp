@@ -60,9 +60,10 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
       job.execution(), "check", [&] { return mesh_check(surface.mesh, {}, job.execution()); });
   properties = properties_of_surface(job, properties, arguments.points, surface);
   timed(job.execution(), "write", [&] {
-    write_mesh(arguments.mesh, surface.mesh, properties, {.ascii = arguments.ascii});
+    write_mesh(arguments.mesh, surface.mesh, properties, {.ascii = arguments.ascii}, job.outputs());
     if (!arguments.loops.empty()) {
-      write_polylines(arguments.loops, surface.mesh.points.span(), vertices_of(boundary));
+      write_polylines(arguments.loops, surface.mesh.points.span(), vertices_of(boundary),
+                      job.outputs());
     }
   });
 

@@ -36,7 +36,9 @@ void run_compare(const CompareArguments& arguments, Job& job) {
   }
   SurfaceDistanceOptions options;
   options.samples = arguments.samples;
-  const SurfaceDistance distance = surface_distance(a, b, options, job.execution());
+  const SurfaceDistance distance = naming_input(arguments.a + " and " + arguments.b, [&] {
+    return surface_distance(a, b, options, job.execution());
+  });
 
   JsonReport& report = job.report();
   report.set("input/a/points", a.points.size());

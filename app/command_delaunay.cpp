@@ -35,7 +35,8 @@ void run_delaunay(const DelaunayArguments& arguments, Job& job) {
     });
     report_verification(job.report(), arguments.points, triangulation.num_finite_cells(), verified);
   }
-  timed(job.execution(), "write", [&] { write_tetrahedra(arguments.file, triangulation); });
+  timed(job.execution(), "write",
+        [&] { write_tetrahedra(arguments.file, triangulation, {}, job.outputs()); });
 
   JsonReport& report = job.report();
   report.set("input/points", points.size());

@@ -1,7 +1,6 @@
 #include "app/commands.h"
 #include "app/files.h"
 #include "app/updating.h"
-#include "io/atomic_file.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"
 #include "io/sample_models.h"
@@ -19,12 +18,12 @@ void run_demo(const DemoArguments& arguments, Job& job) {
   input.cloud_names.assign(block.clouds.size(), "U-shaped cloud");
 
   make_folder(arguments.folder);
-  write_mesh(in_folder(arguments.folder, "initial.ply"), input.model);
-  write_points(in_folder(arguments.folder, "cloud.ply"), input.clouds.front());
+  write_mesh(in_folder(arguments.folder, "initial.ply"), input.model, {}, job.outputs());
+  write_points(in_folder(arguments.folder, "cloud.ply"), input.clouds.front(), {}, job.outputs());
   update_and_write(job, input, options,
                    {in_folder(arguments.folder, "updated.ply"), "",
                     in_folder(arguments.folder, "report.html"), false});
-  write_file(in_folder(arguments.folder, "report.json"), job.finish());
+  job.finish(in_folder(arguments.folder, "report.json"));
 }
 
 }  // namespace cocoon::app

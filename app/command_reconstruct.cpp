@@ -75,11 +75,13 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
     certificate = timed(job.execution(), "check",
                         [&] { return mesh_check(result.mesh, {}, job.execution()); });
   }
-  timed(job.execution(), "write",
-        [&] { write_mesh(arguments.mesh, result.mesh, properties, {.ascii = arguments.ascii}); });
+  timed(job.execution(), "write", [&] {
+    write_mesh(arguments.mesh, result.mesh, properties, {.ascii = arguments.ascii}, job.outputs());
+  });
   if (session) {
     timed(job.execution(), "write", [&] {
-      save_session(arguments.session, {session->snapshot(), arguments.parameters, {}});
+      save_session(arguments.session, {session->snapshot(), arguments.parameters, {}},
+                   job.outputs());
     });
   }
 

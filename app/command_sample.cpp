@@ -21,14 +21,15 @@ void run_sample(const SampleArguments& arguments, Job& job) {
 
   timed(job.execution(), "write", [&] {
     make_folder(folder);
-    write_points(in_folder(folder, "initial.xyz"), model.initial);
+    write_points(in_folder(folder, "initial.xyz"), model.initial, {}, job.outputs());
     for (std::size_t c = 0; c < model.clouds.size(); ++c) {
-      write_points(in_folder(folder, fmt::format("cloud-{}.xyz", c + 1)), model.clouds[c]);
+      write_points(in_folder(folder, fmt::format("cloud-{}.xyz", c + 1)), model.clouds[c], {},
+                   job.outputs());
     }
-    write_mesh(in_folder(folder, "truth.ply"), model.truth);
+    write_mesh(in_folder(folder, "truth.ply"), model.truth, {}, job.outputs());
     std::string replaced;
     for (const PointId point : model.replaced) replaced += fmt::format("{}\n", point.value);
-    write_file(in_folder(folder, "replaced.txt"), replaced);
+    write_file(in_folder(folder, "replaced.txt"), replaced, job.outputs());
   });
 
   std::vector<std::size_t> cloud_sizes;

@@ -39,8 +39,7 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
   return input;
 }
 
-// Reads the session, updates it, and writes it back after the mesh: if that fails, the file holds
-// the state from before.
+// Reads the session, updates it, and writes it back together with the mesh.
 void update_session(const UpdateArguments& arguments, Job& job) {
   SavedSession saved =
       timed(job.execution(), "read", [&] { return load_session(arguments.session); });
@@ -60,7 +59,8 @@ void update_session(const UpdateArguments& arguments, Job& job) {
       {arguments.mesh, arguments.map, arguments.html, arguments.ascii, arguments.manifold},
       &session);
   timed(job.execution(), "write", [&] {
-    save_session(arguments.session, {session.snapshot(), saved.parameters, saved.notes});
+    save_session(arguments.session, {session.snapshot(), saved.parameters, saved.notes},
+                 job.outputs());
   });
 }
 

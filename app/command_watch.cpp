@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "app/folder_watch.h"
 #include "app/interrupt.h"
 #include "app/session_file.h"
+#include "app/standard_streams.h"
 #include "app/updating.h"
 #include "geom/errors.h"
 #include "io/file_bytes.h"
@@ -82,7 +82,7 @@ class Watch {
 
   void say(const std::string& line) {
     job_.say("{}", line);
-    std::fflush(stdout);
+    flush_output();
   }
 
   // From where the last run stopped, or from the model.
@@ -101,6 +101,7 @@ class Watch {
       }
       notes_ = std::move(saved.notes);
       session_.emplace(std::move(saved.snapshot), options_);
+      write_mesh(arguments_.mesh, session_->model(), {.ascii = arguments_.ascii});
       say(fmt::format("{}: resumed with {} clouds applied", session_file_, notes_.size() - 1));
     } else {
       TriangleMesh mesh = read_shape(job_, arguments_.model, "input");
@@ -110,24 +111,22 @@ class Watch {
         session_.emplace(std::move(mesh), options_);
       }
       notes_ = {model};
-      save();
+      write();
       say(fmt::format("{}: {} vertices, {} triangles", arguments_.model,
                       session_->model().points.size(), session_->model().triangles.size()));
     }
-    // A run that was killed may have saved its session and not yet this.
-    write_model();
   }
 
-  void save() const {
-    save_session(session_file_, {session_->snapshot(), arguments_.parameters, notes_});
-  }
-  void write_model() const {
-    write_mesh(arguments_.mesh, session_->model(), {.ascii = arguments_.ascii});
+  // Session and mesh together. The session is put in place first: should the program be killed
+  // between the two, the mesh follows as soon as the session is taken up again.
+  void write() const {
+    FileBatch outputs;
+    save_session(session_file_, {session_->snapshot(), arguments_.parameters, notes_}, &outputs);
+    write_mesh(arguments_.mesh, session_->model(), {.ascii = arguments_.ascii}, &outputs);
+    outputs.commit();
   }
 
-  // One line whatever happens to the cloud; what happens to our own files ends the command. The
-  // session is saved before the mesh is written: a cloud is either in both, or will be in the mesh
-  // as soon as the session is taken up again.
+  // One line whatever happens to the cloud; what happens to our own files ends the command.
   void look_at(const fs::path& path) {
     const std::string name = display_name(path.filename());
     const auto start = std::chrono::steady_clock::now();
@@ -148,8 +147,7 @@ class Watch {
     }
     if (update.result.status != UpdateStatus::ok) return refuse(name, update.result.message);
     notes_.push_back(note);
-    save();
-    write_model();
+    write();
     ++applied_;
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     std::string line =

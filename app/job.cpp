@@ -1,10 +1,9 @@
 #include "app/job.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <sys/resource.h>
 
-#include "io/atomic_file.h"
+#include "app/standard_streams.h"
 
 namespace cocoon::app {
 
@@ -20,7 +19,7 @@ Job::Job(const std::string& command, const SharedArguments& shared)
 void Job::say_line(const std::string& line) {
   if (shared_.quiet || shared_.json == "-") return;
   progress_line_.clear();
-  fmt::print("{}\n", line);
+  print_output(line + "\n");
 }
 
 void Job::warn(const std::string& warning) {
@@ -40,7 +39,7 @@ std::vector<StageTime> Job::timings() const {
   return result;
 }
 
-std::string Job::finish() {
+void Job::finish(const std::string& copy_of_report) {
   if (!warnings_.empty()) report_.set("warnings", warnings_);
   for (const StageTime& time : timings()) report_.set("timings_s/" + time.stage, time.seconds);
   report_.set("timings_s/total", clock_.total_seconds());
@@ -51,13 +50,15 @@ std::string Job::finish() {
   }
   report_.set("peak_memory_bytes", peak_memory_bytes());
   progress_line_.clear();
-  std::string text = report_.text();
+  const std::string text = report_.text();
   if (shared_.json == "-") {
-    fmt::print("{}", text);
+    print_output(text);
   } else if (!shared_.json.empty()) {
-    write_file(shared_.json, text);
+    write_file(shared_.json, text, outputs());
   }
-  return text;
+  if (!copy_of_report.empty()) write_file(copy_of_report, text, outputs());
+  flush_output();
+  outputs_.commit();
 }
 
 std::size_t peak_memory_bytes() {

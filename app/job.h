@@ -10,6 +10,7 @@
 #include "app/progress_line.h"
 #include "app/stage_clock.h"
 #include "geom/execution.h"
+#include "io/atomic_file.h"
 
 namespace cocoon::app {
 
@@ -31,12 +32,17 @@ class Job {
   void warn(const std::string& warning);
   const std::vector<std::string>& warnings() const { return warnings_; }
 
+  // Where the outputs wait until all of them are complete.
+  FileBatch* outputs() { return &outputs_; }
+
   // Seconds of each outermost stage so far; what runs nested in it is part of it.
   std::vector<StageTime> timings() const;
 
-  // The last step of a command: adds timings and memory to the report and writes it where the
-  // user wants it. Returns its text.
-  std::string finish();
+  // The last step of a command: adds timings and memory to the report, writes it where the user
+  // wants it and to a second file that the command wants, and puts all outputs in place. Throws
+  // FileError if one cannot be written, standard output included; then the old files are as they
+  // were.
+  void finish(const std::string& copy_of_report = {});
 
  private:
   void say_line(const std::string& line);
@@ -45,6 +51,7 @@ class Job {
   ProgressLine progress_line_;
   StageClock clock_;
   JsonReport report_;
+  FileBatch outputs_;
   std::vector<std::string> warnings_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/standard_streams.h"
 #include "geom/errors.h"
 
 namespace cocoon::app {
@@ -18,12 +19,11 @@ namespace {
 enum ExitCode { done = 0, cannot_be_done = 1, wrong_command_line = 2 };
 
 int report_error(const std::string& message, ExitCode code) {
-  std::fflush(stdout);
   std::string line = "cocoon: " + message;
   for (char& c : line) {
     if (c == '\n' || c == '\r') c = ' ';  // one line, whatever a file name contains
   }
-  fmt::print(stderr, "{}\n", line);
+  print_error(line + "\n");
   return code;
 }
 
@@ -65,15 +65,19 @@ int run_command_line(const CommandLine& line) {
 }
 
 int main_of_program(int argc, const char* const* argv) {
+  open_standard_streams();
   try {
     const Request request = parse_command_line(argc, argv);
     if (const auto* text = std::get_if<TextRequest>(&request)) {
-      fmt::print("{}", text->text);
+      print_output(text->text);
+      flush_output();
       return done;
     }
     return run_command_line(std::get<CommandLine>(request));
   } catch (const UsageError& error) {
     return report_error(error.what(), wrong_command_line);
+  } catch (const FileError& error) {
+    return report_error(error.what(), cannot_be_done);
   }
 }
 

@@ -1,24 +1,23 @@
 #include "app/progress_line.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "app/interrupt.h"
+#include "app/standard_streams.h"
 
 namespace cocoon::app {
 
 bool ProgressLine::report(std::string_view stage, double fraction) {
   const bool finished = fraction >= 1;
   if (style_ == Style::log && finished) {
-    fmt::print(stderr, "{}: done\n", stage);
+    print_error(fmt::format("{}: done\n", stage));
   } else if (style_ == Style::terminal) {
     const auto now = std::chrono::steady_clock::now();
     if (now - last_shown_ > std::chrono::milliseconds(100)) {
       const std::string line = fmt::format("{} {:3.0f} %", stage, 100 * std::min(fraction, 1.0));
-      fmt::print(stderr, "\r{:<{}}", line, shown_width_);
-      std::fflush(stderr);
+      print_error(fmt::format("\r{:<{}}", line, shown_width_));
       shown_width_ = line.size();
       last_shown_ = now;
     }
@@ -28,8 +27,7 @@ bool ProgressLine::report(std::string_view stage, double fraction) {
 
 void ProgressLine::clear() {
   if (shown_width_ == 0) return;
-  fmt::print(stderr, "\r{:<{}}\r", "", shown_width_);
-  std::fflush(stderr);
+  print_error(fmt::format("\r{:<{}}\r", "", shown_width_));
   shown_width_ = 0;
 }
 

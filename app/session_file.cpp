@@ -142,7 +142,7 @@ bool same_parameters(const SurfaceArguments& a, const SurfaceArguments& b) {
          a.cocone_angle_deg == b.cocone_angle_deg && a.sharp_angle_deg == b.sharp_angle_deg;
 }
 
-void save_session(const std::string& path, const SavedSession& session) {
+void save_session(const std::string& path, const SavedSession& session, FileBatch* batch) {
   const SessionSnapshot& snapshot = session.snapshot;
   Header header = header_of(session);
   const bool triangulated = snapshot.triangulation.num_cells() > 0;
@@ -166,7 +166,7 @@ void save_session(const std::string& path, const SavedSession& session) {
   for (const std::string& note : session.notes) file.append(std::string_view(note + "\n"));
   file.fill_word();
   if (triangulated) append_triangulation(file, snapshot.triangulation);
-  file.commit();
+  file.commit(batch);
 }
 
 SavedSession load_session(const std::string& path) {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "io/atomic_file.h"
 #include "update/update_session.h"
 
 namespace cocoon::app {
@@ -31,9 +32,9 @@ struct SavedSession {
 // Are those that a session keeps the same?
 bool same_parameters(const SurfaceArguments& a, const SurfaceArguments& b);
 
-// The file appears complete or not at all, and is on the disk then (io/atomic_file.h).
-// Errors: FileError.
-void save_session(const std::string& path, const SavedSession& session);
+// The file appears complete or not at all, and is on the disk then (io/atomic_file.h); with a batch
+// it appears together with the rest of it. Errors: FileError.
+void save_session(const std::string& path, const SavedSession& session, FileBatch* batch = nullptr);
 
 // Before anything is believed: checksum, length, ranges, and that model, points and triangulation
 // fit together. Memory is proportional to the length of the file. Errors: FileError, one line.

@@ -155,10 +155,13 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
     timed(job.execution(), "deviation", [&] { record.deviation = deviation(job, input, result); });
   }
   timed(job.execution(), "write", [&] {
-    write_mesh(output.mesh, result.mesh, properties, {.ascii = output.ascii});
-    if (!output.map.empty()) write_file(output.map, map_text(result.vertex_map));
+    write_mesh(output.mesh, result.mesh, properties, {.ascii = output.ascii}, job.outputs());
+    if (!output.map.empty()) {
+      write_file(output.map, map_text(result.vertex_map), job.outputs());
+    }
     if (!output.html.empty()) {
-      write_file(output.html, html_page(update_page(record, job.timings()), job.report()));
+      write_file(output.html, html_page(update_page(record, job.timings()), job.report()),
+                 job.outputs());
     }
   });
   job.say("{} -> {}", surface_summary(certificate), output.mesh);

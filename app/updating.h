@@ -51,8 +51,8 @@ struct UpdateOutput {
 ReconstructResult initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
                                 const ReconstructOptions& options);
 
-// Updates (by the session, if there is one, whose model is then input.model), writes the outputs,
-// and fills in the report. Throws InputError, with the library's
+// Updates (by the session, if there is one, whose model is then input.model), writes the outputs
+// (which wait for job.finish), and fills in the report. Throws InputError, with the library's
 // explanation, if there is no updated model; then nothing is written.
 void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,
                       const UpdateOutput& output, UpdateSession* session = nullptr);

@@ -1,6 +1,6 @@
 // Time and memory per point as inputs grow: uniform in a cube, scanned from a surface, and a grid
 // (all cells cospherical). Each line is measured in a process of its own, so that its peak memory
-// is its own.
+// is its own; it holds the input as well.
 //
 //   load_bench [LARGEST [THREADS]]     sizes 10^4, 10^5, ... up to LARGEST (10^6), and LARGEST
 #include <algorithm>
@@ -18,6 +18,7 @@
 #include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
 #include "geom/mesh_check.h"
+#include "io/mesh_file.h"
 #include "tests/gallery.h"
 #include "update/update_model.h"
 
@@ -59,10 +60,30 @@ Measured measure_reconstruct(const std::vector<Point>& points, int threads) {
           result.status != SurfaceStatus::ok || mesh_check(result.mesh).balanced};
 }
 
-// A cap of the scanned body, a twentieth of its points, raised in the middle, onto a model that is
-// reconstructed outside of the measurement.
+// Runs `body` in a process of its own; `usage` is what that used.
+template <class Body>
+int run_apart(const Body& body, rusage& usage) {
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) _exit(body() ? 0 : 1);
+  int status = -1;
+  wait4(child, &status, 0, &usage);
+  return status;
+}
+
+// A cap of the scanned body, a twentieth of its points, raised in the middle, onto a model that
+// another process reconstructs and leaves in a file.
 Measured measure_update(const std::vector<Point>& points, int threads) {
-  const TriangleMesh model = reconstruct_tight(points, {}, {.threads = threads}).mesh;
+  const std::string file = "/tmp/load_bench." + std::to_string(getpid()) + ".ply";
+  rusage usage = {};
+  run_apart(
+      [&] {
+        write_mesh(file, reconstruct_tight(points, {}, {.threads = threads}).mesh);
+        return true;
+      },
+      usage);
+  const TriangleMesh model = read_mesh(file);
+  std::remove(file.c_str());
   std::vector<Point> cap;
   for (const Point& p : scan_points(points.size() + 1)) {
     const double height = unit(p).z - 0.9;
@@ -90,20 +111,18 @@ constexpr std::array<Work, 3> works = {{{"delaunay", measure_delaunay, false},
 bool measure(const Shape& shape, const Work& work, std::size_t count, int threads) {
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) return false;
-  const pid_t child = fork();
-  if (child == 0) {
-    const Measured measured = work.measure(shape.points(count), threads);
-    const bool sent =
-        write(pipe_ends[1], &measured, sizeof measured) == static_cast<ssize_t>(sizeof measured);
-    _exit(sent ? 0 : 1);
-  }
+  rusage usage = {};
+  const int status = run_apart(
+      [&] {
+        const Measured measured = work.measure(shape.points(count), threads);
+        return write(pipe_ends[1], &measured, sizeof measured) ==
+               static_cast<ssize_t>(sizeof measured);
+      },
+      usage);
   close(pipe_ends[1]);
   Measured measured;
   const ssize_t got = read(pipe_ends[0], &measured, sizeof measured);
   close(pipe_ends[0]);
-  int status = 0;
-  rusage usage = {};
-  wait4(child, &status, 0, &usage);
   const bool done = got == static_cast<ssize_t>(sizeof measured) && measured.right;
   if (!done) {
     std::printf("| %s | %zu | %s | failed (status %d) |\n", shape.name, count, work.name, status);

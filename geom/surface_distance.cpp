@@ -11,6 +11,7 @@
 #include "geom/errors.h"
 #include "geom/nearest_point.h"
 #include "geom/random.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
@@ -133,6 +134,33 @@ DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to,
           .farthest = farthest.farthest};
 }
 
+TriangleMesh scaled(TriangleMesh mesh, double scale) {
+  for (Point& p : mesh.points) p = scale * p;
+  return mesh;
+}
+
+DirectedDistance unscaled(DirectedDistance distance, double scale) {
+  distance.max /= scale;
+  distance.mean /= scale;
+  distance.rms /= scale;
+  distance.farthest = {distance.farthest.x / scale, distance.farthest.y / scale,
+                       distance.farthest.z / scale};
+  return distance;
+}
+
+SurfaceDistance measure_both(const TriangleMesh& a, const TriangleMesh& b,
+                             const SurfaceDistanceOptions& options, const Execution& execution) {
+  SurfaceDistance distance;
+  distance.a_to_b = measure(a, b, options, execution);
+  report_progress(execution, "surface_distance", 0.5);
+  distance.b_to_a = measure(b, a, options, execution);
+  distance.max = std::max(distance.a_to_b.max, distance.b_to_a.max);
+  distance.mean = (distance.a_to_b.mean + distance.b_to_a.mean) / 2;
+  distance.rms = std::sqrt(
+      (distance.a_to_b.rms * distance.a_to_b.rms + distance.b_to_a.rms * distance.b_to_a.rms) / 2);
+  return distance;
+}
+
 void require_finite(const TriangleMesh& mesh) {
   for (const VertexId v : mesh.points.ids()) {
     if (!is_finite(mesh.points[v])) {
@@ -150,14 +178,19 @@ SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b,
   report_progress(execution, "surface_distance", 0);
   require_finite(a);
   require_finite(b);
+  // Areas take fourth powers of lengths: beyond working sizes they would overflow or vanish.
+  const double scale = std::min(working_scale(a.points.raw()), working_scale(b.points.raw()));
   SurfaceDistance distance;
-  distance.a_to_b = measure(a, b, options, execution);
-  report_progress(execution, "surface_distance", 0.5);
-  distance.b_to_a = measure(b, a, options, execution);
-  distance.max = std::max(distance.a_to_b.max, distance.b_to_a.max);
-  distance.mean = (distance.a_to_b.mean + distance.b_to_a.mean) / 2;
-  distance.rms = std::sqrt(
-      (distance.a_to_b.rms * distance.a_to_b.rms + distance.b_to_a.rms * distance.b_to_a.rms) / 2);
+  if (scale == 1) {
+    distance = measure_both(a, b, options, execution);
+  } else {
+    distance = measure_both(scaled(a, scale), scaled(b, scale), options, execution);
+    distance.a_to_b = unscaled(distance.a_to_b, scale);
+    distance.b_to_a = unscaled(distance.b_to_a, scale);
+    distance.max /= scale;
+    distance.mean /= scale;
+    distance.rms /= scale;
+  }
   report_progress(execution, "surface_distance", 1);
   return distance;
 }

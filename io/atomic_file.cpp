@@ -27,7 +27,29 @@ std::filesystem::path follow_links(std::filesystem::path path) {
   throw file_error(path, "is a loop of symbolic links; write to another name");
 }
 
+[[noreturn]] void throw_write_error(const std::filesystem::path& target, const char* action,
+                                    int error_number) {
+  throw file_error(target, std::string(action) + " (" + std::strerror(error_number) +
+                               "); check the folder, its permissions and the free space");
+}
+
+void remove_file(const std::filesystem::path& path) noexcept { ::unlink(path.c_str()); }
+
 }  // namespace
+
+FileBatch::~FileBatch() {
+  for (const Waiting& file : waiting_) remove_file(file.temporary);
+}
+
+void FileBatch::commit() {
+  while (!waiting_.empty()) {
+    const Waiting& file = waiting_.front();
+    if (::rename(file.temporary.c_str(), file.place.c_str()) != 0) {
+      throw_write_error(file.target, "cannot be replaced", errno);
+    }
+    waiting_.erase(waiting_.begin());
+  }
+}
 
 AtomicFile::AtomicFile(const std::filesystem::path& target) : target_(target) {
   struct stat status = {};
@@ -49,10 +71,11 @@ AtomicFile::~AtomicFile() { discard(); }
 
 void AtomicFile::open_temporary() {
   static std::atomic<unsigned> serial{0};
-  constexpr int most_tries = 1000;  // leftovers of a killed process with our id
+  constexpr int most_tries = 1000;           // leftovers of a killed process with our id
+  constexpr std::size_t longest_name = 200;  // of the 255 bytes that file systems admit
   for (int i = 0; i < most_tries; ++i) {
     std::string name = ".";
-    name += final_.filename().string();
+    name += final_.filename().string().substr(0, longest_name);
     name += ".cocoon-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".part";
     const std::filesystem::path candidate = final_.parent_path() / name;
     descriptor_ = ::open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -83,7 +106,7 @@ void AtomicFile::flush() {
   buffer_.clear();
 }
 
-void AtomicFile::commit() {
+void AtomicFile::commit(FileBatch* batch) {
   flush();
   const bool direct = temporary_.empty();
   if (!direct && ::fsync(descriptor_) != 0) fail("cannot be written", errno);
@@ -91,6 +114,11 @@ void AtomicFile::commit() {
   descriptor_ = -1;
   if (closed != 0) fail("cannot be written", errno);
   if (direct) return;
+  if (batch != nullptr) {
+    batch->waiting_.push_back({target_, final_, temporary_});
+    temporary_.clear();
+    return;
+  }
   if (::rename(temporary_.c_str(), final_.c_str()) != 0) fail("cannot be replaced", errno);
   temporary_.clear();
 }
@@ -98,20 +126,19 @@ void AtomicFile::commit() {
 void AtomicFile::discard() noexcept {
   if (descriptor_ >= 0) ::close(descriptor_);
   descriptor_ = -1;
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (!temporary_.empty()) remove_file(temporary_);
   temporary_.clear();
 }
 
 void AtomicFile::fail(const char* action, int error_number) {
   discard();
-  throw file_error(target_, std::string(action) + " (" + std::strerror(error_number) +
-                                "); check the folder, its permissions and the free space");
+  throw_write_error(target_, action, error_number);
 }
 
-void write_file(const std::filesystem::path& target, std::string_view bytes) {
+void write_file(const std::filesystem::path& target, std::string_view bytes, FileBatch* batch) {
   AtomicFile file(target);
   file.write(bytes);
-  file.commit();
+  file.commit(batch);
 }
 
 }  // namespace cocoon

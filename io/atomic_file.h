@@ -13,14 +13,42 @@
 //   - A symbolic link stays: the file it leads to is replaced.
 //   - A target that exists and is no regular file (/dev/stdout, a pipe) cannot be replaced: it is
 //     opened and written directly, and a failure may leave a part in it.
+//   - Several files of one job appear together, or none of them: see FileBatch.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cocoon {
+
+// Files that wait to appear together: complete and on the disk, each as the temporary file beside
+// its target. What can fail while a job writes its outputs (a full disk above all) fails before the
+// first target is touched.
+class FileBatch {
+ public:
+  FileBatch() = default;
+  // Without commit(): removes the temporary files.
+  ~FileBatch();
+  FileBatch(const FileBatch&) = delete;
+  FileBatch& operator=(const FileBatch&) = delete;
+
+  // Puts the files in their places, in the order in which they came. Throws FileError if one of
+  // them cannot be renamed (its target became a folder meanwhile); those before it are in place
+  // then, those after it are removed.
+  void commit();
+
+ private:
+  friend class AtomicFile;
+  struct Waiting {
+    std::filesystem::path target;  // as the caller named it
+    std::filesystem::path place;   // behind all symbolic links
+    std::filesystem::path temporary;
+  };
+  std::vector<Waiting> waiting_;
+};
 
 class AtomicFile {
  public:
@@ -45,8 +73,9 @@ class AtomicFile {
     if (buffer_.size() >= buffer_limit) flush();
   }
 
-  // Completes the file and puts it in its place. Throws FileError; then the old file is intact.
-  void commit();
+  // Completes the file and puts it in its place, or hands it over to a batch that will. Throws
+  // FileError; then the old file is intact.
+  void commit(FileBatch* batch = nullptr);
 
  private:
   static constexpr std::size_t buffer_limit = std::size_t{1} << 16;
@@ -64,6 +93,7 @@ class AtomicFile {
 };
 
 // Writes `bytes` as the whole content of `target`, through an AtomicFile.
-void write_file(const std::filesystem::path& target, std::string_view bytes);
+void write_file(const std::filesystem::path& target, std::string_view bytes,
+                FileBatch* batch = nullptr);
 
 }  // namespace cocoon

@@ -53,12 +53,13 @@ TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report
 }
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
-                const MeshWriteOptions& options) {
-  write_mesh(path, mesh, VertexProperties{}, options);
+                const MeshWriteOptions& options, FileBatch* batch) {
+  write_mesh(path, mesh, VertexProperties{}, options, batch);
 }
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
-                const VertexProperties& properties, const MeshWriteOptions& options) {
+                const VertexProperties& properties, const MeshWriteOptions& options,
+                FileBatch* batch) {
   const FileFormat format = format_of(path);
   if (!is_mesh(format)) {
     throw file_error(path, "meshes are not written with extension " +
@@ -74,7 +75,7 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
   if (format == FileFormat::obj) write_obj(file, mesh);
   if (format == FileFormat::off) write_off(file, mesh);
   if (format == FileFormat::stl) write_stl(file, mesh, options);
-  file.commit();
+  file.commit(batch);
 }
 
 }  // namespace cocoon

@@ -35,6 +35,9 @@ bool is_too_large(std::string_view text) {
     if (std::from_chars(text.data() + i, text.data() + text.size(), exponent).ec != std::errc()) {
       return !negative;
     }
+    // An exponent outweighs the digits, or neither is near the limits of the integers.
+    constexpr std::int64_t decisive = std::int64_t{1} << 62;
+    if (exponent > decisive) return !negative;
     power += negative ? -exponent : exponent;
   }
   return power > 0;
@@ -54,6 +57,18 @@ const char* behind_plus(const char* at, const char* end) {
   return at != end && *at == '-' ? nullptr : at;
 }
 
+// The end of "#INF", "#QNAN00" and the like; `at` itself if that is not what stands there.
+const char* behind_special(const char* at, const char* end) {
+  for (const std::string_view name : {"#INF", "#IND", "#QNAN", "#SNAN"}) {
+    const std::string_view rest(at, static_cast<std::size_t>(end - at));
+    if (!rest.starts_with(name)) continue;
+    at += name.size();
+    while (at != end && is_digit(*at)) ++at;
+    break;
+  }
+  return at;
+}
+
 template <class T>
 bool parse_real(const char*& at, const char* end, T& value) {
   const char* begin = behind_plus(at, end);
@@ -68,6 +83,12 @@ bool parse_real(const char*& at, const char* end, T& value) {
         std::copysign(large ? std::numeric_limits<T>::infinity() : T(0), negative ? T(-1) : T(1));
   }
   at = result.ptr;
+  if (at == end || *at != '#' || at[-1] != '.') return true;
+  const char* special_end = behind_special(at, end);
+  if (special_end == at) return true;
+  value = at[3] == 'F' ? std::copysign(std::numeric_limits<T>::infinity(), value)
+                       : std::numeric_limits<T>::quiet_NaN();
+  at = special_end;
   return true;
 }
 
@@ -94,6 +115,16 @@ bool parse_integer(const char*& at, const char* end, std::int64_t& value) {
 }
 bool parse_integer(const char*& at, const char* end, std::uint64_t& value) {
   return parse_whole(at, end, value);
+}
+
+std::string_view without_comment(std::string_view line) {
+  const char* end = line.data() + line.size();
+  for (std::size_t i = line.find('#'); i != std::string_view::npos; i = line.find('#', i + 1)) {
+    const bool is_special =
+        i > 0 && line[i - 1] == '.' && behind_special(line.data() + i, end) != line.data() + i;
+    if (!is_special) return line.substr(0, i);
+  }
+  return line;
 }
 
 void append_number(std::string& text, double value) { append_shortest(text, value); }

@@ -14,7 +14,8 @@ constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c
 // Accepted: sign (also +), digits with or without point, exponent e or E, nan, inf, infinity. Not:
 // hexadecimal, Fortran's D, decimal comma: they end the number, and the caller finds a character
 // that separates nothing. The result is the nearest double; too large a number gives an infinity,
-// too small a one 0, with its sign.
+// too small a one 0, with its sign. What older C libraries of Windows print, "1.#QNAN", "-1.#IND",
+// "1.#INF", is read as what they mean.
 bool parse_double(const char*& at, const char* end, double& value);
 // The same with the nearest float (which is not always the float nearest to the nearest double).
 bool parse_float(const char*& at, const char* end, float& value);
@@ -22,6 +23,9 @@ bool parse_float(const char*& at, const char* end, float& value);
 // The same for a whole number (sign allowed); false also if it does not fit 64 bits.
 bool parse_integer(const char*& at, const char* end, std::int64_t& value);
 bool parse_integer(const char*& at, const char* end, std::uint64_t& value);
+
+// `line` up to the '#' that begins a comment; that of "1.#INF" does not.
+std::string_view without_comment(std::string_view line);
 
 // Appends the shortest decimal text that reads back as the same bits (at most 17 digits).
 void append_number(std::string& text, double value);

@@ -33,8 +33,7 @@ class ObjReader {
   bool next_statement(std::string_view& statement) {
     if (!lines_.next(statement)) return false;
     line_ = lines_.number();
-    const std::size_t comment = statement.find('#');
-    if (comment != std::string_view::npos) statement = statement.substr(0, comment);
+    statement = without_comment(statement);
     if (!statement.ends_with('\\')) return true;
 
     joined_.clear();

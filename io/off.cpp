@@ -42,8 +42,7 @@ class OffReader {
   Fields next_line(const char* wanted, std::size_t index = 0, std::size_t count = 1) {
     std::string_view line;
     while (lines_.next(line)) {
-      line = line.substr(0, line.find('#'));
-      Fields fields(line);
+      Fields fields(without_comment(line));
       if (!fields.done()) return fields;
     }
     throw file_error(file_.path, lines_.number(),

@@ -54,8 +54,8 @@ PointCloud read_points(const std::filesystem::path& path, const PointReadOptions
   return cloud;
 }
 
-void write_points(const std::filesystem::path& path, Points points,
-                  const MeshWriteOptions& options) {
+void write_points(const std::filesystem::path& path, Points points, const MeshWriteOptions& options,
+                  FileBatch* batch) {
   const std::string extension = extension_of(path);
   const bool is_text =
       extension == ".xyz" || extension == ".txt" || extension == ".csv" || extension == ".pts";
@@ -75,7 +75,7 @@ void write_points(const std::filesystem::path& path, Points points,
   if (format == FileFormat::ply) write_ply(file, points, options);
   if (format == FileFormat::obj) write_obj(file, points);
   if (format == FileFormat::off) write_off(file, points);
-  file.commit();
+  file.commit(batch);
 }
 
 }  // namespace cocoon

@@ -8,6 +8,7 @@
 
 #include "geom/errors.h"
 #include "geom/point.h"
+#include "io/atomic_file.h"
 #include "io/mesh_file_options.h"
 #include "io/vertex_properties.h"
 
@@ -40,9 +41,10 @@ struct PointCloud {
 PointCloud read_points(const std::filesystem::path& path, const PointReadOptions& options = {});
 
 // Writes .xyz .txt .csv .pts (text, all bits kept), .ply (options apply), .obj and .off. The file
-// appears complete or not at all (io/atomic_file.h). Throws FileError for another extension, for a
-// point that is not finite, and if the file cannot be written.
+// appears complete or not at all (io/atomic_file.h), with a batch together with the rest of it.
+// Throws FileError for another extension, for a point that is not finite, and if the file cannot be
+// written.
 void write_points(const std::filesystem::path& path, Points points,
-                  const MeshWriteOptions& options = {});
+                  const MeshWriteOptions& options = {}, FileBatch* batch = nullptr);
 
 }  // namespace cocoon

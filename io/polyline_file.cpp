@@ -12,7 +12,7 @@
 namespace cocoon {
 
 void write_polylines(const std::filesystem::path& path, Points points,
-                     std::span<const std::vector<VertexId>> loops) {
+                     std::span<const std::vector<VertexId>> loops, FileBatch* batch) {
   if (extension_of(path) != ".obj") {
     throw file_error(path, "loops are written as OBJ polylines; use the extension .obj");
   }
@@ -43,7 +43,7 @@ void write_polylines(const std::filesystem::path& path, Points points,
     text += '\n';
     file.flush_if_full();
   }
-  file.commit();
+  file.commit(batch);
 }
 
 }  // namespace cocoon

@@ -7,6 +7,7 @@
 
 #include "geom/ids.h"
 #include "geom/point.h"
+#include "io/atomic_file.h"
 
 namespace cocoon {
 
@@ -14,8 +15,9 @@ namespace cocoon {
 // the points that a loop uses are written, in the order of their first use. A loop lists each of
 // its vertices once; no loops make a file without vertices. Throws FileError for another extension
 // than .obj, for a vertex that is none of the points, and if the file cannot be written (then the
-// old file is intact). Complexity: O(points + vertices of the loops).
+// old file is intact). With a batch it appears together with the rest of it. Complexity: O(points +
+// vertices of the loops).
 void write_polylines(const std::filesystem::path& path, Points points,
-                     std::span<const std::vector<VertexId>> loops);
+                     std::span<const std::vector<VertexId>> loops, FileBatch* batch = nullptr);
 
 }  // namespace cocoon

@@ -16,12 +16,12 @@ void SummedFile::flush() {
   bytes_.clear();
 }
 
-void SummedFile::commit() {
+void SummedFile::commit(FileBatch* batch) {
   fill_word();
   flush();
   append_little_endian(bytes_, checksum_.value());
   file_.write(bytes_);
-  file_.commit();
+  file_.commit(batch);
 }
 
 std::string_view summed_content(const FileBytes& file, std::string_view magic,

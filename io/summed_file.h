@@ -45,8 +45,8 @@ class SummedFile {
   void append(std::string_view text) { bytes_ += text; }
   // Zero bytes up to a multiple of 8.
   void fill_word() { bytes_.resize(round_up_to_8(bytes_.size()), '\0'); }
-  // Appends the checksum and puts the file in its place.
-  void commit();
+  // Appends the checksum and puts the file in its place, or hands it over to a batch that will.
+  void commit(FileBatch* batch = nullptr);
 
  private:
   static constexpr std::size_t limit = std::size_t{1} << 16;

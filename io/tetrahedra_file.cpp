@@ -173,7 +173,7 @@ class VtuWriter {
 }  // namespace
 
 void write_tetrahedra(const std::filesystem::path& path, const Triangulation& triangulation,
-                      const TetrahedraWriteOptions& options) {
+                      const TetrahedraWriteOptions& options, FileBatch* batch) {
   const std::string extension = extension_of(path);
   if (extension != ".vtu" && extension != ".mesh" && extension != ".tet") {
     throw file_error(path, "tetrahedra are not written with extension " + in_quotes(extension) +
@@ -184,7 +184,7 @@ void write_tetrahedra(const std::filesystem::path& path, const Triangulation& tr
   if (extension == ".tet") write_tet(file, triangulation, numbering);
   if (extension == ".mesh") write_medit(file, triangulation, numbering);
   if (extension == ".vtu") VtuWriter(file, triangulation, numbering, options.ascii).write();
-  file.commit();
+  file.commit(batch);
 }
 
 }  // namespace cocoon

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "delaunay/triangulation.h"
+#include "io/atomic_file.h"
 
 namespace cocoon {
 
@@ -21,9 +22,10 @@ struct TetrahedraWriteOptions {
 // of the triangulation's cells, with orient3d > 0; the order of their corners is that of the cell.
 // All bits of the coordinates are kept. Medit counts from 1 and gets the reference 0 everywhere.
 //
-// The file appears complete or not at all (io/atomic_file.h). Throws FileError for another
-// extension and if it cannot be written. Complexity: O(points log points + cells).
+// The file appears complete or not at all (io/atomic_file.h), with a batch together with the rest
+// of it. Throws FileError for another extension and if it cannot be written. Complexity:
+// O(points log points + cells).
 void write_tetrahedra(const std::filesystem::path& path, const Triangulation& triangulation,
-                      const TetrahedraWriteOptions& options = {});
+                      const TetrahedraWriteOptions& options = {}, FileBatch* batch = nullptr);
 
 }  // namespace cocoon

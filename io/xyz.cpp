@@ -58,6 +58,17 @@ std::vector<std::string_view> split_columns(std::string_view line) {
   return columns;
 }
 
+// One more than the commas outside of quotes: a comma at the end begins an empty column.
+std::size_t count_comma_columns(std::string_view line) {
+  std::size_t columns = 1;
+  bool is_quoted = false;
+  for (char c : without_comment(line)) {
+    if (c == '"') is_quoted = !is_quoted;
+    if (c == ',' && !is_quoted) ++columns;
+  }
+  return columns;
+}
+
 bool is_name(std::string_view column) {
   if (column.empty()) return false;
   const char* at = column.data();
@@ -134,13 +145,7 @@ class XyzReader {
 
   // A decimal comma among commas shows itself by rows of different length.
   void check_comma_columns(std::string_view line) {
-    std::size_t columns = 1;
-    bool is_quoted = false;
-    for (char c : line) {
-      if (c == '#' && !is_quoted) break;
-      if (c == '"') is_quoted = !is_quoted;
-      if (c == ',' && !is_quoted) ++columns;
-    }
+    const std::size_t columns = count_comma_columns(line);
     if (comma_columns_ == 0) comma_columns_ = columns;
     if (columns != comma_columns_) {
       fail("has " + std::to_string(columns) + " columns, earlier lines have " +
@@ -172,7 +177,7 @@ class XyzReader {
         (axis_of(names[0]) != 'x' || axis_of(names[1]) != 'y' || axis_of(names[2]) != 'z')) {
       fail("the header does not name x, y, z as the first three columns; reorder the columns");
     }
-    if (line.find(',') != std::string_view::npos) comma_columns_ = names.size();
+    if (line.find(',') != std::string_view::npos) comma_columns_ = count_comma_columns(line);
     cloud_.header = line;
     return true;
   }

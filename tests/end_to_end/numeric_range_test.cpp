@@ -12,6 +12,7 @@
 #include "delaunay/delaunay.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
+#include "geom/surface_distance.h"
 #include "io/sample_models.h"
 #include "tests/gallery.h"
 #include "update/update_model.h"
@@ -85,6 +86,26 @@ TEST(NumericRange, SizesThatNoScaleHoldsAreRefusedWithTheReason) {
   points[3].x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(message_of_reconstruct(points).find("not finite"), std::string::npos)
       << message_of_reconstruct(points);
+}
+
+// The same samples at every size.
+TEST(NumericRange, DistancesScaleWithTheMeshes) {
+  const TriangleMesh torus = reconstruct_tight(lattice_torus(500)).mesh;
+  TriangleMesh larger = torus;
+  for (Point& p : larger.points) p = 1.5 * p;
+  const SurfaceDistance expected = surface_distance(torus, larger, {.samples = 1000});
+  for (const int exponent : {-1000, -500, -201, -200, 199, 200, 500, 1000}) {
+    TriangleMesh a = torus;
+    TriangleMesh b = larger;
+    const double factor = std::ldexp(1.0, exponent);
+    for (Point& p : a.points) p = factor * p;
+    for (Point& p : b.points) p = factor * p;
+    const SurfaceDistance found = surface_distance(a, b, {.samples = 1000});
+    EXPECT_EQ(found.max, factor * expected.max) << exponent;
+    EXPECT_EQ(found.mean, factor * expected.mean) << exponent;
+    EXPECT_EQ(found.b_to_a.rms, factor * expected.b_to_a.rms) << exponent;
+    EXPECT_EQ(found.a_to_b.farthest, factor * expected.a_to_b.farthest) << exponent;
+  }
 }
 
 // The triangulation itself takes them: exact, and slow.

@@ -123,6 +123,54 @@ TEST(AtomicFile, AFullDiskIsAnError) {
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));  // not replaced
 }
 
+TEST(FileBatch, FilesAppearTogether) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  FileBatch batch;
+  write_file(folder / "a.txt", "new", &batch);
+  write_file(folder / "b.txt", "also new", &batch);
+  EXPECT_EQ(content_of(folder / "a.txt"), "old");
+  EXPECT_FALSE(std::filesystem::exists(folder / "b.txt"));
+  batch.commit();
+  EXPECT_EQ(content_of(folder / "a.txt"), "new");
+  EXPECT_EQ(content_of(folder / "b.txt"), "also new");
+  EXPECT_EQ(folder.num_files(), 2U);
+}
+
+TEST(FileBatch, WithoutCommitNothingStays) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  {
+    FileBatch batch;
+    write_file(folder / "a.txt", "new", &batch);
+    EXPECT_EQ(folder.num_files(), 2U);
+  }
+  EXPECT_EQ(content_of(folder / "a.txt"), "old");
+  EXPECT_EQ(folder.num_files(), 1U);
+}
+
+TEST(FileBatch, ATargetThatCannotBeReplacedIsNamedAndLeavesNoTemporary) {
+  const TemporaryFolder folder;
+  {
+    FileBatch batch;
+    write_file(folder / "a.txt", "new", &batch);
+    write_file(folder / "b.txt", "new", &batch);
+    std::filesystem::create_directory(folder / "a.txt");
+    EXPECT_EQ(message_of<FileError>(folder / "a.txt", [&] { batch.commit(); }),
+              ": cannot be replaced (Is a directory); check the folder, its permissions and the "
+              "free space");
+  }
+  EXPECT_EQ(folder.num_files(), 1U);
+}
+
+// The temporary's name is longer than the target's.
+TEST(AtomicFile, NamesAsLongAsTheFileSystemAdmits) {
+  const TemporaryFolder folder;
+  const std::string name = std::string(251, 'n') + ".txt";
+  write_file(folder / name, "x");
+  EXPECT_EQ(content_of(folder / name), "x");
+}
+
 // A limit on the size of files fails in the middle of the bytes, as a full disk does.
 TEST(AtomicFile, ADiskThatFillsUpLeavesTheOldFile) {
   const TemporaryFolder folder;

@@ -45,6 +45,25 @@ TEST(NumberText, TooLargeIsInfiniteAndTooSmallIsZero) {
   EXPECT_EQ(parsed("0e999"), 0.0);
 }
 
+TEST(NumberText, ExponentsAtTheLimitOfIntegers) {
+  EXPECT_EQ(parsed("1e9223372036854775807"), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(parsed("1e-9223372036854775807"), 0.0);
+  EXPECT_EQ(parsed("0.001e9223372036854775807"), std::numeric_limits<double>::infinity());
+}
+
+// Else the rest would be taken for a comment, and the number for 1.
+TEST(NumberText, KnowsHowOldLibrariesPrintWhatIsNotFinite) {
+  for (const char* text : {"1.#QNAN", "-1.#IND", "1.#SNAN", "-1.#IND00", "1.#QNAN0"}) {
+    EXPECT_TRUE(std::isnan(parsed(text))) << text;
+  }
+  EXPECT_EQ(parsed("1.#INF"), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(parsed("-1.#INF00"), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(without_comment("1 2 1.#INF 4 # 5 # 6"), "1 2 1.#INF 4 ");
+  EXPECT_EQ(without_comment("1 2 3.# about"), "1 2 3.");
+  EXPECT_EQ(without_comment("#"), "");
+  EXPECT_EQ(without_comment("none"), "none");
+}
+
 TEST(NumberText, RefusesWhatIsNoDecimalNumber) {
   for (const std::string text : {"", "+", "-", ".", "e5", "+-1", "x", "--1", "++1"}) {
     const char* at = text.data();

@@ -52,6 +52,12 @@ TEST_F(TextFormats, ObjNamesTheLineWhereAStatementBegins) {
       ":2: a corner of a face is '2x', not i, i/t, i//n or i/t/n with indices from 1 or -1 on");
 }
 
+TEST_F(TextFormats, NotFiniteAsOldLibrariesPrintIt) {
+  const std::string not_finite = ": point 0 (counted from 0) has a coordinate that is not a finite";
+  EXPECT_TRUE(message("a.obj", "v 0 0 1.#QNAN # c\n").starts_with(":1" + not_finite));
+  EXPECT_TRUE(message("a.off", "OFF\n1 0 0\n0 0 -1.#IND\n").starts_with(":3" + not_finite));
+}
+
 TEST_F(TextFormats, OffKeepsTheFirstThreeNumbersOfAVertex) {
   for (const char* keyword : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCNOFF"}) {
     const TriangleMesh mesh = read("a.off", std::string(keyword) +

@@ -40,6 +40,7 @@ TEST_F(Xyz, CountsAndHeaders) {
   EXPECT_EQ(counted.header, "");
   EXPECT_EQ(read("X Y Z Red\n1 2 3 7\n4 5 6 8\n").header, "X Y Z Red");
   EXPECT_EQ(read("\"x\",\"y\",\"z\"\n1,2,3\n4,5,6\n").points, two);
+  EXPECT_EQ(read("x,y,z,\n1,2,3,\n4,5,6,\n").points, two);  // empty last columns
   EXPECT_EQ(read("//X Y Z\n2\n1 2 3\n4 5 6\n").points, two);
   EXPECT_EQ(read("east north height\n1 2 3\n4 5 6\n").points, two);
   EXPECT_EQ(read("1\n1 2 3\n4 5 6\n").points, two);  // more rows than announced
@@ -64,6 +65,15 @@ TEST_F(Xyz, RefusesWhatItCannotBeSureOf) {
   EXPECT_EQ(message("1 2 3\n1 0x1 3\n"), ":2: column 2 is not a decimal number: '0x1'");
   EXPECT_EQ(message("1 2 3\n1,,3\n"), ":2: column 2 is not a decimal number: ''");
   EXPECT_EQ(message("# only\n"), ": holds no points; expected lines 'x y z'");
+}
+
+// As older programs on Windows write it: what follows the '#' is no comment.
+TEST_F(Xyz, NotFiniteAsOldLibrariesPrintIt) {
+  for (const char* row : {"1.#QNAN 2 3", "1 -1.#IND 3", "1 2 1.#INF", "1,2,-1.#IND00"}) {
+    EXPECT_TRUE(message(std::string("1 2 3\n") + row + "\n")
+                    .starts_with(":2: point 1 (counted from 0) has a coordinate that is not"))
+        << row;
+  }
 }
 
 TEST_F(Xyz, NonFiniteRowsAreNamedOrSkippedOnDemand) {

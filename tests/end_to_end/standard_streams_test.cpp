@@ -1,0 +1,102 @@
+// Standard output and standard error that are closed, full, or a pipe without a reader.
+#include <fcntl.h>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include "tests/run_program.h"
+#include "tests/test_clouds.h"
+
+namespace cocoon::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+void fill(int stream) { dup2(open("/dev/full", O_WRONLY), stream); }
+void leave_unread(int stream) {
+  int ends[2];
+  if (pipe(ends) != 0) _exit(126);
+  close(ends[0]);
+  dup2(ends[1], stream);
+}
+
+class StandardStreams : public testing::Test {
+ protected:
+  TemporaryFolder folder_;
+  std::string cloud_ = folder_.write("cloud.xyz", whole_sphere(300));
+  std::string mesh_ = folder_.write("mesh.ply", tetrahedron_ply);
+  std::string target_ = folder_.write("out.ply", "what was there before");
+
+  void expect_only(const std::string& content) const {
+    EXPECT_TRUE(content_of(target_) == content);
+    EXPECT_EQ(folder_.names(), (Names{"cloud.xyz", "mesh.ply", "out.ply"}));
+  }
+};
+
+TEST_F(StandardStreams, OutputThatCannotBeWrittenIsAnError) {
+  const std::vector<Names> commands = {{"--help"},
+                                       {"--version"},
+                                       {"check", mesh_},
+                                       {"check", mesh_, "--json", "-"},
+                                       {"compare", mesh_, cloud_},
+                                       {"reconstruct", cloud_, "-o", target_},
+                                       {"reconstruct", cloud_, "-o", target_, "--json", "-"}};
+  for (const Names& command : commands) {
+    SCOPED_TRACE(command[0]);
+    expect_error(run_program(command, [] { fill(STDOUT_FILENO); }), 1,
+                 "standard output: cannot be written (No space left on device)");
+    expect_error(run_program(command, [] { close(STDOUT_FILENO); }), 1,
+                 "standard output: cannot be written (Bad file descriptor)");
+    expect_only("what was there before");
+  }
+}
+
+TEST_F(StandardStreams, AReaderThatHasGoneIsNoFailure) {
+  const std::string expected_file = folder_.file("expected.ply");
+  ASSERT_EQ(run_program({"reconstruct", cloud_, "-o", expected_file}).exit_code, 0);
+  const std::string expected = content_of(expected_file);
+  std::filesystem::remove(expected_file);
+  const ProgramRun run = run_program({"reconstruct", cloud_, "-o", target_, "--json", "-"},
+                                     [] { leave_unread(STDOUT_FILENO); });
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.signal, 0);
+  expect_only(expected);
+}
+
+// Errors that nobody can read do not change the exit code, and go into no file.
+TEST_F(StandardStreams, ErrorsThatCannotBeWrittenKeepTheExitCode) {
+  const std::vector<void (*)()> limits = {[] { fill(STDERR_FILENO); },
+                                          [] { leave_unread(STDERR_FILENO); },
+                                          [] { close(STDERR_FILENO); },
+                                          [] {
+                                            close(STDIN_FILENO);
+                                            close(STDOUT_FILENO);
+                                            close(STDERR_FILENO);
+                                          }};
+  const std::string flat = folder_.write("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
+  for (void (*const limit)() : limits) {
+    EXPECT_EQ(run_program({"reconstruct", flat, "-o", target_, "--quiet"}, limit).exit_code, 1);
+    EXPECT_EQ(run_program({"reconstruct"}, limit).exit_code, 2);
+    const Names good = {"reconstruct",           cloud_,    "-o",
+                        folder_.file("new.ply"), "--quiet", "--progress"};
+    const ProgramRun run = run_program(good, limit);
+    EXPECT_EQ(run.exit_code, 0) << run.signal;
+    EXPECT_EQ(run_program({"check", folder_.file("new.ply"), "--require", "closed"}).exit_code, 0);
+    std::filesystem::remove(folder_.file("new.ply"));
+  }
+  std::filesystem::remove(flat);
+  expect_only("what was there before");
+}
+
+// One of several outputs that cannot be written: the others are not touched, either.
+TEST_F(StandardStreams, OutputsAppearTogether) {
+  expect_error(
+      run_program({"reconstruct", cloud_, "-o", target_, "--quiet", "--json", "/dev/full"}), 1,
+      "/dev/full: cannot be written (No space left on device)");
+  expect_only("what was there before");
+}
+
+}  // namespace
+}  // namespace cocoon::test
