@@ -31,7 +31,7 @@ std::array<VertexId, 3> corners_of(const Cell& behind, FacetId facet) {
 CavityInserter::CavityInserter(CellPool& pool, const IdVector<VertexId, Point>& points)
     : pool_(pool),
       points_(points),
-      shared_{nullptr, &pool.free, nullptr, nullptr, 0},
+      shared_{nullptr, &pool.free, nullptr},
       search_(pool, points),
       local_id_(points.size() + 2),
       edge_table_(std::size_t{large_stride} * large_stride) {}
@@ -41,6 +41,7 @@ CavityInserter::CavityInserter(const CavityInserter& other, const SharedInsertio
       points_(other.points_),
       shared_(shared),
       search_(other.search_),
+      local_id_(other.local_id_.size()),
       edge_table_(std::size_t{large_stride} * large_stride) {
   search_.search_beside_others(*shared.holder);
 }
@@ -86,22 +87,19 @@ std::size_t CavityInserter::num_slots_wanted() const {
 // the border belongs to two facets, which see it in opposite directions: enter the new cell's facet
 // at each directed edge, in a table by local numbers of the vertices, then look up the reverse.
 // Edge (corner 0, corner 1) belongs to the facet opposite corner 2, and so on around.
-template <unsigned stride, bool is_shared>
+template <unsigned stride, bool notes_cells>
 void CavityInserter::build_star(VertexId v, const ConflictZone& zone) {
   const std::span<const FacetId> border = zone.border();
   const std::span<const VertexId> vertices = zone.vertices();
   if (reverse_edges_.size() < border.size()) reverse_edges_.resize(2 * border.size());
   Cell* const cells = pool_.cells.raw().data();
-  std::uint8_t* const local_id = is_shared ? shared_.local_id : local_id_.data();
-  const auto entry = [infinite = shared_.infinite_entry](VertexId w) {
-    return is_shared ? std::size_t{std::min(w.value, infinite)} : entry_of(w);
-  };
+  std::uint8_t* const local_id = local_id_.data();
   FacetId* const table = edge_table_.data();
   std::array<std::uint16_t, 3>* const reverse_edges = reverse_edges_.data();
   const CellId* const slots = slots_.data();
   // A vertex that is listed twice gets the second number.
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    local_id[entry(vertices[i])] = static_cast<std::uint8_t>(i);
+    local_id[entry_of(vertices[i])] = static_cast<std::uint8_t>(i);
   }
   for (std::size_t b = 0; b < border.size(); ++b) {
     const FacetId outer = border[b];
@@ -112,11 +110,11 @@ void CavityInserter::build_star(VertexId v, const ConflictZone& zone) {
     created.vertices = {v0, v1, v2, v};
     created.neighbors[3] = outer;
     behind.neighbors[static_cast<std::size_t>(index_of(outer))] = facet_id(c, 3);
-    const std::size_t id0 = local_id[entry(v0)];
-    const std::size_t id1 = local_id[entry(v1)];
-    const std::size_t id2 = local_id[entry(v2)];
-    if constexpr (is_shared) {
-      shared_.cell_at[entry(v0)] = shared_.cell_at[entry(v1)] = shared_.cell_at[entry(v2)] = c;
+    const std::size_t id0 = local_id[entry_of(v0)];
+    const std::size_t id1 = local_id[entry_of(v1)];
+    const std::size_t id2 = local_id[entry_of(v2)];
+    if constexpr (notes_cells) {
+      for (const VertexId w : {v0, v1, v2}) shared_.cell_at[w.index()] = c;
     }
     const std::size_t row0 = stride * id0;
     const std::size_t row1 = stride * id1;
@@ -197,17 +195,21 @@ void CavityInserter::put_infinite_last(CellId c) {
   }
 }
 
-template <bool is_shared>
 void CavityInserter::fill_hole(VertexId v, const ConflictZone& zone) {
-  if (zone.vertices().size() <= small_stride) {
-    build_star<small_stride, is_shared>(v, zone);
-  } else if (zone.vertices().size() <= large_stride) {
-    build_star<large_stride, is_shared>(v, zone);
+  const bool is_shared = shared_.cell_at != nullptr;
+  const std::size_t vertices = zone.vertices().size();
+  const bool notes_cells = is_shared && !zone.has_infinite() && vertices <= large_stride;
+  if (vertices <= small_stride) {
+    notes_cells ? build_star<small_stride, true>(v, zone)
+                : build_star<small_stride, false>(v, zone);
+  } else if (vertices <= large_stride) {
+    notes_cells ? build_star<large_stride, true>(v, zone)
+                : build_star<large_stride, false>(v, zone);
   } else {
     build_large_star(v, zone.border());
-    if constexpr (is_shared) note_cells_at_corners();
   }
-  if constexpr (is_shared) shared_.cell_at[v.index()] = slots_[0];
+  if (is_shared && !notes_cells) note_cells_at_corners();
+  if (is_shared) shared_.cell_at[v.index()] = slots_[0];
 }
 
 CellId CavityInserter::insert(VertexId v, CellId start, DelaunayCounters& counters) {
@@ -217,17 +219,12 @@ CellId CavityInserter::insert(VertexId v, CellId start, DelaunayCounters& counte
 
 CellId CavityInserter::fill_zone(VertexId v, DelaunayCounters& counters) {
   const ConflictZone& zone = search_.zone();
-  const std::span<const FacetId> border = zone.border();
   take_slots(zone);
-  if (shared_.holder != nullptr) {
-    fill_hole<true>(v, zone);
-  } else {
-    fill_hole<false>(v, zone);
-  }
+  fill_hole(v, zone);
   if (zone.has_infinite()) {
     for (const CellId c : slots_) put_infinite_last(c);
   }
-  counters.cells_created += border.size();
+  counters.cells_created += zone.border().size();
   counters.cells_deleted += zone.cells().size();
   return slots_[0];
 }

@@ -21,10 +21,7 @@ namespace cocoon {
 struct SharedInsertion {
   ClaimHolder* holder;        // takes every vertex that must be held
   std::vector<CellId>* free;  // slots of this thread alone, used instead of the pool's
-  // By vertex, accessed only for vertices that are held:
-  CellId* cell_at;               // a cell there; kept up to date
-  std::uint8_t* local_id;        // scratch
-  std::uint32_t infinite_entry;  // stands for the vertex at infinity there, for this thread alone
+  CellId* cell_at;            // by vertex a cell there; kept up to date, accessed only where held
 };
 
 // Inserts points one after the other; holds the scratch memory that insertions share.
@@ -73,10 +70,9 @@ class CavityInserter {
 
  private:
   void take_slots(const ConflictZone& zone);
-  template <unsigned stride, bool is_shared>
+  template <unsigned stride, bool notes_cells>
   void build_star(VertexId v, const ConflictZone& zone);
   void build_large_star(VertexId v, std::span<const FacetId> border);
-  template <bool is_shared>
   void fill_hole(VertexId v, const ConflictZone& zone);
   void note_cells_at_corners();
   void put_infinite_last(CellId c);
@@ -88,8 +84,9 @@ class CavityInserter {
   std::vector<CellId> slots_;  // the new cells, one for each facet of the border
   // For each border facet its edges in edge_table_, as the neighbors of the new cell enter them.
   std::vector<std::array<std::uint16_t, 3>> reverse_edges_;
-  std::vector<std::uint8_t> local_id_;  // number of a vertex of the zone; elsewhere anything
-  std::vector<FacetId> edge_table_;     // facet of a new cell by (local id, local id) of its edge
+  // Number of a vertex of the zone; anything elsewhere. Memory is taken where it is written to.
+  std::vector<std::uint8_t, OverwriteAllocator<std::uint8_t>> local_id_;
+  std::vector<FacetId> edge_table_;  // facet of a new cell by (local id, local id) of its edge
 };
 
 }  // namespace cocoon

@@ -37,16 +37,6 @@ struct SearchView {
   unsigned decide_open(const std::array<FacetId, 4>& outer, unsigned inside, unsigned open,
                        unsigned on_sphere);
   unsigned facets_beyond(const Cell& cell, unsigned facets) const;
-  // Holds those of the apexes that are in `of`, as far as others let it: with them all vertices of
-  // cells of which a facet is held. Most are held already.
-  bool hold(const std::array<VertexId, 4>& apexes, unsigned of) const {
-    const auto is_missing = [&](std::size_t i) { return holder->holds(apexes[i]) ? 0U : 1U << i; };
-    unsigned missing = (is_missing(0) | is_missing(1) | is_missing(2) | is_missing(3)) & of;
-    for (; missing != 0; missing &= missing - 1) {
-      if (!holder->take(apexes[static_cast<std::size_t>(std::countr_zero(missing))])) return false;
-    }
-    return true;
-  }
   bool hold_on_the_way(FacetId entry) const;
 };
 
@@ -210,6 +200,11 @@ bool find_zone(SearchView& view, ConflictZone& zone, CellId start) {
   view.marks[start.index()] = CellMark::conflict;
   CellId next = start;
   for (std::size_t expanded = 0; expanded < num_cells; ++expanded) {
+    // The other corners are held with the cell that it was found from.
+    if (view.holder != nullptr && !view.holder->take(lists.vertices[expanded + 3])) {
+      zone.finish(num_cells, num_border, view.has_infinite);
+      return false;
+    }
     const Cell& cell = view.cells[next.index()];
     const bool knows_next = expanded + 1 < num_cells;
     next = lists.cells[expanded + 1];
@@ -238,10 +233,6 @@ bool find_zone(SearchView& view, ConflictZone& zone, CellId start) {
     num_border += append(&outer[0].value, outside, &lists.border[num_border].value);
     append(&apexes[0].value, inside, &lists.vertices[num_cells + 3].value);
     num_cells += append<2>(&outer[0].value, inside, &lists.cells[num_cells].value);  // cell_of
-    if (view.holder != nullptr && !view.hold(apexes, inside)) {
-      zone.finish(num_cells, num_border, view.has_infinite);
-      return false;
-    }
     if (num_cells + 4 > lists.capacity) [[unlikely]] {
       lists = zone.grow();
     }

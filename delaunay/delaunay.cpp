@@ -110,7 +110,7 @@ CellPool insert_all(const IdVector<VertexId, Point>& points, const InsertionRoun
     hint = inserter.insert(v, inserter.find_start(points[v], hint, counters), counters);
   }
   if (one_by_one < order.size()) {
-    insert_in_parallel(pool, points, order, rounds.ends, one_by_one, counters, execution);
+    insert_in_parallel(pool, points, inserter, order, rounds.ends, one_by_one, counters, execution);
   }
   return pool;
 }

@@ -7,15 +7,14 @@
 #include <thread>
 #include <vector>
 
-#include "delaunay/cavity.h"
 #include "delaunay/vertex_claims.h"
 
 namespace cocoon {
 namespace {
 
-// The next point of a run is near the last: a thread keeps its claims, if no more than these, until
-// it meets another thread or ends the run.
-constexpr std::size_t claims_kept = 24;
+// The next point of a run is near the last: a thread keeps its claims until it meets another thread
+// or ends the run. When they are more than these it gives back all but those of its last new cell.
+constexpr std::size_t claims_kept = 64;
 constexpr std::size_t runs_between_reports = 32;
 constexpr std::size_t run_length = 512;       // points; long against the walk to its first one
 constexpr std::size_t slots_at_a_time = 512;  // fresh cells that a thread takes from the pool
@@ -77,7 +76,6 @@ struct Shared {
   VertexClaims claims;
   std::vector<std::atomic<bool>> is_inserted;  // by vertex
   IdVector<VertexId, CellId> cell_at;          // a cell at each vertex that is inserted
-  std::vector<std::uint8_t> local_id;          // scratch of the inserters
   std::atomic<std::size_t> num_cells;          // slots in use or taken by a thread
   std::atomic<std::size_t> num_inserted;
   std::atomic<Stop> stop{Stop::no};
@@ -89,8 +87,7 @@ struct Shared {
         order(all),
         claims(all_points.size(), block_bits(all_points.size(), threads)),
         is_inserted(all_points.size()),
-        cell_at(all_points.size() + threads),
-        local_id(all_points.size() + threads, 0),
+        cell_at(all_points.size()),
         num_cells(cells.cells.size()),
         num_inserted(inserted) {
     for (std::size_t i = 0; i < inserted; ++i) is_inserted[order[i]].store(true);
@@ -122,8 +119,7 @@ class alignas(128) Worker {
   Worker(Shared& shared, const CavityInserter& model, std::size_t number)
       : shared_(shared),
         holder_(shared.claims, number),
-        inserter_(model, {&holder_, &free_, shared.cell_at.raw().data(), shared.local_id.data(),
-                          static_cast<std::uint32_t>(shared.points.size() + number)}) {}
+        inserter_(model, {&holder_, &free_, shared.cell_at.raw().data()}) {}
 
   RunQueue runs;
   DelaunayCounters counters;
@@ -140,13 +136,16 @@ class alignas(128) Worker {
   void insert_all(std::span<const std::uint32_t> vertices);
   void retry();
   bool try_insert(VertexId v);
+  CellId cell_near(VertexId v);
   CellId locate_holding(VertexId v);
+  void let_go();
   bool take_room();
 
   Shared& shared_;
   ClaimHolder holder_;
   std::vector<CellId> free_;
   CavityInserter inserter_;
+  CellId last_created_;  // held; none if nothing was created since the claims were given back
   std::vector<std::uint32_t> left_;  // vertices given up for now
   std::size_t inserted_ = 0;         // since last added to the shared count
 };
@@ -188,14 +187,18 @@ bool Worker::take_room() {
   return true;
 }
 
-// Walks from the inserted vertex next to v to a cell in conflict with it, whose vertices are then
-// held. None if another thread is in the way.
+// A cell at the inserted vertex next to v. None if another thread holds that vertex.
+CellId Worker::cell_near(VertexId v) {
+  const VertexId near = shared_.inserted_neighbor(v);
+  return holder_.take(near) ? shared_.cell_at[near] : CellId();
+}
+
+// Walks from a cell near v to one in conflict with it, whose vertices are then held. None if
+// another thread is in the way.
 CellId Worker::locate_holding(VertexId v) {
   const IdVector<CellId, Cell>& cells = shared_.pool.cells;
-  const VertexId near = shared_.inserted_neighbor(v);
-  if (!holder_.take(near)) return {};
-  CellId current = shared_.cell_at[near];
-  if (!holder_.take_corners(cells[current])) return {};
+  CellId current = last_created_.is_none() ? cell_near(v) : last_created_;
+  if (current.is_none() || !holder_.take_corners(cells[current])) return {};
   if (is_infinite(cells[current])) {
     current = cell_of(cells[current].neighbors[3]);
     if (!holder_.take_corners(cells[current])) return {};
@@ -203,21 +206,26 @@ CellId Worker::locate_holding(VertexId v) {
   return inserter_.find_start(shared_.points[v], current, counters);
 }
 
+void Worker::let_go() {
+  holder_.release();
+  last_created_ = {};
+}
+
 // Returns whether v was inserted. If not, nothing was changed.
 bool Worker::try_insert(VertexId v) {
   const CellId start = locate_holding(v);
   if (start.is_none() || !inserter_.find_zone(v, start, counters)) {
-    holder_.release();
+    let_go();
     return false;
   }
   if (!take_room()) {
     inserter_.abandon_zone();
-    holder_.release();
+    let_go();
     return false;
   }
-  inserter_.fill_zone(v, counters);
+  last_created_ = inserter_.fill_zone(v, counters);
   shared_.is_inserted[v.index()].store(true, std::memory_order_release);
-  if (holder_.num_held() > claims_kept) holder_.release();
+  if (holder_.num_held() > claims_kept) holder_.release_but(shared_.pool.cells[last_created_]);
   ++inserted_;
   return true;
 }
@@ -230,11 +238,15 @@ void Worker::insert_all(std::span<const std::uint32_t> vertices) {
   }
 }
 
-// One more attempt for each vertex that was given up.
+// One more attempt for each vertex that was given up. They may be far apart.
 void Worker::retry() {
   std::vector<std::uint32_t> again;
   again.swap(left_);
-  insert_all(again);
+  for (const std::uint32_t& v : again) {
+    let_go();
+    insert_all({&v, 1});
+  }
+  let_go();
 }
 
 void Worker::work(std::vector<std::unique_ptr<Worker>>& workers, std::size_t begin, std::size_t end,
@@ -249,7 +261,6 @@ void Worker::work(std::vector<std::unique_ptr<Worker>>& workers, std::size_t beg
     insert_all(shared_.order.subspan(run_begin, count));
     if (!stopped()) counters.retries += left_.size() - known;
     retry();
-    holder_.release();
     const std::size_t inserted = shared_.num_inserted.fetch_add(inserted_) + inserted_;
     inserted_ = 0;
     if (execution != nullptr && ++runs_done % runs_between_reports == 0) {
@@ -259,7 +270,6 @@ void Worker::work(std::vector<std::unique_ptr<Worker>>& workers, std::size_t beg
   }
   while (!stopped() && !left_.empty()) {
     retry();
-    holder_.release();
     if (!left_.empty()) std::this_thread::yield();
   }
   shared_.num_inserted.fetch_add(inserted_);
@@ -270,9 +280,8 @@ void Worker::work(std::vector<std::unique_ptr<Worker>>& workers, std::size_t beg
 
 class Team {
  public:
-  Team(Shared& shared, std::size_t threads, const Execution& execution)
+  Team(Shared& shared, const CavityInserter& model, std::size_t threads, const Execution& execution)
       : shared_(shared), execution_(execution), caller_(std::this_thread::get_id()) {
-    const CavityInserter model(shared.pool, shared.points);
     for (std::size_t i = 0; i < threads; ++i) {
       workers_.push_back(std::make_unique<Worker>(shared, model, i));
     }
@@ -338,13 +347,13 @@ class Team {
 }  // namespace
 
 void insert_in_parallel(CellPool& pool, const IdVector<VertexId, Point>& points,
-                        std::span<const std::uint32_t> order,
+                        const CavityInserter& first_inserter, std::span<const std::uint32_t> order,
                         std::span<const std::size_t> round_ends, std::size_t first,
                         DelaunayCounters& counters, const Execution& execution) {
   const std::size_t threads =
       std::min(static_cast<std::size_t>(thread_count(execution)), VertexClaims::max_holders);
   Shared shared(pool, points, order, first, threads);
-  Team team(shared, threads, execution);
+  Team team(shared, first_inserter, threads, execution);
   for (const std::size_t end : round_ends) {
     if (end > first) team.insert_round(first, end);
     first = std::max(first, end);

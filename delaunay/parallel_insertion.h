@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "delaunay/cavity.h"
 #include "delaunay/cell_pool.h"
 #include "delaunay/delaunay.h"
 #include "geom/execution.h"
@@ -18,6 +19,7 @@ namespace cocoon {
 // where the rounds of `order` end (geom/spatial_order.h); vertices must be numbered along the
 // curve. The cells as a set are those of any other order of insertion; their numbers, and the
 // counters, depend on how the threads meet. The last element of `points` is no vertex.
+// `first_inserter`: the one of the first vertices.
 //
 // Each round is cut into short runs along the curve. A thread works through neighboring runs from
 // one end of its share; a thread that has none left takes one from the other end of the longest
@@ -28,7 +30,7 @@ namespace cocoon {
 // Errors: InputError as CavityInserter::insert; Cancelled; then the pool is of no use.
 // Complexity: that of one thread, divided by the threads while these are few against the points.
 void insert_in_parallel(CellPool& pool, const IdVector<VertexId, Point>& points,
-                        std::span<const std::uint32_t> order,
+                        const CavityInserter& first_inserter, std::span<const std::uint32_t> order,
                         std::span<const std::size_t> round_ends, std::size_t first,
                         DelaunayCounters& counters, const Execution& execution);
 

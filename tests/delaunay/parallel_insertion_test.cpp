@@ -37,7 +37,9 @@ Triangulation insert_all_in_parallel(const std::vector<Point>& given, int thread
   const auto corner = [&](std::size_t i) { return VertexId(rounds.order[i]); };
   CellPool pool;
   make_first_cells(pool, points, {corner(0), corner(1), corner(2), corner(3)});
-  insert_in_parallel(pool, points, rounds.order, rounds.ends, 4, counters, {.threads = threads});
+  const CavityInserter first_inserter(pool, points);
+  insert_in_parallel(pool, points, first_inserter, rounds.order, rounds.ends, 4, counters,
+                     {.threads = threads});
   const std::size_t finite_cells = compact_cells(pool);
   arrays.cells = std::move(pool.cells);
   return canonical_order(Triangulation(std::move(arrays), finite_cells));
