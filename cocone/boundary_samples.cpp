@@ -1,7 +1,6 @@
 #include "cocone/boundary_samples.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -24,27 +23,15 @@ struct Conditions {
   const Triangulation& triangulation;
   const Poles& poles;
   const Cocones& cocones;
-  double alpha_cosine;
+  const BoundaryOptions& options;
 
-  bool normals_agree(VertexId p, VertexId q) const {
-    return std::abs(dot(poles.normals[p], poles.normals[q])) >= alpha_cosine;
-  }
+  bool agree(VertexId p, VertexId q) const { return normals_agree(poles, p, q, options); }
 
-  // Calls visit(p, q) for p in N_q as the facets begin .. end of `cocones` tell it; a pair may come
-  // up for several facets.
+  // Of the facets begin .. end of `cocones`.
   template <class Visit>
   void for_each_neighbor(std::size_t begin, std::size_t end, Visit visit) const {
     for (std::size_t k = begin; k < end; ++k) {
-      const FacetId f = cocones.facets[k];
-      const unsigned row = cocones.rows[k];
-      const Cell& cell = triangulation.cell(cell_of(f));
-      const int* corners = facet_corners[index_of(f)];
-      for (int i = 0; i < 3; ++i) {
-        if (((row >> corners[i]) & 1U) == 0) continue;
-        const VertexId q = cell.vertices[static_cast<std::size_t>(corners[i])];
-        visit(cell.vertices[static_cast<std::size_t>(corners[(i + 1) % 3])], q);
-        visit(cell.vertices[static_cast<std::size_t>(corners[(i + 2) % 3])], q);
-      }
+      for_each_cocone_neighbor(triangulation, cocones, k, visit);
     }
   }
 };
@@ -55,7 +42,7 @@ SharedFlags failing_normals(const Conditions& conditions, const Execution& execu
   parallel_chunks(execution, conditions.cocones.facets.size(), facets_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
                     conditions.for_each_neighbor(begin, end, [&](VertexId p, VertexId q) {
-                      if (!conditions.normals_agree(p, q)) fails.raise(p);
+                      if (!conditions.agree(p, q)) fails.raise(p);
                     });
                   });
   return fails;
@@ -64,31 +51,32 @@ SharedFlags failing_normals(const Conditions& conditions, const Execution& execu
 using State = SampleState;
 
 // Phase 2: the least fixed point, from the interior samples outward along p in N_q with agreeing
-// normals and p pending.
-std::size_t recover_pending(const Conditions& conditions, IdVector<VertexId, State>& states) {
+// normals and p pending. In order of steps.
+std::vector<TakenIn> take_in_pending(const Conditions& conditions,
+                                     IdVector<VertexId, State> states) {
   std::vector<NeighborOf> steps;
   conditions.for_each_neighbor(0, conditions.cocones.facets.size(), [&](VertexId p, VertexId q) {
     if (states[p] != State::pending || states[q] == State::ratio_fails) return;
-    if (conditions.normals_agree(p, q)) steps.push_back({q, p});
+    if (conditions.agree(p, q)) steps.push_back({q, p});
   });
-  std::vector<VertexId> joined;
-  const auto take = [&](VertexId p) {
+  std::vector<TakenIn> taken;
+  const auto take = [&](VertexId p, std::uint32_t count) {
     if (states[p] != State::pending) return;
     states[p] = State::interior;
-    joined.push_back(p);
+    taken.push_back({p, count});
   };
   const auto from_interior = [&](const NeighborOf& step) {
     return states[step.q] == State::interior;
   };
   const auto first_joining = std::partition(steps.begin(), steps.end(), from_interior);
-  for (auto step = steps.begin(); step != first_joining; ++step) take(step->p);
+  for (auto step = steps.begin(); step != first_joining; ++step) take(step->p, 1);
   std::sort(first_joining, steps.end());
-  for (std::size_t next = 0; next < joined.size(); ++next) {
-    const VertexId q = joined[next];
+  for (std::size_t next = 0; next < taken.size(); ++next) {
+    const auto [q, count] = taken[next];
     auto step = std::lower_bound(first_joining, steps.end(), NeighborOf{q, VertexId(0)});
-    for (; step != steps.end() && step->q == q; ++step) take(step->p);
+    for (; step != steps.end() && step->q == q; ++step) take(step->p, count + 1);
   }
-  return joined.size();
+  return taken;
 }
 
 }  // namespace
@@ -97,7 +85,7 @@ IdVector<VertexId, SampleState> judge_samples(const Triangulation& triangulation
                                               const Poles& poles, const Cocones& cocones,
                                               const BoundaryOptions& options,
                                               const Execution& execution) {
-  const Conditions conditions{triangulation, poles, cocones, options.alpha_cosine};
+  const Conditions conditions{triangulation, poles, cocones, options};
   const IdVector<VertexId, double> radii =
       cocone_radii(triangulation, dual, poles, cocones, options.radius_mode, execution);
   const SharedFlags normal_fails = failing_normals(conditions, execution);
@@ -109,34 +97,24 @@ IdVector<VertexId, SampleState> judge_samples(const Triangulation& triangulation
   return states;
 }
 
-VertexSet taken_in_at_once(const Triangulation& triangulation, const Poles& poles,
-                           const Cocones& cocones, const IdVector<VertexId, SampleState>& states,
-                           const BoundaryOptions& options) {
-  const Conditions conditions{triangulation, poles, cocones, options.alpha_cosine};
-  VertexSet taken(states.size(), 0);
-  conditions.for_each_neighbor(0, cocones.facets.size(), [&](VertexId p, VertexId q) {
-    if (states[p] != State::pending || states[q] != State::interior) return;
-    if (conditions.normals_agree(p, q)) taken[p] = 1;
-  });
-  return taken;
-}
-
 BoundarySamples boundary_samples(const Triangulation& triangulation, const Dual& dual,
                                  const Poles& poles, const Cocones& cocones,
                                  const BoundaryOptions& options, const Execution& execution) {
   report_progress(execution, "boundary_samples", 0);
-  const Conditions conditions{triangulation, poles, cocones, options.alpha_cosine};
-  IdVector<VertexId, State> states =
-      judge_samples(triangulation, dual, poles, cocones, options, execution);
-  report_progress(execution, "boundary_samples", 0.8);
+  const Conditions conditions{triangulation, poles, cocones, options};
   BoundarySamples result;
-  result.recovered = recover_pending(conditions, states);
-  result.boundary = VertexSet(states.size(), 0);
-  for (const VertexId p : states.ids()) {
-    result.boundary[p] = states[p] != State::interior;
+  result.states = judge_samples(triangulation, dual, poles, cocones, options, execution);
+  report_progress(execution, "boundary_samples", 0.8);
+  result.taken_in = take_in_pending(conditions, result.states);
+  result.recovered = result.taken_in.size();
+  result.boundary = VertexSet(result.states.size(), 0);
+  for (const VertexId p : result.states.ids()) {
+    result.boundary[p] = result.states[p] != State::interior;
     result.count += result.boundary[p];
-    result.ratio_failed += states[p] == State::ratio_fails;
+    result.ratio_failed += result.states[p] == State::ratio_fails;
   }
+  for (const TakenIn& taken : result.taken_in) result.boundary[taken.sample] = 0;
+  result.count -= result.recovered;
   report_progress(execution, "boundary_samples", 1);
   return result;
 }

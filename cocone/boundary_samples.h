@@ -11,8 +11,10 @@
 // that the cells share meets the cocone iff one of its edges does.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "cocone/cocone_radii.h"
 #include "cocone/cocones.h"
@@ -42,9 +44,17 @@ enum class SampleState : std::uint8_t {
   interior,
 };
 
+// A sample that phase 2 took in, and after how many steps.
+struct TakenIn {
+  VertexId sample;
+  std::uint32_t steps = 0;
+};
+
 struct BoundarySamples {
-  VertexSet boundary;            // 1 = boundary sample, 0 = interior
-  std::size_t count = 0;         // boundary samples
+  VertexSet boundary;                      // 1 = boundary sample, 0 = interior
+  IdVector<VertexId, SampleState> states;  // after phase 1
+  std::vector<TakenIn> taken_in;           // by phase 2
+  std::size_t count = 0;                   // boundary samples
   std::size_t ratio_failed = 0;  // samples whose ratio condition fails (degenerate ones included)
   std::size_t recovered = 0;     // interior by phase 2
   std::size_t interior() const { return boundary.size() - count; }
@@ -70,10 +80,27 @@ IdVector<VertexId, SampleState> judge_samples(const Triangulation& triangulation
                                               const BoundaryOptions& options = {},
                                               const Execution& execution = {});
 
-// 1 = a pending sample that an interior one takes in: the first step of phase 2, which later steps
-// only add to. Complexity: O(facets of `cocones`).
-VertexSet taken_in_at_once(const Triangulation& triangulation, const Poles& poles,
-                           const Cocones& cocones, const IdVector<VertexId, SampleState>& states,
-                           const BoundaryOptions& options = {});
+// Do the lines of n_p and n_q meet at alpha at most?
+inline bool normals_agree(const Poles& poles, VertexId p, VertexId q,
+                          const BoundaryOptions& options) {
+  return std::abs(dot(poles.normals[p], poles.normals[q])) >= options.alpha_cosine;
+}
+
+// Calls visit(p, q) for p in N_q as facet k of `cocones` tells it; a pair may come up for several
+// facets.
+template <class Visit>
+void for_each_cocone_neighbor(const Triangulation& triangulation, const Cocones& cocones,
+                              std::size_t k, Visit visit) {
+  const FacetId f = cocones.facets[k];
+  const unsigned row = cocones.rows[k];
+  const Cell& cell = triangulation.cell(cell_of(f));
+  const int* corners = facet_corners[index_of(f)];
+  for (int i = 0; i < 3; ++i) {
+    if (((row >> corners[i]) & 1U) == 0) continue;
+    const VertexId q = cell.vertices[static_cast<std::size_t>(corners[i])];
+    visit(cell.vertices[static_cast<std::size_t>(corners[(i + 1) % 3])], q);
+    visit(cell.vertices[static_cast<std::size_t>(corners[(i + 2) % 3])], q);
+  }
+}
 
 }  // namespace cocoon

@@ -3,8 +3,7 @@
 //
 // A certificate for a set S of facets with a chosen side (the outer one). At every vertex v:
 //
-//   1. v is an interior sample: it meets both conditions of boundary_samples.h, or meets the ratio
-//      condition and is taken in at once by a neighbor that meets both.
+//   1. v is an interior sample (boundary_samples.h).
 //   2. v has an umbrella of candidates (prune_sharp_edges.h).
 //   3. S is one closed umbrella at v, and not folded: v is good (umbrella.h).
 //   4. Whoever stands on the outer side of a facet of S at v and turns about one of its edges first
@@ -29,82 +28,86 @@
 #include <span>
 #include <vector>
 
-#include "cocone/local_patch.h"
-#include "cocone/reconstruct.h"
+#include "cocone/live_candidates.h"
+#include "cocone/local_facets.h"
+#include "cocone/star_finder.h"
+#include "cocone/umbrella.h"
 #include "delaunay/dynamic_delaunay.h"
-#include "geom/execution.h"
 #include "geom/id_vector.h"
 
 namespace cocoon {
 
 class CertifiedSurface {
  public:
-  // `options` as the stages get them.
-  explicit CertifiedSurface(const ReconstructOptions& options = {}) : options_(options) {}
+  explicit CertifiedSurface(const GoodVertexOptions& options = {}) : options_(options) {}
 
   // Whether a surface is known.
   bool exists() const { return exists_; }
   // Forgets everything.
   void clear();
 
-  // Looks for the certificate in the whole triangulation. Returns exists(). The same as update()
-  // after a change of everything. Complexity: O(n).
-  bool certify(const DynamicDelaunay& delaunay, const Execution& execution = {});
+  // Looks for the certificate in the whole triangulation, where the surface is known to have one
+  // closed umbrella at every vertex, not folded, to be connected, and to hold the smallest hull
+  // candidate: condition 4 is left to be seen. `halves`: its facets, seen from outside. Returns
+  // exists(). Complexity: O(n).
+  bool certify(const DynamicDelaunay& delaunay, const LiveCandidates& candidates,
+               std::span<const FacetId> halves);
 
-  // Goes on after a change of the triangulation; false (and nothing is known) if the certificate
-  // does not hold any more. Precondition: exists() before the change.
-  // Complexity: O(c) for c cells at the vertices at most two edges away from a new cell, and one
-  // pass over a byte per cell if the first hull candidate went.
+  // Goes on after a change of the triangulation and of the candidates; false (and nothing is known)
+  // if the certificate does not hold any more. Precondition: exists() before the change.
+  // Complexity: O(c) for c cells at the vertices at most one edge of the surface away from a
+  // changed() one, and one pass over a byte per cell if the first hull candidate went, over the
+  // triangles if the changed places do not hang together.
   bool update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
-              const Execution& execution = {});
+              const LiveCandidates& candidates);
 
   // --- What is known. Precondition: exists().
 
-  // n_p of a vertex.
-  const Vec3& normal(VertexId v) const { return normals_[v]; }
-  // The vertices at which the last operation may have changed the surface, and all triangles that
-  // the surface has there now, counterclockwise seen from outside. All others are as before.
+  // The vertices at which the last operation may have changed the surface, ascending, and all
+  // triangles that the surface has there now, counterclockwise seen from outside. All others are as
+  // before. After certify(): none.
   const std::vector<VertexId>& touched() const { return touched_; }
   const std::vector<std::array<VertexId, 3>>& triangles_at_touched() const { return triangles_; }
-  std::size_t finite_cells() const { return finite_cells_; }
   // What the stages would have counted.
   void count(ReconstructCounters& counters) const;
 
  private:
-  struct Examination;
-  bool examine(const DynamicDelaunay& delaunay, std::vector<VertexId> core,
-               std::span<const VertexId> dirty, const Execution& execution);
+  // Bits of a cell: i = its facet i is one of S, and the cell lies on its outer side; 4 + i: on its
+  // inner side.
+  static constexpr unsigned outer_side = 1;
+  static constexpr unsigned inner_side = 16;
+
+  bool is(unsigned side, FacetId f) const {
+    return (sides_[cell_of(f)] & (side << index_of(f))) != 0;
+  }
+  void set_sides(CellId c, unsigned sides);
+  void insert(const TriangulationView& view, FacetId half);
+  void erase(const TriangulationView& view, FacetId f);
+  bool is_touched(VertexId v) const;
+  bool has_touched_vertex(const TriangulationView& view, FacetId f) const;
+
   void forget(const DelaunayChange& change);
-  void set_cell(CellId c, std::uint8_t flags, std::uint8_t outer, std::uint8_t pruned);
-  void set_vertex(VertexId v, std::uint8_t flags);
-  void commit(const DynamicDelaunay& delaunay, Examination& examination);
-  bool first_hull_candidate_is_outer(const DynamicDelaunay& delaunay,
-                                     const Examination& examination);
-  bool is_connected(const DynamicDelaunay& delaunay, const Examination& examination) const;
+  void adopt_new_cells(const TriangulationView& view, const DelaunayChange& change);
+  void erase_touched(const DynamicDelaunay& delaunay);
+  std::vector<VertexId> find_ring(const DynamicDelaunay& delaunay,
+                                  const LiveCandidates& candidates);
+  std::vector<FacetId> halves_at(const DynamicDelaunay& delaunay, std::span<const VertexId> at);
+  bool grow(const TriangulationView& view, const LiveCandidates& candidates,
+            std::vector<FacetId> open);
+  bool holds_at(const LocalFacets& surface, std::span<const VertexId> vertices) const;
+  void list_triangles(const TriangulationView& view, const LocalFacets& surface);
+  bool holds_first_hull_candidate(const DynamicDelaunay& delaunay, const DelaunayChange& change,
+                                  const LiveCandidates& candidates);
+  bool is_connected(const DynamicDelaunay& delaunay, const LocalFacets& surface) const;
 
-  ReconstructOptions options_;
+  GoodVertexOptions options_;
   bool exists_ = false;
-  PatchBuilder patches_;
-  // By vertex.
-  IdVector<VertexId, Vec3> normals_;
-  IdVector<VertexId, std::uint8_t> vertex_flags_;
-  // By cell slot: bit i = facet i, seen from this cell, is the outer side of a facet of S ...
-  IdVector<CellId, std::uint8_t> outer_;
-  // ... and bit i = facet i is a candidate; above: how the center was obtained, and infinity.
-  IdVector<CellId, std::uint8_t> cell_flags_;
-  // ... and bit i = facet i is a candidate that was pruned.
-  IdVector<CellId, std::uint8_t> pruned_;
-  CellId first_hull_;  // the infinite cell at the first hull candidate
-
-  std::size_t candidates_ = 0;  // from both sides
+  FacetCollector collector_;
+  StarFinder stars_;
+  IdVector<CellId, std::uint8_t> sides_;
+  CellId first_hull_;  // the infinite cell at the first hull candidate; none: to be looked for
   std::size_t outer_halves_ = 0;
-  std::size_t pruned_halves_ = 0;
   std::size_t num_vertices_ = 0;
-  std::size_t hull_vertices_ = 0;
-  std::size_t taken_in_ = 0;
-  std::size_t exact_centers_ = 0;
-  std::size_t facet_centers_ = 0;
-  std::size_t finite_cells_ = 0;
 
   std::vector<VertexId> touched_;
   std::vector<std::array<VertexId, 3>> triangles_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cocone/certified_surface.h"
+#include "cocone/live_candidates.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/id_vector.h"
@@ -30,6 +31,7 @@ struct DynamicTightCocone::State {
   std::size_t local_changes = 0;
   DynamicDelaunay delaunay;                     // empty while points are of extreme size
   IdVector<PointId, VertexId> vertex_of_point;  // in it
+  LiveCandidates candidates;
   CertifiedSurface certified;
   // If that exists: its triangles by mesh vertices, in canonical order, and the vertices.
   std::vector<Triangle> triangles;
@@ -37,7 +39,9 @@ struct DynamicTightCocone::State {
 
   bool is_live() const { return delaunay.num_vertices() > 0; }
   void take(std::size_t count, Triangulation triangulation);
+  void take(const ReconstructResult& result, ReconstructStages stages);
   void clear(std::size_t count);
+  void forget_surface();
   // What a change of the triangulation does to the points, and how to take it back.
   struct Step {
     std::vector<VertexId> removed;
@@ -53,7 +57,6 @@ struct DynamicTightCocone::State {
   Triangulation compact() const;
   ReconstructResult run_stages(Points points, std::span<const KnownTriangle> known,
                                const Execution& execution);
-  void look_for_certificate(const ReconstructResult& result, const Execution& execution);
   ReconstructResult assemble(Points points);
   std::vector<Triangle> kept_triangles(const IdVector<VertexId, VertexId>& number) const;
 };
@@ -61,15 +64,34 @@ struct DynamicTightCocone::State {
 void DynamicTightCocone::State::take(std::size_t count, Triangulation triangulation) {
   num_points = count;
   vertex_of_point = triangulation.vertex_of_point();
-  certified.clear();
+  forget_surface();
   delaunay = DynamicDelaunay(std::move(triangulation));
+}
+
+// With what the stages found. Looks for a certificate where the counts leave hope.
+void DynamicTightCocone::State::take(const ReconstructResult& result, ReconstructStages stages) {
+  take(result.points, std::move(stages.triangulation));
+  candidates.start(delaunay, stages);
+  const ReconstructCounters& counters = result.counters;
+  const bool hopeful = result.status == SurfaceStatus::ok && result.unused_points == 0 &&
+                       counters.surface_walks == 1 && counters.back_contacts == 0 &&
+                       counters.good_vertices == result.vertices;
+  if (!hopeful || !certified.certify(delaunay, candidates, stages.halves)) return;
+  triangles = result.mesh.triangles.raw();
+  vertex_of_mesh.clear();
+  for (const PointId p : result.point_of_vertex) vertex_of_mesh.push_back(vertex_of_point[p]);
 }
 
 void DynamicTightCocone::State::clear(std::size_t count) {
   num_points = count;
   vertex_of_point = {};
-  certified.clear();
+  forget_surface();
   delaunay = DynamicDelaunay();
+}
+
+void DynamicTightCocone::State::forget_surface() {
+  candidates.clear();
+  certified.clear();
 }
 
 DynamicTightCocone::State::Step DynamicTightCocone::State::plan(
@@ -102,7 +124,7 @@ DelaunayChange DynamicTightCocone::State::change_triangulation(const Step& step,
   try {
     return delaunay.replace(step.removed, step.inserted_points, execution);
   } catch (...) {
-    certified.clear();
+    forget_surface();
     throw;
   }
 }
@@ -111,7 +133,7 @@ DelaunayChange DynamicTightCocone::State::change_triangulation(const Step& step,
 // other vertices than they had.
 void DynamicTightCocone::State::undo(const Step& step, const DelaunayChange& change,
                                      IdVector<PointId, VertexId> before) {
-  certified.clear();
+  forget_surface();
   const DelaunayChange back = delaunay.replace(change.inserted, step.removed_points);
   IdVector<VertexId, VertexId> again;
   for (const VertexId v : before) {
@@ -160,22 +182,11 @@ Triangulation DynamicTightCocone::State::compact() const {
 ReconstructResult DynamicTightCocone::State::run_stages(Points points,
                                                         std::span<const KnownTriangle> known,
                                                         const Execution& execution) {
-  ReconstructResult result = reconstruct_tight_again(compact(), points, known, options, execution);
-  look_for_certificate(result, execution);
+  ReconstructStages stages;
+  ReconstructResult result =
+      reconstruct_tight_again(compact(), points, known, options, execution, stages);
+  take(result, std::move(stages));
   return result;
-}
-
-// Only where the counts leave hope.
-void DynamicTightCocone::State::look_for_certificate(const ReconstructResult& result,
-                                                     const Execution& execution) {
-  const ReconstructCounters& counters = result.counters;
-  const bool hopeful = result.status == SurfaceStatus::ok && result.unused_points == 0 &&
-                       counters.boundary_samples == 0 && counters.surface_walks == 1 &&
-                       counters.back_contacts == 0 && counters.good_vertices == result.vertices;
-  if (!hopeful || !certified.certify(delaunay, execution)) return;
-  triangles = result.mesh.triangles.raw();
-  vertex_of_mesh.clear();
-  for (const PointId p : result.point_of_vertex) vertex_of_mesh.push_back(vertex_of_point[p]);
 }
 
 // The triangles so far that have no touched vertex, in new numbers and canonical order.
@@ -216,7 +227,7 @@ ReconstructResult DynamicTightCocone::State::assemble(Points points) {
     number[v] = result.mesh.points.push_back(points[p.index()]);
     vertices.push_back(v);
     result.point_of_vertex.push_back(p);
-    result.normals.push_back(certified.normal(v));
+    result.normals.push_back(candidates.normal(v));
   }
   const std::vector<Triangle> kept = kept_triangles(number);
   std::vector<Triangle> fresh;
@@ -233,7 +244,8 @@ ReconstructResult DynamicTightCocone::State::assemble(Points points) {
   result.points = points.size();
   result.duplicates = points.size() - vertex_of_mesh.size();
   result.vertices = delaunay.num_vertices();
-  result.tetrahedra = certified.finite_cells();
+  result.tetrahedra = candidates.num_finite_cells();
+  candidates.count(result.counters);
   certified.count(result.counters);
   return result;
 }
@@ -241,7 +253,8 @@ ReconstructResult DynamicTightCocone::State::assemble(Points points) {
 DynamicTightCocone::DynamicTightCocone(const ReconstructOptions& options)
     : state_(std::make_unique<State>()) {
   state_->options = options;
-  state_->certified = CertifiedSurface(effective_options(options));
+  state_->certified = CertifiedSurface(effective_options(options).good_vertices);
+  state_->candidates = LiveCandidates(effective_options(options));
 }
 DynamicTightCocone::~DynamicTightCocone() = default;
 DynamicTightCocone::DynamicTightCocone(DynamicTightCocone&&) noexcept = default;
@@ -269,12 +282,11 @@ ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution
     return result;
   }
   DelaunayResult built = delaunay(points, state_->options.delaunay, execution);
-  Triangulation triangulation = std::move(built.triangulation);
-  ReconstructResult result =
-      reconstruct_tight_again(triangulation, points, known, state_->options, execution);
+  ReconstructStages stages;
+  ReconstructResult result = reconstruct_tight_again(std::move(built.triangulation), points, known,
+                                                     state_->options, execution, stages);
   result.counters.delaunay = built.counters;
-  state_->take(points.size(), std::move(triangulation));
-  state_->look_for_certificate(result, {execution.threads, nullptr});
+  state_->take(result, std::move(stages));
   return result;
 }
 
@@ -289,9 +301,12 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
     step.vertex_of_point[step.inserted[k]] = change.vertex_of_point[k];
   }
   std::swap(state.vertex_of_point, step.vertex_of_point);
+  if (state.candidates.exists()) state.candidates.update(state.delaunay, change, execution);
+  if (state.certified.exists()) {
+    state.certified.update(state.delaunay, change, state.candidates);
+  }
   // What is to be verified is computed as a whole.
-  if (!state.options.verify && state.certified.exists() &&
-      state.certified.update(state.delaunay, change, execution)) {
+  if (state.certified.exists() && !state.options.verify) {
     ReconstructResult result = state.assemble(points);
     result.counters.delaunay = change.insertion;
     state.num_points = points.size();

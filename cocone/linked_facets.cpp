@@ -9,9 +9,8 @@ namespace {
 constexpr std::size_t triangles_per_chunk = 8192;
 
 // The unit normal of the corners in lexicographic order, turned as the corners run.
-Vec3 oriented_normal(const Triangulation& triangulation, const Triangle& corners) {
-  std::array<Point, 3> p = {triangulation.point(corners[0]), triangulation.point(corners[1]),
-                            triangulation.point(corners[2])};
+Vec3 oriented_normal(const IdVector<VertexId, Point>& points, const Triangle& corners) {
+  std::array<Point, 3> p = {points[corners[0]], points[corners[1]], points[corners[2]]};
   bool turned = false;
   const auto order = [&](std::size_t i, std::size_t k) {
     if (!(p[k] < p[i])) return;
@@ -54,17 +53,22 @@ LinkedFacets by_smallest_vertex(const Triangulation& triangulation, const FacetS
 
 }  // namespace
 
-LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
-                         const Execution& execution) {
-  LinkedFacets triangles = by_smallest_vertex(triangulation, facets);
+void link_corners(const IdVector<VertexId, Point>& points, LinkedFacets& triangles,
+                  const Execution& execution) {
   triangles.normals.resize(triangles.size());
   parallel_chunks(execution, triangles.size(), triangles_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
                     for (std::size_t t = begin; t < end; ++t) {
-                      triangles.normals[t] = oriented_normal(triangulation, triangles.corners[t]);
+                      triangles.normals[t] = oriented_normal(points, triangles.corners[t]);
                     }
                   });
-  triangles.links = side_links(triangles.corners, triangulation.num_vertices(), execution);
+  triangles.links = side_links(triangles.corners, points.size(), execution);
+}
+
+LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
+                         const Execution& execution) {
+  LinkedFacets triangles = by_smallest_vertex(triangulation, facets);
+  link_corners(triangulation.points(), triangles, execution);
   triangles.set = std::move(facets);
   return triangles;
 }

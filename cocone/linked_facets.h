@@ -42,6 +42,11 @@ struct LinkedFacets {
 LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
                          const Execution& execution = {});
 
+// Fills in normals and links of triangles with corners at these points. Complexity: O(triangles +
+// points), parallel.
+void link_corners(const IdVector<VertexId, Point>& points, LinkedFacets& triangles,
+                  const Execution& execution = {});
+
 // The triangles whose flag is 0. Complexity: O(triangles).
 LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
                      const std::vector<std::uint8_t>& removed);

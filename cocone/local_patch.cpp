@@ -3,41 +3,20 @@
 #include <algorithm>
 #include <utility>
 
-#include "delaunay/circulate.h"
-
 namespace cocoon {
-
-// Appends the cells at v that are not there yet.
-void PatchBuilder::collect_star(const DynamicDelaunay& delaunay, VertexId v) {
-  const TriangulationView view = delaunay.view();
-  ++star_;
-  queue_.assign(1, delaunay.cell_at(v));
-  seen_[queue_[0]] = star_;
-  for (std::size_t next = 0; next < queue_.size(); ++next) {
-    const CellId c = queue_[next];
-    if (cell_here_[c].is_none()) {
-      cell_here_[c] = CellId(0);
-      slots_.push_back(c);
-    }
-    const Cell& cell = view.cell(c);
-    const int opposite = index_of_vertex(cell, v);
-    for (int i = 0; i < 4; ++i) {
-      const CellId behind = cell_of(cell.neighbors[static_cast<std::size_t>(i)]);
-      if (i == opposite || seen_[behind] == star_) continue;
-      seen_[behind] = star_;
-      queue_.push_back(behind);
-    }
-  }
-}
 
 LocalPatch PatchBuilder::build(const DynamicDelaunay& delaunay, std::span<const VertexId> core) {
   const TriangulationView view = delaunay.view();
   cell_here_.resize(view.cell_records().size());
-  seen_.resize(view.cell_records().size(), 0);
   vertex_here_.resize(delaunay.num_vertex_slots());
   slots_.clear();
-  for (const VertexId v : core) collect_star(delaunay, v);
-  std::sort(slots_.begin(), slots_.end());
+  for (const VertexId v : core) {
+    for (const CellId c : stars_.star(delaunay, v)) {
+      if (!cell_here_[c].is_none()) continue;
+      cell_here_[c] = CellId(0);
+      slots_.push_back(c);
+    }
+  }
   const auto first_infinite = std::stable_partition(slots_.begin(), slots_.end(),
                                                     [&](CellId c) { return !view.is_infinite(c); });
   const auto finite_cells = static_cast<std::size_t>(first_infinite - slots_.begin());

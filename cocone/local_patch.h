@@ -1,11 +1,11 @@
 // A part of a changing triangulation as a triangulation of its own, for stages that look at stars.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "cocone/facet_set.h"
+#include "cocone/star_finder.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "delaunay/triangulation.h"
 #include "geom/id_vector.h"
@@ -30,15 +30,11 @@ class PatchBuilder {
   LocalPatch build(const DynamicDelaunay& delaunay, std::span<const VertexId> core);
 
  private:
-  void collect_star(const DynamicDelaunay& delaunay, VertexId v);
-
+  StarFinder stars_;
   // Scratch by slot; `none` between uses.
   IdVector<CellId, CellId> cell_here_;
   IdVector<VertexId, VertexId> vertex_here_;
-  IdVector<CellId, std::uint32_t> seen_;  // the star in which the cell was met last
-  std::uint32_t star_ = 0;
   std::vector<CellId> slots_;
-  std::vector<CellId> queue_;
 };
 
 }  // namespace cocoon

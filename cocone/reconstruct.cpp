@@ -82,12 +82,15 @@ class Reconstruction {
     run_stage(execution_, "cocone", [&](const Execution& nested) {
       FacetSet candidates =
           candidate_triangles(triangulation_, cocones, boundary_.boundary, nested);
+      if (stages_ != nullptr) stages_->candidates = candidates;
       PrunedCandidates pruned =
           prune_sharp_edges(triangulation_, std::move(candidates), options_.prune, nested);
+      if (stages_ != nullptr) stages_->left = pruned.left.set;
       surface_ = extract_manifold(triangulation_, std::move(pruned.left), pruned.umbrella, nested);
       result_.counters.candidates = pruned.candidates;
       result_.counters.pruned = pruned.pruned;
       result_.counters.umbrellas = pruned.umbrellas;
+      if (stages_ != nullptr) stages_->umbrella = std::move(pruned.umbrella);
     });
     ReconstructCounters& counters = result_.counters;
     counters.boundary_samples = boundary_.count;
@@ -140,7 +143,18 @@ class Reconstruction {
     result_.mesh = {};
   }
 
-  ReconstructResult take_result() { return std::move(result_); }
+  // From now on what is found is kept for `stages`.
+  void keep_stages(ReconstructStages& stages) { stages_ = &stages; }
+  ReconstructResult take_result() {
+    if (stages_ != nullptr) {
+      stages_->triangulation = std::move(triangulation_);
+      stages_->dual = std::move(dual_);
+      stages_->poles = std::move(poles_);
+      stages_->boundary = std::move(boundary_);
+      stages_->halves = std::move(surface_.halves);
+    }
+    return std::move(result_);
+  }
 
  private:
   // Where scaling loses bits the surface would be that of other points.
@@ -182,6 +196,7 @@ class Reconstruction {
   IdVector<VertexId, VertexId> triangulation_vertex_;  // of each vertex of the result
   double scale_ = 1;
   ReconstructResult result_;
+  ReconstructStages* stages_ = nullptr;
 };
 
 }  // namespace
@@ -229,6 +244,20 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
                                           const ReconstructOptions& options,
                                           const Execution& execution) {
   Reconstruction reconstruction(points, options, execution);
+  reconstruction.take(std::move(triangulation));
+  reconstruction.find_poles();
+  reconstruction.build_surface();
+  reconstruction.close_surface(known);
+  reconstruction.verify(true);
+  return reconstruction.take_result();
+}
+
+ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
+                                          std::span<const KnownTriangle> known,
+                                          const ReconstructOptions& options,
+                                          const Execution& execution, ReconstructStages& stages) {
+  Reconstruction reconstruction(points, options, execution);
+  reconstruction.keep_stages(stages);
   reconstruction.take(std::move(triangulation));
   reconstruction.find_poles();
   reconstruction.build_surface();

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "cocone/boundary_samples.h"
 #include "cocone/clean_up_cells.h"
@@ -136,6 +137,24 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
                                           std::span<const KnownTriangle> known,
                                           const ReconstructOptions& options = {},
                                           const Execution& execution = {});
+
+// What the stages found on the way, for those who go on from it.
+struct ReconstructStages {
+  Triangulation triangulation;
+  Dual dual;
+  Poles poles;
+  BoundarySamples boundary;
+  FacetSet candidates;  // before pruning
+  FacetSet left;        // after it
+  VertexSet umbrella;
+  std::vector<FacetId> halves;  // of the Cocone surface, seen from the side of the walk
+};
+
+// As the one before, and fills in `stages`.
+ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
+                                          std::span<const KnownTriangle> known,
+                                          const ReconstructOptions& options,
+                                          const Execution& execution, ReconstructStages& stages);
 
 // The Cocone surface with its boundary: open where the cloud is. As above without "tight".
 // Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Woo & Dey 2005, sections 2.1, 3.2.

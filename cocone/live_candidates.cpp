@@ -1,0 +1,476 @@
+#include "cocone/live_candidates.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "cocone/candidate_triangles.h"
+#include "cocone/cocones.h"
+#include "cocone/prune_part.h"
+#include "cocone/umbrella.h"
+#include "delaunay/voronoi_dual.h"
+#include "geom/circumsphere.h"
+#include "geom/triangle_normal.h"
+
+namespace cocoon {
+namespace {
+
+std::size_t bits_of(unsigned flags) { return static_cast<std::size_t>(std::popcount(flags)); }
+
+// How the Voronoi vertex, or ray, of a cell is obtained, as voronoi_dual counts it.
+enum class CenterKind { doubles, exact, facet };
+
+CenterKind center_kind(const TriangulationView& view, CellId c) {
+  const auto& [v0, v1, v2, v3] = view.cell(c).vertices;
+  const Point& p0 = view.point(v0);
+  const Point& p1 = view.point(v1);
+  const Point& p2 = view.point(v2);
+  if (v3 == infinite_vertex) {
+    return triangle_normal(p0, p1, p2).exact ? CenterKind::exact : CenterKind::doubles;
+  }
+  switch (circumcenter(p0, p1, p2, view.point(v3)).level) {
+    case CenterLevel::doubles:
+      return CenterKind::doubles;
+    case CenterLevel::exact:
+      return CenterKind::exact;
+    case CenterLevel::facet:
+    case CenterLevel::centroid:
+      return CenterKind::facet;
+  }
+  return CenterKind::doubles;
+}
+
+void make_set(std::vector<VertexId>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+}  // namespace
+
+void LiveCandidates::clear() { *this = LiveCandidates(options_); }
+
+void LiveCandidates::start(const DynamicDelaunay& delaunay, const ReconstructStages& stages) {
+  clear();
+  grow_arrays(delaunay);
+  num_vertices_ = delaunay.num_vertices();
+  const TriangulationView view = delaunay.view();
+  normals_ = stages.poles.normals;
+  states_ = stages.boundary.states;
+  for (const VertexId v : states_.ids()) {
+    if (states_[v] != SampleState::interior) steps_[v] = not_taken;
+  }
+  for (const TakenIn& taken : stages.boundary.taken_in) steps_[taken.sample] = taken.steps;
+  for (const VertexId v : vertex_flags_.ids()) {
+    unsigned flags = 0;
+    if (stages.poles.degenerate[v] != 0) flags |= degenerate;
+    if (stages.umbrella[v] != 0) flags |= umbrella;
+    vertex_flags_[v] = static_cast<std::uint8_t>(flags);
+    degenerate_ += bits_of(flags & degenerate);
+    umbrellas_ += bits_of(flags & umbrella);
+    boundary_ += steps_[v] == not_taken ? 1U : 0U;
+    ratio_failed_ += states_[v] == SampleState::ratio_fails ? 1U : 0U;
+  }
+  recovered_ = stages.boundary.recovered;
+  start_cells(view, stages);
+  exists_ = true;
+}
+
+void LiveCandidates::start_cells(const TriangulationView& view, const ReconstructStages& stages) {
+  const bool plain = stages.dual.extended_precision == 0 && stages.dual.facet_fallbacks == 0;
+  for (const CellId c : cell_flags_.ids()) {
+    const unsigned candidates = stages.candidates.bits(c);
+    set_cell(c, kind_of(view, c, plain) | candidates, candidates & ~unsigned{stages.left.bits(c)});
+    for (int i = 0; candidates != 0 && i < 4; ++i) {
+      const FacetId f = facet_id(c, i);
+      if (((candidates >> i) & 1U) == 0 || view.canonical(f) != f) continue;
+      for (const VertexId v : view.facet_vertices(f)) ++fan_[v];
+    }
+    if (!view.is_infinite(c)) continue;
+    for (int i = 0; i < 3; ++i) {
+      const VertexId v = view.vertex(c, i);
+      hull_vertices_ += (vertex_flags_[v] & on_hull) == 0 ? 1U : 0U;
+      vertex_flags_[v] |= on_hull;
+    }
+  }
+}
+
+void LiveCandidates::update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
+                            const Execution& execution) {
+  forget(change);
+  grow_arrays(delaunay);
+  changed_.assign(change.inserted.begin(), change.inserted.end());
+  dirty_.clear();
+  const TriangulationView view = delaunay.view();
+  for (const CellId c : change.created) {
+    for (const VertexId v : view.cell(c).vertices) {
+      if (v == infinite_vertex || is_dirty_[v] != 0) continue;
+      is_dirty_[v] = 1;
+      dirty_.push_back(v);
+    }
+  }
+  for (const VertexId v : dirty_) is_dirty_[v] = 0;
+  std::sort(dirty_.begin(), dirty_.end());
+  examine(delaunay, execution);
+}
+
+void LiveCandidates::grow_arrays(const DynamicDelaunay& delaunay) {
+  const std::size_t vertices = delaunay.num_vertex_slots();
+  normals_.resize(vertices);
+  vertex_flags_.resize(vertices, 0);
+  states_.resize(vertices, SampleState::interior);
+  steps_.resize(vertices, 0);
+  fan_.resize(vertices, 0);
+  is_dirty_.resize(vertices, 0);
+  const std::size_t cells = delaunay.view().cell_records().size();
+  cell_flags_.resize(cells, 0);
+  pruned_.resize(cells, 0);
+}
+
+// What went takes its counts along. Slots of deleted cells may already hold new ones.
+void LiveCandidates::forget(const DelaunayChange& change) {
+  for (const CellId c : change.deleted) set_cell(c, 0, 0);
+  for (const VertexId v : change.removed) {
+    set_vertex(v, 0, SampleState::interior, 0);
+    fan_[v] = 0;
+  }
+}
+
+void LiveCandidates::examine(const DynamicDelaunay& delaunay, const Execution& execution) {
+  const Execution quiet{execution.threads, nullptr};
+  num_vertices_ = delaunay.num_vertices();
+  Part part = judge_part(delaunay, quiet);
+  commit_samples(part);
+  commit_new_cells(part);
+  update_candidates(part, quiet);
+  sort_changed();
+  update_umbrellas(delaunay);
+  update_pruning(delaunay);
+  sort_changed();
+}
+
+void LiveCandidates::sort_changed() { make_set(changed_); }
+
+// --- Samples ---------------------------------------------------------------------------------
+
+// The dirty vertices, and as many others as it takes until what is known of the rest still holds.
+LiveCandidates::Part LiveCandidates::judge_part(const DynamicDelaunay& delaunay,
+                                                const Execution& execution) {
+  Part part;
+  std::vector<VertexId> core = dirty_;
+  const auto build_with = [&](const std::vector<VertexId>& more) {
+    core.insert(core.end(), more.begin(), more.end());
+    make_set(core);
+    part.patch = patches_.build(delaunay, core);
+  };
+  build_with({});
+  if (const std::vector<VertexId> more = pending_off_core(part.patch); !more.empty()) {
+    build_with(more);
+  }
+  for (;;) {
+    find_normals(part, execution);
+    std::vector<VertexId> more = judge(part, execution);
+    if (more.empty()) more = take_in(part);
+    if (more.empty()) return part;
+    build_with(more);
+  }
+}
+
+// Whoever failed the normal condition may meet it now.
+std::vector<VertexId> LiveCandidates::pending_off_core(const LocalPatch& patch) const {
+  std::vector<VertexId> found;
+  for (const VertexId v : patch.triangulation.vertices()) {
+    const VertexId whole = patch.vertex_in_whole[v];
+    if (patch.is_core[v] == 0 && states_[whole] == SampleState::pending) found.push_back(whole);
+  }
+  return found;
+}
+
+void LiveCandidates::find_normals(Part& part, const Execution& execution) const {
+  const Triangulation& t = part.patch.triangulation;
+  part.dual = voronoi_dual(t, execution);
+  part.poles = compute_poles(t, part.dual, execution);
+  for (const VertexId v : t.vertices()) {
+    if (part.patch.is_core[v] != 0) continue;
+    part.poles.normals[v] = normals_[part.patch.vertex_in_whole[v]];
+  }
+  part.cocones = intersect_cocones(t, part.dual, part.poles, options_.cocone, execution);
+}
+
+bool LiveCandidates::Part::has(const VertexSet& set, FacetId f) const {
+  for (const VertexId v : patch.triangulation.facet_vertices(f)) {
+    if (v != infinite_vertex && set[v] != 0) return true;
+  }
+  return false;
+}
+
+// Both conditions. Returns samples off the core that met both and fail one now.
+std::vector<VertexId> LiveCandidates::judge(Part& part, const Execution& execution) const {
+  const LocalPatch& patch = part.patch;
+  part.states = judge_samples(patch.triangulation, part.dual, part.poles, part.cocones,
+                              options_.boundary, execution);
+  for (const VertexId v : part.states.ids()) {
+    if (patch.is_core[v] == 0) part.states[v] = states_[patch.vertex_in_whole[v]];
+  }
+  std::vector<VertexId> failing;
+  for (std::size_t k = 0; k < part.cocones.facets.size(); ++k) {
+    if (!part.has(patch.is_core, part.cocones.facets[k])) continue;
+    for_each_cocone_neighbor(patch.triangulation, part.cocones, k, [&](VertexId p, VertexId q) {
+      if (patch.is_core[p] != 0 || part.states[p] != SampleState::interior) return;
+      if (normals_agree(part.poles, p, q, options_.boundary)) return;
+      failing.push_back(patch.vertex_in_whole[p]);
+    });
+  }
+  return failing;
+}
+
+// Phase 2 in the core. Returns samples off the core whose supporters have changed.
+std::vector<VertexId> LiveCandidates::take_in(Part& part) const {
+  const LocalPatch& patch = part.patch;
+  struct Support {
+    VertexId sample;
+    VertexId by;
+  };
+  std::vector<Support> supports;
+  for (std::size_t k = 0; k < part.cocones.facets.size(); ++k) {
+    if (!part.has(patch.is_core, part.cocones.facets[k])) continue;
+    for_each_cocone_neighbor(patch.triangulation, part.cocones, k, [&](VertexId p, VertexId q) {
+      if (part.states[p] != SampleState::pending) return;
+      if (part.states[q] == SampleState::ratio_fails) return;
+      if (normals_agree(part.poles, p, q, options_.boundary)) supports.push_back({p, q});
+    });
+  }
+  part.steps = IdVector<VertexId, std::uint32_t>(part.states.size(), not_taken);
+  for (const VertexId v : part.steps.ids()) {
+    if (patch.is_core[v] == 0) {
+      part.steps[v] = steps_[patch.vertex_in_whole[v]];
+    } else if (part.states[v] == SampleState::interior) {
+      part.steps[v] = 0;
+    }
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Support& s : supports) {
+      if (patch.is_core[s.sample] == 0 || part.steps[s.by] == not_taken) continue;
+      if (part.steps[s.by] + 1 >= part.steps[s.sample]) continue;
+      part.steps[s.sample] = part.steps[s.by] + 1;
+      changed = true;
+    }
+  }
+  std::vector<VertexId> affected;
+  for (const Support& s : supports) {
+    if (patch.is_core[s.sample] != 0 || patch.is_core[s.by] == 0) continue;
+    if (part.steps[s.by] == steps_[patch.vertex_in_whole[s.by]]) continue;
+    affected.push_back(patch.vertex_in_whole[s.sample]);
+  }
+  return affected;
+}
+
+void LiveCandidates::commit_samples(Part& part) {
+  const LocalPatch& patch = part.patch;
+  const Triangulation& t = patch.triangulation;
+  part.fresh = VertexSet(t.num_vertices(), 0);
+  for (const VertexId v : dirty_) is_dirty_[v] = 1;
+  VertexSet hull(t.num_vertices(), 0);
+  for (const CellId c : t.infinite_cells()) {
+    for (int i = 0; i < 3; ++i) hull[t.vertex(c, i)] = 1;
+  }
+  for (const VertexId v : t.vertices()) {
+    if (patch.is_core[v] == 0) continue;
+    const VertexId whole = patch.vertex_in_whole[v];
+    const bool relabeled = (part.steps[v] == not_taken) != is_boundary(whole);
+    part.fresh[v] = relabeled || is_dirty_[whole] != 0;
+    if (relabeled) note_changed(whole);
+    normals_[whole] = part.poles.normals[v];
+    unsigned flags = vertex_flags_[whole] & umbrella;
+    if (hull[v] != 0) flags |= on_hull;
+    if (part.poles.degenerate[v] != 0) flags |= degenerate;
+    set_vertex(whole, flags, part.states[v], part.steps[v]);
+  }
+  for (const VertexId v : dirty_) is_dirty_[v] = 0;
+}
+
+// --- Candidates ------------------------------------------------------------------------------
+
+// Finite or not, and how its center is obtained; `plain`: in doubles everywhere.
+unsigned LiveCandidates::kind_of(const TriangulationView& view, CellId c, bool plain) {
+  const unsigned kind = view.is_infinite(c) ? infinite : finite;
+  if (plain) return kind;
+  switch (center_kind(view, c)) {
+    case CenterKind::doubles:
+      return kind;
+    case CenterKind::exact:
+      return kind | exact_center;
+    case CenterKind::facet:
+      return kind | facet_center;
+  }
+  return kind;
+}
+
+void LiveCandidates::commit_new_cells(const Part& part) {
+  const Triangulation& t = part.patch.triangulation;
+  const bool plain = part.dual.extended_precision == 0 && part.dual.facet_fallbacks == 0;
+  for (const CellId c : t.cells()) {
+    const CellId slot = part.patch.slot_of_cell[c];
+    if (cell_flags_[slot] != 0) continue;
+    set_cell(slot, kind_of(t, c, plain), 0);
+  }
+}
+
+void LiveCandidates::update_candidates(const Part& part, const Execution& execution) {
+  const LocalPatch& patch = part.patch;
+  const Triangulation& t = patch.triangulation;
+  VertexSet boundary(t.num_vertices(), 0);
+  for (const VertexId v : boundary.ids()) boundary[v] = part.steps[v] == not_taken ? 1 : 0;
+  const FacetSet candidates = candidate_triangles(t, part.cocones, boundary, execution);
+
+  IdVector<VertexId, std::uint32_t> fan(t.num_vertices(), 0);     // now
+  IdVector<VertexId, std::uint32_t> growth(t.num_vertices(), 0);  // modulo 2^32
+  VertexSet touched(t.num_vertices(), 0);
+  for (const CellId c : t.cells()) {
+    for (int i = 0; i < 4; ++i) {
+      const FacetId f = facet_id(c, i);
+      const FacetId m = t.mirror(f);
+      if (m < f || !t.is_finite_facet(f) || !part.has(part.fresh, f)) continue;
+      const CellId here = patch.slot_of_cell[c];
+      const CellId there = patch.slot_of_cell[cell_of(m)];
+      const unsigned bit = 1U << i;
+      const unsigned mirror_bit = 1U << index_of(m);
+      const bool before = (cell_flags_[here] & bit) != 0 || (cell_flags_[there] & mirror_bit) != 0;
+      const bool now = candidates.contains(f);
+      if (!before && !now) continue;
+      const bool pruned = now && ((pruned_[here] & bit) != 0 || (pruned_[there] & mirror_bit) != 0);
+      const auto write = [&](CellId slot, unsigned which) {
+        set_cell(slot, now ? cell_flags_[slot] | which : cell_flags_[slot] & ~which,
+                 pruned ? pruned_[slot] | which : pruned_[slot] & ~which);
+      };
+      write(here, bit);
+      write(there, mirror_bit);
+      for (const VertexId v : t.facet_vertices(f)) {
+        fan[v] += now ? 1U : 0U;
+        if (before == now) continue;
+        growth[v] += now ? 1U : static_cast<std::uint32_t>(-1);
+        touched[v] = 1;
+      }
+    }
+  }
+  // At a vertex of new cells candidates may also have gone together with both of their cells.
+  for (const VertexId v : t.vertices()) {
+    const VertexId whole = patch.vertex_in_whole[v];
+    if (part.fresh[v] != 0) {
+      if (fan[v] != fan_[whole] + growth[v]) touched[v] = 1;
+      fan_[whole] = fan[v];
+    } else {
+      fan_[whole] += growth[v];
+    }
+    if (touched[v] != 0) note_changed(whole);
+  }
+}
+
+// --- Umbrellas and pruning -------------------------------------------------------------------
+
+void LiveCandidates::update_umbrellas(const DynamicDelaunay& delaunay) {
+  const LocalFacets facets = collector_.collect(
+      delaunay, changed_, [&](CellId c) { return cell_flags_[c] & candidate_facets; });
+  const VertexSet found =
+      vertices_with_umbrella(facets.triangles, facets.num_vertices(), options_.prune.sharp_cosine);
+  for (const VertexId v : changed_) {
+    const VertexId local = facets.local(v);
+    unsigned flags = vertex_flags_[v] & ~umbrella;
+    if (!local.is_none() && found[local] != 0) flags |= umbrella;
+    set_vertex(v, flags, states_[v], steps_[v]);
+  }
+}
+
+void LiveCandidates::update_pruning(const DynamicDelaunay& delaunay) {
+  std::vector<VertexId> core = changed_;
+  for (;;) {
+    const LocalFacets facets = collector_.collect(
+        delaunay, core, [&](CellId c) { return cell_flags_[c] & candidate_facets; });
+    VertexSet in_core(facets.num_vertices(), 0);
+    VertexSet guards(facets.num_vertices(), 0);
+    for (const VertexId v : in_core.ids()) {
+      const VertexId whole = facets.vertex_in_whole[v];
+      in_core[v] = std::binary_search(core.begin(), core.end(), whole) ? 1 : 0;
+      guards[v] = has_umbrella(whole) ? 1 : 0;
+    }
+    const std::vector<std::uint8_t> removed =
+        prune_part(facets.triangles, in_core, guards, options_.prune);
+    const std::size_t before = core.size();
+    for (std::uint32_t t = 0; t < removed.size(); ++t) {
+      if (removed[t] == was_pruned(facets.triangles.facets[t])) continue;
+      int corners = 0;
+      for (const VertexId v : facets.triangles.corners[t]) corners += in_core[v];
+      if (corners != 1) continue;  // no edge off the core
+      for (const VertexId v : facets.triangles.corners[t]) {
+        if (in_core[v] == 0) core.push_back(facets.vertex_in_whole[v]);
+      }
+    }
+    if (core.size() == before) return commit_pruning(facets, removed);
+    make_set(core);
+  }
+}
+
+std::uint8_t LiveCandidates::was_pruned(FacetId f) const {
+  return static_cast<std::uint8_t>((pruned_[cell_of(f)] >> index_of(f)) & 1U);
+}
+
+void LiveCandidates::commit_pruning(const LocalFacets& facets,
+                                    const std::vector<std::uint8_t>& removed) {
+  const LinkedFacets& triangles = facets.triangles;
+  for (std::uint32_t t = 0; t < removed.size(); ++t) {
+    if (removed[t] == was_pruned(triangles.facets[t])) continue;
+    for (const FacetId f : {triangles.facets[t], triangles.mirrors[t]}) {
+      const CellId c = cell_of(f);
+      set_cell(c, cell_flags_[c], pruned_[c] ^ (1U << index_of(f)));
+    }
+    for (const VertexId v : triangles.corners[t]) note_changed(facets.vertex_in_whole[v]);
+  }
+}
+
+// --- Counts ----------------------------------------------------------------------------------
+
+void LiveCandidates::set_cell(CellId c, unsigned flags, unsigned pruned) {
+  const auto tally = [&](std::size_t step) {  // 1, or its negative
+    candidates_ += step * bits_of(cell_flags_[c] & candidate_facets);
+    pruned_halves_ += step * bits_of(pruned_[c]);
+    exact_centers_ += step * bits_of(cell_flags_[c] & exact_center);
+    facet_centers_ += step * bits_of(cell_flags_[c] & facet_center);
+    finite_cells_ += step * bits_of(cell_flags_[c] & finite);
+  };
+  tally(static_cast<std::size_t>(-1));
+  cell_flags_[c] = static_cast<std::uint8_t>(flags);
+  pruned_[c] = static_cast<std::uint8_t>(pruned);
+  tally(1);
+}
+
+void LiveCandidates::set_vertex(VertexId v, unsigned flags, SampleState state,
+                                std::uint32_t steps) {
+  const auto tally = [&](std::size_t step) {
+    hull_vertices_ += step * bits_of(vertex_flags_[v] & on_hull);
+    degenerate_ += step * bits_of(vertex_flags_[v] & degenerate);
+    umbrellas_ += step * bits_of(vertex_flags_[v] & umbrella);
+    boundary_ += step * (steps_[v] == not_taken ? 1U : 0U);
+    recovered_ += step * (steps_[v] != not_taken && steps_[v] != 0 ? 1U : 0U);
+    ratio_failed_ += step * (states_[v] == SampleState::ratio_fails ? 1U : 0U);
+  };
+  tally(static_cast<std::size_t>(-1));
+  vertex_flags_[v] = static_cast<std::uint8_t>(flags);
+  states_[v] = state;
+  steps_[v] = steps;
+  tally(1);
+}
+
+void LiveCandidates::count(ReconstructCounters& counters) const {
+  counters.hull_vertices = hull_vertices_;
+  counters.degenerate_poles = degenerate_;
+  counters.dual_extended_precision = exact_centers_;
+  counters.dual_facet_fallbacks = facet_centers_;
+  counters.boundary_samples = boundary_;
+  counters.ratio_failed = ratio_failed_;
+  counters.recovered_samples = recovered_;
+  counters.candidates = candidates_ / 2;
+  counters.pruned = pruned_halves_ / 2;
+  counters.umbrellas = umbrellas_;
+}
+
+}  // namespace cocoon

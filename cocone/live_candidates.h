@@ -1,0 +1,155 @@
+// The stages from the poles to pruning for a set of points that changes: what they say of it, kept
+// up to date where it may differ.
+//
+// After a change of the triangulation a vertex of a new cell is `dirty`. What is looked at again:
+//
+//   normals, ratio condition   dirty vertices: stars of others are as before, bit for bit
+//   normal condition           these, and their cocone neighbors: who met it fails it if a dirty
+//                              neighbor disagrees; who failed it is judged anew
+//   phase 2                    samples that fail only the normal condition, where a supporter has
+//                              changed. Each knows the number of steps after which it was taken in:
+//                              a supporter with fewer steps proves that it belongs, so nobody is
+//                              held by a circle. Who loses the proof is looked at again, and so on
+//   candidates                 facets with a dirty corner, or one that changed its label
+//   umbrellas                  corners of facets that became candidates or ceased to be
+//   pruning                    edges at these; a triangle at the rim of the part that ends in
+//                              another way than before makes the part grow, until all agree
+//
+// Each is computed by the stage itself, on a part of the triangulation (local_patch.h) or of the
+// candidates (local_facets.h).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cocone/boundary_samples.h"
+#include "cocone/local_facets.h"
+#include "cocone/local_patch.h"
+#include "cocone/reconstruct.h"
+#include "delaunay/dynamic_delaunay.h"
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+
+namespace cocoon {
+
+class LiveCandidates {
+ public:
+  // `options` as the stages get them.
+  explicit LiveCandidates(const ReconstructOptions& options = {}) : options_(options) {}
+
+  // Whether anything is known.
+  bool exists() const { return exists_; }
+  void clear();
+  // Begins with what the stages found in the triangulation that `delaunay` was made of. Their
+  // triangulation is not read, it may have gone. Complexity: O(n).
+  void start(const DynamicDelaunay& delaunay, const ReconstructStages& stages);
+  // Goes on after a change of the triangulation. Precondition: exists() before the change.
+  // Complexity: O(c) for c cells at vertices of new cells, as a rule.
+  void update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
+              const Execution& execution = {});
+
+  // --- What is known. Precondition: exists().
+
+  // The vertices that are new, changed their label or umbrella, or have another set of candidates
+  // left after the last operation; ascending. At all others these things are as before.
+  const std::vector<VertexId>& changed() const { return changed_; }
+  const Vec3& normal(VertexId v) const { return normals_[v]; }
+  bool is_boundary(VertexId v) const { return steps_[v] == not_taken; }
+  bool has_umbrella(VertexId v) const { return (vertex_flags_[v] & umbrella) != 0; }
+  // Bit i: facet i of the cell is a candidate that was not pruned.
+  unsigned left(CellId c) const {
+    return cell_flags_[c] & ~static_cast<unsigned>(pruned_[c]) & candidate_facets;
+  }
+  bool is_infinite(CellId c) const { return (cell_flags_[c] & infinite) != 0; }
+  std::size_t num_vertices() const { return num_vertices_; }
+  std::size_t num_boundary() const { return boundary_; }
+  std::size_t num_umbrellas() const { return umbrellas_; }
+  std::size_t num_finite_cells() const { return finite_cells_; }
+  // What the stages would have counted.
+  void count(ReconstructCounters& counters) const;
+
+ private:
+  // Flags of vertices.
+  static constexpr unsigned on_hull = 1;
+  static constexpr unsigned degenerate = 2;
+  static constexpr unsigned umbrella = 4;
+  // Flags of cells.
+  static constexpr unsigned candidate_facets = 15;
+  static constexpr unsigned exact_center = 16;
+  static constexpr unsigned facet_center = 32;
+  static constexpr unsigned infinite = 64;
+  static constexpr unsigned finite = 128;
+  static constexpr std::uint32_t not_taken = 0xFFFFFFFFU;
+
+  // The samples at which something may differ, with their stars.
+  struct Part {
+    LocalPatch patch;
+    Dual dual;
+    Poles poles;
+    Cocones cocones;
+    IdVector<VertexId, SampleState> states;
+    IdVector<VertexId, std::uint32_t> steps;
+    VertexSet fresh;  // dirty, or with another label
+
+    bool has(const VertexSet& set, FacetId f) const;
+  };
+
+  void start_cells(const TriangulationView& view, const ReconstructStages& stages);
+  void grow_arrays(const DynamicDelaunay& delaunay);
+  void forget(const DelaunayChange& change);
+  void examine(const DynamicDelaunay& delaunay, const Execution& execution);
+  Part judge_part(const DynamicDelaunay& delaunay, const Execution& execution);
+  std::vector<VertexId> pending_off_core(const LocalPatch& patch) const;
+  void find_normals(Part& part, const Execution& execution) const;
+  std::vector<VertexId> judge(Part& part, const Execution& execution) const;
+  std::vector<VertexId> take_in(Part& part) const;
+  void commit_samples(Part& part);
+  static unsigned kind_of(const TriangulationView& view, CellId c, bool plain);
+  void commit_new_cells(const Part& part);
+  void update_candidates(const Part& part, const Execution& execution);
+  void update_umbrellas(const DynamicDelaunay& delaunay);
+  void update_pruning(const DynamicDelaunay& delaunay);
+  std::uint8_t was_pruned(FacetId f) const;
+  void commit_pruning(const LocalFacets& facets, const std::vector<std::uint8_t>& removed);
+  void note_changed(VertexId v) { changed_.push_back(v); }
+  void sort_changed();
+  void set_cell(CellId c, unsigned flags, unsigned pruned);
+  void set_vertex(VertexId v, unsigned flags, SampleState state, std::uint32_t steps);
+
+  ReconstructOptions options_;
+  bool exists_ = false;
+  PatchBuilder patches_;
+  FacetCollector collector_;
+  // By vertex slot.
+  IdVector<VertexId, Vec3> normals_;
+  IdVector<VertexId, std::uint8_t> vertex_flags_;
+  IdVector<VertexId, SampleState> states_;
+  // Of phase 2, until the sample was taken in: 0 if it is interior without that, not_taken if it is
+  // a boundary sample.
+  IdVector<VertexId, std::uint32_t> steps_;
+  IdVector<VertexId, std::uint32_t> fan_;  // candidates at the vertex
+  // By cell slot: bit i = facet i is a candidate; above: how the center was obtained, and infinity.
+  IdVector<CellId, std::uint8_t> cell_flags_;
+  IdVector<CellId, std::uint8_t> pruned_;  // bit i = facet i is a candidate that was pruned
+
+  std::vector<VertexId> dirty_;
+  VertexSet is_dirty_;  // scratch
+  std::vector<VertexId> changed_;
+
+  std::size_t num_vertices_ = 0;
+  std::size_t boundary_ = 0;
+  std::size_t ratio_failed_ = 0;
+  std::size_t recovered_ = 0;
+  std::size_t hull_vertices_ = 0;
+  std::size_t degenerate_ = 0;
+  std::size_t umbrellas_ = 0;
+  std::size_t candidates_ = 0;  // from both sides
+  std::size_t pruned_halves_ = 0;
+  std::size_t exact_centers_ = 0;
+  std::size_t facet_centers_ = 0;
+  std::size_t finite_cells_ = 0;
+};
+
+}  // namespace cocoon
