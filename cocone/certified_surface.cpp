@@ -84,27 +84,46 @@ bool CertifiedSurface::certify(const DynamicDelaunay& delaunay, const LiveCandid
 
 bool CertifiedSurface::update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
                               const LiveCandidates& candidates) {
-  const TriangulationView view = delaunay.view();
-  exists_ = [&] {
-    if (!is_regular_everywhere(candidates)) return false;
-    forget(change);
-    sides_.resize(view.cell_records().size(), 0);
-    adopt_new_cells(view, change);
-    touched_ = candidates.changed();
-    erase_touched(delaunay);
-    std::vector<VertexId> around = find_ring(delaunay, candidates);
-    if (!grow(view, candidates, halves_at(delaunay, around))) return false;
-    around.insert(around.end(), touched_.begin(), touched_.end());
-    const LocalFacets surface = collector_.collect(
-        delaunay, around, [&](CellId c) { return (sides_[c] | sides_[c] >> 4) & 15U; });
-    if (!holds_at(surface, around)) return false;
-    list_triangles(view, surface);
-    return holds_first_hull_candidate(delaunay, change, candidates) &&
-           is_connected(delaunay, surface);
-  }();
+  exists_ = false;
+  if (!is_regular_everywhere(candidates)) {
+    clear();
+    return false;
+  }
+  sides_.resize(delaunay.view().cell_records().size(), 0);
+  is_touched_.resize(delaunay.num_vertex_slots(), 0);
+  forget(change);
+  adopt_new_cells(delaunay.view(), change);
+  touched_ = candidates.changed();
+  for (const VertexId v : touched_) is_touched_[v] = 1;
+  exists_ = update_at_touched(delaunay, change, candidates);
+  for (const VertexId v : touched_) is_touched_[v] = 0;
   num_vertices_ = delaunay.num_vertices();
   if (!exists_) clear();
   return exists_;
+}
+
+bool CertifiedSurface::update_at_touched(const DynamicDelaunay& delaunay,
+                                         const DelaunayChange& change,
+                                         const LiveCandidates& candidates) {
+  const TriangulationView view = delaunay.view();
+  std::vector<FacetId> touched = candidates.facets_at_changed().triangles.facets;
+  std::erase_if(touched, [&](FacetId f) { return !has_touched_vertex(view, f); });
+  erase_touched(view, candidates, touched);
+  std::vector<VertexId> around = find_ring(view, candidates, touched);
+  const std::vector<FacetId> halves = halves_at(delaunay, around);
+  if (!grow(view, candidates, halves)) return false;
+
+  std::vector<FacetId> facets;
+  for (const FacetId f : touched) {
+    if (is(outer_side, f) || is(inner_side, f)) facets.push_back(f);
+  }
+  for (const FacetId f : halves) facets.push_back(view.canonical(f));
+  const LocalFacets surface = collector_.link(delaunay, std::move(facets));
+  around.insert(around.end(), touched_.begin(), touched_.end());
+  if (!holds_at(surface, around)) return false;
+  list_triangles(view, surface);
+  return holds_first_hull_candidate(view, change, candidates, touched) &&
+         is_connected(delaunay, surface);
 }
 
 // --- The facets of S -------------------------------------------------------------------------
@@ -128,13 +147,9 @@ void CertifiedSurface::erase(const TriangulationView& view, FacetId f) {
   }
 }
 
-bool CertifiedSurface::is_touched(VertexId v) const {
-  return std::binary_search(touched_.begin(), touched_.end(), v);
-}
-
 bool CertifiedSurface::has_touched_vertex(const TriangulationView& view, FacetId f) const {
   const auto [a, b, c] = view.facet_vertices(f);
-  return is_touched(a) || is_touched(b) || is_touched(c);
+  return (is_touched_[a] | is_touched_[b] | is_touched_[c]) != 0;
 }
 
 // Slots of deleted cells may already hold new ones.
@@ -157,39 +172,27 @@ void CertifiedSurface::adopt_new_cells(const TriangulationView& view,
   }
 }
 
-void CertifiedSurface::erase_touched(const DynamicDelaunay& delaunay) {
-  const TriangulationView view = delaunay.view();
-  for (const VertexId v : touched_) {
-    for (const CellId c : stars_.star(delaunay, v)) {
-      const int opposite = index_of_vertex(view.cell(c), v);
-      for (int i = 0; sides_[c] != 0 && i < 4; ++i) {
-        if (i != opposite) erase(view, facet_id(c, i));
-      }
-    }
-  }
+// What was a facet of S at a touched vertex is a candidate there, was one, or has gone.
+void CertifiedSurface::erase_touched(const TriangulationView& view,
+                                     const LiveCandidates& candidates,
+                                     std::span<const FacetId> touched) {
+  for (const FacetId f : touched) erase(view, f);
+  for (const FacetId f : candidates.dropped()) erase(view, f);
 }
 
 // The other vertices of candidates at touched ones.
-std::vector<VertexId> CertifiedSurface::find_ring(const DynamicDelaunay& delaunay,
-                                                  const LiveCandidates& candidates) {
-  const TriangulationView view = delaunay.view();
+std::vector<VertexId> CertifiedSurface::find_ring(const TriangulationView& view,
+                                                  const LiveCandidates& candidates,
+                                                  std::span<const FacetId> touched) const {
   std::vector<VertexId> ring;
-  for (const VertexId v : touched_) {
-    for (const CellId c : stars_.star(delaunay, v)) {
-      const unsigned left = candidates.left(c);
-      if (left == 0) continue;
-      const int opposite = index_of_vertex(view.cell(c), v);
-      for (int i = 0; i < 4; ++i) {
-        if (i == opposite || ((left >> i) & 1U) == 0) continue;
-        for (const VertexId w : view.facet_vertices(facet_id(c, i))) {
-          if (w != v) ring.push_back(w);
-        }
-      }
+  for (const FacetId f : touched) {
+    if (((candidates.left(cell_of(f)) >> index_of(f)) & 1U) == 0) continue;
+    for (const VertexId v : view.facet_vertices(f)) {
+      if (is_touched_[v] == 0) ring.push_back(v);
     }
   }
   std::sort(ring.begin(), ring.end());
   ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-  std::erase_if(ring, [&](VertexId v) { return is_touched(v); });
   return ring;
 }
 
@@ -197,17 +200,17 @@ std::vector<FacetId> CertifiedSurface::halves_at(const DynamicDelaunay& delaunay
                                                  std::span<const VertexId> at) {
   const TriangulationView view = delaunay.view();
   std::vector<FacetId> halves;
-  for (const VertexId v : at) {
-    for (const CellId c : stars_.star(delaunay, v)) {
-      if ((sides_[c] & 15U) == 0) continue;
-      const int opposite = index_of_vertex(view.cell(c), v);
-      for (int i = 0; i < 4; ++i) {
-        if (i != opposite && is(outer_side, facet_id(c, i))) halves.push_back(facet_id(c, i));
+  for (const CellId c : stars_.stars(delaunay, at)) {
+    for (int i = 0; (sides_[c] & 15U) != 0 && i < 4; ++i) {
+      const FacetId f = facet_id(c, i);
+      if (!is(outer_side, f)) continue;
+      const std::array<VertexId, 3> corners = view.facet_vertices(f);
+      if (std::any_of(corners.begin(), corners.end(),
+                      [&](VertexId v) { return std::binary_search(at.begin(), at.end(), v); })) {
+        halves.push_back(f);
       }
     }
   }
-  std::sort(halves.begin(), halves.end());
-  halves.erase(std::unique(halves.begin(), halves.end()), halves.end());
   return halves;
 }
 
@@ -251,10 +254,10 @@ void CertifiedSurface::list_triangles(const TriangulationView& view, const Local
   }
 }
 
-bool CertifiedSurface::holds_first_hull_candidate(const DynamicDelaunay& delaunay,
+bool CertifiedSurface::holds_first_hull_candidate(const TriangulationView& view,
                                                   const DelaunayChange& change,
-                                                  const LiveCandidates& candidates) {
-  const TriangulationView view = delaunay.view();
+                                                  const LiveCandidates& candidates,
+                                                  std::span<const FacetId> touched) {
   const auto is_hull_candidate = [&](CellId c) {
     return candidates.is_infinite(c) && (candidates.left(c) & 8U) != 0;
   };
@@ -270,8 +273,9 @@ bool CertifiedSurface::holds_first_hull_candidate(const DynamicDelaunay& delauna
     for (const CellId c : sides_.ids()) consider(c);
   } else {
     for (const CellId c : change.created) consider(c);
-    for (const VertexId v : touched_) {
-      for (const CellId c : stars_.star(delaunay, v)) consider(c);
+    for (const FacetId f : touched) {
+      consider(cell_of(f));
+      consider(cell_of(view.mirror(f)));
     }
   }
   return !first_hull_.is_none() && is(outer_side, facet_id(first_hull_, 3));

@@ -83,21 +83,24 @@ class CertifiedSurface {
   void set_sides(CellId c, unsigned sides);
   void insert(const TriangulationView& view, FacetId half);
   void erase(const TriangulationView& view, FacetId f);
-  bool is_touched(VertexId v) const;
   bool has_touched_vertex(const TriangulationView& view, FacetId f) const;
 
   void forget(const DelaunayChange& change);
   void adopt_new_cells(const TriangulationView& view, const DelaunayChange& change);
-  void erase_touched(const DynamicDelaunay& delaunay);
-  std::vector<VertexId> find_ring(const DynamicDelaunay& delaunay,
-                                  const LiveCandidates& candidates);
+  bool update_at_touched(const DynamicDelaunay& delaunay, const DelaunayChange& change,
+                         const LiveCandidates& candidates);
+  void erase_touched(const TriangulationView& view, const LiveCandidates& candidates,
+                     std::span<const FacetId> touched);
+  std::vector<VertexId> find_ring(const TriangulationView& view, const LiveCandidates& candidates,
+                                  std::span<const FacetId> touched) const;
   std::vector<FacetId> halves_at(const DynamicDelaunay& delaunay, std::span<const VertexId> at);
   bool grow(const TriangulationView& view, const LiveCandidates& candidates,
             std::vector<FacetId> open);
   bool holds_at(const LocalFacets& surface, std::span<const VertexId> vertices) const;
   void list_triangles(const TriangulationView& view, const LocalFacets& surface);
-  bool holds_first_hull_candidate(const DynamicDelaunay& delaunay, const DelaunayChange& change,
-                                  const LiveCandidates& candidates);
+  bool holds_first_hull_candidate(const TriangulationView& view, const DelaunayChange& change,
+                                  const LiveCandidates& candidates,
+                                  std::span<const FacetId> touched);
   bool is_connected(const DynamicDelaunay& delaunay, const LocalFacets& surface) const;
 
   GoodVertexOptions options_;
@@ -110,6 +113,7 @@ class CertifiedSurface {
   std::size_t num_vertices_ = 0;
 
   std::vector<VertexId> touched_;
+  VertexSet is_touched_;  // during an update; else 0
   std::vector<std::array<VertexId, 3>> triangles_;
 };
 

@@ -141,11 +141,12 @@ void LiveCandidates::examine(const DynamicDelaunay& delaunay, const Execution& e
   Part part = judge_part(delaunay, quiet);
   commit_samples(part);
   commit_new_cells(part);
+  dropped_.clear();
   update_candidates(part, quiet);
   sort_changed();
-  update_umbrellas(delaunay);
+  collect_facets(delaunay, changed_);
+  update_umbrellas();
   update_pruning(delaunay);
-  sort_changed();
 }
 
 void LiveCandidates::sort_changed() { make_set(changed_); }
@@ -345,6 +346,7 @@ void LiveCandidates::update_candidates(const Part& part, const Execution& execut
       };
       write(here, bit);
       write(there, mirror_bit);
+      if (!now) dropped_.push_back(facet_id(here, i));
       for (const VertexId v : t.facet_vertices(f)) {
         fan[v] += now ? 1U : 0U;
         if (before == now) continue;
@@ -368,13 +370,17 @@ void LiveCandidates::update_candidates(const Part& part, const Execution& execut
 
 // --- Umbrellas and pruning -------------------------------------------------------------------
 
-void LiveCandidates::update_umbrellas(const DynamicDelaunay& delaunay) {
-  const LocalFacets facets = collector_.collect(
-      delaunay, changed_, [&](CellId c) { return cell_flags_[c] & candidate_facets; });
-  const VertexSet found =
-      vertices_with_umbrella(facets.triangles, facets.num_vertices(), options_.prune.sharp_cosine);
+void LiveCandidates::collect_facets(const DynamicDelaunay& delaunay,
+                                    std::span<const VertexId> vertices) {
+  facets_ = collector_.collect(delaunay, vertices,
+                               [&](CellId c) { return cell_flags_[c] & candidate_facets; });
+}
+
+void LiveCandidates::update_umbrellas() {
+  const VertexSet found = vertices_with_umbrella(facets_.triangles, facets_.num_vertices(),
+                                                 options_.prune.sharp_cosine);
   for (const VertexId v : changed_) {
-    const VertexId local = facets.local(v);
+    const VertexId local = facets_.local(v);
     unsigned flags = vertex_flags_[v] & ~umbrella;
     if (!local.is_none() && found[local] != 0) flags |= umbrella;
     set_vertex(v, flags, states_[v], steps_[v]);
@@ -384,29 +390,35 @@ void LiveCandidates::update_umbrellas(const DynamicDelaunay& delaunay) {
 void LiveCandidates::update_pruning(const DynamicDelaunay& delaunay) {
   std::vector<VertexId> core = changed_;
   for (;;) {
-    const LocalFacets facets = collector_.collect(
-        delaunay, core, [&](CellId c) { return cell_flags_[c] & candidate_facets; });
-    VertexSet in_core(facets.num_vertices(), 0);
-    VertexSet guards(facets.num_vertices(), 0);
+    const LinkedFacets& triangles = facets_.triangles;
+    VertexSet in_core(facets_.num_vertices(), 0);
+    VertexSet guards(facets_.num_vertices(), 0);
     for (const VertexId v : in_core.ids()) {
-      const VertexId whole = facets.vertex_in_whole[v];
+      const VertexId whole = facets_.vertex_in_whole[v];
       in_core[v] = std::binary_search(core.begin(), core.end(), whole) ? 1 : 0;
       guards[v] = has_umbrella(whole) ? 1 : 0;
     }
     const std::vector<std::uint8_t> removed =
-        prune_part(facets.triangles, in_core, guards, options_.prune);
-    const std::size_t before = core.size();
+        prune_part(triangles, in_core, guards, options_.prune);
+    std::vector<VertexId> more;
     for (std::uint32_t t = 0; t < removed.size(); ++t) {
-      if (removed[t] == was_pruned(facets.triangles.facets[t])) continue;
+      if (removed[t] == was_pruned(triangles.facets[t])) continue;
       int corners = 0;
-      for (const VertexId v : facets.triangles.corners[t]) corners += in_core[v];
+      for (const VertexId v : triangles.corners[t]) corners += in_core[v];
       if (corners != 1) continue;  // no edge off the core
-      for (const VertexId v : facets.triangles.corners[t]) {
-        if (in_core[v] == 0) core.push_back(facets.vertex_in_whole[v]);
-      }
+      for (const VertexId v : triangles.corners[t]) more.push_back(facets_.vertex_in_whole[v]);
     }
-    if (core.size() == before) return commit_pruning(facets, removed);
+    if (more.empty()) {
+      commit_pruning(removed);
+      break;
+    }
+    core.insert(core.end(), more.begin(), more.end());
     make_set(core);
+    collect_facets(delaunay, core);
+  }
+  sort_changed();
+  if (!std::includes(core.begin(), core.end(), changed_.begin(), changed_.end())) {
+    collect_facets(delaunay, changed_);
   }
 }
 
@@ -414,16 +426,15 @@ std::uint8_t LiveCandidates::was_pruned(FacetId f) const {
   return static_cast<std::uint8_t>((pruned_[cell_of(f)] >> index_of(f)) & 1U);
 }
 
-void LiveCandidates::commit_pruning(const LocalFacets& facets,
-                                    const std::vector<std::uint8_t>& removed) {
-  const LinkedFacets& triangles = facets.triangles;
+void LiveCandidates::commit_pruning(const std::vector<std::uint8_t>& removed) {
+  const LinkedFacets& triangles = facets_.triangles;
   for (std::uint32_t t = 0; t < removed.size(); ++t) {
     if (removed[t] == was_pruned(triangles.facets[t])) continue;
     for (const FacetId f : {triangles.facets[t], triangles.mirrors[t]}) {
       const CellId c = cell_of(f);
       set_cell(c, cell_flags_[c], pruned_[c] ^ (1U << index_of(f)));
     }
-    for (const VertexId v : triangles.corners[t]) note_changed(facets.vertex_in_whole[v]);
+    for (const VertexId v : triangles.corners[t]) note_changed(facets_.vertex_in_whole[v]);
   }
 }
 

@@ -55,6 +55,10 @@ class LiveCandidates {
   // The vertices that are new, changed their label or umbrella, or have another set of candidates
   // left after the last operation; ascending. At all others these things are as before.
   const std::vector<VertexId>& changed() const { return changed_; }
+  // Among others all candidates at changed vertices, pruned ones included.
+  const LocalFacets& facets_at_changed() const { return facets_; }
+  // Facets, not gone, that were candidates before the last operation and no longer are.
+  const std::vector<FacetId>& dropped() const { return dropped_; }
   const Vec3& normal(VertexId v) const { return normals_[v]; }
   bool is_boundary(VertexId v) const { return steps_[v] == not_taken; }
   bool has_umbrella(VertexId v) const { return (vertex_flags_[v] & umbrella) != 0; }
@@ -109,10 +113,11 @@ class LiveCandidates {
   static unsigned kind_of(const TriangulationView& view, CellId c, bool plain);
   void commit_new_cells(const Part& part);
   void update_candidates(const Part& part, const Execution& execution);
-  void update_umbrellas(const DynamicDelaunay& delaunay);
+  void collect_facets(const DynamicDelaunay& delaunay, std::span<const VertexId> vertices);
+  void update_umbrellas();
   void update_pruning(const DynamicDelaunay& delaunay);
   std::uint8_t was_pruned(FacetId f) const;
-  void commit_pruning(const LocalFacets& facets, const std::vector<std::uint8_t>& removed);
+  void commit_pruning(const std::vector<std::uint8_t>& removed);
   void note_changed(VertexId v) { changed_.push_back(v); }
   void sort_changed();
   void set_cell(CellId c, unsigned flags, unsigned pruned);
@@ -137,6 +142,8 @@ class LiveCandidates {
   std::vector<VertexId> dirty_;
   VertexSet is_dirty_;  // scratch
   std::vector<VertexId> changed_;
+  LocalFacets facets_;
+  std::vector<FacetId> dropped_;
 
   std::size_t num_vertices_ = 0;
   std::size_t boundary_ = 0;

@@ -1,5 +1,7 @@
 #include "cocone/local_facets.h"
 
+#include <algorithm>
+
 namespace cocoon {
 
 VertexId LocalFacets::local(VertexId in_whole) const {
@@ -8,13 +10,14 @@ VertexId LocalFacets::local(VertexId in_whole) const {
   return VertexId(static_cast<std::size_t>(found - vertex_in_whole.begin()));
 }
 
-LocalFacets FacetCollector::link(const DynamicDelaunay& delaunay) {
+LocalFacets FacetCollector::link(const DynamicDelaunay& delaunay, std::vector<FacetId> facets) {
+  std::sort(facets.begin(), facets.end());
   const TriangulationView view = delaunay.view();
   LocalFacets local;
   LinkedFacets& triangles = local.triangles;
-  triangles.facets = facets_;
+  triangles.facets = std::move(facets);
   std::vector<VertexId> vertices;
-  for (const FacetId f : facets_) {
+  for (const FacetId f : triangles.facets) {
     triangles.mirrors.push_back(view.mirror(f));
     triangles.corners.push_back(view.facet_vertices(f));
     const Triangle& corners = triangles.corners.back();

@@ -1,13 +1,13 @@
 // Facets of a changing triangulation at some of its vertices, linked around their edges.
 #pragma once
 
-#include <algorithm>
+#include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cocone/linked_facets.h"
 #include "cocone/star_finder.h"
-#include "delaunay/circulate.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
@@ -32,30 +32,31 @@ class FacetCollector {
   template <class Bits>
   LocalFacets collect(const DynamicDelaunay& delaunay, std::span<const VertexId> vertices,
                       Bits bits) {
-    facets_.clear();
     const TriangulationView view = delaunay.view();
-    for (const VertexId v : vertices) {
-      for (const CellId c : stars_.star(delaunay, v)) {
-        const unsigned set = bits(c);
-        if (set == 0) continue;
-        const int opposite = index_of_vertex(view.cell(c), v);
-        for (int i = 0; i < 4; ++i) {
-          if (i == opposite || ((set >> i) & 1U) == 0) continue;
-          facets_.push_back(view.canonical(facet_id(c, i)));
-        }
+    in_list_.resize(delaunay.num_vertex_slots(), 0);
+    for (const VertexId v : vertices) in_list_[v] = 1;
+    std::vector<FacetId> facets;
+    for (const CellId c : stars_.stars(delaunay, vertices)) {
+      const unsigned set = bits(c);
+      for (int i = 0; set >> i != 0; ++i) {
+        const FacetId f = facet_id(c, i);
+        if (((set >> i) & 1U) == 0 || view.canonical(f) != f) continue;
+        const auto [a, b, d] = view.facet_vertices(f);
+        if ((in_list_[a] | in_list_[b] | in_list_[d]) != 0) facets.push_back(f);
       }
     }
-    std::sort(facets_.begin(), facets_.end());
-    facets_.erase(std::unique(facets_.begin(), facets_.end()), facets_.end());
-    return link(delaunay);
+    for (const VertexId v : vertices) in_list_[v] = 0;
+    return link(delaunay, std::move(facets));
   }
 
- private:
-  LocalFacets link(const DynamicDelaunay& delaunay);
+  // These facets, each once, by canonical ids.
+  LocalFacets link(const DynamicDelaunay& delaunay, std::vector<FacetId> facets);
 
+ private:
   StarFinder stars_;
-  std::vector<FacetId> facets_;
-  IdVector<VertexId, VertexId> vertex_here_;  // scratch by vertex
+  // Scratch by vertex.
+  IdVector<VertexId, std::uint8_t> in_list_;
+  IdVector<VertexId, VertexId> vertex_here_;
 };
 
 }  // namespace cocoon

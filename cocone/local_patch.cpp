@@ -9,14 +9,8 @@ LocalPatch PatchBuilder::build(const DynamicDelaunay& delaunay, std::span<const 
   const TriangulationView view = delaunay.view();
   cell_here_.resize(view.cell_records().size());
   vertex_here_.resize(delaunay.num_vertex_slots());
-  slots_.clear();
-  for (const VertexId v : core) {
-    for (const CellId c : stars_.star(delaunay, v)) {
-      if (!cell_here_[c].is_none()) continue;
-      cell_here_[c] = CellId(0);
-      slots_.push_back(c);
-    }
-  }
+  const std::span<const CellId> cells = stars_.stars(delaunay, core);
+  slots_.assign(cells.begin(), cells.end());
   const auto first_infinite = std::stable_partition(slots_.begin(), slots_.end(),
                                                     [&](CellId c) { return !view.is_infinite(c); });
   const auto finite_cells = static_cast<std::size_t>(first_infinite - slots_.begin());

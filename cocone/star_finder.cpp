@@ -1,29 +1,43 @@
 #include "cocone/star_finder.h"
 
-#include "delaunay/circulate.h"
+#include "delaunay/triangulation_view.h"
 
 namespace cocoon {
 
-std::span<const CellId> StarFinder::star(const DynamicDelaunay& delaunay, VertexId v) {
+// A star hangs together by facets at its vertex. So all stars are flooded at once, through the
+// facets that have one of the vertices.
+std::span<const CellId> StarFinder::stars(const DynamicDelaunay& delaunay,
+                                          std::span<const VertexId> vertices) {
   const TriangulationView view = delaunay.view();
   seen_.resize(view.cell_records().size(), 0);
-  if (++call_ == 0) {  // all numbers were used: begin again
-    seen_ = IdVector<CellId, std::uint32_t>(seen_.size(), 0);
-    call_ = 1;
-  }
-  queue_.assign(1, delaunay.cell_at(v));
-  seen_[queue_[0]] = call_;
-  for (std::size_t next = 0; next < queue_.size(); ++next) {
-    const Cell& cell = view.cell(queue_[next]);
-    const int opposite = index_of_vertex(cell, v);
-    for (int i = 0; i < 4; ++i) {
-      const CellId behind = cell_of(cell.neighbors[static_cast<std::size_t>(i)]);
-      if (i == opposite || seen_[behind] == call_) continue;
-      seen_[behind] = call_;
-      queue_.push_back(behind);
+  in_list_.resize(delaunay.num_vertex_slots(), 0);
+  cells_.clear();
+  for (const VertexId v : vertices) in_list_[v] = 1;
+  const auto find = [&](CellId c) {
+    if (seen_[c] != 0) return;
+    seen_[c] = 1;
+    cells_.push_back(c);
+  };
+  std::size_t next = 0;
+  for (const VertexId v : vertices) {
+    find(delaunay.cell_at(v));
+    for (; next < cells_.size(); ++next) {
+      const Cell& cell = view.cell(cells_[next]);
+      int listed = 0;
+      std::array<int, 4> is_listed{};
+      for (std::size_t i = 0; i < 4; ++i) {
+        const VertexId w = cell.vertices[i];
+        is_listed[i] = w != infinite_vertex && in_list_[w] != 0 ? 1 : 0;
+        listed += is_listed[i];
+      }
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (listed > is_listed[i]) find(cell_of(cell.neighbors[i]));
+      }
     }
   }
-  return queue_;
+  for (const CellId c : cells_) seen_[c] = 0;
+  for (const VertexId v : vertices) in_list_[v] = 0;
+  return cells_;
 }
 
 }  // namespace cocoon

@@ -1,4 +1,4 @@
-// The cells around a vertex of a changing triangulation.
+// The cells around vertices of a changing triangulation.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,15 @@ namespace cocoon {
 
 class StarFinder {
  public:
-  // All cells that have v as a vertex, each once; valid until the next call. Precondition:
-  // delaunay.contains(v). Complexity: O(star), and once O(slots).
-  std::span<const CellId> star(const DynamicDelaunay& delaunay, VertexId v);
+  // All cells that have one of the vertices, each once; valid until the next call. Precondition:
+  // the vertices are in the triangulation. Complexity: O(cells found), and once O(slots).
+  std::span<const CellId> stars(const DynamicDelaunay& delaunay,
+                                std::span<const VertexId> vertices);
 
  private:
-  IdVector<CellId, std::uint32_t> seen_;  // the call in which the cell was met last
-  std::uint32_t call_ = 0;
-  std::vector<CellId> queue_;
+  IdVector<CellId, std::uint8_t> seen_;       // 0 between calls
+  IdVector<VertexId, std::uint8_t> in_list_;  // likewise
+  std::vector<CellId> cells_;
 };
 
 }  // namespace cocoon
