@@ -1,12 +1,15 @@
-// An update of a session against starting over: time by size of the model and of the cloud.
+// An update of a session against starting over: time by size of the model and of the cloud, and for
+// the paper's models.
 //
-//   live_bench [--points N] [--cloud K] [--repetitions R]
+//   live_bench [--points N] [--cloud K] [--repetitions R] [--paper 0] [--svg FILE]
 //
-// A smooth closed surface of N points and scans of patches of about K points, each with a gentle
-// hill. For several N at fixed K, and several K at fixed N: the reconstruction of the model, and
-// the median of R updates by UpdateSession, with its four steps; one thread, processor time. The
-// last model of each session is compared with a reconstruction of its points; if they differ the
-// program stops with exit code 1.
+// A smooth closed surface and scans of patches of about K points, each with a gentle hill: models
+// of 10^4 points to N at fixed K, and clouds of K / 10 to 3 K at N points. Each row has the
+// reconstruction of the model, and the median of R updates by UpdateSession, with its four steps;
+// one thread, processor time. Then the models after Woo & Dey 2005 with all their clouds; undone
+// after each. The last model of each session is compared with a reconstruction of its points; if
+// they differ the program stops with exit code 1. --paper 0 leaves these models out. FILE: the two
+// curves.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,11 +18,15 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
+#include "bench/log_plot.h"
 #include "bench/stopwatch.h"
 #include "cocone/reconstruct.h"
 #include "geom/random.h"
+#include "io/sample_models.h"
 #include "tests/gallery.h"
 #include "update/update_session.h"
 
@@ -30,6 +37,8 @@ struct Arguments {
   std::size_t points = 1000000;
   std::size_t cloud = 10000;
   std::size_t repetitions = 3;
+  bool paper = true;
+  std::string svg;
 };
 
 // Distance of the surface from the origin in a direction.
@@ -74,38 +83,86 @@ struct StepClock : Progress {
   std::map<std::string, double> seconds;
 };
 
-bool measure(std::size_t n, std::size_t k, std::size_t repetitions) {
-  const std::vector<Point> points = evenly_on_surface(n, 1);
+struct Row {
+  std::string name;
+  std::size_t points = 0;
+  std::size_t cloud = 0;
+  double full = 0;  // ms
+  double update = 0;
+  std::map<std::string, double> steps;  // seconds
+  std::size_t local = 0;
+  std::size_t updates = 0;
+  bool ok = true;
+};
+
+double full_reconstruction(const std::vector<Point>& points) {
   const bench::Stopwatch whole;
   const std::size_t triangles = reconstruct_tight(points).mesh.triangles.size();
-  const double full = whole.elapsed().processor;
+  return triangles > 0 ? 1e3 * whole.elapsed().processor : 0;
+}
+
+// Updates with these clouds in turn, and takes every one back if `undo`.
+Row measure(const std::vector<Point>& points,
+            const std::vector<std::vector<std::vector<Point>>>& runs, bool undo) {
+  Row row;
+  row.points = points.size();
+  for (const std::vector<Point>& cloud : runs[0]) row.cloud += cloud.size();
+  row.full = full_reconstruction(points);
   UpdateSession session(points);
-  struct Run {
-    double total;
-    std::map<std::string, double> steps;
-  };
-  std::vector<Run> runs;
-  Random random(3);
-  std::size_t refused = 0;
-  for (std::size_t r = 0; r < repetitions; ++r) {
-    const std::vector<std::vector<Point>> clouds{scan(n, k, random.on_unit_sphere(), 7 + r)};
+  std::vector<std::pair<double, std::map<std::string, double>>> times;
+  for (const std::vector<std::vector<Point>>& clouds : runs) {
     StepClock clock;
+    const std::size_t local = session.local_changes();
     const bench::Stopwatch stopwatch;
     const SessionUpdate update = session.apply(clouds, {1, &clock});
-    runs.push_back({stopwatch.elapsed().processor, clock.seconds});
-    refused += update.result.status != UpdateStatus::ok ? 1U : 0U;
+    times.emplace_back(1e3 * stopwatch.elapsed().processor, clock.seconds);
+    row.ok = row.ok && update.result.status == UpdateStatus::ok;
+    row.local += session.local_changes() - local;
+    if (undo && times.size() < runs.size()) session.undo();
   }
-  std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.total < b.total; });
-  const Run& median = runs[runs.size() / 2];
-  const auto step = [&](const char* name) { return 1e3 * median.steps.at(name); };
-  std::printf("%8zu %8zu | %8.0f | %8.1f %6.2f %% | %7.1f %7.1f %7.1f %7.1f | %zu of %zu local\n",
-              n, k, 1e3 * full, 1e3 * median.total, 100 * median.total / full,
-              step("boundary_detection"), step("overlapping_facets"),
-              step("segmentation_and_selection"), step("reconstruction"), session.local_changes(),
-              repetitions);
+  row.updates = runs.size();
+  std::sort(times.begin(), times.end());
+  std::tie(row.update, row.steps) = times[times.size() / 2];
+  row.ok = row.ok && reconstruct_tight(session.snapshot().points).mesh == session.model();
+  return row;
+}
+
+void print(const Row& row) {
+  const auto step = [&](const char* name) {
+    const auto found = row.steps.find(name);
+    return found == row.steps.end() ? 0 : 1e3 * found->second;
+  };
+  std::printf("%-12s %8zu %8zu | %8.0f | %8.1f %7.2f %% | %7.1f %7.1f %7.1f %7.1f | %zu of %zu%s\n",
+              row.name.c_str(), row.points, row.cloud, row.full, row.update,
+              100 * row.update / row.full, step("boundary_detection"), step("overlapping_facets"),
+              step("segmentation_and_selection"), step("reconstruction"), row.local, row.updates,
+              row.ok ? "" : "  DIFFERS");
   std::fflush(stdout);
-  const ReconstructResult again = reconstruct_tight(session.snapshot().points);
-  return triangles > 0 && refused == 0 && again.mesh == session.model();
+}
+
+Row measure_smooth(std::size_t n, std::size_t k, std::size_t repetitions) {
+  Random random(3);
+  std::vector<std::vector<std::vector<Point>>> runs;
+  for (std::size_t r = 0; r < repetitions; ++r) {
+    runs.push_back({scan(n, k, random.on_unit_sphere(), 7 + r)});
+  }
+  Row row = measure(evenly_on_surface(n, 1), runs, false);
+  row.name = "smooth";
+  print(row);
+  return row;
+}
+
+Row measure_paper(const std::string& name, std::size_t repetitions) {
+  const SampleModel model = sample_model(name);
+  Row row = measure(model.initial, std::vector(repetitions, model.clouds), true);
+  row.name = name;
+  print(row);
+  return row;
+}
+
+void add(const Row& row, double x, bench::LogPlot& plot) {
+  plot.curves[0].points.emplace_back(x, row.full);
+  plot.curves[1].points.emplace_back(x, row.update);
 }
 
 int run_all(int argc, char** argv) {
@@ -115,20 +172,43 @@ int run_all(int argc, char** argv) {
     if (std::strcmp(argv[i], "--points") == 0) arguments.points = value;
     if (std::strcmp(argv[i], "--cloud") == 0) arguments.cloud = value;
     if (std::strcmp(argv[i], "--repetitions") == 0) arguments.repetitions = value;
+    if (std::strcmp(argv[i], "--paper") == 0) arguments.paper = value != 0;
+    if (std::strcmp(argv[i], "--svg") == 0) arguments.svg = argv[i + 1];
   }
   if (arguments.points < 10000 || arguments.cloud < 500 || arguments.repetitions == 0) {
-    std::fprintf(stderr, "usage: live_bench [--points N] [--cloud K] [--repetitions R]\n");
+    std::fprintf(stderr,
+                 "usage: live_bench [--points N] [--cloud K] [--repetitions R] [--paper 0] "
+                 "[--svg FILE]\n");
     return 2;
   }
   std::printf("one thread, processor time in ms, medians of %zu\n", arguments.repetitions);
-  std::printf("%8s %8s | %8s | %8s %8s | %7s %7s %7s %7s |\n", "points", "cloud", "full", "update",
-              "of full", "rim", "overlap", "regions", "surface");
+  std::printf("%-12s %8s %8s | %8s | %8s %9s | %7s %7s %7s %7s | local\n", "model", "points",
+              "cloud", "full", "update", "of full", "rim", "overlap", "regions", "surface");
+  const std::vector<bench::Curve> curves{{"reconstruction of the model", "#888", {}},
+                                         {"update", "#06c", {}}};
+  const std::size_t fixed = std::min<std::size_t>(arguments.cloud, 500);
+  bench::LogPlot by_model{"cloud of " + std::to_string(fixed) + " points", "points of the model",
+                          "ms, one thread", curves};
+  bench::LogPlot by_cloud{"model of " + std::to_string(arguments.points) + " points",
+                          "points of the cloud", "ms, one thread", curves};
   bool ok = true;
-  for (std::size_t n = 10000; n < arguments.points; n *= 10) {
-    ok = measure(n, std::min(arguments.cloud, n / 20), arguments.repetitions) && ok;
+  for (double n = 1e4; n <= 1.01 * static_cast<double>(arguments.points); n *= std::sqrt(10.0)) {
+    const Row row =
+        measure_smooth(static_cast<std::size_t>(std::lround(n)), fixed, arguments.repetitions);
+    add(row, n, by_model);
+    ok = ok && row.ok;
   }
-  for (const std::size_t k : {arguments.cloud / 10, arguments.cloud}) {
-    ok = measure(arguments.points, k, arguments.repetitions) && ok;
+  for (std::size_t k = arguments.cloud / 10; k <= 3 * arguments.cloud; k *= 3) {
+    const Row row = measure_smooth(arguments.points, k, arguments.repetitions);
+    add(row, static_cast<double>(row.cloud), by_cloud);
+    ok = ok && row.ok;
+  }
+  for (const std::string& name :
+       arguments.paper ? sample_model_names() : std::vector<std::string>()) {
+    ok = measure_paper(name, arguments.repetitions).ok && ok;
+  }
+  if (!arguments.svg.empty()) {
+    ok = bench::LogPlotWriter::write(arguments.svg, {by_model, by_cloud}) && ok;
   }
   if (!ok) std::fprintf(stderr, "live_bench: an update differs from starting over\n");
   return ok ? 0 : 1;

@@ -1,7 +1,6 @@
 #include "cocone/dynamic_tight_cocone.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -58,7 +57,9 @@ struct DynamicTightCocone::State {
   ReconstructResult run_stages(Points points, std::span<const KnownTriangle> known,
                                const Execution& execution);
   ReconstructResult assemble(Points points);
-  std::vector<Triangle> kept_triangles(const IdVector<VertexId, VertexId>& number) const;
+  void replace_triangles(const IdVector<VertexId, VertexId>& number,
+                         const std::vector<Triangle>& fresh);
+  IdVector<VertexId, VertexId> kept_vertices(const IdVector<VertexId, VertexId>& number) const;
 };
 
 void DynamicTightCocone::State::take(std::size_t count, Triangulation triangulation) {
@@ -189,30 +190,40 @@ ReconstructResult DynamicTightCocone::State::run_stages(Points points,
   return result;
 }
 
-// The triangles so far that have no touched vertex, in new numbers and canonical order.
-std::vector<Triangle> DynamicTightCocone::State::kept_triangles(
+// The vertices of the mesh so far that were not touched, in new numbers.
+IdVector<VertexId, VertexId> DynamicTightCocone::State::kept_vertices(
     const IdVector<VertexId, VertexId>& number) const {
   IdVector<VertexId, VertexId> after(vertex_of_mesh.size());
   VertexSet touched(number.size(), 0);
   for (const VertexId v : certified.touched()) touched[v] = 1;
-  bool increasing = true;
-  VertexId last;
   for (const VertexId m : after.ids()) {
     const VertexId v = vertex_of_mesh[m];
-    if (v.index() >= number.size() || touched[v] != 0 || number[v].is_none()) continue;
-    after[m] = number[v];
-    increasing = increasing && (last.is_none() || last < after[m]);
-    last = after[m];
+    if (v.index() < number.size() && touched[v] == 0) after[m] = number[v];
   }
-  std::vector<Triangle> kept;
-  kept.reserve(triangles.size());
+  return after;
+}
+
+// Triangles without a touched vertex stay, those at touched vertices are the fresh ones. In
+// canonical order, as long as the vertices that stay keep theirs; else everything is sorted.
+void DynamicTightCocone::State::replace_triangles(const IdVector<VertexId, VertexId>& number,
+                                                  const std::vector<Triangle>& fresh) {
+  const IdVector<VertexId, VertexId> after = kept_vertices(number);
+  std::vector<Triangle> merged;
+  merged.reserve(triangles.size() + fresh.size());
+  auto next = fresh.begin();
+  Triangle last{};
+  bool sorted = true;
   for (const Triangle& t : triangles) {
     const Triangle mapped{after[t[0]], after[t[1]], after[t[2]]};
     if (mapped[0].is_none() || mapped[1].is_none() || mapped[2].is_none()) continue;
-    kept.push_back(mapped);
+    sorted = sorted && last < mapped && mapped[0] < mapped[1] && mapped[0] < mapped[2];
+    last = mapped;
+    for (; next != fresh.end() && *next < mapped; ++next) merged.push_back(*next);
+    merged.push_back(mapped);
   }
-  if (!increasing) canonicalize(kept);
-  return kept;
+  merged.insert(merged.end(), next, fresh.end());
+  if (!sorted) canonicalize(merged);
+  triangles = std::move(merged);
 }
 
 // The result from what is certified. Complexity: one pass over points and triangles, and sorting
@@ -221,6 +232,11 @@ ReconstructResult DynamicTightCocone::State::assemble(Points points) {
   ReconstructResult result;
   IdVector<VertexId, VertexId> number(delaunay.num_vertex_slots());
   IdVector<VertexId, VertexId> vertices;
+  const std::size_t count = delaunay.num_vertices();
+  vertices.reserve(count);
+  result.mesh.points.reserve(count);
+  result.point_of_vertex.reserve(count);
+  result.normals.reserve(count);
   for (const PointId p : vertex_of_point.ids()) {
     const VertexId v = vertex_of_point[p];
     if (!number[v].is_none()) continue;
@@ -229,15 +245,12 @@ ReconstructResult DynamicTightCocone::State::assemble(Points points) {
     result.point_of_vertex.push_back(p);
     result.normals.push_back(candidates.normal(v));
   }
-  const std::vector<Triangle> kept = kept_triangles(number);
   std::vector<Triangle> fresh;
   for (const auto& [a, b, c] : certified.triangles_at_touched()) {
     fresh.push_back({number[a], number[b], number[c]});
   }
   canonicalize(fresh);
-  triangles.clear();
-  triangles.reserve(kept.size() + fresh.size());
-  std::merge(kept.begin(), kept.end(), fresh.begin(), fresh.end(), std::back_inserter(triangles));
+  replace_triangles(number, fresh);
   vertex_of_mesh = std::move(vertices);
   result.mesh.triangles = IdVector<TriangleId, Triangle>(triangles);
   result.boundary_sample.resize(vertex_of_mesh.size(), 0);
@@ -301,9 +314,14 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
     step.vertex_of_point[step.inserted[k]] = change.vertex_of_point[k];
   }
   std::swap(state.vertex_of_point, step.vertex_of_point);
-  if (state.candidates.exists()) state.candidates.update(state.delaunay, change, execution);
-  if (state.certified.exists()) {
+  // Where about half of the points come or go, looking at the whole takes less time.
+  const bool is_local =
+      2 * (change.inserted.size() + change.removed.size()) <= state.delaunay.num_vertices();
+  if (is_local && state.certified.exists()) {
+    state.candidates.update(state.delaunay, change, execution);
     state.certified.update(state.delaunay, change, state.candidates);
+  } else {
+    state.forget_surface();
   }
   // What is to be verified is computed as a whole.
   if (state.certified.exists() && !state.options.verify) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "geom/errors.h"
+#include "geom/side_links.h"
 
 namespace cocoon {
 namespace {
@@ -158,6 +159,26 @@ MeshAdjacency mesh_adjacency(const TriangleMesh& mesh) {
   list_triangles_at_vertices(mesh, adjacency);
   list_sides_at_edges(mesh, adjacency);
   link_neighbors(adjacency);
+  return adjacency;
+}
+
+MeshAdjacency mesh_neighbors(const TriangleMesh& mesh) {
+  require_valid(mesh);
+  if (std::any_of(mesh.triangles.begin(), mesh.triangles.end(), repeats_a_vertex)) {
+    return mesh_adjacency(mesh);
+  }
+  MeshAdjacency adjacency;
+  adjacency.neighbors.resize(mesh.triangles.size());
+  list_triangles_at_vertices(mesh, adjacency);
+  const std::vector<SideId> links = side_links(mesh.triangles.span(), mesh.points.size());
+  for (const TriangleId t : mesh.triangles.ids()) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto side = static_cast<SideId>(3 * t.index() + i);
+      const SideId other = links[side];
+      if (other == side || links[other] != side) continue;
+      adjacency.neighbors[t][i] = TriangleId(triangle_of_side(other));
+    }
+  }
   return adjacency;
 }
 

@@ -19,15 +19,48 @@ struct Mapped {
   }
 };
 
-void sort_unless_sorted(auto& list) {
-  if (!std::is_sorted(list.begin(), list.end())) std::sort(list.begin(), list.end());
+// Compares lists that are in canonical order both, once the old triangles have new numbers: without
+// copies. False if they are not; then the lists are of no use.
+bool compare_in_order(const TriangleMesh& before, const TriangleMesh& after,
+                      const IdVector<VertexId, VertexId>& vertex_map, MeshChange& change) {
+  auto next = after.triangles.begin();
+  const auto end = after.triangles.end();
+  Triangle last_old{};
+  Triangle last_new{};
+  Triangle now{};
+  bool sorted = true;
+  const auto look = [&] {
+    if (next == end) return;
+    now = *next;
+    rotate_smallest_first(now);
+    sorted = sorted && !(now < last_new);
+    last_new = now;
+  };
+  look();
+  for (const Triangle& t : before.triangles) {
+    Triangle mapped{vertex_map[t[0]], vertex_map[t[1]], vertex_map[t[2]]};
+    if (mapped[0].is_none() || mapped[1].is_none() || mapped[2].is_none()) {
+      change.removed.push_back(t);
+      continue;
+    }
+    rotate_smallest_first(mapped);
+    if (mapped < last_old || !sorted) return false;
+    last_old = mapped;
+    for (; next != end && now < mapped; ++next, look()) change.added.push_back(now);
+    if (next != end && now == mapped) {
+      ++next;
+      look();
+    } else {
+      change.removed.push_back(t);
+    }
+  }
+  for (; next != end; ++next, look()) change.added.push_back(now);
+  return sorted;
 }
 
-}  // namespace
-
-MeshChange mesh_change(const TriangleMesh& before, const TriangleMesh& after,
-                       IdVector<VertexId, VertexId> vertex_map) {
-  MeshChange change;
+// The same for lists in any order.
+void compare_sorted_copies(const TriangleMesh& before, const TriangleMesh& after,
+                           const IdVector<VertexId, VertexId>& vertex_map, MeshChange& change) {
   std::vector<Mapped> old;
   old.reserve(before.triangles.size());
   for (const TriangleId t : before.triangles.ids()) {
@@ -41,10 +74,10 @@ MeshChange mesh_change(const TriangleMesh& before, const TriangleMesh& after,
     rotate_smallest_first(mapped.triangle);
     old.push_back(mapped);
   }
-  sort_unless_sorted(old);
+  std::sort(old.begin(), old.end());
   std::vector<Triangle> now = after.triangles.raw();
   for (Triangle& t : now) rotate_smallest_first(t);
-  sort_unless_sorted(now);
+  std::sort(now.begin(), now.end());
 
   auto next = old.begin();
   for (const Triangle& t : now) {
@@ -58,6 +91,17 @@ MeshChange mesh_change(const TriangleMesh& before, const TriangleMesh& after,
     }
   }
   for (; next != old.end(); ++next) change.removed.push_back(before.triangles[next->source]);
+}
+
+}  // namespace
+
+MeshChange mesh_change(const TriangleMesh& before, const TriangleMesh& after,
+                       IdVector<VertexId, VertexId> vertex_map) {
+  MeshChange change;
+  if (!compare_in_order(before, after, vertex_map, change)) {
+    change = {};
+    compare_sorted_copies(before, after, vertex_map, change);
+  }
   for (Triangle& t : change.removed) rotate_smallest_first(t);
   std::sort(change.removed.begin(), change.removed.end());
   change.vertex_map = std::move(vertex_map);

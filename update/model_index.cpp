@@ -57,7 +57,7 @@ IdVector<TriangleId, std::uint32_t> components_of(const MeshAdjacency& adjacency
 
 ModelIndex::ModelIndex(const TriangleMesh& mesh)
     : mesh_(&checked(mesh)),
-      adjacency_(mesh_adjacency(mesh)),
+      adjacency_(mesh_neighbors(mesh)),
       components_(components_of(adjacency_)) {}
 
 Vec3 ModelIndex::normal(TriangleId t) const {

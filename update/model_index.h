@@ -17,6 +17,7 @@ class ModelIndex {
   explicit ModelIndex(const TriangleMesh& mesh);
 
   const TriangleMesh& mesh() const { return *mesh_; }
+  // Without edges (mesh_neighbors).
   const MeshAdjacency& adjacency() const { return adjacency_; }
   // Unit normal, outward if the mesh is oriented; the zero vector for a facet without area.
   Vec3 normal(TriangleId t) const;

@@ -115,6 +115,21 @@ TEST(MeshAdjacency, TriangleThatRepeatsAVertexHasNoEdges) {
   EXPECT_EQ(adjacency.triangles_at(VertexId(2)).size(), 2U);
 }
 
+TEST(MeshAdjacency, NeighborsAloneAreTheSame) {
+  TriangleMesh repeating = gallery::tetrahedron();
+  repeating.triangles.push_back({VertexId(0), VertexId(0), VertexId(1)});
+  for (const TriangleMesh& mesh :
+       {gallery::sphere(3), gallery::open_patch(4, 5), gallery::two_tetrahedra_sharing_an_edge(),
+        gallery::two_tetrahedra_sharing_a_vertex(), gallery::moebius_strip(9),
+        gallery::random_soup(200, 3), repeating, TriangleMesh{}}) {
+    const MeshAdjacency whole = mesh_adjacency(mesh);
+    const MeshAdjacency lean = mesh_neighbors(mesh);
+    EXPECT_TRUE(lean.neighbors == whole.neighbors);
+    EXPECT_EQ(lean.vertex_begin, whole.vertex_begin);
+    EXPECT_EQ(lean.vertex_triangles, whole.vertex_triangles);
+  }
+}
+
 TEST(MeshAdjacency, NoEdgeBetweenStrangers) {
   const MeshAdjacency adjacency = mesh_adjacency(gallery::open_patch(2, 2));
   EXPECT_TRUE(adjacency.edge_between(VertexId(0), VertexId(8)).is_none());
