@@ -56,6 +56,7 @@ std::vector<fs::path> FolderWatch::poll() {
   seen_ = std::move(seen);
   std::sort(complete.begin(), complete.end());
   std::vector<fs::path> paths;
+  paths.reserve(complete.size());
   for (auto& [changed, path] : complete) paths.push_back(std::move(path));
   return paths;
 }
