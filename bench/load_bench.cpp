@@ -52,12 +52,19 @@ Measured measure_delaunay(const std::vector<Point>& points, int threads) {
   return {points.size(), elapsed, result.triangulation.num_vertices() == points.size()};
 }
 
-Measured measure_reconstruct(const std::vector<Point>& points, int threads) {
+Measured measure_mode(const std::vector<Point>& points, int threads, Mode mode) {
   const Stopwatch stopwatch;
-  const ReconstructResult result = reconstruct_tight(points, {}, {.threads = threads});
+  const ReconstructResult result = reconstruct_tight(points, {.mode = mode}, {.threads = threads});
   const Elapsed elapsed = stopwatch.elapsed();
   return {points.size(), elapsed,
           result.status != SurfaceStatus::ok || mesh_check(result.mesh).balanced};
+}
+
+Measured measure_reconstruct(const std::vector<Point>& points, int threads) {
+  return measure_mode(points, threads, Mode::robust);
+}
+Measured measure_paper_mode(const std::vector<Point>& points, int threads) {
+  return measure_mode(points, threads, Mode::paper);
 }
 
 // Runs `body` in a process of its own; `usage` is what that used.
@@ -100,12 +107,16 @@ Measured measure_update(const std::vector<Point>& points, int threads) {
 struct Work {
   const char* name;
   Measured (*measure)(const std::vector<Point>& points, int threads);
-  bool scans_only;
+  // Of points that fill space: there the clean-up takes more than linear time, and there is no
+  // surface to update.
+  std::size_t most_of_a_volume;
 };
 
-constexpr std::array<Work, 3> works = {{{"delaunay", measure_delaunay, false},
-                                        {"reconstruct", measure_reconstruct, false},
-                                        {"update", measure_update, true}}};
+constexpr std::size_t any = ~std::size_t{0};
+constexpr std::array<Work, 4> works = {{{"delaunay", measure_delaunay, any},
+                                        {"reconstruct", measure_reconstruct, 10000},
+                                        {"reconstruct, paper mode", measure_paper_mode, any},
+                                        {"update", measure_update, 0}}};
 
 // Measures in a child process and prints one line; false if that failed.
 bool measure(const Shape& shape, const Work& work, std::size_t count, int threads) {
@@ -154,7 +165,7 @@ int main(int argc, char** argv) {
   for (const std::size_t size : sizes) {
     for (const Shape& shape : shapes) {
       for (const Work& work : works) {
-        if (work.scans_only && std::string(shape.name) != "scan") continue;
+        if (size > work.most_of_a_volume && std::string(shape.name) != "scan") continue;
         all = measure(shape, work, size, threads) && all;
       }
     }

@@ -78,7 +78,7 @@ std::vector<Point> take_points(ByteReader& bytes, std::size_t most) {
   };
   // Sizes far apart in one set need long exact arithmetic: few of them, so that many sets are
   // tried.
-  constexpr std::size_t most_difficult = 9;
+  constexpr std::size_t most_difficult = 6;
   if (kind % 8 == 5 || kind % 8 == 7) most = std::min(most, most_difficult);
   std::vector<Point> points;
   while (!bytes.done() && points.size() < most) {
