@@ -39,6 +39,17 @@ struct DynamicTightCocone::State {
   bool is_live() const { return delaunay.num_vertices() > 0; }
   void take(std::size_t count, Triangulation triangulation);
   void take(const ReconstructResult& result, ReconstructStages stages);
+  // The live cells and vertices, in the order of their slots, finite cells first.
+  struct Compact {
+    Triangulation triangulation;
+    IdVector<VertexId, VertexId> vertex;  // by slot
+    IdVector<CellId, CellId> cell;        // by slot
+  };
+  Compact compact() const;
+  void look_for_certificate(const ReconstructResult& result, std::span<const FacetId> halves);
+  KnownCandidates known_candidates(const Compact& compact) const;
+  ReconstructResult run_later_stages(Points points, std::span<const KnownTriangle> known,
+                                     const Execution& execution);
   void clear(std::size_t count);
   void forget_surface();
   // What a change of the triangulation does to the points, and how to take it back.
@@ -53,7 +64,6 @@ struct DynamicTightCocone::State {
   DelaunayChange change_triangulation(const Step& step, const Execution& execution);
   void undo(const Step& step, const DelaunayChange& change,
             IdVector<PointId, VertexId> vertex_of_point);
-  Triangulation compact() const;
   ReconstructResult run_stages(Points points, std::span<const KnownTriangle> known,
                                const Execution& execution);
   ReconstructResult assemble(Points points);
@@ -69,15 +79,21 @@ void DynamicTightCocone::State::take(std::size_t count, Triangulation triangulat
   delaunay = DynamicDelaunay(std::move(triangulation));
 }
 
-// With what the stages found. Looks for a certificate where the counts leave hope.
+// With what the stages found.
 void DynamicTightCocone::State::take(const ReconstructResult& result, ReconstructStages stages) {
   take(result.points, std::move(stages.triangulation));
   candidates.start(delaunay, stages);
+  look_for_certificate(result, stages.halves);
+}
+
+// Where the counts leave hope.
+void DynamicTightCocone::State::look_for_certificate(const ReconstructResult& result,
+                                                     std::span<const FacetId> halves) {
   const ReconstructCounters& counters = result.counters;
   const bool hopeful = result.status == SurfaceStatus::ok && result.unused_points == 0 &&
                        counters.surface_walks == 1 && counters.back_contacts == 0 &&
                        counters.good_vertices == result.vertices;
-  if (!hopeful || !certified.certify(delaunay, candidates, stages.halves)) return;
+  if (!hopeful || !certified.certify(delaunay, candidates, halves)) return;
   triangles = result.mesh.triangles.raw();
   vertex_of_mesh.clear();
   for (const PointId p : result.point_of_vertex) vertex_of_mesh.push_back(vertex_of_point[p]);
@@ -149,8 +165,7 @@ void DynamicTightCocone::State::undo(const Step& step, const DelaunayChange& cha
   vertex_of_point = std::move(before);
 }
 
-// The live cells and vertices, in the order of their slots, finite cells first.
-Triangulation DynamicTightCocone::State::compact() const {
+DynamicTightCocone::State::Compact DynamicTightCocone::State::compact() const {
   const TriangulationView view = delaunay.view();
   TriangulationArrays arrays;
   IdVector<VertexId, VertexId> number(delaunay.num_vertex_slots());
@@ -176,17 +191,59 @@ Triangulation DynamicTightCocone::State::compact() const {
   }
   arrays.vertex_of_point.reserve(vertex_of_point.size());
   for (const VertexId v : vertex_of_point) arrays.vertex_of_point.push_back(number[v]);
-  return Triangulation(std::move(arrays), finite_cells);
+  return {Triangulation(std::move(arrays), finite_cells), std::move(number), std::move(place)};
 }
 
 // All stages after the triangulation.
 ReconstructResult DynamicTightCocone::State::run_stages(Points points,
                                                         std::span<const KnownTriangle> known,
                                                         const Execution& execution) {
+  if (candidates.exists()) return run_later_stages(points, known, execution);
   ReconstructStages stages;
   ReconstructResult result =
-      reconstruct_tight_again(compact(), points, known, options, execution, stages);
+      reconstruct_tight_again(compact().triangulation, points, known, options, execution, stages);
   take(result, std::move(stages));
+  return result;
+}
+
+KnownCandidates DynamicTightCocone::State::known_candidates(const Compact& whole) const {
+  KnownCandidates found;
+  const std::size_t count = whole.triangulation.num_vertices();
+  found.normals.resize(count);
+  found.boundary.resize(count, 0);
+  found.umbrella.resize(count, 0);
+  for (const VertexId v : whole.vertex.ids()) {
+    const VertexId here = whole.vertex[v];
+    if (here.is_none()) continue;
+    found.normals[here] = candidates.normal(v);
+    found.boundary[here] = candidates.is_boundary(v) ? 1 : 0;
+    found.umbrella[here] = candidates.has_umbrella(v) ? 1 : 0;
+  }
+  IdVector<CellId, std::uint8_t> left(whole.triangulation.num_cells(), 0);
+  for (const CellId c : whole.cell.ids()) {
+    if (whole.cell[c].is_none()) continue;
+    left[whole.cell[c]] = static_cast<std::uint8_t>(candidates.left(c));
+  }
+  found.left = FacetSet(std::move(left));
+  candidates.count(found.counters);
+  return found;
+}
+
+// Those from the extraction on, of the candidates that are known.
+ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
+                                                              std::span<const KnownTriangle> known,
+                                                              const Execution& execution) {
+  Compact whole = compact();
+  KnownCandidates found = known_candidates(whole);
+  std::vector<FacetId> halves;
+  ReconstructResult result = reconstruct_tight_from(
+      std::move(whole.triangulation), std::move(found), points, known, options, execution, halves);
+  IdVector<CellId, CellId> slot(whole.cell.size());
+  for (const CellId c : whole.cell.ids()) {
+    if (!whole.cell[c].is_none()) slot[whole.cell[c]] = c;
+  }
+  for (FacetId& f : halves) f = facet_id(slot[cell_of(f)], index_of(f));
+  look_for_certificate(result, halves);
   return result;
 }
 
@@ -285,7 +342,7 @@ void DynamicTightCocone::take(Points points, Triangulation triangulation) {
   }
 }
 
-Triangulation DynamicTightCocone::snapshot() const { return state_->compact(); }
+Triangulation DynamicTightCocone::snapshot() const { return state_->compact().triangulation; }
 
 ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution& execution,
                                                   std::span<const KnownTriangle> known) {
@@ -317,12 +374,9 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
   // Where about half of the points come or go, looking at the whole takes less time.
   const bool is_local =
       2 * (change.inserted.size() + change.removed.size()) <= state.delaunay.num_vertices();
-  if (is_local && state.certified.exists()) {
-    state.candidates.update(state.delaunay, change, execution);
-    state.certified.update(state.delaunay, change, state.candidates);
-  } else {
-    state.forget_surface();
-  }
+  if (!is_local) state.forget_surface();
+  if (state.candidates.exists()) state.candidates.update(state.delaunay, change, execution);
+  if (state.certified.exists()) state.certified.update(state.delaunay, change, state.candidates);
   // What is to be verified is computed as a whole.
   if (state.certified.exists() && !state.options.verify) {
     ReconstructResult result = state.assemble(points);

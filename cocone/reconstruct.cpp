@@ -96,9 +96,24 @@ class Reconstruction {
     counters.boundary_samples = boundary_.count;
     counters.ratio_failed = boundary_.ratio_failed;
     counters.recovered_samples = boundary_.recovered;
-    counters.surface_triangles = surface_.halves.size();
-    counters.surface_walks = surface_.walks;
-    counters.back_contacts = surface_.back_contacts;
+    count_surface();
+  }
+
+  // What find_poles() and build_surface() do, but for what is known.
+  void extract_from(KnownCandidates candidates) {
+    run_stage(execution_, "poles",
+              [&](const Execution& nested) { dual_ = voronoi_dual(triangulation_, nested); });
+    const DelaunayCounters of_triangulation = result_.counters.delaunay;
+    result_.counters = candidates.counters;
+    result_.counters.delaunay = of_triangulation;
+    poles_.normals = std::move(candidates.normals);
+    boundary_.boundary = std::move(candidates.boundary);
+    boundary_.count = result_.counters.boundary_samples;
+    run_stage(execution_, "cocone", [&](const Execution& nested) {
+      LinkedFacets left = link_facets(triangulation_, std::move(candidates.left), nested);
+      surface_ = extract_manifold(triangulation_, std::move(left), candidates.umbrella, nested);
+    });
+    count_surface();
   }
 
   void close_surface(std::span<const KnownTriangle> known) {
@@ -145,6 +160,7 @@ class Reconstruction {
 
   // From now on what is found is kept for `stages`.
   void keep_stages(ReconstructStages& stages) { stages_ = &stages; }
+  std::vector<FacetId> take_halves() { return std::move(surface_.halves); }
   ReconstructResult take_result() {
     if (stages_ != nullptr) {
       stages_->triangulation = std::move(triangulation_);
@@ -157,6 +173,13 @@ class Reconstruction {
   }
 
  private:
+  void count_surface() {
+    ReconstructCounters& counters = result_.counters;
+    counters.surface_triangles = surface_.halves.size();
+    counters.surface_walks = surface_.walks;
+    counters.back_contacts = surface_.back_contacts;
+  }
+
   // Where scaling loses bits the surface would be that of other points.
   void require_exact(double scale) const {
     require_finite(points_);
@@ -263,6 +286,19 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
   reconstruction.build_surface();
   reconstruction.close_surface(known);
   reconstruction.verify(true);
+  return reconstruction.take_result();
+}
+
+ReconstructResult reconstruct_tight_from(Triangulation triangulation, KnownCandidates candidates,
+                                         Points points, std::span<const KnownTriangle> known,
+                                         const ReconstructOptions& options,
+                                         const Execution& execution, std::vector<FacetId>& halves) {
+  Reconstruction reconstruction(points, options, execution);
+  reconstruction.take(std::move(triangulation));
+  reconstruction.extract_from(std::move(candidates));
+  reconstruction.close_surface(known);
+  reconstruction.verify(true);
+  halves = reconstruction.take_halves();
   return reconstruction.take_result();
 }
 

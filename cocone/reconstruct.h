@@ -156,6 +156,22 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
                                           const ReconstructOptions& options,
                                           const Execution& execution, ReconstructStages& stages);
 
+// What the stages up to pruning would find, if it is known beforehand (live_candidates.h).
+struct KnownCandidates {
+  IdVector<VertexId, Vec3> normals;  // of the poles
+  VertexSet boundary;
+  VertexSet umbrella;
+  FacetSet left;                 // candidates after pruning
+  ReconstructCounters counters;  // of these stages
+};
+
+// As reconstruct_tight_again of the triangulation, without these stages. `halves` gets the facets
+// of the Cocone surface, seen from outside.
+ReconstructResult reconstruct_tight_from(Triangulation triangulation, KnownCandidates candidates,
+                                         Points points, std::span<const KnownTriangle> known,
+                                         const ReconstructOptions& options,
+                                         const Execution& execution, std::vector<FacetId>& halves);
+
 // The Cocone surface with its boundary: open where the cloud is. As above without "tight".
 // Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Woo & Dey 2005, sections 2.1, 3.2.
 ReconstructResult reconstruct_cocone(Points points, const ReconstructOptions& options = {},
