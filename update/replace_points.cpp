@@ -75,6 +75,9 @@ Replacement replace_points(const TriangleMesh& model, const Regions& regions,
   const RimIndex rim_index(rims);
   const ThinningTest thinning(rims, clouds, options.thinning_distance);
 
+  const IdVector<VertexId, Scanned> scanned =
+      scanned_vertices(model, regions, rim_index, rims, clouds, options.scanned);
+
   // 1. Kept vertices.
   std::vector<VertexId> kept;
   for (const VertexId v : model.points.ids()) {
@@ -84,8 +87,12 @@ Replacement replace_points(const TriangleMesh& model, const Regions& regions,
     }
     const RegionId group = regions.group_of_vertex[v];
     const bool on_border = group.is_none();
-    const bool replaced =
+    bool replaced =
         on_border ? rim_index.on_cloud_side(model.points[v]) : choice.replaced[group] != 0;
+    if (scanned[v] != Scanned::unclear && replaced != (scanned[v] == Scanned::yes)) {
+      replaced = !replaced;
+      ++(replaced ? result.scanned_replaced : result.unscanned_kept);
+    }
     if (on_border) ++(replaced ? result.border_replaced : result.border_kept);
     if (replaced) {
       ++result.replaced;

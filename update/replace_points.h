@@ -13,6 +13,7 @@
 #include "geom/triangle_mesh.h"
 #include "update/choose_regions.h"
 #include "update/cloud_rim.h"
+#include "update/scanned_vertices.h"
 #include "update/segment_model.h"
 
 namespace cocoon {
@@ -21,6 +22,7 @@ struct ReplaceOptions {
   // Kept model vertices closer to a cloud point than this share of the cloud's rim spacing are
   // dropped, too: where cloud and model overlap, the cloud wins. 0 = off, as in the paper.
   double thinning_distance = 0;
+  ScannedOptions scanned;  // vertices at the very rim
 };
 
 struct Replacement {
@@ -39,6 +41,9 @@ struct Replacement {
   std::size_t replaced = 0;         // model vertices, with border vertices
   std::size_t border_kept = 0;      // of those without a group: outside the rim
   std::size_t border_replaced = 0;  // and under the cloud
+  // Of these and of those with a group, decided otherwise because of the samples around them.
+  std::size_t scanned_replaced = 0;
+  std::size_t unscanned_kept = 0;
   std::size_t thinned = 0;
   std::size_t unused_vertices = 0;  // of the model: in no triangle
   std::size_t duplicates = 0;       // points left out because an equal one came before
@@ -47,7 +52,8 @@ struct Replacement {
 // Replaces the vertices of replaced groups by the clouds. A border vertex, which has no group, is
 // replaced iff it lies on the cloud's side of the rim edge nearest to it; the rims are those that
 // formed the border. A border vertex all of whose neighboring regions are kept although it lies
-// under the cloud is replaced as well: then the cloud covers it without covering a facet.
+// under the cloud is replaced as well: then the cloud covers it without covering a facet. Of the
+// vertices at the very rim those go that have been scanned anew (scanned_vertices.h).
 // Complexity: O(n) for n points and triangles, and a search per border vertex. Deterministic.
 // Source: Woo & Dey 2005, section 3.4 ("the vertices in the region"; border vertices are open).
 Replacement replace_points(const TriangleMesh& model, const Regions& regions,

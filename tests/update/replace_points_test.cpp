@@ -11,7 +11,8 @@
 namespace cocoon {
 namespace {
 
-// A plane, the rim of a round cloud, and the choice "inside is replaced".
+// A plane, the rim of a round cloud, and the choice "inside is replaced". Vertices go by the sides
+// of the rim, on which there are no samples.
 struct Scene {
   TriangleMesh model = testing::grid_plane(20);
   std::vector<CloudRim> rims = {testing::rim_of({testing::circle(60, {10, 10, 0}, 6.3)})};
@@ -26,7 +27,7 @@ struct Scene {
     choice.replaced = IdVector<RegionId, std::uint8_t>(regions.regions.size(), 0);
     choice.replaced[regions.group_of_vertex[testing::nearest_vertex(model, {10, 10, 0})]] = 1;
   }
-  Replacement replace(const ReplaceOptions& options = {}) const {
+  Replacement replace(const ReplaceOptions& options = {.scanned = {.rim_zone = 0}}) const {
     return replace_points(model, regions, choice, rims, clouds, options);
   }
 };
@@ -113,9 +114,32 @@ TEST(ReplacePoints, ThinningDropsKeptVerticesNearTheCloud) {
   Scene scene;
   scene.clouds[0].push_back({2, 3.1, 0});
   EXPECT_EQ(scene.replace().thinned, 0U);
-  const Replacement thinned = scene.replace({.thinning_distance = 0.5});
+  const Replacement thinned = scene.replace({.thinning_distance = 0.5, .scanned = {.rim_zone = 0}});
   EXPECT_EQ(thinned.thinned, 1U);
   EXPECT_TRUE(thinned.point_of_vertex[VertexId(3 * 21 + 2)].is_none());
+}
+
+// At the very rim the samples tell: a vertex inside it without a sample stays, one outside with a
+// sample goes; whatever is farther from it goes by its side.
+TEST(ReplacePoints, AtTheRimSamplesTell) {
+  Scene scene;
+  const auto at = [](std::size_t x, std::size_t y) { return VertexId(y * 21 + x); };
+  const VertexId inside = at(10, 16);   // 0.3 inside a rim of radius 6.3
+  const VertexId outside = at(15, 14);  // 0.1 outside
+  scene.clouds[0].push_back({15.1, 14.2, 0.1});
+  const ReplaceOptions options{.scanned = {.rim_zone = 0.31, .sample_reach = 0.36}};
+  const Replacement result = scene.replace(options);
+  EXPECT_FALSE(result.point_of_vertex[inside].is_none());
+  EXPECT_TRUE(result.point_of_vertex[outside].is_none());
+  EXPECT_EQ(result.scanned_replaced, 1U);
+  EXPECT_GT(result.unscanned_kept, 0U);
+  EXPECT_EQ(result.replaced,
+            scene.replace().replaced + result.scanned_replaced - result.unscanned_kept);
+  for (const VertexId v : scene.model.points.ids()) {
+    const double radius = distance(scene.model.points[v], {10, 10, 0});
+    if (std::abs(radius - 6.3) < 0.4) continue;
+    EXPECT_EQ(result.point_of_vertex[v].is_none(), radius < 6.3) << v.value;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,85 @@
+#include "update/scanned_vertices.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/update/hand_made_models.h"
+#include "update/overlapping_facets.h"
+#include "update/trace_border.h"
+
+namespace cocoon {
+namespace {
+
+// A plane with vertices on integers, and a rim around the middle, of radius 6.3.
+struct Scene {
+  TriangleMesh model = testing::grid_plane(20);
+  std::vector<CloudRim> rims = {testing::rim_of({testing::circle(60, {10, 10, 0}, 6.3)})};
+  std::vector<std::vector<Point>> clouds = {{}};
+  RimIndex index = RimIndex(rims);
+  Regions regions;
+
+  Scene() {
+    const ModelIndex facets(model);
+    const Border border = trace_border(facets, rims[0], overlapping_facets(facets, rims[0]));
+    regions = segment_model(model, border.facets);
+  }
+  Scanned at(const Point& p, const ScannedOptions& options = {}) const {
+    return scanned_vertices(model, regions, index, rims, clouds,
+                            options)[testing::nearest_vertex(model, p)];
+  }
+};
+
+constexpr Point near_rim = {15, 14, 0};  // 0.1 outside
+
+TEST(ScannedVertices, ASampleCloseByTells) {
+  Scene scene;
+  EXPECT_EQ(scene.at(near_rim), Scanned::no);
+  scene.clouds[0] = {{10, 10, 0}, {15, 14.7, 0}};
+  EXPECT_EQ(scene.at(near_rim), Scanned::no);
+  scene.clouds.push_back({{15.1, 14, -0.3}});  // of whatever cloud
+  EXPECT_EQ(scene.at(near_rim), Scanned::yes);
+}
+
+// The edges at a vertex of the plane are 1 and sqrt(2) long, 1.14 in the mean over its triangles.
+TEST(ScannedVertices, TheReachIsAShareOfTheMeanEdge) {
+  Scene scene;
+  scene.clouds[0] = {near_rim + Vec3{0.5, 0, 0}};
+  EXPECT_EQ(scene.at(near_rim, {.sample_reach = 0.5 / 1.13}), Scanned::yes);
+  EXPECT_EQ(scene.at(near_rim, {.sample_reach = 0.5 / 1.15}), Scanned::no);
+}
+
+TEST(ScannedVertices, AwayFromTheRimNothingIsSaid) {
+  Scene scene;
+  scene.clouds[0] = {near_rim, {10, 10, 0}, {10, 17, 0}, {2, 2, 0}};
+  for (const Point& p : {Point{10, 10, 0}, Point{10, 17, 0}, Point{2, 2, 0}}) {
+    EXPECT_EQ(scene.at(p), Scanned::unclear);
+  }
+  EXPECT_EQ(scene.at(near_rim, {.rim_zone = 0}), Scanned::unclear);
+  EXPECT_EQ(scene.at(near_rim, {.rim_zone = 0.05}), Scanned::unclear);
+  EXPECT_EQ(scene.at({10, 17, 0}, {.rim_zone = 0.8}), Scanned::yes);  // the border is that wide
+}
+
+// A wall under the plane, as close to the rim as the plane, but not at the border.
+TEST(ScannedVertices, OnlyVerticesAtTheBorder) {
+  Scene scene;
+  const std::size_t first = scene.model.points.size();
+  for (const Point& p : {near_rim, Point{15, 15, -4}, Point{16, 14, -4}}) {
+    scene.model.points.push_back(p + Vec3{0, 0, -0.05});
+    scene.regions.group_of_vertex.push_back(RegionId(0U));
+  }
+  scene.model.triangles.push_back({VertexId(first), VertexId(first + 1), VertexId(first + 2)});
+  scene.regions.region_of_facet.push_back(RegionId(0U));
+  scene.clouds[0] = {near_rim};
+  const auto scanned =
+      scanned_vertices(scene.model, scene.regions, scene.index, scene.rims, scene.clouds);
+  EXPECT_EQ(scanned[VertexId(first)], Scanned::unclear);
+}
+
+TEST(ScannedVertices, WithoutARimNothingIsSaid) {
+  Scene scene;
+  scene.clouds[0] = {near_rim};
+  scene.index = RimIndex({});
+  EXPECT_EQ(scene.at(near_rim), Scanned::unclear);
+}
+
+}  // namespace
+}  // namespace cocoon

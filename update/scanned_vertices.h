@@ -1,0 +1,46 @@
+// Which vertices of the model close to the rims of clouds have been scanned anew.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geom/id_vector.h"
+#include "geom/ids.h"
+#include "geom/point.h"
+#include "geom/triangle_mesh.h"
+#include "update/cloud_rim.h"
+#include "update/rim_index.h"
+#include "update/segment_model.h"
+
+namespace cocoon {
+
+struct ScannedOptions {
+  // A vertex at the border that is closer to the rim than this many spacings, of rim or model,
+  // whichever is larger, lies so near to it that samples tell more than the rim does. 0 = off. The
+  // spacing of the model is its mean edge around the vertex and its neighbors at the border.
+  double rim_zone = 0.27;
+  // There it has been scanned anew iff a sample is as close as this share of the model's spacing.
+  double sample_reach = 0.36;
+};
+
+enum class Scanned : std::uint8_t {
+  unclear,  // not at the border or not close to a rim: regions and sides of rims decide
+  no,
+  yes,
+};
+
+// One value for each vertex of the model. The rim is a chain of chords between samples: it cuts off
+// what juts out and spans dents, in which nothing was scanned; and a cloud that is not quite
+// registered has its rim beside where it belongs. Then a vertex that nobody scanned again would go,
+// or one stay beside the sample that replaces it.
+// rims[i] belongs to clouds[i]; `rim_index` is that of the rims.
+// Complexity: O(n) for n points and triangles, and a search per cloud point. Deterministic.
+// Source: ours; the thresholds separate right from wrong vertices in `./dev bench update_scores`.
+IdVector<VertexId, Scanned> scanned_vertices(const TriangleMesh& model, const Regions& regions,
+                                             const RimIndex& rim_index,
+                                             std::span<const CloudRim> rims,
+                                             std::span<const std::vector<Point>> clouds,
+                                             const ScannedOptions& options = {});
+
+}  // namespace cocoon
