@@ -19,8 +19,9 @@ namespace cocoon {
 struct TraceOptions {
   // A straight walk over more facets than this has lost its way.
   std::size_t max_walk_facets = 200;
-  // The search that replaces a failed walk looks at no more facets than this.
-  std::size_t max_search_facets = 20000;
+  // The search that replaces a failed walk looks at no more facets than this. Where a scan breaks
+  // off at a sharp edge of a part with tubes and ribs, the way around is long.
+  std::size_t max_search_facets = 200000;
 };
 
 // The facets under one loop, edge by edge.

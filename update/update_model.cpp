@@ -286,8 +286,10 @@ class Update {
       } else if (sides.separation == Separation::open_band && ok) {
         ok = fail(UpdateStatus::non_separating,
                   name_of_loop(c, l) +
-                      ": jumps between parts of the model that are not connected; update each part "
-                      "by a cloud of its own");
+                      ": jumps between parts of the model that are not connected, or only by a way "
+                      "over more than " +
+                      std::to_string(options_.trace.max_search_facets) +
+                      " facets; update each part by a cloud of its own");
       } else if (sides.separation == Separation::non_separating && ok) {
         if (tells_sides_apart(angles[e], options_.choice)) {
           warn(name_of_loop(c, l) + ": has a handle of the model across it; look at the result");
