@@ -16,6 +16,7 @@ namespace {
 struct Part {
   TriangleMesh mesh;
   IdVector<TriangleId, TriangleId> origin;
+  MeshAdjacency adjacency;
 };
 
 VertexId apex_of(const TriangleMesh& mesh, HalfedgeId side) {
@@ -56,10 +57,11 @@ void mark_surplus(const TriangleMesh& mesh, std::vector<HalfedgeId> sides,
 
 // Leaves out triangles until no edge has more than two.
 Part without_surplus(const TriangleMesh& surface) {
-  Part part{surface, IdVector<TriangleId, TriangleId>(surface.triangles.size())};
+  Part part{surface, IdVector<TriangleId, TriangleId>(surface.triangles.size()), {}};
   for (const TriangleId t : part.origin.ids()) part.origin[t] = t;
   for (;;) {
-    const MeshAdjacency adjacency = mesh_adjacency(part.mesh);
+    part.adjacency = mesh_adjacency(part.mesh);
+    const MeshAdjacency& adjacency = part.adjacency;
     IdVector<TriangleId, std::uint8_t> surplus(part.mesh.triangles.size(), 0);
     bool found = false;
     for (const EdgeId e : adjacency.edges.ids()) {
@@ -69,7 +71,7 @@ Part without_surplus(const TriangleMesh& surface) {
       found = true;
     }
     if (!found) return part;
-    Part rest{{part.mesh.points, {}}, {}};
+    Part rest{{part.mesh.points, {}}, {}, {}};
     for (const TriangleId t : part.mesh.triangles.ids()) {
       if (surplus[t] != 0) continue;
       rest.mesh.triangles.push_back(part.mesh.triangles[t]);
@@ -111,8 +113,8 @@ Components edge_connected_components(const MeshAdjacency& adjacency) {
 
 class LoopWalk {
  public:
-  LoopWalk(const Part& part, const MeshAdjacency& adjacency)
-      : part_(part), adjacency_(adjacency), passed_(adjacency.edges.size(), 0) {}
+  explicit LoopWalk(const Part& part)
+      : part_(part), adjacency_(part.adjacency), passed_(part.adjacency.edges.size(), 0) {}
 
   // All loops, each from an arbitrary edge on.
   std::vector<std::vector<BoundaryEdge>> run() {
@@ -192,10 +194,11 @@ BoundaryLoops boundary_loops(const TriangleMesh& open_surface, const BoundaryLoo
   Part part = without_surplus(open_surface);
   BoundaryLoops result;
   result.surplus_triangles = open_surface.triangles.size() - part.mesh.triangles.size();
-  result.non_orientable = orient_surface(part.mesh).non_orientable;
-  const MeshAdjacency adjacency = mesh_adjacency(part.mesh);
-  result.median_edge = median_edge_length(part.mesh, adjacency);
-  const Components components = edge_connected_components(adjacency);
+  const OrientationReport orientation = orient_surface(part.mesh, part.adjacency);
+  if (orientation.flipped > 0) part.adjacency = mesh_adjacency(part.mesh);
+  result.non_orientable = orientation.non_orientable;
+  result.median_edge = median_edge_length(part.mesh, part.adjacency);
+  const Components components = edge_connected_components(part.adjacency);
   const double smallest_component =
       options.min_component_share * static_cast<double>(part.mesh.triangles.size());
   const auto is_debris = [&](std::size_t triangles) {
@@ -203,7 +206,7 @@ BoundaryLoops boundary_loops(const TriangleMesh& open_surface, const BoundaryLoo
   };
   result.small_components = static_cast<std::size_t>(
       std::count_if(components.triangles.begin(), components.triangles.end(), is_debris));
-  for (std::vector<BoundaryEdge>& edges : LoopWalk(part, adjacency).run()) {
+  for (std::vector<BoundaryEdge>& edges : LoopWalk(part).run()) {
     BoundaryLoop loop;
     loop.component_triangles =
         components.triangles[components.component_of[edges.front().triangle]];

@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "geom/mesh_adjacency.h"
-
 namespace cocoon {
 namespace {
 
@@ -78,7 +76,10 @@ struct Component {
 }  // namespace
 
 OrientationReport orient_surface(TriangleMesh& mesh) {
-  const MeshAdjacency adjacency = mesh_adjacency(mesh);
+  return orient_surface(mesh, mesh_adjacency(mesh));
+}
+
+OrientationReport orient_surface(TriangleMesh& mesh, const MeshAdjacency& adjacency) {
   Orientations orientations(mesh.triangles.size());
   for (const EdgeId e : adjacency.edges.ids()) {
     const auto sides = adjacency.halfedges_at(e);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "geom/mesh_adjacency.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
@@ -19,5 +20,9 @@ struct OrientationReport {
 // the lexicographically smallest points. Independent of the numbering of the mesh.
 // Complexity: O(triangles + vertices).
 OrientationReport orient_surface(TriangleMesh& mesh);
+
+// The same for who has the adjacency of the mesh; it stays that of the mesh unless triangles are
+// flipped.
+OrientationReport orient_surface(TriangleMesh& mesh, const MeshAdjacency& adjacency);
 
 }  // namespace cocoon

@@ -5,9 +5,9 @@
 
 namespace cocoon {
 
-double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
+double median(std::vector<double> values) { return quantile_in_place(values, 0.5); }
 
-double quantile(std::vector<double> values, double fraction) {
+double quantile_in_place(std::span<double> values, double fraction) {
   if (values.empty()) return 0;
   const std::size_t rank = std::min(
       values.size() - 1, static_cast<std::size_t>(fraction * static_cast<double>(values.size())));

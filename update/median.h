@@ -1,6 +1,7 @@
 // The median of a few numbers.
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace cocoon {
@@ -9,7 +10,8 @@ namespace cocoon {
 // and not a mean of two, so that it does not depend on how sums are rounded. Complexity: O(n).
 double median(std::vector<double> values);
 
-// The element of rank floor(fraction * n), for a fraction in [0, 1].
-double quantile(std::vector<double> values, double fraction);
+// The element of rank floor(fraction * n), or the last one, for a fraction in [0, 1]; changes the
+// order of the values.
+double quantile_in_place(std::span<double> values, double fraction);
 
 }  // namespace cocoon

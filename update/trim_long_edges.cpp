@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geom/mesh_adjacency.h"
@@ -18,27 +19,58 @@ constexpr double lower_quartile = 0.25;
 
 using EdgeSet = IdVector<EdgeId, std::uint8_t>;
 
+// Numbers at the vertices of a mesh: one for a vertex itself and one for each of its edges.
+class VertexNumbers {
+ public:
+  VertexNumbers(std::size_t vertices, const IdVector<EdgeId, std::array<VertexId, 2>>& edges)
+      : begin_(vertices + 1, 0) {
+    for (const auto& ends : edges) {
+      for (const VertexId v : ends) ++begin_[v.index() + 1];
+    }
+    for (std::size_t v = 0; v < vertices; ++v) begin_[v + 1] += begin_[v] + 1;
+    numbers_.resize(begin_.back());
+  }
+
+  // Begins the lists anew, each with value(v).
+  template <class Value>
+  void start(const Value& value) {
+    next_.assign(begin_.begin(), begin_.end() - 1);
+    for (std::size_t v = 0; v < next_.size(); ++v) numbers_[next_[v]++] = value(VertexId(v));
+  }
+  void append(VertexId v, double number) { numbers_[next_[v.index()]++] = number; }
+
+  std::span<double> with_own(std::size_t v) {
+    return std::span(numbers_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
+  }
+  std::span<double> of_edges(std::size_t v) { return with_own(v).subspan(1); }
+
+ private:
+  std::vector<std::uint32_t> begin_;
+  std::vector<std::uint32_t> next_;
+  std::vector<double> numbers_;
+};
+
 // The local spacing at each vertex: the lower quartile of its edge lengths, smoothed to the median
 // over the vertex and its neighbors, since two samples may lie close together by chance.
 std::vector<double> local_spacing(const TriangleMesh& mesh, const MeshAdjacency& adjacency,
                                   const IdVector<EdgeId, double>& lengths) {
-  std::vector<std::vector<double>> at_vertex(mesh.points.size());
+  const std::size_t n = mesh.points.size();
+  VertexNumbers numbers(n, adjacency.edges);
+  numbers.start([](VertexId) { return 0.0; });
   for (const EdgeId e : adjacency.edges.ids()) {
-    for (const VertexId v : adjacency.edges[e]) at_vertex[v.index()].push_back(lengths[e]);
+    for (const VertexId v : adjacency.edges[e]) numbers.append(v, lengths[e]);
   }
-  std::vector<double> quartiles;
-  quartiles.reserve(at_vertex.size());
-  for (const std::vector<double>& values : at_vertex) {
-    quartiles.push_back(quantile(values, lower_quartile));
+  std::vector<double> quartiles(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    quartiles[v] = quantile_in_place(numbers.of_edges(v), lower_quartile);
   }
-  for (const VertexId v : mesh.points.ids()) at_vertex[v.index()].assign(1, quartiles[v.index()]);
+  numbers.start([&](VertexId v) { return quartiles[v.index()]; });
   for (const auto& [a, b] : adjacency.edges) {
-    at_vertex[a.index()].push_back(quartiles[b.index()]);
-    at_vertex[b.index()].push_back(quartiles[a.index()]);
+    numbers.append(a, quartiles[b.index()]);
+    numbers.append(b, quartiles[a.index()]);
   }
-  std::vector<double> spacing;
-  spacing.reserve(at_vertex.size());
-  for (std::vector<double>& values : at_vertex) spacing.push_back(median(std::move(values)));
+  std::vector<double> spacing(n);
+  for (std::size_t v = 0; v < n; ++v) spacing[v] = quantile_in_place(numbers.with_own(v), 0.5);
   return spacing;
 }
 
