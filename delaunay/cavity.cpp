@@ -28,11 +28,12 @@ std::array<VertexId, 3> corners_of(const Cell& behind, FacetId facet) {
 
 }  // namespace
 
-CavityInserter::CavityInserter(CellPool& pool, const IdVector<VertexId, Point>& points)
+CavityInserter::CavityInserter(CellPool& pool, const IdVector<VertexId, Point>& points,
+                               const Execution& execution)
     : pool_(pool),
       points_(points),
       shared_{nullptr, &pool.free, nullptr},
-      search_(pool, points),
+      search_(pool, points, execution),
       local_id_(points.size() + 2),
       edge_table_(std::size_t{large_stride} * large_stride) {}
 

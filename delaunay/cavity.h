@@ -28,7 +28,8 @@ struct SharedInsertion {
 class CavityInserter {
  public:
   // `points` must outlive the inserter; ids of inserted vertices index it.
-  CavityInserter(CellPool& pool, const IdVector<VertexId, Point>& points);
+  CavityInserter(CellPool& pool, const IdVector<VertexId, Point>& points,
+                 const Execution& execution = {});
 
   // A cell to start the insertion of p from, found by walking from `hint`; one with a corner there
   // if p is a vertex already (ConflictSearch::find_start).

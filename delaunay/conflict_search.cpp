@@ -419,13 +419,14 @@ double largest_exact_reach(double unit) {
 
 }  // namespace
 
-ConflictSearch::ConflictSearch(CellPool& pool, const IdVector<VertexId, Point>& points)
+ConflictSearch::ConflictSearch(CellPool& pool, const IdVector<VertexId, Point>& points,
+                               const Execution& execution)
     : pool_(pool), points_(points) {
-  read_points_again();
+  read_points_again(execution);
 }
 
-void ConflictSearch::read_points_again() {
-  unit_ = common_unit(points_.span());
+void ConflictSearch::read_points_again(const Execution& execution) {
+  unit_ = common_unit(points_.span(), execution);
   exact_reach_ = largest_exact_reach(unit_);
 }
 

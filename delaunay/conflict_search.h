@@ -9,6 +9,7 @@
 #include "delaunay/cell_pool.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/vertex_claims.h"
+#include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/point.h"
 
@@ -61,14 +62,15 @@ class ConflictSearch {
  public:
   // `points` must outlive the search and end with one element that is no vertex: the last vertex
   // is read as four doubles. Complexity: O(n).
-  ConflictSearch(CellPool& pool, const IdVector<VertexId, Point>& points);
+  ConflictSearch(CellPool& pool, const IdVector<VertexId, Point>& points,
+                 const Execution& execution = {});
 
   // For one of several threads, each with a copy: `holder`, which must outlive this, takes the
   // vertices of all cells that a walk enters and of all cells in conflict.
   void search_beside_others(ClaimHolder& holder) { holder_ = &holder; }
 
   // To be called when `points` was filled with other points. Complexity: O(n).
-  void read_points_again();
+  void read_points_again(const Execution& execution = {});
 
   // To be called for a point that was not in `points` at construction, before it becomes a vertex.
   // Complexity: O(1).

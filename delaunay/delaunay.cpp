@@ -98,7 +98,7 @@ CellPool insert_all(const IdVector<VertexId, Point>& points, const InsertionRoun
   make_first_cells(
       pool, points,
       {VertexId(order[0]), VertexId(order[1]), VertexId(order[2]), VertexId(order[3])});
-  CavityInserter inserter(pool, points);
+  CavityInserter inserter(pool, points, execution);
   CellId hint(0);
   const std::size_t one_by_one = num_one_by_one(order.size(), execution);
   for (std::size_t i = 4; i < one_by_one; ++i) {
@@ -116,8 +116,9 @@ CellPool insert_all(const IdVector<VertexId, Point>& points, const InsertionRoun
 }
 
 // A scaled copy of the points on which the predicates are fast; empty if they are so already.
-IdVector<VertexId, Point> scaled_points(const IdVector<VertexId, Point>& points) {
-  const double scale = working_scale(points.span());
+IdVector<VertexId, Point> scaled_points(const IdVector<VertexId, Point>& points,
+                                        const Execution& execution) {
+  const double scale = working_scale(points.span(), execution);
   IdVector<VertexId, Point> scaled;
   if (scale == 1 || !scales_exactly(points.span(), scale)) return scaled;
   scaled.reserve(points.size() + 1);
@@ -145,7 +146,7 @@ DelaunayResult delaunay(Points points, const DelaunayOptions& options, const Exe
     throw InputError("too many points: at most " + std::to_string(infinite_vertex.value) +
                      " can be numbered");
   }
-  require_finite(points);
+  require_finite(points, execution);
   report_progress(execution, "delaunay", 0);
 
   // Number the different points along a space-filling curve, choose the order of insertion.
@@ -154,7 +155,7 @@ DelaunayResult delaunay(Points points, const DelaunayOptions& options, const Exe
   require_space(bring_simplex_to_front(vertices.points, rounds.order), rounds.order.size());
 
   DelaunayCounters counters;
-  IdVector<VertexId, Point> scaled = scaled_points(vertices.points);
+  IdVector<VertexId, Point> scaled = scaled_points(vertices.points, execution);
   IdVector<VertexId, Point>& working = scaled.empty() ? vertices.points : scaled;
   working.push_back({});
   CellPool pool = insert_all(working, rounds, counters, execution);

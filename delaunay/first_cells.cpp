@@ -6,10 +6,18 @@
 
 #include "geom/errors.h"
 #include "geom/orient3d.h"
+#include "geom/parallel_reduce.h"
 
 namespace cocoon {
 
-void require_finite(Points points) {
+void require_finite(Points points, const Execution& execution) {
+  const auto are_finite = [&](std::size_t begin, std::size_t end) {
+    const Points chunk = points.subspan(begin, end - begin);
+    return std::all_of(chunk.begin(), chunk.end(), [](const Point& p) { return is_finite(p); });
+  };
+  const int all_finite =
+      parallel_reduce(execution, points.size(), 1, are_finite, [](int a, int b) { return a & b; });
+  if (all_finite == 1) return;
   std::size_t bad = 0;
   std::size_t first = 0;
   for (std::size_t i = points.size(); i-- > 0;) {
@@ -17,7 +25,6 @@ void require_finite(Points points) {
     ++bad;
     first = i;
   }
-  if (bad == 0) return;
   throw InputError("point " + std::to_string(first) +
                    " (counted from 0) has a coordinate that is " + "not finite (" +
                    std::to_string(bad) + " such points): remove or repair them");

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "delaunay/cell_pool.h"
+#include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/point.h"
 
 namespace cocoon {
 
 // Errors: InputError if a coordinate is not finite; names the first such point.
-void require_finite(Points points);
+void require_finite(Points points, const Execution& execution = {});
 
 // Moves vertices that span as much as possible to the front of `order`, the others keep their
 // order. Precondition: the points of `order` are all different. Returns their affine dimension:

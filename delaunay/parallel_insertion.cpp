@@ -16,8 +16,13 @@ namespace {
 // or ends the run. When they are more than these it gives back all but those of its last new cell.
 constexpr std::size_t claims_kept = 64;
 constexpr std::size_t runs_between_reports = 32;
-constexpr std::size_t run_length = 512;       // points; long against the walk to its first one
-constexpr std::size_t slots_at_a_time = 512;  // fresh cells that a thread takes from the pool
+constexpr std::size_t run_length = 512;  // points; long against the walk to its first one
+
+// Fresh cells that a thread takes from the pool for itself: of large triangulations so many that
+// two threads rarely come to a new page of memory at once, of small ones so few that hardly any
+// are left over. It brings so many at a time into use.
+constexpr std::size_t most_slots_taken = std::size_t{1} << 13;
+constexpr std::size_t slots_at_a_time = 512;
 
 // --- Who does what ---------------------------------------------------------------------------
 
@@ -78,6 +83,7 @@ struct Shared {
   IdVector<VertexId, CellId> cell_at;          // a cell at each vertex that is inserted
   std::atomic<std::size_t> num_cells;          // slots in use or taken by a thread
   std::atomic<std::size_t> num_inserted;
+  std::size_t slots_taken;  // by a thread that needs some
   std::atomic<Stop> stop{Stop::no};
 
   Shared(CellPool& cells, const IdVector<VertexId, Point>& all_points,
@@ -89,7 +95,8 @@ struct Shared {
         is_inserted(all_points.size()),
         cell_at(all_points.size()),
         num_cells(cells.cells.size()),
-        num_inserted(inserted) {
+        num_inserted(inserted),
+        slots_taken(std::clamp(all.size() / (64 * threads), slots_at_a_time, most_slots_taken)) {
     for (std::size_t i = 0; i < inserted; ++i) is_inserted[order[i]].store(true);
     for (const CellId c : pool.cells.ids()) {
       if (pool.is_free(c)) continue;
@@ -129,7 +136,11 @@ class alignas(128) Worker {
   void work(std::vector<std::unique_ptr<Worker>>& workers, std::size_t begin, std::size_t end,
             const Execution* execution);
   bool has_left() const { return !left_.empty() || runs.size() != 0; }
-  std::vector<CellId>& free() { return free_; }
+  // All slots that it has taken and does not use.
+  const std::vector<CellId>& free_slots() {
+    while (fresh_ != fresh_end_) free_fresh_slots();
+    return free_;
+  }
 
  private:
   bool next_run(std::vector<std::unique_ptr<Worker>>& workers, std::size_t& run);
@@ -140,10 +151,12 @@ class alignas(128) Worker {
   CellId locate_holding(VertexId v);
   void let_go();
   bool take_room();
+  void free_fresh_slots();
 
   Shared& shared_;
   ClaimHolder holder_;
   std::vector<CellId> free_;
+  std::size_t fresh_ = 0, fresh_end_ = 0;  // slots of its own that were never used
   CavityInserter inserter_;
   CellId last_created_;  // held; none if nothing was created since the claims were given back
   std::vector<std::uint32_t> left_;  // vertices given up for now
@@ -172,19 +185,29 @@ bool Worker::next_run(std::vector<std::unique_ptr<Worker>>& workers, std::size_t
 // As many free slots as the zone found wants.
 bool Worker::take_room() {
   while (free_.size() < inserter_.num_slots_wanted()) {
-    const std::size_t begin = shared_.num_cells.fetch_add(slots_at_a_time);
-    if (begin + slots_at_a_time > shared_.pool.cells.size()) {
-      shared_.num_cells.fetch_sub(slots_at_a_time);
-      shared_.stop.store(Stop::out_of_cells);
-      return false;
+    if (fresh_ == fresh_end_) {
+      const std::size_t begin = shared_.num_cells.fetch_add(shared_.slots_taken);
+      if (begin + shared_.slots_taken > shared_.pool.cells.size()) {
+        shared_.num_cells.fetch_sub(shared_.slots_taken);
+        shared_.stop.store(Stop::out_of_cells);
+        return false;
+      }
+      fresh_ = begin;
+      fresh_end_ = begin + shared_.slots_taken;
     }
-    for (std::size_t c = begin + slots_at_a_time; c-- > begin;) {  // the first is used first
-      shared_.pool.marks[CellId(c)] = CellMark::untested;
-      shared_.pool.cells[CellId(c)].vertices[0] = VertexId();
-      free_.push_back(CellId(c));
-    }
+    free_fresh_slots();
   }
   return true;
+}
+
+void Worker::free_fresh_slots() {
+  const std::size_t end = std::min(fresh_end_, fresh_ + slots_at_a_time);
+  for (std::size_t c = end; c-- > fresh_;) {  // the first is used first
+    shared_.pool.marks[CellId(c)] = CellMark::untested;
+    shared_.pool.cells[CellId(c)].vertices[0] = VertexId();
+    free_.push_back(CellId(c));
+  }
+  fresh_ = end;
 }
 
 // A cell at the inserted vertex next to v. None if another thread holds that vertex.
@@ -307,12 +330,13 @@ class Team {
   void finish(DelaunayCounters& counters) {
     CellPool& pool = shared_.pool;
     const std::size_t used = shared_.num_cells.load();
-    pool.cells.resize(used);
-    pool.marks.resize(used);
     for (const std::unique_ptr<Worker>& worker : workers_) {
-      pool.free.insert(pool.free.end(), worker->free().begin(), worker->free().end());
+      const std::vector<CellId>& slots = worker->free_slots();
+      pool.free.insert(pool.free.end(), slots.begin(), slots.end());
       counters += worker->counters;
     }
+    pool.cells.resize(used);
+    pool.marks.resize(used);
   }
 
  private:
@@ -320,7 +344,7 @@ class Team {
   void make_room(std::size_t expected) {
     CellPool& pool = shared_.pool;
     const std::size_t used = shared_.num_cells.load();
-    const std::size_t least = used + workers_.size() * slots_at_a_time;
+    const std::size_t least = used + workers_.size() * shared_.slots_taken;
     const std::size_t count = std::min(std::max(expected, least), max_cells);
     require_cell_numbers(least);
     if (count <= pool.cells.size()) return;

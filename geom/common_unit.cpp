@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "geom/parallel_reduce.h"
+
 namespace cocoon {
 namespace {
 
@@ -30,10 +32,16 @@ double power_of_two(int exponent) {
 
 }  // namespace
 
-double common_unit(Points points) {
-  int exponent = no_exponent;
-  for (const Point& p : points) exponent = std::min(exponent, lowest_bit(p));
-  return power_of_two(exponent);
+double common_unit(Points points, const Execution& execution) {
+  const auto lowest_of = [&](std::size_t begin, std::size_t end) {
+    int exponent = no_exponent;
+    for (const Point& p : points.subspan(begin, end - begin)) {
+      exponent = std::min(exponent, lowest_bit(p));
+    }
+    return exponent;
+  };
+  return power_of_two(parallel_reduce(execution, points.size(), no_exponent, lowest_of,
+                                      [](int a, int b) { return std::min(a, b); }));
 }
 
 double common_unit(const Point& point) { return power_of_two(lowest_bit(point)); }

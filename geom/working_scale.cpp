@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/parallel_reduce.h"
+
 namespace cocoon {
 namespace {
 
@@ -11,11 +13,16 @@ constexpr double smallest_coordinate = 0x1p-100;
 
 }  // namespace
 
-double working_scale(Points points) {
-  double largest = 0;
-  for (const Point& p : points) {
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
+double working_scale(Points points, const Execution& execution) {
+  const auto largest_of = [&](std::size_t begin, std::size_t end) {
+    double largest = 0;
+    for (const Point& p : points.subspan(begin, end - begin)) {
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+    return largest;
+  };
+  const double largest = parallel_reduce(execution, points.size(), 0.0, largest_of,
+                                         [](double a, double b) { return std::max(a, b); });
   const bool in_bounds = largest >= smallest_coordinate && largest <= largest_coordinate;
   if (in_bounds || largest == 0 || !std::isfinite(largest)) return 1;
   return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1022, 1022));

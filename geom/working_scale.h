@@ -1,6 +1,7 @@
 // Coordinates of extreme size, brought where floating point has room on both sides.
 #pragma once
 
+#include "geom/execution.h"
 #include "geom/point.h"
 
 namespace cocoon {
@@ -10,7 +11,7 @@ namespace cocoon {
 // double and the filters of the predicates work. Scaling by it changes no decision that is exact,
 // as long as it rounds nothing away (scales_exactly).
 // Precondition: finite coordinates. Complexity: O(n).
-double working_scale(Points points);
+double working_scale(Points points, const Execution& execution = {});
 
 // True iff every coordinate times `scale`, a power of two, is representable: nothing is lost to
 // underflow. Complexity: O(n).

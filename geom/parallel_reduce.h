@@ -1,0 +1,31 @@
+// One value of many elements, computed by several threads.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "geom/execution.h"
+
+namespace cocoon {
+
+// combine(... combine(combine(identity, of_chunk(0, g)), of_chunk(g, 2 g)) ...): a value of each
+// chunk [begin, end) of [0, count), on thread_count(execution) threads, combined in the order of
+// the chunks, whose size depends on `count` alone. So the result is the same for every thread
+// count. Complexity: one call of each per chunk; at most 64 chunks.
+template <class T, class OfChunk, class Combine>
+T parallel_reduce(const Execution& execution, std::size_t count, const T& identity,
+                  const OfChunk& of_chunk, const Combine& combine) {
+  constexpr std::size_t most_chunks = 64;
+  constexpr std::size_t smallest_chunk = std::size_t{1} << 15;
+  const std::size_t grain = std::max(smallest_chunk, (count + most_chunks - 1) / most_chunks);
+  std::vector<T> parts((count + grain - 1) / grain, identity);
+  parallel_chunks(execution, count, grain, [&](std::size_t begin, std::size_t end) {
+    parts[begin / grain] = of_chunk(begin, end);
+  });
+  T result = identity;
+  for (const T& part : parts) result = combine(result, part);
+  return result;
+}
+
+}  // namespace cocoon
