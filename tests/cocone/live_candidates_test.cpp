@@ -13,6 +13,7 @@
 #include "geom/random.h"
 #include "io/mesh_file.h"
 #include "tests/gallery.h"
+#include "tests/long_tests.h"
 
 namespace cocoon {
 namespace {
@@ -121,9 +122,10 @@ void expect_unchanged_elsewhere(const Knowledge& before, const Knowledge& after,
   }
 }
 
-// Removes points near a random one, and puts others there.
-void run_steps(const std::vector<Point>& points, double reach, double noise, int steps,
+// Removes points near a random one, and puts some of the first ones back, or others beside them.
+void run_steps(const std::vector<Point>& points, double reach, double noise, std::size_t count,
                const ReconstructOptions& options = {}) {
+  const std::size_t steps = count * test::long_factor();
   Random random(11);
   DynamicDelaunay delaunay(cocoon::delaunay(points).triangulation);
   LiveCandidates live(effective_options(options));
@@ -135,7 +137,7 @@ void run_steps(const std::vector<Point>& points, double reach, double noise, int
     live.start(delaunay, stages);
   }
   expect_same(delaunay, live, options);
-  for (int step = 0; step < steps; ++step) {
+  for (std::size_t step = 0; step < steps; ++step) {
     SCOPED_TRACE("step " + std::to_string(step));
     std::vector<VertexId> vertices;
     for (const VertexId v : id_range<VertexId>(delaunay.num_vertex_slots())) {
@@ -147,9 +149,10 @@ void run_steps(const std::vector<Point>& points, double reach, double noise, int
     for (const VertexId v : vertices) {
       if (distance(delaunay.point(v), center) > reach) continue;
       if (random.below(3) != 0) removed.push_back(v);
-      if (random.below(3) != 0) {
-        inserted.push_back(delaunay.point(v) + noise * random.uniform() * random.on_unit_sphere());
-      }
+    }
+    for (const Point& p : points) {
+      if (distance(p, center) > reach || random.below(3) == 0) continue;
+      inserted.push_back(p + noise * random.uniform() * random.on_unit_sphere());
     }
     const Knowledge before = knowledge_of(delaunay, live);
     const DelaunayChange change = delaunay.replace(removed, inserted);
@@ -176,9 +179,9 @@ TEST(LiveCandidates, OnATorusWithTheCoconesRadius) {
   run_steps(gallery::displaced_torus(700, 1, 0), 0.5, 0.05, 15, options);
 }
 
-TEST(LiveCandidates, OnABoxOfLattices) { run_steps(gallery::box_faces(8), 2.5, 0, 20); }
+TEST(LiveCandidates, OnABoxOfLattices) { run_steps(gallery::box_faces(6), 0.5, 0, 20); }
 
-TEST(LiveCandidates, OnABoxWithRoughFaces) { run_steps(gallery::box_faces(8), 2.5, 0.3, 20); }
+TEST(LiveCandidates, OnABoxWithRoughFaces) { run_steps(gallery::box_faces(6), 0.5, 0.05, 20); }
 
 TEST(LiveCandidates, OnAPartOfMachinery) {
   const TriangleMesh part = read_mesh(std::string(COCOON_TEST_DATA) + "/models/anchor_dense.off");

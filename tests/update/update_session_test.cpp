@@ -12,6 +12,7 @@
 #include "io/mesh_file.h"
 #include "io/sample_models.h"
 #include "tests/gallery.h"
+#include "tests/long_tests.h"
 #include "tests/update/session_checks.h"
 
 namespace cocoon {
@@ -19,8 +20,9 @@ namespace {
 
 // Random updates and undos; every model that undo brings back is compared with the one from then.
 // Returns the number of updates.
-std::size_t run_steps(UpdateSession& session, std::size_t steps, std::uint64_t seed,
+std::size_t run_steps(UpdateSession& session, std::size_t count, std::uint64_t seed,
                       double steepness = 0.5) {
+  const std::size_t steps = count * test::long_factor();
   std::size_t updates = 0;
   Random random(seed);
   std::vector<TriangleMesh> models;
