@@ -88,8 +88,11 @@ double largest_coordinate(const Vec3& v) {
 // four lengths occur, so edges to the far centers of slivers are measured in larger units.
 class Radii {
  public:
-  Radii(const Cocones& cocones, RadiusMode mode, std::size_t num_vertices)
-      : squared_cosine_(cocones.cosine * cocones.cosine), mode_(mode), squared_(num_vertices) {}
+  Radii(const Cocones& cocones, RadiusMode mode, std::size_t num_vertices,
+        const Execution& execution)
+      : squared_cosine_(cocones.cosine * cocones.cosine),
+        mode_(mode),
+        squared_(num_vertices, execution) {}
 
   void take(VertexId v, const DualEnds& ends, const Point& p, const Vec3& normal) {
     const double reach =
@@ -132,7 +135,7 @@ class Radii {
 IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, const Dual& dual,
                                         const Poles& poles, const Cocones& cocones, RadiusMode mode,
                                         const Execution& execution) {
-  Radii radii(cocones, mode, triangulation.num_vertices());
+  Radii radii(cocones, mode, triangulation.num_vertices(), execution);
   const std::size_t facets = cocones.facets.size();
   parallel_chunks(execution, facets, facets_per_chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "cocone/cell_arms.h"
 #include "cocone/double_cone.h"
 #include "geom/id_vector.h"
 
@@ -36,6 +37,26 @@ CornerSides sides_of_cell(const Triangulation& triangulation, const Dual& dual, 
   return static_cast<CornerSides>(sides);
 }
 
+// The same of the cells begin .. end: of most of the finite ones, many at a time.
+void sides_of_cells(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
+                    double squared_cosine, std::size_t begin, std::size_t end,
+                    IdVector<CellId, CornerSides>& sides) {
+  const std::size_t infinite = std::clamp(triangulation.num_finite_cells(), begin, end);
+  ArmSides arms;
+  for (std::size_t first = begin; first < infinite; first += max_arm_cells) {
+    const std::size_t count = std::min(max_arm_cells, infinite - first);
+    arm_sides(triangulation, dual, poles.normals, squared_cosine, CellId(first), count, arms);
+    for (std::size_t k = 0; k < count; ++k) {
+      const CellId c(first + k);
+      sides[c] = arms.unsafe[k] == 0 ? arms.nappes[k]
+                                     : sides_of_cell(triangulation, dual, poles, squared_cosine, c);
+    }
+  }
+  for (CellId c(infinite); c.index() < end; ++c) {
+    sides[c] = sides_of_cell(triangulation, dual, poles, squared_cosine, c);
+  }
+}
+
 // Carries one bit per corner from a cell to the cell before it. Seen from behind, the corners of a
 // facet run the other way round, beginning anywhere: [facet before][facet behind][turn][bits].
 using CornerBits = std::array<std::uint8_t, 16>;
@@ -62,21 +83,42 @@ constexpr CornerMaps make_corner_maps() {
 
 constexpr CornerMaps corner_maps = make_corner_maps();
 
-// Asks for what rows_of_cell is soon to read: most of its time went into waiting for that.
-void fetch_neighbors(const Triangulation& triangulation, const IdVector<CellId, CornerSides>& sides,
-                     CellId c) {
-  for (const FacetId neighbor : triangulation.cell(c).neighbors) {
-    if (cell_of(neighbor) < c) continue;
-    __builtin_prefetch(&triangulation.cell(cell_of(neighbor)));
-    __builtin_prefetch(&sides[cell_of(neighbor)]);
+// A finite facet by its two ids, the smaller one first.
+struct FacetPair {
+  FacetId canonical;
+  FacetId mirror;
+};
+
+constexpr std::size_t cells_per_block = 128;
+using FacetBlock = std::array<FacetPair, 4 * cells_per_block + 1>;
+
+// Lists the facets whose canonical ids lie in the cells begin .. end, and asks for what
+// row_of_facet is to read behind them, which lies here and there in memory. Returns how many there
+// are. No branch depends on the ids: half of the guesses would be wrong.
+std::size_t list_facets(const Triangulation& triangulation,
+                        const IdVector<CellId, CornerSides>& sides, std::size_t begin,
+                        std::size_t end, FacetBlock& facets) {
+  std::size_t count = 0;
+  for (CellId c(begin); c.index() < end; ++c) {
+    const Cell& cell = triangulation.cell(c);
+    for (int i = 0; i < 4; ++i) {
+      const FacetPair pair{facet_id(c, i), cell.neighbors[static_cast<std::size_t>(i)]};
+      facets[count] = pair;
+      count += pair.canonical < pair.mirror ? 1U : 0U;
+    }
   }
+  for (std::size_t k = 0; k < count; ++k) {
+    __builtin_prefetch(&triangulation.cell(cell_of(facets[k].mirror)));
+    __builtin_prefetch(&sides[cell_of(facets[k].mirror)]);
+  }
+  return count;
 }
 
 // The row of a facet: its dual edge meets the cocone of a corner unless both ends lie in the same
 // nappe (meets_cocone in double_cone.h, for three corners at once).
 unsigned row_of_facet(const Triangulation& triangulation,
-                      const IdVector<CellId, CornerSides>& sides, FacetId f) {
-  const FacetId g = triangulation.mirror(f);
+                      const IdVector<CellId, CornerSides>& sides, const FacetPair& facet) {
+  const auto& [f, g] = facet;
   const auto i = static_cast<std::size_t>(index_of(f));
   const auto j = static_cast<std::size_t>(index_of(g));
   const VertexId first = triangulation.vertex(cell_of(f), facet_corners[i][0]);
@@ -99,18 +141,22 @@ struct Rows {
 Rows rows_of_cells(const Triangulation& triangulation, const IdVector<CellId, CornerSides>& sides,
                    std::size_t begin, std::size_t end) {
   Rows found;
-  for (CellId c(begin); c.index() < end; ++c) {
-    constexpr std::size_t ahead = 16;
-    if (c.index() + ahead < end) fetch_neighbors(triangulation, sides, CellId(c.index() + ahead));
-    for (int i = 0; i < 4; ++i) {
-      const FacetId f = facet_id(c, i);
-      if (triangulation.canonical(f) != f) continue;
-      const unsigned row = row_of_facet(triangulation, sides, f);
-      if (row == 0) continue;
-      found.facets.push_back(f);
-      found.rows.push_back(static_cast<std::uint8_t>(row));
+  std::size_t size = 0;
+  FacetBlock block;
+  for (std::size_t first = begin; first < end; first += cells_per_block) {
+    const std::size_t last = std::min(first + cells_per_block, end);
+    const std::size_t count = list_facets(triangulation, sides, first, last, block);
+    found.facets.resize(size + count + 1);
+    found.rows.resize(size + count + 1);
+    for (std::size_t k = 0; k < count; ++k) {
+      const unsigned row = row_of_facet(triangulation, sides, block[k]);
+      found.facets[size] = block[k].canonical;
+      found.rows[size] = static_cast<std::uint8_t>(row);
+      size += row != 0 ? 1U : 0U;
     }
   }
+  found.facets.resize(size);
+  found.rows.resize(size);
   return found;
 }
 
@@ -123,9 +169,7 @@ Cocones intersect_cocones(const Triangulation& triangulation, const Dual& dual, 
   const std::size_t count = triangulation.num_cells();
   IdVector<CellId, CornerSides> sides(count);
   parallel_chunks(execution, count, cells_per_chunk, [&](std::size_t begin, std::size_t end) {
-    for (CellId c(begin); c.index() < end; ++c) {
-      sides[c] = sides_of_cell(triangulation, dual, poles, squared_cosine, c);
-    }
+    sides_of_cells(triangulation, dual, poles, squared_cosine, begin, end, sides);
   });
   report_progress(execution, "intersect_cocones", 0.5);
   // Infinite cells come last: every finite facet has its canonical id in a finite cell.

@@ -1,6 +1,7 @@
 #include "cocone/mark_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <utility>
 
@@ -156,12 +157,19 @@ class ConsistentMarking {
            0;
   }
 
+  bool all_visited() const { return marks_.visited_vertices == triangulation_.num_vertices(); }
+
   // Labels pass through facets at visited vertices; in the order of memory, as often as it takes.
   void label_others() {
+    const bool all = all_visited();
     std::vector<CellId> left;
     for (const CellId c : triangulation_.cells()) {
-      if (marks_.labels[c] != CellLabel::unmarked || visited_corners(c) == 0) continue;
-      if (!take_label(c)) left.push_back(c);
+      if (marks_.labels[c] != CellLabel::unmarked) continue;
+      if (all) {
+        if (!take_any_label(c)) left.push_back(c);
+      } else if (visited_corners(c) != 0) {
+        if (!take_label(c)) left.push_back(c);
+      }
     }
     for (std::size_t before = left.size() + 1; left.size() < before;) {
       before = left.size();
@@ -183,6 +191,29 @@ class ConsistentMarking {
     return false;
   }
 
+  // The labels behind the facets off the surface; those that are not there yet are 0.
+  std::array<unsigned, 4> passing_labels(CellId c) const {
+    const unsigned closed = surface_.set.bits(c);
+    const Cell& cell = triangulation_.cell(c);
+    std::array<unsigned, 4> labels;
+    for (unsigned i = 0; i < 4; ++i) {
+      const auto label = static_cast<unsigned>(marks_.labels[cell_of(cell.neighbors[i])]);
+      labels[i] = label & (((closed >> i) & 1U) - 1U);
+    }
+    return labels;
+  }
+
+  // Where all vertices have been visited: without a branch for each facet. Where labels contradict
+  // each other it takes any of them: that shows in the end.
+  bool take_any_label(CellId c) {
+    const auto [a, b, d, e] = passing_labels(c);
+    const unsigned labels = a | b | d | e;
+    marks_.labels[c] = (labels & static_cast<unsigned>(CellLabel::out)) != 0 ? CellLabel::out
+                       : labels != 0                                         ? CellLabel::in
+                                                                             : CellLabel::unmarked;
+    return labels != 0;
+  }
+
   // Bit i: vertex i has had its turn.
   unsigned visited_corners(CellId c) const {
     const Cell& cell = triangulation_.cell(c);
@@ -195,15 +226,32 @@ class ConsistentMarking {
 
   bool is_consistent(const Execution& execution) const {
     std::atomic<bool> consistent = true;
-    const bool all_visited = marks_.visited_vertices == triangulation_.num_vertices();
+    const bool all = all_visited();
     parallel_chunks(execution, triangulation_.num_cells(), cells_per_chunk,
                     [&](std::size_t begin, std::size_t end) {
+                      bool agrees = true;
                       for (CellId c(begin); c.index() < end; ++c) {
-                        const unsigned visited = all_visited ? 15U : visited_corners(c);
-                        if (!agrees_with_neighbors(c, visited)) consistent = false;
+                        agrees &= all ? agrees_with_all_neighbors(c)
+                                      : agrees_with_neighbors(c, visited_corners(c));
                       }
+                      if (!agrees) consistent = false;
                     });
     return consistent;
+  }
+
+  // Where all vertices have been visited. Asked from both sides of a facet: cheaper than a branch.
+  bool agrees_with_all_neighbors(CellId c) const {
+    static_assert((static_cast<unsigned>(CellLabel::out) ^ static_cast<unsigned>(CellLabel::in)) ==
+                  3);
+    const Cell& cell = triangulation_.cell(c);
+    const unsigned facets = surface_.set.bits(c);
+    const auto label = static_cast<unsigned>(marks_.labels[c]);
+    unsigned wrong = label == 0 ? 1U : 0U;
+    for (unsigned i = 0; i < 4; ++i) {
+      const unsigned turned = ((facets >> i) & 1U) * 3;
+      wrong |= label ^ turned ^ static_cast<unsigned>(marks_.labels[cell_of(cell.neighbors[i])]);
+    }
+    return wrong == 0;
   }
 
   bool agrees_with_neighbors(CellId c, unsigned visited) const {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "cocone/cell_arms.h"
 #include "cocone/double_cone.h"
 #include "cocone/shared_maxima.h"
 #include "delaunay/vertex_stars.h"
@@ -65,18 +66,29 @@ Arm arm_of(const Triangulation& triangulation, const Dual& dual, CellId c, Verte
 // rounds alike is compared exactly.
 class FarthestCells {
  public:
-  FarthestCells(const Triangulation& triangulation, const Dual& dual)
-      : triangulation_(triangulation), dual_(dual), words_(triangulation.num_vertices()) {}
+  FarthestCells(const Triangulation& triangulation, const Dual& dual, const Execution& execution)
+      : triangulation_(triangulation),
+        dual_(dual),
+        words_(triangulation.num_vertices()),
+        alone_(thread_count(execution) == 1) {}
 
-  void offer(CellId c, VertexId p, const Arm& arm) {
+  // Would the arm of this length at corner p be the farthest known, or nearly so?
+  bool may_win(VertexId p, double squared_length) const {
+    return words_[p.index()].load(std::memory_order_relaxed) >> 32 <= rounded(squared_length);
+  }
+
+  // Of the arm of cell c at its corner p.
+  void offer(CellId c, VertexId p, double squared_length) {
     std::atomic<std::uint64_t>& word = words_[p.index()];
-    const std::uint64_t offered = pack(c, arm.squared_length);
+    const std::uint64_t upper = rounded(squared_length);
+    const std::uint64_t offered = upper << 32 | c.value;
     std::uint64_t known = word.load(std::memory_order_relaxed);
-    while (known >> 32 <= offered >> 32) {
-      if (known >> 32 == offered >> 32 &&
-          !arm.precedes(arm_of(triangulation_, dual_, unpack(known), p))) {
+    while (known >> 32 <= upper) {
+      if (known >> 32 == upper && !arm_of(triangulation_, dual_, c, p)
+                                       .precedes(arm_of(triangulation_, dual_, unpack(known), p))) {
         return;
       }
+      if (alone_) return word.store(offered, std::memory_order_relaxed);  // see shared_maxima.h
       if (word.compare_exchange_weak(known, offered, std::memory_order_relaxed)) return;
     }
   }
@@ -88,38 +100,51 @@ class FarthestCells {
 
  private:
   // Not below 0, so floats are ordered as their bits; + 1: above a word without a cell.
-  static std::uint64_t pack(CellId c, double squared_length) {
-    const auto rounded = std::bit_cast<std::uint32_t>(static_cast<float>(squared_length));
-    return std::uint64_t{rounded + 1} << 32 | c.value;
+  static std::uint64_t rounded(double squared_length) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(static_cast<float>(squared_length))} + 1;
   }
   static CellId unpack(std::uint64_t word) { return CellId(static_cast<std::uint32_t>(word)); }
 
   const Triangulation& triangulation_;
   const Dual& dual_;
   std::vector<std::atomic<std::uint64_t>> words_;
+  bool alone_;
 };
 
-// Calls visit(cell, vertex, arm) for the corners of the finite cells begin .. end.
+// Calls visit(first, count) for runs of the finite cells, of at most max_arm_cells.
 template <class Visit>
-void for_each_arm(const Triangulation& triangulation, const Dual& dual, std::size_t begin,
-                  std::size_t end, Visit visit) {
-  for (CellId c(begin); c.index() < end; ++c) {
-    for (const VertexId p : triangulation.cell(c).vertices) {
-      visit(c, p, arm_of(triangulation, dual, c, p));
-    }
-  }
+void for_each_run(const Triangulation& triangulation, const Execution& execution, Visit visit) {
+  static_assert(cells_per_chunk % max_arm_cells == 0);
+  parallel_chunks(execution, triangulation.num_finite_cells(), cells_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t c = begin; c < end; c += max_arm_cells) {
+                      visit(CellId(c), std::min(max_arm_cells, end - c));
+                    }
+                  });
 }
 
 // n_p of all samples.
 void find_normals(const Triangulation& triangulation, const Dual& dual, Poles& poles,
                   const Execution& execution) {
-  FarthestCells poles_of(triangulation, dual);
-  parallel_chunks(execution, triangulation.num_finite_cells(), cells_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for_each_arm(
-                        triangulation, dual, begin, end,
-                        [&](CellId c, VertexId p, const Arm& arm) { poles_of.offer(c, p, arm); });
-                  });
+  FarthestCells poles_of(triangulation, dual, execution);
+  for_each_run(triangulation, execution, [&](CellId first, std::size_t count) {
+    SquaredArms arms;
+    squared_arms(triangulation, dual, first, count, arms);
+    for (std::size_t k = 0; k < count; ++k) {
+      const CellId c(first.index() + k);
+      const Cell& cell = triangulation.cell(c);
+      // One branch for four corners: which of them win cannot be foreseen.
+      unsigned winners = 0;
+      for (unsigned j = 0; j < 4; ++j) {
+        const bool wins = poles_of.may_win(cell.vertices[j], arms.lengths[4 * k + j]);
+        winners |= static_cast<unsigned>(wins) << j;
+      }
+      for (; winners != 0; winners &= winners - 1) {
+        const auto j = static_cast<unsigned>(std::countr_zero(winners));
+        poles_of.offer(c, cell.vertices[j], arms.lengths[4 * k + j]);
+      }
+    }
+  });
   const VertexStars hull = hull_stars(triangulation);
   std::atomic<std::size_t> on_hull = 0;
   std::atomic<std::size_t> degenerate = 0;
@@ -152,26 +177,53 @@ void find_normals(const Triangulation& triangulation, const Dual& dual, Poles& p
 void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& poles,
                   const Execution& execution) {
   const std::size_t count = triangulation.num_vertices();
-  const auto for_each_lower_arm = [&](auto visit) {
-    parallel_chunks(execution, triangulation.num_finite_cells(), cells_per_chunk,
-                    [&](std::size_t begin, std::size_t end) {
-                      for_each_arm(triangulation, dual, begin, end,
-                                   [&](CellId, VertexId p, const Arm& arm) {
-                                     if (dot(arm.safe(), poles.normals[p]) < 0) visit(p, arm);
-                                   });
-                    });
+  // Calls visit(cell, squared lengths, which) for arms below the tangent planes; those of extreme
+  // lengths are left to visit_unsafe(c, p).
+  const auto for_each_lower_arm = [&](auto visit, auto visit_unsafe) {
+    for_each_run(triangulation, execution, [&](CellId first, std::size_t size) {
+      ArmSides arms;
+      arm_sides(triangulation, dual, poles.normals, 0, first, size, arms);
+      for (std::size_t k = 0; k < size; ++k) {
+        const CellId c(first.index() + k);
+        const Cell& cell = triangulation.cell(c);
+        visit(cell, &arms.squared.lengths[4 * k], arms.negative[k] & ~arms.unsafe[k] & 15U);
+        for (unsigned rest = arms.unsafe[k]; rest != 0; rest &= rest - 1) {
+          visit_unsafe(c, cell.vertices[static_cast<std::size_t>(std::countr_zero(rest))]);
+        }
+      }
+    });
   };
-  SharedMaxima squared(count);
+  const auto is_lower = [&](VertexId p, const Arm& arm) {
+    return dot(arm.safe(), poles.normals[p]) < 0;
+  };
+  SharedMaxima squared(count, execution);
   std::atomic<bool> any_far = false;
-  for_each_lower_arm([&](VertexId p, const Arm& arm) {
+  const auto raise_all = [&](const Cell& cell, const double* lengths, unsigned which) {
+    // One branch for four corners, as above.
+    unsigned higher = 0;
+    for (unsigned j = 0; j < 4; ++j) {
+      higher |= static_cast<unsigned>(squared[cell.vertices[j]] < lengths[j]) << j;
+    }
+    for (higher &= which; higher != 0; higher &= higher - 1) {
+      const auto j = static_cast<unsigned>(std::countr_zero(higher));
+      squared.raise(cell.vertices[j], lengths[j]);
+    }
+  };
+  for_each_lower_arm(raise_all, [&](CellId c, VertexId p) {
+    const Arm arm = arm_of(triangulation, dual, c, p);
+    if (!is_lower(p, arm)) return;
     squared.raise(p, arm.squared_length);
     if (arm.is_far()) any_far = true;
   });
-  SharedMaxima far(any_far ? count : 0);
+  SharedMaxima far(any_far ? count : 0, execution);
   if (any_far) {
-    for_each_lower_arm([&](VertexId p, const Arm& arm) {
-      if (arm.is_far()) far.raise(p, norm(arm.safe()) / shrink);
-    });
+    for_each_lower_arm([](const Cell&, const double*, unsigned) {},
+                       [&](CellId c, VertexId p) {
+                         const Arm arm = arm_of(triangulation, dual, c, p);
+                         if (arm.is_far() && is_lower(p, arm)) {
+                           far.raise(p, norm(arm.safe()) / shrink);
+                         }
+                       });
   }
   for (const VertexId p : poles.heights.ids()) {
     const double height = std::sqrt(squared[p]);

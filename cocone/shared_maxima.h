@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "geom/execution.h"
 #include "geom/ids.h"
 
 namespace cocoon {
@@ -13,19 +14,27 @@ namespace cocoon {
 class SharedMaxima {
  public:
   // All zero.
-  explicit SharedMaxima(std::size_t num_vertices) : maxima_(num_vertices) {}
+  SharedMaxima(std::size_t num_vertices, const Execution& execution)
+      : maxima_(num_vertices), alone_(thread_count(execution) == 1) {}
 
   void raise(VertexId v, double value) {
     std::atomic<double>& maximum = maxima_[v.index()];
     double known = maximum.load(std::memory_order_relaxed);
-    while (known < value &&
-           !maximum.compare_exchange_weak(known, value, std::memory_order_relaxed)) {
+    while (known < value && !replace(maximum, known, value)) {
     }
   }
   double operator[](VertexId v) const { return maxima_[v.index()].load(std::memory_order_relaxed); }
 
  private:
+  // An exchange makes the processor wait for all that it has under way.
+  bool replace(std::atomic<double>& maximum, double& known, double value) const {
+    if (!alone_) return maximum.compare_exchange_weak(known, value, std::memory_order_relaxed);
+    maximum.store(value, std::memory_order_relaxed);
+    return true;
+  }
+
   std::vector<std::atomic<double>> maxima_;
+  bool alone_;
 };
 
 }  // namespace cocoon

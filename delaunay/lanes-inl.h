@@ -102,18 +102,30 @@ HWY_INLINE std::size_t append(const std::uint32_t* four, unsigned which, std::ui
   return static_cast<std::size_t>(std::popcount(which));
 }
 
-// Reads four doubles at each address; the fourth is not used.
-HWY_INLINE FourVectors load_points(const double* p0, const double* p1, const double* p2,
-                                   const double* p3) {
+HWY_INLINE FourVectors transposed(Four v0, Four v1, Four v2, Four v3) {
   const FourTag d;
-  const Four v0 = hn::LoadU(d, p0), v1 = hn::LoadU(d, p1);
-  const Four v2 = hn::LoadU(d, p2), v3 = hn::LoadU(d, p3);
   const Four low01 = hn::InterleaveLower(d, v0, v1);   // x0 x1 z0 z1
   const Four high01 = hn::InterleaveUpper(d, v0, v1);  // y0 y1
   const Four low23 = hn::InterleaveLower(d, v2, v3);
   const Four high23 = hn::InterleaveUpper(d, v2, v3);
   return {hn::ConcatLowerLower(d, low23, low01), hn::ConcatLowerLower(d, high23, high01),
           hn::ConcatUpperUpper(d, low23, low01)};
+}
+
+// Reads four doubles at each address; the fourth is not used.
+HWY_INLINE FourVectors load_points(const double* p0, const double* p1, const double* p2,
+                                   const double* p3) {
+  const FourTag d;
+  return transposed(hn::LoadU(d, p0), hn::LoadU(d, p1), hn::LoadU(d, p2), hn::LoadU(d, p3));
+}
+
+// The same for arrays whose last point has nothing behind it.
+HWY_INLINE FourVectors load_triples(const double* p0, const double* p1, const double* p2,
+                                    const double* p3) {
+  const FourTag d;
+  const auto three = hn::FirstN(d, 3);
+  return transposed(hn::MaskedLoad(three, d, p0), hn::MaskedLoad(three, d, p1),
+                    hn::MaskedLoad(three, d, p2), hn::MaskedLoad(three, d, p3));
 }
 
 #else
@@ -201,6 +213,10 @@ HWY_INLINE FourVectors load_points(const double* p0, const double* p1, const dou
           {{p0[1], p1[1], p2[1], p3[1]}},
           {{p0[2], p1[2], p2[2], p3[2]}}};
 }
+HWY_INLINE FourVectors load_triples(const double* p0, const double* p1, const double* p2,
+                                    const double* p3) {
+  return load_points(p0, p1, p2, p3);
+}
 
 #endif
 
@@ -209,6 +225,10 @@ HWY_INLINE FourVectors operator-(const FourVectors& a, const FourVectors& b) {
 }
 HWY_INLINE Four squared_norm(const FourVectors& v) {
   return multiply_add(v.x, v.x, multiply_add(v.y, v.y, v.z * v.z));
+}
+// Rounds as dot() of geom/point.h.
+HWY_INLINE Four dot(const FourVectors& v, const FourVectors& w) {
+  return v.x * w.x + v.y * w.y + v.z * w.z;
 }
 HWY_INLINE Four minor_xy(const FourVectors& v, const FourVectors& w) {
   return multiply_subtract(v.x, w.y, v.y * w.x);

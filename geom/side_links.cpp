@@ -28,7 +28,9 @@ struct SortedSide {
 class Linker {
  public:
   Linker(std::size_t begin, std::size_t end, std::vector<SideId>& links)
-      : begin_(begin), links_(links), chains_(end - begin, none), lengths_(end - begin, 0) {}
+      : begin_(begin), links_(links), chains_(end - begin, none), lengths_(end - begin, 0) {
+    edges_.reserve(3 * (end - begin));  // what a closed surface has
+  }
 
   void add(SideId side, VertexId a, VertexId b) {
     const std::size_t smaller = std::min(a, b).index();
