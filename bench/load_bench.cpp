@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -81,7 +82,8 @@ int run_apart(const Body& body, rusage& usage) {
 // A cap of the scanned body, a twentieth of its points, raised in the middle, onto a model that
 // another process reconstructs and leaves in a file.
 Measured measure_update(const std::vector<Point>& points, int threads) {
-  const std::string file = "/tmp/load_bench." + std::to_string(getpid()) + ".ply";
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("load_bench." + std::to_string(getpid()) + ".ply");
   rusage usage = {};
   run_apart(
       [&] {
@@ -90,7 +92,7 @@ Measured measure_update(const std::vector<Point>& points, int threads) {
       },
       usage);
   const TriangleMesh model = read_mesh(file);
-  std::remove(file.c_str());
+  std::filesystem::remove(file);
   std::vector<Point> cap;
   for (const Point& p : scan_points(points.size() + 1)) {
     const double height = unit(p).z - 0.9;
