@@ -43,12 +43,16 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("clean_up/filled_cells", c.clean_up.filled_cells);
   set("clean_up/moves", c.clean_up.moves);
   set("clean_up/moved_cells", c.clean_up.moved_cells);
+  set("clean_up/clusters", c.clean_up.clusters);
+  set("clean_up/cluster_cells", c.clean_up.cluster_cells);
   set("clean_up/dropped_components", c.clean_up.dropped_components);
   set("clean_up/changed_cells", c.clean_up.changed_cells);
   set("clean_up/defects_before", c.clean_up.defects_before);
   set("clean_up/defects_after", c.clean_up.defects_after);
   set("clean_up/unused_before", c.clean_up.unused_before);
   set("clean_up/unused_after", c.clean_up.unused_after);
+  set("clean_up/idle_before", c.clean_up.idle_before);
+  set("clean_up/idle_after", c.clean_up.idle_after);
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ CellEnergy::CellEnergy(const Triangulation& triangulation, const Dual& dual, Sta
       defect_cost_(to_energy(options.defect_cost)),
       unused_cost_(to_energy(options.unused_cost)),
       handle_cost_(to_energy(options.handle_cost)),
+      idle_cost_(to_energy(options.idle_cost)),
+      idle_(options.idle),
       own_preference_(triangulation.num_cells()),
       wanted_(triangulation.num_vertices(), 0),
       stamp_(triangulation.num_cells()) {}
@@ -122,6 +124,7 @@ Energy CellEnergy::sum(std::span<const CellId> cells) {
       total += wanted_[v] != 0 ? unused_cost_ : 0;
     } else {
       total += defect_cost_ * static_cast<Energy>(extra_fans(v));
+      if (idle_cost_ != 0 && is_idle(v)) total += idle_cost_;
     }
   }
   for (const Edge& e : edges_) {
@@ -139,6 +142,19 @@ Energy CellEnergy::change(std::span<const CellId> cells) {
   const Energy after = sum(cells);
   flip(cells);
   return after - before;
+}
+
+bool CellEnergy::leaves_out(std::span<const CellId> cells) {
+  std::vector<VertexId> used;
+  for (const CellId c : cells) {
+    for (const VertexId v : triangulation_.cell(c).vertices) {
+      if (!is_unused(v)) used.push_back(v);
+    }
+  }
+  flip(cells);
+  const bool lost = std::any_of(used.begin(), used.end(), [&](VertexId v) { return is_unused(v); });
+  flip(cells);
+  return lost;
 }
 
 void CellEnergy::flip(std::span<const CellId> cells) {

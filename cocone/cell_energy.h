@@ -39,6 +39,11 @@ class CellEnergy {
   // The cost of defects at a vertex, apart from its edges. O(star).
   Energy vertex_cost(VertexId v);
   bool is_unused(VertexId v) const;
+  // Would a sample on the surface not be there if these cells changed sides?
+  bool leaves_out(std::span<const CellId> cells);
+  bool is_idle(VertexId v) {
+    return cocoon::is_idle(triangulation_, stars_.star(v), out_, v, idle_);
+  }
   // Surface sheets at v beyond the first: what is pinched. O(star).
   std::size_t extra_fans(VertexId v);
   // Surface sheets at the edge ab of facet f. O(degree).
@@ -74,6 +79,8 @@ class CellEnergy {
   Energy defect_cost_;
   Energy unused_cost_;
   Energy handle_cost_;
+  Energy idle_cost_;
+  IdleOptions idle_;
   ZeroedArray<CellId, Energy> own_preference_;  // beyond that by the label
   VertexSet wanted_;
   ZeroedArray<CellId, std::uint32_t> stamp_;

@@ -4,7 +4,9 @@
 #include <array>
 #include <vector>
 
+#include "cocone/cell_cluster.h"
 #include "cocone/cell_energy.h"
+#include "cocone/idle_samples.h"
 #include "cocone/max_flow.h"
 #include "cocone/side_evidence.h"
 #include "delaunay/circulate.h"
@@ -41,6 +43,7 @@ class CleanUp {
     cut();
     fill_cavities();
     repair();
+    flip_clusters();
     if (drop_components()) repair();
     count(counters_.defects_after, counters_.unused_after);
     for (const CellId c : triangulation_.finite_cells()) {
@@ -297,6 +300,55 @@ class CleanUp {
       scratch_ = ZeroedArray<CellId, std::uint8_t>(triangulation_.num_cells());
     }
     return scratch_;
+  }
+
+  // Where the surface runs through idle samples, whole clusters change sides.
+  void flip_clusters() {
+    if (options_.idle_cost == 0 || undecided_.empty()) return;
+    std::vector<VertexId> idle = idle_samples();
+    counters_.idle_before = idle.size();
+    while (flip_clusters_at(idle)) {
+      repair();
+      idle = idle_samples();
+    }
+    counters_.idle_after = idle.size();
+  }
+
+  std::vector<VertexId> idle_samples() {
+    std::vector<VertexId> idle = unevenly_sampled(triangulation_, out_, options_.idle);
+    idle.erase(
+        std::remove_if(idle.begin(), idle.end(), [&](VertexId v) { return !energy_.is_idle(v); }),
+        idle.end());
+    std::sort(idle.begin(), idle.end(), [&](VertexId a, VertexId b) {
+      return triangulation_.point(a) < triangulation_.point(b);
+    });
+    return idle;
+  }
+
+  bool flip_clusters_at(const std::vector<VertexId>& idle) {
+    ZeroedArray<CellId, std::uint8_t> tried(triangulation_.num_cells());
+    bool flipped = false;
+    for (const VertexId v : idle) {
+      if (!energy_.is_idle(v)) continue;  // not any more
+      std::vector<CellCluster> clusters;
+      for (const CellId c : stars_.star(v)) {
+        if (tried[c] != 0 || triangulation_.is_infinite(c)) continue;
+        clusters.push_back(
+            cell_cluster(triangulation_, dual_, out_, c, options_.deep_cosine, scratch()));
+        for (std::size_t k = 0; k < clusters.back().core; ++k) tried[clusters.back().cells[k]] = 1;
+      }
+      std::sort(clusters.begin(), clusters.end(),
+                [&](const auto& a, const auto& b) { return precedes(a.cells, b.cells); });
+      for (const auto& [cluster, core] : clusters) {
+        if (!is_attached(cluster) || energy_.change(cluster) >= 0) continue;
+        if (splits(cluster) || energy_.leaves_out(cluster)) continue;
+        energy_.flip(cluster);
+        ++counters_.clusters;
+        counters_.cluster_cells += cluster.size();
+        flipped = true;
+      }
+    }
+    return flipped;
   }
 
   // Parts of the body whose samples and facets are not worth a part of its own.

@@ -6,6 +6,7 @@
 //      + evidence_weight  * sum over undecided cells of max(0, contrary - own evidence)
 //      + mark_weight      * (decided cells that have left their label)
 //      + defect_cost      * (non-manifold edges + pinched vertices, with multiplicity)
+//      + idle_cost    * (samples that do nothing for the surface: idle_samples.h)
 //      + unused_cost      * (samples of undecided cells that are not on the surface)
 //      - handle_cost / 2  * (Euler characteristic of the surface)
 //      + component_cost   * (parts of the body)
@@ -20,13 +21,18 @@
 //     OUT cells are then filled, as in the peel.
 //  2. Moves. At a defect or an unused sample single cells, pairs, and parts of stars change sides
 //     where that lowers E, unless they would found a new part of the body or a cavity, or what they
-//     leave would fall apart; then small parts of the body are dropped where that lowers E. E falls
-//     strictly and there are finitely many labelings, so this ends.
+//     leave would fall apart.
+//  3. Clusters. At idle samples whole clusters of cells (cell_cluster.h) change sides where that
+//     lowers E, under the same conditions, and if no sample on the surface is left out: holes of
+//     which only the rims are sampled open. Moves again.
+//  4. Small parts of the body are dropped where that lowers E. Moves again.
+//  E falls strictly in 2 to 4, and there are finitely many labelings, so this ends.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
+#include "cocone/idle_samples.h"
 #include "cocone/mark_cells.h"
 #include "cocone/poles.h"
 #include "delaunay/triangulation.h"
@@ -46,6 +52,9 @@ struct CleanUpOptions {
   double defect_cost = 16;
   double unused_cost = 8;  // a tent over one triangle costs less than 6
   double handle_cost = 16;
+  double idle_cost = 8;  // as much as if they were not on the surface; 0: no clusters
+  IdleOptions idle = {};
+  double deep_cosine = 0.9;     // of a cluster: below, walls of thick plates are crossed
   double component_cost = 100;  // a part is dropped if it uses few samples: fewer than about 12
 };
 
@@ -55,6 +64,8 @@ struct CleanUpCounters {
   std::size_t filled_cells = 0;     // OUT cells shut off from infinity, now IN
   std::size_t moves = 0;
   std::size_t moved_cells = 0;
+  std::size_t clusters = 0;  // moved as a whole
+  std::size_t cluster_cells = 0;
   std::size_t dropped_components = 0;
   std::size_t changed_cells = 0;  // that have another side now than after the peel
   // After the peel and at the end: non-manifold edges and pinched vertices; unused samples.
@@ -62,6 +73,8 @@ struct CleanUpCounters {
   std::size_t defects_after = 0;
   std::size_t unused_before = 0;
   std::size_t unused_after = 0;
+  std::size_t idle_before = 0;  // idle samples before and after the clusters
+  std::size_t idle_after = 0;
 };
 
 // Changes marks.reached, and nothing where every vertex is good and no marks conflict.

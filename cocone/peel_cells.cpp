@@ -1,43 +1,14 @@
 #include "cocone/peel_cells.h"
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
 
+#include "cocone/facet_size.h"
+
 namespace cocoon {
 namespace {
-
-using Corners = std::array<Point, 3>;
-
-// The size of a facet, in the canonical order of facets: circumradius, then corners.
-struct FacetSize {
-  double squared_circumradius;
-  Corners corners;
-
-  // Smaller circle first; of equal circles the lexicographically smaller corners.
-  friend bool operator<(const FacetSize& a, const FacetSize& b) {
-    if (a.squared_circumradius != b.squared_circumradius) {
-      return a.squared_circumradius < b.squared_circumradius;
-    }
-    return a.corners < b.corners;
-  }
-};
-
-// R = |u| |v| |u - v| / (2 |u x v|), squared; infinite for collinear corners. Corners are sorted
-// first, so both sides of a facet give the same bits.
-FacetSize size_of_facet(const Triangulation& triangulation, FacetId f) {
-  const auto [a, b, c] = triangulation.facet_vertices(f);
-  Corners p{triangulation.point(a), triangulation.point(b), triangulation.point(c)};
-  std::sort(p.begin(), p.end());
-  const Vec3 u = p[1] - p[0];
-  const Vec3 v = p[2] - p[0];
-  const double area = norm(cross(u, v));
-  if (!(area > 0)) return {std::numeric_limits<double>::infinity(), p};
-  return {squared_norm(u) / area * (squared_norm(v) / area) * squared_norm(u - v) / 4, p};
-}
 
 struct DeferredSeed {
   FacetSize size;

@@ -164,13 +164,9 @@ class Propagation {
   void pass_on_to_deep_balls(CellId c, bool out, double weight) {
     for (int i = 0; i < 4; ++i) {
       const FacetId f = facet_id(c, i);
-      const FacetId g = triangulation_.mirror(f);
-      if (state_[cell_of(g)] == settled) continue;
-      // beta = pi - phi - psi: cos(beta) = -cos(phi + psi) = sin phi sin psi - cos phi cos psi
-      const double phi = ball_cosine(triangulation_, dual_, f);
-      const double psi = ball_cosine(triangulation_, dual_, g);
-      const double sines = std::sqrt((1 - phi * phi) * (1 - psi * psi));
-      raise(cell_of(g), out, weight * (sines - phi * psi));
+      const CellId behind = cell_of(triangulation_.mirror(f));
+      if (state_[behind] == settled) continue;
+      raise(behind, out, weight * contact_cosine(triangulation_, dual_, f));
     }
   }
 
@@ -216,6 +212,14 @@ double ball_cosine(const Triangulation& triangulation, const Dual& dual, FacetId
   const double cosine = dot(normal, unit(dual.centers[c] - p[0]));
   const bool apex_above = dot(normal, apex - p[0]) > 0;
   return std::clamp(apex_above ? cosine : -cosine, -1.0, 1.0);
+}
+
+double contact_cosine(const Triangulation& triangulation, const Dual& dual, FacetId f) {
+  // beta = pi - phi - psi: cos(beta) = -cos(phi + psi) = sin phi sin psi - cos phi cos psi
+  const double phi = ball_cosine(triangulation, dual, f);
+  const double psi = ball_cosine(triangulation, dual, triangulation.mirror(f));
+  const double sines = std::sqrt((1 - phi * phi) * (1 - psi * psi));
+  return sines - phi * psi;
 }
 
 ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,

@@ -28,6 +28,10 @@ namespace cocoon {
 // an infinite cell), -1 if it is one on the other side. O(1).
 double ball_cosine(const Triangulation& triangulation, const Dual& dual, FacetId f);
 
+// The cosine of the angle at which the balls of the two cells of a facet meet: 1 for equal balls, 0
+// if their surfaces cross at right angles, -1 if they touch. The same from both sides. O(1).
+double contact_cosine(const Triangulation& triangulation, const Dual& dual, FacetId f);
+
 // Evidence for a cell: weights of the strongest chains of rules that say OUT and IN.
 struct SideEvidence {
   float out = 0;

@@ -73,6 +73,24 @@ TEST(CleanUpCells, UndersampledModelsGetTheirOwnTopology) {
   }
 }
 
+// A drilled plate whose faces have no samples but those on the rims of the holes: as faces that run
+// over the holes, nobody would have sampled them there.
+TEST(CleanUpCells, HolesSampledAtTheirRimsOnlyAreOpen) {
+  const std::vector<Point> points = vertices_of_model("plate_holes.stl");
+  const ReconstructResult result = reconstruct_tight(points);
+  const MeshReport report = mesh_check(result.mesh);
+  EXPECT_TRUE(report.is_closed_manifold());
+  EXPECT_EQ(report.euler, -8);  // five holes
+  EXPECT_EQ(report.components, 1U);
+  EXPECT_EQ(result.unused_points, 0U);
+  EXPECT_EQ(result.counters.clean_up.clusters, 5U);
+  EXPECT_GT(result.counters.clean_up.idle_before, 100U);
+  EXPECT_EQ(result.counters.clean_up.idle_after, 0U);
+  ReconstructOptions filled;
+  filled.clean_up.idle_cost = 0;
+  EXPECT_EQ(mesh_check(reconstruct_tight(points, filled).mesh).euler, 2);
+}
+
 TEST(CleanUpCells, SameResultForEveryInputOrder) {
   const std::vector<Point> points = vertices_of_model("elephant.off");
   const ReconstructResult expected = reconstruct_tight(points);

@@ -1,0 +1,105 @@
+#include "cocone/cell_cluster.h"
+
+#include <algorithm>
+
+#include "cocone/side_evidence.h"
+
+namespace cocoon {
+namespace {
+
+class Cluster {
+ public:
+  Cluster(const Triangulation& triangulation, const Dual& dual,
+          const IdVector<CellId, std::uint8_t>& out, ZeroedArray<CellId, std::uint8_t>& state)
+      : triangulation_(triangulation), dual_(dual), out_(out), state_(state) {}
+
+  CellCluster run(CellId first, double deep_cosine) {
+    collect(first, deep_cosine);
+    find_samples();
+    const std::size_t core = cells_.size();
+    for (std::size_t k = 0; k < core; ++k) {
+      for (int i = 0; i < 4; ++i) take_if_enclosed(triangulation_.neighbor(cells_[k], i));
+    }
+    for (const CellId c : cells_) state_[c] = untouched;
+    for (const CellId c : left_) state_[c] = untouched;
+    return {std::move(cells_), core};
+  }
+
+ private:
+  enum State : std::uint8_t { untouched = 0, taken, left };
+
+  bool on_this_side(CellId c) const { return out_[c] == out_[cells_.front()]; }
+
+  void collect(CellId first, double deep_cosine) {
+    cells_.push_back(first);
+    state_[first] = taken;
+    for (std::size_t next = 0; next < cells_.size(); ++next) {
+      for (int i = 0; i < 4; ++i) {
+        const FacetId f = facet_id(cells_[next], i);
+        const CellId behind = cell_of(triangulation_.mirror(f));
+        if (state_[behind] == taken || triangulation_.is_infinite(behind)) continue;
+        if (!on_this_side(behind)) continue;
+        if (contact_cosine(triangulation_, dual_, f) < deep_cosine) continue;
+        state_[behind] = taken;
+        cells_.push_back(behind);
+      }
+    }
+  }
+
+  void find_samples() {
+    for (const CellId c : cells_) {
+      const auto& vertices = triangulation_.cell(c).vertices;
+      samples_.insert(samples_.end(), vertices.begin(), vertices.end());
+    }
+    std::sort(samples_.begin(), samples_.end());
+    samples_.erase(std::unique(samples_.begin(), samples_.end()), samples_.end());
+  }
+
+  // Infinite cells are not: infinity is no sample.
+  bool is_between_samples(CellId c) const {
+    const auto& vertices = triangulation_.cell(c).vertices;
+    return std::all_of(vertices.begin(), vertices.end(), [&](VertexId v) {
+      return std::binary_search(samples_.begin(), samples_.end(), v);
+    });
+  }
+
+  void take_if_enclosed(CellId first) {
+    if (state_[first] != untouched || !on_this_side(first) || !is_between_samples(first)) return;
+    std::vector<CellId> piece{first};
+    state_[first] = left;
+    bool enclosed = true;
+    for (std::size_t next = 0; next < piece.size(); ++next) {
+      for (int i = 0; i < 4; ++i) {
+        const CellId behind = triangulation_.neighbor(piece[next], i);
+        if (state_[behind] != untouched || !on_this_side(behind)) continue;
+        if (!is_between_samples(behind)) {
+          enclosed = false;
+          continue;
+        }
+        state_[behind] = left;
+        piece.push_back(behind);
+      }
+    }
+    std::vector<CellId>& home = enclosed ? cells_ : left_;
+    for (const CellId c : piece) state_[c] = enclosed ? taken : left;
+    home.insert(home.end(), piece.begin(), piece.end());
+  }
+
+  const Triangulation& triangulation_;
+  const Dual& dual_;
+  const IdVector<CellId, std::uint8_t>& out_;
+  ZeroedArray<CellId, std::uint8_t>& state_;
+  std::vector<CellId> cells_;
+  std::vector<CellId> left_;  // looked at in vain
+  std::vector<VertexId> samples_;
+};
+
+}  // namespace
+
+CellCluster cell_cluster(const Triangulation& triangulation, const Dual& dual,
+                         const IdVector<CellId, std::uint8_t>& out, CellId first,
+                         double deep_cosine, ZeroedArray<CellId, std::uint8_t>& scratch) {
+  return Cluster(triangulation, dual, out, scratch).run(first, deep_cosine);
+}
+
+}  // namespace cocoon

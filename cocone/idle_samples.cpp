@@ -1,0 +1,124 @@
+#include "cocone/idle_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "cocone/facet_size.h"
+#include "delaunay/circulate.h"
+
+namespace cocoon {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Of a facet, unoriented: the same bits from both sides. Its length is twice the area.
+Vec3 normal_of(const Triangulation& triangulation, FacetId f) {
+  const auto [a, b, c] = triangulation.facet_vertices(f);
+  std::array<Point, 3> p{triangulation.point(a), triangulation.point(b), triangulation.point(c)};
+  std::sort(p.begin(), p.end());
+  return cross(p[1] - p[0], p[2] - p[0]);
+}
+
+template <class Visit>
+void for_each_surface_facet_at(const Triangulation& triangulation, std::span<const CellId> star,
+                               const IdVector<CellId, std::uint8_t>& out, VertexId v, Visit visit) {
+  for (const CellId c : star) {
+    if (out[c] != 0) continue;
+    const int opposite = index_of_vertex(triangulation.cell(c), v);
+    for (int i = 0; i < 4; ++i) {
+      if (i != opposite && out[triangulation.neighbor(c, i)] != 0) visit(facet_id(c, i));
+    }
+  }
+}
+
+// The two nearest of the vertices it is told, each of which may come several times.
+class TwoNearest {
+ public:
+  void add(VertexId w, double distance) {
+    if (w == first_ || w == second_ || !(distance < second_distance_)) return;
+    second_ = w;
+    second_distance_ = distance;
+    if (second_distance_ < first_distance_) {
+      std::swap(first_, second_);
+      std::swap(first_distance_, second_distance_);
+    }
+  }
+  double second() const { return second_distance_; }
+
+ private:
+  VertexId first_;
+  VertexId second_;
+  double first_distance_ = infinity;
+  double second_distance_ = infinity;
+};
+
+}  // namespace
+
+bool is_idle(const Triangulation& triangulation, std::span<const CellId> star,
+             const IdVector<CellId, std::uint8_t>& out, VertexId v, const IdleOptions& options) {
+  // The plane is that of the largest facet.
+  Vec3 plane;
+  double largest = 0;
+  for_each_surface_facet_at(triangulation, star, out, v, [&](FacetId f) {
+    const Vec3 normal = normal_of(triangulation, f);
+    const double area = squared_norm(normal);
+    if (area < largest || (area == largest && !(plane < normal))) return;
+    largest = area;
+    plane = normal;
+  });
+  if (largest == 0) return false;  // not on the surface
+  plane = unit(plane);
+  bool flat = true;
+  double narrowest = infinity;
+  TwoNearest nearest;
+  const Point& p = triangulation.point(v);
+  for_each_surface_facet_at(triangulation, star, out, v, [&](FacetId f) {
+    if (!flat) return;
+    const double cosine = dot(unit(normal_of(triangulation, f)), plane);
+    flat = std::abs(cosine) >= options.flat_cosine;
+    narrowest = std::min(narrowest, size_of_facet(triangulation, f).squared_circumradius);
+    for (const VertexId w : triangulation.facet_vertices(f)) {
+      if (w != v) nearest.add(w, squared_norm(triangulation.point(w) - p));
+    }
+  });
+  return flat && narrowest >= options.ratio * options.ratio * nearest.second();
+}
+
+std::vector<VertexId> unevenly_sampled(const Triangulation& triangulation,
+                                       const IdVector<CellId, std::uint8_t>& out,
+                                       const IdleOptions& options) {
+  struct Shape {
+    double narrowest = infinity;  // squared, as the nearest
+    double nearest = infinity;
+  };
+  IdVector<VertexId, Shape> shapes(triangulation.num_vertices());
+  for (const CellId c : triangulation.finite_cells()) {
+    if (out[c] != 0) continue;
+    for (int i = 0; i < 4; ++i) {
+      if (out[triangulation.neighbor(c, i)] == 0) continue;
+      const FacetId f = facet_id(c, i);
+      const double width = size_of_facet(triangulation, f).squared_circumradius;
+      const std::array<VertexId, 3> corners = triangulation.facet_vertices(f);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexId a = corners[k];
+        const VertexId b = corners[k == 2 ? 0 : k + 1];
+        const double length = squared_norm(triangulation.point(a) - triangulation.point(b));
+        shapes[a].nearest = std::min(shapes[a].nearest, length);
+        shapes[b].nearest = std::min(shapes[b].nearest, length);
+        shapes[a].narrowest = std::min(shapes[a].narrowest, width);
+      }
+    }
+  }
+  std::vector<VertexId> uneven;
+  for (const VertexId v : triangulation.vertices()) {
+    const Shape& s = shapes[v];
+    if (s.nearest < infinity && s.narrowest >= options.ratio * options.ratio * s.nearest) {
+      uneven.push_back(v);
+    }
+  }
+  return uneven;
+}
+
+}  // namespace cocoon
