@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "geom/mesh_check.h"
@@ -63,7 +63,10 @@ class WantedFacets {
   std::vector<std::size_t> begins_;
 };
 
-bool same_bits(const Point& a, const Point& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(const Point& a, const Point& b) {
+  using Bits = std::array<std::uint64_t, 3>;
+  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
 
 std::size_t count_moved(const Triangulation& triangulation, const SurfaceMesh& surface,
                         Points points, double scale) {
