@@ -99,6 +99,15 @@ class Reconstruction {
     count_surface();
   }
 
+  // All that follows the triangulation.
+  ReconstructResult tight_result(std::span<const KnownTriangle> known) {
+    find_poles();
+    build_surface();
+    close_surface(known);
+    verify(true);
+    return take_result();
+  }
+
   // What find_poles() and build_surface() do, but for what is known.
   void extract_from(KnownCandidates candidates) {
     run_stage(execution_, "poles",
@@ -255,11 +264,7 @@ ReconstructResult reconstruct_tight_again(Points points, std::span<const KnownTr
                                           const Execution& execution) {
   Reconstruction reconstruction(points, options, execution);
   reconstruction.triangulate();
-  reconstruction.find_poles();
-  reconstruction.build_surface();
-  reconstruction.close_surface(known);
-  reconstruction.verify(true);
-  return reconstruction.take_result();
+  return reconstruction.tight_result(known);
 }
 
 ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
@@ -268,11 +273,7 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
                                           const Execution& execution) {
   Reconstruction reconstruction(points, options, execution);
   reconstruction.take(std::move(triangulation));
-  reconstruction.find_poles();
-  reconstruction.build_surface();
-  reconstruction.close_surface(known);
-  reconstruction.verify(true);
-  return reconstruction.take_result();
+  return reconstruction.tight_result(known);
 }
 
 ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
@@ -282,11 +283,7 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
   Reconstruction reconstruction(points, options, execution);
   reconstruction.keep_stages(stages);
   reconstruction.take(std::move(triangulation));
-  reconstruction.find_poles();
-  reconstruction.build_surface();
-  reconstruction.close_surface(known);
-  reconstruction.verify(true);
-  return reconstruction.take_result();
+  return reconstruction.tight_result(known);
 }
 
 ReconstructResult reconstruct_tight_from(Triangulation triangulation, KnownCandidates candidates,

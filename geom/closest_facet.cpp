@@ -13,14 +13,10 @@ namespace {
 bool less(const Point& a, const Point& b) { return (a <=> b) < 0; }
 
 std::array<Point, 3> sorted_corners(const TriangleMesh& mesh, TriangleId t) {
+  require_valid_triangle(mesh, t);
   std::array<Point, 3> corners;
   for (std::size_t i = 0; i < 3; ++i) {
     const VertexId v = mesh.triangles[t][i];
-    if (v.index() >= mesh.points.size()) {
-      throw InputError("triangle " + std::to_string(t.value) + " names vertex " +
-                       std::to_string(v.value) + " of a mesh with " +
-                       std::to_string(mesh.points.size()) + " vertices; repair its indices");
-    }
     if (!is_finite(mesh.points[v])) {
       throw InputError("vertex " + std::to_string(v.value) +
                        " has a coordinate that is not finite; remove it from the mesh");

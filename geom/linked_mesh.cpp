@@ -2,28 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
-#include <string>
 
-#include "geom/errors.h"
 #include "geom/spatial_order.h"
 
 namespace cocoon {
 namespace {
-
-void require_valid(const TriangleMesh& mesh) {
-  if (mesh.triangles.size() > TriangleId::none_value / 3) {
-    throw InputError("mesh has " + std::to_string(mesh.triangles.size()) +
-                     " triangles, more than 32-bit ids can name; split it");
-  }
-  for (const TriangleId t : mesh.triangles.ids()) {
-    for (const VertexId v : mesh.triangles[t]) {
-      if (v.index() < mesh.points.size()) continue;
-      throw InputError("triangle " + std::to_string(t.value) + " names vertex " +
-                       std::to_string(v.value) + " of a mesh with " +
-                       std::to_string(mesh.points.size()) + " vertices; repair its indices");
-    }
-  }
-}
 
 bool repeats_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
@@ -90,7 +73,7 @@ void list_corners(LinkedMesh& linked) {
 }  // namespace
 
 LinkedMesh link_mesh(const TriangleMesh& mesh, const Execution& execution) {
-  require_valid(mesh);
+  require_valid_triangles(mesh);
   LinkedMesh linked;
   copy_triangles(mesh, copy_points(mesh, linked, execution), linked);
   linked.links = side_links(linked.triangles, linked.points.size(), execution);

@@ -2,29 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
 
-#include "geom/errors.h"
 #include "geom/side_links.h"
 
 namespace cocoon {
 namespace {
-
-void require_valid(const TriangleMesh& mesh) {
-  if (mesh.triangles.size() > HalfedgeId::none_value / 3) {
-    throw InputError("mesh has " + std::to_string(mesh.triangles.size()) +
-                     " triangles, more than 32-bit ids can name; split it");
-  }
-  for (const TriangleId t : mesh.triangles.ids()) {
-    for (const VertexId v : mesh.triangles[t]) {
-      if (v.index() >= mesh.points.size()) {
-        throw InputError("triangle " + std::to_string(t.value) + " names vertex " +
-                         std::to_string(v.value) + " of a mesh with " +
-                         std::to_string(mesh.points.size()) + " vertices; repair its indices");
-      }
-    }
-  }
-}
 
 // A corner listed after an equal one of the same triangle: the triangle is already in the list.
 bool repeats_earlier_corner(const Triangle& triangle, std::size_t corner) {
@@ -153,7 +135,7 @@ EdgeId MeshAdjacency::edge_between(VertexId a, VertexId b) const {
 }
 
 MeshAdjacency mesh_adjacency(const TriangleMesh& mesh) {
-  require_valid(mesh);
+  require_valid_triangles(mesh);
   MeshAdjacency adjacency;
   adjacency.neighbors.resize(mesh.triangles.size());
   list_triangles_at_vertices(mesh, adjacency);
@@ -163,7 +145,7 @@ MeshAdjacency mesh_adjacency(const TriangleMesh& mesh) {
 }
 
 MeshAdjacency mesh_neighbors(const TriangleMesh& mesh) {
-  require_valid(mesh);
+  require_valid_triangles(mesh);
   if (std::any_of(mesh.triangles.begin(), mesh.triangles.end(), repeats_a_vertex)) {
     return mesh_adjacency(mesh);
   }

@@ -3,10 +3,30 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "geom/errors.h"
+
 namespace cocoon {
+
+void require_valid_triangle(const TriangleMesh& mesh, TriangleId triangle) {
+  for (const VertexId v : mesh.triangles[triangle]) {
+    if (v.index() < mesh.points.size()) continue;
+    throw InputError("triangle " + std::to_string(triangle.value) + " names vertex " +
+                     std::to_string(v.value) + " of a mesh with " +
+                     std::to_string(mesh.points.size()) + " vertices; repair its indices");
+  }
+}
+
+void require_valid_triangles(const TriangleMesh& mesh) {
+  if (mesh.triangles.size() > TriangleId::none_value / 3) {
+    throw InputError("mesh has " + std::to_string(mesh.triangles.size()) +
+                     " triangles, more than 32-bit ids can name; split it");
+  }
+  for (const TriangleId t : mesh.triangles.ids()) require_valid_triangle(mesh, t);
+}
 
 void canonicalize_triangles(TriangleMesh& mesh) {
   for (Triangle& triangle : mesh.triangles) {

@@ -19,6 +19,13 @@ struct TriangleMesh {
   friend bool operator==(const TriangleMesh&, const TriangleMesh&) = default;
 };
 
+// Throws InputError if the triangle names a vertex that is not there. Complexity: O(1).
+void require_valid_triangle(const TriangleMesh& mesh, TriangleId triangle);
+
+// Throws InputError if a triangle names a vertex that is not there, or if there are more triangles
+// than 32-bit ids can name the edges of (2^32 / 3). Complexity: O(t).
+void require_valid_triangles(const TriangleMesh& mesh);
+
 // Rotates every triangle so that its smallest vertex id comes first, then sorts the triangles:
 // equal surfaces become equal arrays. Orientation is kept.
 // Precondition: triangles name vertices that are there. Complexity: O(t + v) for bounded valence.
