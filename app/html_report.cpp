@@ -149,6 +149,13 @@ void add_layers_and_stages(const ReportPage& page, JsonReport& data) {
   }
 }
 
+void add_view(const PageView& view, JsonReport& data) {
+  JsonReport entry;
+  entry.set("azimuth_deg", view.azimuth_deg);
+  entry.set("elevation_deg", view.elevation_deg);
+  data.set("view", entry);
+}
+
 JsonReport table_data(const PageTable& table) {
   JsonReport data;
   data.set("title", table.title);
@@ -177,6 +184,7 @@ std::string html_page(const ReportPage& page, const JsonReport& numbers) {
   data.set("title", page.title);
   data.set("subtitle", page.subtitle);
   data.set("verdicts", page.verdicts);
+  add_view(page.view, data);
   add_points(page.points, data);
   add_geometries(page, data);
   add_layers_and_stages(page, data);

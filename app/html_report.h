@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/json_report.h"
+#include "app/page_view.h"
 #include "geom/point.h"
 
 namespace cocoon::app {
@@ -82,6 +83,7 @@ struct ReportPage {
   std::string title;
   std::string subtitle;
   std::vector<std::string> verdicts;  // a few words each, shown under the title: "closed"
+  PageView view;
   PagePoints points;
   std::vector<PageGeometry> geometries;
   std::vector<PageLayer> layers;

@@ -33,6 +33,10 @@ constexpr std::uint32_t overlapping_label = 0;
 constexpr std::uint32_t traced_label = 1;
 constexpr std::uint32_t first_group_label = 2;
 
+// Labels of triangles of the updated model.
+constexpr std::uint32_t kept_only_label = 0;
+constexpr std::uint32_t new_label = 1;
+
 // One line each.
 constexpr const char* papers[] = {
     "Woo & Dey: Updating 3D triangular mesh models based on locally added point clouds, 2005",
@@ -61,6 +65,7 @@ class SceneBuilder {
     for (std::size_t c = 0; c < record_.clouds.size(); ++c) add_cloud(c);
     add_updated();
     add_stages();
+    look_at_the_change();
   }
 
  private:
@@ -249,13 +254,28 @@ class SceneBuilder {
         geometry.indices.push_back(static_cast<std::uint32_t>(first + index));
         all_kept = all_kept && input == 0;
       }
-      geometry.labels.of_element.push_back(all_kept ? 0U : 1U);
+      geometry.labels.of_element.push_back(all_kept ? kept_only_label : new_label);
     }
     page_.geometries.push_back(std::move(geometry));
-    add_layer({"updated-old", "updated model: kept", "updated", model_color, {0}, "", 1});
-    add_layer({"updated-new", "updated model: new", "updated", new_color, {1}, "", 1});
+    add_layer(
+        {"updated-old", "updated model: kept", "updated", model_color, {kept_only_label}, "", 1});
+    add_layer({"updated-new", "updated model: new", "updated", new_color, {new_label}, "", 1});
     add_layer(
         {"deviation", "updated model: deviation", "updated", model_color, {}, "deviation", 1});
+  }
+
+  // Towards the new triangles of the updated model, which add_updated() labeled.
+  void look_at_the_change() {
+    const PageGeometry& updated = page_.geometries.back();
+    std::vector<std::array<Point, 3>> changed;
+    for (std::size_t t = 0; t < updated.labels.of_element.size(); ++t) {
+      if (updated.labels.of_element[t] == kept_only_label) continue;
+      const auto corner = [&](std::size_t k) {
+        return page_.points.positions[updated.indices[3 * t + k]];
+      };
+      changed.push_back({corner(0), corner(1), corner(2)});
+    }
+    page_.view = view_towards(changed);
   }
 
   // Adds a stage that shows the layers whose ids begin with one of the given names; with '$' at

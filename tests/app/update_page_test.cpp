@@ -9,9 +9,10 @@
 namespace cocoon::app {
 namespace {
 
-// A sphere, and a cap of a larger one around its pole, whose rim lies on it.
+// A sphere, and a cap of a larger one around a pole, whose rim lies on it: the upper one or, for
+// `pole` -1, the lower one.
 struct UpdatedSphere {
-  UpdatedSphere() {
+  explicit UpdatedSphere(double pole = 1) {
     const double angle = 2.399963229728653;  // of the sunflower
     const int count = 4000;
     clouds.emplace_back();
@@ -20,7 +21,7 @@ struct UpdatedSphere {
       if (z < 0.7) break;
       const double r = std::sqrt(1 - z * z);
       const double lift = std::max(0.0, 0.5 * (z - 0.8));
-      clouds[0].push_back({r * std::cos(angle * i), r * std::sin(angle * i), z + lift});
+      clouds[0].push_back({r * std::cos(angle * i), r * std::sin(angle * i), pole * (z + lift)});
     }
     result = update_model(model, clouds);
     certificate = mesh_check(result.mesh);
@@ -95,6 +96,11 @@ TEST(UpdatePage, DeviationIsPositiveOutsideTheOldModel) {
   const std::size_t top = sphere.model.points.size();  // the first point of the cloud is its pole
   EXPECT_NEAR(values[top], 0.1, 0.02);
   EXPECT_EQ(values[0], 0);
+}
+
+TEST(UpdatePage, LooksAtTheChange) {
+  EXPECT_GT(UpdatedSphere(1).page().view.elevation_deg, 0);
+  EXPECT_LT(UpdatedSphere(-1).page().view.elevation_deg, 0);
 }
 
 // Vertices that are no input points, as --manifold adds them.

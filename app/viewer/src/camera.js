@@ -1,8 +1,8 @@
 // One camera for all panes: a turntable with z upward. Its distance is kept relative to the one at
-// which the whole scene fits a pane, so that panes of any shape frame it alike.
+// which the whole scene fits a pane, so that panes of any shape frame it alike. It looks at first, and
+// after reset(), as `view` says: {azimuth_deg, elevation_deg} of where the viewer stands.
 import {MathUtils, PerspectiveCamera, Vector3} from "three";
 
-const homeAzimuth = -Math.PI / 3, homeElevation = Math.PI / 6.5;
 const margin = 1.06;
 
 function axesOf(azimuth, elevation) {
@@ -13,7 +13,9 @@ function axesOf(azimuth, elevation) {
 }
 
 export class Turntable {
-  constructor(box) {
+  constructor(box, view) {
+    this.homeAzimuth = MathUtils.degToRad(view.azimuth_deg);
+    this.homeElevation = MathUtils.degToRad(view.elevation_deg);
     this.home = box.getCenter(new Vector3());
     this.radius = Math.max(1e-30, box.getSize(new Vector3()).length() / 2);
     this.corners = [];
@@ -28,8 +30,8 @@ export class Turntable {
 
   reset() {
     this.center = this.home.clone();
-    this.azimuth = homeAzimuth;
-    this.elevation = homeElevation;
+    this.azimuth = this.homeAzimuth;
+    this.elevation = this.homeElevation;
     this.zoomed = 1;
   }
 
@@ -60,7 +62,7 @@ export class Turntable {
   // At this distance all corners of the home view are inside a pane of this shape.
   fittingDistance(aspect) {
     const tangent = Math.tan(MathUtils.degToRad(this.camera.fov / 2));
-    const home = axesOf(homeAzimuth, homeElevation);
+    const home = axesOf(this.homeAzimuth, this.homeElevation);
     let distance = 0;
     for (const corner of this.corners) {
       const across = Math.max(Math.abs(corner.dot(home.right)) / aspect, Math.abs(corner.dot(home.up)));

@@ -1,5 +1,6 @@
 // What C++ wrote (app/html_report.cpp), unpacked:
 //
+// view:       {azimuth_deg, elevation_deg}: where the viewer stands at first
 // points:     {positions: Float32Array x,y,z relative to `origin`, parts: [{name, first, count}],
 //              texts, labels: Uint32Array, fields: [{name, values: Float32Array}]}
 // geometries: [{id, name, kind: triangles | lines | points, indices: Uint32Array, texts, labels}]

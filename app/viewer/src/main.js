@@ -19,7 +19,7 @@ class Page {
   constructor(report) {
     this.report = report;
     this.scene = new ReportScene(report);
-    this.turntable = new Turntable(this.scene.box);
+    this.turntable = new Turntable(this.scene.box, report.view);
     this.panes = new Panes(report, this.scene, this.turntable, i => this.toggleSingle(i));
     this.fillStages();
     this.fillLayers();
