@@ -1,8 +1,8 @@
 #include "delaunay/cell_pool.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "geom/errors.h"
@@ -10,48 +10,89 @@
 namespace cocoon {
 namespace {
 
-void point_neighbors_at(CellPool& pool, CellId c) {
-  const Cell& cell = pool.cells[c];
-  for (int i = 0; i < 4; ++i) {
-    const FacetId behind = cell.neighbors[static_cast<std::size_t>(i)];
-    pool.cells[cell_of(behind)].neighbors[static_cast<std::size_t>(index_of(behind))] =
-        facet_id(c, i);
-  }
-}
+constexpr std::size_t grain = std::size_t{1} << 14;
 
-// Swaps the records of two cells, which may be neighbors of each other; `b` must not be free.
-void swap_cells(CellPool& pool, CellId a, CellId b) {
-  const bool a_is_free = pool.is_free(a);
-  std::swap(pool.cells[a], pool.cells[b]);
-  // A neighbor relation between the two now names the wrong one of them on both sides.
-  const auto exchange = [&](CellId c) {
-    for (FacetId& neighbor : pool.cells[c].neighbors) {
-      const CellId cell = cell_of(neighbor);
-      if (cell == a) {
-        neighbor = facet_id(b, index_of(neighbor));
-      } else if (cell == b) {
-        neighbor = facet_id(a, index_of(neighbor));
+// The cells that are not finite, in increasing order.
+struct Exceptions {
+  std::vector<CellId> infinite;
+  std::vector<CellId> free;
+};
+
+Exceptions exceptions_of(const CellPool& pool, const Execution& execution) {
+  std::vector<Exceptions> parts((pool.cells.size() + grain - 1) / grain);
+  parallel_chunks(execution, pool.cells.size(), grain, [&](std::size_t begin, std::size_t end) {
+    Exceptions& part = parts[begin / grain];
+    for (std::size_t c = begin; c < end; ++c) {
+      if (pool.is_free(CellId(c))) {
+        part.free.push_back(CellId(c));
+      } else if (pool.is_infinite(CellId(c))) {
+        part.infinite.push_back(CellId(c));
       }
     }
-  };
-  exchange(a);
-  if (!a_is_free) exchange(b);
-  point_neighbors_at(pool, a);
-  if (!a_is_free) point_neighbors_at(pool, b);
+  });
+  Exceptions all;
+  for (const Exceptions& part : parts) {
+    all.infinite.insert(all.infinite.end(), part.infinite.begin(), part.infinite.end());
+    all.free.insert(all.free.end(), part.free.begin(), part.free.end());
+  }
+  return all;
 }
 
-// The infinite cells in increasing order.
-std::vector<CellId> infinite_cells(const CellPool& pool, const Execution& execution) {
-  constexpr std::size_t grain = std::size_t{1} << 16;
-  std::vector<std::vector<CellId>> found(pool.cells.size() / grain + 1);
-  parallel_chunks(execution, pool.cells.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      if (pool.is_infinite(CellId(c))) found[begin / grain].push_back(CellId(c));
+// A cell that is to go to a place that is free, or from which another one goes.
+struct Move {
+  CellId from, to;
+};
+
+// What must move for `finite` finite cells to come first and the infinite ones next, nothing free
+// between them.
+std::vector<Move> moves_into_order(const CellPool& pool, const Exceptions& exceptions,
+                                   std::size_t finite) {
+  const std::size_t live = finite + exceptions.infinite.size();
+  // Finite cells behind their part go where there is none, infinite ones likewise.
+  std::vector<CellId> holes;
+  for (const std::vector<CellId>* list : {&exceptions.infinite, &exceptions.free}) {
+    holes.insert(holes.end(), list->begin(),
+                 std::lower_bound(list->begin(), list->end(), CellId(finite)));
+  }
+  std::sort(holes.begin(), holes.end());
+  std::vector<Move> moves;
+  std::vector<CellId> infinite_holes;
+  for (std::size_t c = finite; c < pool.cells.size(); ++c) {
+    const CellId here(c);
+    const bool is_free = pool.is_free(here);
+    const bool is_infinite = !is_free && pool.is_infinite(here);
+    if (!is_free && !is_infinite) moves.push_back({here, holes[moves.size()]});
+    if (!is_infinite && c < live) infinite_holes.push_back(here);
+  }
+  auto next_hole = infinite_holes.begin();
+  for (const CellId c : exceptions.infinite) {
+    if (c.index() < finite || c.index() >= live) moves.push_back({c, *next_hole++});
+  }
+  return moves;
+}
+
+void move_cells(CellPool& pool, std::span<const Move> moves, const Execution& execution) {
+  std::vector<Cell> records(moves.size());
+  const auto for_each_move = [&](auto visit) {
+    parallel_chunks(execution, moves.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t m = begin; m < end; ++m) visit(m);
+    });
+  };
+  const auto read_records = [&] {
+    for_each_move([&](std::size_t m) { records[m] = pool.cells[moves[m].from]; });
+  };
+  // Tell the neighbors the new numbers: what a facet is called behind it is written by its cell
+  // alone. Then move what cells that move were told as well.
+  read_records();
+  for_each_move([&](std::size_t m) {
+    for (int i = 0; i < 4; ++i) {
+      const FacetId behind = records[m].neighbors[static_cast<std::size_t>(i)];
+      pool.cells[cell_of(behind)].neighbors[static_cast<std::size_t>(index_of(behind))] =
+          facet_id(moves[m].to, i);
     }
   });
-  std::vector<CellId> all;
-  for (const std::vector<CellId>& part : found) all.insert(all.end(), part.begin(), part.end());
-  return all;
+  read_records();
+  for_each_move([&](std::size_t m) { pool.cells[moves[m].to] = records[m]; });
 }
 
 }  // namespace
@@ -63,27 +104,14 @@ void require_cell_numbers(std::size_t count) {
 }
 
 std::size_t compact_cells(CellPool& pool, const Execution& execution) {
-  // Free cells to the end: fill each hole with the last live cell.
-  std::sort(pool.free.begin(), pool.free.end());
-  std::size_t live = pool.cells.size();
-  for (const CellId hole : pool.free) {
-    while (live > hole.index() && pool.is_free(CellId(live - 1))) --live;
-    if (live <= hole.index()) break;
-    swap_cells(pool, hole, CellId(--live));
-  }
+  const Exceptions exceptions = exceptions_of(pool, execution);
+  const std::size_t live = pool.cells.size() - exceptions.free.size();
+  const std::size_t finite = live - exceptions.infinite.size();
+  move_cells(pool, moves_into_order(pool, exceptions, finite), execution);
   pool.cells.resize(live);
   pool.marks.resize(live);
   pool.free.clear();
-
-  // Infinite cells behind the finite ones: exchange the first infinite with the last finite one.
-  const std::vector<CellId> infinite = infinite_cells(pool, execution);
-  std::size_t back = live;
-  for (const CellId front : infinite) {
-    while (back > front.index() && pool.is_infinite(CellId(back - 1))) --back;
-    if (back <= front.index()) break;
-    swap_cells(pool, front, CellId(--back));
-  }
-  return live - infinite.size();
+  return finite;
 }
 
 }  // namespace cocoon

@@ -39,7 +39,7 @@ void require_cell_numbers(std::size_t count);
 
 // Drops the free cells and moves the infinite ones behind the finite ones. Cells on the right side
 // already keep their numbers. Returns the number of finite cells. Complexity: O(cells) to look at
-// them, on thread_count(execution) threads, and O(moved cells); O(free + infinite cells) of memory.
+// them and O(moved cells), on thread_count(execution) threads; O(free + infinite cells) of memory.
 std::size_t compact_cells(CellPool& pool, const Execution& execution = {});
 
 }  // namespace cocoon

@@ -164,7 +164,7 @@ DelaunayResult delaunay(Points points, const DelaunayOptions& options, const Exe
   report_progress(execution, "delaunay", 1);
   return {Triangulation(
               {std::move(vertices.points), std::move(pool.cells), std::move(vertices.of_point)},
-              finite_cells),
+              finite_cells, execution),
           counters};
 }
 

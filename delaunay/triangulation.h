@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/point.h"
@@ -62,8 +63,10 @@ class Triangulation {
   Triangulation() = default;
 
   // Takes over the arrays of a builder. Precondition (asserted by check_delaunay, not here): the
-  // layout above; the first `finite_cells` cells are finite, the rest infinite.
-  Triangulation(TriangulationArrays arrays, std::size_t finite_cells);
+  // layout above; the first `finite_cells` cells are finite, the rest infinite; each vertex is that
+  // of some input point. Complexity: O(input points), on the threads if no two of them are equal.
+  Triangulation(TriangulationArrays arrays, std::size_t finite_cells,
+                const Execution& execution = {});
   // Gives the arrays back, for code that rearranges them.
   TriangulationArrays release() && { return std::move(arrays_); }
 
