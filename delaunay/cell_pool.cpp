@@ -1,8 +1,10 @@
 #include "delaunay/cell_pool.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geom/errors.h"
@@ -11,88 +13,90 @@ namespace cocoon {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 14;
+constexpr std::size_t ahead = 8;  // records lie anywhere in memory: fetch those that come soon
 
-// The cells that are not finite, in increasing order.
-struct Exceptions {
-  std::vector<CellId> infinite;
-  std::vector<CellId> free;
+// Two places whose records are to change: `b` holds a live cell, `a` any.
+struct Exchange {
+  CellId a, b;
 };
 
-Exceptions exceptions_of(const CellPool& pool, const Execution& execution) {
-  std::vector<Exceptions> parts((pool.cells.size() + grain - 1) / grain);
-  parallel_chunks(execution, pool.cells.size(), grain, [&](std::size_t begin, std::size_t end) {
-    Exceptions& part = parts[begin / grain];
-    for (std::size_t c = begin; c < end; ++c) {
-      if (pool.is_free(CellId(c))) {
-        part.free.push_back(CellId(c));
-      } else if (pool.is_infinite(CellId(c))) {
-        part.infinite.push_back(CellId(c));
-      }
-    }
-  });
-  Exceptions all;
-  for (const Exceptions& part : parts) {
-    all.infinite.insert(all.infinite.end(), part.infinite.begin(), part.infinite.end());
-    all.free.insert(all.free.end(), part.free.begin(), part.free.end());
-  }
-  return all;
-}
-
-// A cell that is to go to a place that is free, or from which another one goes.
-struct Move {
-  CellId from, to;
-};
-
-// What must move for `finite` finite cells to come first and the infinite ones next, nothing free
-// between them.
-std::vector<Move> moves_into_order(const CellPool& pool, const Exceptions& exceptions,
-                                   std::size_t finite) {
-  const std::size_t live = finite + exceptions.infinite.size();
-  // Finite cells behind their part go where there is none, infinite ones likewise.
-  std::vector<CellId> holes;
-  for (const std::vector<CellId>* list : {&exceptions.infinite, &exceptions.free}) {
-    holes.insert(holes.end(), list->begin(),
-                 std::lower_bound(list->begin(), list->end(), CellId(finite)));
-  }
-  std::sort(holes.begin(), holes.end());
-  std::vector<Move> moves;
-  std::vector<CellId> infinite_holes;
-  for (std::size_t c = finite; c < pool.cells.size(); ++c) {
-    const CellId here(c);
-    const bool is_free = pool.is_free(here);
-    const bool is_infinite = !is_free && pool.is_infinite(here);
-    if (!is_free && !is_infinite) moves.push_back({here, holes[moves.size()]});
-    if (!is_infinite && c < live) infinite_holes.push_back(here);
-  }
-  auto next_hole = infinite_holes.begin();
-  for (const CellId c : exceptions.infinite) {
-    if (c.index() < finite || c.index() >= live) moves.push_back({c, *next_hole++});
-  }
-  return moves;
-}
-
-void move_cells(CellPool& pool, std::span<const Move> moves, const Execution& execution) {
-  std::vector<Cell> records(moves.size());
-  const auto for_each_move = [&](auto visit) {
-    parallel_chunks(execution, moves.size(), grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t m = begin; m < end; ++m) visit(m);
+// No place occurs twice.
+void exchange_cells(CellPool& pool, std::span<const Exchange> exchanges,
+                    const Execution& execution) {
+  const auto for_each = [&](auto visit) {
+    parallel_chunks(execution, exchanges.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) visit(k);
     });
   };
-  const auto read_records = [&] {
-    for_each_move([&](std::size_t m) { records[m] = pool.cells[moves[m].from]; });
+  const auto fetch_soon = [&](std::size_t k) {
+    if (k + ahead >= exchanges.size()) return;
+    __builtin_prefetch(&pool.cells[exchanges[k + ahead].a]);
+    __builtin_prefetch(&pool.cells[exchanges[k + ahead].b]);
   };
-  // Tell the neighbors the new numbers: what a facet is called behind it is written by its cell
-  // alone. Then move what cells that move were told as well.
-  read_records();
-  for_each_move([&](std::size_t m) {
+  using Neighbors = std::array<FacetId, 4>;
+  struct NeighborsOfBoth {
+    Neighbors a, b;
+    bool a_is_free;
+  };
+  std::vector<NeighborsOfBoth, OverwriteAllocator<NeighborsOfBoth>> around(exchanges.size());
+  for_each([&](std::size_t k) {
+    fetch_soon(k);
+    const auto [a, b] = exchanges[k];
+    around[k] = {pool.cells[a].neighbors, pool.cells[b].neighbors, pool.is_free(a)};
+  });
+  // What a facet is called behind it is written by its own cell alone.
+  const auto record_behind = [&](FacetId facet) -> Cell& { return pool.cells[cell_of(facet)]; };
+  const auto tell = [&](const Neighbors& neighbors, CellId new_number) {
     for (int i = 0; i < 4; ++i) {
-      const FacetId behind = records[m].neighbors[static_cast<std::size_t>(i)];
-      pool.cells[cell_of(behind)].neighbors[static_cast<std::size_t>(index_of(behind))] =
-          facet_id(moves[m].to, i);
+      const FacetId behind = neighbors[static_cast<std::size_t>(i)];
+      record_behind(behind).neighbors[static_cast<std::size_t>(index_of(behind))] =
+          facet_id(new_number, i);
+    }
+  };
+  for_each([&](std::size_t k) {
+    if (k + ahead < exchanges.size()) {
+      const NeighborsOfBoth& soon = around[k + ahead];
+      for (const FacetId f : soon.b) __builtin_prefetch(&record_behind(f));
+      if (!soon.a_is_free) {
+        for (const FacetId f : soon.a) __builtin_prefetch(&record_behind(f));
+      }
+    }
+    if (!around[k].a_is_free) tell(around[k].a, exchanges[k].b);
+    tell(around[k].b, exchanges[k].a);
+  });
+  for_each([&](std::size_t k) {
+    fetch_soon(k);
+    std::swap(pool.cells[exchanges[k].a], pool.cells[exchanges[k].b]);
+  });
+}
+
+// Fills the holes with the last live cells.
+void drop_free_cells(CellPool& pool, const Execution& execution) {
+  std::sort(pool.free.begin(), pool.free.end());
+  std::vector<Exchange> exchanges;
+  std::size_t live = pool.cells.size();
+  for (const CellId hole : pool.free) {
+    while (live > hole.index() && pool.is_free(CellId(live - 1))) --live;
+    if (live <= hole.index()) break;
+    exchanges.push_back({hole, CellId(--live)});
+  }
+  exchange_cells(pool, exchanges, execution);
+  pool.cells.resize(live);
+  pool.marks.resize(live);
+  pool.free.clear();
+}
+
+// The infinite cells in increasing order.
+std::vector<CellId> infinite_cells(const CellPool& pool, const Execution& execution) {
+  std::vector<std::vector<CellId>> found(pool.cells.size() / grain + 1);
+  parallel_chunks(execution, pool.cells.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      if (pool.is_infinite(CellId(c))) found[begin / grain].push_back(CellId(c));
     }
   });
-  read_records();
-  for_each_move([&](std::size_t m) { pool.cells[moves[m].to] = records[m]; });
+  std::vector<CellId> all;
+  for (const std::vector<CellId>& part : found) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 }  // namespace
@@ -104,14 +108,25 @@ void require_cell_numbers(std::size_t count) {
 }
 
 std::size_t compact_cells(CellPool& pool, const Execution& execution) {
-  const Exceptions exceptions = exceptions_of(pool, execution);
-  const std::size_t live = pool.cells.size() - exceptions.free.size();
-  const std::size_t finite = live - exceptions.infinite.size();
-  move_cells(pool, moves_into_order(pool, exceptions, finite), execution);
-  pool.cells.resize(live);
-  pool.marks.resize(live);
-  pool.free.clear();
-  return finite;
+  drop_free_cells(pool, execution);
+  // Exchange the infinite cells before the place where they are to begin with the finite ones
+  // behind it.
+  const std::vector<CellId> infinite = infinite_cells(pool, execution);
+  const CellId end_of_finite(pool.cells.size() - infinite.size());
+  const auto behind = std::lower_bound(infinite.begin(), infinite.end(), end_of_finite);
+  const auto num_before = static_cast<std::size_t>(behind - infinite.begin());
+  std::vector<Exchange> exchanges;
+  exchanges.reserve(num_before);
+  CellId place = end_of_finite;
+  for (auto skipped = behind; exchanges.size() < num_before; ++place) {
+    if (skipped != infinite.end() && *skipped == place) {
+      ++skipped;
+    } else {
+      exchanges.push_back({infinite[exchanges.size()], place});
+    }
+  }
+  exchange_cells(pool, exchanges, execution);
+  return end_of_finite.index();
 }
 
 }  // namespace cocoon

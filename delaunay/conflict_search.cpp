@@ -37,7 +37,16 @@ struct SearchView {
   unsigned decide_open(const std::array<FacetId, 4>& outer, unsigned inside, unsigned open,
                        unsigned on_sphere);
   unsigned facets_beyond(const Cell& cell, unsigned facets) const;
-  bool hold_on_the_way(FacetId entry) const;
+
+  // Holds the vertices of a cell that a walk enters through one of its facets, if others let it. A
+  // long walk gives back what it left behind.
+  bool hold_on_the_way(FacetId entry) const {
+    constexpr std::size_t many = 64;
+    if (!holder->take(apex(entry))) return false;
+    if (holder->num_held() > many) [[unlikely]]
+      holder->release_but(cell_behind(entry));
+    return true;
+  }
 };
 
 // The loops compute what insphere_filter and orient3d_filter do, but round only once where a
@@ -190,7 +199,8 @@ HWY_INLINE std::uint32_t spread_bits(unsigned four_bits) {
 
 // Breadth first. Nothing here branches on the result of a test: no branch predictor could learn it.
 // Returns whether all was found: not if another thread is in the way.
-bool find_zone(SearchView& view, ConflictZone& zone, CellId start) {
+template <bool beside_others>
+bool search_zone(SearchView& view, ConflictZone& zone, CellId start) {
   const FourVectors origin{broadcast(view.p.x), broadcast(view.p.y), broadcast(view.p.z)};
   ZoneLists lists = zone.start_lists();
   std::size_t num_cells = 1;
@@ -201,7 +211,7 @@ bool find_zone(SearchView& view, ConflictZone& zone, CellId start) {
   CellId next = start;
   for (std::size_t expanded = 0; expanded < num_cells; ++expanded) {
     // The other corners are held with the cell that it was found from.
-    if (view.holder != nullptr && !view.holder->take(lists.vertices[expanded + 3])) {
+    if (beside_others && !view.holder->take(lists.vertices[expanded + 3])) [[unlikely]] {
       zone.finish(num_cells, num_border, view.has_infinite);
       return false;
     }
@@ -242,6 +252,11 @@ bool find_zone(SearchView& view, ConflictZone& zone, CellId start) {
   view.counters.conflict_tests += num_cells - 1 + num_border;  // each test has found one of them
   zone.finish(num_cells, num_border, view.has_infinite);
   return true;
+}
+
+bool find_zone(SearchView& view, ConflictZone& zone, CellId start) {
+  return view.holder == nullptr ? search_zone<false>(view, zone, start)
+                                : search_zone<true>(view, zone, start);
 }
 
 // In lane i the facet opposite vertex i of one cell: the determinant of its corners relative to p,
@@ -374,15 +389,6 @@ unsigned SearchView::facets_beyond(const Cell& cell, unsigned facets) const {
     beyond |= (side == Sign::positive ? 1U : 0U) << i;
   }
   return beyond;
-}
-
-// Holds the vertices of a cell that a walk enters through one of its facets, if others let it. A
-// long walk gives back what it left behind.
-bool SearchView::hold_on_the_way(FacetId entry) const {
-  constexpr std::size_t many = 64;
-  if (!holder->take(apex(entry))) return false;
-  if (holder->num_held() > many) holder->release_but(cell_behind(entry));
-  return true;
 }
 
 // --- Lists -----------------------------------------------------------------------------------

@@ -136,9 +136,10 @@ class alignas(128) Worker {
   void work(std::vector<std::unique_ptr<Worker>>& workers, std::size_t begin, std::size_t end,
             const Execution* execution);
   bool has_left() const { return !left_.empty() || runs.size() != 0; }
-  // All slots that it has taken and does not use.
+  // All slots that it has taken and does not use; to be called when it has done its work.
   const std::vector<CellId>& free_slots() {
     while (fresh_ != fresh_end_) free_fresh_slots();
+    for (const CellId c : free_) shared_.pool.cells[c].vertices[0] = VertexId();
     return free_;
   }
 
@@ -202,11 +203,13 @@ bool Worker::take_room() {
 
 void Worker::free_fresh_slots() {
   const std::size_t end = std::min(fresh_end_, fresh_ + slots_at_a_time);
-  for (std::size_t c = end; c-- > fresh_;) {  // the first is used first
-    shared_.pool.marks[CellId(c)] = CellMark::untested;
-    shared_.pool.cells[CellId(c)].vertices[0] = VertexId();
-    free_.push_back(CellId(c));
-  }
+  const auto marks = shared_.pool.marks.begin();
+  std::fill(marks + static_cast<std::ptrdiff_t>(fresh_), marks + static_cast<std::ptrdiff_t>(end),
+            CellMark::untested);
+  std::size_t next = end;  // the first is used first
+  const auto count = static_cast<std::ptrdiff_t>(end - fresh_);
+  free_.resize(free_.size() + end - fresh_);
+  std::generate(free_.end() - count, free_.end(), [&] { return CellId(--next); });
   fresh_ = end;
 }
 

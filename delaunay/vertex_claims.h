@@ -76,15 +76,9 @@ class ClaimHolder {
 
   // Holds v if nobody else does; the vertex at infinity counts as held. Returns whether v is held.
   bool take(VertexId v) {
-    if (holds(v) || v == infinite_vertex) return true;
-    const std::size_t block = block_of(v);
-    std::uint8_t expected = VertexClaims::nobody;
-    if (!claims_[block].compare_exchange_strong(expected, name_, std::memory_order_acquire,
-                                                std::memory_order_relaxed)) {
-      return false;
-    }
-    held_.push_back(block);
-    return true;
+    if (holds(v)) [[likely]]
+      return true;
+    return take_anew(v);
   }
   bool take_corners(const Cell& cell) {
     for (const VertexId v : cell.vertices) {
@@ -94,22 +88,13 @@ class ClaimHolder {
   }
 
   // Gives all back.
-  void release() {
-    for (const std::size_t block : held_) give_back(block);
-    held_.clear();
-  }
+  void release();
   // Gives all back but the vertices of `cell`.
-  void release_but(const Cell& cell) {
-    const auto kept = std::partition(held_.begin(), held_.end(), [&](std::size_t block) {
-      return std::any_of(cell.vertices.begin(), cell.vertices.end(),
-                         [&](VertexId v) { return block_of(v) == block; });
-    });
-    std::for_each(kept, held_.end(), [&](std::size_t block) { give_back(block); });
-    held_.erase(kept, held_.end());
-  }
+  void release_but(const Cell& cell);
   std::size_t num_held() const { return held_.size(); }  // claims
 
  private:
+  bool take_anew(VertexId v);
   void give_back(std::size_t block) {
     claims_[block].store(VertexClaims::nobody, std::memory_order_release);
   }
