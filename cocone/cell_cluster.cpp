@@ -2,16 +2,14 @@
 
 #include <algorithm>
 
-#include "cocone/side_evidence.h"
-
 namespace cocoon {
 namespace {
 
 class Cluster {
  public:
-  Cluster(const Triangulation& triangulation, const Dual& dual,
+  Cluster(const Triangulation& triangulation, BallCosines& cosines,
           const IdVector<CellId, std::uint8_t>& out, ZeroedArray<CellId, std::uint8_t>& state)
-      : triangulation_(triangulation), dual_(dual), out_(out), state_(state) {}
+      : triangulation_(triangulation), cosines_(cosines), out_(out), state_(state) {}
 
   CellCluster run(CellId first, double deep_cosine) {
     collect(first, deep_cosine);
@@ -39,7 +37,7 @@ class Cluster {
         const CellId behind = cell_of(triangulation_.mirror(f));
         if (state_[behind] == taken || triangulation_.is_infinite(behind)) continue;
         if (!on_this_side(behind)) continue;
-        if (contact_cosine(triangulation_, dual_, f) < deep_cosine) continue;
+        if (cosines_.contact(f) < deep_cosine) continue;
         state_[behind] = taken;
         cells_.push_back(behind);
       }
@@ -86,7 +84,7 @@ class Cluster {
   }
 
   const Triangulation& triangulation_;
-  const Dual& dual_;
+  BallCosines& cosines_;
   const IdVector<CellId, std::uint8_t>& out_;
   ZeroedArray<CellId, std::uint8_t>& state_;
   std::vector<CellId> cells_;
@@ -96,10 +94,10 @@ class Cluster {
 
 }  // namespace
 
-CellCluster cell_cluster(const Triangulation& triangulation, const Dual& dual,
+CellCluster cell_cluster(const Triangulation& triangulation, BallCosines& cosines,
                          const IdVector<CellId, std::uint8_t>& out, CellId first,
                          double deep_cosine, ZeroedArray<CellId, std::uint8_t>& scratch) {
-  return Cluster(triangulation, dual, out, scratch).run(first, deep_cosine);
+  return Cluster(triangulation, cosines, out, scratch).run(first, deep_cosine);
 }
 
 }  // namespace cocoon

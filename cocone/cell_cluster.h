@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "cocone/ball_cosines.h"
 #include "delaunay/triangulation.h"
-#include "delaunay/voronoi_dual.h"
 #include "geom/id_vector.h"
 #include "geom/zeroed_array.h"
 
@@ -18,14 +18,14 @@ struct CellCluster {
 };
 
 // The finite cells on the side of `first` (equal out[c]) that hang together with it by facets
-// across which the balls meet at a cosine of at least `deep_cosine` (contact_cosine in
-// side_evidence.h); and slivers: cells on that side between samples of the cluster that hang
-// together with the rest of the side by the cluster only. A hole of which only the rims are sampled
-// is one cluster, since two parallel circles of samples lie on one ball.
-// Precondition: `first` is finite. `scratch` is zero for every cell, before and after.
-// Complexity: O(k log k) for k cells, those at the facets of the cluster included. Deterministic as
-// a set: a function of the point set, the sides and the first cell.
-CellCluster cell_cluster(const Triangulation& triangulation, const Dual& dual,
+// across which the balls meet at a cosine of at least `deep_cosine` (BallCosines::contact); and
+// slivers: cells on that side between samples of the cluster that hang together with the rest of
+// the side by the cluster only. A hole of which only the rims are sampled is one cluster, since two
+// parallel circles of samples lie on one ball. Precondition: `first` is finite. `scratch` is zero
+// for every cell, before and after. Complexity: O(k log k) for k cells, those at the facets of the
+// cluster included. Deterministic as a set: a function of the point set, the sides and the first
+// cell.
+CellCluster cell_cluster(const Triangulation& triangulation, BallCosines& cosines,
                          const IdVector<CellId, std::uint8_t>& out, CellId first,
                          double deep_cosine, ZeroedArray<CellId, std::uint8_t>& scratch);
 

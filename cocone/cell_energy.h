@@ -4,11 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
+#include "cocone/ball_cosines.h"
 #include "cocone/clean_up_cells.h"
-#include "cocone/side_evidence.h"
+#include "cocone/star_parts.h"
 #include "delaunay/star_cache.h"
 #include "geom/zeroed_array.h"
 
@@ -22,7 +24,7 @@ class CellEnergy {
  public:
   // All references must outlive the object. `out[c]` = 1: cell c is OUT.
   // `labels`: those of the marking, which decided cells prefer at mark_weight.
-  CellEnergy(const Triangulation& triangulation, const Dual& dual, StarCache& stars,
+  CellEnergy(const Triangulation& triangulation, BallCosines& cosines, StarCache& stars,
              const IdVector<CellId, CellLabel>& labels, const CleanUpOptions& options,
              IdVector<CellId, std::uint8_t>& out);
 
@@ -32,10 +34,11 @@ class CellEnergy {
   }
   // Only of these samples is it a loss that they are not on the surface.
   void want(VertexId v) { wanted_[v] = 1; }
+  bool is_wanted(VertexId v) const { return wanted_[v] != 0; }
   Energy preference(CellId c) const { return preference_by_label(c) + own_preference_[c]; }
 
   // The cost of a facet, if its cells are on different sides. Precondition: a finite facet. O(1).
-  Energy facet_cost(FacetId f) const;
+  Energy facet_cost(FacetId f);
   // The cost of defects at a vertex, apart from its edges. O(star).
   Energy vertex_cost(VertexId v);
   bool is_unused(VertexId v) const;
@@ -46,49 +49,50 @@ class CellEnergy {
   }
   // Surface sheets at v beyond the first: what is pinched. O(star).
   std::size_t extra_fans(VertexId v);
-  // Surface sheets at the edge ab of facet f. O(degree).
-  std::size_t sheets_at(FacetId f, VertexId a, VertexId b) const;
 
   // How much the energy (without component_cost) grows if these cells change sides; they do not.
-  // Precondition: finite cells, all different.
-  Energy change(std::span<const CellId> cells);
+  // If that is more than `limit`, some number above the limit. Precondition: finite cells, all
+  // different. Complexity: O(1) for each cell where the surface is regular, O(star) elsewhere.
+  Energy change(std::span<const CellId> cells, Energy limit = std::numeric_limits<Energy>::max());
   void flip(std::span<const CellId> cells);
-  // Before each series of floods that shall not meet each other.
-  void begin_flood() { ++token_; }
-  // Cells of star(v) on the same side as `first` that hang together with it by facets at v.
-  void flood_star(VertexId v, CellId first, std::vector<CellId>& cells);
+  // The parts into which the surface divides the cells at v. O(star).
+  std::vector<std::vector<CellId>> parts_of_star(VertexId v) { return parts_.list(v); }
 
  private:
-  struct Edge {
-    VertexId a;
-    VertexId b;
-    FacetId facet;
+  // How a cell lies in the surface, as seen before it changes sides.
+  struct Place {
+    std::array<bool, 4> surface;                       // facets
+    std::array<std::array<std::size_t, 4>, 4> sheets;  // at its edges, where they may change
   };
   Energy preference_by_label(CellId c) const {
     return labels_[c] == CellLabel::out ? -mark_weight_ : mark_weight_;
   }
-  void collect(std::span<const CellId> cells);
-  Energy sum(std::span<const CellId> cells);
+  Energy flip_change(CellId c);
+  Energy vertex_change(CellId c, int i, const Place& place);
+  std::size_t sheets_at(CellId c, int i, int j) const;
+  // What it costs that a vertex is on the surface rather than not: a vertex for Euler.
+  Energy cost_of_use(VertexId v) const {
+    return -half_handle_cost_ - (wanted_[v] != 0 ? unused_cost_ : 0);
+  }
+  bool is_idle_now(VertexId v);
 
   const Triangulation& triangulation_;
-  const Dual& dual_;
+  BallCosines& cosines_;
   StarCache& stars_;
   const IdVector<CellId, CellLabel>& labels_;
   IdVector<CellId, std::uint8_t>& out_;
   Energy mark_weight_;
   Energy defect_cost_;
   Energy unused_cost_;
-  Energy handle_cost_;
+  Energy half_handle_cost_;
   Energy idle_cost_;
   IdleOptions idle_;
   ZeroedArray<CellId, Energy> own_preference_;  // beyond that by the label
   VertexSet wanted_;
-  ZeroedArray<CellId, std::uint32_t> stamp_;
-  std::uint32_t token_ = 0;
-  std::vector<CellId> component_;
+  StarParts parts_;
+  ZeroedArray<VertexId, std::uint32_t> idle_now_;  // 2 * state + 1 if idle in that state
+  std::uint32_t state_ = 1;                        // grows with every flip
   std::vector<VertexId> vertices_;
-  std::vector<Edge> edges_;
-  std::vector<FacetId> facets_;
 };
 
 }  // namespace cocoon

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <queue>
 #include <vector>
 
 #include "cocone/cell_cluster.h"
 #include "cocone/cell_energy.h"
+#include "cocone/doubtful_region.h"
 #include "cocone/idle_samples.h"
 #include "cocone/max_flow.h"
 #include "cocone/side_evidence.h"
+#include "cocone/surface_flaws.h"
 #include "delaunay/circulate.h"
 #include "delaunay/star_cache.h"
 
@@ -26,18 +30,16 @@ class CleanUp {
         marks_(marks),
         options_(options),
         out_(marks.reached),
-        energy_(triangulation, dual, stars_, marks.labels, options, out_),
-        node_(triangulation.num_cells()) {
-    for (const VertexId v : triangulation.vertices()) {
-      if (marks.good[v] == 0 || marks.conflicts != 0) doubtful_.push_back(v);
+        cosines_(triangulation, dual),
+        energy_(triangulation, cosines_, stars_, marks.labels, options, out_),
+        region_(find_doubtful_region(triangulation, marks)) {
+    counters_.undecided_cells = region_.undecided.size();
+    for (const CellId c : region_.undecided) {
+      for (const VertexId v : triangulation.cell(c).vertices) energy_.want(v);
     }
   }
 
   CleanUpCounters run() {
-    std::sort(doubtful_.begin(), doubtful_.end(), [&](VertexId a, VertexId b) {
-      return triangulation_.point(a) < triangulation_.point(b);
-    });
-    collect_undecided();
     count(counters_.defects_before, counters_.unused_before);
     set_preferences();
     cut();
@@ -54,49 +56,36 @@ class CleanUp {
   }
 
  private:
-  bool is_decided(CellId c) const {
-    for (const VertexId v : triangulation_.cell(c).vertices) {
-      if (marks_.good[v] != 0) return true;
-    }
-    return false;
-  }
-
-  void collect_undecided() {
-    for (const VertexId v : doubtful_) {
-      for (const CellId c : stars_.star(v)) {
-        if (triangulation_.is_infinite(c) || node_[c] != no_node || is_decided(c)) continue;
-        undecided_.push_back(c);
-        node_[c] = static_cast<std::uint32_t>(undecided_.size());
-        for (const VertexId w : triangulation_.cell(c).vertices) energy_.want(w);
+  // The cells that take part in the cut, in the order of memory: the undecided ones and, at a
+  // price, decided ones around them.
+  std::vector<CellId> free_cells() const {
+    ZeroedArray<CellId, std::uint8_t> is_free(triangulation_.num_cells());
+    for (const CellId c : region_.undecided) is_free[c] = 1;
+    for (int ring = 0; ring < options_.decided_rings && !region_.undecided.empty(); ++ring) {
+      VertexSet near(triangulation_.num_vertices(), 0);
+      for (const CellId c : triangulation_.finite_cells()) {
+        if (is_free[c] == 0) continue;
+        for (const VertexId v : triangulation_.cell(c).vertices) near[v] = 1;
+      }
+      for (const CellId c : triangulation_.finite_cells()) {
+        const auto& vertices = triangulation_.cell(c).vertices;
+        const bool at_free =
+            std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) { return near[v] != 0; });
+        if (at_free) is_free[c] = 1;
       }
     }
-    counters_.undecided_cells = undecided_.size();
-  }
-
-  // Decided cells around undecided ones take part in the cut, at a price.
-  void widen() {
-    free_ = undecided_;
-    std::size_t begin = 0;
-    for (int ring = 0; ring < options_.decided_rings; ++ring) {
-      const std::size_t end = free_.size();
-      for (std::size_t k = begin; k < end; ++k) {
-        for (const VertexId v : triangulation_.cell(free_[k]).vertices) {
-          if (v == infinite_vertex) continue;
-          for (const CellId c : stars_.star(v)) {
-            if (triangulation_.is_infinite(c) || node_[c] != no_node) continue;
-            free_.push_back(c);
-            node_[c] = static_cast<std::uint32_t>(free_.size());
-          }
-        }
-      }
-      begin = end;
+    std::vector<CellId> cells;
+    if (region_.undecided.empty()) return cells;
+    for (const CellId c : triangulation_.finite_cells()) {
+      if (is_free[c] != 0) cells.push_back(c);
     }
+    return cells;
   }
 
   void set_preferences() {
     const ZeroedArray<CellId, SideEvidence> evidence =
-        side_evidence(triangulation_, dual_, stars_, poles_, marks_, undecided_);
-    for (const CellId c : undecided_) {
+        side_evidence(triangulation_, dual_, cosines_, poles_, marks_, region_);
+    for (const CellId c : region_.undecided) {
       const double margin = static_cast<double>(evidence[c].in) - evidence[c].out;
       energy_.set_preference(c, to_energy(options_.evidence_weight * margin));
     }
@@ -104,18 +93,20 @@ class CleanUp {
 
   // Labels the undecided cells; those decided stay as the marking, not the peel, has them.
   void cut() {
-    widen();
-    MaxFlow flow(free_.size());
-    for (const CellId c : free_) {
-      const std::uint32_t node = node_[c] - 1;
+    const std::vector<CellId> cells = free_cells();
+    ZeroedArray<CellId, std::uint32_t> place(triangulation_.num_cells());  // 1 + that in `cells`
+    for (std::uint32_t k = 0; k < cells.size(); ++k) place[cells[k]] = k + 1;
+    MaxFlow flow(cells.size());
+    for (std::uint32_t node = 0; node < cells.size(); ++node) {
+      const CellId c = cells[node];
       const Energy cost_of_out = energy_.preference(c);
       if (cost_of_out < 0) flow.pull_to_source(node, -cost_of_out);
       if (cost_of_out > 0) flow.pull_to_sink(node, cost_of_out);
       for (int i = 0; i < 4; ++i) {
         const FacetId f = facet_id(c, i);
         const CellId behind = triangulation_.neighbor(c, i);
-        if (node_[behind] != no_node) {
-          if (c < behind) flow.add_edge(node, node_[behind] - 1, energy_.facet_cost(f));
+        if (place[behind] != 0) {
+          if (c < behind) flow.add_edge(node, place[behind] - 1, energy_.facet_cost(f));
         } else if (marks_.labels[behind] == CellLabel::out) {
           flow.pull_to_source(node, energy_.facet_cost(f));
         } else {
@@ -127,7 +118,7 @@ class CleanUp {
     for (const CellId c : triangulation_.finite_cells()) {
       out_[c] = marks_.labels[c] == CellLabel::out ? 1 : 0;
     }
-    for (const CellId c : free_) out_[c] = side[node_[c] - 1];
+    for (std::size_t k = 0; k < cells.size(); ++k) out_[cells[k]] = side[k];
     for (const CellId c : triangulation_.finite_cells()) {
       counters_.relabeled_cells += out_[c] != marks_.reached[c];
     }
@@ -164,14 +155,44 @@ class CleanUp {
   };
 
   // At every sample that is unused or where the surface is pinched (both ends of a non-manifold
-  // edge are), until no move helps.
+  // edge are), in lexicographic order, round by round until no move helps.
   void repair() {
+    std::vector<std::uint32_t> turns = flawed_ranks();
     for (bool changed = true; changed;) {
       changed = false;
-      for (const VertexId v : doubtful_) {
-        while (energy_.vertex_cost(v) != 0 && improve(v)) changed = true;
+      std::vector<std::uint32_t> later;
+      Turns now({}, std::move(turns));
+      while (!now.empty()) {
+        const std::uint32_t rank = now.top();
+        while (!now.empty() && now.top() == rank) now.pop();
+        const VertexId v = region_.vertices[rank - 1];
+        while (energy_.vertex_cost(v) != 0) {
+          if (!improve(v)) {
+            later.push_back(rank);
+            break;
+          }
+          changed = true;
+          for (const CellId c : best_.cells) {
+            for (const VertexId w : triangulation_.cell(c).vertices) {
+              if (region_.rank[w] > rank) now.push(region_.rank[w]);
+              if (region_.rank[w] < rank && region_.contains(w)) later.push_back(region_.rank[w]);
+            }
+          }
+        }
       }
+      turns = std::move(later);
     }
+  }
+
+  // Of the vertices that cost something.
+  std::vector<std::uint32_t> flawed_ranks() const {
+    const SurfaceFlaws flaws = find_surface_flaws(triangulation_, region_, out_);
+    std::vector<std::uint32_t> ranks;
+    for (const VertexId v : flaws.unused) {
+      if (energy_.is_wanted(v)) ranks.push_back(region_.rank[v]);
+    }
+    for (const VertexId v : flaws.pinched) ranks.push_back(region_.rank[v]);
+    return ranks;
   }
 
   bool improve(VertexId v) {
@@ -197,16 +218,7 @@ class CleanUp {
 
   // The parts into which the surface divides the star of v.
   void consider_parts(VertexId v) {
-    std::vector<std::vector<CellId>> parts;
-    ZeroedArray<CellId, std::uint8_t>& seen = scratch();
-    for (const CellId c : stars_.star(v)) {
-      if (seen[c] != 0) continue;
-      parts.emplace_back();
-      energy_.begin_flood();
-      energy_.flood_star(v, c, parts.back());
-      for (const CellId d : parts.back()) seen[d] = 1;
-    }
-    for (const CellId c : stars_.star(v)) seen[c] = 0;
+    std::vector<std::vector<CellId>> parts = energy_.parts_of_star(v);
     for (std::vector<CellId>& part : parts) {
       const bool finite = std::none_of(part.begin(), part.end(),
                                        [&](CellId c) { return triangulation_.is_infinite(c); });
@@ -216,7 +228,7 @@ class CleanUp {
 
   void consider(std::vector<CellId> cells) {
     if (!is_attached(cells)) return;
-    const Energy change = energy_.change(cells);
+    const Energy change = energy_.change(cells, best_.change);
     if (change >= 0 || change > best_.change) return;
     if (change == best_.change && !precedes(cells, best_.cells)) return;
     if (splits(cells)) return;
@@ -304,7 +316,7 @@ class CleanUp {
 
   // Where the surface runs through idle samples, whole clusters change sides.
   void flip_clusters() {
-    if (options_.idle_cost == 0 || undecided_.empty()) return;
+    if (options_.idle_cost == 0 || region_.undecided.empty()) return;
     std::vector<VertexId> idle = idle_samples();
     counters_.idle_before = idle.size();
     while (flip_clusters_at(idle)) {
@@ -334,7 +346,7 @@ class CleanUp {
       for (const CellId c : stars_.star(v)) {
         if (tried[c] != 0 || triangulation_.is_infinite(c)) continue;
         clusters.push_back(
-            cell_cluster(triangulation_, dual_, out_, c, options_.deep_cosine, scratch()));
+            cell_cluster(triangulation_, cosines_, out_, c, options_.deep_cosine, scratch()));
         for (std::size_t k = 0; k < clusters.back().core; ++k) tried[clusters.back().cells[k]] = 1;
       }
       std::sort(clusters.begin(), clusters.end(),
@@ -386,18 +398,13 @@ class CleanUp {
   }
 
   void count(std::size_t& defects, std::size_t& unused) {
-    std::size_t edge_ends = 0;
-    for (const VertexId v : doubtful_) {
-      if (energy_.is_unused(v)) {
-        ++unused;
-      } else {
-        edge_ends += energy_.extra_fans(v);
-      }
-    }
-    defects = edge_ends;
+    const SurfaceFlaws flaws = find_surface_flaws(triangulation_, region_, out_);
+    unused = flaws.unused.size();
+    for (const VertexId v : flaws.pinched) defects += energy_.extra_fans(v);
   }
 
-  static constexpr std::uint32_t no_node = 0;
+  using Turns =
+      std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<std::uint32_t>>;
   const Triangulation& triangulation_;
   const Dual& dual_;
   StarCache stars_;
@@ -405,12 +412,10 @@ class CleanUp {
   CellMarks& marks_;
   const CleanUpOptions& options_;
   IdVector<CellId, std::uint8_t> out_;
+  BallCosines cosines_;
   CellEnergy energy_;
   CleanUpCounters counters_;
-  std::vector<VertexId> doubtful_;  // where something may be wrong, in lexicographic order
-  std::vector<CellId> undecided_;
-  std::vector<CellId> free_;
-  ZeroedArray<CellId, std::uint32_t> node_;  // 1 + position in free_; 0 if not free
+  DoubtfulRegion region_;
   ZeroedArray<CellId, std::uint8_t> scratch_;
   Move best_;
 };

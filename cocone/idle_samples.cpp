@@ -54,6 +54,13 @@ class TwoNearest {
   double second_distance_ = infinity;
 };
 
+// Two facets lie in no common plane if their normals differ by more than twice the angle allowed.
+bool is_bent(const Vec3& a, const Vec3& b, double flat_cosine) {
+  const double twice = 2 * flat_cosine * flat_cosine - 1 - 1e-9;  // with room for rounding
+  const double along = dot(a, b);
+  return twice > 0 && along * along < twice * twice * squared_norm(a) * squared_norm(b);
+}
+
 }  // namespace
 
 bool is_idle(const Triangulation& triangulation, std::span<const CellId> star,
@@ -61,14 +68,17 @@ bool is_idle(const Triangulation& triangulation, std::span<const CellId> star,
   // The plane is that of the largest facet.
   Vec3 plane;
   double largest = 0;
+  bool bent = false;  // found early nearly everywhere
   for_each_surface_facet_at(triangulation, star, out, v, [&](FacetId f) {
+    if (bent) return;
     const Vec3 normal = normal_of(triangulation, f);
     const double area = squared_norm(normal);
+    bent = largest > 0 && is_bent(normal, plane, options.flat_cosine);
     if (area < largest || (area == largest && !(plane < normal))) return;
     largest = area;
     plane = normal;
   });
-  if (largest == 0) return false;  // not on the surface
+  if (largest == 0 || bent) return false;  // 0: not on the surface
   plane = unit(plane);
   bool flat = true;
   double narrowest = infinity;

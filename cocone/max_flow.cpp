@@ -1,107 +1,199 @@
 #include "cocone/max_flow.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cocoon {
 namespace {
 
-constexpr std::uint32_t no_level = 0xFFFFFFFFU;
+constexpr std::uint32_t no_arc = 0xFFFFFFFFU;   // of roots, and of nodes in no tree
+constexpr std::uint32_t cut_off = 0xFFFFFFFEU;  // the parent of orphans
 
 }  // namespace
 
-MaxFlow::MaxFlow(std::size_t count) : nodes_(count + 2), excess_(count, 0) {}
-
 void MaxFlow::add_edge(std::uint32_t a, std::uint32_t b, std::int64_t cost) {
-  edges_.push_back({a, b, cost, cost});
+  if (cost > 0 && a != b) edges_.push_back({a, b, cost});
 }
 
 void MaxFlow::build_arcs() {
-  const auto source = static_cast<std::uint32_t>(nodes_ - 2);
-  const auto sink = static_cast<std::uint32_t>(nodes_ - 1);
-  for (std::uint32_t v = 0; v < source; ++v) {
-    if (excess_[v] > 0) edges_.push_back({source, v, excess_[v], 0});
-    if (excess_[v] < 0) edges_.push_back({v, sink, -excess_[v], 0});
-  }
-  first_.assign(nodes_ + 1, 0);
+  const std::size_t count = excess_.size();
+  nodes_.assign(count + 1, {0, 0, no_arc, 0});
   for (const Edge& e : edges_) {
-    ++first_[e.a + 1];
-    ++first_[e.b + 1];
+    ++nodes_[e.a].next;
+    ++nodes_[e.b].next;
   }
-  for (std::size_t v = 0; v < nodes_; ++v) first_[v + 1] += first_[v];
-  order_.resize(2 * edges_.size());
-  std::vector<std::uint32_t> fill(first_.begin(), first_.end() - 1);
+  for (std::size_t v = 0; v < count; ++v) {
+    nodes_[v + 1].first = nodes_[v].first + nodes_[v].next;
+    nodes_[v].next = nodes_[v].first;
+  }
+  arcs_.resize(2 * edges_.size());
   for (const Edge& e : edges_) {
-    order_[fill[e.a]++] = static_cast<std::uint32_t>(arcs_.size());
-    arcs_.push_back({e.b, e.forth});
-    order_[fill[e.b]++] = static_cast<std::uint32_t>(arcs_.size());
-    arcs_.push_back({e.a, e.back});
+    const std::uint32_t forth = nodes_[e.a].next++;
+    const std::uint32_t back = nodes_[e.b].next++;
+    arcs_[forth] = {e.b, back, e.cost};
+    arcs_[back] = {e.a, forth, e.cost};
   }
-  edges_.clear();
+  edges_ = {};
+  for (std::uint32_t v = 0; v < count; ++v) {
+    nodes_[v].next = nodes_[v].first;
+    if (excess_[v] == 0) continue;
+    Tree& tree = excess_[v] > 0 ? source_ : sink_;
+    set_level(tree, v, 1, no_arc);
+  }
 }
 
-// Breadth first from the source over what is not saturated; true if the sink is reached.
-bool MaxFlow::find_levels() {
-  const auto source = static_cast<std::uint32_t>(nodes_ - 2);
-  level_.assign(nodes_, no_level);
-  level_[source] = 0;
-  std::vector<std::uint32_t> queue{source};
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    const std::uint32_t v = queue[i];
-    for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
-      const Arc& arc = arcs_[order_[k]];
-      if (arc.capacity <= 0 || level_[arc.to] != no_level) continue;
-      level_[arc.to] = level_[v] + 1;
-      queue.push_back(arc.to);
-    }
-  }
-  return level_[nodes_ - 1] != no_level;
+void MaxFlow::set_level(Tree& tree, std::uint32_t node, std::int32_t level, std::uint32_t parent) {
+  nodes_[node].level = tree.sign * level;
+  nodes_[node].parent = parent;
+  if (level == tree.depth) tree.frontier.push_back(node);
+  if (level == tree.depth + 1) tree.next.push_back(node);
 }
 
-// Saturates the path and cuts it back to before its first saturated arc.
-void MaxFlow::augment(std::vector<Step>& path) {
-  std::int64_t amount = arcs_[path.front().arc].capacity;
-  for (const Step& s : path) amount = std::min(amount, arcs_[s.arc].capacity);
-  std::size_t keep = path.size();
-  for (std::size_t i = path.size(); i-- > 0;) {
-    arcs_[path[i].arc].capacity -= amount;
-    arcs_[path[i].arc ^ 1U].capacity += amount;
-    if (arcs_[path[i].arc].capacity == 0) keep = i;
-  }
-  path.resize(keep);
+// By one level. Nodes that come to the searched level meanwhile are searched from, too.
+void MaxFlow::grow(Tree& tree) {
+  tree.growing = true;
+  for (std::size_t i = 0; i < tree.frontier.size(); ++i) search_from(tree, tree.frontier[i]);
+  tree.growing = false;
+  ++tree.depth;
+  tree.frontier.swap(tree.next);
+  tree.next.clear();
 }
 
-// Depth first along rising levels, without recursion.
-void MaxFlow::push_blocking_flow() {
-  const auto source = static_cast<std::uint32_t>(nodes_ - 2);
-  const auto sink = static_cast<std::uint32_t>(nodes_ - 1);
-  next_.assign(first_.begin(), first_.end() - 1);
-  std::vector<Step> path;
-  for (;;) {
-    const std::uint32_t v = path.empty() ? source : arcs_[path.back().arc].to;
-    if (v == sink) {
-      augment(path);
-      continue;
-    }
-    for (; next_[v] < first_[v + 1]; ++next_[v]) {
-      const Arc& arc = arcs_[order_[next_[v]]];
-      if (arc.capacity > 0 && level_[arc.to] == level_[v] + 1) break;
-    }
-    if (next_[v] < first_[v + 1]) {
-      path.push_back({order_[next_[v]], v});
-    } else if (path.empty()) {
-      return;
+void MaxFlow::search_from(Tree& tree, std::uint32_t node) {
+  const std::int32_t level = tree.sign * tree.depth;
+  for (std::uint32_t k = nodes_[node].first; k < end_of_arcs(node);) {
+    if (nodes_[node].level != level) return;
+    const std::uint32_t to = arcs_[k].to;
+    const std::int32_t other = nodes_[to].level * tree.sign;
+    if (other > 0 || room_down(tree, arcs_[k]) == 0) {
+      ++k;
+    } else if (other == 0) {
+      nodes_[to].next = nodes_[to].first;
+      set_level(tree, to, tree.depth + 1, arcs_[k].reverse);
+      ++k;
+    } else if (tree.sign > 0) {
+      augment(node, k, to);
     } else {
-      ++next_[path.back().from];  // a dead end
-      path.pop_back();
+      augment(to, arcs_[k].reverse, node);
     }
+  }
+}
+
+std::int64_t MaxFlow::bottleneck(const Tree& tree, std::uint32_t node) const {
+  std::int64_t amount = std::numeric_limits<std::int64_t>::max();
+  std::uint32_t v = node;
+  for (; nodes_[v].parent != no_arc; v = arcs_[nodes_[v].parent].to) {
+    amount = std::min(amount, room_up(tree, arcs_[nodes_[v].parent]));
+  }
+  return std::min(amount, tree.sign * excess_[v]);
+}
+
+// From the node to the root of its tree, or the other way round; cuts off what is saturated.
+void MaxFlow::push(Tree& tree, std::uint32_t node, std::int64_t amount) {
+  std::uint32_t v = node;
+  while (nodes_[v].parent != no_arc) {
+    Arc& arc = arcs_[nodes_[v].parent];
+    arc.capacity += tree.sign * amount;
+    arcs_[arc.reverse].capacity -= tree.sign * amount;
+    if (room_up(tree, arc) == 0) {
+      nodes_[v].parent = cut_off;
+      orphans_.push_back(v);
+    }
+    v = arc.to;
+  }
+  excess_[v] -= tree.sign * amount;
+  if (excess_[v] == 0) {
+    nodes_[v].parent = cut_off;
+    orphans_.push_back(v);
+  }
+}
+
+// Over the arc of `from`, a node of the source's tree, to `to`, one of the sink's.
+void MaxFlow::augment(std::uint32_t from, std::uint32_t arc, std::uint32_t to) {
+  const std::int64_t amount =
+      std::min(arcs_[arc].capacity, std::min(bottleneck(source_, from), bottleneck(sink_, to)));
+  arcs_[arc].capacity -= amount;
+  arcs_[arcs_[arc].reverse].capacity += amount;
+  push(source_, from, amount);
+  adopt_orphans(source_);
+  push(sink_, to, amount);
+  adopt_orphans(sink_);
+}
+
+void MaxFlow::adopt_orphans(Tree& tree) {
+  while (!orphans_.empty()) {  // those near the root were cut off last
+    const std::uint32_t v = orphans_.back();
+    orphans_.pop_back();
+    if (nodes_[v].parent == cut_off && !keeps_level(tree, v)) move_to_new_level(tree, v);
+  }
+}
+
+bool MaxFlow::keeps_level(const Tree& tree, std::uint32_t node) {
+  Node& n = nodes_[node];
+  const std::int32_t above = n.level - tree.sign;
+  if (above == 0) return false;
+  for (; n.next < end_of_arcs(node); ++n.next) {
+    const Arc& arc = arcs_[n.next];
+    if (nodes_[arc.to].level != above || room_up(tree, arc) == 0) continue;
+    n.parent = n.next;
+    return true;
+  }
+  return false;
+}
+
+// Levels only rise: a parent may be found among the node's own children, which are cut off and then
+// rise further, until the tree lets go of them.
+void MaxFlow::move_to_new_level(Tree& tree, std::uint32_t node) {
+  Node& n = nodes_[node];
+  std::int32_t lowest = tree.depth + (tree.growing ? 1 : 0);
+  std::uint32_t parent = no_arc;
+  for (std::uint32_t k = n.first; k < end_of_arcs(node); ++k) {
+    const Arc& arc = arcs_[k];
+    Node& other = nodes_[arc.to];
+    const std::int32_t level = tree.sign * other.level;
+    if (level <= 0) continue;
+    if (level < lowest && room_up(tree, arc) > 0) {
+      lowest = level;
+      parent = k;
+    }
+    if (other.parent == arc.reverse) {
+      other.parent = cut_off;
+      orphans_.push_back(arc.to);
+    }
+  }
+  if (parent == no_arc) {
+    n.level = 0;
+    n.parent = no_arc;
+    n.next = n.first;
+  } else {
+    n.next = parent;
+    set_level(tree, node, lowest + 1, parent);
   }
 }
 
 std::vector<std::uint8_t> MaxFlow::source_side() {
   build_arcs();
-  while (find_levels()) push_blocking_flow();
-  std::vector<std::uint8_t> side(nodes_ - 2, 0);
-  for (std::size_t v = 0; v < side.size(); ++v) side[v] = level_[v] != no_level ? 1 : 0;
+  while (!source_.frontier.empty() && !sink_.frontier.empty()) {
+    grow(source_.frontier.size() <= sink_.frontier.size() ? source_ : sink_);
+  }
+  // The source's tree is finished only if it was the one that could not grow.
+  std::vector<std::uint8_t> side(excess_.size(), 0);
+  std::vector<std::uint32_t> reached;
+  for (std::uint32_t v = 0; v < side.size(); ++v) {
+    if (nodes_[v].level <= 0) continue;
+    side[v] = 1;
+    reached.push_back(v);
+  }
+  while (!reached.empty()) {
+    const std::uint32_t v = reached.back();
+    reached.pop_back();
+    for (std::uint32_t k = nodes_[v].first; k < end_of_arcs(v); ++k) {
+      const Arc& arc = arcs_[k];
+      if (side[arc.to] != 0 || arc.capacity == 0) continue;
+      side[arc.to] = 1;
+      reached.push_back(arc.to);
+    }
+  }
   return side;
 }
 

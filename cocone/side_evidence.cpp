@@ -33,23 +33,29 @@ struct Turn {
 };
 
 // The finite cells of a star with the poles of its vertex; none at infinity.
-struct PolePair {
+struct AtVertex {
   CellId positive;
   CellId negative;
+  double reach;  // squared, of the pole that is looked for
+  bool asked;    // a vertex of an undecided cell
+  bool on_hull;
 };
 
 class Propagation {
  public:
-  Propagation(const Triangulation& triangulation, const Dual& dual, StarCache& stars,
-              const Poles& poles, const CellMarks& marks, const std::vector<CellId>& undecided)
+  Propagation(const Triangulation& triangulation, const Dual& dual, BallCosines& cosines,
+              const Poles& poles, const CellMarks& marks, const DoubtfulRegion& region)
       : triangulation_(triangulation),
         dual_(dual),
-        stars_(stars),
+        cosines_(cosines),
         poles_(poles),
+        region_(region),
         evidence_(triangulation.num_cells()),
-        state_(triangulation.num_cells()) {
-    rank(undecided);
-    find_domain(undecided);
+        state_(triangulation.num_cells()),
+        at_vertices_(triangulation.num_vertices()) {
+    rank();
+    find_domain();
+    find_poles();
     settle_known(marks);
   }
 
@@ -69,58 +75,79 @@ class Propagation {
   // settled: not asked about. open, closed: undecided cells before and after their turn.
   enum State : std::uint8_t { settled = 0, open, closed };
 
-  void rank(const std::vector<CellId>& undecided) {
-    std::vector<std::pair<Corners, CellId>> order;
-    order.reserve(undecided.size());
-    for (const CellId c : undecided) order.emplace_back(sorted_corners(triangulation_, c), c);
+  void rank() {
+    struct Key {
+      std::array<std::uint32_t, 4> corners;
+      CellId cell;
+    };
+    std::vector<Key> order;
+    order.reserve(region_.undecided.size());
+    for (const CellId c : region_.undecided) {
+      Key key{{}, c};
+      for (std::size_t i = 0; i < 4; ++i) {
+        key.corners[i] = region_.rank[triangulation_.cell(c).vertices[i]];
+      }
+      std::sort(key.corners.begin(), key.corners.end());
+      order.push_back(key);
+    }
     std::sort(order.begin(), order.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
+              [](const Key& a, const Key& b) { return a.corners < b.corners; });
     ranks_ = ZeroedArray<CellId, std::uint32_t>(triangulation_.num_cells());
     std::uint32_t next = 0;
-    for (const auto& [corners, c] : order) ranks_[c] = next++;
+    for (const Key& key : order) ranks_[key.cell] = next++;
   }
 
-  void find_domain(const std::vector<CellId>& undecided) {
-    VertexSet near(triangulation_.num_vertices(), 0);
-    pairs_.resize(triangulation_.num_vertices());
-    for (const CellId c : undecided) {
+  // Undecided cells, their vertices, and all other cells at those.
+  void find_domain() {
+    for (const CellId c : region_.undecided) {
       state_[c] = open;
-      for (const VertexId v : triangulation_.cell(c).vertices) {
-        if (near[v] != 0) continue;
-        near[v] = 1;
-        vertices_.push_back(v);
-        pairs_[v] = find_poles(v);
-      }
+      for (const VertexId v : triangulation_.cell(c).vertices) at_vertices_[v].asked = true;
+    }
+    for (const CellId c : region_.cells) {
+      for_asked_vertices(c, [&](VertexId v) {
+        if (domain_.empty() || domain_.back() != c) domain_.push_back(c);
+        if (triangulation_.is_infinite(c)) at_vertices_[v].on_hull = true;
+      });
     }
   }
 
-  PolePair find_poles(VertexId v) const {
-    const Point& p = triangulation_.point(v);
-    Vec3 normal = poles_.normals[v];
-    PolePair pair;
-    if (!is_hull_vertex(triangulation_, stars_, v)) {
-      pair.positive = farthest(v, {});
-      normal = dual_.centers[pair.positive] - p;
+  template <class Visit>
+  void for_asked_vertices(CellId c, Visit visit) {
+    for (const VertexId v : triangulation_.cell(c).vertices) {
+      if (v != infinite_vertex && at_vertices_[v].asked) visit(v);
     }
-    pair.negative = farthest(v, normal);
-    return pair;
   }
 
-  // Of the finite cells at v whose center lies below the normal (if there is one).
-  CellId farthest(VertexId v, const Vec3& normal) const {
-    const Point& p = triangulation_.point(v);
-    CellId best;
-    double largest = -1;
-    for (const CellId c : stars_.star(v)) {
+  // The finite cells farthest off: of all, and of those whose center lies below the normal.
+  void find_poles() {
+    for_finite_corners([&](CellId c, VertexId v, const Vec3& arm) {
+      AtVertex& here = at_vertices_[v];
+      if (!here.on_hull) raise_pole(here.positive, here.reach, c, arm);
+    });
+    for (const CellId c : domain_)
+      for_asked_vertices(c, [&](VertexId v) { at_vertices_[v].reach = 0; });
+    for_finite_corners([&](CellId c, VertexId v, const Vec3& arm) {
+      AtVertex& here = at_vertices_[v];
+      const Vec3 normal =
+          here.on_hull ? poles_.normals[v] : dual_.centers[here.positive] - triangulation_.point(v);
+      if (dot(arm, normal) < 0) raise_pole(here.negative, here.reach, c, arm);
+    });
+  }
+
+  template <class Visit>
+  void for_finite_corners(Visit visit) {
+    for (const CellId c : domain_) {
       if (triangulation_.is_infinite(c)) continue;
-      const Vec3 arm = dual_.centers[c] - p;
-      if (normal != Vec3{} && !(dot(arm, normal) < 0)) continue;
-      const double reach = squared_norm(arm);
-      if (reach < largest || (reach == largest && !precedes(c, best))) continue;
-      largest = reach;
-      best = c;
+      for_asked_vertices(
+          c, [&](VertexId v) { visit(c, v, dual_.centers[c] - triangulation_.point(v)); });
     }
-    return best;
+  }
+
+  void raise_pole(CellId& pole, double& reach, CellId c, const Vec3& arm) const {
+    const double squared = squared_norm(arm);
+    if (!pole.is_none() && (squared < reach || (squared == reach && !precedes(c, pole)))) return;
+    reach = squared;
+    pole = c;
   }
 
   // Ties: the smaller center, and of cells on one sphere the smaller corners.
@@ -130,13 +157,8 @@ class Propagation {
   }
 
   void settle_known(const CellMarks& marks) {
-    ZeroedArray<CellId, std::uint8_t> told(triangulation_.num_cells());
-    for (const VertexId v : vertices_) {
-      for (const CellId c : stars_.star(v)) {
-        if (state_[c] != settled || told[c] != 0) continue;
-        told[c] = 1;
-        pass_on(c, marks.labels[c] == CellLabel::out, 1);
-      }
+    for (const CellId c : domain_) {
+      if (state_[c] == settled) pass_on(c, marks.labels[c] == CellLabel::out, 1);
     }
   }
 
@@ -156,9 +178,7 @@ class Propagation {
 
   void pass_on(CellId c, bool out, double weight) {
     if (!triangulation_.is_infinite(c)) pass_on_to_deep_balls(c, out, weight);
-    for (const VertexId v : triangulation_.cell(c).vertices) {
-      if (v != infinite_vertex) pass_on_to_opposite_pole(c, v, out, weight);
-    }
+    for_asked_vertices(c, [&](VertexId v) { pass_on_to_opposite_pole(c, v, out, weight); });
   }
 
   void pass_on_to_deep_balls(CellId c, bool out, double weight) {
@@ -166,12 +186,12 @@ class Propagation {
       const FacetId f = facet_id(c, i);
       const CellId behind = cell_of(triangulation_.mirror(f));
       if (state_[behind] == settled) continue;
-      raise(behind, out, weight * contact_cosine(triangulation_, dual_, f));
+      raise(behind, out, weight * cosines_.contact(f));
     }
   }
 
   void pass_on_to_opposite_pole(CellId c, VertexId v, bool out, double weight) {
-    const PolePair& pair = pairs_[v];
+    const AtVertex& pair = at_vertices_[v];
     const Point& p = triangulation_.point(v);
     Vec3 arm;
     CellId other;
@@ -189,44 +209,24 @@ class Propagation {
 
   const Triangulation& triangulation_;
   const Dual& dual_;
-  StarCache& stars_;
+  BallCosines& cosines_;
   const Poles& poles_;
+  const DoubtfulRegion& region_;
   ZeroedArray<CellId, SideEvidence> evidence_;
   ZeroedArray<CellId, State> state_;
   ZeroedArray<CellId, std::uint32_t> ranks_;
-  IdVector<VertexId, PolePair> pairs_;
-  std::vector<VertexId> vertices_;  // of undecided cells
+  IdVector<VertexId, AtVertex> at_vertices_;
+  std::vector<CellId> domain_;  // at vertices of undecided cells
   std::priority_queue<Turn> turns_;
 };
 
 }  // namespace
 
-double ball_cosine(const Triangulation& triangulation, const Dual& dual, FacetId f) {
-  const CellId c = cell_of(f);
-  if (triangulation.is_infinite(c)) return 1;
-  const auto [v0, v1, v2] = triangulation.facet_vertices(f);
-  std::array<Point, 3> p{triangulation.point(v0), triangulation.point(v1), triangulation.point(v2)};
-  std::sort(p.begin(), p.end());
-  const Vec3 normal = unit(cross(p[1] - p[0], p[2] - p[0]));
-  const Point& apex = triangulation.point(triangulation.opposite_vertex(f));
-  const double cosine = dot(normal, unit(dual.centers[c] - p[0]));
-  const bool apex_above = dot(normal, apex - p[0]) > 0;
-  return std::clamp(apex_above ? cosine : -cosine, -1.0, 1.0);
-}
-
-double contact_cosine(const Triangulation& triangulation, const Dual& dual, FacetId f) {
-  // beta = pi - phi - psi: cos(beta) = -cos(phi + psi) = sin phi sin psi - cos phi cos psi
-  const double phi = ball_cosine(triangulation, dual, f);
-  const double psi = ball_cosine(triangulation, dual, triangulation.mirror(f));
-  const double sines = std::sqrt((1 - phi * phi) * (1 - psi * psi));
-  return sines - phi * psi;
-}
-
 ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,
-                                                const Dual& dual, StarCache& stars,
+                                                const Dual& dual, BallCosines& cosines,
                                                 const Poles& poles, const CellMarks& marks,
-                                                const std::vector<CellId>& undecided) {
-  return Propagation(triangulation, dual, stars, poles, marks, undecided).run();
+                                                const DoubtfulRegion& region) {
+  return Propagation(triangulation, dual, cosines, poles, marks, region).run();
 }
 
 }  // namespace cocoon

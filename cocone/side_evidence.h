@@ -12,25 +12,16 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
+#include "cocone/ball_cosines.h"
+#include "cocone/doubtful_region.h"
 #include "cocone/mark_cells.h"
 #include "cocone/poles.h"
-#include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
-
-// For facet f seen from its cell: the cosine of the angle between the facet and the tangent plane
-// of the cell's ball at the facet's circle; 1 if the ball is a half-space beyond the facet (as for
-// an infinite cell), -1 if it is one on the other side. O(1).
-double ball_cosine(const Triangulation& triangulation, const Dual& dual, FacetId f);
-
-// The cosine of the angle at which the balls of the two cells of a facet meet: 1 for equal balls, 0
-// if their surfaces cross at right angles, -1 if they touch. The same from both sides. O(1).
-double contact_cosine(const Triangulation& triangulation, const Dual& dual, FacetId f);
 
 // Evidence for a cell: weights of the strongest chains of rules that say OUT and IN.
 struct SideEvidence {
@@ -38,15 +29,15 @@ struct SideEvidence {
   float in = 0;
 };
 
-// Evidence for the cells of `undecided` (all others: zero); `marks.labels` of the others are taken
-// for granted. The weight of a chain is the product of its rules' weights. Cells are settled in the
-// order of how clear their evidence is (power crust): |out - in| large and uncontested first, and
-// pass on their stronger side. Ties go to the lexicographically smaller corners: a function of the
-// point set. Complexity: O(d log d) for d cells at vertices of undecided cells.
-// Source: Amenta, Choi & Kolluri 2001 (the power crust, labeling of poles).
+// Evidence for the undecided cells of the region (all others: zero); `marks.labels` of the others
+// are taken for granted. The weight of a chain is the product of its rules' weights. Cells are
+// settled in the order of how clear their evidence is (power crust): |out - in| large and
+// uncontested first, and pass on their stronger side. Ties go to the lexicographically smaller
+// corners: a function of the point set. Complexity: O(d log d) for d cells at vertices of undecided
+// cells. Source: Amenta, Choi & Kolluri 2001 (the power crust, labeling of poles).
 ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,
-                                                const Dual& dual, StarCache& stars,
+                                                const Dual& dual, BallCosines& cosines,
                                                 const Poles& poles, const CellMarks& marks,
-                                                const std::vector<CellId>& undecided);
+                                                const DoubtfulRegion& region);
 
 }  // namespace cocoon

@@ -9,13 +9,17 @@ namespace cocoon {
 
 namespace {
 constexpr std::uint32_t not_found = 0xFFFFFFFFU;
-}
+constexpr std::size_t few = 1024;
+}  // namespace
 
 std::span<const CellId> StarCache::star(VertexId v) {
+  if (all_.has_value()) return all_->star(v);
   if (first_cell_.empty()) find_first_cells();
   if (place_[v] == not_found) {
     place_[v] = static_cast<std::uint32_t>(stars_.size());
     stars_.push_back(collect(v));
+    if (16 * stars_.size() > triangulation_.num_vertices() + few)
+      all_ = vertex_stars(triangulation_);
   }
   return stars_[place_[v]];
 }

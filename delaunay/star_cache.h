@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "delaunay/triangulation.h"
+#include "delaunay/vertex_stars.h"
 #include "geom/id_vector.h"
 #include "geom/zeroed_array.h"
 
@@ -19,7 +21,8 @@ class StarCache {
   explicit StarCache(const Triangulation& triangulation) : triangulation_(triangulation) {}
 
   // All cells, finite and infinite, that have v as a vertex, in increasing order. Valid as long as
-  // the object. O(star log star) the first time, then O(1).
+  // the object. O(star log star) the first time, then O(1). When a sixteenth of all stars (and
+  // some) has been asked for, all are listed: O(cells), once.
   std::span<const CellId> star(VertexId v);
 
  private:
@@ -30,6 +33,7 @@ class StarCache {
   IdVector<VertexId, CellId> first_cell_;
   IdVector<VertexId, std::uint32_t> place_;  // in stars_
   std::deque<std::vector<CellId>> stars_;
+  std::optional<VertexStars> all_;
   ZeroedArray<CellId, std::uint8_t> seen_;  // scratch, zero between questions
 };
 

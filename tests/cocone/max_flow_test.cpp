@@ -85,5 +85,60 @@ TEST(MaxFlow, FindsTheSmallestOfAllMinimumCutsInAnyOrder) {
   }
 }
 
+// Graphs like those of cells, against the smallest source side that plain augmenting paths leave.
+TEST(MaxFlow, AgreesWithAugmentingPathsOnLattices) {
+  std::mt19937 random(2);
+  const auto below = [&](unsigned n) { return static_cast<std::int64_t>(random() % n); };
+  for (int round = 0; round < 10; ++round) {
+    constexpr std::uint32_t side = 6;
+    constexpr std::uint32_t count = side * side * side;
+    const unsigned pulled = round % 2 == 0 ? 1 : 20;  // one of so many
+    MaxFlow flow(count);
+    std::vector<std::vector<std::int64_t>> room(count + 2, std::vector<std::int64_t>(count + 2));
+    const auto add = [&](std::uint32_t a, std::uint32_t b) {
+      const std::int64_t cost = below(10);
+      flow.add_edge(a, b, cost);
+      room[a][b] = room[b][a] = cost;
+    };
+    for (std::uint32_t v = 0; v < count; ++v) {
+      if (v % side + 1 < side) add(v, v + 1);
+      if (v / side % side + 1 < side) add(v, v + side);
+      if (v / side / side + 1 < side) add(v, v + side * side);
+      if (below(pulled) != 0) continue;
+      const std::int64_t pull = below(60) - 30;
+      if (pull > 0) flow.pull_to_source(v, room[count][v] = pull);
+      if (pull < 0) flow.pull_to_sink(v, room[v][count + 1] = -pull);
+    }
+    std::vector<std::uint32_t> from;
+    const auto search = [&] {
+      from.assign(count + 2, count + 2);
+      std::vector<std::uint32_t> queue{count};
+      from[count] = count;
+      for (std::size_t k = 0; k < queue.size(); ++k) {
+        for (std::uint32_t v = 0; v < count + 2; ++v) {
+          if (from[v] != count + 2 || room[queue[k]][v] == 0) continue;
+          from[v] = queue[k];
+          queue.push_back(v);
+        }
+      }
+      return from[count + 1] != count + 2;
+    };
+    while (search()) {
+      std::int64_t amount = 1000;
+      for (std::uint32_t v = count + 1; v != count; v = from[v]) {
+        amount = std::min(amount, room[from[v]][v]);
+      }
+      for (std::uint32_t v = count + 1; v != count; v = from[v]) {
+        room[from[v]][v] -= amount;
+        room[v][from[v]] += amount;
+      }
+    }
+    const std::vector<std::uint8_t> sides = flow.source_side();
+    for (std::uint32_t v = 0; v < count; ++v) {
+      EXPECT_EQ(sides[v] != 0, from[v] != count + 2) << "round " << round << ", node " << v;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cocoon

@@ -1,0 +1,68 @@
+#include "cocone/surface_flaws.h"
+
+#include <algorithm>
+
+#include "delaunay/circulate.h"
+
+namespace cocoon {
+namespace {
+
+// The surface facets at a vertex, each seen from its cell with out = 0.
+struct Fan {
+  std::uint32_t facets = 0;
+  FacetId first;  // no id if there are none
+};
+
+// Does a walk around v from surface facet to surface facet, on the side of `first`, meet that many,
+// and no edge twice, until `first` comes again?
+bool is_simple_cycle(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
+                     VertexId v, FacetId first, std::uint32_t facets,
+                     std::vector<VertexId>& edge_ends) {
+  edge_ends.clear();
+  const std::uint8_t side = out[cell_of(first)];
+  const auto corners = triangulation.facet_vertices(first);
+  VertexId end = corners[0] == v ? corners[1] : corners[0];
+  FacetId f = first;
+  do {
+    if (std::find(edge_ends.begin(), edge_ends.end(), end) != edge_ends.end()) return false;
+    edge_ends.push_back(end);
+    f = other_facet_at_edge(triangulation, f, v, end);
+    for (FacetId behind = triangulation.mirror(f); out[cell_of(behind)] == side;
+         behind = triangulation.mirror(f)) {
+      f = other_facet_at_edge(triangulation, behind, v, end);
+    }
+    end = third_vertex(triangulation, f, v, end);
+  } while (f != first);
+  return edge_ends.size() == facets;
+}
+
+}  // namespace
+
+SurfaceFlaws find_surface_flaws(const Triangulation& triangulation, const DoubtfulRegion& region,
+                                const IdVector<CellId, std::uint8_t>& out) {
+  IdVector<VertexId, Fan> fans(triangulation.num_vertices());
+  for (const CellId c : region.cells) {
+    if (out[c] != 0) continue;
+    for (int i = 0; i < 4; ++i) {
+      if (out[triangulation.neighbor(c, i)] == 0) continue;
+      for (const VertexId v : triangulation.facet_vertices(facet_id(c, i))) {
+        ++fans[v].facets;
+        fans[v].first = facet_id(c, i);
+      }
+    }
+  }
+  SurfaceFlaws flaws;
+  std::vector<VertexId> edge_ends;
+  for (const VertexId v : triangulation.vertices()) {
+    if (!region.contains(v)) continue;
+    const auto& [facets, first] = fans[v];
+    if (facets == 0) {
+      flaws.unused.push_back(v);
+    } else if (!is_simple_cycle(triangulation, out, v, first, facets, edge_ends)) {
+      flaws.pinched.push_back(v);
+    }
+  }
+  return flaws;
+}
+
+}  // namespace cocoon
