@@ -159,7 +159,7 @@ TEST(FullDisk, EveryCommandWritesAllOrNothing) {
   on_small_disk(disks, [&] {
     for (const Writing& writing : all_writings(disks)) {
       EXPECT_FALSE(all_or_nothing(disks.small.file(""), writing, 0));
-      for (const std::size_t left : {4096, 3 * 4096, 10 * 4096, 30 * 4096, 100 * 4096}) {
+      for (const std::size_t left : {4096U, 3U * 4096U, 10U * 4096U, 30U * 4096U, 100U * 4096U}) {
         if (all_or_nothing(disks.small.file(""), writing, left)) break;
       }
     }

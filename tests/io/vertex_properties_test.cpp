@@ -197,7 +197,7 @@ TEST(VertexProperties, TablesAreGatheredByName) {
   EXPECT_EQ(gathered.properties.columns[1].values, std::string("\0\4\0\3", 4));
   const std::string& w = gathered.properties.columns[2].values;
   EXPECT_EQ(load_number<float>(w.data(), std::endian::little), 5.0F);
-  for (const std::size_t row : {1, 2, 3}) {
+  for (const std::size_t row : {1U, 2U, 3U}) {
     EXPECT_TRUE(std::isnan(load_number<float>(w.data() + 4 * row, std::endian::little)));
   }
   EXPECT_EQ(gathered.missing, (std::vector<std::size_t>{1, 2, 3}));
