@@ -42,6 +42,7 @@ CellEnergy::CellEnergy(const Triangulation& triangulation, BallCosines& cosines,
       own_preference_(triangulation.num_cells()),
       wanted_(triangulation.num_vertices(), 0),
       parts_(triangulation, stars, out),
+      flips_now_(triangulation.num_cells()),
       idle_now_(triangulation.num_vertices()) {}
 
 Energy CellEnergy::facet_cost(FacetId f) {
@@ -107,10 +108,7 @@ Energy CellEnergy::vertex_change(CellId c, int i, const Place& place) {
     if (kept == 0) out_[c] ^= 1U;
     return unused ? more * cost_of_use(v) : more * defect_cost_;
   }
-  const std::size_t before = parts_.count(v);
-  out_[c] ^= 1U;
-  const std::size_t after = parts_.count(v);
-  out_[c] ^= 1U;
+  const auto [before, after] = parts_.count_change(v, c);
   const Energy more = static_cast<Energy>(extra(after, 2)) - static_cast<Energy>(extra(before, 2));
   const Energy used = (after > 1 ? 1 : 0) - (before > 1 ? 1 : 0);
   return more * defect_cost_ + used * cost_of_use(v);
@@ -144,6 +142,16 @@ Energy CellEnergy::flip_change(CellId c) {
   return total;
 }
 
+// The same, remembered until cells change sides for good: many sets begin with the same cell.
+Energy CellEnergy::flip_change_now(CellId c) {
+  auto& [change, state] = flips_now_[c];
+  if (state != state_) {
+    change = flip_change(c);
+    state = state_;
+  }
+  return change;
+}
+
 // Remembers it until cells change sides for good.
 bool CellEnergy::is_idle_now(VertexId v) {
   std::uint32_t& known = idle_now_[v];
@@ -154,7 +162,7 @@ bool CellEnergy::is_idle_now(VertexId v) {
 Energy CellEnergy::change(std::span<const CellId> cells, Energy limit) {
   Energy total = 0;
   for (const CellId c : cells) {
-    total += flip_change(c);
+    total += c == cells.front() ? flip_change_now(c) : flip_change(c);
     out_[c] ^= 1U;
   }
   const auto undo = [&] {

@@ -68,6 +68,7 @@ class CellEnergy {
     return labels_[c] == CellLabel::out ? -mark_weight_ : mark_weight_;
   }
   Energy flip_change(CellId c);
+  Energy flip_change_now(CellId c);
   Energy vertex_change(CellId c, int i, const Place& place);
   std::size_t sheets_at(CellId c, int i, int j) const;
   // What it costs that a vertex is on the surface rather than not: a vertex for Euler.
@@ -90,6 +91,11 @@ class CellEnergy {
   ZeroedArray<CellId, Energy> own_preference_;  // beyond that by the label
   VertexSet wanted_;
   StarParts parts_;
+  struct FlipNow {
+    Energy change;
+    std::uint32_t state;
+  };
+  ZeroedArray<CellId, FlipNow> flips_now_;
   ZeroedArray<VertexId, std::uint32_t> idle_now_;  // 2 * state + 1 if idle in that state
   std::uint32_t state_ = 1;                        // grows with every flip
   std::vector<VertexId> vertices_;

@@ -120,61 +120,101 @@ void MaxFlow::augment(std::uint32_t from, std::uint32_t arc, std::uint32_t to) {
   adopt_orphans(sink_);
 }
 
+// From the root on, so that each node is looked at once: those that cannot keep their level leave
+// the tree with what hangs on them. Then they come back, the lowest first, where the tree still
+// reaches them.
 void MaxFlow::adopt_orphans(Tree& tree) {
-  while (!orphans_.empty()) {  // those near the root were cut off last
-    const std::uint32_t v = orphans_.back();
-    orphans_.pop_back();
-    if (nodes_[v].parent == cut_off && !keeps_level(tree, v)) move_to_new_level(tree, v);
+  lost_.clear();
+  std::vector<std::uint32_t> children;
+  std::vector<std::uint32_t> next_children;
+  while (!orphans_.empty() || !children.empty()) {
+    // Of the saturated path the node nearest to the root was cut off last.
+    const std::int32_t level =
+        level_of(tree, children.empty() ? orphans_.back() : children.front());
+    while (!orphans_.empty() && level_of(tree, orphans_.back()) <= level) {
+      children.push_back(orphans_.back());
+      orphans_.pop_back();
+    }
+    for (const std::uint32_t v : children) {
+      if (!keeps_level(tree, v)) release(v, next_children);
+    }
+    children.swap(next_children);
+    next_children.clear();
   }
+  bring_back(tree);
+}
+// Of the node's arcs from `next` on the first to a node of that level from which it can hang.
+std::uint32_t MaxFlow::first_arc_to_level(const Tree& tree, std::uint32_t node,
+                                          std::int32_t level) const {
+  std::uint32_t k = nodes_[node].next;
+  const std::uint32_t end = end_of_arcs(node);
+  while (k < end && (level_of(tree, arcs_[k].to) != level || room_up(tree, arcs_[k]) == 0)) {
+    ++k;
+  }
+  return k;
 }
 
 bool MaxFlow::keeps_level(const Tree& tree, std::uint32_t node) {
   Node& n = nodes_[node];
-  const std::int32_t above = n.level - tree.sign;
+  const std::int32_t above = level_of(tree, node) - 1;
   if (above == 0) return false;
-  for (; n.next < end_of_arcs(node); ++n.next) {
-    const Arc& arc = arcs_[n.next];
-    if (nodes_[arc.to].level != above || room_up(tree, arc) == 0) continue;
-    n.parent = n.next;
-    return true;
-  }
-  return false;
+  n.next = first_arc_to_level(tree, node, above);
+  if (n.next == end_of_arcs(node)) return false;
+  n.parent = n.next;
+  return true;
 }
 
-// Levels only rise: a parent may be found among the node's own children, which are cut off and then
-// rise further, until the tree lets go of them.
-void MaxFlow::move_to_new_level(Tree& tree, std::uint32_t node) {
+// Takes the node from its tree and cuts off its children.
+void MaxFlow::release(std::uint32_t node, std::vector<std::uint32_t>& children) {
   Node& n = nodes_[node];
-  std::int32_t lowest = tree.depth + (tree.growing ? 1 : 0);
-  std::uint32_t parent = no_arc;
   for (std::uint32_t k = n.first; k < end_of_arcs(node); ++k) {
-    const Arc& arc = arcs_[k];
-    Node& other = nodes_[arc.to];
-    const std::int32_t level = tree.sign * other.level;
-    if (level <= 0) continue;
-    if (level < lowest && room_up(tree, arc) > 0) {
-      lowest = level;
-      parent = k;
-    }
-    if (other.parent == arc.reverse) {
-      other.parent = cut_off;
-      orphans_.push_back(arc.to);
-    }
+    Node& other = nodes_[arcs_[k].to];
+    if (other.parent != arcs_[k].reverse) continue;
+    other.parent = cut_off;
+    children.push_back(arcs_[k].to);
   }
-  if (parent == no_arc) {
-    n.level = 0;
-    n.parent = no_arc;
-    n.next = n.first;
-  } else {
-    n.next = parent;
-    set_level(tree, node, lowest + 1, parent);
+  n = {n.first, n.first, no_arc, 0};
+  lost_.push_back(node);
+}
+
+void MaxFlow::bring_back(Tree& tree) {
+  if (lost_.empty()) return;
+  const std::int32_t limit = tree.depth + (tree.growing ? 1 : 0);
+  const auto at_level = [&](std::int32_t level) -> std::vector<std::uint32_t>& {
+    const auto index = static_cast<std::size_t>(level);
+    if (index >= returning_.size()) returning_.resize(index + 1);
+    return returning_[index];
+  };
+  std::int32_t level = limit + 1;
+  for (const std::uint32_t v : lost_) {
+    std::int32_t lowest = limit;
+    for (std::uint32_t k = nodes_[v].first; k < end_of_arcs(v); ++k) {
+      const std::int32_t other = level_of(tree, arcs_[k].to);
+      if (other > 0 && other < lowest && room_up(tree, arcs_[k]) > 0) lowest = other;
+    }
+    if (lowest == limit) continue;
+    at_level(lowest + 1).push_back(v);
+    level = std::min(level, lowest + 1);
+  }
+  for (; level <= limit; ++level) {
+    for (std::size_t i = 0; i < at_level(level).size(); ++i) {
+      const std::uint32_t v = at_level(level)[i];
+      if (nodes_[v].level != 0) continue;
+      nodes_[v].next = first_arc_to_level(tree, v, level - 1);
+      set_level(tree, v, level, nodes_[v].next);
+      for (std::uint32_t k = nodes_[v].first; level < limit && k < end_of_arcs(v); ++k) {
+        const bool follows = nodes_[arcs_[k].to].level == 0 && room_down(tree, arcs_[k]) > 0;
+        if (follows) at_level(level + 1).push_back(arcs_[k].to);
+      }
+    }
+    at_level(level).clear();
   }
 }
 
 std::vector<std::uint8_t> MaxFlow::source_side() {
   build_arcs();
   while (!source_.frontier.empty() && !sink_.frontier.empty()) {
-    grow(source_.frontier.size() <= sink_.frontier.size() ? source_ : sink_);
+    grow(source_.depth <= sink_.depth ? source_ : sink_);
   }
   // The source's tree is finished only if it was the one that could not grow.
   std::vector<std::uint8_t> side(excess_.size(), 0);

@@ -69,9 +69,14 @@ class MaxFlow {
   void push(Tree& tree, std::uint32_t node, std::int64_t amount);
   void adopt_orphans(Tree& tree);
   bool keeps_level(const Tree& tree, std::uint32_t node);
-  void move_to_new_level(Tree& tree, std::uint32_t node);
+  void release(std::uint32_t node, std::vector<std::uint32_t>& children);
+  void bring_back(Tree& tree);
+  std::uint32_t first_arc_to_level(const Tree& tree, std::uint32_t node, std::int32_t level) const;
   void set_level(Tree& tree, std::uint32_t node, std::int32_t level, std::uint32_t parent);
 
+  std::int32_t level_of(const Tree& tree, std::uint32_t node) const {
+    return tree.sign * nodes_[node].level;
+  }
   std::uint32_t end_of_arcs(std::uint32_t node) const { return nodes_[node + 1].first; }
   // How much more can flow over an arc of a node: away from it in the source's tree, to it in the
   // sink's.
@@ -89,6 +94,8 @@ class MaxFlow {
   Tree source_{1, 1, {}, {}, false};
   Tree sink_{-1, 1, {}, {}, false};
   std::vector<std::uint32_t> orphans_;
+  std::vector<std::uint32_t> lost_;                    // that could not keep their level
+  std::vector<std::vector<std::uint32_t>> returning_;  // by new level
 };
 
 }  // namespace cocoon

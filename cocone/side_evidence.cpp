@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <queue>
+#include <vector>
 
 #include "delaunay/circulate.h"
 
@@ -22,15 +24,17 @@ Corners sorted_corners(const Triangulation& triangulation, CellId c) {
   return corners;
 }
 
-struct Turn {
-  float clarity;
-  std::uint32_t rank;  // in canonical order
-  CellId cell;
+// When a cell has its turn, as one number: the clearer first, then the first in canonical order.
+using Turn = std::uint64_t;
 
-  friend bool operator<(const Turn& a, const Turn& b) {
-    return a.clarity != b.clarity ? a.clarity < b.clarity : a.rank > b.rank;
-  }
-};
+Turn make_turn(float clarity, std::uint32_t rank) {
+  constexpr std::uint32_t sign = 0x80000000U;
+  const auto bits = std::bit_cast<std::uint32_t>(clarity);
+  const std::uint32_t ordered = (bits & sign) != 0 ? ~bits : bits | sign;
+  return static_cast<Turn>(ordered) << 32 | ~rank;
+}
+
+std::uint32_t rank_of(Turn turn) { return ~static_cast<std::uint32_t>(turn); }
 
 // The finite cells of a star with the poles of its vertex; none at infinity.
 struct AtVertex {
@@ -63,10 +67,11 @@ class Propagation {
     while (!turns_.empty()) {
       const Turn turn = turns_.top();
       turns_.pop();
-      if (state_[turn.cell] != open || turn.clarity != clarity(turn.cell)) continue;
-      state_[turn.cell] = closed;
-      const SideEvidence& e = evidence_[turn.cell];
-      pass_on(turn.cell, e.out >= e.in, std::max(e.out, e.in));
+      const CellId c = order_[rank_of(turn)];
+      if (state_[c] != open || turn != make_turn(clarity(c), ranks_[c])) continue;
+      state_[c] = closed;
+      const SideEvidence& e = evidence_[c];
+      pass_on(c, e.out >= e.in, std::max(e.out, e.in));
     }
     return std::move(evidence_);
   }
@@ -93,8 +98,11 @@ class Propagation {
     std::sort(order.begin(), order.end(),
               [](const Key& a, const Key& b) { return a.corners < b.corners; });
     ranks_ = ZeroedArray<CellId, std::uint32_t>(triangulation_.num_cells());
-    std::uint32_t next = 0;
-    for (const Key& key : order) ranks_[key.cell] = next++;
+    order_.reserve(order.size());
+    for (const Key& key : order) {
+      ranks_[key.cell] = static_cast<std::uint32_t>(order_.size());
+      order_.push_back(key.cell);
+    }
   }
 
   // Undecided cells, their vertices, and all other cells at those.
@@ -173,7 +181,7 @@ class Propagation {
     float& value = out ? evidence_[c].out : evidence_[c].in;
     if (static_cast<float>(weight) <= value) return;
     value = static_cast<float>(weight);
-    if (state_[c] == open) turns_.push({clarity(c), ranks_[c], c});
+    if (state_[c] == open) turns_.push(make_turn(clarity(c), ranks_[c]));
   }
 
   void pass_on(CellId c, bool out, double weight) {
@@ -214,6 +222,7 @@ class Propagation {
   const DoubtfulRegion& region_;
   ZeroedArray<CellId, SideEvidence> evidence_;
   ZeroedArray<CellId, State> state_;
+  std::vector<CellId> order_;  // undecided cells in canonical order
   ZeroedArray<CellId, std::uint32_t> ranks_;
   IdVector<VertexId, AtVertex> at_vertices_;
   std::vector<CellId> domain_;  // at vertices of undecided cells

@@ -1,5 +1,6 @@
 #include "cocone/star_parts.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "delaunay/circulate.h"
@@ -32,12 +33,19 @@ const std::vector<StarParts::Word>& StarParts::links(VertexId v) {
   return links_.back();
 }
 
-std::size_t StarParts::count_in_word(VertexId v) {
-  const std::vector<Word>& neighbors = links(v);
-  const std::span<const CellId> star = stars_.star(v);
-  Word outside = 0;
-  for (std::size_t k = 0; k < star.size(); ++k) outside |= Word{out_[star[k]]} << k;
-  Word left = ~Word{0} >> (word_size - star.size());
+// Bit k: the k-th cell of a small star is OUT.
+StarParts::Word StarParts::outside(VertexId v) {
+  Word word = 0;
+  Word bit = 1;
+  for (const CellId c : stars_.star(v)) {
+    if (out_[c] != 0) word |= bit;
+    bit <<= 1;
+  }
+  return word;
+}
+
+std::size_t StarParts::count_in_word(const std::vector<Word>& neighbors, Word outside) {
+  Word left = ~Word{0} >> (word_size - neighbors.size());
   std::size_t parts = 0;
   for (; left != 0; ++parts) {
     const Word first = left & -left;
@@ -55,10 +63,25 @@ std::size_t StarParts::count_in_word(VertexId v) {
 }
 
 std::size_t StarParts::count(VertexId v) {
-  if (stars_.star(v).size() <= word_size) return count_in_word(v);
+  if (stars_.star(v).size() <= word_size) return count_in_word(links(v), outside(v));
   std::size_t parts = 0;
   for_each_part(v, [&](const std::vector<CellId>&) { ++parts; });
   return parts;
+}
+
+StarParts::Change StarParts::count_change(VertexId v, CellId c) {
+  const std::span<const CellId> star = stars_.star(v);
+  if (star.size() <= word_size) {
+    const std::vector<Word>& neighbors = links(v);
+    const Word word = outside(v);
+    const auto place = std::lower_bound(star.begin(), star.end(), c) - star.begin();
+    return {count_in_word(neighbors, word), count_in_word(neighbors, word ^ Word{1} << place)};
+  }
+  const std::size_t before = count(v);
+  flipped_ = c;
+  const std::size_t after = count(v);
+  flipped_ = {};
+  return {before, after};
 }
 
 std::vector<std::vector<CellId>> StarParts::list(VertexId v) {
@@ -84,7 +107,7 @@ void StarParts::flood(VertexId v, CellId first) {
     const int opposite = index_of_vertex(triangulation_.cell(part_[next]), v);
     for (int i = 0; i < 4; ++i) {
       const CellId behind = triangulation_.neighbor(part_[next], i);
-      if (i == opposite || stamp_[behind] == token_ || out_[behind] != out_[first]) continue;
+      if (i == opposite || stamp_[behind] == token_ || side(behind) != side(first)) continue;
       stamp_[behind] = token_;
       part_.push_back(behind);
     }
