@@ -13,8 +13,10 @@ void prefer_large_pages(const void* begin, std::size_t bytes) {
   const auto address = reinterpret_cast<std::uintptr_t>(begin);
   const std::uintptr_t first = (address + large_page - 1) / large_page * large_page;
   const std::uintptr_t last = (address + bytes) / large_page * large_page;
-  // A refusal changes nothing.
-  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+  if (first >= last) return;
+  // The advice writes nothing into the pages. A refusal changes nothing.
+  char* const memory = static_cast<char*>(const_cast<void*>(begin));
+  madvise(memory + (first - address), last - first, MADV_HUGEPAGE);
 #else
   static_cast<void>(begin);
   static_cast<void>(bytes);

@@ -89,6 +89,7 @@ class ElementReader {
   void read_vertices(const PlyElement& element) {
     const std::vector<Role> roles = roles_of(element, file_);
     std::vector<bool> taken;
+    taken.reserve(roles.size());
     for (Role role : roles) taken.push_back(role != Role::none);
     KeptProperties kept(element, taken, keep_properties_);
     soup_.points.reserve(element.count);

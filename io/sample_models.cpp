@@ -61,6 +61,7 @@ double mean_spacing(const TriangleMesh& mesh, std::size_t points) {
 std::vector<std::size_t> shared_like(const std::vector<std::size_t>& parts, std::size_t total) {
   const std::size_t sum = std::accumulate(parts.begin(), parts.end(), std::size_t{0});
   std::vector<std::size_t> shares;
+  shares.reserve(parts.size());
   for (const std::size_t part : parts) shares.push_back(total * part / sum);
   const std::size_t left = total - std::accumulate(shares.begin(), shares.end(), std::size_t{0});
   for (std::size_t k = 0; k < left; ++k) ++shares[k];

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "io/byte_order.h"
 
@@ -98,9 +99,9 @@ VertexProperties select_properties(const VertexProperties& table,
 }
 
 std::string type_text(const PlyProperty& declaration) {
-  const std::string value(name_of(declaration.type));
-  if (!declaration.is_list) return value;
-  return "list " + std::string(name_of(declaration.count_type)) + " " + value;
+  const std::string_view value = name_of(declaration.type);
+  if (!declaration.is_list) return std::string(value);
+  return "list " + std::string(name_of(declaration.count_type)) + " " + std::string(value);
 }
 
 }  // namespace cocoon
