@@ -268,7 +268,7 @@ void DynamicTightCocone::State::replace_triangles(const IdVector<VertexId, Verte
   std::vector<Triangle> merged;
   merged.reserve(triangles.size() + fresh.size());
   auto next = fresh.begin();
-  Triangle last{};
+  Triangle last = {VertexId(0), VertexId(0), VertexId(0)};
   bool sorted = true;
   for (const Triangle& t : triangles) {
     const Triangle mapped{after[t[0]], after[t[1]], after[t[2]]};

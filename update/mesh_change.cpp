@@ -10,6 +10,9 @@ void rotate_smallest_first(Triangle& t) {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
 }
 
+// Not above any triangle. (An id that is not set is `none`, above all others.)
+constexpr Triangle lowest = {VertexId(0), VertexId(0), VertexId(0)};
+
 // A triangle of the old mesh in the numbers of the new one.
 struct Mapped {
   Triangle triangle;
@@ -25,9 +28,9 @@ bool compare_in_order(const TriangleMesh& before, const TriangleMesh& after,
                       const IdVector<VertexId, VertexId>& vertex_map, MeshChange& change) {
   auto next = after.triangles.begin();
   const auto end = after.triangles.end();
-  Triangle last_old{};
-  Triangle last_new{};
-  Triangle now{};
+  Triangle last_old = lowest;
+  Triangle last_new = lowest;
+  Triangle now = lowest;
   bool sorted = true;
   const auto look = [&] {
     if (next == end) return;
