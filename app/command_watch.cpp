@@ -106,7 +106,7 @@ class Watch {
     } else {
       TriangleMesh mesh = read_shape(job_, arguments_.model, "input");
       if (mesh.triangles.empty()) {
-        session_.emplace(session_of_points(job_, arguments_.model, mesh.points.raw(), options_));
+        begin_session(job_, arguments_.model, mesh.points.raw(), options_, session_);
       } else {
         session_.emplace(std::move(mesh), options_);
       }

@@ -104,17 +104,16 @@ std::string with_cloud_names(std::string message, const std::vector<std::string>
   return message;
 }
 
-UpdateSession session_of_points(Job& job, const std::string& name, const std::vector<Point>& points,
-                                const UpdateOptions& options) {
-  UpdateSession session = timed(job.execution(), "initial_model", [&] {
+void begin_session(Job& job, const std::string& name, const std::vector<Point>& points,
+                   const UpdateOptions& options, std::optional<UpdateSession>& session) {
+  timed(job.execution(), "initial_model", [&] {
     const Execution execution = job.execution();
     PrefixedProgress nested("initial_model", execution.progress);
-    return naming_input(name, [&] {
-      return UpdateSession(points, options, {execution.threads, &nested});
+    naming_input(name, [&] {
+      session.emplace(points, options, Execution{execution.threads, &nested});
     });
   });
-  require_surface(job.report(), name, session.reconstruction(), options.reconstruct.boundary.rho);
-  return session;
+  require_surface(job.report(), name, session->reconstruction(), options.reconstruct.boundary.rho);
 }
 
 void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,

@@ -1,6 +1,7 @@
 // The update as `update` and `demo` share it: options, the run itself, and its outputs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,10 @@ struct UpdateInput {
   std::vector<VertexProperties> properties;
 };
 
-// A session that begins with the closed surface of a model given as points, as stage
+// Makes a session that begins with the closed surface of a model given as points, as stage
 // "initial_model". Throws InputError if there is none.
-UpdateSession session_of_points(Job& job, const std::string& name, const std::vector<Point>& points,
-                                const UpdateOptions& options);
+void begin_session(Job& job, const std::string& name, const std::vector<Point>& points,
+                   const UpdateOptions& options, std::optional<UpdateSession>& session);
 
 // Messages of the library number the clouds ("cloud 1 of 2"); people know them by their files.
 std::string with_cloud_names(std::string message, const std::vector<std::string>& names);

@@ -22,6 +22,10 @@ void canonicalize(std::vector<Triangle>& triangles) {
   std::sort(triangles.begin(), triangles.end());
 }
 
+std::vector<KnownTriangle> triangles_of(const KnownTriangleSource& source) {
+  return source ? source() : std::vector<KnownTriangle>();
+}
+
 }  // namespace
 
 struct DynamicTightCocone::State {
@@ -345,16 +349,18 @@ void DynamicTightCocone::take(Points points, Triangulation triangulation) {
 Triangulation DynamicTightCocone::snapshot() const { return state_->compact().triangulation; }
 
 ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution& execution,
-                                                  std::span<const KnownTriangle> known) {
+                                                  const KnownTriangleSource& known) {
   if (working_scale(points) != 1) {
-    ReconstructResult result = reconstruct_tight_again(points, known, state_->options, execution);
+    ReconstructResult result =
+        reconstruct_tight_again(points, triangles_of(known), state_->options, execution);
     state_->clear(points.size());
     return result;
   }
   DelaunayResult built = delaunay(points, state_->options.delaunay, execution);
   ReconstructStages stages;
-  ReconstructResult result = reconstruct_tight_again(std::move(built.triangulation), points, known,
-                                                     state_->options, execution, stages);
+  ReconstructResult result =
+      reconstruct_tight_again(std::move(built.triangulation), points, triangles_of(known),
+                              state_->options, execution, stages);
   result.counters.delaunay = built.counters;
   state_->take(result, std::move(stages));
   return result;
@@ -362,7 +368,7 @@ ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution
 
 ReconstructResult DynamicTightCocone::replace(Points points, std::span<const PointId> old_position,
                                               const Execution& execution,
-                                              std::span<const KnownTriangle> known) {
+                                              const KnownTriangleSource& known) {
   State& state = *state_;
   if (!state.is_live() || working_scale(points) != 1) return reconstruct(points, execution, known);
   State::Step step = state.plan(points, old_position);
@@ -386,7 +392,7 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
     return result;
   }
   try {
-    ReconstructResult result = state.run_stages(points, known, execution);
+    ReconstructResult result = state.run_stages(points, triangles_of(known), execution);
     result.counters.delaunay = change.insertion;
     state.num_points = points.size();
     return result;

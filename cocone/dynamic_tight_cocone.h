@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "cocone/reconstruct.h"
 #include "delaunay/triangulation.h"
@@ -12,6 +14,10 @@
 #include "geom/point.h"
 
 namespace cocoon {
+
+// Triangles of an old mesh, see reconstruct_tight_again(). Asked for only where stages that read
+// them run. Empty: there are none.
+using KnownTriangleSource = std::function<std::vector<KnownTriangle>()>;
 
 // Keeps the Delaunay triangulation of its points from one change to the next. Every result is the
 // one that reconstruct_tight_again gives for points and triangles, bit for bit, whatever the
@@ -32,17 +38,15 @@ class DynamicTightCocone {
   // stages over the whole triangulation.
   std::size_t local_changes() const;
 
-  // Takes these points, in this order, instead of those so far. `known`: triangles of an old mesh,
-  // see reconstruct_tight_again().
+  // Takes these points, in this order, instead of those so far.
   ReconstructResult reconstruct(Points points, const Execution& execution = {},
-                                std::span<const KnownTriangle> known = {});
+                                const KnownTriangleSource& known = {});
   // As reconstruct(points), but goes on from the points so far: old_position[i] is where points[i]
   // was among them, or none if it is new. Points without a successor go.
   // Precondition: equal coordinates at both positions, no position twice.
   // Complexity: the triangulation changes in O(k log n) expected for k points that come or go.
   ReconstructResult replace(Points points, std::span<const PointId> old_position,
-                            const Execution& execution = {},
-                            std::span<const KnownTriangle> known = {});
+                            const Execution& execution = {}, const KnownTriangleSource& known = {});
 
   // Takes over a triangulation whose input points are `points` (delaunay(points), or one saved by
   // snapshot()), without looking for its surface.

@@ -35,28 +35,39 @@ class BitTable {
   std::vector<std::uint64_t> words_;
 };
 
-// The positions of all points that share their place in the table with others.
-std::vector<std::uint32_t> look_alikes(Points points) {
-  const std::size_t size = std::bit_ceil(std::max<std::size_t>(16 * points.size(), 64));
+// The positions of all points that share their place in the table with others; the first `distinct`
+// do not count as others of each other.
+std::vector<std::uint32_t> look_alikes(Points points, std::size_t distinct) {
+  const std::size_t hashed = points.size() - distinct;
+  const std::size_t size = std::bit_ceil(std::max<std::size_t>(16 * hashed, 64));
   BitTable met(size);
   BitTable met_again(size);
-  for (const Point& p : points) {
-    const std::uint64_t at = hash_of(p) & (size - 1);
+  const auto place_of = [&](const Point& p) { return hash_of(p) & (size - 1); };
+  for (const Point& p : points.subspan(distinct)) {
+    const std::uint64_t at = place_of(p);
     if (met.set(at)) met_again.set(at);
   }
   std::vector<std::uint32_t> found;
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (met_again.contains(hash_of(points[i]) & (size - 1))) found.push_back(i);
+  for (std::uint32_t i = 0; i < distinct; ++i) {
+    const std::uint64_t at = place_of(points[i]);
+    if (!met.contains(at)) continue;
+    met_again.set(at);
+    found.push_back(i);
+  }
+  for (std::size_t i = distinct; i < points.size(); ++i) {
+    if (met_again.contains(place_of(points[i]))) found.push_back(static_cast<std::uint32_t>(i));
   }
   return found;
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> first_of_equal(Points points) {
+std::vector<std::uint32_t> first_of_equal(Points points) { return first_of_equal(points, 0); }
+
+std::vector<std::uint32_t> first_of_equal(Points points, std::size_t distinct) {
   std::vector<std::uint32_t> first(points.size());
   std::iota(first.begin(), first.end(), 0U);
-  std::vector<std::uint32_t> order = look_alikes(points);
+  std::vector<std::uint32_t> order = look_alikes(points, distinct);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     const auto by_position = points[a] <=> points[b];
     return by_position != 0 ? by_position < 0 : a < b;

@@ -14,4 +14,8 @@ namespace cocoon {
 // to a hash of 16 bits per point (about n / 8). Deterministic.
 std::vector<std::uint32_t> first_of_equal(Points points);
 
+// The same for points of which the first `distinct` are known to differ from each other: the hashes
+// are those of the others.
+std::vector<std::uint32_t> first_of_equal(Points points, std::size_t distinct);
+
 }  // namespace cocoon

@@ -23,25 +23,6 @@ void accumulate(std::vector<std::uint32_t>& counts) {
   for (std::size_t k = 1; k < counts.size(); ++k) counts[k] += counts[k - 1];
 }
 
-void list_triangles_at_vertices(const TriangleMesh& mesh, MeshAdjacency& adjacency) {
-  adjacency.vertex_begin.assign(mesh.points.size() + 1, 0);
-  for (const Triangle& triangle : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!repeats_earlier_corner(triangle, i)) ++adjacency.vertex_begin[triangle[i].index() + 1];
-    }
-  }
-  accumulate(adjacency.vertex_begin);
-  adjacency.vertex_triangles.resize(adjacency.vertex_begin.back());
-  std::vector<std::uint32_t> next = adjacency.vertex_begin;
-  for (const TriangleId t : mesh.triangles.ids()) {
-    const Triangle& triangle = mesh.triangles[t];
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (repeats_earlier_corner(triangle, i)) continue;
-      adjacency.vertex_triangles[next[triangle[i].index()]++] = t;
-    }
-  }
-}
-
 // (larger vertex, halfedge) in one word, which sorts as the pair does.
 class Side {
  public:
@@ -116,6 +97,25 @@ void link_neighbors(MeshAdjacency& adjacency) {
 }
 
 }  // namespace
+
+void list_triangles_at_vertices(const TriangleMesh& mesh, MeshAdjacency& adjacency) {
+  adjacency.vertex_begin.assign(mesh.points.size() + 1, 0);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!repeats_earlier_corner(triangle, i)) ++adjacency.vertex_begin[triangle[i].index() + 1];
+    }
+  }
+  accumulate(adjacency.vertex_begin);
+  adjacency.vertex_triangles.resize(adjacency.vertex_begin.back());
+  std::vector<std::uint32_t> next = adjacency.vertex_begin;
+  for (const TriangleId t : mesh.triangles.ids()) {
+    const Triangle& triangle = mesh.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (repeats_earlier_corner(triangle, i)) continue;
+      adjacency.vertex_triangles[next[triangle[i].index()]++] = t;
+    }
+  }
+}
 
 std::span<const HalfedgeId> MeshAdjacency::halfedges_at(EdgeId edge) const {
   const std::size_t begin = edge_begin[edge.index()];

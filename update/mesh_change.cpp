@@ -13,11 +13,11 @@ void rotate_smallest_first(Triangle& t) {
 // Not above any triangle. (An id that is not set is `none`, above all others.)
 constexpr Triangle lowest = {VertexId(0), VertexId(0), VertexId(0)};
 
-// A triangle of the old mesh in the numbers of the new one.
-struct Mapped {
+// A triangle in the numbers of the new mesh, with its place in its own.
+struct Numbered {
   Triangle triangle;
   TriangleId source;
-  friend bool operator<(const Mapped& a, const Mapped& b) {
+  friend bool operator<(const Numbered& a, const Numbered& b) {
     return a.triangle != b.triangle ? a.triangle < b.triangle : a.source < b.source;
   }
 };
@@ -40,7 +40,8 @@ bool compare_in_order(const TriangleMesh& before, const TriangleMesh& after,
     last_new = now;
   };
   look();
-  for (const Triangle& t : before.triangles) {
+  for (const TriangleId id : before.triangles.ids()) {
+    const Triangle& t = before.triangles[id];
     Triangle mapped{vertex_map[t[0]], vertex_map[t[1]], vertex_map[t[2]]};
     if (mapped[0].is_none() || mapped[1].is_none() || mapped[2].is_none()) {
       change.removed.push_back(t);
@@ -51,6 +52,8 @@ bool compare_in_order(const TriangleMesh& before, const TriangleMesh& after,
     last_old = mapped;
     for (; next != end && now < mapped; ++next, look()) change.added.push_back(now);
     if (next != end && now == mapped) {
+      change.triangle_map[id] =
+          TriangleId(static_cast<std::size_t>(next - after.triangles.begin()));
       ++next;
       look();
     } else {
@@ -64,11 +67,11 @@ bool compare_in_order(const TriangleMesh& before, const TriangleMesh& after,
 // The same for lists in any order.
 void compare_sorted_copies(const TriangleMesh& before, const TriangleMesh& after,
                            const IdVector<VertexId, VertexId>& vertex_map, MeshChange& change) {
-  std::vector<Mapped> old;
+  std::vector<Numbered> old;
   old.reserve(before.triangles.size());
   for (const TriangleId t : before.triangles.ids()) {
     const auto& [a, b, c] = before.triangles[t];
-    Mapped mapped{{vertex_map[a], vertex_map[b], vertex_map[c]}, t};
+    Numbered mapped{{vertex_map[a], vertex_map[b], vertex_map[c]}, t};
     if (mapped.triangle[0].is_none() || mapped.triangle[1].is_none() ||
         mapped.triangle[2].is_none()) {
       change.removed.push_back(before.triangles[t]);
@@ -78,19 +81,24 @@ void compare_sorted_copies(const TriangleMesh& before, const TriangleMesh& after
     old.push_back(mapped);
   }
   std::sort(old.begin(), old.end());
-  std::vector<Triangle> now = after.triangles.raw();
-  for (Triangle& t : now) rotate_smallest_first(t);
+  std::vector<Numbered> now;
+  now.reserve(after.triangles.size());
+  for (const TriangleId t : after.triangles.ids()) {
+    now.push_back({after.triangles[t], t});
+    rotate_smallest_first(now.back().triangle);
+  }
   std::sort(now.begin(), now.end());
 
   auto next = old.begin();
-  for (const Triangle& t : now) {
-    for (; next != old.end() && next->triangle < t; ++next) {
+  for (const Numbered& t : now) {
+    for (; next != old.end() && next->triangle < t.triangle; ++next) {
       change.removed.push_back(before.triangles[next->source]);
     }
-    if (next != old.end() && next->triangle == t) {
+    if (next != old.end() && next->triangle == t.triangle) {
+      change.triangle_map[next->source] = t.source;
       ++next;
     } else {
-      change.added.push_back(t);
+      change.added.push_back(t.triangle);
     }
   }
   for (; next != old.end(); ++next) change.removed.push_back(before.triangles[next->source]);
@@ -101,8 +109,10 @@ void compare_sorted_copies(const TriangleMesh& before, const TriangleMesh& after
 MeshChange mesh_change(const TriangleMesh& before, const TriangleMesh& after,
                        IdVector<VertexId, VertexId> vertex_map) {
   MeshChange change;
+  change.triangle_map.resize(before.triangles.size());
   if (!compare_in_order(before, after, vertex_map, change)) {
     change = {};
+    change.triangle_map.resize(before.triangles.size());
     compare_sorted_copies(before, after, vertex_map, change);
   }
   for (Triangle& t : change.removed) rotate_smallest_first(t);

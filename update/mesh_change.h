@@ -11,6 +11,7 @@ namespace cocoon {
 
 struct MeshChange {
   IdVector<VertexId, VertexId> vertex_map;  // each old vertex in the new mesh; none: it is gone
+  IdVector<TriangleId, TriangleId> triangle_map;  // each old triangle likewise
   std::vector<Triangle> removed;  // by old vertices, in canonical order: not in the new mesh
   std::vector<Triangle> added;    // by new vertices, in canonical order: not in the old mesh
   bool empty() const { return removed.empty() && added.empty(); }

@@ -1,9 +1,15 @@
 #include "update/model_index.h"
 
+#include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "geom/changed_adjacency.h"
+#include "geom/equal_points.h"
 #include "geom/errors.h"
 
 namespace cocoon {
@@ -30,6 +36,7 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
   return mesh;
 }
 
+// Empty if all triangles are of one component.
 IdVector<TriangleId, std::uint32_t> components_of(const MeshAdjacency& adjacency) {
   constexpr std::uint32_t none = 0xFFFFFFFFU;
   IdVector<TriangleId, std::uint32_t> components(adjacency.neighbors.size(), none);
@@ -50,7 +57,44 @@ IdVector<TriangleId, std::uint32_t> components_of(const MeshAdjacency& adjacency
     }
     ++count;
   }
+  if (count <= 1) components = {};
   return components;
+}
+
+// Whether one can go from each of the triangles to each other one within them. Ascending.
+bool hang_together(std::span<const TriangleId> triangles, const MeshAdjacency& adjacency) {
+  if (triangles.empty()) return true;
+  const auto place_of = [&](TriangleId t) {
+    const auto found = std::lower_bound(triangles.begin(), triangles.end(), t);
+    return found == triangles.end() || *found != t ? triangles.end() : found;
+  };
+  std::vector<std::uint8_t> reached(triangles.size(), 0);
+  reached[0] = 1;
+  std::size_t count = 1;
+  std::vector<TriangleId> stack(1, triangles[0]);
+  while (!stack.empty()) {
+    const TriangleId t = stack.back();
+    stack.pop_back();
+    for (const TriangleId next : adjacency.neighbors[t]) {
+      if (next.is_none()) continue;
+      const auto place = place_of(next);
+      if (place == triangles.end()) continue;
+      std::uint8_t& mark = reached[static_cast<std::size_t>(place - triangles.begin())];
+      if (mark != 0) continue;
+      mark = 1;
+      ++count;
+      stack.push_back(next);
+    }
+  }
+  return count == triangles.size();
+}
+
+bool all_differ(Points points) {
+  const std::vector<std::uint32_t> first = first_of_equal(points);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i] != i) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -58,7 +102,26 @@ IdVector<TriangleId, std::uint32_t> components_of(const MeshAdjacency& adjacency
 ModelIndex::ModelIndex(const TriangleMesh& mesh)
     : mesh_(&checked(mesh)),
       adjacency_(mesh_neighbors(mesh)),
-      components_(components_of(adjacency_)) {}
+      components_(components_of(adjacency_)),
+      distinct_points_(all_differ(mesh.points.span())) {}
+
+ModelIndex::ModelIndex(const TriangleMesh& mesh, const IndexBefore& before) : mesh_(&mesh) {
+  const MeshChange& change = before.change;
+  std::optional<ChangedAdjacency> changed = changed_neighbors(
+      mesh, {before.mesh, before.index.adjacency_, change.vertex_map, change.triangle_map});
+  if (!changed) {
+    *this = ModelIndex(mesh);
+    return;
+  }
+  adjacency_ = std::move(changed->adjacency);
+  // From a triangle that stayed one comes, within those that stayed, to one that went, hence to the
+  // seam: if that hangs together so does all.
+  const bool connected = before.index.is_connected() &&
+                         (change.added.empty() || !change.removed.empty()) &&
+                         hang_together(changed->seam, adjacency_);
+  if (!connected) components_ = components_of(adjacency_);
+  distinct_points_ = before.distinct_points || all_differ(mesh.points.span());
+}
 
 Vec3 ModelIndex::normal(TriangleId t) const {
   const auto [a, b, c] = corners_of(*mesh_, t);

@@ -11,14 +11,6 @@ namespace cocoon {
 
 namespace {
 
-std::vector<std::uint8_t> used_flags(const TriangleMesh& model) {
-  std::vector<std::uint8_t> used(model.points.size(), 0);
-  for (const Triangle& t : model.triangles) {
-    for (const VertexId v : t) used[v.index()] = 1;
-  }
-  return used;
-}
-
 // Whether the vertex is close to a point of the first cloud, second cloud, ...
 class ThinningTest {
  public:
@@ -46,10 +38,10 @@ class ThinningTest {
   std::vector<Cloud> clouds_;
 };
 
-// Merges equal points of `points`, keeping the first of each in place; returns the new position of
-// every old one.
-std::vector<PointId> merge_equal(std::vector<Point>& points) {
-  const std::vector<std::uint32_t> first = first_of_equal(points);
+// Merges equal points of `points`, of which the first `distinct` differ from each other, keeping
+// the first of each in place; returns the new position of every old one.
+std::vector<PointId> merge_equal(std::vector<Point>& points, std::size_t distinct) {
+  const std::vector<std::uint32_t> first = first_of_equal(points, distinct);
   std::vector<PointId> new_position(points.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -66,22 +58,22 @@ std::vector<PointId> merge_equal(std::vector<Point>& points) {
 
 }  // namespace
 
-Replacement replace_points(const TriangleMesh& model, const Regions& regions,
+Replacement replace_points(const ModelIndex& index, const Regions& regions,
                            const RegionChoice& choice, std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds,
                            const ReplaceOptions& options) {
   Replacement result;
-  const std::vector<std::uint8_t> used = used_flags(model);
+  const TriangleMesh& model = index.mesh();
   const RimIndex rim_index(rims);
   const ThinningTest thinning(rims, clouds, options.thinning_distance);
 
   const IdVector<VertexId, Scanned> scanned =
-      scanned_vertices(model, regions, rim_index, rims, clouds, options.scanned);
+      scanned_vertices(index, regions, rim_index, rims, clouds, options.scanned);
 
   // 1. Kept vertices.
   std::vector<VertexId> kept;
   for (const VertexId v : model.points.ids()) {
-    if (used[v.index()] == 0) {
+    if (index.adjacency().triangles_at(v).empty()) {
       ++result.unused_vertices;
       continue;
     }
@@ -111,7 +103,8 @@ Replacement replace_points(const TriangleMesh& model, const Regions& regions,
     result.points.insert(result.points.end(), cloud.begin(), cloud.end());
   }
   const std::size_t gathered = result.points.size();
-  const std::vector<PointId> new_position = merge_equal(result.points);
+  const std::vector<PointId> new_position =
+      merge_equal(result.points, index.has_distinct_points() ? kept.size() : 0);
   result.duplicates = gathered - result.points.size();
 
   // 3. Where everything went.
@@ -123,17 +116,24 @@ Replacement replace_points(const TriangleMesh& model, const Regions& regions,
     result.point_of_cloud_point.emplace_back(std::vector<PointId>(next, end));
     next = end;
   }
+  return result;
+}
+
+std::vector<KnownTriangle> known_triangles(const TriangleMesh& model, const Regions& regions,
+                                           const RegionChoice& choice,
+                                           const Replacement& replacement) {
+  std::vector<KnownTriangle> known;
   for (const TriangleId t : model.triangles.ids()) {
     const RegionId region = regions.region_of_facet[t];
     if (region.is_none() || choice.replaced[region] != 0) continue;
     KnownTriangle corners;
     std::transform(model.triangles[t].begin(), model.triangles[t].end(), corners.begin(),
-                   [&](VertexId v) { return result.point_of_vertex[v]; });
+                   [&](VertexId v) { return replacement.point_of_vertex[v]; });
     const bool stays =
         std::none_of(corners.begin(), corners.end(), [](PointId p) { return p.is_none(); });
-    if (stays) result.known.push_back(corners);
+    if (stays) known.push_back(corners);
   }
-  return result;
+  return known;
 }
 
 }  // namespace cocoon

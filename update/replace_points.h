@@ -13,6 +13,7 @@
 #include "geom/triangle_mesh.h"
 #include "update/choose_regions.h"
 #include "update/cloud_rim.h"
+#include "update/model_index.h"
 #include "update/scanned_vertices.h"
 #include "update/segment_model.h"
 
@@ -33,9 +34,6 @@ struct Replacement {
   // vertices share a point.
   IdVector<VertexId, PointId> point_of_vertex;
   std::vector<IdVector<PointId, PointId>> point_of_cloud_point;  // per cloud
-  // The model's triangles in kept regions, off the border, whose corners all stay: their places in
-  // the surface are known.
-  std::vector<KnownTriangle> known;
 
   std::size_t kept = 0;             // model vertices, with border vertices
   std::size_t replaced = 0;         // model vertices, with border vertices
@@ -56,9 +54,15 @@ struct Replacement {
 // vertices at the very rim those go that have been scanned anew (scanned_vertices.h).
 // Complexity: O(n) for n points and triangles, and a search per border vertex. Deterministic.
 // Source: Woo & Dey 2005, section 3.4 ("the vertices in the region"; border vertices are open).
-Replacement replace_points(const TriangleMesh& model, const Regions& regions,
+Replacement replace_points(const ModelIndex& model, const Regions& regions,
                            const RegionChoice& choice, std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds,
                            const ReplaceOptions& options = {});
+
+// The model's triangles in kept regions, off the border, whose corners all stay, by the updated
+// points: their places in the surface are known. Complexity: O(t).
+std::vector<KnownTriangle> known_triangles(const TriangleMesh& model, const Regions& regions,
+                                           const RegionChoice& choice,
+                                           const Replacement& replacement);
 
 }  // namespace cocoon

@@ -9,50 +9,65 @@ namespace cocoon {
 
 namespace {
 
-// The spacing of the model at the corners of border facets, 0 at all other vertices: the mean edge
-// of the facets around each of them, smoothed over its neighbors among them, since a few edges vary
-// a lot.
+// The corners of border facets, ascending, and the spacing of the model at them: the mean edge of
+// the facets around each of them, smoothed over its neighbors among them, since a few edges vary a
+// lot.
 class BorderSpacing {
  public:
-  BorderSpacing(const TriangleMesh& model, const Regions& regions)
-      : model_(model), at_border_(model.points.size(), 0) {
-    for (const TriangleId t : model.triangles.ids()) {
+  BorderSpacing(const ModelIndex& model, const Regions& regions)
+      : model_(model), place_(model.mesh().points.size(), none) {
+    for (const TriangleId t : regions.region_of_facet.ids()) {
       if (!regions.region_of_facet[t].is_none()) continue;
-      for (const VertexId v : model.triangles[t]) at_border_[v] = 1;
+      for (const VertexId v : model.mesh().triangles[t]) place_[v] = at_border;
+    }
+    for (const VertexId v : place_.ids()) {
+      if (place_[v] == none) continue;
+      place_[v] = static_cast<std::uint32_t>(vertices_.size());
+      vertices_.push_back(v);
     }
   }
 
-  IdVector<VertexId, double> compute() const {
-    const IdVector<VertexId, double> own = mean_around([&](VertexId v, VertexId other) {
-      return distance(model_.points[v], model_.points[other]);
+  const std::vector<VertexId>& vertices() const { return vertices_; }
+
+  std::vector<double> compute() const {
+    const Points points = model_.mesh().points.span();
+    const std::vector<double> own = mean_around([&](VertexId v, VertexId other) {
+      return distance(points[v.index()], points[other.index()]);
     });
     return mean_around([&](VertexId v, VertexId other) {
-      return at_border_[other] != 0 ? 0.5 * (own[v] + own[other]) : own[v];
+      const double at_v = own[place_[v]];
+      return place_[other] != none ? 0.5 * (at_v + own[place_[other]]) : at_v;
     });
   }
 
  private:
-  // The mean of value(v, other) over the other corners of the facets at v.
+  static constexpr std::uint32_t none = 0xFFFFFFFFU;
+  static constexpr std::uint32_t at_border = 0;
+
+  // The mean of value(v, other) over the other corners of the facets at each vertex v.
   template <class Value>
-  IdVector<VertexId, double> mean_around(const Value& value) const {
-    IdVector<VertexId, double> means(model_.points.size(), 0);
-    IdVector<VertexId, std::uint32_t> counts(model_.points.size(), 0);
-    for (const Triangle& corners : model_.triangles) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const VertexId v = corners[i];
-        if (at_border_[v] == 0) continue;
-        means[v] += value(v, corners[(i + 1) % 3]) + value(v, corners[(i + 2) % 3]);
-        counts[v] += 2;
+  std::vector<double> mean_around(const Value& value) const {
+    std::vector<double> means;
+    means.reserve(vertices_.size());
+    for (const VertexId v : vertices_) {
+      double sum = 0;
+      std::size_t count = 0;
+      for (const TriangleId t : model_.adjacency().triangles_at(v)) {
+        const Triangle& corners = model_.mesh().triangles[t];
+        for (std::size_t i = 0; i < 3; ++i) {
+          if (corners[i] != v) continue;
+          sum += value(v, corners[(i + 1) % 3]) + value(v, corners[(i + 2) % 3]);
+          count += 2;
+        }
       }
-    }
-    for (const VertexId v : means.ids()) {
-      if (counts[v] > 0) means[v] /= static_cast<double>(counts[v]);
+      means.push_back(sum / static_cast<double>(count));
     }
     return means;
   }
 
-  const TriangleMesh& model_;
-  IdVector<VertexId, std::uint8_t> at_border_;
+  const ModelIndex& model_;
+  IdVector<VertexId, std::uint32_t> place_;  // among vertices_
+  std::vector<VertexId> vertices_;
 };
 
 // A vertex that may have been scanned, and how close a sample must be.
@@ -63,26 +78,30 @@ struct Candidate {
 
 }  // namespace
 
-IdVector<VertexId, Scanned> scanned_vertices(const TriangleMesh& model, const Regions& regions,
+IdVector<VertexId, Scanned> scanned_vertices(const ModelIndex& index, const Regions& regions,
                                              const RimIndex& rim_index,
                                              std::span<const CloudRim> rims,
                                              std::span<const std::vector<Point>> clouds,
                                              const ScannedOptions& options) {
+  const TriangleMesh& model = index.mesh();
   IdVector<VertexId, Scanned> result(model.points.size(), Scanned::unclear);
   if (rim_index.empty() || !(options.rim_zone > 0)) return result;
 
   // 1. Who is close to a rim.
-  const IdVector<VertexId, double> spacings = BorderSpacing(model, regions).compute();
+  const BorderSpacing border(index, regions);
+  const std::vector<double> spacings = border.compute();
   std::vector<Candidate> candidates;
   std::vector<Box> boxes;
   double largest = 0;
-  for (const VertexId v : spacings.ids()) {
-    if (!(spacings[v] > 0)) continue;
+  for (std::size_t i = 0; i < spacings.size(); ++i) {
+    const VertexId v = border.vertices()[i];
+    const double spacing = spacings[i];
+    if (!(spacing > 0)) continue;
     const RimSide side = rim_index.side_of(model.points[v]);
-    const double largest_spacing = std::max(rims[side.rim].spacing, spacings[v]);
+    const double largest_spacing = std::max(rims[side.rim].spacing, spacing);
     if (!(side.distance <= options.rim_zone * largest_spacing)) continue;
     result[v] = Scanned::no;
-    const double reach = options.sample_reach * spacings[v];
+    const double reach = options.sample_reach * spacing;
     candidates.push_back({v, reach * reach});
     boxes.push_back(box_of({&model.points[v], 1}));
     largest = std::max(largest, reach * reach);

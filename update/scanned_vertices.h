@@ -8,8 +8,8 @@
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/point.h"
-#include "geom/triangle_mesh.h"
 #include "update/cloud_rim.h"
+#include "update/model_index.h"
 #include "update/rim_index.h"
 #include "update/segment_model.h"
 
@@ -35,9 +35,10 @@ enum class Scanned : std::uint8_t {
 // registered has its rim beside where it belongs. Then a vertex that nobody scanned again would go,
 // or one stay beside the sample that replaces it.
 // rims[i] belongs to clouds[i]; `rim_index` is that of the rims.
-// Complexity: O(n) for n points and triangles, and a search per cloud point. Deterministic.
-// Source: ours; the thresholds separate right from wrong vertices in `./dev bench update_scores`.
-IdVector<VertexId, Scanned> scanned_vertices(const TriangleMesh& model, const Regions& regions,
+// Complexity: O(n) for n vertices and triangles, and a search per cloud point and border vertex.
+// Deterministic. Source: ours; the thresholds separate right from wrong vertices in `./dev bench
+// update_scores`.
+IdVector<VertexId, Scanned> scanned_vertices(const ModelIndex& model, const Regions& regions,
                                              const RimIndex& rim_index,
                                              std::span<const CloudRim> rims,
                                              std::span<const std::vector<Point>> clouds,

@@ -1,33 +1,10 @@
 #include "update/segment_model.h"
 
-#include <vector>
+#include "update/grow_regions.h"
 
 namespace cocoon {
 
 namespace {
-
-// Grows regions from the lowest free facet; facets of the border are never entered.
-void grow_regions(const MeshAdjacency& adjacency, const TriangleSet& border, Regions& result) {
-  result.region_of_facet = IdVector<TriangleId, RegionId>(border.size());
-  std::vector<TriangleId> stack;
-  for (const TriangleId seed : border.ids()) {
-    if (border[seed] != 0 || !result.region_of_facet[seed].is_none()) continue;
-    const RegionId id = result.regions.push_back({.first = seed});
-    result.region_of_facet[seed] = id;
-    stack.assign(1, seed);
-    while (!stack.empty()) {
-      const TriangleId t = stack.back();
-      stack.pop_back();
-      ++result.regions[id].facets;
-      for (const TriangleId across : adjacency.neighbors[t]) {
-        if (across.is_none() || border[across] != 0) continue;
-        if (!result.region_of_facet[across].is_none()) continue;
-        result.region_of_facet[across] = id;
-        stack.push_back(across);
-      }
-    }
-  }
-}
 
 // Gives the facets of tiny regions to the border and numbers the others again.
 void merge_islands(std::size_t min_facets, Regions& result) {
@@ -44,6 +21,7 @@ void merge_islands(std::size_t min_facets, Regions& result) {
       ++result.merged_islands;
     }
   }
+  if (result.merged_islands == 0) return;
   for (RegionId& region : result.region_of_facet) {
     if (!region.is_none()) region = new_id[region];
   }
@@ -88,21 +66,19 @@ void group_vertices(const TriangleMesh& model, const MeshAdjacency& adjacency, R
 
 }  // namespace
 
-Regions segment_model(const TriangleMesh& model, const MeshAdjacency& adjacency,
-                      const TriangleSet& border, const SegmentOptions& options,
-                      const Execution& execution) {
+Regions segment_model(const ModelIndex& model, const TriangleSet& border,
+                      const SegmentOptions& options, const Execution& execution) {
   report_progress(execution, "segment_model", 0);
-  Regions result;
-  grow_regions(adjacency, border, result);
+  Regions result = grow_regions(model, border);
   merge_islands(options.min_region_facets, result);
-  count_and_group(model, adjacency, result);
+  count_and_group(model.mesh(), model.adjacency(), result);
   report_progress(execution, "segment_model", 1);
   return result;
 }
 
 Regions segment_model(const TriangleMesh& model, const TriangleSet& border,
                       const SegmentOptions& options, const Execution& execution) {
-  return segment_model(model, mesh_adjacency(model), border, options, execution);
+  return segment_model(ModelIndex(model), border, options, execution);
 }
 
 void count_and_group(const TriangleMesh& model, const MeshAdjacency& adjacency, Regions& regions) {

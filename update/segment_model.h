@@ -8,6 +8,7 @@
 #include "geom/ids.h"
 #include "geom/mesh_adjacency.h"
 #include "geom/triangle_mesh.h"
+#include "update/model_index.h"
 #include "update/triangle_set.h"
 
 namespace cocoon {
@@ -39,11 +40,10 @@ struct Regions {
 // Where every region is tiny, none is merged away.
 // Complexity: O(triangles + vertices). Deterministic: by facet id.
 // Source: Woo & Dey 2005, section 3.4.
-Regions segment_model(const TriangleMesh& model, const MeshAdjacency& adjacency,
-                      const TriangleSet& border, const SegmentOptions& options = {},
-                      const Execution& execution = {});
+Regions segment_model(const ModelIndex& model, const TriangleSet& border,
+                      const SegmentOptions& options = {}, const Execution& execution = {});
 
-// The same on a mesh alone: computes the adjacency first.
+// The same on a mesh alone: computes its index first.
 Regions segment_model(const TriangleMesh& model, const TriangleSet& border,
                       const SegmentOptions& options = {}, const Execution& execution = {});
 

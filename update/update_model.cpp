@@ -116,8 +116,7 @@ class Update {
   }
 
   bool segment_and_choose(const ModelIndex& index, const Execution& execution) {
-    result_.regions =
-        segment_model(model_, index.adjacency(), border_facets_, options_.segment, execution);
+    result_.regions = segment_model(index, border_facets_, options_.segment, execution);
     std::vector<RegionAngles> angles = measure_angles(index);
     if (!check_separation(index, angles)) return false;
     if (!divided_loops_.empty() && !split_divided_regions(index, angles)) return false;
@@ -127,11 +126,14 @@ class Update {
     return report_choice();
   }
 
-  bool reconstruct(const UpdateParts& parts, const Execution& execution) {
+  bool reconstruct(const ModelIndex& index, const UpdateParts& parts, const Execution& execution) {
     const std::vector<CloudRim> rims = border_rims();
     result_.replacement =
-        replace_points(model_, result_.regions, result_.choice, rims, clouds_, options_.replace);
-    result_.reconstruction = parts.reconstruct(result_.replacement, execution);
+        replace_points(index, result_.regions, result_.choice, rims, clouds_, options_.replace);
+    const KnownTriangleSource known = [&] {
+      return known_triangles(model_, result_.regions, result_.choice, result_.replacement);
+    };
+    result_.reconstruction = parts.reconstruct(result_.replacement, known, execution);
     if (result_.reconstruction.status == SurfaceStatus::refuted) {
       return fail(UpdateStatus::refuted, result_.reconstruction.verification.failure);
     }
@@ -456,7 +458,7 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
   if (!going) return update.take_result();
 
   run_step(execution, "reconstruction",
-           [&](const Execution& nested) { update.reconstruct(parts, nested); });
+           [&](const Execution& nested) { update.reconstruct(*index, parts, nested); });
   return update.take_result();
 }
 
@@ -464,8 +466,9 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
                           const UpdateOptions& options, const Execution& execution) {
   std::optional<ModelIndex> index;
   const UpdateParts parts{[&]() -> const ModelIndex& { return index.emplace(model); },
-                          [&](const Replacement& replacement, const Execution& nested) {
-                            return reconstruct_tight_again(replacement.points, replacement.known,
+                          [&](const Replacement& replacement, const KnownTriangleSource& known,
+                              const Execution& nested) {
+                            return reconstruct_tight_again(replacement.points, known(),
                                                            options.reconstruct, nested);
                           }};
   return update_model(model, clouds, parts, options, execution);

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cocone/dynamic_tight_cocone.h"
 #include "cocone/reconstruct.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
@@ -135,7 +136,8 @@ struct UpdateParts {
   // The index of the model; called once, after the clouds' surfaces.
   std::function<const ModelIndex&()> index;
   // reconstruct_tight_again of the updated points and the known triangles.
-  std::function<ReconstructResult(const Replacement& replacement, const Execution& execution)>
+  std::function<ReconstructResult(const Replacement& replacement, const KnownTriangleSource& known,
+                                  const Execution& execution)>
       reconstruct;
 };
 

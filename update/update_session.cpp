@@ -97,12 +97,12 @@ std::vector<PointId> UpdateSession::old_positions(const Replacement& replacement
 }
 
 ReconstructResult UpdateSession::reconstruct(const Replacement& replacement,
+                                             const KnownTriangleSource& known,
                                              const Execution& execution) {
   if (surface_.num_points() == 0) {
-    return surface_.reconstruct(replacement.points, execution, replacement.known);
+    return surface_.reconstruct(replacement.points, execution, known);
   }
-  return surface_.replace(replacement.points, old_positions(replacement), execution,
-                          replacement.known);
+  return surface_.replace(replacement.points, old_positions(replacement), execution, known);
 }
 
 // Where the points of the model are among the updated ones; none: they go.
@@ -122,8 +122,9 @@ SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
                             if (!index_) index_.emplace(model_);
                             return *index_;
                           },
-                          [&](const Replacement& replacement, const Execution& nested) {
-                            ReconstructResult result = reconstruct(replacement, nested);
+                          [&](const Replacement& replacement, const KnownTriangleSource& known,
+                              const Execution& nested) {
+                            ReconstructResult result = reconstruct(replacement, known, nested);
                             after = positions_after(replacement);
                             return result;
                           }};
@@ -144,15 +145,17 @@ SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
 
 void UpdateSession::keep(SessionUpdate& update, std::vector<PointId> positions_after) {
   UpdateResult& result = update.result;
-  index_.reset();
   update.change = mesh_change(model_, result.mesh, result.vertex_map);
   Body before;
+  before.distinct_points = index_->has_distinct_points();
   before.next_vertex = result.vertex_map;
   before.position_after = std::move(positions_after);
   before.model = std::exchange(model_, std::exchange(result.mesh, {}));
   before.points = std::exchange(points_, result.replacement.points);
   before.point_of_vertex = std::exchange(point_of_vertex_, result.reconstruction.point_of_vertex);
   before.reconstruction = std::exchange(reconstruction_, result.reconstruction);
+  // Equal points were merged, so those of the new model differ.
+  index_ = ModelIndex(model_, IndexBefore{*index_, before.model, update.change, true});
   history_.push_back(std::move(before));
   if (history_.size() > max_undo_levels) history_.pop_front();
 }
@@ -166,8 +169,10 @@ MeshChange UpdateSession::undo(const Execution& execution) {
     if (!before.next_vertex[v].is_none()) vertex_map[before.next_vertex[v]] = v;
   }
   MeshChange change = mesh_change(model_, before.model, std::move(vertex_map));
-  index_.reset();
-  model_ = std::move(before.model);
+  std::swap(model_, before.model);
+  if (index_) {
+    index_ = ModelIndex(model_, IndexBefore{*index_, before.model, change, before.distinct_points});
+  }
   points_ = std::move(before.points);
   point_of_vertex_ = std::move(before.point_of_vertex);
   reconstruction_ = std::move(before.reconstruction);

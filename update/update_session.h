@@ -57,6 +57,9 @@ class UpdateSession {
   explicit UpdateSession(TriangleMesh model, const UpdateOptions& options = {});
   // Goes on from a snapshot. Errors: as check_snapshot.
   explicit UpdateSession(SessionSnapshot snapshot, const UpdateOptions& options = {});
+  // Stays where it is: the index refers to the model.
+  UpdateSession(UpdateSession&&) = delete;
+  UpdateSession& operator=(UpdateSession&&) = delete;
 
   const TriangleMesh& model() const { return model_; }
   const UpdateOptions& options() const { return options_; }
@@ -91,10 +94,12 @@ class UpdateSession {
     ReconstructResult reconstruction;
     IdVector<VertexId, VertexId> next_vertex;  // of the model, in the one after it
     std::vector<PointId> position_after;       // of each point, among those after
+    bool distinct_points = false;              // see ModelIndex
   };
 
   void take_points_of_model();
-  ReconstructResult reconstruct(const Replacement& replacement, const Execution& execution);
+  ReconstructResult reconstruct(const Replacement& replacement, const KnownTriangleSource& known,
+                                const Execution& execution);
   std::vector<PointId> old_positions(const Replacement& replacement) const;
   std::vector<PointId> positions_after(const Replacement& replacement) const;
   void keep(SessionUpdate& update, std::vector<PointId> positions_after);

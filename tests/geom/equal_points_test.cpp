@@ -28,6 +28,14 @@ TEST(EqualPoints, AsAMapTellsIt) {
       expected.push_back(firsts.emplace(std::array{p.x, p.y, p.z}, i).first->second);
     }
     EXPECT_EQ(first_of_equal(points), expected);
+    // Those that are first of their kind, then all: the first ones differ.
+    std::vector<Point> twice;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      if (expected[i] == i) twice.push_back(points[i]);
+    }
+    const std::size_t distinct = twice.size();
+    twice.insert(twice.end(), points.begin(), points.end());
+    EXPECT_EQ(first_of_equal(twice, distinct), first_of_equal(twice));
   }
 }
 

@@ -28,7 +28,7 @@ struct Scene {
     choice.replaced[regions.group_of_vertex[testing::nearest_vertex(model, {10, 10, 0})]] = 1;
   }
   Replacement replace(const ReplaceOptions& options = {.scanned = {.rim_zone = 0}}) const {
-    return replace_points(model, regions, choice, rims, clouds, options);
+    return replace_points(ModelIndex(model), regions, choice, rims, clouds, options);
   }
 };
 
@@ -75,8 +75,10 @@ TEST(ReplacePoints, TrianglesOfKeptRegionsAreKnown) {
       return distance(scene.model.points[v], {10, 10, 0}) > 8;
     });
   }
-  EXPECT_GE(result.known.size(), far);
-  for (const KnownTriangle& t : result.known) {
+  const std::vector<KnownTriangle> known =
+      known_triangles(scene.model, scene.regions, scene.choice, result);
+  EXPECT_GE(known.size(), far);
+  for (const KnownTriangle& t : known) {
     for (const PointId p : t) {
       ASSERT_LT(p.index(), result.kept);
       EXPECT_GT(distance(result.points[p.index()], {10, 10, 0}), 6.3);

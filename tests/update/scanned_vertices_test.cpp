@@ -23,7 +23,7 @@ struct Scene {
     regions = segment_model(model, border.facets);
   }
   Scanned at(const Point& p, const ScannedOptions& options = {}) const {
-    return scanned_vertices(model, regions, index, rims, clouds,
+    return scanned_vertices(ModelIndex(model), regions, index, rims, clouds,
                             options)[testing::nearest_vertex(model, p)];
   }
 };
@@ -69,8 +69,8 @@ TEST(ScannedVertices, OnlyVerticesAtTheBorder) {
   scene.model.triangles.push_back({VertexId(first), VertexId(first + 1), VertexId(first + 2)});
   scene.regions.region_of_facet.push_back(RegionId(0U));
   scene.clouds[0] = {near_rim};
-  const auto scanned =
-      scanned_vertices(scene.model, scene.regions, scene.index, scene.rims, scene.clouds);
+  const auto scanned = scanned_vertices(ModelIndex(scene.model), scene.regions, scene.index,
+                                        scene.rims, scene.clouds);
   EXPECT_EQ(scanned[VertexId(first)], Scanned::unclear);
 }
 

@@ -1,0 +1,93 @@
+#include "update/model_index.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "tests/mesh_gallery.h"
+
+namespace cocoon {
+namespace {
+
+void expect_equal_indexes(const ModelIndex& actual, const ModelIndex& expected) {
+  EXPECT_EQ(actual.adjacency().neighbors.raw(), expected.adjacency().neighbors.raw());
+  EXPECT_EQ(actual.adjacency().vertex_triangles, expected.adjacency().vertex_triangles);
+  EXPECT_EQ(actual.is_connected(), expected.is_connected());
+  EXPECT_EQ(actual.has_distinct_points(), expected.has_distinct_points());
+  for (const TriangleId t : expected.mesh().triangles.ids()) {
+    EXPECT_EQ(actual.component(t), expected.component(t));
+  }
+}
+
+// Two tetrahedra with a facet each towards the other, and the body that has a tunnel's three walls
+// between these facets instead of them.
+struct Bridge {
+  Bridge() {
+    for (const double z : {0.0, 1.0}) {
+      for (const Point& p : {Point{0, 0, z}, Point{1, 0, z}, Point{0, 1, z}})
+        parts.points.push_back(p);
+    }
+    parts.points.push_back({0.3, 0.3, -1});
+    parts.points.push_back({0.3, 0.3, 2});
+    const auto add = [](TriangleMesh& mesh, int a, int b, int c) {
+      mesh.triangles.push_back({VertexId(a), VertexId(b), VertexId(c)});
+    };
+    for (TriangleMesh* mesh : {&parts, &joined}) {
+      mesh->points = parts.points;
+      for (int i = 0; i < 3; ++i) {
+        add(*mesh, (i + 1) % 3, i, 6);
+        add(*mesh, 3 + i, 3 + (i + 1) % 3, 7);
+      }
+    }
+    add(parts, 0, 1, 2);
+    add(parts, 5, 4, 3);
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      add(joined, i, j, 3 + j);
+      add(joined, i, 3 + j, 3 + i);
+    }
+    for (const VertexId v : parts.points.ids()) same.push_back(v);
+  }
+  TriangleMesh parts;   // two bodies
+  TriangleMesh joined;  // one
+  IdVector<VertexId, VertexId> same;
+};
+
+TEST(ModelIndex, AfterAChangeAsFromTheStart) {
+  const Bridge bridge;
+  const ModelIndex parts(bridge.parts);
+  const ModelIndex joined(bridge.joined);
+  EXPECT_FALSE(parts.is_connected());
+  EXPECT_TRUE(joined.is_connected());
+  const MeshChange join = mesh_change(bridge.parts, bridge.joined, bridge.same);
+  const MeshChange cut = mesh_change(bridge.joined, bridge.parts, bridge.same);
+  expect_equal_indexes(ModelIndex(bridge.joined, {parts, bridge.parts, join}), joined);
+  expect_equal_indexes(ModelIndex(bridge.parts, {joined, bridge.joined, cut}), parts);
+}
+
+TEST(ModelIndex, ABodyThatComesOrGoes) {
+  const Bridge bridge;
+  TriangleMesh lower = bridge.parts;
+  std::vector<Triangle> kept;
+  for (const Triangle& t : bridge.parts.triangles) {
+    if (std::max({t[0], t[1], t[2]}) == VertexId(6) || t[2] == VertexId(2)) kept.push_back(t);
+  }
+  lower.triangles = IdVector<TriangleId, Triangle>(kept);
+  const ModelIndex one(lower);
+  const ModelIndex both(bridge.parts);
+  ASSERT_EQ(kept.size(), 4U);
+  ASSERT_TRUE(one.is_connected());
+  const MeshChange comes = mesh_change(lower, bridge.parts, bridge.same);
+  const MeshChange goes = mesh_change(bridge.parts, lower, bridge.same);
+  expect_equal_indexes(ModelIndex(bridge.parts, {one, lower, comes}), both);
+  expect_equal_indexes(ModelIndex(lower, {both, bridge.parts, goes}), one);
+}
+
+TEST(ModelIndex, TellsEqualPoints) {
+  TriangleMesh mesh = gallery::sphere(1);
+  EXPECT_TRUE(ModelIndex(mesh).has_distinct_points());
+  mesh.points[VertexId(3)] = mesh.points[VertexId(5)];
+  EXPECT_FALSE(ModelIndex(mesh).has_distinct_points());
+}
+
+}  // namespace
+}  // namespace cocoon
