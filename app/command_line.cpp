@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/check_requirements.h"
+#include "app/thresholds.h"
 
 namespace cocoon::app {
 
@@ -89,6 +90,20 @@ void add_manifold_option(CLI::App& app, bool& manifold) {
       "there get vertices of their own");
 }
 
+void add_thresholds_of_stages(CLI::App& app, ReconstructArguments& arguments) {
+  const std::string group = "Thresholds (defaults in the report; not with --session)";
+  app.add_flag("!--no-clean-up", arguments.clean_up, "Leave the surface as the peel left it")
+      ->group(group);
+  for (const Threshold& t : thresholds()) {
+    app.add_option_function<double>(
+           std::string("--") + t.name,
+           [&arguments, &t](double value) { arguments.thresholds[t.name] = value; }, t.meaning)
+        ->check(between(t.low, t.high))
+        ->type_name(t.angle ? "DEGREES" : "NUMBER")
+        ->group(group);
+  }
+}
+
 // A command under construction: its arguments live here until CLI11 has filled them in.
 template <class Arguments>
 Arguments& add_command(CLI::App& app, const std::string& name, const std::string& description,
@@ -139,6 +154,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
                   "Cocone; tight surfaces only); none (default): every sample counts")
       ->check(CLI::IsMember({"none", "robust"}));
   add_surface_options(*sub, reconstruct.parameters);
+  add_thresholds_of_stages(*sub, reconstruct);
 
   auto& boundary = add_command<BoundaryArguments>(
       app, "boundary", "The surface of an open cloud and its boundary loops", chosen, shared, sub);

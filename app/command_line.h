@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -54,6 +55,8 @@ struct ReconstructArguments {
   bool manifold = false;
   std::string noise = "none";  // "none" or "robust"
   SurfaceArguments parameters;
+  bool clean_up = true;                      // after the peel, in robust mode
+  std::map<std::string, double> thresholds;  // those given, by name (thresholds.h)
 };
 
 struct BoundaryArguments {

@@ -9,6 +9,7 @@
 #include "app/session_file.h"
 #include "app/surface_options.h"
 #include "app/surface_report.h"
+#include "app/thresholds.h"
 #include "app/updating.h"
 #include "cocone/reconstruct.h"
 #include "cocone/robust_cocone.h"
@@ -29,6 +30,20 @@ void require_possible_noise_filter(const ReconstructArguments& arguments) {
   }
 }
 
+// A session keeps the parameters of surface_options.h, and no others.
+ReconstructOptions options_of(const ReconstructArguments& arguments) {
+  const bool thresholds = !arguments.thresholds.empty() || !arguments.clean_up;
+  if (thresholds && !arguments.session.empty()) {
+    throw UsageError("thresholds of single stages cannot be combined with --session");
+  }
+  ReconstructOptions options =
+      surface_options(arguments.parameters,
+                      arguments.surface == "tight" ? ReconstructOptions() : open_cloud_defaults());
+  options.clean_up.enabled = arguments.clean_up;
+  set_thresholds(options, arguments.thresholds);
+  return options;
+}
+
 ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
                                 const ReconstructOptions& options) {
   RobustResult result = reconstruct_robust(points, {}, options, job.execution());
@@ -44,8 +59,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   require_outputs(job, {{arguments.mesh, mesh_extensions}, {arguments.session, {}}});
   require_possible_noise_filter(arguments);
   const bool tight = arguments.surface == "tight";
-  const ReconstructOptions options =
-      surface_options(arguments.parameters, tight ? ReconstructOptions() : open_cloud_defaults());
+  const ReconstructOptions options = options_of(arguments);
   VertexProperties properties;
   const bool keep = holds_properties(arguments.mesh);
   const std::vector<Point> points =
@@ -86,6 +100,8 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   }
 
   add_parameters(job.report(), options);
+  add_thresholds(job.report(), options);
+  job.report().set("parameters/clean_up", effective_options(options).clean_up.enabled);
   add_reconstruction(job.report(), result, certificate);
   job.say("{} points ({} duplicates, {} not on the surface), {} tetrahedra", result.points,
           result.duplicates, result.unused_points, result.tetrahedra);

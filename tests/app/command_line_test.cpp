@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include <gtest/gtest.h>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -35,6 +36,19 @@ TEST(CommandLine, OldNamesOfTheParametersAreAliases) {
   EXPECT_EQ(arguments.parameters.sharp_angle_deg, 50.0);
   EXPECT_EQ(arguments.parameters.alpha_deg, 25.0);
   EXPECT_EQ(arguments.parameters.rho, 0.3);
+}
+
+TEST(CommandLine, ThresholdsOfStagesAreTakenByName) {
+  const auto arguments =
+      parsed<ReconstructArguments>({"reconstruct", "a.xyz", "-o", "a.ply", "--evidence-weight", "2",
+                                    "--fold-angle", "30", "--no-clean-up"});
+  EXPECT_EQ(arguments.thresholds,
+            (std::map<std::string, double>{{"evidence-weight", 2}, {"fold-angle", 30}}));
+  EXPECT_FALSE(arguments.clean_up);
+  const auto plain = parsed<ReconstructArguments>({"reconstruct", "a.xyz", "-o", "a.ply"});
+  EXPECT_TRUE(plain.thresholds.empty());
+  EXPECT_TRUE(plain.clean_up);
+  EXPECT_THROW(parse({"reconstruct", "a.xyz", "-o", "a.ply", "--fold-angle", "200"}), UsageError);
 }
 
 TEST(CommandLine, UpdateTakesAnyNumberOfClouds) {

@@ -1,0 +1,67 @@
+#include "app/thresholds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace cocoon::app {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr bool number = false;
+constexpr bool angle = true;
+using Options = ReconstructOptions;
+
+constexpr std::array<Threshold, 13> table{{
+    {"keep-angle", "Pruning: two triangles at an edge, flatter than this dihedral angle, stay", 0,
+     180, angle, [](Options& o) -> double& { return o.prune.keep_cosine; }},
+    {"fold-angle", "Marking: a dihedral angle of at most this makes both ends of an edge poor", 0,
+     180, angle, [](Options& o) -> double& { return o.good_vertices.fold_cosine; }},
+    {"crease-angle", "Marking: below it those ends become poor that are boundary samples", 0, 180,
+     angle, [](Options& o) -> double& { return o.good_vertices.crease_cosine; }},
+    {"evidence-weight", "Clean-up: evidence of the poles against a cell's label", 0, 1000, number,
+     [](Options& o) -> double& { return o.clean_up.evidence_weight; }},
+    {"mark-weight", "Clean-up: a decided cell that leaves its label", 0, 1000, number,
+     [](Options& o) -> double& { return o.clean_up.mark_weight; }},
+    {"defect-cost", "Clean-up: a non-manifold edge or a pinched vertex", 0, 1000, number,
+     [](Options& o) -> double& { return o.clean_up.defect_cost; }},
+    {"unused-cost", "Clean-up: a sample that is not on the surface", 0, 1000, number,
+     [](Options& o) -> double& { return o.clean_up.unused_cost; }},
+    {"handle-cost", "Clean-up: a handle of the surface", 0, 1000, number,
+     [](Options& o) -> double& { return o.clean_up.handle_cost; }},
+    {"idle-cost", "Clean-up: a sample that does nothing for the surface; 0: holes stay filled", 0,
+     1000, number, [](Options& o) -> double& { return o.clean_up.idle_cost; }},
+    {"idle-flat-angle", "Clean-up: facets of idle samples lean by at most this", 0, 90, angle,
+     [](Options& o) -> double& { return o.clean_up.idle.flat_cosine; }},
+    {"idle-ratio", "Clean-up: circles of idle samples' facets, in spacings, at least", 0, 1000,
+     number, [](Options& o) -> double& { return o.clean_up.idle.ratio; }},
+    {"deep-angle", "Clean-up: balls of one cluster meet at this angle at most", 0, 180, angle,
+     [](Options& o) -> double& { return o.clean_up.deep_cosine; }},
+    {"component-cost", "Clean-up: a part of the body; cheaper parts are dropped", 0, 1e6, number,
+     [](Options& o) -> double& { return o.clean_up.component_cost; }},
+}};
+
+}  // namespace
+
+std::span<const Threshold> thresholds() { return table; }
+
+void set_thresholds(ReconstructOptions& options, const std::map<std::string, double>& given) {
+  for (const Threshold& t : table) {
+    const auto found = given.find(t.name);
+    if (found == given.end()) continue;
+    t.field(options) = t.angle ? std::cos(found->second * degree) : found->second;
+  }
+}
+
+void add_thresholds(JsonReport& report, ReconstructOptions options) {
+  for (const Threshold& t : table) {
+    std::string key = std::string("parameters/") + t.name + (t.angle ? "_deg" : "");
+    std::replace(key.begin(), key.end(), '-', '_');
+    const double value = t.field(options);
+    report.set(key, t.angle ? std::acos(value) / degree : value);
+  }
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,33 @@
+// Thresholds of the Cocone stages and of the clean-up as options of the command line. Rarely
+// needed; each is a field of the library's options, whose header says what it does.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+
+#include "app/json_report.h"
+#include "cocone/reconstruct.h"
+
+namespace cocoon::app {
+
+struct Threshold {
+  const char*
+      name;  // --name VALUE; the report has parameters/name, with _ for - (and _deg after angles)
+  const char* meaning;
+  double low;  // the values allowed
+  double high;
+  bool angle;  // in degrees; the library has its cosine
+  double& (*field)(ReconstructOptions&);
+};
+
+// All of them, with unique names, in the order of the stages. O(1).
+std::span<const Threshold> thresholds();
+
+// Sets those given, by name. Precondition: the names are among thresholds().
+void set_thresholds(ReconstructOptions& options, const std::map<std::string, double>& given);
+
+// What was used, given or not.
+void add_thresholds(JsonReport& report, ReconstructOptions options);
+
+}  // namespace cocoon::app

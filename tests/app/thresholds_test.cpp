@@ -1,0 +1,58 @@
+#include "app/thresholds.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+namespace cocoon::app {
+namespace {
+
+nlohmann::json parameters(const ReconstructOptions& options) {
+  JsonReport report;
+  add_thresholds(report, options);
+  return nlohmann::json::parse(report.text())["parameters"];
+}
+
+std::string key(const Threshold& threshold) {
+  std::string key = std::string(threshold.name) + (threshold.angle ? "_deg" : "");
+  std::replace(key.begin(), key.end(), '-', '_');
+  return key;
+}
+
+TEST(Thresholds, AreOneFieldEach) {
+  std::set<const double*> fields;
+  std::set<std::string> names;
+  ReconstructOptions options;
+  for (const Threshold& t : thresholds()) {
+    fields.insert(&t.field(options));
+    names.insert(t.name);
+  }
+  EXPECT_EQ(fields.size(), thresholds().size());
+  EXPECT_EQ(names.size(), thresholds().size());
+}
+
+TEST(Thresholds, OneThatIsGivenIsSetAndReportedAndNoOther) {
+  const nlohmann::json defaults = parameters({});
+  ASSERT_EQ(defaults.size(), thresholds().size());
+  EXPECT_EQ(defaults["evidence_weight"], 3);
+  EXPECT_NEAR(defaults["keep_angle_deg"].get<double>(), 134.4, 0.1);
+  for (const Threshold& given : thresholds()) {
+    const double value = given.low + 0.375 * (given.high - given.low);
+    ReconstructOptions options;
+    set_thresholds(options, {{given.name, value}});
+    const nlohmann::json now = parameters(options);
+    for (const Threshold& t : thresholds()) {
+      if (&t == &given) {
+        EXPECT_NEAR(now[key(t)].get<double>(), value, 1e-9) << t.name;
+        EXPECT_NE(now[key(t)], defaults[key(t)]) << t.name;
+      } else {
+        EXPECT_EQ(now[key(t)], defaults[key(t)]) << given.name << " set, " << t.name << " changed";
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cocoon::app

@@ -1,0 +1,59 @@
+// Options that set thresholds of single stages.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/run_program.h"
+#include "tests/test_clouds.h"
+
+namespace cocoon::test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string plate = std::string(COCOON_TEST_DATA) + "/models/plate_holes.stl";
+
+Json reconstructed(const TemporaryFolder& folder, std::vector<std::string> options) {
+  std::vector<std::string> arguments{"reconstruct",           plate,    "-o",
+                                     folder.file("mesh.ply"), "--json", "-"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const ProgramRun run = run_program(arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  return Json::parse(run.out);
+}
+
+// A drilled plate of which only the rims are sampled.
+TEST(Thresholds, ReachTheStages) {
+  const TemporaryFolder folder;
+  const Json open = reconstructed(folder, {});
+  EXPECT_EQ(open["surface"]["euler"], -8);
+  EXPECT_EQ(open["parameters"]["idle_cost"], 8);
+  EXPECT_EQ(open["parameters"]["clean_up"], true);
+  const Json filled = reconstructed(folder, {"--idle-cost", "0"});
+  EXPECT_EQ(filled["surface"]["euler"], 2);
+  EXPECT_EQ(filled["parameters"]["idle_cost"], 0);
+  const Json peeled = reconstructed(folder, {"--no-clean-up"});
+  EXPECT_EQ(peeled["counters"]["clean_up"]["undecided_cells"], 0);
+  EXPECT_GT(peeled["surface"]["unused_points"], 0);
+  EXPECT_EQ(peeled["parameters"]["clean_up"], false);
+  EXPECT_EQ(reconstructed(folder, {"--mode", "paper"})["parameters"]["clean_up"], false);
+}
+
+TEST(Thresholds, AreNotKeptBySessions) {
+  const TemporaryFolder folder;
+  const std::string session = folder.file("s.session");
+  for (const std::vector<std::string>& option :
+       {std::vector<std::string>{"--idle-cost", "1"}, {"--no-clean-up"}}) {
+    std::vector<std::string> arguments{"reconstruct",        plate,       "-o",
+                                       folder.file("m.ply"), "--session", session};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    expect_error(run_program(arguments), 2, "--session");
+  }
+  expect_error(
+      run_program({"reconstruct", plate, "-o", folder.file("m.ply"), "--mark-weight", "-1"}), 2,
+      "--mark-weight");
+}
+
+}  // namespace
+}  // namespace cocoon::test
