@@ -45,6 +45,7 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("clean_up/moved_cells", c.clean_up.moved_cells);
   set("clean_up/clusters", c.clean_up.clusters);
   set("clean_up/cluster_cells", c.clean_up.cluster_cells);
+  set("clean_up/large_clusters", c.clean_up.large_clusters);
   set("clean_up/dropped_components", c.clean_up.dropped_components);
   set("clean_up/changed_cells", c.clean_up.changed_cells);
   set("clean_up/defects_before", c.clean_up.defects_before);

@@ -11,16 +11,20 @@ class Cluster {
           const IdVector<CellId, std::uint8_t>& out, ZeroedArray<CellId, std::uint8_t>& state)
       : triangulation_(triangulation), cosines_(cosines), out_(out), state_(state) {}
 
-  CellCluster run(CellId first, double deep_cosine) {
-    collect(first, deep_cosine);
-    find_samples();
+  CellCluster run(CellId first, double deep_cosine, std::size_t most_cells) {
+    collect(first, deep_cosine, most_cells);
     const std::size_t core = cells_.size();
+    if (core > most_cells) {
+      for (const CellId c : cells_) state_[c] = untouched;
+      return {std::move(cells_), core, true};
+    }
+    find_samples();
     for (std::size_t k = 0; k < core; ++k) {
       for (int i = 0; i < 4; ++i) take_if_enclosed(triangulation_.neighbor(cells_[k], i));
     }
     for (const CellId c : cells_) state_[c] = untouched;
     for (const CellId c : left_) state_[c] = untouched;
-    return {std::move(cells_), core};
+    return {std::move(cells_), core, false};
   }
 
  private:
@@ -28,10 +32,10 @@ class Cluster {
 
   bool on_this_side(CellId c) const { return out_[c] == out_[cells_.front()]; }
 
-  void collect(CellId first, double deep_cosine) {
+  void collect(CellId first, double deep_cosine, std::size_t most_cells) {
     cells_.push_back(first);
     state_[first] = taken;
-    for (std::size_t next = 0; next < cells_.size(); ++next) {
+    for (std::size_t next = 0; next < cells_.size() && cells_.size() <= most_cells; ++next) {
       for (int i = 0; i < 4; ++i) {
         const FacetId f = facet_id(cells_[next], i);
         const CellId behind = cell_of(triangulation_.mirror(f));
@@ -96,8 +100,9 @@ class Cluster {
 
 CellCluster cell_cluster(const Triangulation& triangulation, BallCosines& cosines,
                          const IdVector<CellId, std::uint8_t>& out, CellId first,
-                         double deep_cosine, ZeroedArray<CellId, std::uint8_t>& scratch) {
-  return Cluster(triangulation, cosines, out, scratch).run(first, deep_cosine);
+                         double deep_cosine, std::size_t most_cells,
+                         ZeroedArray<CellId, std::uint8_t>& scratch) {
+  return Cluster(triangulation, cosines, out, scratch).run(first, deep_cosine, most_cells);
 }
 
 }  // namespace cocoon

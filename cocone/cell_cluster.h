@@ -14,7 +14,8 @@ namespace cocoon {
 
 struct CellCluster {
   std::vector<CellId> cells;
-  std::size_t core = 0;  // the first ones, without the slivers
+  std::size_t core = 0;    // the first ones, without the slivers
+  bool too_large = false;  // more than asked for: some cells of the core only
 };
 
 // The finite cells on the side of `first` (equal out[c]) that hang together with it by facets
@@ -22,11 +23,12 @@ struct CellCluster {
 // slivers: cells on that side between samples of the cluster that hang together with the rest of
 // the side by the cluster only. A hole of which only the rims are sampled is one cluster, since two
 // parallel circles of samples lie on one ball. Precondition: `first` is finite. `scratch` is zero
-// for every cell, before and after. Complexity: O(k log k) for k cells, those at the facets of the
-// cluster included. Deterministic as a set: a function of the point set, the sides and the first
-// cell.
+// for every cell, before and after. Complexity: O(k log k) for k cells, at most most_cells and
+// those at the facets of the cluster included. Deterministic as a set: a function of the point set,
+// the sides and the first cell.
 CellCluster cell_cluster(const Triangulation& triangulation, BallCosines& cosines,
                          const IdVector<CellId, std::uint8_t>& out, CellId first,
-                         double deep_cosine, ZeroedArray<CellId, std::uint8_t>& scratch);
+                         double deep_cosine, std::size_t most_cells,
+                         ZeroedArray<CellId, std::uint8_t>& scratch);
 
 }  // namespace cocoon

@@ -338,29 +338,45 @@ class CleanUp {
   }
 
   bool flip_clusters_at(const std::vector<VertexId>& idle) {
-    ZeroedArray<CellId, std::uint8_t> tried(triangulation_.num_cells());
+    ZeroedArray<CellId, Asked> asked(triangulation_.num_cells());
     bool flipped = false;
+    counters_.large_clusters = 0;
     for (const VertexId v : idle) {
       if (!energy_.is_idle(v)) continue;  // not any more
-      std::vector<CellCluster> clusters;
-      for (const CellId c : stars_.star(v)) {
-        if (tried[c] != 0 || triangulation_.is_infinite(c)) continue;
-        clusters.push_back(
-            cell_cluster(triangulation_, cosines_, out_, c, options_.deep_cosine, scratch()));
-        for (std::size_t k = 0; k < clusters.back().core; ++k) tried[clusters.back().cells[k]] = 1;
-      }
-      std::sort(clusters.begin(), clusters.end(),
-                [&](const auto& a, const auto& b) { return precedes(a.cells, b.cells); });
-      for (const auto& [cluster, core] : clusters) {
-        if (!is_attached(cluster) || energy_.change(cluster) >= 0) continue;
-        if (splits(cluster) || energy_.leaves_out(cluster)) continue;
-        energy_.flip(cluster);
+      for (const CellCluster& cluster : clusters_at(v, asked)) {
+        const std::vector<CellId>& cells = cluster.cells;
+        if (!is_attached(cells) || energy_.change(cells) >= 0) continue;
+        if (splits(cells) || energy_.leaves_out(cells)) continue;
+        energy_.flip(cells);
         ++counters_.clusters;
-        counters_.cluster_cells += cluster.size();
+        counters_.cluster_cells += cells.size();
         flipped = true;
       }
     }
     return flipped;
+  }
+
+  enum class Asked : std::uint8_t { no = 0, yes, too_large };
+
+  // Those that were not asked yet, in canonical order.
+  std::vector<CellCluster> clusters_at(VertexId v, ZeroedArray<CellId, Asked>& asked) {
+    std::vector<CellCluster> clusters;
+    bool too_large = false;
+    for (const CellId c : stars_.star(v)) {
+      if (asked[c] == Asked::no && !triangulation_.is_infinite(c)) {
+        CellCluster cluster = cell_cluster(triangulation_, cosines_, out_, c, options_.deep_cosine,
+                                           options_.most_cluster_cells, scratch());
+        for (std::size_t k = 0; k < cluster.core; ++k) {
+          asked[cluster.cells[k]] = cluster.too_large ? Asked::too_large : Asked::yes;
+        }
+        if (!cluster.too_large) clusters.push_back(std::move(cluster));
+      }
+      too_large = too_large || asked[c] == Asked::too_large;
+    }
+    counters_.large_clusters += too_large ? 1U : 0U;
+    std::sort(clusters.begin(), clusters.end(),
+              [&](const auto& a, const auto& b) { return precedes(a.cells, b.cells); });
+    return clusters;
   }
 
   // Parts of the body whose samples and facets are not worth a part of its own.

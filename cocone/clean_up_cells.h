@@ -54,7 +54,9 @@ struct CleanUpOptions {
   double handle_cost = 16;
   double idle_cost = 8;  // as much as if they were not on the surface; 0: no clusters
   IdleOptions idle = {};
-  double deep_cosine = 0.9;     // of a cluster: below, walls of thick plates are crossed
+  double deep_cosine = 0.9;  // of a cluster: below, walls of thick plates are crossed
+  // Larger clusters are not asked: the inner cells of a body are one, too.
+  std::size_t most_cluster_cells = 10000;
   double component_cost = 100;  // a part is dropped if it uses few samples: fewer than about 12
 };
 
@@ -66,6 +68,7 @@ struct CleanUpCounters {
   std::size_t moved_cells = 0;
   std::size_t clusters = 0;  // moved as a whole
   std::size_t cluster_cells = 0;
+  std::size_t large_clusters = 0;  // idle samples with a cluster beyond most_cluster_cells
   std::size_t dropped_components = 0;
   std::size_t changed_cells = 0;  // that have another side now than after the peel
   // After the peel and at the end: non-manifold edges and pinched vertices; unused samples.

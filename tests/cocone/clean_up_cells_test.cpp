@@ -91,6 +91,20 @@ TEST(CleanUpCells, HolesSampledAtTheirRimsOnlyAreOpen) {
   EXPECT_EQ(mesh_check(reconstruct_tight(points, filled).mesh).euler, 2);
 }
 
+// As the inside of a body would be; it is counted, whatever the order of the points.
+TEST(CleanUpCells, ClustersThatAreTooLargeAreLeftAlone) {
+  const std::vector<Point> points = vertices_of_model("plate_holes.stl");
+  ReconstructOptions small;
+  small.clean_up.most_cluster_cells = 0;
+  const CleanUpCounters counters = reconstruct_tight(points, small).counters.clean_up;
+  EXPECT_EQ(counters.clusters, 0U);
+  EXPECT_GT(counters.large_clusters, 100U);
+  EXPECT_EQ(counters.large_clusters, counters.idle_before);
+  EXPECT_EQ(reconstruct_tight(points).counters.clean_up.large_clusters, 0U);
+  const ReconstructResult other = reconstruct_tight(shapes::shuffled(points, 3), small);
+  EXPECT_EQ(other.counters.clean_up.large_clusters, counters.large_clusters);
+}
+
 TEST(CleanUpCells, SameResultForEveryInputOrder) {
   const std::vector<Point> points = vertices_of_model("elephant.off");
   const ReconstructResult expected = reconstruct_tight(points);
