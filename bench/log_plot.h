@@ -111,7 +111,8 @@ class LogPlotWriter {
     for (const Curve& curve : plot_.curves) {
       std::string path;
       for (const auto& [x, y] : curve.points) {
-        path += (path.empty() ? "M" : "L") + number(at_x(x)) + ' ' + number(at_y(y));
+        path += path.empty() ? 'M' : 'L';
+        path += number(at_x(x)) + ' ' + number(at_y(y));
         svg += "<circle cx=\"" + number(at_x(x)) + "\" cy=\"" + number(at_y(y)) +
                "\" r=\"3\" fill=\"" + curve.color + "\"/>\n";
       }
