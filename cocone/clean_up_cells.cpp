@@ -59,25 +59,20 @@ class CleanUp {
   // The cells that take part in the cut, in the order of memory: the undecided ones and, at a
   // price, decided ones around them.
   std::vector<CellId> free_cells() const {
-    ZeroedArray<CellId, std::uint8_t> is_free(triangulation_.num_cells());
-    for (const CellId c : region_.undecided) is_free[c] = 1;
-    for (int ring = 0; ring < options_.decided_rings && !region_.undecided.empty(); ++ring) {
+    std::vector<CellId> cells = region_.undecided;
+    if (cells.empty()) return cells;
+    for (int ring = 0; ring < options_.decided_rings; ++ring) {
       VertexSet near(triangulation_.num_vertices(), 0);
-      for (const CellId c : triangulation_.finite_cells()) {
-        if (is_free[c] == 0) continue;
+      for (const CellId c : cells) {
         for (const VertexId v : triangulation_.cell(c).vertices) near[v] = 1;
       }
+      cells.clear();
       for (const CellId c : triangulation_.finite_cells()) {
         const auto& vertices = triangulation_.cell(c).vertices;
         const bool at_free =
             std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) { return near[v] != 0; });
-        if (at_free) is_free[c] = 1;
+        if (at_free) cells.push_back(c);
       }
-    }
-    std::vector<CellId> cells;
-    if (region_.undecided.empty()) return cells;
-    for (const CellId c : triangulation_.finite_cells()) {
-      if (is_free[c] != 0) cells.push_back(c);
     }
     return cells;
   }

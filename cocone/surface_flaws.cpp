@@ -40,22 +40,24 @@ bool is_simple_cycle(const Triangulation& triangulation, const IdVector<CellId, 
 
 SurfaceFlaws find_surface_flaws(const Triangulation& triangulation, const DoubtfulRegion& region,
                                 const IdVector<CellId, std::uint8_t>& out) {
-  IdVector<VertexId, Fan> fans(triangulation.num_vertices());
+  std::vector<Fan> fans(region.vertices.size());
   for (const CellId c : region.cells) {
     if (out[c] != 0) continue;
     for (int i = 0; i < 4; ++i) {
       if (out[triangulation.neighbor(c, i)] == 0) continue;
       for (const VertexId v : triangulation.facet_vertices(facet_id(c, i))) {
-        ++fans[v].facets;
-        fans[v].first = facet_id(c, i);
+        if (!region.contains(v)) continue;
+        Fan& fan = fans[region.rank[v] - 1];
+        ++fan.facets;
+        fan.first = facet_id(c, i);
       }
     }
   }
   SurfaceFlaws flaws;
   std::vector<VertexId> edge_ends;
-  for (const VertexId v : triangulation.vertices()) {
-    if (!region.contains(v)) continue;
-    const auto& [facets, first] = fans[v];
+  for (std::size_t k = 0; k < fans.size(); ++k) {
+    const VertexId v = region.vertices[k];
+    const auto& [facets, first] = fans[k];
     if (facets == 0) {
       flaws.unused.push_back(v);
     } else if (!is_simple_cycle(triangulation, out, v, first, facets, edge_ends)) {

@@ -15,7 +15,7 @@ struct SurfaceFlaws {
   std::vector<VertexId> pinched;  // the surface divides the cells around them into more than two
 };
 
-// Of the vertices of the region, each list in increasing order. `out`: 1 or 0 for each cell; the
+// Of the vertices of the region, each list in their order. `out`: 1 or 0 for each cell; the
 // surface lies between. Complexity: O(cells of the region + their surface facets and what is met
 // on turns about their edges). A vertex is on one disk iff a walk around it, from surface facet to
 // surface facet through one side, meets all of them and no edge twice: a simple closed curve in the
