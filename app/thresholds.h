@@ -12,8 +12,8 @@
 namespace cocoon::app {
 
 struct Threshold {
-  const char*
-      name;  // --name VALUE; the report has parameters/name, with _ for - (and _deg after angles)
+  // --name VALUE; the report has parameters/name, with _ for - (and _deg after angles).
+  const char* name;
   const char* meaning;
   double low;  // the values allowed
   double high;

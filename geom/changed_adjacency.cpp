@@ -46,8 +46,6 @@ TriangleId across(const TriangleMesh& mesh, const MeshAdjacency& adjacency, Half
   return found;
 }
 
-bool repeats_a_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
 }  // namespace
 
 std::optional<ChangedAdjacency> changed_neighbors(const TriangleMesh& mesh,

@@ -14,10 +14,6 @@ bool repeats_earlier_corner(const Triangle& triangle, std::size_t corner) {
   return std::find(triangle.begin(), end, triangle[corner]) != end;
 }
 
-bool repeats_a_vertex(const Triangle& triangle) {
-  return repeats_earlier_corner(triangle, 1) || repeats_earlier_corner(triangle, 2);
-}
-
 // Turns counts[k + 1] = size of list k into the begins of the lists.
 void accumulate(std::vector<std::uint32_t>& counts) {
   for (std::size_t k = 1; k < counts.size(); ++k) counts[k] += counts[k - 1];
@@ -97,6 +93,10 @@ void link_neighbors(MeshAdjacency& adjacency) {
 }
 
 }  // namespace
+
+bool repeats_a_vertex(const Triangle& triangle) {
+  return repeats_earlier_corner(triangle, 1) || repeats_earlier_corner(triangle, 2);
+}
 
 void list_triangles_at_vertices(const TriangleMesh& mesh, MeshAdjacency& adjacency) {
   adjacency.vertex_begin.assign(mesh.points.size() + 1, 0);

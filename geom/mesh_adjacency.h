@@ -67,6 +67,9 @@ MeshAdjacency mesh_adjacency(const TriangleMesh& mesh);
 // triangles_at, for a third of the time. Everything else may be empty.
 MeshAdjacency mesh_neighbors(const TriangleMesh& mesh);
 
+// Whether two corners are the same vertex.
+bool repeats_a_vertex(const Triangle& triangle);
+
 // Fills in the lists of triangles at vertices alone. Precondition: triangles name vertices that are
 // there. Complexity: O(t + v).
 void list_triangles_at_vertices(const TriangleMesh& mesh, MeshAdjacency& adjacency);
