@@ -9,6 +9,7 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/id_vector.h"
+#include "geom/triangle_order.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
@@ -16,9 +17,7 @@ namespace {
 
 // Smallest vertex first, and sorted: as canonicalize_triangles, but in proportion to the list.
 void canonicalize(std::vector<Triangle>& triangles) {
-  for (Triangle& t : triangles) {
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  }
+  for (Triangle& t : triangles) t = smallest_first(t);
   std::sort(triangles.begin(), triangles.end());
 }
 
@@ -272,7 +271,7 @@ void DynamicTightCocone::State::replace_triangles(const IdVector<VertexId, Verte
   std::vector<Triangle> merged;
   merged.reserve(triangles.size() + fresh.size());
   auto next = fresh.begin();
-  Triangle last = {VertexId(0), VertexId(0), VertexId(0)};
+  Triangle last = lowest_triangle;
   bool sorted = true;
   for (const Triangle& t : triangles) {
     const Triangle mapped{after[t[0]], after[t[1]], after[t[2]]};

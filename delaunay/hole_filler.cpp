@@ -6,19 +6,12 @@
 
 #include "delaunay/first_cells.h"
 #include "delaunay/insertion_order.h"
+#include "geom/triangle_order.h"
 
 namespace cocoon {
 namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFU;
-
-using Triangle = std::array<VertexId, 3>;
-
-// The same orientation, whatever vertex came first.
-Triangle smallest_first(const Triangle& t) {
-  if (t[0] < t[1]) return t[0] < t[2] ? t : Triangle{t[2], t[0], t[1]};
-  return t[1] < t[2] ? Triangle{t[1], t[2], t[0]} : Triangle{t[2], t[0], t[1]};
-}
 
 Triangle facet_of(const Cell& cell, int i) {
   const int* corner = facet_corners[i];

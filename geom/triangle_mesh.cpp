@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geom/errors.h"
+#include "geom/triangle_order.h"
 
 namespace cocoon {
 
@@ -29,10 +30,7 @@ void require_valid_triangles(const TriangleMesh& mesh) {
 }
 
 void canonicalize_triangles(TriangleMesh& mesh) {
-  for (Triangle& triangle : mesh.triangles) {
-    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
-                triangle.end());
-  }
+  for (Triangle& triangle : mesh.triangles) triangle = smallest_first(triangle);
   // A counting sort by the first vertex leaves a few triangles each to sort.
   std::vector<std::uint32_t> ends(mesh.points.size() + 1, 0);
   for (const Triangle& triangle : mesh.triangles) ++ends[triangle[0].index() + 1];

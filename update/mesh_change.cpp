@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "geom/triangle_order.h"
+
 namespace cocoon {
 namespace {
-
-void rotate_smallest_first(Triangle& t) {
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-}
-
-// Not above any triangle. (An id that is not set is `none`, above all others.)
-constexpr Triangle lowest = {VertexId(0), VertexId(0), VertexId(0)};
 
 // A triangle in the numbers of the new mesh, with its place in its own.
 struct Numbered {
@@ -28,14 +23,13 @@ bool compare_in_order(const TriangleMesh& before, const TriangleMesh& after,
                       const IdVector<VertexId, VertexId>& vertex_map, MeshChange& change) {
   auto next = after.triangles.begin();
   const auto end = after.triangles.end();
-  Triangle last_old = lowest;
-  Triangle last_new = lowest;
-  Triangle now = lowest;
+  Triangle last_old = lowest_triangle;
+  Triangle last_new = lowest_triangle;
+  Triangle now = lowest_triangle;
   bool sorted = true;
   const auto look = [&] {
     if (next == end) return;
-    now = *next;
-    rotate_smallest_first(now);
+    now = smallest_first(*next);
     sorted = sorted && !(now < last_new);
     last_new = now;
   };
@@ -47,7 +41,7 @@ bool compare_in_order(const TriangleMesh& before, const TriangleMesh& after,
       change.removed.push_back(t);
       continue;
     }
-    rotate_smallest_first(mapped);
+    mapped = smallest_first(mapped);
     if (mapped < last_old || !sorted) return false;
     last_old = mapped;
     for (; next != end && now < mapped; ++next, look()) change.added.push_back(now);
@@ -77,15 +71,14 @@ void compare_sorted_copies(const TriangleMesh& before, const TriangleMesh& after
       change.removed.push_back(before.triangles[t]);
       continue;
     }
-    rotate_smallest_first(mapped.triangle);
+    mapped.triangle = smallest_first(mapped.triangle);
     old.push_back(mapped);
   }
   std::sort(old.begin(), old.end());
   std::vector<Numbered> now;
   now.reserve(after.triangles.size());
   for (const TriangleId t : after.triangles.ids()) {
-    now.push_back({after.triangles[t], t});
-    rotate_smallest_first(now.back().triangle);
+    now.push_back({smallest_first(after.triangles[t]), t});
   }
   std::sort(now.begin(), now.end());
 
@@ -115,7 +108,7 @@ MeshChange mesh_change(const TriangleMesh& before, const TriangleMesh& after,
     change.triangle_map.resize(before.triangles.size());
     compare_sorted_copies(before, after, vertex_map, change);
   }
-  for (Triangle& t : change.removed) rotate_smallest_first(t);
+  for (Triangle& t : change.removed) t = smallest_first(t);
   std::sort(change.removed.begin(), change.removed.end());
   change.vertex_map = std::move(vertex_map);
   return change;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geom/random.h"
+#include "geom/triangle_order.h"
 #include "update/update_session.h"
 
 namespace cocoon {
@@ -128,9 +129,7 @@ inline void expect_equal_reports(const UpdateResult& actual, const UpdateResult&
 inline void expect_change(const TriangleMesh& before, const TriangleMesh& after,
                           const MeshChange& change) {
   const auto sorted = [](std::vector<Triangle> triangles) {
-    for (Triangle& t : triangles) {
-      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    }
+    for (Triangle& t : triangles) t = smallest_first(t);
     std::sort(triangles.begin(), triangles.end());
     return triangles;
   };
