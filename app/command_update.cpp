@@ -53,7 +53,7 @@ void update_session(const UpdateArguments& arguments, Job& job) {
     input.cloud_names.push_back(cloud);
     input.clouds.push_back(read_cloud(job, cloud, "input"));
   }
-  UpdateSession session(std::move(saved.snapshot), options);
+  UpdateSession session(std::move(saved.snapshot), options, SnapshotCheck::done);
   update_and_write(
       job, input, options,
       {arguments.mesh, arguments.map, arguments.html, arguments.ascii, arguments.manifold},

@@ -100,7 +100,7 @@ class Watch {
                          "another one by --session");
       }
       notes_ = std::move(saved.notes);
-      session_.emplace(std::move(saved.snapshot), options_);
+      session_.emplace(std::move(saved.snapshot), options_, SnapshotCheck::done);
       write_mesh(arguments_.mesh, session_->model(), {.ascii = arguments_.ascii});
       say(fmt::format("{}: resumed with {} clouds applied", session_file_, notes_.size() - 1));
     } else {

@@ -1,5 +1,6 @@
 #include "app/session_file.h"
 
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -13,10 +14,16 @@ namespace cocoon::app {
 namespace {
 
 constexpr std::string_view magic = "COCOONUS";
-constexpr std::uint32_t version = 1;
-constexpr std::size_t header_size = 80;
+constexpr std::uint32_t version = 2;
+constexpr std::size_t header_size = 88;
 
-enum Bits : std::uint32_t { paper_mode = 1, has_alpha = 2, has_cocone = 4, has_sharp = 8 };
+enum Bits : std::uint32_t {
+  paper_mode = 1,
+  has_alpha = 2,
+  has_cocone = 4,
+  has_sharp = 8,
+  certified = 16
+};
 
 struct Header {
   std::uint32_t bits = 0;
@@ -26,13 +33,20 @@ struct Header {
   std::size_t points = 0;
   std::size_t note_bytes = 0;
   std::size_t triangulation_bytes = 0;
+  std::size_t surface_bytes = 0;
 
   std::size_t content_size() const {
     return header_size + 24 * vertices + 24 * points +
            round_up_to_8(4 * vertices + 12 * triangles) + round_up_to_8(note_bytes) +
-           triangulation_bytes;
+           triangulation_bytes + surface_bytes;
   }
 };
+
+std::size_t surface_size(const Header& header, const Triangulation& triangulation) {
+  const std::size_t bytes_of_a_cell = (header.bits & certified) != 0 ? 3 : 2;
+  return round_up_to_8(30 * triangulation.num_vertices() +
+                       bytes_of_a_cell * triangulation.num_cells());
+}
 
 Header header_of(const SavedSession& session) {
   const SurfaceArguments& parameters = session.parameters;
@@ -49,6 +63,12 @@ Header header_of(const SavedSession& session) {
   header.triangles = snapshot.model.triangles.size();
   header.points = snapshot.points.size();
   for (const std::string& note : session.notes) header.note_bytes += note.size() + 1;
+  const Triangulation& triangulation = snapshot.triangulation;
+  if (triangulation.num_cells() > 0) {
+    header.triangulation_bytes = triangulation_block_size(triangulation);
+  }
+  if (!snapshot.surface.sides.empty()) header.bits |= certified;
+  if (!snapshot.surface.empty()) header.surface_bytes = surface_size(header, triangulation);
   return header;
 }
 
@@ -61,14 +81,6 @@ SurfaceArguments parameters_of(const Header& header) {
   return parameters;
 }
 
-void append_points(SummedFile& file, std::span<const Point> points) {
-  for (const Point& p : points) {
-    file.append(p.x);
-    file.append(p.y);
-    file.append(p.z);
-  }
-}
-
 // Reads numbers one after the other. Precondition: the bytes are there.
 class Cursor {
  public:
@@ -79,12 +91,13 @@ class Cursor {
     at_ += sizeof(T);
     return value;
   }
-  Point next_point() {
-    Point p;
-    p.x = next<double>();
-    p.y = next<double>();
-    p.z = next<double>();
-    return p;
+  // The next `count` records, made of numbers of type T.
+  template <class T, class Container>
+  void fill(Container& records, std::size_t count) {
+    records.resize(count);
+    const std::span all(&*records.begin(), count);
+    load_numbers<T>(at_, std::endian::little, all);
+    at_ += all.size_bytes();
   }
   std::string_view take(std::size_t size) {
     const std::string_view bytes(at_, size);
@@ -96,6 +109,41 @@ class Cursor {
   const char* at_;
 };
 
+void append_surface(SummedFile& file, const SurfaceState& surface) {
+  const CandidateState& candidates = surface.candidates;
+  file.append_numbers<double>(candidates.normals.span());
+  file.append_numbers<std::uint32_t>(candidates.steps.span());
+  file.append_numbers<std::uint8_t>(candidates.vertex_flags.span());
+  file.append_numbers<std::uint8_t>(candidates.samples.span());
+  file.append_numbers<std::uint8_t>(candidates.cell_flags.span());
+  file.append_numbers<std::uint8_t>(candidates.pruned.span());
+  file.append_numbers<std::uint8_t>(surface.sides.span());
+  file.fill_word();
+}
+
+SurfaceState read_surface(const std::string& path, std::string_view bytes, const Header& header,
+                          const Triangulation& triangulation) {
+  SurfaceState surface;
+  if (bytes.empty()) return surface;
+  if (bytes.size() != surface_size(header, triangulation)) {
+    throw file_error(path,
+                     "what is known of the surface does not fit the triangulation; make the "
+                     "session again");
+  }
+  const std::size_t vertices = triangulation.num_vertices();
+  const std::size_t cells = triangulation.num_cells();
+  Cursor cursor(bytes);
+  CandidateState& candidates = surface.candidates;
+  cursor.fill<double>(candidates.normals, vertices);
+  cursor.fill<std::uint32_t>(candidates.steps, vertices);
+  cursor.fill<std::uint8_t>(candidates.vertex_flags, vertices);
+  cursor.fill<std::uint8_t>(candidates.samples, vertices);
+  cursor.fill<std::uint8_t>(candidates.cell_flags, cells);
+  cursor.fill<std::uint8_t>(candidates.pruned, cells);
+  if ((header.bits & certified) != 0) cursor.fill<std::uint8_t>(surface.sides, cells);
+  return surface;
+}
+
 Header read_header(const std::string& path, std::string_view content) {
   if (content.size() < header_size) {
     throw file_error(path,
@@ -104,17 +152,18 @@ Header read_header(const std::string& path, std::string_view content) {
   Cursor cursor(content.substr(magic.size()));
   if (const auto found = cursor.next<std::uint32_t>(); found != version) {
     throw file_error(path, "session file of version " + std::to_string(found) +
-                               ", but only version 1 can be read; make the session again");
+                               ", but only version 2 can be read; make the session again");
   }
   Header header;
   header.bits = cursor.next<std::uint32_t>();
-  bool plausible = header.bits < 16;
+  bool plausible = header.bits < 32;
   for (double& angle : header.angles) {
     angle = cursor.next<double>();
     plausible = plausible && angle >= 0 && angle <= 180;
   }
-  for (std::size_t* number : {&header.vertices, &header.triangles, &header.points,
-                              &header.note_bytes, &header.triangulation_bytes}) {
+  for (std::size_t* number :
+       {&header.vertices, &header.triangles, &header.points, &header.note_bytes,
+        &header.triangulation_bytes, &header.surface_bytes}) {
     *number = cursor.next<std::uint64_t>();
     plausible = plausible && *number <= content.size();
   }
@@ -144,28 +193,26 @@ bool same_parameters(const SurfaceArguments& a, const SurfaceArguments& b) {
 
 void save_session(const std::string& path, const SavedSession& session, FileBatch* batch) {
   const SessionSnapshot& snapshot = session.snapshot;
-  Header header = header_of(session);
-  const bool triangulated = snapshot.triangulation.num_cells() > 0;
-  if (triangulated) header.triangulation_bytes = triangulation_block_size(snapshot.triangulation);
+  const Header header = header_of(session);
   SummedFile file(path);
   file.append(magic);
   file.append(version);
   file.append(header.bits);
   for (const double angle : header.angles) file.append(angle);
-  for (const std::size_t number : {header.vertices, header.triangles, header.points,
-                                   header.note_bytes, header.triangulation_bytes}) {
+  for (const std::size_t number :
+       {header.vertices, header.triangles, header.points, header.note_bytes,
+        header.triangulation_bytes, header.surface_bytes}) {
     file.append(std::uint64_t{number});
   }
-  append_points(file, snapshot.model.points.span());
-  append_points(file, snapshot.points);
-  for (const PointId p : snapshot.point_of_vertex) file.append(p.value);
-  for (const Triangle& t : snapshot.model.triangles) {
-    for (const VertexId v : t) file.append(v.value);
-  }
+  file.append_numbers<double>(snapshot.model.points.span());
+  file.append_numbers<double>(std::span(snapshot.points));
+  file.append_numbers<std::uint32_t>(snapshot.point_of_vertex.span());
+  file.append_numbers<std::uint32_t>(snapshot.model.triangles.span());
   file.fill_word();
   for (const std::string& note : session.notes) file.append(std::string_view(note + "\n"));
   file.fill_word();
-  if (triangulated) append_triangulation(file, snapshot.triangulation);
+  if (header.triangulation_bytes > 0) append_triangulation(file, snapshot.triangulation);
+  if (header.surface_bytes > 0) append_surface(file, snapshot.surface);
   file.commit(batch);
 }
 
@@ -177,16 +224,10 @@ SavedSession load_session(const std::string& path) {
   session.parameters = parameters_of(header);
   SessionSnapshot& snapshot = session.snapshot;
   Cursor cursor(content.substr(header_size));
-  snapshot.model.points.resize(header.vertices);
-  for (Point& p : snapshot.model.points) p = cursor.next_point();
-  snapshot.points.resize(header.points);
-  for (Point& p : snapshot.points) p = cursor.next_point();
-  snapshot.point_of_vertex.resize(header.vertices);
-  for (PointId& p : snapshot.point_of_vertex) p = PointId(cursor.next<std::uint32_t>());
-  snapshot.model.triangles.resize(header.triangles);
-  for (Triangle& t : snapshot.model.triangles) {
-    for (VertexId& v : t) v = VertexId(cursor.next<std::uint32_t>());
-  }
+  cursor.fill<double>(snapshot.model.points, header.vertices);
+  cursor.fill<double>(snapshot.points, header.points);
+  cursor.fill<std::uint32_t>(snapshot.point_of_vertex, header.vertices);
+  cursor.fill<std::uint32_t>(snapshot.model.triangles, header.triangles);
   const std::size_t ids = 4 * header.vertices + 12 * header.triangles;
   cursor.take(round_up_to_8(ids) - ids);
   session.notes = lines_of(cursor.take(header.note_bytes));
@@ -194,6 +235,8 @@ SavedSession load_session(const std::string& path) {
   if (header.triangulation_bytes > 0) {
     snapshot.triangulation = parse_triangulation(path, cursor.take(header.triangulation_bytes));
   }
+  snapshot.surface =
+      read_surface(path, cursor.take(header.surface_bytes), header, snapshot.triangulation);
   try {
     check_snapshot(snapshot);
   } catch (const InputError& error) {

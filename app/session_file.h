@@ -2,15 +2,20 @@
 //
 //   bytes          content (all numbers little-endian)
 //   8              "COCOONUS"
-//   4, 4           version (1); bits: 1 = paper mode, 2, 4, 8 = the following angles were given
+//   4, 4           version (2); bits: 1 = paper mode, 2, 4, 8 = the following angles were given,
+//                  16 = the surface is certified (cocone/certified_surface.h)
 //   8, 8, 8        alpha, cocone angle, sharp angle in degrees, 64-bit floating point
-//   8, 8, 8, 8, 8  numbers of model vertices n, triangles t, points k; bytes of the notes, and of
-//                  the triangulation
+//   8, 8, 8        numbers of model vertices n, triangles t, points k
+//   8, 8, 8        bytes of the notes, of the triangulation, and of what is known of its surface
 //   24 n, 24 k     coordinates of the model's vertices and of the points
 //   4 n, 12 t      the point at each vertex (2^32 - 1 = none), the triangles; zero bytes up to a
 //                  multiple of 8
 //                  the notes: a line of text each; zero bytes up to a multiple of 8
 //                  the triangulation as io/triangulation_block.h has it, or nothing
+//                  the surface (cocone/surface_state.h), or nothing; with v vertices and c cells:
+//   24 v, 4 v      normals, steps
+//   v, v, c, c     flags of vertices, samples, flags of cells, pruned candidates
+//   c              sides, if certified; zero bytes up to a multiple of 8
 //   8              checksum (io/summed_file.h)
 #pragma once
 

@@ -1,7 +1,7 @@
 #include "cocone/certified_surface.h"
 
 #include <algorithm>
-#include <bit>
+#include <utility>
 
 #include "delaunay/circulate.h"
 
@@ -72,7 +72,7 @@ bool CertifiedSurface::certify(const DynamicDelaunay& delaunay, const LiveCandid
   for (const FacetId f : halves) {
     for (const VertexId v : view.facet_vertices(f)) {
       const FacetId met = first_met(view, candidates, f, v);
-      if (!met.is_none() && is(outer_side, met)) continue;
+      if (!met.is_none() && is(side_flag::outer, met)) continue;
       clear();
       return false;
     }
@@ -80,6 +80,17 @@ bool CertifiedSurface::certify(const DynamicDelaunay& delaunay, const LiveCandid
   num_vertices_ = delaunay.num_vertices();
   exists_ = true;
   return true;
+}
+
+void CertifiedSurface::resume(const DynamicDelaunay& delaunay,
+                              IdVector<CellId, std::uint8_t> sides) {
+  clear();
+  sides_ = std::move(sides);
+  for (const std::uint8_t s : sides_) {
+    outer_halves_ += num_flags(s & 15U);
+  }
+  num_vertices_ = delaunay.num_vertices();
+  exists_ = true;
 }
 
 bool CertifiedSurface::update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
@@ -115,7 +126,7 @@ bool CertifiedSurface::update_at_touched(const DynamicDelaunay& delaunay,
 
   std::vector<FacetId> facets;
   for (const FacetId f : touched) {
-    if (is(outer_side, f) || is(inner_side, f)) facets.push_back(f);
+    if (is(side_flag::outer, f) || is(side_flag::inner, f)) facets.push_back(f);
   }
   for (const FacetId f : halves) facets.push_back(view.canonical(f));
   const LocalFacets surface = collector_.link(delaunay, std::move(facets));
@@ -129,21 +140,21 @@ bool CertifiedSurface::update_at_touched(const DynamicDelaunay& delaunay,
 // --- The facets of S -------------------------------------------------------------------------
 
 void CertifiedSurface::set_sides(CellId c, unsigned sides) {
-  outer_halves_ -= static_cast<std::size_t>(std::popcount(sides_[c] & 15U));
+  outer_halves_ -= num_flags(sides_[c] & 15U);
   sides_[c] = static_cast<std::uint8_t>(sides);
-  outer_halves_ += static_cast<std::size_t>(std::popcount(sides_[c] & 15U));
+  outer_halves_ += num_flags(sides_[c] & 15U);
 }
 
 void CertifiedSurface::insert(const TriangulationView& view, FacetId half) {
   const FacetId back = view.mirror(half);
-  set_sides(cell_of(half), sides_[cell_of(half)] | outer_side << index_of(half));
-  set_sides(cell_of(back), sides_[cell_of(back)] | inner_side << index_of(back));
+  set_sides(cell_of(half), sides_[cell_of(half)] | side_flag::outer << index_of(half));
+  set_sides(cell_of(back), sides_[cell_of(back)] | side_flag::inner << index_of(back));
 }
 
 void CertifiedSurface::erase(const TriangulationView& view, FacetId f) {
   for (const FacetId half : {f, view.mirror(f)}) {
     const CellId c = cell_of(half);
-    set_sides(c, sides_[c] & ~((outer_side | inner_side) << index_of(half)));
+    set_sides(c, sides_[c] & ~((side_flag::outer | side_flag::inner) << index_of(half)));
   }
 }
 
@@ -166,8 +177,8 @@ void CertifiedSurface::adopt_new_cells(const TriangulationView& view,
   for (const CellId c : change.created) {
     for (int i = 0; i < 4; ++i) {
       const FacetId behind = view.mirror(facet_id(c, i));
-      if (is(outer_side, behind)) set_sides(c, sides_[c] | inner_side << i);
-      if (is(inner_side, behind)) set_sides(c, sides_[c] | outer_side << i);
+      if (is(side_flag::outer, behind)) set_sides(c, sides_[c] | side_flag::inner << i);
+      if (is(side_flag::inner, behind)) set_sides(c, sides_[c] | side_flag::outer << i);
     }
   }
 }
@@ -203,7 +214,7 @@ std::vector<FacetId> CertifiedSurface::halves_at(const DynamicDelaunay& delaunay
   for (const CellId c : stars_.stars(delaunay, at)) {
     for (int i = 0; (sides_[c] & 15U) != 0 && i < 4; ++i) {
       const FacetId f = facet_id(c, i);
-      if (!is(outer_side, f)) continue;
+      if (!is(side_flag::outer, f)) continue;
       const std::array<VertexId, 3> corners = view.facet_vertices(f);
       if (std::any_of(corners.begin(), corners.end(),
                       [&](VertexId v) { return std::binary_search(at.begin(), at.end(), v); })) {
@@ -222,8 +233,8 @@ bool CertifiedSurface::grow(const TriangulationView& view, const LiveCandidates&
     open.pop_back();
     for (const VertexId v : view.facet_vertices(f)) {
       const FacetId met = first_met(view, candidates, f, v);
-      if (met.is_none() || is(inner_side, met)) return false;
-      if (is(outer_side, met)) continue;
+      if (met.is_none() || is(side_flag::inner, met)) return false;
+      if (is(side_flag::outer, met)) continue;
       if (!has_touched_vertex(view, met)) return false;
       insert(view, met);
       open.push_back(met);
@@ -245,12 +256,26 @@ bool CertifiedSurface::holds_at(const LocalFacets& surface,
   });
 }
 
+std::vector<std::array<VertexId, 3>> CertifiedSurface::triangles(
+    const TriangulationView& view) const {
+  std::vector<std::array<VertexId, 3>> all;
+  all.reserve(outer_halves_);
+  for (const CellId c : sides_.ids()) {
+    const unsigned inner = unsigned{sides_[c]} >> 4;
+    for (int i = 0; inner != 0 && i < 4; ++i) {
+      // facet_vertices: normal away from the cell, here the inner one
+      if (((inner >> i) & 1U) != 0) all.push_back(view.facet_vertices(facet_id(c, i)));
+    }
+  }
+  return all;
+}
+
 void CertifiedSurface::list_triangles(const TriangulationView& view, const LocalFacets& surface) {
   triangles_.clear();
   for (const FacetId f : surface.triangles.facets) {
     if (!has_touched_vertex(view, f)) continue;
     // facet_vertices: normal away from the cell, here the inner one
-    triangles_.push_back(view.facet_vertices(is(inner_side, f) ? f : view.mirror(f)));
+    triangles_.push_back(view.facet_vertices(is(side_flag::inner, f) ? f : view.mirror(f)));
   }
 }
 
@@ -278,7 +303,7 @@ bool CertifiedSurface::holds_first_hull_candidate(const TriangulationView& view,
       consider(cell_of(view.mirror(f)));
     }
   }
-  return !first_hull_.is_none() && is(outer_side, facet_id(first_hull_, 3));
+  return !first_hull_.is_none() && is(side_flag::outer, facet_id(first_hull_, 3));
 }
 
 // The surface was connected before, and what is left of it falls into parts that each reach one of
@@ -296,7 +321,7 @@ bool CertifiedSurface::is_connected(const DynamicDelaunay& delaunay,
   Parts whole(delaunay.num_vertex_slots());
   for (const CellId c : sides_.ids()) {
     for (int i = 0; (sides_[c] & 15U) != 0 && i < 4; ++i) {
-      if (is(outer_side, facet_id(c, i))) whole.join(view.facet_vertices(facet_id(c, i)));
+      if (is(side_flag::outer, facet_id(c, i))) whole.join(view.facet_vertices(facet_id(c, i)));
     }
   }
   parts = 0;

@@ -31,6 +31,7 @@
 #include "cocone/live_candidates.h"
 #include "cocone/local_facets.h"
 #include "cocone/star_finder.h"
+#include "cocone/surface_state.h"
 #include "cocone/umbrella.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/id_vector.h"
@@ -53,6 +54,10 @@ class CertifiedSurface {
   bool certify(const DynamicDelaunay& delaunay, const LiveCandidates& candidates,
                std::span<const FacetId> halves);
 
+  // Begins with the sides() of another one whose triangulation and candidates were the same, in the
+  // same slots. Complexity: O(n).
+  void resume(const DynamicDelaunay& delaunay, IdVector<CellId, std::uint8_t> sides);
+
   // Goes on after a change of the triangulation and of the candidates; false (and nothing is known)
   // if the certificate does not hold any more. Precondition: exists() before the change.
   // Complexity: O(c) for c cells at the vertices at most one edge of the surface away from a
@@ -68,15 +73,15 @@ class CertifiedSurface {
   // before. After certify(): none.
   const std::vector<VertexId>& touched() const { return touched_; }
   const std::vector<std::array<VertexId, 3>>& triangles_at_touched() const { return triangles_; }
+  // The whole surface by slot of the cell, as side_flag (surface_state.h) has it; 0 where no cell
+  // is.
+  const IdVector<CellId, std::uint8_t>& sides() const { return sides_; }
+  // All its triangles, counterclockwise seen from outside. Complexity: O(cells).
+  std::vector<std::array<VertexId, 3>> triangles(const TriangulationView& view) const;
   // What the stages would have counted.
   void count(ReconstructCounters& counters) const;
 
  private:
-  // Bits of a cell: i = its facet i is one of S, and the cell lies on its outer side; 4 + i: on its
-  // inner side.
-  static constexpr unsigned outer_side = 1;
-  static constexpr unsigned inner_side = 16;
-
   bool is(unsigned side, FacetId f) const {
     return (sides_[cell_of(f)] & (side << index_of(f))) != 0;
   }

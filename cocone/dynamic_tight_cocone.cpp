@@ -21,6 +21,17 @@ void canonicalize(std::vector<Triangle>& triangles) {
   std::sort(triangles.begin(), triangles.end());
 }
 
+// What is known by slot, by number.
+template <class IdType, class T>
+IdVector<IdType, T> by_number(const IdVector<IdType, T>& by_slot,
+                              const IdVector<IdType, IdType>& number, std::size_t count) {
+  IdVector<IdType, T> values(count);
+  for (const IdType slot : number.ids()) {
+    if (!number[slot].is_none()) values[number[slot]] = by_slot[slot];
+  }
+  return values;
+}
+
 std::vector<KnownTriangle> triangles_of(const KnownTriangleSource& source) {
   return source ? source() : std::vector<KnownTriangle>();
 }
@@ -49,6 +60,9 @@ struct DynamicTightCocone::State {
     IdVector<CellId, CellId> cell;        // by slot
   };
   Compact compact() const;
+  SurfaceState surface_state(const Compact& whole) const;
+  void resume(SurfaceState surface);
+  void list_surface();
   void look_for_certificate(const ReconstructResult& result, std::span<const FacetId> halves);
   KnownCandidates known_candidates(const Compact& compact) const;
   ReconstructResult run_later_stages(Points points, std::span<const KnownTriangle> known,
@@ -232,6 +246,48 @@ KnownCandidates DynamicTightCocone::State::known_candidates(const Compact& whole
   return found;
 }
 
+// In the numbers of a compact triangulation.
+SurfaceState DynamicTightCocone::State::surface_state(const Compact& whole) const {
+  SurfaceState state;
+  if (!candidates.exists()) return state;
+  const CandidateState& known = candidates.state();
+  const std::size_t vertices = whole.triangulation.num_vertices();
+  const std::size_t cells = whole.triangulation.num_cells();
+  CandidateState& here = state.candidates;
+  here.normals = by_number(known.normals, whole.vertex, vertices);
+  here.vertex_flags = by_number(known.vertex_flags, whole.vertex, vertices);
+  here.samples = by_number(known.samples, whole.vertex, vertices);
+  here.steps = by_number(known.steps, whole.vertex, vertices);
+  here.cell_flags = by_number(known.cell_flags, whole.cell, cells);
+  here.pruned = by_number(known.pruned, whole.cell, cells);
+  if (certified.exists()) state.sides = by_number(certified.sides(), whole.cell, cells);
+  return state;
+}
+
+void DynamicTightCocone::State::resume(SurfaceState surface) {
+  if (surface.empty()) return;
+  candidates.resume(delaunay, std::move(surface.candidates));
+  if (surface.sides.empty()) return;
+  certified.resume(delaunay, std::move(surface.sides));
+  list_surface();
+}
+
+// The certified surface as a mesh; it has all vertices. Complexity: O(n).
+void DynamicTightCocone::State::list_surface() {
+  IdVector<VertexId, VertexId> number(delaunay.num_vertex_slots());
+  vertex_of_mesh.clear();
+  for (const VertexId v : vertex_of_point) {
+    if (number[v].is_none()) number[v] = vertex_of_mesh.push_back(v);
+  }
+  TriangleMesh mesh;
+  mesh.points.resize(vertex_of_mesh.size());
+  for (const auto& [a, b, c] : certified.triangles(delaunay.view())) {
+    mesh.triangles.push_back({number[a], number[b], number[c]});
+  }
+  canonicalize_triangles(mesh);
+  triangles = std::move(mesh.triangles.raw());
+}
+
 // Those from the extraction on, of the candidates that are known.
 ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
                                                               std::span<const KnownTriangle> known,
@@ -337,15 +393,20 @@ const ReconstructOptions& DynamicTightCocone::options() const { return state_->o
 std::size_t DynamicTightCocone::num_points() const { return state_->num_points; }
 std::size_t DynamicTightCocone::local_changes() const { return state_->local_changes; }
 
-void DynamicTightCocone::take(Points points, Triangulation triangulation) {
-  if (working_scale(points) == 1) {
-    state_->take(points.size(), std::move(triangulation));
-  } else {
+void DynamicTightCocone::take(Points points, Snapshot snapshot) {
+  if (working_scale(points) != 1) {
     state_->clear(points.size());
+    return;
   }
+  state_->take(points.size(), std::move(snapshot.triangulation));
+  state_->resume(std::move(snapshot.surface));
 }
 
-Triangulation DynamicTightCocone::snapshot() const { return state_->compact().triangulation; }
+DynamicTightCocone::Snapshot DynamicTightCocone::snapshot() const {
+  State::Compact whole = state_->compact();
+  SurfaceState surface = state_->surface_state(whole);
+  return {std::move(whole.triangulation), std::move(surface)};
+}
 
 ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution& execution,
                                                   const KnownTriangleSource& known) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cocone/reconstruct.h"
+#include "cocone/surface_state.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/ids.h"
@@ -27,6 +28,12 @@ using KnownTriangleSource = std::function<std::vector<KnownTriangle>()>;
 // If an operation throws (InputError as delaunay(), Cancelled), the points are those from before.
 class DynamicTightCocone {
  public:
+  // All of it as plain data; both are empty if nothing is known.
+  struct Snapshot {
+    Triangulation triangulation;
+    SurfaceState surface;
+  };
+
   explicit DynamicTightCocone(const ReconstructOptions& options = {});
   ~DynamicTightCocone();
   DynamicTightCocone(DynamicTightCocone&&) noexcept;
@@ -48,12 +55,12 @@ class DynamicTightCocone {
   ReconstructResult replace(Points points, std::span<const PointId> old_position,
                             const Execution& execution = {}, const KnownTriangleSource& known = {});
 
-  // Takes over a triangulation whose input points are `points` (delaunay(points), or one saved by
-  // snapshot()), without looking for its surface.
-  void take(Points points, Triangulation triangulation);
-  // The triangulation so far as a value for take(): vertices and cells in the order of memory.
-  // Complexity: O(n).
-  Triangulation snapshot() const;
+  // Takes over the snapshot of one with these points and the same options; or a triangulation whose
+  // input points they are (delaunay(points)), without looking for its surface.
+  // Precondition: check_surface_state finds no fault.
+  void take(Points points, Snapshot snapshot);
+  // Vertices and cells in the order of memory. Complexity: O(n).
+  Snapshot snapshot() const;
 
  private:
   struct State;

@@ -1,7 +1,6 @@
 #include "cocone/live_candidates.h"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "cocone/candidate_triangles.h"
@@ -15,7 +14,9 @@
 namespace cocoon {
 namespace {
 
-std::size_t bits_of(unsigned flags) { return static_cast<std::size_t>(std::popcount(flags)); }
+constexpr auto minus_one = static_cast<std::size_t>(-1);
+
+std::size_t is_set(unsigned flag) { return flag != 0 ? 1 : 0; }
 
 // How the Voronoi vertex, or ray, of a cell is obtained, as voronoi_dual counts it.
 enum class CenterKind { doubles, exact, facet };
@@ -52,46 +53,58 @@ void LiveCandidates::clear() { *this = LiveCandidates(options_); }
 void LiveCandidates::start(const DynamicDelaunay& delaunay, const ReconstructStages& stages) {
   clear();
   grow_arrays(delaunay);
-  num_vertices_ = delaunay.num_vertices();
   const TriangulationView view = delaunay.view();
-  normals_ = stages.poles.normals;
-  states_ = stages.boundary.states;
-  for (const VertexId v : states_.ids()) {
-    if (states_[v] != SampleState::interior) steps_[v] = not_taken;
+  start_samples(view, stages);
+  const bool plain = stages.dual.extended_precision == 0 && stages.dual.facet_fallbacks == 0;
+  for (const CellId c : known_.cell_flags.ids()) {
+    const unsigned candidates = stages.candidates.bits(c);
+    known_.cell_flags[c] = static_cast<std::uint8_t>(kind_of(view, c, plain) | candidates);
+    known_.pruned[c] = static_cast<std::uint8_t>(candidates & ~unsigned{stages.left.bits(c)});
   }
-  for (const TakenIn& taken : stages.boundary.taken_in) steps_[taken.sample] = taken.steps;
-  for (const VertexId v : vertex_flags_.ids()) {
-    unsigned flags = 0;
-    if (stages.poles.degenerate[v] != 0) flags |= degenerate;
-    if (stages.umbrella[v] != 0) flags |= umbrella;
-    vertex_flags_[v] = static_cast<std::uint8_t>(flags);
-    degenerate_ += bits_of(flags & degenerate);
-    umbrellas_ += bits_of(flags & umbrella);
-    boundary_ += steps_[v] == not_taken ? 1U : 0U;
-    ratio_failed_ += states_[v] == SampleState::ratio_fails ? 1U : 0U;
-  }
-  recovered_ = stages.boundary.recovered;
-  start_cells(view, stages);
-  exists_ = true;
+  begin(delaunay);
 }
 
-void LiveCandidates::start_cells(const TriangulationView& view, const ReconstructStages& stages) {
-  const bool plain = stages.dual.extended_precision == 0 && stages.dual.facet_fallbacks == 0;
-  for (const CellId c : cell_flags_.ids()) {
-    const unsigned candidates = stages.candidates.bits(c);
-    set_cell(c, kind_of(view, c, plain) | candidates, candidates & ~unsigned{stages.left.bits(c)});
+void LiveCandidates::resume(const DynamicDelaunay& delaunay, CandidateState state) {
+  clear();
+  known_ = std::move(state);
+  grow_arrays(delaunay);
+  begin(delaunay);
+}
+
+void LiveCandidates::start_samples(const TriangulationView& view, const ReconstructStages& stages) {
+  known_.normals = stages.poles.normals;
+  known_.samples = stages.boundary.states;
+  for (const VertexId v : known_.samples.ids()) {
+    if (known_.samples[v] != SampleState::interior) known_.steps[v] = not_taken_in;
+  }
+  for (const TakenIn& taken : stages.boundary.taken_in) known_.steps[taken.sample] = taken.steps;
+  for (const VertexId v : known_.vertex_flags.ids()) {
+    unsigned flags = 0;
+    if (stages.poles.degenerate[v] != 0) flags |= vertex_flag::degenerate;
+    if (stages.umbrella[v] != 0) flags |= vertex_flag::umbrella;
+    known_.vertex_flags[v] = static_cast<std::uint8_t>(flags);
+  }
+  for (const CellId c : known_.cell_flags.ids()) {
+    if (!view.is_infinite(c)) continue;
+    for (int i = 0; i < 3; ++i) known_.vertex_flags[view.vertex(c, i)] |= vertex_flag::on_hull;
+  }
+}
+
+// With all slots in use.
+void LiveCandidates::begin(const DynamicDelaunay& delaunay) {
+  const TriangulationView view = delaunay.view();
+  num_vertices_ = delaunay.num_vertices();
+  for (const VertexId v : known_.vertex_flags.ids()) tally_vertex(v, 1);
+  for (const CellId c : known_.cell_flags.ids()) {
+    tally_cell(c, 1);
+    const unsigned candidates = known_.cell_flags[c] & cell_flag::candidate_facets;
     for (int i = 0; candidates != 0 && i < 4; ++i) {
       const FacetId f = facet_id(c, i);
       if (((candidates >> i) & 1U) == 0 || view.canonical(f) != f) continue;
       for (const VertexId v : view.facet_vertices(f)) ++fan_[v];
     }
-    if (!view.is_infinite(c)) continue;
-    for (int i = 0; i < 3; ++i) {
-      const VertexId v = view.vertex(c, i);
-      hull_vertices_ += (vertex_flags_[v] & on_hull) == 0 ? 1U : 0U;
-      vertex_flags_[v] |= on_hull;
-    }
   }
+  exists_ = true;
 }
 
 void LiveCandidates::update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
@@ -115,15 +128,15 @@ void LiveCandidates::update(const DynamicDelaunay& delaunay, const DelaunayChang
 
 void LiveCandidates::grow_arrays(const DynamicDelaunay& delaunay) {
   const std::size_t vertices = delaunay.num_vertex_slots();
-  normals_.resize(vertices);
-  vertex_flags_.resize(vertices, 0);
-  states_.resize(vertices, SampleState::interior);
-  steps_.resize(vertices, 0);
+  known_.normals.resize(vertices);
+  known_.vertex_flags.resize(vertices, 0);
+  known_.samples.resize(vertices, SampleState::interior);
+  known_.steps.resize(vertices, 0);
   fan_.resize(vertices, 0);
   is_dirty_.resize(vertices, 0);
   const std::size_t cells = delaunay.view().cell_records().size();
-  cell_flags_.resize(cells, 0);
-  pruned_.resize(cells, 0);
+  known_.cell_flags.resize(cells, 0);
+  known_.pruned.resize(cells, 0);
 }
 
 // What went takes its counts along. Slots of deleted cells may already hold new ones.
@@ -181,7 +194,8 @@ std::vector<VertexId> LiveCandidates::pending_off_core(const LocalPatch& patch) 
   std::vector<VertexId> found;
   for (const VertexId v : patch.triangulation.vertices()) {
     const VertexId whole = patch.vertex_in_whole[v];
-    if (patch.is_core[v] == 0 && states_[whole] == SampleState::pending) found.push_back(whole);
+    if (patch.is_core[v] == 0 && known_.samples[whole] == SampleState::pending)
+      found.push_back(whole);
   }
   return found;
 }
@@ -192,7 +206,7 @@ void LiveCandidates::find_normals(Part& part, const Execution& execution) const 
   part.poles = compute_poles(t, part.dual, execution);
   for (const VertexId v : t.vertices()) {
     if (part.patch.is_core[v] != 0) continue;
-    part.poles.normals[v] = normals_[part.patch.vertex_in_whole[v]];
+    part.poles.normals[v] = known_.normals[part.patch.vertex_in_whole[v]];
   }
   part.cocones = intersect_cocones(t, part.dual, part.poles, options_.cocone, execution);
 }
@@ -210,7 +224,7 @@ std::vector<VertexId> LiveCandidates::judge(Part& part, const Execution& executi
   part.states = judge_samples(patch.triangulation, part.dual, part.poles, part.cocones,
                               options_.boundary, execution);
   for (const VertexId v : part.states.ids()) {
-    if (patch.is_core[v] == 0) part.states[v] = states_[patch.vertex_in_whole[v]];
+    if (patch.is_core[v] == 0) part.states[v] = known_.samples[patch.vertex_in_whole[v]];
   }
   std::vector<VertexId> failing;
   for (std::size_t k = 0; k < part.cocones.facets.size(); ++k) {
@@ -240,10 +254,10 @@ std::vector<VertexId> LiveCandidates::take_in(Part& part) const {
       if (normals_agree(part.poles, p, q, options_.boundary)) supports.push_back({p, q});
     });
   }
-  part.steps = IdVector<VertexId, std::uint32_t>(part.states.size(), not_taken);
+  part.steps = IdVector<VertexId, std::uint32_t>(part.states.size(), not_taken_in);
   for (const VertexId v : part.steps.ids()) {
     if (patch.is_core[v] == 0) {
-      part.steps[v] = steps_[patch.vertex_in_whole[v]];
+      part.steps[v] = known_.steps[patch.vertex_in_whole[v]];
     } else if (part.states[v] == SampleState::interior) {
       part.steps[v] = 0;
     }
@@ -251,7 +265,7 @@ std::vector<VertexId> LiveCandidates::take_in(Part& part) const {
   for (bool changed = true; changed;) {
     changed = false;
     for (const Support& s : supports) {
-      if (patch.is_core[s.sample] == 0 || part.steps[s.by] == not_taken) continue;
+      if (patch.is_core[s.sample] == 0 || part.steps[s.by] == not_taken_in) continue;
       if (part.steps[s.by] + 1 >= part.steps[s.sample]) continue;
       part.steps[s.sample] = part.steps[s.by] + 1;
       changed = true;
@@ -260,7 +274,7 @@ std::vector<VertexId> LiveCandidates::take_in(Part& part) const {
   std::vector<VertexId> affected;
   for (const Support& s : supports) {
     if (patch.is_core[s.sample] != 0 || patch.is_core[s.by] == 0) continue;
-    if (part.steps[s.by] == steps_[patch.vertex_in_whole[s.by]]) continue;
+    if (part.steps[s.by] == known_.steps[patch.vertex_in_whole[s.by]]) continue;
     affected.push_back(patch.vertex_in_whole[s.sample]);
   }
   return affected;
@@ -278,13 +292,13 @@ void LiveCandidates::commit_samples(Part& part) {
   for (const VertexId v : t.vertices()) {
     if (patch.is_core[v] == 0) continue;
     const VertexId whole = patch.vertex_in_whole[v];
-    const bool relabeled = (part.steps[v] == not_taken) != is_boundary(whole);
+    const bool relabeled = (part.steps[v] == not_taken_in) != is_boundary(whole);
     part.fresh[v] = relabeled || is_dirty_[whole] != 0;
     if (relabeled) note_changed(whole);
-    normals_[whole] = part.poles.normals[v];
-    unsigned flags = vertex_flags_[whole] & umbrella;
-    if (hull[v] != 0) flags |= on_hull;
-    if (part.poles.degenerate[v] != 0) flags |= degenerate;
+    known_.normals[whole] = part.poles.normals[v];
+    unsigned flags = known_.vertex_flags[whole] & vertex_flag::umbrella;
+    if (hull[v] != 0) flags |= vertex_flag::on_hull;
+    if (part.poles.degenerate[v] != 0) flags |= vertex_flag::degenerate;
     set_vertex(whole, flags, part.states[v], part.steps[v]);
   }
   for (const VertexId v : dirty_) is_dirty_[v] = 0;
@@ -294,15 +308,15 @@ void LiveCandidates::commit_samples(Part& part) {
 
 // Finite or not, and how its center is obtained; `plain`: in doubles everywhere.
 unsigned LiveCandidates::kind_of(const TriangulationView& view, CellId c, bool plain) {
-  const unsigned kind = view.is_infinite(c) ? infinite : finite;
+  const unsigned kind = view.is_infinite(c) ? cell_flag::infinite : cell_flag::finite;
   if (plain) return kind;
   switch (center_kind(view, c)) {
     case CenterKind::doubles:
       return kind;
     case CenterKind::exact:
-      return kind | exact_center;
+      return kind | cell_flag::exact_center;
     case CenterKind::facet:
-      return kind | facet_center;
+      return kind | cell_flag::facet_center;
   }
   return kind;
 }
@@ -312,7 +326,7 @@ void LiveCandidates::commit_new_cells(const Part& part) {
   const bool plain = part.dual.extended_precision == 0 && part.dual.facet_fallbacks == 0;
   for (const CellId c : t.cells()) {
     const CellId slot = part.patch.slot_of_cell[c];
-    if (cell_flags_[slot] != 0) continue;
+    if (known_.cell_flags[slot] != 0) continue;
     set_cell(slot, kind_of(t, c, plain), 0);
   }
 }
@@ -321,7 +335,7 @@ void LiveCandidates::update_candidates(const Part& part, const Execution& execut
   const LocalPatch& patch = part.patch;
   const Triangulation& t = patch.triangulation;
   VertexSet boundary(t.num_vertices(), 0);
-  for (const VertexId v : boundary.ids()) boundary[v] = part.steps[v] == not_taken ? 1 : 0;
+  for (const VertexId v : boundary.ids()) boundary[v] = part.steps[v] == not_taken_in ? 1 : 0;
   const FacetSet candidates = candidate_triangles(t, part.cocones, boundary, execution);
 
   IdVector<VertexId, std::uint32_t> fan(t.num_vertices(), 0);     // now
@@ -336,13 +350,15 @@ void LiveCandidates::update_candidates(const Part& part, const Execution& execut
       const CellId there = patch.slot_of_cell[cell_of(m)];
       const unsigned bit = 1U << i;
       const unsigned mirror_bit = 1U << index_of(m);
-      const bool before = (cell_flags_[here] & bit) != 0 || (cell_flags_[there] & mirror_bit) != 0;
+      const bool before =
+          (known_.cell_flags[here] & bit) != 0 || (known_.cell_flags[there] & mirror_bit) != 0;
       const bool now = candidates.contains(f);
       if (!before && !now) continue;
-      const bool pruned = now && ((pruned_[here] & bit) != 0 || (pruned_[there] & mirror_bit) != 0);
+      const bool pruned =
+          now && ((known_.pruned[here] & bit) != 0 || (known_.pruned[there] & mirror_bit) != 0);
       const auto write = [&](CellId slot, unsigned which) {
-        set_cell(slot, now ? cell_flags_[slot] | which : cell_flags_[slot] & ~which,
-                 pruned ? pruned_[slot] | which : pruned_[slot] & ~which);
+        set_cell(slot, now ? known_.cell_flags[slot] | which : known_.cell_flags[slot] & ~which,
+                 pruned ? known_.pruned[slot] | which : known_.pruned[slot] & ~which);
       };
       write(here, bit);
       write(there, mirror_bit);
@@ -372,8 +388,9 @@ void LiveCandidates::update_candidates(const Part& part, const Execution& execut
 
 void LiveCandidates::collect_facets(const DynamicDelaunay& delaunay,
                                     std::span<const VertexId> vertices) {
-  facets_ = collector_.collect(delaunay, vertices,
-                               [&](CellId c) { return cell_flags_[c] & candidate_facets; });
+  facets_ = collector_.collect(delaunay, vertices, [&](CellId c) {
+    return known_.cell_flags[c] & cell_flag::candidate_facets;
+  });
 }
 
 void LiveCandidates::update_umbrellas() {
@@ -381,9 +398,9 @@ void LiveCandidates::update_umbrellas() {
                                                  options_.prune.sharp_cosine);
   for (const VertexId v : changed_) {
     const VertexId local = facets_.local(v);
-    unsigned flags = vertex_flags_[v] & ~umbrella;
-    if (!local.is_none() && found[local] != 0) flags |= umbrella;
-    set_vertex(v, flags, states_[v], steps_[v]);
+    unsigned flags = known_.vertex_flags[v] & ~vertex_flag::umbrella;
+    if (!local.is_none() && found[local] != 0) flags |= vertex_flag::umbrella;
+    set_vertex(v, flags, known_.samples[v], known_.steps[v]);
   }
 }
 
@@ -423,7 +440,7 @@ void LiveCandidates::update_pruning(const DynamicDelaunay& delaunay) {
 }
 
 std::uint8_t LiveCandidates::was_pruned(FacetId f) const {
-  return static_cast<std::uint8_t>((pruned_[cell_of(f)] >> index_of(f)) & 1U);
+  return static_cast<std::uint8_t>((known_.pruned[cell_of(f)] >> index_of(f)) & 1U);
 }
 
 void LiveCandidates::commit_pruning(const std::vector<std::uint8_t>& removed) {
@@ -432,7 +449,7 @@ void LiveCandidates::commit_pruning(const std::vector<std::uint8_t>& removed) {
     if (removed[t] == was_pruned(triangles.facets[t])) continue;
     for (const FacetId f : {triangles.facets[t], triangles.mirrors[t]}) {
       const CellId c = cell_of(f);
-      set_cell(c, cell_flags_[c], pruned_[c] ^ (1U << index_of(f)));
+      set_cell(c, known_.cell_flags[c], known_.pruned[c] ^ (1U << index_of(f)));
     }
     for (const VertexId v : triangles.corners[t]) note_changed(facets_.vertex_in_whole[v]);
   }
@@ -440,35 +457,41 @@ void LiveCandidates::commit_pruning(const std::vector<std::uint8_t>& removed) {
 
 // --- Counts ----------------------------------------------------------------------------------
 
+// Adds `step` times what the cell counts for; that may be the negative of 1, modulo 2^64.
+void LiveCandidates::tally_cell(CellId c, std::size_t step) {
+  const unsigned flags = known_.cell_flags[c];
+  candidates_ += step * num_flags(flags & cell_flag::candidate_facets);
+  pruned_halves_ += step * num_flags(known_.pruned[c]);
+  exact_centers_ += step * is_set(flags & cell_flag::exact_center);
+  facet_centers_ += step * is_set(flags & cell_flag::facet_center);
+  finite_cells_ += step * is_set(flags & cell_flag::finite);
+}
+
 void LiveCandidates::set_cell(CellId c, unsigned flags, unsigned pruned) {
-  const auto tally = [&](std::size_t step) {  // 1, or its negative
-    candidates_ += step * bits_of(cell_flags_[c] & candidate_facets);
-    pruned_halves_ += step * bits_of(pruned_[c]);
-    exact_centers_ += step * bits_of(cell_flags_[c] & exact_center);
-    facet_centers_ += step * bits_of(cell_flags_[c] & facet_center);
-    finite_cells_ += step * bits_of(cell_flags_[c] & finite);
-  };
-  tally(static_cast<std::size_t>(-1));
-  cell_flags_[c] = static_cast<std::uint8_t>(flags);
-  pruned_[c] = static_cast<std::uint8_t>(pruned);
-  tally(1);
+  tally_cell(c, minus_one);
+  known_.cell_flags[c] = static_cast<std::uint8_t>(flags);
+  known_.pruned[c] = static_cast<std::uint8_t>(pruned);
+  tally_cell(c, 1);
+}
+
+void LiveCandidates::tally_vertex(VertexId v, std::size_t step) {
+  const unsigned flags = known_.vertex_flags[v];
+  const std::uint32_t steps = known_.steps[v];
+  hull_vertices_ += step * is_set(flags & vertex_flag::on_hull);
+  degenerate_ += step * is_set(flags & vertex_flag::degenerate);
+  umbrellas_ += step * is_set(flags & vertex_flag::umbrella);
+  boundary_ += step * (steps == not_taken_in ? 1U : 0U);
+  recovered_ += step * (steps != not_taken_in && steps != 0 ? 1U : 0U);
+  ratio_failed_ += step * (known_.samples[v] == SampleState::ratio_fails ? 1U : 0U);
 }
 
 void LiveCandidates::set_vertex(VertexId v, unsigned flags, SampleState state,
                                 std::uint32_t steps) {
-  const auto tally = [&](std::size_t step) {
-    hull_vertices_ += step * bits_of(vertex_flags_[v] & on_hull);
-    degenerate_ += step * bits_of(vertex_flags_[v] & degenerate);
-    umbrellas_ += step * bits_of(vertex_flags_[v] & umbrella);
-    boundary_ += step * (steps_[v] == not_taken ? 1U : 0U);
-    recovered_ += step * (steps_[v] != not_taken && steps_[v] != 0 ? 1U : 0U);
-    ratio_failed_ += step * (states_[v] == SampleState::ratio_fails ? 1U : 0U);
-  };
-  tally(static_cast<std::size_t>(-1));
-  vertex_flags_[v] = static_cast<std::uint8_t>(flags);
-  states_[v] = state;
-  steps_[v] = steps;
-  tally(1);
+  tally_vertex(v, minus_one);
+  known_.vertex_flags[v] = static_cast<std::uint8_t>(flags);
+  known_.samples[v] = state;
+  known_.steps[v] = steps;
+  tally_vertex(v, 1);
 }
 
 void LiveCandidates::count(ReconstructCounters& counters) const {

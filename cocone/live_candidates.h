@@ -28,6 +28,7 @@
 #include "cocone/local_facets.h"
 #include "cocone/local_patch.h"
 #include "cocone/reconstruct.h"
+#include "cocone/surface_state.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
@@ -45,6 +46,9 @@ class LiveCandidates {
   // Begins with what the stages found in the triangulation that `delaunay` was made of. Their
   // triangulation is not read, it may have gone. Complexity: O(n).
   void start(const DynamicDelaunay& delaunay, const ReconstructStages& stages);
+  // Begins with the state() of another one, whose triangulation had the same cells and vertices in
+  // the same slots. Complexity: O(n).
+  void resume(const DynamicDelaunay& delaunay, CandidateState state);
   // Goes on after a change of the triangulation. Precondition: exists() before the change.
   // Complexity: O(c) for c cells at vertices of new cells, as a rule.
   void update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
@@ -59,34 +63,27 @@ class LiveCandidates {
   const LocalFacets& facets_at_changed() const { return facets_; }
   // Facets, not gone, that were candidates before the last operation and no longer are.
   const std::vector<FacetId>& dropped() const { return dropped_; }
-  const Vec3& normal(VertexId v) const { return normals_[v]; }
-  bool is_boundary(VertexId v) const { return steps_[v] == not_taken; }
-  bool has_umbrella(VertexId v) const { return (vertex_flags_[v] & umbrella) != 0; }
+  const Vec3& normal(VertexId v) const { return known_.normals[v]; }
+  bool is_boundary(VertexId v) const { return known_.steps[v] == not_taken_in; }
+  bool has_umbrella(VertexId v) const {
+    return (known_.vertex_flags[v] & vertex_flag::umbrella) != 0;
+  }
   // Bit i: facet i of the cell is a candidate that was not pruned.
   unsigned left(CellId c) const {
-    return cell_flags_[c] & ~static_cast<unsigned>(pruned_[c]) & candidate_facets;
+    return known_.cell_flags[c] & ~static_cast<unsigned>(known_.pruned[c]) &
+           cell_flag::candidate_facets;
   }
-  bool is_infinite(CellId c) const { return (cell_flags_[c] & infinite) != 0; }
+  bool is_infinite(CellId c) const { return (known_.cell_flags[c] & cell_flag::infinite) != 0; }
   std::size_t num_vertices() const { return num_vertices_; }
   std::size_t num_boundary() const { return boundary_; }
   std::size_t num_umbrellas() const { return umbrellas_; }
   std::size_t num_finite_cells() const { return finite_cells_; }
+  // All of it, by slot; slots not in use have no meaning.
+  const CandidateState& state() const { return known_; }
   // What the stages would have counted.
   void count(ReconstructCounters& counters) const;
 
  private:
-  // Flags of vertices.
-  static constexpr unsigned on_hull = 1;
-  static constexpr unsigned degenerate = 2;
-  static constexpr unsigned umbrella = 4;
-  // Flags of cells.
-  static constexpr unsigned candidate_facets = 15;
-  static constexpr unsigned exact_center = 16;
-  static constexpr unsigned facet_center = 32;
-  static constexpr unsigned infinite = 64;
-  static constexpr unsigned finite = 128;
-  static constexpr std::uint32_t not_taken = 0xFFFFFFFFU;
-
   // The samples at which something may differ, with their stars.
   struct Part {
     LocalPatch patch;
@@ -100,7 +97,8 @@ class LiveCandidates {
     bool has(const VertexSet& set, FacetId f) const;
   };
 
-  void start_cells(const TriangulationView& view, const ReconstructStages& stages);
+  void start_samples(const TriangulationView& view, const ReconstructStages& stages);
+  void begin(const DynamicDelaunay& delaunay);
   void grow_arrays(const DynamicDelaunay& delaunay);
   void forget(const DelaunayChange& change);
   void examine(const DynamicDelaunay& delaunay, const Execution& execution);
@@ -120,6 +118,8 @@ class LiveCandidates {
   void commit_pruning(const std::vector<std::uint8_t>& removed);
   void note_changed(VertexId v) { changed_.push_back(v); }
   void sort_changed();
+  void tally_cell(CellId c, std::size_t step);
+  void tally_vertex(VertexId v, std::size_t step);
   void set_cell(CellId c, unsigned flags, unsigned pruned);
   void set_vertex(VertexId v, unsigned flags, SampleState state, std::uint32_t steps);
 
@@ -127,17 +127,8 @@ class LiveCandidates {
   bool exists_ = false;
   PatchBuilder patches_;
   FacetCollector collector_;
-  // By vertex slot.
-  IdVector<VertexId, Vec3> normals_;
-  IdVector<VertexId, std::uint8_t> vertex_flags_;
-  IdVector<VertexId, SampleState> states_;
-  // Of phase 2, until the sample was taken in: 0 if it is interior without that, not_taken if it is
-  // a boundary sample.
-  IdVector<VertexId, std::uint32_t> steps_;
-  IdVector<VertexId, std::uint32_t> fan_;  // candidates at the vertex
-  // By cell slot: bit i = facet i is a candidate; above: how the center was obtained, and infinity.
-  IdVector<CellId, std::uint8_t> cell_flags_;
-  IdVector<CellId, std::uint8_t> pruned_;  // bit i = facet i is a candidate that was pruned
+  CandidateState known_;
+  IdVector<VertexId, std::uint32_t> fan_;  // candidates at the vertex, by slot
 
   std::vector<VertexId> dirty_;
   VertexSet is_dirty_;  // scratch

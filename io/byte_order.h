@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstring>
+#include <span>
 #include <string>
 #include <type_traits>
 
@@ -18,6 +20,22 @@ T load_number(const char* bytes, std::endian order) {
   T value;
   std::memcpy(&value, copy, sizeof(T));
   return value;
+}
+
+// The numbers of type T that the records are made of, one after the other, from the bytes of a
+// file. Precondition: there are as many bytes as `records` has. Complexity: O(bytes), a copy where
+// the order is this machine's.
+template <class T, class Record>
+void load_numbers(const char* bytes, std::endian order, std::span<Record> records) {
+  static_assert(std::is_arithmetic_v<T> && std::is_trivially_copyable_v<Record> &&
+                sizeof(Record) % sizeof(T) == 0);
+  if (records.empty()) return;
+  std::memcpy(static_cast<void*>(records.data()), bytes, records.size_bytes());
+  if (order == std::endian::native) return;
+  char* at = reinterpret_cast<char*>(records.data());
+  for (std::size_t i = 0; i < records.size_bytes(); i += sizeof(T)) {
+    std::reverse(at + i, at + i + sizeof(T));
+  }
 }
 
 template <class T>

@@ -16,6 +16,15 @@ void SummedFile::flush() {
   bytes_.clear();
 }
 
+void SummedFile::append_in_order(const char* numbers, std::size_t size, std::size_t width) {
+  const std::size_t begin = bytes_.size();
+  bytes_.append(numbers, size);
+  if (std::endian::native == std::endian::little) return;
+  for (std::size_t i = begin; i < bytes_.size(); i += width) {
+    std::reverse(bytes_.data() + i, bytes_.data() + i + width);
+  }
+}
+
 void SummedFile::commit(FileBatch* batch) {
   fill_word();
   flush();

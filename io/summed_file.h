@@ -5,11 +5,14 @@
 // about 2^-64. It guards against accidents, not against forgery.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "io/atomic_file.h"
 #include "io/byte_order.h"
@@ -43,6 +46,20 @@ class SummedFile {
     if (bytes_.size() >= limit && bytes_.size() % 8 == 0) flush();
   }
   void append(std::string_view text) { bytes_ += text; }
+  // The numbers of type T that the records are made of, one after the other.
+  template <class T, class Record>
+  void append_numbers(std::span<const Record> records) {
+    static_assert(std::is_arithmetic_v<T> && std::is_trivially_copyable_v<Record> &&
+                  sizeof(Record) % sizeof(T) == 0 && limit % sizeof(T) == 0);
+    const char* at = reinterpret_cast<const char*>(records.data());
+    for (std::size_t left = records.size_bytes(); left > 0;) {
+      const std::size_t taken = std::min(left, limit - bytes_.size() % limit);
+      append_in_order(at, taken, sizeof(T));
+      at += taken;
+      left -= taken;
+      if (bytes_.size() >= limit && bytes_.size() % 8 == 0) flush();
+    }
+  }
   // Zero bytes up to a multiple of 8.
   void fill_word() { bytes_.resize(round_up_to_8(bytes_.size()), '\0'); }
   // Appends the checksum and puts the file in its place, or hands it over to a batch that will.
@@ -51,6 +68,8 @@ class SummedFile {
  private:
   static constexpr std::size_t limit = std::size_t{1} << 16;
   void flush();
+  // Precondition: a multiple of the width of a number.
+  void append_in_order(const char* numbers, std::size_t size, std::size_t width);
 
   AtomicFile file_;
   Checksum checksum_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,55 +63,49 @@ Header read_header(const std::filesystem::path& path, std::string_view bytes) {
 
 TriangulationArrays read_arrays(std::string_view bytes, const Header& header) {
   const char* at = bytes.data() + header_size;
-  const auto next = [&at]<class T>(T) {
-    const T value = load_number<T>(at, std::endian::little);
-    at += sizeof(T);
-    return value;
+  const auto take = [&at]<class T, class Record>(T, std::span<Record> records) {
+    load_numbers<T>(at, std::endian::little, records);
+    at += records.size_bytes();
   };
   TriangulationArrays arrays;
   arrays.points.resize(header.vertices);
-  for (Point& p : arrays.points) {
-    p.x = next(double{});
-    p.y = next(double{});
-    p.z = next(double{});
-  }
-  arrays.cells.resize(header.cells);
-  for (Cell& cell : arrays.cells) {
-    for (VertexId& v : cell.vertices) v = VertexId(next(std::uint32_t{}));
-    for (FacetId& f : cell.neighbors) f = FacetId(next(std::uint32_t{}));
-  }
+  take(double{}, arrays.points.span());
+  arrays.cells.resize_for_overwrite(header.cells);
+  take(std::uint32_t{}, arrays.cells.span());
   arrays.vertex_of_point.resize(header.points);
-  for (VertexId& v : arrays.vertex_of_point) v = VertexId(next(std::uint32_t{}));
+  take(std::uint32_t{}, arrays.vertex_of_point.span());
   return arrays;
 }
 
 bool is_well_formed(const Cell& cell, bool must_be_infinite, std::size_t vertices) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    const VertexId v = cell.vertices[i];
-    const bool in_place = i == 3 && must_be_infinite ? v == infinite_vertex : v.index() < vertices;
-    if (!in_place || std::count(cell.vertices.begin(), cell.vertices.end(), v) != 1) return false;
-  }
-  return true;
+  const auto& [a, b, c, d] = cell.vertices;
+  const bool in_place = a.index() < vertices && b.index() < vertices && c.index() < vertices &&
+                        (must_be_infinite ? d == infinite_vertex : d.index() < vertices);
+  return in_place && a != b && a != c && a != d && b != c && b != d && c != d;
 }
 
-std::array<VertexId, 3> sorted_facet(const Cell& cell, int i) {
-  std::array<VertexId, 3> vertices;
-  for (std::size_t k = 0; k < 3; ++k) {
-    vertices[k] = cell.vertices[static_cast<std::size_t>(facet_corners[i][k])];
+// Whether the vertices of facet i of one cell are those of facet k of another. Precondition: the
+// vertices of each cell differ.
+bool are_one_facet(const Cell& cell, int i, const Cell& other, int k) {
+  unsigned shared = 0;
+  for (const int corner : facet_corners[i]) {
+    const VertexId v = cell.vertices[static_cast<std::size_t>(corner)];
+    for (const int behind : facet_corners[k]) {
+      shared += other.vertices[static_cast<std::size_t>(behind)] == v ? 1U : 0U;
+    }
   }
-  std::sort(vertices.begin(), vertices.end());
-  return vertices;
+  return shared == 3;
 }
 
 bool has_mutual_neighbors(const IdVector<CellId, Cell>& cells, CellId c) {
   for (int i = 0; i < 4; ++i) {
+    const FacetId here = facet_id(c, i);
     const FacetId behind = cells[c].neighbors[static_cast<std::size_t>(i)];
     if (cell_of(behind).index() >= cells.size() || cell_of(behind) == c) return false;
     const Cell& other = cells[cell_of(behind)];
-    if (other.neighbors[static_cast<std::size_t>(index_of(behind))] != facet_id(c, i) ||
-        sorted_facet(other, index_of(behind)) != sorted_facet(cells[c], i)) {
-      return false;
-    }
+    if (other.neighbors[static_cast<std::size_t>(index_of(behind))] != here) return false;
+    // Each pair of cells once.
+    if (here < behind && !are_one_facet(cells[c], i, other, index_of(behind))) return false;
   }
   return true;
 }
@@ -156,16 +151,9 @@ void append_triangulation(SummedFile& file, const Triangulation& triangulation) 
   file.append(std::uint64_t{triangulation.num_cells()});
   file.append(std::uint64_t{triangulation.num_finite_cells()});
   file.append(std::uint64_t{triangulation.vertex_of_point().size()});
-  for (const Point& p : triangulation.points()) {
-    file.append(p.x);
-    file.append(p.y);
-    file.append(p.z);
-  }
-  for (const Cell& cell : triangulation.cell_records()) {
-    for (const VertexId v : cell.vertices) file.append(v.value);
-    for (const FacetId f : cell.neighbors) file.append(f.value);
-  }
-  for (const VertexId v : triangulation.vertex_of_point()) file.append(v.value);
+  file.append_numbers<double>(triangulation.points().span());
+  file.append_numbers<std::uint32_t>(triangulation.cell_records().span());
+  file.append_numbers<std::uint32_t>(triangulation.vertex_of_point().span());
   file.fill_word();
 }
 

@@ -36,12 +36,19 @@ void check_snapshot(const SessionSnapshot& snapshot) {
     }
   }
   const Triangulation& triangulation = snapshot.triangulation;
+  require(triangulation.num_cells() != 0 || snapshot.surface.empty(),
+          "a surface without a triangulation");
   if (triangulation.num_cells() == 0) return;
   require(triangulation.vertex_of_point().size() == snapshot.points.size(),
           "triangulation and points do not fit together");
   for (const PointId p : triangulation.vertex_of_point().ids()) {
     require(triangulation.point(triangulation.vertex_of_point()[p]) == snapshot.points[p.index()],
             "a vertex of the triangulation is none of the points");
+  }
+  try {
+    check_surface_state(triangulation, snapshot.surface);
+  } catch (const InputError& error) {
+    require(false, error.what());
   }
 }
 
@@ -59,14 +66,15 @@ UpdateSession::UpdateSession(TriangleMesh model, const UpdateOptions& options)
   take_points_of_model();
 }
 
-UpdateSession::UpdateSession(SessionSnapshot snapshot, const UpdateOptions& options)
+UpdateSession::UpdateSession(SessionSnapshot snapshot, const UpdateOptions& options,
+                             SnapshotCheck check)
     : options_(options), surface_(options.reconstruct) {
-  check_snapshot(snapshot);
+  if (check == SnapshotCheck::to_be_done) check_snapshot(snapshot);
   model_ = std::move(snapshot.model);
   points_ = std::move(snapshot.points);
   point_of_vertex_ = std::move(snapshot.point_of_vertex);
   if (snapshot.triangulation.num_cells() != 0) {
-    surface_.take(points_, std::move(snapshot.triangulation));
+    surface_.take(points_, {std::move(snapshot.triangulation), std::move(snapshot.surface)});
   }
 }
 
@@ -181,8 +189,10 @@ MeshChange UpdateSession::undo(const Execution& execution) {
 }
 
 SessionSnapshot UpdateSession::snapshot() const {
-  return {model_, points_, point_of_vertex_,
-          surface_.num_points() == 0 ? Triangulation() : surface_.snapshot()};
+  DynamicTightCocone::Snapshot surface;
+  if (surface_.num_points() != 0) surface = surface_.snapshot();
+  return {model_, points_, point_of_vertex_, std::move(surface.triangulation),
+          std::move(surface.surface)};
 }
 
 }  // namespace cocoon

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cocone/dynamic_tight_cocone.h"
+#include "cocone/surface_state.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
@@ -24,12 +25,16 @@ struct SessionSnapshot {
   std::vector<Point> points;                    // the current points, in the order of the user
   IdVector<VertexId, PointId> point_of_vertex;  // of each model vertex; none: no triangle has it
   Triangulation triangulation;                  // of `points`, or empty
+  SurfaceState surface;                         // of that, or empty
 };
 
 // Throws InputError, one line, if the parts do not fit together or a coordinate is not finite;
 // whether the triangulation is a Delaunay triangulation is for its reader to know. Complexity:
 // O(n).
 void check_snapshot(const SessionSnapshot& snapshot);
+
+// Whether whoever hands a snapshot over has done that.
+enum class SnapshotCheck { to_be_done, done };
 
 // What one update did.
 struct SessionUpdate {
@@ -55,8 +60,10 @@ class UpdateSession {
                          const Execution& execution = {});
   // A closed mesh as it is. Its points are triangulated by the first update.
   explicit UpdateSession(TriangleMesh model, const UpdateOptions& options = {});
-  // Goes on from a snapshot. Errors: as check_snapshot.
-  explicit UpdateSession(SessionSnapshot snapshot, const UpdateOptions& options = {});
+  // Goes on from a snapshot of a session with the same options.reconstruct. Errors: as
+  // check_snapshot.
+  explicit UpdateSession(SessionSnapshot snapshot, const UpdateOptions& options = {},
+                         SnapshotCheck check = SnapshotCheck::to_be_done);
   // Stays where it is: the index refers to the model.
   UpdateSession(UpdateSession&&) = delete;
   UpdateSession& operator=(UpdateSession&&) = delete;

@@ -40,8 +40,8 @@ bool mount_small_disk(const std::string& folder) {
 struct Disks {
   TemporaryFolder large;
   TemporaryFolder small;
-  std::string points = large.write("points.xyz", whole_sphere(1500));
-  std::string cloud = large.write("cloud.xyz", sphere_cap(3000, 0.8, 0.2));
+  std::string points = large.write("points.xyz", whole_sphere(1200));
+  std::string cloud = large.write("cloud.xyz", sphere_cap(2400, 0.8, 0.2));
   std::string model = large.file("model.ply");
   std::string session = large.file("model.session");
 };

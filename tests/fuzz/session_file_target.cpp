@@ -26,6 +26,7 @@ void session_file_target(Bytes bytes) {
     app::save_session(copy, session);
     const app::SavedSession again = app::load_session(copy);
     require(again.snapshot.model == session.snapshot.model, "the model reads back");
+    require(again.snapshot.surface == session.snapshot.surface, "its surface reads back");
     require(again.notes == session.notes, "the notes read back");
     const UpdateSession live(std::move(session.snapshot));
     require(live.model() == again.snapshot.model, "a session has its model");

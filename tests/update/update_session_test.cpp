@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -143,6 +144,48 @@ TEST(UpdateSession, GoesOnFromASnapshot) {
   }
 }
 
+// Each step in a session made of the snapshot of the one before: what that knew of its surface is
+// not looked for again.
+std::size_t local_steps_from_snapshots(Points points, int steps) {
+  Random random(10);
+  auto session = std::make_unique<UpdateSession>(points);
+  std::size_t local = 0;
+  for (int step = 0; step < steps; ++step) {
+    SCOPED_TRACE("step " + std::to_string(step));
+    const TriangleMesh& model = session->model();
+    const double edge = mean_edge(model);
+    const VertexId center(random.below(model.points.size()));
+    auto next = std::make_unique<UpdateSession>(session->snapshot(), session->options());
+    const Clouds clouds{scan_of(model, center, 6 * edge, 0.2 * edge, 0.15 * edge, random)};
+    if (!apply_and_compare(*next, clouds) || next->local_changes() == 0) continue;
+    ++local;
+    session = std::move(next);
+  }
+  return local;
+}
+
+TEST(UpdateSession, GoesOnFromASnapshotWithoutLookingAtTheWhole) {
+  EXPECT_GE(local_steps_from_snapshots(gallery::even_sphere(1200), 8), 6U);
+  EXPECT_GE(local_steps_from_snapshots(gallery::displaced_torus(1500, 1, 0), 6), 4U);
+}
+
+// Boundary samples, creases, unused samples: there is no certificate, but the candidates are known.
+TEST(UpdateSession, GoesOnFromSnapshotsOfUncertainSurfaces) {
+  const TriangleMesh part = read_mesh(std::string(COCOON_TEST_DATA) + "/models/anchor_dense.off");
+  UpdateSession session(part.points.span());
+  Random random(11);
+  for (int step = 0; step < 6; ++step) {
+    const SessionSnapshot snapshot = session.snapshot();
+    ASSERT_FALSE(snapshot.surface.empty());
+    EXPECT_TRUE(snapshot.surface.sides.empty());
+    UpdateSession again(snapshot, session.options());
+    const Clouds clouds = random_scans(session.model(), random, 0.1);
+    apply_and_compare(again, clouds);
+    session.apply(clouds);
+    EXPECT_TRUE(again.model() == session.model());
+  }
+}
+
 TEST(UpdateSession, ExtremeCoordinatesWorkToo) {
   const double size = 0x1p+150;
   UpdateSession session(gallery::scaled(gallery::even_sphere(400), size));
@@ -241,6 +284,37 @@ TEST(UpdateSession, RefusesSnapshotsThatDoNotFit) {
   error_after([](SessionSnapshot& s) {
     s.triangulation = delaunay(gallery::even_sphere(99)).triangulation;
   });
+  error_after([](SessionSnapshot& s) { s.triangulation = {}; });
+}
+
+TEST(UpdateSession, RefusesSurfacesThatDoNotFit) {
+  const UpdateSession session(gallery::even_sphere(200));
+  const SessionSnapshot good = session.snapshot();
+  EXPECT_NO_THROW(check_snapshot(good));
+  ASSERT_FALSE(good.surface.sides.empty());
+  const auto error_after = [&](auto change) {
+    SessionSnapshot snapshot = good;
+    change(snapshot.surface);
+    EXPECT_THROW(check_snapshot(snapshot), InputError);
+  };
+  const auto first_with = [](const IdVector<CellId, std::uint8_t>& flags, unsigned flag) {
+    CellId c(0);
+    while ((flags[c] & flag) == 0) c = CellId(c.index() + 1);
+    return c;
+  };
+  const CellId hull = first_with(good.surface.candidates.cell_flags, cell_flag::infinite);
+  const CellId outer = first_with(good.surface.sides, 15);
+  error_after([](SurfaceState& s) { s.sides.raw().pop_back(); });
+  error_after([](SurfaceState& s) { s.candidates.normals.raw().pop_back(); });
+  error_after([](SurfaceState& s) { s.candidates.normals[VertexId(3)].z = 1.0 / 0.0; });
+  error_after([](SurfaceState& s) { s.candidates.vertex_flags[VertexId(3)] = 8; });
+  error_after([](SurfaceState& s) { s.candidates.samples[VertexId(3)] = SampleState(3); });
+  error_after([&](SurfaceState& s) { s.candidates.cell_flags[hull] |= 1; });
+  error_after([&](SurfaceState& s) { s.candidates.cell_flags[hull] ^= cell_flag::finite; });
+  error_after([&](SurfaceState& s) { s.candidates.cell_flags[outer] &= 0xF0; });
+  error_after([&](SurfaceState& s) { s.candidates.pruned[outer] = s.sides[outer] & 15U; });
+  error_after([&](SurfaceState& s) { s.sides[outer] = 0; });
+  error_after([&](SurfaceState& s) { s.sides[outer] <<= 4; });
 }
 
 }  // namespace

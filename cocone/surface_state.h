@@ -1,0 +1,74 @@
+// What is known of the surface of a changing set of points (dynamic_tight_cocone.h), as plain data
+// beside its triangulation: to be kept elsewhere and taken up again.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "cocone/boundary_samples.h"
+#include "delaunay/triangulation.h"
+#include "geom/id_vector.h"
+#include "geom/point.h"
+
+namespace cocoon {
+
+// Bits of CandidateState::vertex_flags.
+namespace vertex_flag {
+inline constexpr unsigned on_hull = 1;
+inline constexpr unsigned degenerate = 2;  // its pole (poles.h)
+inline constexpr unsigned umbrella = 4;    // of candidates (prune_sharp_edges.h)
+}  // namespace vertex_flag
+
+// Bits of CandidateState::cell_flags.
+namespace cell_flag {
+inline constexpr unsigned candidate_facets = 15;  // bit i: facet i is a candidate
+inline constexpr unsigned exact_center = 16;      // how the circumcenter was obtained
+inline constexpr unsigned facet_center = 32;
+inline constexpr unsigned infinite = 64;
+inline constexpr unsigned finite = 128;
+}  // namespace cell_flag
+
+// Bits of SurfaceState::sides of a cell, for its facet 0: it is on the surface, and the cell lies
+// on the outer, or inner, side. Shifted by i: for facet i.
+namespace side_flag {
+inline constexpr unsigned outer = 1;
+inline constexpr unsigned inner = 16;
+}  // namespace side_flag
+
+// How many of the flags of four facets are set. Complexity: O(1), without a call: the processors
+// that every build runs on have no instruction for it.
+constexpr std::size_t num_flags(unsigned four) {
+  return static_cast<std::size_t>(0x4332322132212110U >> (4 * four) & 15U);
+}
+
+// Of the stages from the poles to pruning (live_candidates.h). By slot, while the triangulation is
+// that of a DynamicDelaunay.
+struct CandidateState {
+  IdVector<VertexId, Vec3> normals;
+  IdVector<VertexId, std::uint8_t> vertex_flags;
+  IdVector<VertexId, SampleState> samples;
+  // Of phase 2, until the sample was taken in: 0 if it is interior without that, not_taken_in if
+  // it is a boundary sample.
+  IdVector<VertexId, std::uint32_t> steps;
+  IdVector<CellId, std::uint8_t> cell_flags;
+  IdVector<CellId, std::uint8_t> pruned;  // bit i: facet i is a candidate that was pruned
+
+  friend bool operator==(const CandidateState&, const CandidateState&) = default;
+};
+inline constexpr std::uint32_t not_taken_in = 0xFFFFFFFFU;
+
+// Empty: nothing is known.
+struct SurfaceState {
+  CandidateState candidates;
+  IdVector<CellId, std::uint8_t> sides;  // empty if the surface is not certified
+
+  bool empty() const { return candidates.cell_flags.empty(); }
+  friend bool operator==(const SurfaceState&, const SurfaceState&) = default;
+};
+
+// Throws InputError, one line, unless sizes are those of the triangulation, every value is one that
+// can be, and both sides of each facet say the same. Whether all this is what the stages would find
+// is not looked at. Complexity: O(cells).
+void check_surface_state(const Triangulation& triangulation, const SurfaceState& state);
+
+}  // namespace cocoon
