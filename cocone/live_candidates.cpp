@@ -14,10 +14,6 @@
 namespace cocoon {
 namespace {
 
-constexpr auto minus_one = static_cast<std::size_t>(-1);
-
-std::size_t is_set(unsigned flag) { return flag != 0 ? 1 : 0; }
-
 // How the Voronoi vertex, or ray, of a cell is obtained, as voronoi_dual counts it.
 enum class CenterKind { doubles, exact, facet };
 
@@ -94,9 +90,9 @@ void LiveCandidates::start_samples(const TriangulationView& view, const Reconstr
 void LiveCandidates::begin(const DynamicDelaunay& delaunay) {
   const TriangulationView view = delaunay.view();
   num_vertices_ = delaunay.num_vertices();
-  for (const VertexId v : known_.vertex_flags.ids()) tally_vertex(v, 1);
+  for (const VertexId v : known_.vertex_flags.ids()) counts_.add(known_, v);
   for (const CellId c : known_.cell_flags.ids()) {
-    tally_cell(c, 1);
+    counts_.add(known_, c);
     const unsigned candidates = known_.cell_flags[c] & cell_flag::candidate_facets;
     for (int i = 0; candidates != 0 && i < 4; ++i) {
       const FacetId f = facet_id(c, i);
@@ -455,56 +451,22 @@ void LiveCandidates::commit_pruning(const std::vector<std::uint8_t>& removed) {
   }
 }
 
-// --- Counts ----------------------------------------------------------------------------------
-
-// Adds `step` times what the cell counts for; that may be the negative of 1, modulo 2^64.
-void LiveCandidates::tally_cell(CellId c, std::size_t step) {
-  const unsigned flags = known_.cell_flags[c];
-  candidates_ += step * num_flags(flags & cell_flag::candidate_facets);
-  pruned_halves_ += step * num_flags(known_.pruned[c]);
-  exact_centers_ += step * is_set(flags & cell_flag::exact_center);
-  facet_centers_ += step * is_set(flags & cell_flag::facet_center);
-  finite_cells_ += step * is_set(flags & cell_flag::finite);
-}
+// --- What is known ---------------------------------------------------------------------------
 
 void LiveCandidates::set_cell(CellId c, unsigned flags, unsigned pruned) {
-  tally_cell(c, minus_one);
+  counts_.subtract(known_, c);
   known_.cell_flags[c] = static_cast<std::uint8_t>(flags);
   known_.pruned[c] = static_cast<std::uint8_t>(pruned);
-  tally_cell(c, 1);
-}
-
-void LiveCandidates::tally_vertex(VertexId v, std::size_t step) {
-  const unsigned flags = known_.vertex_flags[v];
-  const std::uint32_t steps = known_.steps[v];
-  hull_vertices_ += step * is_set(flags & vertex_flag::on_hull);
-  degenerate_ += step * is_set(flags & vertex_flag::degenerate);
-  umbrellas_ += step * is_set(flags & vertex_flag::umbrella);
-  boundary_ += step * (steps == not_taken_in ? 1U : 0U);
-  recovered_ += step * (steps != not_taken_in && steps != 0 ? 1U : 0U);
-  ratio_failed_ += step * (known_.samples[v] == SampleState::ratio_fails ? 1U : 0U);
+  counts_.add(known_, c);
 }
 
 void LiveCandidates::set_vertex(VertexId v, unsigned flags, SampleState state,
                                 std::uint32_t steps) {
-  tally_vertex(v, minus_one);
+  counts_.subtract(known_, v);
   known_.vertex_flags[v] = static_cast<std::uint8_t>(flags);
   known_.samples[v] = state;
   known_.steps[v] = steps;
-  tally_vertex(v, 1);
-}
-
-void LiveCandidates::count(ReconstructCounters& counters) const {
-  counters.hull_vertices = hull_vertices_;
-  counters.degenerate_poles = degenerate_;
-  counters.dual_extended_precision = exact_centers_;
-  counters.dual_facet_fallbacks = facet_centers_;
-  counters.boundary_samples = boundary_;
-  counters.ratio_failed = ratio_failed_;
-  counters.recovered_samples = recovered_;
-  counters.candidates = candidates_ / 2;
-  counters.pruned = pruned_halves_ / 2;
-  counters.umbrellas = umbrellas_;
+  counts_.add(known_, v);
 }
 
 }  // namespace cocoon

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "cocone/boundary_samples.h"
+#include "cocone/candidate_counts.h"
 #include "cocone/local_facets.h"
 #include "cocone/local_patch.h"
 #include "cocone/reconstruct.h"
@@ -75,13 +76,13 @@ class LiveCandidates {
   }
   bool is_infinite(CellId c) const { return (known_.cell_flags[c] & cell_flag::infinite) != 0; }
   std::size_t num_vertices() const { return num_vertices_; }
-  std::size_t num_boundary() const { return boundary_; }
-  std::size_t num_umbrellas() const { return umbrellas_; }
-  std::size_t num_finite_cells() const { return finite_cells_; }
+  std::size_t num_boundary() const { return counts_.boundary; }
+  std::size_t num_umbrellas() const { return counts_.umbrellas; }
+  std::size_t num_finite_cells() const { return counts_.finite_cells; }
   // All of it, by slot; slots not in use have no meaning.
   const CandidateState& state() const { return known_; }
   // What the stages would have counted.
-  void count(ReconstructCounters& counters) const;
+  void count(ReconstructCounters& counters) const { counts_.report(counters); }
 
  private:
   // The samples at which something may differ, with their stars.
@@ -118,8 +119,6 @@ class LiveCandidates {
   void commit_pruning(const std::vector<std::uint8_t>& removed);
   void note_changed(VertexId v) { changed_.push_back(v); }
   void sort_changed();
-  void tally_cell(CellId c, std::size_t step);
-  void tally_vertex(VertexId v, std::size_t step);
   void set_cell(CellId c, unsigned flags, unsigned pruned);
   void set_vertex(VertexId v, unsigned flags, SampleState state, std::uint32_t steps);
 
@@ -137,17 +136,7 @@ class LiveCandidates {
   std::vector<FacetId> dropped_;
 
   std::size_t num_vertices_ = 0;
-  std::size_t boundary_ = 0;
-  std::size_t ratio_failed_ = 0;
-  std::size_t recovered_ = 0;
-  std::size_t hull_vertices_ = 0;
-  std::size_t degenerate_ = 0;
-  std::size_t umbrellas_ = 0;
-  std::size_t candidates_ = 0;  // from both sides
-  std::size_t pruned_halves_ = 0;
-  std::size_t exact_centers_ = 0;
-  std::size_t facet_centers_ = 0;
-  std::size_t finite_cells_ = 0;
+  CandidateCounts counts_;
 };
 
 }  // namespace cocoon
