@@ -95,11 +95,15 @@ void add_thresholds_of_stages(CLI::App& app, ReconstructArguments& arguments) {
   app.add_flag("!--no-clean-up", arguments.clean_up, "Leave the surface as the peel left it")
       ->group(group);
   for (const Threshold& t : thresholds()) {
-    app.add_option_function<double>(
-           std::string("--") + t.name,
-           [&arguments, &t](double value) { arguments.thresholds[t.name] = value; }, t.meaning)
-        ->check(between(t.low, t.high))
-        ->type_name(t.angle ? "DEGREES" : "NUMBER")
+    const bool whole = t.kind == ThresholdKind::whole;
+    CLI::Option* option = app.add_option_function<double>(
+        std::string("--") + t.name,
+        [&arguments, &t](double value) { arguments.thresholds[t.name] = value; }, t.meaning);
+    if (whole) option->check(CLI::TypeValidator<std::uint64_t>("WHOLE NUMBER"));
+    option->check(between(t.low, t.high))
+        ->type_name(t.kind == ThresholdKind::angle ? "DEGREES"
+                    : whole                        ? "COUNT"
+                                                   : "NUMBER")
         ->group(group);
   }
 }

@@ -4,44 +4,62 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 namespace cocoon::app {
 
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr bool number = false;
-constexpr bool angle = true;
+using enum ThresholdKind;
 using Options = ReconstructOptions;
+using Field = Threshold::Field;
 
-constexpr std::array<Threshold, 13> table{{
+constexpr std::array<Threshold, 17> table{{
     {"keep-angle", "Pruning: two triangles at an edge, flatter than this dihedral angle, stay", 0,
-     180, angle, [](Options& o) -> double& { return o.prune.keep_cosine; }},
+     180, angle, [](Options& o) -> Field { return &o.prune.keep_cosine; }},
     {"fold-angle", "Marking: a dihedral angle of at most this makes both ends of an edge poor", 0,
-     180, angle, [](Options& o) -> double& { return o.good_vertices.fold_cosine; }},
+     180, angle, [](Options& o) -> Field { return &o.good_vertices.fold_cosine; }},
     {"crease-angle", "Marking: below it those ends become poor that are boundary samples", 0, 180,
-     angle, [](Options& o) -> double& { return o.good_vertices.crease_cosine; }},
+     angle, [](Options& o) -> Field { return &o.good_vertices.crease_cosine; }},
+    {"most-clump-cells", "Clean-up: more undecided cells together are left as they are", 0, 4e9,
+     whole, [](Options& o) -> Field { return &o.clean_up.most_clump_cells; }},
+    {"most-clump-share", "Clean-up: but not if they are at most this share of all cells", 0, 1,
+     number, [](Options& o) -> Field { return &o.clean_up.most_clump_share; }},
+    {"decided-rings", "Clean-up: rings of decided cells that the cut may label anew", 0, 100, whole,
+     [](Options& o) -> Field { return &o.clean_up.decided_rings; }},
     {"evidence-weight", "Clean-up: evidence of the poles against a cell's label", 0, 1000, number,
-     [](Options& o) -> double& { return o.clean_up.evidence_weight; }},
+     [](Options& o) -> Field { return &o.clean_up.evidence_weight; }},
     {"mark-weight", "Clean-up: a decided cell that leaves its label", 0, 1000, number,
-     [](Options& o) -> double& { return o.clean_up.mark_weight; }},
+     [](Options& o) -> Field { return &o.clean_up.mark_weight; }},
     {"defect-cost", "Clean-up: a non-manifold edge or a pinched vertex", 0, 1000, number,
-     [](Options& o) -> double& { return o.clean_up.defect_cost; }},
+     [](Options& o) -> Field { return &o.clean_up.defect_cost; }},
     {"unused-cost", "Clean-up: a sample that is not on the surface", 0, 1000, number,
-     [](Options& o) -> double& { return o.clean_up.unused_cost; }},
+     [](Options& o) -> Field { return &o.clean_up.unused_cost; }},
     {"handle-cost", "Clean-up: a handle of the surface", 0, 1000, number,
-     [](Options& o) -> double& { return o.clean_up.handle_cost; }},
+     [](Options& o) -> Field { return &o.clean_up.handle_cost; }},
     {"idle-cost", "Clean-up: a sample that does nothing for the surface; 0: holes stay filled", 0,
-     1000, number, [](Options& o) -> double& { return o.clean_up.idle_cost; }},
+     1000, number, [](Options& o) -> Field { return &o.clean_up.idle_cost; }},
     {"idle-flat-angle", "Clean-up: facets of idle samples lean by at most this", 0, 90, angle,
-     [](Options& o) -> double& { return o.clean_up.idle.flat_cosine; }},
+     [](Options& o) -> Field { return &o.clean_up.idle.flat_cosine; }},
     {"idle-ratio", "Clean-up: circles of idle samples' facets, in spacings, at least", 0, 1000,
-     number, [](Options& o) -> double& { return o.clean_up.idle.ratio; }},
+     number, [](Options& o) -> Field { return &o.clean_up.idle.ratio; }},
     {"deep-angle", "Clean-up: balls of one cluster meet at this angle at most", 0, 180, angle,
-     [](Options& o) -> double& { return o.clean_up.deep_cosine; }},
+     [](Options& o) -> Field { return &o.clean_up.deep_cosine; }},
+    {"most-cluster-cells", "Clean-up: larger clusters are not asked", 0, 4e9, whole,
+     [](Options& o) -> Field { return &o.clean_up.most_cluster_cells; }},
     {"component-cost", "Clean-up: a part of the body; cheaper parts are dropped", 0, 1e6, number,
-     [](Options& o) -> double& { return o.clean_up.component_cost; }},
+     [](Options& o) -> Field { return &o.clean_up.component_cost; }},
 }};
+
+double value_of(Field field) {
+  return std::visit([](const auto* value) { return static_cast<double>(*value); }, field);
+}
+
+void set_value(Field field, double value) {
+  std::visit([&](auto* here) { *here = static_cast<std::remove_pointer_t<decltype(here)>>(value); },
+             field);
+}
 
 }  // namespace
 
@@ -51,16 +69,17 @@ void set_thresholds(ReconstructOptions& options, const std::map<std::string, dou
   for (const Threshold& t : table) {
     const auto found = given.find(t.name);
     if (found == given.end()) continue;
-    t.field(options) = t.angle ? std::cos(found->second * degree) : found->second;
+    const double value = found->second;
+    set_value(t.field(options), t.kind == angle ? std::cos(value * degree) : value);
   }
 }
 
 void add_thresholds(JsonReport& report, ReconstructOptions options) {
   for (const Threshold& t : table) {
-    std::string key = std::string("parameters/") + t.name + (t.angle ? "_deg" : "");
+    std::string key = std::string("parameters/") + t.name + (t.kind == angle ? "_deg" : "");
     std::replace(key.begin(), key.end(), '-', '_');
-    const double value = t.field(options);
-    report.set(key, t.angle ? std::acos(value) / degree : value);
+    const double value = value_of(t.field(options));
+    report.set(key, t.kind == angle ? std::acos(value) / degree : value);
   }
 }
 

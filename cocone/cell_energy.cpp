@@ -43,7 +43,8 @@ CellEnergy::CellEnergy(const Triangulation& triangulation, BallCosines& cosines,
       wanted_(triangulation.num_vertices(), 0),
       parts_(triangulation, stars, out),
       flips_now_(triangulation.num_cells()),
-      idle_now_(triangulation.num_vertices()) {}
+      idle_now_(triangulation.num_vertices()),
+      changed_(triangulation.num_vertices()) {}
 
 Energy CellEnergy::facet_cost(FacetId f) {
   return to_energy(1 - std::min(cosines_.of(f), cosines_.of(triangulation_.mirror(f))));
@@ -142,20 +143,24 @@ Energy CellEnergy::flip_change(CellId c) {
   return total;
 }
 
-// The same, remembered until cells change sides for good: many sets begin with the same cell.
+// The same, remembered until cells at its vertices change sides for good: many sets begin with the
+// same cell.
 Energy CellEnergy::flip_change_now(CellId c) {
   auto& [change, state] = flips_now_[c];
-  if (state != state_) {
+  const auto& vertices = triangulation_.cell(c).vertices;
+  const bool known = state != 0 && std::all_of(vertices.begin(), vertices.end(),
+                                               [&](VertexId v) { return changed_[v] <= state; });
+  if (!known) {
     change = flip_change(c);
     state = state_;
   }
   return change;
 }
 
-// Remembers it until cells change sides for good.
+// Remembers it until cells at the vertex change sides for good.
 bool CellEnergy::is_idle_now(VertexId v) {
   std::uint32_t& known = idle_now_[v];
-  if (known / 2 != state_) known = 2 * state_ + (is_idle(v) ? 1 : 0);
+  if (known == 0 || known / 2 < changed_[v]) known = 2 * state_ + (is_idle(v) ? 1 : 0);
   return known % 2 != 0;
 }
 
@@ -198,8 +203,11 @@ bool CellEnergy::leaves_out(std::span<const CellId> cells) {
 }
 
 void CellEnergy::flip(std::span<const CellId> cells) {
-  for (const CellId c : cells) out_[c] ^= 1U;
   ++state_;
+  for (const CellId c : cells) {
+    out_[c] ^= 1U;
+    for (const VertexId v : triangulation_.cell(c).vertices) changed_[v] = state_;
+  }
 }
 
 }  // namespace cocoon

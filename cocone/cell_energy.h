@@ -98,6 +98,7 @@ class CellEnergy {
   ZeroedArray<CellId, FlipNow> flips_now_;
   ZeroedArray<VertexId, std::uint32_t> idle_now_;  // 2 * state + 1 if idle in that state
   std::uint32_t state_ = 1;                        // grows with every flip
+  ZeroedArray<VertexId, std::uint32_t> changed_;   // the state since the last flip at a vertex
   std::vector<VertexId> vertices_;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <queue>
+#include <span>
 #include <vector>
 
 #include "cocone/cell_cluster.h"
@@ -12,9 +13,11 @@
 #include "cocone/idle_samples.h"
 #include "cocone/max_flow.h"
 #include "cocone/side_evidence.h"
+#include "cocone/side_split.h"
 #include "cocone/surface_flaws.h"
 #include "delaunay/circulate.h"
 #include "delaunay/star_cache.h"
+#include "geom/disjoint_sets.h"
 
 namespace cocoon {
 namespace {
@@ -32,21 +35,27 @@ class CleanUp {
         out_(marks.reached),
         cosines_(triangulation, dual),
         energy_(triangulation, cosines_, stars_, marks.labels, options, out_),
-        region_(find_doubtful_region(triangulation, marks)) {
+        region_(find_doubtful_region(triangulation, marks, most_clump_cells())),
+        side_split_(triangulation, out_) {
     counters_.undecided_cells = region_.undecided.size();
+    counters_.left_cells = region_.left_cells;
     for (const CellId c : region_.undecided) {
       for (const VertexId v : triangulation.cell(c).vertices) energy_.want(v);
     }
   }
 
   CleanUpCounters run() {
+    if (region_.vertices.empty()) return counters_;
+    flaws_ = find_surface_flaws(triangulation_, region_, out_);
     count(counters_.defects_before, counters_.unused_before);
     set_preferences();
     cut();
     fill_cavities();
+    flaws_ = find_surface_flaws(triangulation_, region_, out_);
     repair();
     flip_clusters();
     if (drop_components()) repair();
+    update_flaws();
     count(counters_.defects_after, counters_.unused_after);
     for (const CellId c : triangulation_.finite_cells()) {
       counters_.changed_cells += out_[c] != marks_.reached[c];
@@ -56,6 +65,23 @@ class CleanUp {
   }
 
  private:
+  std::size_t most_clump_cells() const {
+    const double share =
+        options_.most_clump_share * static_cast<double>(triangulation_.num_finite_cells());
+    return std::max(options_.most_clump_cells, static_cast<std::size_t>(share));
+  }
+
+  // Is it undecided, and in a clump that is too large?
+  bool is_left(CellId c) const {
+    if (region_.left_cells == 0) return false;
+    const auto& vertices = triangulation_.cell(c).vertices;
+    if (std::any_of(vertices.begin(), vertices.end(),
+                    [&](VertexId v) { return marks_.good[v] != 0; })) {
+      return false;
+    }
+    return !std::binary_search(region_.undecided.begin(), region_.undecided.end(), c);
+  }
+
   // The cells that take part in the cut, in the order of memory: the undecided ones and, at a
   // price, decided ones around them.
   std::vector<CellId> free_cells() const {
@@ -71,7 +97,7 @@ class CleanUp {
         const auto& vertices = triangulation_.cell(c).vertices;
         const bool at_free =
             std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) { return near[v] != 0; });
-        if (at_free) cells.push_back(c);
+        if (at_free && !is_left(c)) cells.push_back(c);
       }
     }
     return cells;
@@ -179,14 +205,42 @@ class CleanUp {
     }
   }
 
+  void flip(const std::vector<CellId>& cells) {
+    energy_.flip(cells);
+    for (const CellId c : cells) {
+      for (const VertexId v : triangulation_.cell(c).vertices) {
+        if (region_.contains(v)) touched_.push_back(v);
+      }
+    }
+  }
+
+  // After flips: what was flawless elsewhere still is.
+  void update_flaws() {
+    std::vector<VertexId> asked = std::move(touched_);
+    asked.insert(asked.end(), flaws_.unused.begin(), flaws_.unused.end());
+    asked.insert(asked.end(), flaws_.pinched.begin(), flaws_.pinched.end());
+    std::sort(asked.begin(), asked.end(),
+              [&](VertexId a, VertexId b) { return region_.rank[a] < region_.rank[b]; });
+    asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
+    touched_.clear();
+    flaws_ = {};
+    for (const VertexId v : asked) {
+      if (energy_.is_unused(v)) {
+        flaws_.unused.push_back(v);
+      } else if (energy_.extra_fans(v) > 0) {
+        flaws_.pinched.push_back(v);
+      }
+    }
+  }
+
   // Of the vertices that cost something.
-  std::vector<std::uint32_t> flawed_ranks() const {
-    const SurfaceFlaws flaws = find_surface_flaws(triangulation_, region_, out_);
+  std::vector<std::uint32_t> flawed_ranks() {
+    if (!touched_.empty()) update_flaws();
     std::vector<std::uint32_t> ranks;
-    for (const VertexId v : flaws.unused) {
+    for (const VertexId v : flaws_.unused) {
       if (energy_.is_wanted(v)) ranks.push_back(region_.rank[v]);
     }
-    for (const VertexId v : flaws.pinched) ranks.push_back(region_.rank[v]);
+    for (const VertexId v : flaws_.pinched) ranks.push_back(region_.rank[v]);
     return ranks;
   }
 
@@ -195,17 +249,17 @@ class CleanUp {
     const std::span<const CellId> star = stars_.star(v);
     for (const CellId c : star) {
       if (triangulation_.is_infinite(c)) continue;
-      consider({c});
+      consider(std::array{c});
       for (int i = 0; i < 4; ++i) {
         const CellId d = triangulation_.neighbor(c, i);
         if (triangulation_.is_infinite(d)) continue;
         if (out_[c] == out_[d] && (!has_vertex(triangulation_.cell(d), v) || c < d))
-          consider({c, d});
+          consider(std::array{c, d});
       }
     }
     consider_parts(v);
     if (best_.cells.empty()) return false;
-    energy_.flip(best_.cells);
+    flip(best_.cells);
     ++counters_.moves;
     counters_.moved_cells += best_.cells.size();
     return true;
@@ -213,67 +267,25 @@ class CleanUp {
 
   // The parts into which the surface divides the star of v.
   void consider_parts(VertexId v) {
-    std::vector<std::vector<CellId>> parts = energy_.parts_of_star(v);
-    for (std::vector<CellId>& part : parts) {
+    for (const std::vector<CellId>& part : energy_.parts_of_star(v)) {
       const bool finite = std::none_of(part.begin(), part.end(),
                                        [&](CellId c) { return triangulation_.is_infinite(c); });
-      if (finite && part.size() > 2) consider(std::move(part));
+      if (finite && part.size() > 2) consider(part);
     }
   }
 
-  void consider(std::vector<CellId> cells) {
+  void consider(std::span<const CellId> cells) {
     if (!is_attached(cells)) return;
     const Energy change = energy_.change(cells, best_.change);
     if (change >= 0 || change > best_.change) return;
     if (change == best_.change && !precedes(cells, best_.cells)) return;
-    if (splits(cells)) return;
-    best_ = {change, std::move(cells)};
-  }
-
-  // Would what is left on the cells' side fall apart? The cells next to them on that side must be
-  // joined elsewhere. Precondition: all cells are on one side.
-  bool splits(const std::vector<CellId>& cells) {
-    enum : std::uint8_t { untouched, wanted, found };
-    ZeroedArray<CellId, std::uint8_t>& seen = scratch();
-    std::vector<CellId> queue(cells);  // touched, to be cleared; the cells themselves: no entry
-    for (const CellId c : cells) seen[c] = found;
-    std::size_t missing = 0;
-    CellId start;
-    const auto for_same_side = [&](CellId c, auto visit) {
-      for (int i = 0; i < 4; ++i) {
-        const CellId behind = triangulation_.neighbor(c, i);
-        if (out_[behind] == out_[c]) visit(behind);
-      }
-    };
-    for (const CellId c : cells) {
-      for_same_side(c, [&](CellId behind) {
-        if (seen[behind] != untouched) return;
-        seen[behind] = wanted;
-        ++missing;
-        start = behind;
-      });
-    }
-    if (missing > 0) {
-      seen[start] = found;
-      queue.push_back(start);
-      --missing;
-    }
-    for (std::size_t next = cells.size(); next < queue.size() && missing > 0; ++next) {
-      for_same_side(queue[next], [&](CellId behind) {
-        if (seen[behind] == found) return;
-        missing -= seen[behind] == wanted ? 1U : 0U;
-        seen[behind] = found;
-        queue.push_back(behind);
-      });
-    }
-    for (const CellId c : cells) for_same_side(c, [&](CellId behind) { seen[behind] = untouched; });
-    for (const CellId c : queue) seen[c] = untouched;
-    return missing > 0;
+    if (side_split_.splits(cells)) return;
+    best_ = {change, {cells.begin(), cells.end()}};
   }
 
   // Would the cells, on their other side, hang together with cells that are there already? Else
   // the move would found a new part of the body, or a cavity.
-  bool is_attached(const std::vector<CellId>& cells) const {
+  bool is_attached(std::span<const CellId> cells) const {
     for (const CellId c : cells) {
       for (int i = 0; i < 4; ++i) {
         const CellId behind = triangulation_.neighbor(c, i);
@@ -285,7 +297,7 @@ class CleanUp {
   }
 
   using Corners = std::array<Point, 4>;
-  std::vector<Corners> key(const std::vector<CellId>& cells) const {
+  std::vector<Corners> key(std::span<const CellId> cells) const {
     std::vector<Corners> corners;
     for (const CellId c : cells) {
       Corners p;
@@ -298,7 +310,7 @@ class CleanUp {
     std::sort(corners.begin(), corners.end());
     return corners;
   }
-  bool precedes(const std::vector<CellId>& a, const std::vector<CellId>& b) const {
+  bool precedes(std::span<const CellId> a, std::span<const CellId> b) const {
     return a.size() != b.size() ? a.size() < b.size() : key(a) < key(b);
   }
 
@@ -323,9 +335,7 @@ class CleanUp {
 
   std::vector<VertexId> idle_samples() {
     std::vector<VertexId> idle = unevenly_sampled(triangulation_, out_, options_.idle);
-    idle.erase(
-        std::remove_if(idle.begin(), idle.end(), [&](VertexId v) { return !energy_.is_idle(v); }),
-        idle.end());
+    std::erase_if(idle, [&](VertexId v) { return region_.is_left(v) || !energy_.is_idle(v); });
     std::sort(idle.begin(), idle.end(), [&](VertexId a, VertexId b) {
       return triangulation_.point(a) < triangulation_.point(b);
     });
@@ -341,8 +351,8 @@ class CleanUp {
       for (const CellCluster& cluster : clusters_at(v, asked)) {
         const std::vector<CellId>& cells = cluster.cells;
         if (!is_attached(cells) || energy_.change(cells) >= 0) continue;
-        if (splits(cells) || energy_.leaves_out(cells)) continue;
-        energy_.flip(cells);
+        if (side_split_.splits(cells) || energy_.leaves_out(cells)) continue;
+        flip(cells);
         ++counters_.clusters;
         counters_.cluster_cells += cells.size();
         flipped = true;
@@ -374,34 +384,62 @@ class CleanUp {
     return clusters;
   }
 
+  bool has_left_vertex(CellId c) const {
+    const auto& vertices = triangulation_.cell(c).vertices;
+    return std::any_of(vertices.begin(), vertices.end(),
+                       [&](VertexId v) { return region_.is_left(v); });
+  }
+
+  // The finite IN cells that hang together, few first; not the part with the most, nor what is
+  // left alone.
+  std::vector<std::vector<CellId>> small_parts() const {
+    DisjointSets sets(triangulation_.num_cells());
+    for (const CellId c : triangulation_.finite_cells()) {
+      for (int i = 0; i < 4 && out_[c] == 0; ++i) {
+        const CellId behind = triangulation_.neighbor(c, i);
+        if (behind < c && out_[behind] == 0) sets.join(behind.value, c.value);
+      }
+    }
+    std::vector<std::vector<CellId>> parts;
+    ZeroedArray<CellId, std::uint32_t> place(triangulation_.num_cells());  // 1 + that, of roots
+    const auto for_body_cells = [&](auto visit) {
+      for (const CellId c : triangulation_.finite_cells()) {
+        if (out_[c] == 0) visit(c, place[CellId(sets.root(c.value))]);
+      }
+    };
+    std::vector<std::size_t> sizes;
+    std::vector<std::uint8_t> left;
+    for_body_cells([&](CellId c, std::uint32_t& k) {
+      if (k == 0) {
+        sizes.push_back(0);
+        left.push_back(0);
+        k = static_cast<std::uint32_t>(sizes.size());
+      }
+      ++sizes[k - 1];
+      if (has_left_vertex(c)) left[k - 1] = 1;
+    });
+    if (sizes.size() < 2) return {};
+    const std::size_t most = *std::max_element(sizes.begin(), sizes.end());
+    const bool alone = std::count(sizes.begin(), sizes.end(), most) == 1;
+    parts.resize(sizes.size());
+    for_body_cells([&](CellId c, std::uint32_t k) {
+      if (left[k - 1] == 0 && (sizes[k - 1] < most || !alone)) parts[k - 1].push_back(c);
+    });
+    std::erase_if(parts, [](const auto& part) { return part.empty(); });
+    std::sort(parts.begin(), parts.end(), [&](const auto& a, const auto& b) {
+      return a.size() != b.size() ? a.size() < b.size() : key(a) < key(b);
+    });
+    if (!alone && parts.size() > 0 && parts.back().size() == most) parts.pop_back();
+    return parts;
+  }
+
   // Parts of the body whose samples and facets are not worth a part of its own.
   bool drop_components() {
     const Energy gain = to_energy(options_.component_cost);
     bool dropped = false;
-    std::vector<std::vector<CellId>> parts;
-    IdVector<CellId, std::uint8_t> seen(triangulation_.num_cells(), 0);
-    for (const CellId first : triangulation_.finite_cells()) {
-      if (out_[first] != 0 || seen[first] != 0) continue;
-      std::vector<CellId> part{first};
-      seen[first] = 1;
-      for (std::size_t next = 0; next < part.size(); ++next) {
-        for (int i = 0; i < 4; ++i) {
-          const CellId behind = triangulation_.neighbor(part[next], i);
-          if (out_[behind] != 0 || seen[behind] != 0) continue;
-          seen[behind] = 1;
-          part.push_back(behind);
-        }
-      }
-      parts.push_back(std::move(part));
-    }
-    if (parts.size() < 2) return false;
-    std::sort(parts.begin(), parts.end(), [&](const auto& a, const auto& b) {
-      return a.size() != b.size() ? a.size() < b.size() : key(a) < key(b);
-    });
-    parts.pop_back();  // the largest stays
-    for (const std::vector<CellId>& part : parts) {
+    for (const std::vector<CellId>& part : small_parts()) {
       if (energy_.change(part) >= gain) continue;
-      energy_.flip(part);
+      flip(part);
       ++counters_.dropped_components;
       dropped = true;
     }
@@ -409,9 +447,9 @@ class CleanUp {
   }
 
   void count(std::size_t& defects, std::size_t& unused) {
-    const SurfaceFlaws flaws = find_surface_flaws(triangulation_, region_, out_);
-    unused = flaws.unused.size();
-    for (const VertexId v : flaws.pinched) defects += energy_.extra_fans(v);
+    unused = flaws_.unused.size();
+    defects = 0;
+    for (const VertexId v : flaws_.pinched) defects += energy_.extra_fans(v);
   }
 
   using Turns =
@@ -427,6 +465,9 @@ class CleanUp {
   CellEnergy energy_;
   CleanUpCounters counters_;
   DoubtfulRegion region_;
+  SideSplit side_split_;
+  SurfaceFlaws flaws_;             // of the region, before what is touched_ changed
+  std::vector<VertexId> touched_;  // vertices of the region at flipped cells
   ZeroedArray<CellId, std::uint8_t> scratch_;
   Move best_;
 };

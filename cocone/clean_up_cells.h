@@ -26,6 +26,7 @@
 //     lowers E, under the same conditions, and if no sample on the surface is left out: holes of
 //     which only the rims are sampled open. Moves again.
 //  4. Small parts of the body are dropped where that lowers E. Moves again.
+//  What is undecided over a volume (most_clump_cells) is left to the peel.
 //  E falls strictly in 2 to 4, and there are finitely many labelings, so this ends.
 #pragma once
 
@@ -44,6 +45,11 @@ namespace cocoon {
 // Costs in the unit of the facet term; chosen on 23 models (docs/stages/clean_up_cells.md).
 struct CleanUpOptions {
   bool enabled = true;
+  // Undecided cells that hang together in larger numbers than both of these, a number and a share
+  // of all finite cells, stay as the peel has them: they fill a volume, and no sample tells where
+  // in it a surface should be. Bounds the work on samples that are of no surface.
+  std::size_t most_clump_cells = 100000;
+  double most_clump_share = 0.1;
   // A facet costs 1 at most if the balls lie on its two sides: 3 overrules almost any surface.
   double evidence_weight = 3;
   // Below 0.4 well sampled thin parts shrink; above 1 wrong marks of bad samples stay.
@@ -62,6 +68,7 @@ struct CleanUpOptions {
 
 struct CleanUpCounters {
   std::size_t undecided_cells = 0;
+  std::size_t left_cells = 0;  // undecided, too, but in clumps that are too large
   std::size_t relabeled_cells = 0;  // by the cut, against the peel
   std::size_t filled_cells = 0;     // OUT cells shut off from infinity, now IN
   std::size_t moves = 0;
@@ -81,7 +88,7 @@ struct CleanUpCounters {
 };
 
 // Changes marks.reached, and nothing where every vertex is good and no marks conflict.
-// Precondition: marks come from peel_cells. Complexity: one pass over the cells, and near linear in
+// Precondition: marks come from peel_cells. Complexity: passes over the cells, and near linear in
 // the number of undecided cells and defects. Deterministic: costs are integers, the cut is unique,
 // moves are taken by falling gain at defects in lexicographic order; a function of the point set.
 // Source: Labatut, Pons & Keriven 2009 (cut, facet quality); Kolluri, Shewchuk & O'Brien 2004

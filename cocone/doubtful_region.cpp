@@ -2,11 +2,63 @@
 
 #include <algorithm>
 
+#include "geom/disjoint_sets.h"
+
 namespace cocoon {
 namespace {
 
-std::vector<VertexId> doubtful_vertices(const Triangulation& triangulation,
-                                        const CellMarks& marks) {
+std::vector<CellId> undecided_cells(const Triangulation& triangulation, const CellMarks& marks) {
+  std::vector<CellId> undecided;
+  for (const CellId c : triangulation.finite_cells()) {
+    const auto& vertices = triangulation.cell(c).vertices;
+    const bool decided = std::any_of(vertices.begin(), vertices.end(),
+                                     [&](VertexId v) { return marks.good[v] != 0; });
+    if (!decided) undecided.push_back(c);
+  }
+  return undecided;
+}
+
+// Of each cell: how many hang together with it.
+std::vector<std::uint32_t> sizes_of_clumps(const Triangulation& triangulation,
+                                           const std::vector<CellId>& cells) {
+  ZeroedArray<CellId, std::uint32_t> place(triangulation.num_cells());  // 1 + that in `cells`
+  DisjointSets clumps(cells.size());
+  for (std::uint32_t k = 0; k < cells.size(); ++k) {
+    for (int i = 0; i < 4; ++i) {
+      const std::uint32_t earlier = place[triangulation.neighbor(cells[k], i)];
+      if (earlier != 0) clumps.join(earlier - 1, k);
+    }
+    place[cells[k]] = k + 1;
+  }
+  std::vector<std::uint32_t> sizes(cells.size(), 0);
+  for (std::uint32_t k = 0; k < cells.size(); ++k) ++sizes[clumps.root(k)];
+  for (std::uint32_t k = 0; k < cells.size(); ++k) sizes[k] = sizes[clumps.root(k)];
+  return sizes;
+}
+
+void leave_large_clumps(const Triangulation& triangulation, std::size_t most_cells,
+                        DoubtfulRegion& region) {
+  const std::vector<std::uint32_t> sizes = sizes_of_clumps(triangulation, region.undecided);
+  std::vector<CellId> kept;
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    const CellId c = region.undecided[k];
+    if (sizes[k] <= most_cells) {
+      kept.push_back(c);
+      continue;
+    }
+    if (region.left_cells++ == 0) region.left = VertexSet(triangulation.num_vertices(), 0);
+    for (const VertexId v : triangulation.cell(c).vertices) region.left[v] = 1;
+  }
+  for (const CellId c : kept) {
+    for (const VertexId v : triangulation.cell(c).vertices) {
+      if (region.left_cells != 0) region.left[v] = 0;
+    }
+  }
+  region.undecided = std::move(kept);
+}
+
+std::vector<VertexId> doubtful_vertices(const Triangulation& triangulation, const CellMarks& marks,
+                                        const DoubtfulRegion& region) {
   struct Place {
     double x;  // decides nearly always
     VertexId vertex;
@@ -14,7 +66,7 @@ std::vector<VertexId> doubtful_vertices(const Triangulation& triangulation,
   std::vector<Place> places;
   for (const VertexId v : triangulation.vertices()) {
     if (marks.good[v] != 0 && marks.conflicts == 0) continue;
-    places.push_back({triangulation.point(v).x, v});
+    if (!region.is_left(v)) places.push_back({triangulation.point(v).x, v});
   }
   std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
     if (a.x != b.x) return a.x < b.x;
@@ -28,9 +80,12 @@ std::vector<VertexId> doubtful_vertices(const Triangulation& triangulation,
 
 }  // namespace
 
-DoubtfulRegion find_doubtful_region(const Triangulation& triangulation, const CellMarks& marks) {
+DoubtfulRegion find_doubtful_region(const Triangulation& triangulation, const CellMarks& marks,
+                                    std::size_t most_cells) {
   DoubtfulRegion region;
-  region.vertices = doubtful_vertices(triangulation, marks);
+  region.undecided = undecided_cells(triangulation, marks);
+  if (region.undecided.size() > most_cells) leave_large_clumps(triangulation, most_cells, region);
+  region.vertices = doubtful_vertices(triangulation, marks, region);
   region.rank = ZeroedArray<VertexId, std::uint32_t>(triangulation.num_vertices());
   for (std::uint32_t k = 0; k < region.vertices.size(); ++k) {
     region.rank[region.vertices[k]] = k + 1;
@@ -39,12 +94,7 @@ DoubtfulRegion find_doubtful_region(const Triangulation& triangulation, const Ce
     const auto& vertices = triangulation.cell(c).vertices;
     const bool doubtful = std::any_of(vertices.begin(), vertices.end(),
                                       [&](VertexId v) { return region.contains(v); });
-    if (!doubtful) continue;
-    region.cells.push_back(c);
-    if (triangulation.is_infinite(c)) continue;
-    const bool decided = std::any_of(vertices.begin(), vertices.end(),
-                                     [&](VertexId v) { return marks.good[v] != 0; });
-    if (!decided) region.undecided.push_back(c);
+    if (doubtful) region.cells.push_back(c);
   }
   return region;
 }

@@ -1,7 +1,9 @@
 // The part of a triangulation that the clean-up looks at: around vertices that are not good.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "cocone/mark_cells.h"
@@ -14,13 +16,20 @@ struct DoubtfulRegion {
   std::vector<VertexId> vertices;  // where something may be wrong, in lexicographic order
   ZeroedArray<VertexId, std::uint32_t> rank;  // 1 + position in `vertices`; 0: not among them
   std::vector<CellId> cells;                  // at these vertices, infinite ones too; increasing
-  std::vector<CellId> undecided;              // finite cells without a good vertex; increasing
+  std::vector<CellId> undecided;  // finite cells without a good vertex; increasing; not those left
+  VertexSet left;                 // 1: all undecided cells at it are left alone; empty if none is
+  std::size_t left_cells = 0;     // undecided ones in clumps that are too large
 
   bool contains(VertexId v) const { return v != infinite_vertex && rank[v] != 0; }
+  bool is_left(VertexId v) const { return left_cells != 0 && v != infinite_vertex && left[v] != 0; }
 };
 
-// Vertices that are not good; all of them if marks conflict. Complexity: O(cells + d log d) for d
-// such vertices: one pass over the cells, in the order of memory.
-DoubtfulRegion find_doubtful_region(const Triangulation& triangulation, const CellMarks& marks);
+// Vertices that are not good; all of them if marks conflict. Undecided cells that hang together by
+// facets are a clump. Those of more than `most_cells` cells are left alone, with the vertices that
+// no other undecided cell has.
+// Complexity: O(cells + d log d) for d such vertices: passes over the cells in the order of memory.
+DoubtfulRegion find_doubtful_region(
+    const Triangulation& triangulation, const CellMarks& marks,
+    std::size_t most_cells = std::numeric_limits<std::size_t>::max());
 
 }  // namespace cocoon

@@ -97,15 +97,26 @@ class Walk {
     return true;
   }
 
-  void walk_from(std::vector<Half> starts) {
-    const auto smaller = [&](Half a, Half b) { return sorted_corners(a) < sorted_corners(b); };
-    if (starts.empty()) return;
+  struct Start {
+    Point lowest;  // corner; decides nearly always
+    Half half;
+  };
+
+  // In the order of their sorted corners.
+  void walk_from(const std::vector<Half>& halves) {
+    if (halves.empty()) return;
+    std::vector<Start> starts;
+    for (const Half h : halves) starts.push_back({lowest_corner(h), h});
+    const auto earlier = [&](const Start& a, const Start& b) {
+      if (a.lowest != b.lowest) return a.lowest < b.lowest;
+      return sorted_corners(a.half) < sorted_corners(b.half);
+    };
     // Nearly always the first walk covers all: sort only what it leaves.
-    walk(*std::min_element(starts.begin(), starts.end(), smaller));
-    std::erase_if(starts, [&](Half h) { return !may_start(h); });
-    std::sort(starts.begin(), starts.end(), smaller);
-    for (const Half h : starts) {
-      if (may_start(h)) walk(h);
+    walk(std::min_element(starts.begin(), starts.end(), earlier)->half);
+    std::erase_if(starts, [&](const Start& start) { return !may_start(start.half); });
+    std::sort(starts.begin(), starts.end(), earlier);
+    for (const Start& start : starts) {
+      if (may_start(start.half)) walk(start.half);
     }
   }
 
@@ -239,6 +250,11 @@ class Walk {
   }
 
   // --- canonical choices
+
+  Point lowest_corner(Half h) const {
+    const auto [a, b, c] = corners(h);
+    return std::min({triangulation_.point(a), triangulation_.point(b), triangulation_.point(c)});
+  }
 
   Corners sorted_corners(Half h) const {
     const auto [a, b, c] = corners(h);

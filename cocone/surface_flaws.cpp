@@ -9,8 +9,8 @@ namespace {
 
 // The surface facets at a vertex, each seen from its cell with out = 0.
 struct Fan {
-  std::uint32_t facets = 0;
-  FacetId first;  // no id if there are none
+  std::uint32_t facets;
+  FacetId first;  // if there are any
 };
 
 // Does a walk around v from surface facet to surface facet, on the side of `first`, meet that many,
@@ -40,30 +40,33 @@ bool is_simple_cycle(const Triangulation& triangulation, const IdVector<CellId, 
 
 SurfaceFlaws find_surface_flaws(const Triangulation& triangulation, const DoubtfulRegion& region,
                                 const IdVector<CellId, std::uint8_t>& out) {
-  std::vector<Fan> fans(region.vertices.size());
+  ZeroedArray<VertexId, Fan> fans(triangulation.num_vertices());
   for (const CellId c : region.cells) {
     if (out[c] != 0) continue;
     for (int i = 0; i < 4; ++i) {
       if (out[triangulation.neighbor(c, i)] == 0) continue;
       for (const VertexId v : triangulation.facet_vertices(facet_id(c, i))) {
         if (!region.contains(v)) continue;
-        Fan& fan = fans[region.rank[v] - 1];
-        ++fan.facets;
-        fan.first = facet_id(c, i);
+        ++fans[v].facets;
+        fans[v].first = facet_id(c, i);
       }
     }
   }
   SurfaceFlaws flaws;
   std::vector<VertexId> edge_ends;
-  for (std::size_t k = 0; k < fans.size(); ++k) {
-    const VertexId v = region.vertices[k];
-    const auto& [facets, first] = fans[k];
+  // In the order of memory, which is that of space.
+  for (const VertexId v : triangulation.vertices()) {
+    if (!region.contains(v)) continue;
+    const auto& [facets, first] = fans[v];
     if (facets == 0) {
       flaws.unused.push_back(v);
     } else if (!is_simple_cycle(triangulation, out, v, first, facets, edge_ends)) {
       flaws.pinched.push_back(v);
     }
   }
+  const auto earlier = [&](VertexId a, VertexId b) { return region.rank[a] < region.rank[b]; };
+  std::sort(flaws.unused.begin(), flaws.unused.end(), earlier);
+  std::sort(flaws.pinched.begin(), flaws.pinched.end(), earlier);
   return flaws;
 }
 

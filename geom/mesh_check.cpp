@@ -4,41 +4,15 @@
 #include <bit>
 #include <cstdint>
 #include <iterator>
-#include <numeric>
 #include <span>
 #include <utility>
 
+#include "geom/disjoint_sets.h"
 #include "geom/linked_mesh.h"
 #include "geom/orient3d.h"
 
 namespace cocoon {
 namespace {
-
-// Disjoint sets of 0 .. count - 1. Sets are joined under the smaller root, so a root is the
-// smallest member of its set.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-  }
-  // Halves the path.
-  std::uint32_t root(std::uint32_t member) {
-    while (parent_[member] != member) {
-      member = parent_[member] = parent_[parent_[member]];
-    }
-    return member;
-  }
-  // True if they were in different sets.
-  bool join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 // How many of the points are different from all before them, by an open hash table.
 std::size_t count_distinct(std::span<const Point> points) {

@@ -1,10 +1,12 @@
 #include "app/thresholds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <variant>
 
 namespace cocoon::app {
 namespace {
@@ -16,17 +18,18 @@ nlohmann::json parameters(const ReconstructOptions& options) {
 }
 
 std::string key(const Threshold& threshold) {
-  std::string key = std::string(threshold.name) + (threshold.angle ? "_deg" : "");
+  std::string key =
+      std::string(threshold.name) + (threshold.kind == ThresholdKind::angle ? "_deg" : "");
   std::replace(key.begin(), key.end(), '-', '_');
   return key;
 }
 
 TEST(Thresholds, AreOneFieldEach) {
-  std::set<const double*> fields;
+  std::set<const void*> fields;
   std::set<std::string> names;
   ReconstructOptions options;
   for (const Threshold& t : thresholds()) {
-    fields.insert(&t.field(options));
+    std::visit([&](const void* field) { fields.insert(field); }, t.field(options));
     names.insert(t.name);
   }
   EXPECT_EQ(fields.size(), thresholds().size());
@@ -39,7 +42,8 @@ TEST(Thresholds, OneThatIsGivenIsSetAndReportedAndNoOther) {
   EXPECT_EQ(defaults["evidence_weight"], 3);
   EXPECT_NEAR(defaults["keep_angle_deg"].get<double>(), 134.4, 0.1);
   for (const Threshold& given : thresholds()) {
-    const double value = given.low + 0.375 * (given.high - given.low);
+    const double inside = given.low + 0.375 * (given.high - given.low);
+    const double value = given.kind == ThresholdKind::whole ? std::floor(inside) : inside;
     ReconstructOptions options;
     set_thresholds(options, {{given.name, value}});
     const nlohmann::json now = parameters(options);

@@ -8,6 +8,7 @@
 #include "geom/mesh_check.h"
 #include "io/mesh_file.h"
 #include "tests/cocone/sample_shapes.h"
+#include "tests/gallery.h"
 
 namespace cocoon {
 namespace {
@@ -103,6 +104,33 @@ TEST(CleanUpCells, ClustersThatAreTooLargeAreLeftAlone) {
   EXPECT_EQ(reconstruct_tight(points).counters.clean_up.large_clusters, 0U);
   const ReconstructResult other = reconstruct_tight(shapes::shuffled(points, 3), small);
   EXPECT_EQ(other.counters.clean_up.large_clusters, counters.large_clusters);
+}
+
+// Samples of no surface: where all cells are undecided, the peel has the last word, but a
+// surface beside them is cleaned up.
+TEST(CleanUpCells, VolumesAreLeftAlone) {
+  const std::vector<Point> volume = gallery::uniform_cube(3000, 3);
+  ReconstructOptions bounded;
+  bounded.clean_up.most_clump_cells = 8000;
+  const ReconstructResult left = reconstruct_tight(volume, bounded);
+  EXPECT_EQ(left.counters.clean_up.undecided_cells, 0U);
+  EXPECT_GT(left.counters.clean_up.left_cells, 5000U);
+  EXPECT_EQ(left.counters.clean_up.changed_cells, 0U);
+  ReconstructOptions off;
+  off.clean_up.enabled = false;
+  EXPECT_EQ(left.mesh.triangles.size(), reconstruct_tight(volume, off).mesh.triangles.size());
+  EXPECT_GT(reconstruct_tight(volume).counters.clean_up.undecided_cells, 5000U);
+
+  const std::vector<Point> noisy =
+      shapes::moved(shapes::noisy_sphere(3000, 0.02, 6), {.x = 10, .y = 0, .z = 0});
+  const ReconstructResult both = reconstruct_tight(shapes::joined(volume, noisy), bounded);
+  EXPECT_GT(both.counters.clean_up.left_cells, 5000U);
+  EXPECT_GT(both.counters.clean_up.undecided_cells, 100U);
+  EXPECT_GT(both.counters.clean_up.defects_before, 0U);
+  EXPECT_LT(4 * both.counters.clean_up.defects_after, both.counters.clean_up.defects_before);
+  ReconstructOptions by_share = bounded;
+  by_share.clean_up.most_clump_share = 1;
+  EXPECT_EQ(reconstruct_tight(volume, by_share).counters.clean_up.left_cells, 0U);
 }
 
 TEST(CleanUpCells, SameResultForEveryInputOrder) {
