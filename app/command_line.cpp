@@ -92,6 +92,9 @@ void add_manifold_option(CLI::App& app, bool& manifold) {
 
 void add_thresholds_of_stages(CLI::App& app, ReconstructArguments& arguments) {
   const std::string group = "Thresholds (defaults in the report; not with --session)";
+  app.add_flag("--cavities", arguments.cavities,
+               "Keep closed surfaces inside the body: they bound hollows of it")
+      ->group(group);
   app.add_flag("!--no-clean-up", arguments.clean_up, "Leave the surface as the peel left it")
       ->group(group);
   for (const Threshold& t : thresholds()) {

@@ -55,6 +55,7 @@ struct ReconstructArguments {
   bool manifold = false;
   std::string noise = "none";  // "none" or "robust"
   SurfaceArguments parameters;
+  bool cavities = false;                     // kept, in robust mode
   bool clean_up = true;                      // after the peel, in robust mode
   std::map<std::string, double> thresholds;  // those given, by name (thresholds.h)
 };

@@ -32,7 +32,8 @@ void require_possible_noise_filter(const ReconstructArguments& arguments) {
 
 // A session keeps the parameters of surface_options.h, and no others.
 ReconstructOptions options_of(const ReconstructArguments& arguments) {
-  const bool thresholds = !arguments.thresholds.empty() || !arguments.clean_up;
+  const bool thresholds =
+      !arguments.thresholds.empty() || !arguments.clean_up || arguments.cavities;
   if (thresholds && !arguments.session.empty()) {
     throw UsageError("thresholds of single stages cannot be combined with --session");
   }
@@ -40,6 +41,7 @@ ReconstructOptions options_of(const ReconstructArguments& arguments) {
       surface_options(arguments.parameters,
                       arguments.surface == "tight" ? ReconstructOptions() : open_cloud_defaults());
   options.clean_up.enabled = arguments.clean_up;
+  options.peel.keep_cavities = arguments.cavities;
   set_thresholds(options, arguments.thresholds);
   return options;
 }
@@ -101,6 +103,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
 
   add_parameters(job.report(), options);
   add_thresholds(job.report(), options);
+  job.report().set("parameters/cavities", effective_options(options).peel.keep_cavities);
   job.report().set("parameters/clean_up", effective_options(options).clean_up.enabled);
   add_reconstruction(job.report(), result, certificate);
   job.say("{} points ({} duplicates, {} not on the surface), {} tetrahedra", result.points,

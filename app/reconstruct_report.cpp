@@ -38,6 +38,8 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("known_cells", c.known_cells);
   set("poor_cells", c.poor_cells);
   set("deferred_seeds", c.deferred_seeds);
+  set("cavities", c.cavities.cavities);
+  set("cavity_cells", c.cavities.cells);
   set("clean_up/undecided_cells", c.clean_up.undecided_cells);
   set("clean_up/left_cells", c.clean_up.left_cells);
   set("clean_up/relabeled_cells", c.clean_up.relabeled_cells);

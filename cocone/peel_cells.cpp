@@ -31,11 +31,10 @@ class Peeling {
         marks_(marks),
         rounds_(triangulation, surface, marks),
         poor_(triangulation.num_cells()),
-        stops_(triangulation.num_cells()) {
-    marks_.reached = IdVector<CellId, std::uint8_t>(triangulation.num_cells(), 0);
-  }
+        stops_(triangulation.num_cells()) {}
 
   void run(const PeelOptions& options) {
+    marks_.reached = IdVector<CellId, std::uint8_t>(triangulation_.num_cells(), 0);
     find_poor_cells();
     if (marks_.rounds == 0) {
       reach_marked_cells();
@@ -49,6 +48,18 @@ class Peeling {
       demote_unvisited();
       close();
     }
+  }
+
+  void open_cavities() {
+    for (const CellId c : triangulation_.finite_cells()) {
+      if (marks_.reached[c] != 0) {
+        marks_.labels[c] = CellLabel::out;
+      } else if (marks_.labels[c] == CellLabel::out) {
+        marks_.labels[c] = CellLabel::in;
+      }
+    }
+    find_poor_cells();
+    while (mark_from_inside()) close();
   }
 
  private:
@@ -165,6 +176,24 @@ class Peeling {
     return false;
   }
 
+  // The turn of the good vertices that had none and touch a cell known to be IN. False if there is
+  // no such vertex.
+  bool mark_from_inside() {
+    std::vector<VertexId> inner;
+    for (const CellId c : triangulation_.finite_cells()) {
+      if (marks_.labels[c] != CellLabel::in) continue;
+      for (const VertexId v : triangulation_.cell(c).vertices) {
+        if (marks_.good[v] != 0 && marks_.visited[v] == 0) inner.push_back(v);
+      }
+    }
+    std::vector<CellId> out_cells;
+    rounds_.run(inner, out_cells);
+    for (const CellId c : out_cells) {
+      if (marks_.reached[c] == 0) reach(c);
+    }
+    return !inner.empty();
+  }
+
   // False if no undecided cell lies next to a reached one.
   bool plant_deferred_seed() {
     for (const FacetId f : undecided_) {
@@ -208,6 +237,29 @@ class Peeling {
   std::priority_queue<DeferredSeed> heap_;
 };
 
+// What hangs together by facets.
+CavityCounters count_parts(const Triangulation& triangulation,
+                           IdVector<CellId, std::uint8_t> cells) {
+  CavityCounters count;
+  std::vector<CellId> stack;
+  for (const CellId first : cells.ids()) {
+    if (cells[first] == 0) continue;
+    ++count.cavities;
+    cells[first] = 0;
+    for (stack.assign(1, first); !stack.empty(); ++count.cells) {
+      const CellId c = stack.back();
+      stack.pop_back();
+      for (int i = 0; i < 4; ++i) {
+        const CellId behind = triangulation.neighbor(c, i);
+        if (cells[behind] == 0) continue;
+        cells[behind] = 0;
+        stack.push_back(behind);
+      }
+    }
+  }
+  return count;
+}
+
 }  // namespace
 
 CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface, CellMarks marks,
@@ -216,6 +268,15 @@ CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface
   Peeling(triangulation, surface, marks).run(options);
   report_progress(execution, "peel_cells", 1);
   return marks;
+}
+
+CavityCounters open_cavities(const Triangulation& triangulation, const FacetSet& surface,
+                             CellMarks& marks) {
+  const IdVector<CellId, std::uint8_t> before = marks.reached;
+  Peeling(triangulation, surface, marks).open_cavities();
+  IdVector<CellId, std::uint8_t> hollow(before.size(), 0);
+  for (const CellId c : hollow.ids()) hollow[c] = marks.reached[c] != 0 && before[c] == 0;
+  return count_parts(triangulation, std::move(hollow));
 }
 
 }  // namespace cocoon

@@ -20,6 +20,14 @@ struct PeelOptions {
   // surface) next to a reached cell is taken as OUT, marked from its good vertices, and the peel
   // goes on; one at a time. False, as in the paper: they are demoted to poor and peeled.
   bool deferred_seeding = true;
+  // Whether closed surfaces inside the body bound hollows of it (open_cavities). False, as in the
+  // paper: they are left out.
+  bool keep_cavities = false;
+};
+
+struct CavityCounters {
+  std::size_t cavities = 0;  // parts of the hollow
+  std::size_t cells = 0;
 };
 
 // Returns the marks with `reached` filled in and the labels that the peel added. Labels are fixed
@@ -32,5 +40,15 @@ struct PeelOptions {
 // Source: Dey & Goswami 2003 (Tight Cocone, peeling); spec 6.3, 6.6, section 12.
 CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface, CellMarks marks,
                      const PeelOptions& options = {}, const Execution& execution = {});
+
+// Opens what closed surfaces inside the body enclose, such as the inner wall of a hollow part: its
+// good vertices were not visited, for no surface joins them to infinity. Those that touch a cell
+// known to be IN tell their sides from it (mark_cells.h); from the cells that are OUT by that the
+// peel goes on, and so it does with what is found behind them: bodies within cavities. Repeated
+// until nothing changes. Where `marks.reached` differs from the labels (clean_up_cells) the labels
+// follow. Complexity: O(cells) for each depth of nesting. Independent of order.
+// Precondition: marks come from peel_cells. Source: spec 6.7.
+CavityCounters open_cavities(const Triangulation& triangulation, const FacetSet& surface,
+                             CellMarks& marks);
 
 }  // namespace cocoon

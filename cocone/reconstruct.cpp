@@ -136,6 +136,9 @@ class Reconstruction {
       ReconstructCounters& counters = result_.counters;
       counters.clean_up =
           clean_up_cells(triangulation_, dual_, poles_, marks, options_.clean_up, nested);
+      if (options_.peel.keep_cavities) {
+        counters.cavities = open_cavities(triangulation_, surface_.triangles.set, marks);
+      }
       deliver(surface_between(triangulation_, marks));
       counters.good_vertices = marks.good_vertices;
       counters.demoted_vertices = marks.demoted_vertices;
@@ -237,6 +240,7 @@ ReconstructOptions effective_options(ReconstructOptions options) {
   if (options.mode == Mode::paper) {
     options.boundary.radius_mode = RadiusMode::cocone;
     options.peel.deferred_seeding = false;
+    options.peel.keep_cavities = false;
     options.clean_up.enabled = false;
   }
   return options;

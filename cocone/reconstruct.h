@@ -32,7 +32,8 @@ enum class SurfaceStatus {
 };
 
 enum class Mode {
-  paper,   // as published: radius_mode = cocone, no deferred seeding, no clean-up, whatever the
+  paper,   // as published: radius_mode = cocone, no deferred seeding, no cavities, no clean-up,
+           // whatever the
            // options say
   robust,  // the options as they are
 };
@@ -86,6 +87,7 @@ struct ReconstructCounters {
   std::size_t poor_cells = 0;
   std::size_t deferred_seeds = 0;
   CleanUpCounters clean_up;
+  CavityCounters cavities;
 };
 
 struct ReconstructResult {

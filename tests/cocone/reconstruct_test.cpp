@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
+#include <numbers>
 #include <string>
 
 #include "cocone/boundary_loops.h"
@@ -12,6 +13,7 @@
 #include "geom/mesh_measure.h"
 #include "io/point_file.h"
 #include "tests/cocone/sample_shapes.h"
+#include "tests/gallery.h"
 
 namespace cocoon {
 namespace {
@@ -116,6 +118,47 @@ TEST(ReconstructTight, InnerSphereIsDropped) {
   expect_closed(result, {5996, 2}, "sphere in sphere");
   EXPECT_EQ(result.unused_points, 1000U);
   EXPECT_EQ(result.counters.unvisited_vertices, 1000U);
+}
+
+ReconstructResult hollow(const std::vector<Point>& points) {
+  ReconstructOptions options;
+  options.peel.keep_cavities = true;
+  return reconstruct_tight(points, options);
+}
+
+TEST(ReconstructTight, CavitiesAreKeptIfAskedFor) {
+  const ReconstructResult result =
+      hollow(shapes::joined(shapes::sphere(3000, 6), shapes::sphere(1000, 7, 0.4)));
+  expect_closed(result, {5996 + 1996, 4, 2}, "hollow sphere");
+  EXPECT_EQ(result.unused_points, 0U);
+  EXPECT_EQ(result.counters.unvisited_vertices, 0U);
+  EXPECT_EQ(result.counters.cavities.cavities, 1U);
+  EXPECT_GT(result.counters.cavities.cells, 2000U);
+  const double ball = 4 * std::numbers::pi / 3;
+  EXPECT_NEAR(mesh_measure(result.mesh).signed_volume, ball * (1 - 0.4 * 0.4 * 0.4), 0.02 * ball);
+}
+
+TEST(ReconstructTight, CavitiesBesideAndWithinEachOther) {
+  const std::vector<Point> inner = shapes::sphere(800, 7, 0.25);
+  expect_closed(hollow(shapes::joined(shapes::sphere(4000, 6),
+                                      shapes::joined(shapes::moved(inner, {0.5, 0, 0}),
+                                                     shapes::moved(inner, {-0.5, 0, 0})))),
+                {7996 + 2 * 1596, 6, 3}, "two cavities");
+  // A hollow ball in the hollow of a ball.
+  std::vector<Point> nested;
+  for (const double radius : {1.0, 0.7, 0.4, 0.15}) {
+    const auto count = static_cast<std::size_t>(10000 * radius * radius);
+    nested = shapes::joined(nested, shapes::sphere(count, 8, radius));
+  }
+  const ReconstructResult result = hollow(nested);
+  expect_closed(result, {2 * nested.size() - 16, 8, 4}, "nested balls");
+  EXPECT_EQ(result.counters.cavities.cavities, 2U);
+}
+
+TEST(ReconstructTight, WithoutCavitiesTheOptionChangesNothing) {
+  for (const std::vector<Point>& points : {shapes::sphere(2000, 5), gallery::box_faces(9)}) {
+    EXPECT_TRUE(hollow(points).mesh == reconstruct_tight(points).mesh);
+  }
 }
 
 TEST(ReconstructTight, BodiesSideBySide) {

@@ -1,6 +1,7 @@
 // Options that set thresholds of single stages.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -40,11 +41,39 @@ TEST(Thresholds, ReachTheStages) {
   EXPECT_EQ(reconstructed(folder, {"--mode", "paper"})["parameters"]["clean_up"], false);
 }
 
+// A ball within a ball: the wall of a hollow, or nothing.
+TEST(Thresholds, CavitiesAreAnOption) {
+  const TemporaryFolder folder;
+  std::string points = whole_sphere(2000);
+  std::istringstream lines(whole_sphere(600));
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  while (lines >> x >> y >> z) points += point_line(0.5 * x, 0.5 * y, 0.5 * z);
+  const std::string cloud = folder.write("hollow.xyz", points);
+  const auto surface_with = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"reconstruct", cloud, "-o", folder.file("mesh.ply"),
+                                         "--json", folder.file("r.json")});
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    return Json::parse(content_of(folder.file("r.json")));
+  };
+  const Json full = surface_with({});
+  EXPECT_EQ(full["surface"]["components"], 1);
+  EXPECT_EQ(full["parameters"]["cavities"], false);
+  const Json hollow = surface_with({"--cavities"});
+  EXPECT_EQ(hollow["surface"]["components"], 2);
+  EXPECT_EQ(hollow["surface"]["unused_points"], 0);
+  EXPECT_EQ(hollow["surface"]["watertight"], true);
+  EXPECT_EQ(hollow["counters"]["cavities"], 1);
+  EXPECT_EQ(surface_with({"--cavities", "--mode", "paper"})["parameters"]["cavities"], false);
+}
+
 TEST(Thresholds, AreNotKeptBySessions) {
   const TemporaryFolder folder;
   const std::string session = folder.file("s.session");
   for (const std::vector<std::string>& option :
-       {std::vector<std::string>{"--idle-cost", "1"}, {"--no-clean-up"}}) {
+       {std::vector<std::string>{"--idle-cost", "1"}, {"--no-clean-up"}, {"--cavities"}}) {
     std::vector<std::string> arguments{"reconstruct",        plate,       "-o",
                                        folder.file("m.ply"), "--session", session};
     arguments.insert(arguments.end(), option.begin(), option.end());
