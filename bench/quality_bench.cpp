@@ -1,9 +1,10 @@
 // Quality of reconstructions of known surfaces, ours beside CGAL's: one table of shapes, one of
 // noise and outliers.
 //
-//   quality_bench [--points N] [--only WORD]
+//   quality_bench [--points N] [--only WORD] [--pictures FILE]
 //
-// --only: models whose name contains WORD. Distances are in units of the mean spacing of the
+// --only: models whose name contains WORD. --pictures: a page that shows the true surfaces and all
+// results, in one HTML file. Distances are in units of the mean spacing of the
 // samples.
 #include <cstdio>
 #include <cstring>
@@ -12,16 +13,21 @@
 #include <string>
 #include <vector>
 
+#include "bench/picture_sheet.h"
 #include "bench/quality_measures.h"
 #include "bench/quality_models.h"
 #include "bench/rivals/cgal_surfaces.h"
 #include "bench/stopwatch.h"
+#include "bench/thumbnail.h"
 #include "cocone/reconstruct.h"
 #include "cocone/robust_cocone.h"
+#include "geom/box.h"
 #include "io/mesh_file.h"
 
 namespace cocoon::bench {
 namespace {
+
+constexpr int picture_size = 200;
 
 struct Method {
   const char* name;
@@ -32,6 +38,8 @@ const std::vector<Method>& methods() {
   static const std::vector<Method> all{
       {"ours, paper", [](Points p) { return reconstruct_tight(p, {.mode = Mode::paper}).mesh; }},
       {"ours", [](Points p) { return reconstruct_tight(p).mesh; }},
+      {"ours, cavities",
+       [](Points p) { return reconstruct_tight(p, {.peel = {.keep_cavities = true}}).mesh; }},
       {"ours, noise robust", [](Points p) { return reconstruct_robust(p).surface.mesh; }},
       {"CGAL advancing front", [](Points p) { return rivals::cgal_advancing_front(p).mesh; }},
       {"CGAL scale space", [](Points p) { return rivals::cgal_scale_space(p).mesh; }}};
@@ -44,7 +52,23 @@ void print_header() {
               "unused", "s");
 }
 
-void measure(const QualityModel& model) {
+std::string caption_of(const Quality& q) {
+  if (q.triangles == 0) return "empty";
+  char text[96];
+  std::snprintf(text, sizeof text, "%s; parts %+td, genus %+td; largest distance %.2f",
+                q.closed ? "closed" : "open", q.extra_components, q.extra_genus, q.max);
+  return text;
+}
+
+void begin_row(PictureSheet& pictures, const QualityModel& model, const Box& frame) {
+  pictures.begin_row(model.name);
+  pictures.add("true surface", thumbnail_bmp(model.truth, frame, picture_size),
+               std::to_string(model.points.size()) + " points", true);
+}
+
+void measure(const QualityModel& model, PictureSheet& pictures) {
+  const Box frame = box_of(model.truth.points.span());
+  begin_row(pictures, model, frame);
   for (const Method& method : methods()) {
     const Stopwatch stopwatch;
     const TriangleMesh mesh = method.run(model.points);
@@ -58,12 +82,15 @@ void measure(const QualityModel& model) {
                 q.manifold ? "yes" : "no", q.extra_components, q.extra_genus, q.mean, q.rms, q.max,
                 q.normal_deg, q.unused, seconds);
     std::fflush(stdout);
+    pictures.add(method.name, thumbnail_bmp(mesh, frame, picture_size), caption_of(q),
+                 q.closed && q.extra_components == 0 && q.extra_genus == 0);
   }
 }
 
 struct Arguments {
   std::size_t points = 5000;
   std::string only;
+  std::string pictures;  // empty: none
 };
 
 std::string percent(double fraction) {
@@ -87,10 +114,11 @@ void run(const Arguments& arguments) {
   const auto wanted = [&](const QualityModel& model) {
     return model.name.find(arguments.only) != std::string::npos;
   };
+  PictureSheet pictures("Reconstructions of known surfaces");
   std::puts("\nShapes");
   print_header();
   for (const QualityModel& model : quality_models(arguments.points)) {
-    if (wanted(model)) measure(model);
+    if (wanted(model)) measure(model, pictures);
   }
   std::puts("\nNoise (deviation in units of the spacing) and outliers");
   print_header();
@@ -98,12 +126,13 @@ void run(const Arguments& arguments) {
     for (const double noise : {0.0, 0.05, 0.1, 0.2, 0.5}) {
       QualityModel noisy = disturbed(model, noise, 0, 31);
       noisy.name += ", noise " + percent(noise);
-      if (wanted(noisy)) measure(noisy);
+      if (wanted(noisy)) measure(noisy, pictures);
     }
     QualityModel stray = disturbed(model, 0, 0.01, 32);
     stray.name += ", 1 % outliers";
-    if (wanted(stray)) measure(stray);
+    if (wanted(stray)) measure(stray, pictures);
   }
+  if (!arguments.pictures.empty()) pictures.write(arguments.pictures);
 }
 
 }  // namespace
@@ -116,6 +145,7 @@ int main(int argc, char** argv) {
       const std::string option = argv[i];
       if (option == "--points") arguments.points = std::stoul(argv[i + 1]);
       if (option == "--only") arguments.only = argv[i + 1];
+      if (option == "--pictures") arguments.pictures = argv[i + 1];
     }
     cocoon::bench::run(arguments);
   } catch (const std::exception& error) {
