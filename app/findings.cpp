@@ -42,16 +42,17 @@ Finding fragments_finding(const SurfaceDoubts& d) {
 }
 
 Finding unused_finding(const SurfaceDoubts& d, std::size_t points, bool noise_filtered) {
-  return {"unused",
-          fmt::format(
-              "{} of {} points are not on the surface; the farthest is {:.3g} ({:.1f} times "
-              "the spacing) off, at {}; {}",
-              d.unused_points, points, d.unused[0].size, d.unused[0].size / d.spacing,
-              place(d.unused[0]),
-              noise_filtered ? "they count as noise or outliers"
-                             : "outliers, inner surfaces (--cavities keeps them), or samples too "
-                               "sparse there"),
-          d.unused_points, d.unused};
+  return {
+      "unused",
+      fmt::format("{} of {} points are not on the surface; the farthest is {:.3g} ({:.1f} times "
+                  "the spacing) off, at {}; {}",
+                  d.unused_points, points, d.unused[0].size, d.unused[0].size / d.spacing,
+                  place(d.unused[0]),
+                  noise_filtered ? "they count as noise or outliers"
+                                 : "outliers (--noise robust finds more of them), inner surfaces "
+                                   "(--cavities keeps them), or samples too "
+                                   "sparse there"),
+      d.unused_points, d.unused};
 }
 
 Finding contacts_finding(const SurfaceDoubts& d) {

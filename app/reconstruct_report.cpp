@@ -55,6 +55,7 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("clean_up/defects_after", c.clean_up.defects_after);
   set("clean_up/unused_before", c.clean_up.unused_before);
   set("clean_up/unused_after", c.clean_up.unused_after);
+  set("clean_up/outliers", c.clean_up.outliers);
   set("clean_up/idle_before", c.clean_up.idle_before);
   set("clean_up/idle_after", c.clean_up.idle_after);
 }

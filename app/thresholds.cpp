@@ -15,7 +15,7 @@ using enum ThresholdKind;
 using Options = ReconstructOptions;
 using Field = Threshold::Field;
 
-constexpr std::array<Threshold, 17> table{{
+constexpr std::array<Threshold, 18> table{{
     {"keep-angle", "Pruning: two triangles at an edge, flatter than this dihedral angle, stay", 0,
      180, angle, [](Options& o) -> Field { return &o.prune.keep_cosine; }},
     {"fold-angle", "Marking: a dihedral angle of at most this makes both ends of an edge poor", 0,
@@ -36,6 +36,8 @@ constexpr std::array<Threshold, 17> table{{
      [](Options& o) -> Field { return &o.clean_up.defect_cost; }},
     {"unused-cost", "Clean-up: a sample that is not on the surface", 0, 1000, number,
      [](Options& o) -> Field { return &o.clean_up.unused_cost; }},
+    {"outlier-ratio", "Clean-up: unused samples so many times as far from others are not missed", 1,
+     1e6, number, [](Options& o) -> Field { return &o.clean_up.outlier_ratio; }},
     {"handle-cost", "Clean-up: a handle of the surface", 0, 1000, number,
      [](Options& o) -> Field { return &o.clean_up.handle_cost; }},
     {"idle-cost", "Clean-up: a sample that does nothing for the surface; 0: holes stay filled", 0,

@@ -34,6 +34,7 @@ class CellEnergy {
   }
   // Only of these samples is it a loss that they are not on the surface.
   void want(VertexId v) { wanted_[v] = 1; }
+  void leave_out(VertexId v) { wanted_[v] = 0; }
   bool is_wanted(VertexId v) const { return wanted_[v] != 0; }
   Energy preference(CellId c) const { return preference_by_label(c) + own_preference_[c]; }
 

@@ -12,6 +12,7 @@
 #include "cocone/doubtful_region.h"
 #include "cocone/idle_samples.h"
 #include "cocone/max_flow.h"
+#include "cocone/sample_spacing.h"
 #include "cocone/side_evidence.h"
 #include "cocone/side_split.h"
 #include "cocone/surface_flaws.h"
@@ -21,6 +22,8 @@
 
 namespace cocoon {
 namespace {
+
+constexpr std::size_t outlier_edges = 3;  // that make the spacing of a sample
 
 class CleanUp {
  public:
@@ -48,6 +51,7 @@ class CleanUp {
     if (region_.vertices.empty()) return counters_;
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     count(counters_.defects_before, counters_.unused_before);
+    leave_out_outliers();
     set_preferences();
     cut();
     fill_cavities();
@@ -65,6 +69,15 @@ class CleanUp {
   }
 
  private:
+  void leave_out_outliers() {
+    OutlierTest test(triangulation_, stars_, outlier_edges, options_.outlier_ratio);
+    for (const VertexId v : flaws_.unused) {
+      if (!energy_.is_wanted(v) || !test.is_outlier(v)) continue;
+      energy_.leave_out(v);
+      ++counters_.outliers;
+    }
+  }
+
   std::size_t most_clump_cells() const {
     const double share =
         options_.most_clump_share * static_cast<double>(triangulation_.num_finite_cells());

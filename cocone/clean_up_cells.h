@@ -7,7 +7,7 @@
 //      + mark_weight      * (decided cells that have left their label)
 //      + defect_cost      * (non-manifold edges + pinched vertices, with multiplicity)
 //      + idle_cost    * (samples that do nothing for the surface: idle_samples.h)
-//      + unused_cost      * (samples of undecided cells that are not on the surface)
+//      + unused_cost      * (samples of undecided cells that are not on the surface, no outliers)
 //      - handle_cost / 2  * (Euler characteristic of the surface)
 //      + component_cost   * (parts of the body)
 //
@@ -57,6 +57,9 @@ struct CleanUpOptions {
   int decided_rings = 1;  // 0: decided cells are not relabeled by the cut
   double defect_cost = 16;
   double unused_cost = 8;  // a tent over one triangle costs less than 6
+  // A sample that the peel left out is not missed if its spacing exceeds this many times the median
+  // of its neighbors' (sample_spacing.h, by three edges): it would become a spike.
+  double outlier_ratio = 3;
   double handle_cost = 16;
   double idle_cost = 8;  // as much as if they were not on the surface; 0: no clusters
   IdleOptions idle = {};
@@ -68,7 +71,7 @@ struct CleanUpOptions {
 
 struct CleanUpCounters {
   std::size_t undecided_cells = 0;
-  std::size_t left_cells = 0;  // undecided, too, but in clumps that are too large
+  std::size_t left_cells = 0;       // undecided, too, but in clumps that are too large
   std::size_t relabeled_cells = 0;  // by the cut, against the peel
   std::size_t filled_cells = 0;     // OUT cells shut off from infinity, now IN
   std::size_t moves = 0;
@@ -83,6 +86,7 @@ struct CleanUpCounters {
   std::size_t defects_after = 0;
   std::size_t unused_before = 0;
   std::size_t unused_after = 0;
+  std::size_t outliers = 0;     // among those that the peel left out
   std::size_t idle_before = 0;  // idle samples before and after the clusters
   std::size_t idle_after = 0;
 };

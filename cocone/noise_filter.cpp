@@ -1,24 +1,13 @@
 #include "cocone/noise_filter.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "cocone/sample_spacing.h"
 
 namespace cocoon {
 namespace {
 
 constexpr std::size_t grain = 4096;  // vertices a chunk
-
-void collect_neighbors(const Triangulation& triangulation, const VertexStars& stars, VertexId v,
-                       std::vector<VertexId>& neighbors) {
-  neighbors.clear();
-  for (const CellId c : stars.star(v)) {
-    for (const VertexId w : triangulation.cell(c).vertices) {
-      if (w != v && w != infinite_vertex) neighbors.push_back(w);
-    }
-  }
-  std::sort(neighbors.begin(), neighbors.end());
-  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
-}
 
 class Flood {
  public:
@@ -86,20 +75,9 @@ IdVector<VertexId, double> sample_spacing(const Triangulation& triangulation,
                                           const Execution& execution) {
   IdVector<VertexId, double> spacing(triangulation.num_vertices(), 0);
   const auto measure = [&](std::size_t begin, std::size_t end) {
-    std::vector<VertexId> around;
-    std::vector<double> squares;
     for (std::size_t i = begin; i < end; ++i) {
       const VertexId v(i);
-      collect_neighbors(triangulation, stars, v, around);
-      squares.clear();
-      for (const VertexId w : around) {
-        squares.push_back(squared_distance(triangulation.point(v), triangulation.point(w)));
-      }
-      std::sort(squares.begin(), squares.end());
-      squares.resize(std::min(squares.size(), std::max<std::size_t>(1, neighbors)));
-      double sum = 0;
-      for (const double square : squares) sum += square;
-      spacing[v] = std::sqrt(sum / static_cast<double>(squares.size()));
+      spacing[v] = sample_spacing(triangulation, stars.star(v), v, neighbors);
     }
   };
   parallel_chunks(execution, triangulation.num_vertices(), grain, measure);
@@ -115,12 +93,10 @@ VertexSet outlier_samples(const Triangulation& triangulation, const VertexStars&
     std::vector<double> values;
     for (std::size_t i = begin; i < end; ++i) {
       const VertexId v(i);
-      collect_neighbors(triangulation, stars, v, around);
+      collect_neighbors(triangulation, stars.star(v), v, around);
       values.clear();
       for (const VertexId w : around) values.push_back(spacing[w]);
-      const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-      std::nth_element(values.begin(), middle, values.end());
-      outlier[v] = spacing[v] > ratio * *middle ? 1 : 0;
+      outlier[v] = spacing[v] > ratio * upper_median(values) ? 1 : 0;
     }
   };
   parallel_chunks(execution, triangulation.num_vertices(), grain, judge);

@@ -6,8 +6,7 @@
 // sides hardly. So the outside is what infinity reaches through deep intersections of large balls,
 // and the samples that its balls touch are the outer skin of the layer.
 //
-//   spacing   of a sample: root mean square of its shortest Delaunay edges
-//   outlier   a sample whose spacing exceeds outlier_ratio times the median of its neighbors'
+//   spacing   of a sample, and outlier: see sample_spacing.h
 //   large     a ball whose radius exceeds large_ratio times the largest spacing at its cell
 //   deep      the radii of two balls to a common sample make an angle of at most deep_angle
 #pragma once

@@ -184,6 +184,24 @@ TEST(ReconstructTight, DeferredSeedingFindsASphereBehindOutliers) {
   EXPECT_GT(paper.counters.poor_cells, 20 * robust.counters.poor_cells);
 }
 
+// The clean-up pulls samples that the peel left out onto the surface, but not these.
+TEST(ReconstructTight, OutliersMakeNoSpikes) {
+  std::vector<Point> points = shapes::sphere(4000, 8);
+  Random random(12);
+  for (int i = 0; i < 40; ++i)
+    points.push_back(2.2 * (random.in_unit_cube() - Vec3{0.5, 0.5, 0.5}));
+  const auto spikes = [&](double ratio) {
+    ReconstructOptions options;
+    options.clean_up.outlier_ratio = ratio;
+    const ReconstructResult result = reconstruct_tight(points, options);
+    EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+    return std::count_if(result.mesh.points.begin(), result.mesh.points.end(),
+                         [](const Point& p) { return std::abs(norm(p) - 1) > 0.2; });
+  };
+  EXPECT_EQ(spikes(CleanUpOptions().outlier_ratio), 0);
+  EXPECT_GT(spikes(1e6), 10);
+}
+
 TEST(ReconstructTight, ThinPlates) {
   for (const int layers : {2, 3, 12}) {
     const MeshReport report = mesh_check(reconstruct_tight(shapes::plate(40, layers)).mesh);

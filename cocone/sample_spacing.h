@@ -1,0 +1,55 @@
+// How far a sample is from the next ones, and which samples are strikingly far from theirs.
+//
+//   spacing   of a sample: root mean square of its shortest Delaunay edges
+//   outlier   a sample whose spacing exceeds a multiple of the median of its neighbors'
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "delaunay/star_cache.h"
+#include "delaunay/triangulation.h"
+#include "geom/zeroed_array.h"
+
+namespace cocoon {
+
+// The finite Delaunay neighbors of v, ascending; `star`: the cells at v. Complexity: O(star log
+// star).
+void collect_neighbors(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
+                       std::vector<VertexId>& neighbors);
+
+// Of v, from the lengths of that many shortest edges (at least one). In units of the coordinates;
+// sums run in increasing order. Complexity: O(star log star).
+double sample_spacing(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
+                      std::size_t edges);
+
+// The middle one of these values, the upper of two; they change places. Precondition: not empty.
+double upper_median(std::vector<double>& values);
+
+// Answers for few vertices of a triangulation. Not to be shared by threads.
+class OutlierTest {
+ public:
+  // Keeps references, which must outlive the object.
+  OutlierTest(const Triangulation& triangulation, StarCache& stars, std::size_t edges, double ratio)
+      : triangulation_(triangulation),
+        stars_(stars),
+        edges_(edges),
+        ratio_(ratio),
+        spacing_(triangulation.num_vertices()) {}
+
+  // Whether the spacing of v exceeds `ratio` times the median of its neighbors' spacings.
+  // Complexity: O(stars of v and of its neighbors).
+  bool is_outlier(VertexId v);
+
+ private:
+  double spacing(VertexId v);
+
+  const Triangulation& triangulation_;
+  StarCache& stars_;
+  std::size_t edges_;
+  double ratio_;
+  ZeroedArray<VertexId, double> spacing_;  // 0: not yet asked for
+};
+
+}  // namespace cocoon
