@@ -23,8 +23,6 @@
 namespace cocoon {
 namespace {
 
-constexpr std::size_t outlier_edges = 3;  // that make the spacing of a sample
-
 class CleanUp {
  public:
   CleanUp(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
@@ -70,7 +68,7 @@ class CleanUp {
 
  private:
   void leave_out_outliers() {
-    OutlierTest test(triangulation_, stars_, outlier_edges, options_.outlier_ratio);
+    OutlierTest test(triangulation_, stars_, options_.outlier_ratio);
     for (const VertexId v : flaws_.unused) {
       if (!energy_.is_wanted(v) || !test.is_outlier(v)) continue;
       energy_.leave_out(v);

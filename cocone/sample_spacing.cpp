@@ -40,7 +40,7 @@ double upper_median(std::vector<double>& values) {
 }
 
 double OutlierTest::spacing(VertexId v) {
-  if (spacing_[v] == 0) spacing_[v] = sample_spacing(triangulation_, stars_.star(v), v, edges_);
+  if (spacing_[v] == 0) spacing_[v] = sample_spacing(triangulation_, stars_.star(v), v, edges);
   return spacing_[v];
 }
 

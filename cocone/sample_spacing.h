@@ -30,11 +30,12 @@ double upper_median(std::vector<double>& values);
 // Answers for few vertices of a triangulation. Not to be shared by threads.
 class OutlierTest {
  public:
+  static constexpr std::size_t edges = 3;  // that make the spacing of a sample
+
   // Keeps references, which must outlive the object.
-  OutlierTest(const Triangulation& triangulation, StarCache& stars, std::size_t edges, double ratio)
+  OutlierTest(const Triangulation& triangulation, StarCache& stars, double ratio)
       : triangulation_(triangulation),
         stars_(stars),
-        edges_(edges),
         ratio_(ratio),
         spacing_(triangulation.num_vertices()) {}
 
@@ -47,7 +48,6 @@ class OutlierTest {
 
   const Triangulation& triangulation_;
   StarCache& stars_;
-  std::size_t edges_;
   double ratio_;
   ZeroedArray<VertexId, double> spacing_;  // 0: not yet asked for
 };
