@@ -52,7 +52,9 @@ std::vector<Point> bent_cap(ByteReader& bytes) {
 void reconstruct_target(Bytes bytes) {
   ByteReader reader(bytes);
   ReconstructOptions options;
-  options.mode = reader.byte() % 2 == 0 ? Mode::robust : Mode::paper;
+  const std::uint8_t choice = reader.byte();
+  options.mode = choice % 2 == 0 ? Mode::robust : Mode::paper;
+  options.peel.keep_cavities = choice / 2 % 2 != 0;
   const std::vector<Point> points = take_points(reader, most_points);
   try {
     const ReconstructResult tight = reconstruct_tight(points, options);
