@@ -48,6 +48,8 @@ constexpr std::array<Threshold, 18> table{{
      number, [](Options& o) -> Field { return &o.clean_up.idle.ratio; }},
     {"deep-angle", "Clean-up: balls of one cluster meet at this angle at most", 0, 180, angle,
      [](Options& o) -> Field { return &o.clean_up.deep_cosine; }},
+    {"deeper-angle", "Clean-up: balls of the closer clusters that are asked then", 0, 180, angle,
+     [](Options& o) -> Field { return &o.clean_up.deeper_cosine; }},
     {"most-cluster-cells", "Clean-up: larger clusters are not asked", 0, 4e9, whole,
      [](Options& o) -> Field { return &o.clean_up.most_cluster_cells; }},
     {"component-cost", "Clean-up: a part of the body; cheaper parts are dropped", 0, 1e6, number,

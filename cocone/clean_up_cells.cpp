@@ -337,9 +337,12 @@ class CleanUp {
     if (options_.idle_cost == 0 || region_.undecided.empty()) return;
     std::vector<VertexId> idle = idle_samples();
     counters_.idle_before = idle.size();
-    while (flip_clusters_at(idle)) {
-      repair();
-      idle = idle_samples();
+    // The loosest clusters first: walls that they cross are left to closer ones.
+    for (const double cosine : {options_.deep_cosine, options_.deeper_cosine}) {
+      while (flip_clusters_at(idle, cosine)) {
+        repair();
+        idle = idle_samples();
+      }
     }
     counters_.idle_after = idle.size();
   }
@@ -353,13 +356,13 @@ class CleanUp {
     return idle;
   }
 
-  bool flip_clusters_at(const std::vector<VertexId>& idle) {
+  bool flip_clusters_at(const std::vector<VertexId>& idle, double deep_cosine) {
     ZeroedArray<CellId, Asked> asked(triangulation_.num_cells());
     bool flipped = false;
     counters_.large_clusters = 0;
     for (const VertexId v : idle) {
       if (!energy_.is_idle(v)) continue;  // not any more
-      for (const CellCluster& cluster : clusters_at(v, asked)) {
+      for (const CellCluster& cluster : clusters_at(v, deep_cosine, asked)) {
         const std::vector<CellId>& cells = cluster.cells;
         if (!is_attached(cells) || energy_.change(cells) >= 0) continue;
         if (side_split_.splits(cells) || energy_.leaves_out(cells)) continue;
@@ -375,12 +378,13 @@ class CleanUp {
   enum class Asked : std::uint8_t { no = 0, yes, too_large };
 
   // Those that were not asked yet, in canonical order.
-  std::vector<CellCluster> clusters_at(VertexId v, ZeroedArray<CellId, Asked>& asked) {
+  std::vector<CellCluster> clusters_at(VertexId v, double deep_cosine,
+                                       ZeroedArray<CellId, Asked>& asked) {
     std::vector<CellCluster> clusters;
     bool too_large = false;
     for (const CellId c : stars_.star(v)) {
       if (asked[c] == Asked::no && !triangulation_.is_infinite(c)) {
-        CellCluster cluster = cell_cluster(triangulation_, cosines_, out_, c, options_.deep_cosine,
+        CellCluster cluster = cell_cluster(triangulation_, cosines_, out_, c, deep_cosine,
                                            options_.most_cluster_cells, scratch());
         for (std::size_t k = 0; k < cluster.core; ++k) {
           asked[cluster.cells[k]] = cluster.too_large ? Asked::too_large : Asked::yes;

@@ -64,6 +64,8 @@ struct CleanUpOptions {
   double idle_cost = 8;  // as much as if they were not on the surface; 0: no clusters
   IdleOptions idle = {};
   double deep_cosine = 0.9;  // of a cluster: below, walls of thick plates are crossed
+  // Then of closer clusters, at samples that are still idle: above, a hole is several.
+  double deeper_cosine = 0.95;
   // Larger clusters are not asked: the inner cells of a body are one, too.
   std::size_t most_cluster_cells = 10000;
   double component_cost = 100;  // a part is dropped if it uses few samples: fewer than about 12

@@ -92,6 +92,21 @@ TEST(CleanUpCells, HolesSampledAtTheirRimsOnlyAreOpen) {
   EXPECT_EQ(mesh_check(reconstruct_tight(points, filled).mesh).euler, 2);
 }
 
+// A toothed ring with six holes: one has a ball so near those of the wall that loose clusters hold
+// both, and closer ones part them.
+TEST(CleanUpCells, HolesBesideWallsOpenByCloserClusters) {
+  const std::vector<Point> points = vertices_of_model("fixed_top.ply");
+  const ReconstructResult result = reconstruct_tight(points);
+  const MeshReport report = mesh_check(result.mesh);
+  EXPECT_TRUE(report.is_closed_manifold());
+  EXPECT_EQ(report.euler, -12);
+  EXPECT_EQ(report.components, 1U);
+  EXPECT_EQ(result.unused_points, 0U);
+  ReconstructOptions loose;
+  loose.clean_up.deeper_cosine = loose.clean_up.deep_cosine;
+  EXPECT_EQ(mesh_check(reconstruct_tight(points, loose).mesh).euler, -10);
+}
+
 // As the inside of a body would be; it is counted, whatever the order of the points.
 TEST(CleanUpCells, ClustersThatAreTooLargeAreLeftAlone) {
   const std::vector<Point> points = vertices_of_model("plate_holes.stl");
