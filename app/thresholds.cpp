@@ -15,7 +15,7 @@ using enum ThresholdKind;
 using Options = ReconstructOptions;
 using Field = Threshold::Field;
 
-constexpr std::array<Threshold, 18> table{{
+constexpr std::array<Threshold, 19> table{{
     {"keep-angle", "Pruning: two triangles at an edge, flatter than this dihedral angle, stay", 0,
      180, angle, [](Options& o) -> Field { return &o.prune.keep_cosine; }},
     {"fold-angle", "Marking: a dihedral angle of at most this makes both ends of an edge poor", 0,
