@@ -41,8 +41,9 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
 
 // Reads the session, updates it, and writes it back together with the mesh.
 void update_session(const UpdateArguments& arguments, Job& job) {
-  SavedSession saved =
-      timed(job.execution(), "read", [&] { return load_session(arguments.session); });
+  SavedSession saved = timed(job.execution(), "read", [&] {
+    return load_session(arguments.session, {job.execution().threads});
+  });
   saved.parameters.rho = arguments.parameters.rho;
   saved.parameters.verify = arguments.parameters.verify;
   const UpdateOptions options = update_options(saved.parameters);

@@ -89,7 +89,7 @@ class Watch {
   void begin() {
     const std::string model = note_of_model(arguments_.model);
     if (fs::exists(session_file_)) {
-      SavedSession saved = load_session(session_file_);
+      SavedSession saved = load_session(session_file_, {job_.execution().threads});
       if (saved.notes.empty() || saved.notes.front() != model) {
         throw InputError(session_file_ + ": was begun with another model than " + arguments_.model +
                          "; remove it, or name another one by --session");

@@ -216,7 +216,7 @@ void save_session(const std::string& path, const SavedSession& session, FileBatc
   file.commit(batch);
 }
 
-SavedSession load_session(const std::string& path) {
+SavedSession load_session(const std::string& path, const Execution& execution) {
   const FileBytes file = read_file(path);
   const std::string_view content = summed_content(file, magic, "session file");
   const Header header = read_header(path, content);
@@ -233,12 +233,13 @@ SavedSession load_session(const std::string& path) {
   session.notes = lines_of(cursor.take(header.note_bytes));
   cursor.take(round_up_to_8(header.note_bytes) - header.note_bytes);
   if (header.triangulation_bytes > 0) {
-    snapshot.triangulation = parse_triangulation(path, cursor.take(header.triangulation_bytes));
+    snapshot.triangulation =
+        parse_triangulation(path, cursor.take(header.triangulation_bytes), execution);
   }
   snapshot.surface =
       read_surface(path, cursor.take(header.surface_bytes), header, snapshot.triangulation);
   try {
-    check_snapshot(snapshot);
+    check_snapshot(snapshot, execution);
   } catch (const InputError& error) {
     throw file_error(path, error.what());
   }

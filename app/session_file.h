@@ -43,6 +43,6 @@ void save_session(const std::string& path, const SavedSession& session, FileBatc
 
 // Before anything is believed: checksum, length, ranges, and that model, points and triangulation
 // fit together. Memory is proportional to the length of the file. Errors: FileError, one line.
-SavedSession load_session(const std::string& path);
+SavedSession load_session(const std::string& path, const Execution& execution = {});
 
 }  // namespace cocoon::app

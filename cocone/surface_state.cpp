@@ -4,6 +4,7 @@
 #include <string>
 
 #include "geom/errors.h"
+#include "geom/parallel_reduce.h"
 
 namespace cocoon {
 namespace {
@@ -13,8 +14,12 @@ void require(bool condition, const char* what) {
     throw InputError(std::string("what is known of the surface does not fit: ") + what);
 }
 
-void require(bool condition, const char* what, CellId c) {
-  if (!condition) require(false, (what + std::to_string(c.value)).c_str());
+template <class Holds>
+void require_at_cells(const Execution& execution, std::size_t cells, const char* what,
+                      const Holds& holds) {
+  const std::size_t wrong =
+      first_failing(execution, cells, [&](std::size_t c) { return holds(CellId(c)); });
+  if (wrong < cells) require(false, (what + std::to_string(wrong)).c_str());
 }
 
 template <class Range, class Test>
@@ -35,41 +40,38 @@ bool is_possible(const Triangulation& triangulation, const CandidateState& state
   return candidate != 0 && (pruned & 1U) == 0 && triangulation.is_finite_facet(f);
 }
 
-void check_cells(const Triangulation& triangulation, const CandidateState& state) {
-  for (const CellId c : triangulation.cells()) {
-    const unsigned flags = state.cell_flags[c];
-    const unsigned kind = triangulation.is_infinite(c) ? cell_flag::infinite : cell_flag::finite;
-    require((flags & (cell_flag::infinite | cell_flag::finite)) == kind && state.pruned[c] < 16,
-            "flags of cell ", c);
-    const unsigned facets = (flags & cell_flag::candidate_facets) | state.pruned[c];
-    for (int i = 0; (facets >> i) != 0; ++i) {
-      require(((facets >> i) & 1U) == 0 || is_possible(triangulation, state, facet_id(c, i)),
-              "a candidate of cell ", c);
-    }
+bool is_possible(const Triangulation& triangulation, const CandidateState& state, CellId c) {
+  const unsigned flags = state.cell_flags[c];
+  const unsigned kind = triangulation.is_infinite(c) ? cell_flag::infinite : cell_flag::finite;
+  bool possible =
+      (flags & (cell_flag::infinite | cell_flag::finite)) == kind && state.pruned[c] < 16;
+  const unsigned facets = (flags & cell_flag::candidate_facets) | state.pruned[c];
+  for (int i = 0; possible && (facets >> i) != 0; ++i) {
+    if (((facets >> i) & 1U) != 0) possible = is_possible(triangulation, state, facet_id(c, i));
   }
+  return possible;
 }
 
 // Facets of the surface are candidates that were not pruned; each has an outer and an inner side.
-void check_sides(const Triangulation& triangulation, const SurfaceState& state) {
+bool has_possible_sides(const Triangulation& triangulation, const SurfaceState& state, CellId c) {
   constexpr unsigned both = side_flag::outer | side_flag::inner;
-  for (const CellId c : triangulation.cells()) {
-    const unsigned sides = state.sides[c];
-    const unsigned on_surface = (sides | sides >> 4) & 15U;
-    const unsigned left = state.candidates.cell_flags[c] & ~unsigned{state.candidates.pruned[c]};
-    bool possible = (on_surface & ~left) == 0;
-    for (int i = 0; (on_surface >> i) != 0; ++i) {
-      if (((on_surface >> i) & 1U) == 0) continue;
-      const unsigned here = flags_at(state.sides, facet_id(c, i)) & both;
-      const unsigned behind = flags_at(state.sides, triangulation.mirror(facet_id(c, i))) & both;
-      possible = possible && here != both && here + behind == both;
-    }
-    require(possible, "a side of cell ", c);
+  const unsigned sides = state.sides[c];
+  const unsigned on_surface = (sides | sides >> 4) & 15U;
+  const unsigned left = state.candidates.cell_flags[c] & ~unsigned{state.candidates.pruned[c]};
+  bool possible = (on_surface & ~left) == 0;
+  for (int i = 0; (on_surface >> i) != 0; ++i) {
+    if (((on_surface >> i) & 1U) == 0) continue;
+    const unsigned here = flags_at(state.sides, facet_id(c, i)) & both;
+    const unsigned behind = flags_at(state.sides, triangulation.mirror(facet_id(c, i))) & both;
+    possible = possible && here != both && here + behind == both;
   }
+  return possible;
 }
 
 }  // namespace
 
-void check_surface_state(const Triangulation& triangulation, const SurfaceState& state) {
+void check_surface_state(const Triangulation& triangulation, const SurfaceState& state,
+                         const Execution& execution) {
   if (state.empty()) return;
   const CandidateState& candidates = state.candidates;
   const std::size_t vertices = triangulation.num_vertices();
@@ -85,8 +87,11 @@ void check_surface_state(const Triangulation& triangulation, const SurfaceState&
       candidates.vertex_flags, [](unsigned flags) { return flags < 8; }, "a vertex");
   require_all(
       candidates.samples, [](SampleState s) { return s <= SampleState::interior; }, "a sample");
-  check_cells(triangulation, candidates);
-  if (!state.sides.empty()) check_sides(triangulation, state);
+  require_at_cells(execution, cells, "flags of cell ",
+                   [&](CellId c) { return is_possible(triangulation, candidates, c); });
+  if (state.sides.empty()) return;
+  require_at_cells(execution, cells, "a side of cell ",
+                   [&](CellId c) { return has_possible_sides(triangulation, state, c); });
 }
 
 }  // namespace cocoon

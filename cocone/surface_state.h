@@ -7,6 +7,7 @@
 
 #include "cocone/boundary_samples.h"
 #include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/point.h"
 
@@ -69,6 +70,7 @@ struct SurfaceState {
 // Throws InputError, one line, unless sizes are those of the triangulation, every value is one that
 // can be, and both sides of each facet say the same. Whether all this is what the stages would find
 // is not looked at. Complexity: O(cells).
-void check_surface_state(const Triangulation& triangulation, const SurfaceState& state);
+void check_surface_state(const Triangulation& triangulation, const SurfaceState& state,
+                         const Execution& execution = {});
 
 }  // namespace cocoon

@@ -28,4 +28,17 @@ T parallel_reduce(const Execution& execution, std::size_t count, const T& identi
   return result;
 }
 
+// The smallest index below `count` for which holds(index) is false; `count` if there is none.
+// Complexity: a call for each index up to there, and some beyond.
+template <class Holds>
+std::size_t first_failing(const Execution& execution, std::size_t count, const Holds& holds) {
+  return parallel_reduce(
+      execution, count, count,
+      [&](std::size_t begin, std::size_t end) {
+        while (begin < end && holds(begin)) ++begin;
+        return begin < end ? begin : count;
+      },
+      [](std::size_t a, std::size_t b) { return std::min(a, b); });
+}
+
 }  // namespace cocoon

@@ -7,6 +7,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "geom/large_pages.h"
+
 namespace cocoon {
 
 namespace {
@@ -49,6 +51,7 @@ FileBytes read_file(const std::filesystem::path& path) {
                              ? static_cast<std::size_t>(status.st_size) + 1
                              : growth_step;
   file.data.reset(new char[capacity]);
+  prefer_large_pages(file.data.get(), capacity);
   while (true) {
     if (file.size == capacity) {
       capacity += std::max(capacity, growth_step);

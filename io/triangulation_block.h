@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "io/summed_file.h"
 
 namespace cocoon {
@@ -17,6 +18,7 @@ std::size_t triangulation_block_size(const Triangulation& triangulation);
 
 // `bytes` are a block as a whole. All checks of load_triangulation but that of the checksum.
 // `path`: for messages. Errors: FileError.
-Triangulation parse_triangulation(const std::filesystem::path& path, std::string_view bytes);
+Triangulation parse_triangulation(const std::filesystem::path& path, std::string_view bytes,
+                                  const Execution& execution = {});
 
 }  // namespace cocoon

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "delaunay/check_delaunay.h"
+#include "geom/large_pages.h"
+#include "geom/parallel_reduce.h"
 #include "io/byte_order.h"
 #include "io/file_bytes.h"
 #include "io/summed_file.h"
@@ -71,6 +73,7 @@ TriangulationArrays read_arrays(std::string_view bytes, const Header& header) {
   arrays.points.resize(header.vertices);
   take(double{}, arrays.points.span());
   arrays.cells.resize_for_overwrite(header.cells);
+  prefer_large_pages(arrays.cells.raw());
   take(std::uint32_t{}, arrays.cells.span());
   arrays.vertex_of_point.resize(header.points);
   take(std::uint32_t{}, arrays.vertex_of_point.span());
@@ -110,35 +113,38 @@ bool has_mutual_neighbors(const IdVector<CellId, Cell>& cells, CellId c) {
   return true;
 }
 
+// Throws for the first of `count` elements for which holds(id) is false.
+template <class IdType, class Holds>
+void require_all(const std::filesystem::path& path, const Execution& execution, std::size_t count,
+                 const char* element, const char* what, const Holds& holds) {
+  const std::size_t wrong =
+      first_failing(execution, count, [&](std::size_t i) { return holds(IdType(i)); });
+  if (wrong == count) return;
+  throw file_error(path, std::string(element) + " " + std::to_string(wrong) + " " + what +
+                             ": this is no triangulation");
+}
+
 // The checksum was right, so whatever is wrong here was written so.
 void validate(const std::filesystem::path& path, const Header& header,
-              const TriangulationArrays& arrays) {
-  const auto require = [&](bool condition, const char* element, std::size_t id, const char* what) {
-    if (condition) return;
-    throw file_error(path, std::string(element) + " " + std::to_string(id) + " " + what +
-                               ": this is no triangulation");
-  };
-  for (const VertexId v : arrays.points.ids()) {
-    require(is_finite(arrays.points[v]), "vertex", v.index(),
-            "has a coordinate that is not finite");
-  }
-  for (const CellId c : arrays.cells.ids()) {
-    require(is_well_formed(arrays.cells[c], c.index() >= header.finite_cells, header.vertices),
-            "cell", c.index(), "has a vertex out of range or out of place");
-  }
-  for (const CellId c : arrays.cells.ids()) {
-    require(has_mutual_neighbors(arrays.cells, c), "cell", c.index(),
-            "and one of its neighbors do not name each other");
-  }
+              const TriangulationArrays& arrays, const Execution& execution) {
+  require_all<VertexId>(path, execution, header.vertices, "vertex",
+                        "has a coordinate that is not finite",
+                        [&](VertexId v) { return is_finite(arrays.points[v]); });
+  require_all<CellId>(path, execution, header.cells, "cell",
+                      "has a vertex out of range or out of place", [&](CellId c) {
+                        return is_well_formed(arrays.cells[c], c.index() >= header.finite_cells,
+                                              header.vertices);
+                      });
+  require_all<CellId>(path, execution, header.cells, "cell",
+                      "and one of its neighbors do not name each other",
+                      [&](CellId c) { return has_mutual_neighbors(arrays.cells, c); });
+  require_all<PointId>(
+      path, execution, header.points, "point", "has a vertex out of range",
+      [&](PointId p) { return arrays.vertex_of_point[p].index() < header.vertices; });
   IdVector<VertexId, std::uint8_t> has_point(header.vertices, 0);
-  for (const PointId p : arrays.vertex_of_point.ids()) {
-    const VertexId v = arrays.vertex_of_point[p];
-    require(v.index() < header.vertices, "point", p.index(), "has a vertex out of range");
-    has_point[v] = 1;
-  }
-  for (const VertexId v : has_point.ids()) {
-    require(has_point[v] != 0, "vertex", v.index(), "has no input point");
-  }
+  for (const VertexId v : arrays.vertex_of_point) has_point[v] = 1;
+  require_all<VertexId>(path, execution, header.vertices, "vertex", "has no input point",
+                        [&](VertexId v) { return has_point[v] != 0; });
 }
 
 }  // namespace
@@ -163,7 +169,8 @@ std::size_t triangulation_block_size(const Triangulation& triangulation) {
   return header.file_size() - checksum_size;
 }
 
-Triangulation parse_triangulation(const std::filesystem::path& path, std::string_view bytes) {
+Triangulation parse_triangulation(const std::filesystem::path& path, std::string_view bytes,
+                                  const Execution& execution) {
   if (bytes.substr(0, magic.size()) != magic) {
     throw file_error(path, "this is no triangulation file: it does not begin with COCOONDT");
   }
@@ -172,7 +179,7 @@ Triangulation parse_triangulation(const std::filesystem::path& path, std::string
   }
   const Header header = read_header(path, bytes);
   TriangulationArrays arrays = read_arrays(bytes, header);
-  validate(path, header, arrays);
+  validate(path, header, arrays, execution);
   return Triangulation(std::move(arrays), header.finite_cells);
 }
 
@@ -193,7 +200,8 @@ Triangulation load_triangulation(const std::filesystem::path& path,
     if (file.size >= header_size + checksum_size && file.view().substr(0, magic.size()) == magic) {
       read_header(path, file.view().substr(0, file.size - checksum_size));
     }
-    triangulation = parse_triangulation(path, summed_content(file, magic, "triangulation file"));
+    triangulation =
+        parse_triangulation(path, summed_content(file, magic, "triangulation file"), execution);
   }
   if (options.certify) {
     const DelaunayReport report = check_delaunay(triangulation, {}, execution);

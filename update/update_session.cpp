@@ -17,7 +17,7 @@ void require(bool condition, const char* what) {
 
 }  // namespace
 
-void check_snapshot(const SessionSnapshot& snapshot) {
+void check_snapshot(const SessionSnapshot& snapshot, const Execution& execution) {
   const std::size_t vertices = snapshot.model.points.size();
   require(std::all_of(snapshot.points.begin(), snapshot.points.end(),
                       [](const Point& p) { return is_finite(p); }),
@@ -46,7 +46,7 @@ void check_snapshot(const SessionSnapshot& snapshot) {
             "a vertex of the triangulation is none of the points");
   }
   try {
-    check_surface_state(triangulation, snapshot.surface);
+    check_surface_state(triangulation, snapshot.surface, execution);
   } catch (const InputError& error) {
     require(false, error.what());
   }

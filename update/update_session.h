@@ -31,7 +31,7 @@ struct SessionSnapshot {
 // Throws InputError, one line, if the parts do not fit together or a coordinate is not finite;
 // whether the triangulation is a Delaunay triangulation is for its reader to know. Complexity:
 // O(n).
-void check_snapshot(const SessionSnapshot& snapshot);
+void check_snapshot(const SessionSnapshot& snapshot, const Execution& execution = {});
 
 // Whether whoever hands a snapshot over has done that.
 enum class SnapshotCheck { to_be_done, done };
