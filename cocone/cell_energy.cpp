@@ -146,15 +146,15 @@ Energy CellEnergy::flip_change(CellId c) {
 // The same, remembered until cells at its vertices change sides for good: many sets begin with the
 // same cell.
 Energy CellEnergy::flip_change_now(CellId c) {
-  auto& [change, state] = flips_now_[c];
+  FlipNow& flip = flips_now_[c];
   const auto& vertices = triangulation_.cell(c).vertices;
-  const bool known = state != 0 && std::all_of(vertices.begin(), vertices.end(),
-                                               [&](VertexId v) { return changed_[v] <= state; });
+  const bool known =
+      flip.state != 0 && std::all_of(vertices.begin(), vertices.end(),
+                                     [&](VertexId v) { return changed_[v] <= flip.state; });
   if (!known) {
-    change = flip_change(c);
-    state = state_;
+    flip = {flip_change(c), state_};
   }
-  return change;
+  return flip.change;
 }
 
 // Remembers it until cells at the vertex change sides for good.
