@@ -82,17 +82,6 @@ class CleanUp {
     return std::max(options_.most_clump_cells, static_cast<std::size_t>(share));
   }
 
-  // Is it undecided, and in a clump that is too large?
-  bool is_left(CellId c) const {
-    if (region_.left_cells == 0) return false;
-    const auto& vertices = triangulation_.cell(c).vertices;
-    if (std::any_of(vertices.begin(), vertices.end(),
-                    [&](VertexId v) { return marks_.good[v] != 0; })) {
-      return false;
-    }
-    return !std::binary_search(region_.undecided.begin(), region_.undecided.end(), c);
-  }
-
   // The cells that take part in the cut, in the order of memory: the undecided ones and, at a
   // price, decided ones around them.
   std::vector<CellId> free_cells() const {
@@ -108,7 +97,7 @@ class CleanUp {
         const auto& vertices = triangulation_.cell(c).vertices;
         const bool at_free =
             std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) { return near[v] != 0; });
-        if (at_free && !is_left(c)) cells.push_back(c);
+        if (at_free && !is_left(triangulation_, marks_, region_, c)) cells.push_back(c);
       }
     }
     return cells;

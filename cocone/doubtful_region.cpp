@@ -99,4 +99,15 @@ DoubtfulRegion find_doubtful_region(const Triangulation& triangulation, const Ce
   return region;
 }
 
+bool is_left(const Triangulation& triangulation, const CellMarks& marks,
+             const DoubtfulRegion& region, CellId c) {
+  if (region.left_cells == 0) return false;
+  const auto& vertices = triangulation.cell(c).vertices;
+  if (std::any_of(vertices.begin(), vertices.end(),
+                  [&](VertexId v) { return marks.good[v] != 0; })) {
+    return false;
+  }
+  return !std::binary_search(region.undecided.begin(), region.undecided.end(), c);
+}
+
 }  // namespace cocoon

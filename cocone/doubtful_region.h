@@ -32,4 +32,8 @@ DoubtfulRegion find_doubtful_region(
     const Triangulation& triangulation, const CellMarks& marks,
     std::size_t most_cells = std::numeric_limits<std::size_t>::max());
 
+// Is the cell undecided, and in a clump that was left to the peel? Complexity: O(log cells).
+bool is_left(const Triangulation& triangulation, const CellMarks& marks,
+             const DoubtfulRegion& region, CellId c);
+
 }  // namespace cocoon
