@@ -95,7 +95,7 @@ class Cursor {
   template <class T, class Container>
   void fill(Container& records, std::size_t count) {
     records.resize(count);
-    const std::span all(&*records.begin(), count);
+    const std::span all(records.begin(), records.end());
     load_numbers<T>(at_, std::endian::little, all);
     at_ += all.size_bytes();
   }
