@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "delaunay/circulate.h"
+#include "geom/disjoint_sets.h"
 
 namespace cocoon {
 namespace {
@@ -38,25 +39,11 @@ FacetId first_met(const TriangulationView& view, const LiveCandidates& candidate
   }
 }
 
-// Which of some vertices hang together.
-class Parts {
- public:
-  explicit Parts(std::size_t count) {
-    for (const VertexId v : id_range<VertexId>(count)) parent_.push_back(v);
-  }
-  VertexId root(VertexId v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(const std::array<VertexId, 3>& v) {
-    parent_[root(v[1])] = root(v[0]);
-    parent_[root(v[2])] = root(v[0]);
-  }
-  bool is_root(VertexId v) const { return parent_[v] == v; }
-
- private:
-  IdVector<VertexId, VertexId> parent_;
-};
+// Joins the vertices of a triangle; returns how many parts there are fewer for that.
+std::size_t join_corners(DisjointSets& parts, const std::array<VertexId, 3>& v) {
+  return (parts.join(v[0].value, v[1].value) ? 1U : 0U) +
+         (parts.join(v[0].value, v[2].value) ? 1U : 0U);
+}
 
 }  // namespace
 
@@ -311,22 +298,19 @@ bool CertifiedSurface::holds_first_hull_candidate(const TriangulationView& view,
 // at.
 bool CertifiedSurface::is_connected(const DynamicDelaunay& delaunay,
                                     const LocalFacets& surface) const {
-  Parts local(surface.num_vertices());
-  for (const Triangle& t : surface.triangles.corners) local.join(t);
-  std::size_t parts = 0;
-  for (const VertexId v : surface.vertex_in_whole.ids()) parts += local.is_root(v) ? 1U : 0U;
+  DisjointSets local(surface.num_vertices());
+  std::size_t parts = surface.num_vertices();
+  for (const Triangle& t : surface.triangles.corners) parts -= join_corners(local, t);
   if (parts <= 1) return true;
 
   const TriangulationView view = delaunay.view();
-  Parts whole(delaunay.num_vertex_slots());
+  DisjointSets whole(delaunay.num_vertex_slots());
+  parts = delaunay.num_vertices();
   for (const CellId c : sides_.ids()) {
     for (int i = 0; (sides_[c] & 15U) != 0 && i < 4; ++i) {
-      if (is(side_flag::outer, facet_id(c, i))) whole.join(view.facet_vertices(facet_id(c, i)));
+      const FacetId f = facet_id(c, i);
+      if (is(side_flag::outer, f)) parts -= join_corners(whole, view.facet_vertices(f));
     }
-  }
-  parts = 0;
-  for (const VertexId v : id_range<VertexId>(delaunay.num_vertex_slots())) {
-    parts += delaunay.contains(v) && whole.is_root(v) ? 1U : 0U;
   }
   return parts == 1;
 }
