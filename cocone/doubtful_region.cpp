@@ -7,13 +7,17 @@
 namespace cocoon {
 namespace {
 
+// Precondition: a finite cell.
+bool is_undecided(const Triangulation& triangulation, const CellMarks& marks, CellId c) {
+  const auto& vertices = triangulation.cell(c).vertices;
+  return std::none_of(vertices.begin(), vertices.end(),
+                      [&](VertexId v) { return marks.good[v] != 0; });
+}
+
 std::vector<CellId> undecided_cells(const Triangulation& triangulation, const CellMarks& marks) {
   std::vector<CellId> undecided;
   for (const CellId c : triangulation.finite_cells()) {
-    const auto& vertices = triangulation.cell(c).vertices;
-    const bool decided = std::any_of(vertices.begin(), vertices.end(),
-                                     [&](VertexId v) { return marks.good[v] != 0; });
-    if (!decided) undecided.push_back(c);
+    if (is_undecided(triangulation, marks, c)) undecided.push_back(c);
   }
   return undecided;
 }
@@ -101,13 +105,8 @@ DoubtfulRegion find_doubtful_region(const Triangulation& triangulation, const Ce
 
 bool is_left(const Triangulation& triangulation, const CellMarks& marks,
              const DoubtfulRegion& region, CellId c) {
-  if (region.left_cells == 0) return false;
-  const auto& vertices = triangulation.cell(c).vertices;
-  if (std::any_of(vertices.begin(), vertices.end(),
-                  [&](VertexId v) { return marks.good[v] != 0; })) {
-    return false;
-  }
-  return !std::binary_search(region.undecided.begin(), region.undecided.end(), c);
+  return region.left_cells != 0 && is_undecided(triangulation, marks, c) &&
+         !std::binary_search(region.undecided.begin(), region.undecided.end(), c);
 }
 
 }  // namespace cocoon
