@@ -75,9 +75,10 @@ IdVector<VertexId, double> sample_spacing(const Triangulation& triangulation,
                                           const Execution& execution) {
   IdVector<VertexId, double> spacing(triangulation.num_vertices(), 0);
   const auto measure = [&](std::size_t begin, std::size_t end) {
+    SpacingBuffers buffers;
     for (std::size_t i = begin; i < end; ++i) {
       const VertexId v(i);
-      spacing[v] = sample_spacing(triangulation, stars.star(v), v, neighbors);
+      spacing[v] = sample_spacing(triangulation, stars.star(v), v, neighbors, buffers);
     }
   };
   parallel_chunks(execution, triangulation.num_vertices(), grain, measure);
@@ -96,7 +97,7 @@ VertexSet outlier_samples(const Triangulation& triangulation, const VertexStars&
       collect_neighbors(triangulation, stars.star(v), v, around);
       values.clear();
       for (const VertexId w : around) values.push_back(spacing[w]);
-      outlier[v] = spacing[v] > ratio * upper_median(values) ? 1 : 0;
+      outlier[v] = is_outlying(spacing[v], ratio, values) ? 1 : 0;
     }
   };
   parallel_chunks(execution, triangulation.num_vertices(), grain, judge);

@@ -18,11 +18,10 @@ void collect_neighbors(const Triangulation& triangulation, std::span<const CellI
 }
 
 double sample_spacing(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
-                      std::size_t edges) {
-  std::vector<VertexId> around;
+                      std::size_t edges, SpacingBuffers& buffers) {
+  auto& [around, squares] = buffers;
   collect_neighbors(triangulation, star, v, around);
-  std::vector<double> squares;
-  squares.reserve(around.size());
+  squares.clear();
   for (const VertexId w : around) {
     squares.push_back(squared_distance(triangulation.point(v), triangulation.point(w)));
   }
@@ -33,14 +32,17 @@ double sample_spacing(const Triangulation& triangulation, std::span<const CellId
   return std::sqrt(sum / static_cast<double>(squares.size()));
 }
 
-double upper_median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+bool is_outlying(double spacing, double ratio, std::vector<double>& spacings_around) {
+  const auto middle =
+      spacings_around.begin() + static_cast<std::ptrdiff_t>(spacings_around.size() / 2);
+  std::nth_element(spacings_around.begin(), middle, spacings_around.end());
+  return spacing > ratio * *middle;
 }
 
 double OutlierTest::spacing(VertexId v) {
-  if (spacing_[v] == 0) spacing_[v] = sample_spacing(triangulation_, stars_.star(v), v, edges);
+  if (spacing_[v] == 0) {
+    spacing_[v] = sample_spacing(triangulation_, stars_.star(v), v, edges, buffers_);
+  }
   return spacing_[v];
 }
 
@@ -50,7 +52,7 @@ bool OutlierTest::is_outlier(VertexId v) {
   std::vector<double> spacings;
   spacings.reserve(around.size());
   for (const VertexId w : around) spacings.push_back(spacing(w));
-  return spacing(v) > ratio_ * upper_median(spacings);
+  return is_outlying(spacing(v), ratio_, spacings);
 }
 
 }  // namespace cocoon

@@ -19,13 +19,20 @@ namespace cocoon {
 void collect_neighbors(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
                        std::vector<VertexId>& neighbors);
 
+// Room for the work at one sample, to be used for the next.
+struct SpacingBuffers {
+  std::vector<VertexId> around;
+  std::vector<double> squares;
+};
+
 // Of v, from the lengths of that many shortest edges (at least one). In units of the coordinates;
 // sums run in increasing order. Complexity: O(star log star).
 double sample_spacing(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
-                      std::size_t edges);
+                      std::size_t edges, SpacingBuffers& buffers);
 
-// The middle one of these values, the upper of two; they change places. Precondition: not empty.
-double upper_median(std::vector<double>& values);
+// Whether a spacing exceeds `ratio` times the median of the neighbors' spacings, the upper one of
+// two; these change places. Precondition: there are neighbors. Complexity: O(neighbors).
+bool is_outlying(double spacing, double ratio, std::vector<double>& spacings_around);
 
 // Answers for few vertices of a triangulation. Not to be shared by threads.
 class OutlierTest {
@@ -50,6 +57,7 @@ class OutlierTest {
   StarCache& stars_;
   double ratio_;
   ZeroedArray<VertexId, double> spacing_;  // 0: not yet asked for
+  SpacingBuffers buffers_;
 };
 
 }  // namespace cocoon
