@@ -22,6 +22,15 @@ T load_number(const char* bytes, std::endian order) {
   return value;
 }
 
+// Turns the bytes of each number of that width around. Precondition: whole numbers.
+inline void reverse_each(std::span<char> numbers, std::size_t width) {
+  for (auto at = numbers.begin(); at != numbers.end();) {
+    const auto next = at + static_cast<std::ptrdiff_t>(width);
+    std::reverse(at, next);
+    at = next;
+  }
+}
+
 // The numbers of type T that the records are made of, one after the other, from the bytes of a
 // file. Precondition: there are as many bytes as `records` has. Complexity: O(bytes), a copy where
 // the order is this machine's.
@@ -32,10 +41,7 @@ void load_numbers(const char* bytes, std::endian order, std::span<Record> record
   if (records.empty()) return;
   std::memcpy(static_cast<void*>(records.data()), bytes, records.size_bytes());
   if (order == std::endian::native) return;
-  char* at = reinterpret_cast<char*>(records.data());
-  for (std::size_t i = 0; i < records.size_bytes(); i += sizeof(T)) {
-    std::reverse(at + i, at + i + sizeof(T));
-  }
+  reverse_each({reinterpret_cast<char*>(records.data()), records.size_bytes()}, sizeof(T));
 }
 
 template <class T>

@@ -20,9 +20,7 @@ void SummedFile::append_in_order(const char* numbers, std::size_t size, std::siz
   const std::size_t begin = bytes_.size();
   bytes_.append(numbers, size);
   if (std::endian::native == std::endian::little) return;
-  for (std::size_t i = begin; i < bytes_.size(); i += width) {
-    std::reverse(bytes_.data() + i, bytes_.data() + i + width);
-  }
+  reverse_each(std::span(bytes_).subspan(begin), width);
 }
 
 void SummedFile::commit(FileBatch* batch) {
