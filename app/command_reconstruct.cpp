@@ -41,7 +41,7 @@ ReconstructOptions options_of(const ReconstructArguments& arguments) {
       surface_options(arguments.parameters,
                       arguments.surface == "tight" ? ReconstructOptions() : open_cloud_defaults());
   options.clean_up.enabled = arguments.clean_up;
-  options.peel.keep_cavities = arguments.cavities;
+  options.keep_cavities = arguments.cavities;
   set_thresholds(options, arguments.thresholds);
   return options;
 }
@@ -103,7 +103,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
 
   add_parameters(job.report(), options);
   add_thresholds(job.report(), options);
-  job.report().set("parameters/cavities", effective_options(options).peel.keep_cavities);
+  job.report().set("parameters/cavities", effective_options(options).keep_cavities);
   job.report().set("parameters/clean_up", effective_options(options).clean_up.enabled);
   add_reconstruction(job.report(), result, certificate);
   job.say("{} points ({} duplicates, {} not on the surface), {} tetrahedra", result.points,

@@ -39,7 +39,7 @@ const std::vector<Method>& methods() {
       {"ours, paper", [](Points p) { return reconstruct_tight(p, {.mode = Mode::paper}).mesh; }},
       {"ours", [](Points p) { return reconstruct_tight(p).mesh; }},
       {"ours, cavities",
-       [](Points p) { return reconstruct_tight(p, {.peel = {.keep_cavities = true}}).mesh; }},
+       [](Points p) { return reconstruct_tight(p, {.keep_cavities = true}).mesh; }},
       {"ours, noise robust", [](Points p) { return reconstruct_robust(p).surface.mesh; }},
       {"CGAL advancing front", [](Points p) { return rivals::cgal_advancing_front(p).mesh; }},
       {"CGAL scale space", [](Points p) { return rivals::cgal_scale_space(p).mesh; }}};
@@ -60,13 +60,22 @@ std::string caption_of(const Quality& q) {
   return text;
 }
 
-void begin_row(PictureSheet& pictures, const QualityModel& model, const Box& frame) {
-  pictures.begin_row(model.name);
-  pictures.add("true surface", thumbnail_bmp(model.truth, frame, picture_size),
-               std::to_string(model.points.size()) + " points", true);
+// Pictures are made if there is a sheet for them.
+void begin_row(PictureSheet* pictures, const QualityModel& model, const Box& frame) {
+  if (pictures == nullptr) return;
+  pictures->begin_row(model.name);
+  pictures->add("true surface", thumbnail_bmp(model.truth, frame, picture_size),
+                std::to_string(model.points.size()) + " points", true);
 }
 
-void measure(const QualityModel& model, PictureSheet& pictures) {
+void add_picture(PictureSheet* pictures, const char* method, const TriangleMesh& mesh,
+                 const Quality& q, const Box& frame) {
+  if (pictures == nullptr) return;
+  pictures->add(method, thumbnail_bmp(mesh, frame, picture_size), caption_of(q),
+                q.closed && q.extra_components == 0 && q.extra_genus == 0);
+}
+
+void measure(const QualityModel& model, PictureSheet* pictures) {
   const Box frame = box_of(model.truth.points.span());
   begin_row(pictures, model, frame);
   for (const Method& method : methods()) {
@@ -82,8 +91,7 @@ void measure(const QualityModel& model, PictureSheet& pictures) {
                 q.manifold ? "yes" : "no", q.extra_components, q.extra_genus, q.mean, q.rms, q.max,
                 q.normal_deg, q.unused, seconds);
     std::fflush(stdout);
-    pictures.add(method.name, thumbnail_bmp(mesh, frame, picture_size), caption_of(q),
-                 q.closed && q.extra_components == 0 && q.extra_genus == 0);
+    add_picture(pictures, method.name, mesh, q, frame);
   }
 }
 
@@ -114,7 +122,8 @@ void run(const Arguments& arguments) {
   const auto wanted = [&](const QualityModel& model) {
     return model.name.find(arguments.only) != std::string::npos;
   };
-  PictureSheet pictures("Reconstructions of known surfaces");
+  PictureSheet sheet("Reconstructions of known surfaces");
+  PictureSheet* const pictures = arguments.pictures.empty() ? nullptr : &sheet;
   std::puts("\nShapes");
   print_header();
   for (const QualityModel& model : quality_models(arguments.points)) {
@@ -132,7 +141,7 @@ void run(const Arguments& arguments) {
     stray.name += ", 1 % outliers";
     if (wanted(stray)) measure(stray, pictures);
   }
-  if (!arguments.pictures.empty()) pictures.write(arguments.pictures);
+  if (pictures != nullptr) pictures->write(arguments.pictures);
 }
 
 }  // namespace

@@ -20,9 +20,6 @@ struct PeelOptions {
   // surface) next to a reached cell is taken as OUT, marked from its good vertices, and the peel
   // goes on; one at a time. False, as in the paper: they are demoted to poor and peeled.
   bool deferred_seeding = true;
-  // Whether closed surfaces inside the body bound hollows of it (open_cavities). False, as in the
-  // paper: they are left out.
-  bool keep_cavities = false;
 };
 
 struct CavityCounters {

@@ -136,7 +136,7 @@ class Reconstruction {
       ReconstructCounters& counters = result_.counters;
       counters.clean_up =
           clean_up_cells(triangulation_, dual_, poles_, marks, options_.clean_up, nested);
-      if (options_.peel.keep_cavities) {
+      if (options_.keep_cavities) {
         counters.cavities = open_cavities(triangulation_, surface_.triangles.set, marks);
       }
       deliver(surface_between(triangulation_, marks));
@@ -240,7 +240,7 @@ ReconstructOptions effective_options(ReconstructOptions options) {
   if (options.mode == Mode::paper) {
     options.boundary.radius_mode = RadiusMode::cocone;
     options.peel.deferred_seeding = false;
-    options.peel.keep_cavities = false;
+    options.keep_cavities = false;
     options.clean_up.enabled = false;
   }
   return options;

@@ -33,8 +33,7 @@ enum class SurfaceStatus {
 
 enum class Mode {
   paper,   // as published: radius_mode = cocone, no deferred seeding, no cavities, no clean-up,
-           // whatever the
-           // options say
+           // whatever the options say
   robust,  // the options as they are
 };
 
@@ -48,6 +47,9 @@ struct ReconstructOptions {
   GoodVertexOptions good_vertices = {};
   PeelOptions peel = {};
   CleanUpOptions clean_up = {};  // reconstruct_tight, robust mode only
+  // reconstruct_tight, robust mode only: whether closed surfaces inside the body bound hollows of
+  // it (open_cavities, after the clean-up). False, as in the paper: they are left out.
+  bool keep_cavities = false;
   // Verify triangulation and surface (verify_surface.h) before they are believed. What is refuted
   // is not delivered: the mesh is left empty.
   bool verify = false;

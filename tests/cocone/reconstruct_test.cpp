@@ -122,7 +122,7 @@ TEST(ReconstructTight, InnerSphereIsDropped) {
 
 ReconstructResult hollow(const std::vector<Point>& points) {
   ReconstructOptions options;
-  options.peel.keep_cavities = true;
+  options.keep_cavities = true;
   return reconstruct_tight(points, options);
 }
 

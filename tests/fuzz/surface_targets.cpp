@@ -54,7 +54,7 @@ void reconstruct_target(Bytes bytes) {
   ReconstructOptions options;
   const std::uint8_t choice = reader.byte();
   options.mode = choice % 2 == 0 ? Mode::robust : Mode::paper;
-  options.peel.keep_cavities = choice / 2 % 2 != 0;
+  options.keep_cavities = choice / 2 % 2 != 0;
   const std::vector<Point> points = take_points(reader, most_points);
   try {
     const ReconstructResult tight = reconstruct_tight(points, options);
