@@ -129,7 +129,7 @@ TriangleMesh run_stages(Points points, const Execution& execution, Times& times)
   marks = timed(times, "peel", [&] {
     return peel_cells(t, surface.triangles.set, std::move(marks), {}, execution);
   });
-  timed(times, "clean_up", [&] { return clean_up_cells(t, dual, poles, marks, {}, execution); });
+  timed(times, "clean_up", [&] { return clean_up_cells(t, poles, marks, {}, execution); });
   SurfaceMesh mesh = timed(times, "mesh", [&] { return surface_between(t, marks); });
   timed(times, "check", [&] { return mesh_check(mesh.mesh); });
   const auto file = std::filesystem::temp_directory_path() / "cocoon_pipeline_bench.ply";

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "delaunay/voronoi_dual.h"
+
 namespace cocoon {
 
-BallCosines::BallCosines(const Triangulation& triangulation, const Dual& dual)
+BallCosines::BallCosines(const Triangulation& triangulation)
     : triangulation_(triangulation),
-      dual_(dual),
       cosines_(triangulation.num_cells()),
       known_(triangulation.num_cells()) {}
 
@@ -47,7 +48,7 @@ std::array<double, 4> BallCosines::compute(CellId c) const {
   order(0, 2);
   order(1, 3);
   order(1, 2);
-  const Point& center = dual_.centers[c];
+  const Point center = voronoi_vertex(triangulation_, c);
   const double radius = norm(center - corners[0].point);
   std::array<double, 4> cosines{};
   for (std::size_t k = 0; k < 4; ++k) {  // the facet opposite the k-th corner

@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "delaunay/triangulation.h"
-#include "delaunay/voronoi_dual.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
@@ -14,8 +13,8 @@ namespace cocoon {
 // cell that was asked about. Not to be shared by threads.
 class BallCosines {
  public:
-  // Keeps references, which must outlive the object. O(1).
-  BallCosines(const Triangulation& triangulation, const Dual& dual);
+  // Keeps the reference, which must outlive the object. O(1).
+  explicit BallCosines(const Triangulation& triangulation);
 
   // For facet f seen from its cell: the cosine of the angle between the facet and the tangent plane
   // of the cell's ball at the facet's circle; 1 if the ball is a half-space beyond the facet (as
@@ -31,7 +30,6 @@ class BallCosines {
   std::array<double, 4> compute(CellId c) const;
 
   const Triangulation& triangulation_;
-  const Dual& dual_;
   ZeroedArray<CellId, std::array<double, 4>> cosines_;
   ZeroedArray<CellId, std::uint8_t> known_;
 };

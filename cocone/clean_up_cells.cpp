@@ -25,16 +25,15 @@ namespace {
 
 class CleanUp {
  public:
-  CleanUp(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
-          CellMarks& marks, const CleanUpOptions& options)
+  CleanUp(const Triangulation& triangulation, const Poles& poles, CellMarks& marks,
+          const CleanUpOptions& options)
       : triangulation_(triangulation),
-        dual_(dual),
         stars_(triangulation),
         poles_(poles),
         marks_(marks),
         options_(options),
         out_(marks.reached),
-        cosines_(triangulation, dual),
+        cosines_(triangulation),
         energy_(triangulation, cosines_, stars_, marks.labels, options, out_),
         region_(find_doubtful_region(triangulation, marks, most_clump_cells())),
         side_split_(triangulation, out_) {
@@ -105,7 +104,7 @@ class CleanUp {
 
   void set_preferences() {
     const ZeroedArray<CellId, SideEvidence> evidence =
-        side_evidence(triangulation_, dual_, cosines_, poles_, marks_, region_);
+        side_evidence(triangulation_, cosines_, poles_, marks_, region_);
     for (const CellId c : region_.undecided) {
       const double margin = static_cast<double>(evidence[c].in) - evidence[c].out;
       energy_.set_preference(c, to_energy(options_.evidence_weight * margin));
@@ -459,7 +458,6 @@ class CleanUp {
   using Turns =
       std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<std::uint32_t>>;
   const Triangulation& triangulation_;
-  const Dual& dual_;
   StarCache stars_;
   const Poles& poles_;
   CellMarks& marks_;
@@ -478,14 +476,14 @@ class CleanUp {
 
 }  // namespace
 
-CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Dual& dual,
-                               const Poles& poles, CellMarks& marks, const CleanUpOptions& options,
+CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Poles& poles,
+                               CellMarks& marks, const CleanUpOptions& options,
                                const Execution& execution) {
   if (!options.enabled) return {};
   const bool all_good = marks.good_vertices == triangulation.num_vertices();
   if (all_good && marks.conflicts == 0) return {};  // every vertex has one disk around it
   report_progress(execution, "clean_up_cells", 0);
-  const CleanUpCounters counters = CleanUp(triangulation, dual, poles, marks, options).run();
+  const CleanUpCounters counters = CleanUp(triangulation, poles, marks, options).run();
   report_progress(execution, "clean_up_cells", 1);
   return counters;
 }

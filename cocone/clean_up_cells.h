@@ -37,7 +37,6 @@
 #include "cocone/mark_cells.h"
 #include "cocone/poles.h"
 #include "delaunay/triangulation.h"
-#include "delaunay/voronoi_dual.h"
 #include "geom/execution.h"
 
 namespace cocoon {
@@ -99,8 +98,8 @@ struct CleanUpCounters {
 // moves are taken by falling gain at defects in lexicographic order; a function of the point set.
 // Source: Labatut, Pons & Keriven 2009 (cut, facet quality); Kolluri, Shewchuk & O'Brien 2004
 // (poles as evidence); Amenta, Choi & Kolluri 2001 (its propagation). The moves are ours.
-CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Dual& dual,
-                               const Poles& poles, CellMarks& marks,
-                               const CleanUpOptions& options = {}, const Execution& execution = {});
+CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Poles& poles,
+                               CellMarks& marks, const CleanUpOptions& options = {},
+                               const Execution& execution = {});
 
 }  // namespace cocoon

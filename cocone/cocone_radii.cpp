@@ -107,9 +107,9 @@ class Radii {
   }
   void take_infinite(VertexId v) { squared_.raise(v, infinity); }
 
-  IdVector<VertexId, double> result(std::size_t num_vertices) const {
-    IdVector<VertexId, double> radii(num_vertices);
-    for (const VertexId v : radii.ids()) radii[v] = std::sqrt(squared_[v]);
+  IdVector<VertexId, double> result() && {
+    IdVector<VertexId, double> radii = std::move(squared_).take();
+    for (double& radius : radii) radius = std::sqrt(radius);
     for (const auto& [v, radius] : far_) radii[v] = std::max(radii[v], radius);
     return radii;
   }
@@ -162,7 +162,7 @@ IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, cons
       }
     }
   }
-  return radii.result(triangulation.num_vertices());
+  return std::move(radii).result();
 }
 
 }  // namespace cocoon

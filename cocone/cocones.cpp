@@ -178,10 +178,16 @@ Cocones intersect_cocones(const Triangulation& triangulation, const Dual& dual, 
   parallel_chunks(execution, finite, cells_per_chunk, [&](std::size_t begin, std::size_t end) {
     found[begin / cells_per_chunk] = rows_of_cells(triangulation, sides, begin, end);
   });
+  sides = {};
   Cocones cocones{{}, {}, options.cosine};
-  for (const Rows& part : found) {
+  std::size_t facets = 0;
+  for (const Rows& part : found) facets += part.facets.size();
+  cocones.facets.reserve(facets);
+  cocones.rows.reserve(facets);
+  for (Rows& part : found) {
     cocones.facets.insert(cocones.facets.end(), part.facets.begin(), part.facets.end());
     cocones.rows.insert(cocones.rows.end(), part.rows.begin(), part.rows.end());
+    part = {};  // large at a million points: not both of all at once
   }
   report_progress(execution, "intersect_cocones", 1);
   return cocones;

@@ -55,6 +55,8 @@ LinkedFacets by_smallest_vertex(const Triangulation& triangulation, const FacetS
 
 void link_corners(const IdVector<VertexId, Point>& points, LinkedFacets& triangles,
                   const Execution& execution) {
+  // First: its scratch memory is as large as the normals.
+  triangles.links = side_links(triangles.corners, points.size(), execution);
   triangles.normals.resize(triangles.size());
   parallel_chunks(execution, triangles.size(), triangles_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
@@ -62,7 +64,6 @@ void link_corners(const IdVector<VertexId, Point>& points, LinkedFacets& triangl
                       triangles.normals[t] = oriented_normal(points, triangles.corners[t]);
                     }
                   });
-  triangles.links = side_links(triangles.corners, points.size(), execution);
 }
 
 LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,

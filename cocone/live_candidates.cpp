@@ -14,27 +14,30 @@
 namespace cocoon {
 namespace {
 
-// How the Voronoi vertex, or ray, of a cell is obtained, as voronoi_dual counts it.
-enum class CenterKind { doubles, exact, facet };
+// Finite or not.
+unsigned kind_of(const TriangulationView& view, CellId c) {
+  return view.is_infinite(c) ? cell_flag::infinite : cell_flag::finite;
+}
 
-CenterKind center_kind(const TriangulationView& view, CellId c) {
+// How the Voronoi vertex, or ray, of a cell is obtained, as voronoi_dual counts it.
+unsigned center_kind(const TriangulationView& view, CellId c) {
   const auto& [v0, v1, v2, v3] = view.cell(c).vertices;
   const Point& p0 = view.point(v0);
   const Point& p1 = view.point(v1);
   const Point& p2 = view.point(v2);
   if (v3 == infinite_vertex) {
-    return triangle_normal(p0, p1, p2).exact ? CenterKind::exact : CenterKind::doubles;
+    return triangle_normal(p0, p1, p2).exact ? cell_flag::exact_center : 0;
   }
   switch (circumcenter(p0, p1, p2, view.point(v3)).level) {
     case CenterLevel::doubles:
-      return CenterKind::doubles;
+      return 0;
     case CenterLevel::exact:
-      return CenterKind::exact;
+      return cell_flag::exact_center;
     case CenterLevel::facet:
     case CenterLevel::centroid:
-      return CenterKind::facet;
+      return cell_flag::facet_center;
   }
-  return CenterKind::doubles;
+  return 0;
 }
 
 void make_set(std::vector<VertexId>& list) {
@@ -51,11 +54,13 @@ void LiveCandidates::start(const DynamicDelaunay& delaunay, const ReconstructSta
   grow_arrays(delaunay);
   const TriangulationView view = delaunay.view();
   start_samples(view, stages);
-  const bool plain = stages.dual.extended_precision == 0 && stages.dual.facet_fallbacks == 0;
   for (const CellId c : known_.cell_flags.ids()) {
     const unsigned candidates = stages.candidates.bits(c);
-    known_.cell_flags[c] = static_cast<std::uint8_t>(kind_of(view, c, plain) | candidates);
+    known_.cell_flags[c] = static_cast<std::uint8_t>(kind_of(view, c) | candidates);
     known_.pruned[c] = static_cast<std::uint8_t>(candidates & ~unsigned{stages.left.bits(c)});
+  }
+  for (const CellId c : stages.not_in_doubles) {
+    known_.cell_flags[c] = static_cast<std::uint8_t>(known_.cell_flags[c] | center_kind(view, c));
   }
   begin(delaunay);
 }
@@ -302,28 +307,16 @@ void LiveCandidates::commit_samples(Part& part) {
 
 // --- Candidates ------------------------------------------------------------------------------
 
-// Finite or not, and how its center is obtained; `plain`: in doubles everywhere.
-unsigned LiveCandidates::kind_of(const TriangulationView& view, CellId c, bool plain) {
-  const unsigned kind = view.is_infinite(c) ? cell_flag::infinite : cell_flag::finite;
-  if (plain) return kind;
-  switch (center_kind(view, c)) {
-    case CenterKind::doubles:
-      return kind;
-    case CenterKind::exact:
-      return kind | cell_flag::exact_center;
-    case CenterKind::facet:
-      return kind | cell_flag::facet_center;
-  }
-  return kind;
-}
-
 void LiveCandidates::commit_new_cells(const Part& part) {
   const Triangulation& t = part.patch.triangulation;
-  const bool plain = part.dual.extended_precision == 0 && part.dual.facet_fallbacks == 0;
   for (const CellId c : t.cells()) {
     const CellId slot = part.patch.slot_of_cell[c];
     if (known_.cell_flags[slot] != 0) continue;
-    set_cell(slot, kind_of(t, c, plain), 0);
+    set_cell(slot, kind_of(t, c), 0);
+  }
+  for (const CellId c : part.dual.not_in_doubles) {
+    const CellId slot = part.patch.slot_of_cell[c];
+    set_cell(slot, known_.cell_flags[slot] | center_kind(t, c), known_.pruned[slot]);
   }
 }
 

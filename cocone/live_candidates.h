@@ -109,7 +109,6 @@ class LiveCandidates {
   std::vector<VertexId> judge(Part& part, const Execution& execution) const;
   std::vector<VertexId> take_in(Part& part) const;
   void commit_samples(Part& part);
-  static unsigned kind_of(const TriangulationView& view, CellId c, bool plain);
   void commit_new_cells(const Part& part);
   void update_candidates(const Part& part, const Execution& execution);
   void collect_facets(const DynamicDelaunay& delaunay, std::span<const VertexId> vertices);

@@ -82,6 +82,8 @@ class Reconstruction {
     run_stage(execution_, "cocone", [&](const Execution& nested) {
       FacetSet candidates =
           candidate_triangles(triangulation_, cocones, boundary_.boundary, nested);
+      forget_voronoi_vertices();
+      cocones = {};
       if (stages_ != nullptr) stages_->candidates = candidates;
       PrunedCandidates pruned =
           prune_sharp_edges(triangulation_, std::move(candidates), options_.prune, nested);
@@ -110,8 +112,6 @@ class Reconstruction {
 
   // What find_poles() and build_surface() do, but for what is known.
   void extract_from(KnownCandidates candidates) {
-    run_stage(execution_, "poles",
-              [&](const Execution& nested) { dual_ = voronoi_dual(triangulation_, nested); });
     const DelaunayCounters of_triangulation = result_.counters.delaunay;
     result_.counters = candidates.counters;
     result_.counters.delaunay = of_triangulation;
@@ -131,13 +131,12 @@ class Reconstruction {
       if (options_.mode == Mode::paper) known = {};
       CellMarks marks = mark_cells(triangulation_, surface_.triangles, boundary_.boundary, known,
                                    options_.good_vertices, nested);
-      marks = peel_cells(triangulation_, surface_.triangles.set, std::move(marks), options_.peel,
-                         nested);
+      const FacetSet surface = forget_links();
+      marks = peel_cells(triangulation_, surface, std::move(marks), options_.peel, nested);
       ReconstructCounters& counters = result_.counters;
-      counters.clean_up =
-          clean_up_cells(triangulation_, dual_, poles_, marks, options_.clean_up, nested);
+      counters.clean_up = clean_up_cells(triangulation_, poles_, marks, options_.clean_up, nested);
       if (options_.keep_cavities) {
-        counters.cavities = open_cavities(triangulation_, surface_.triangles.set, marks);
+        counters.cavities = open_cavities(triangulation_, surface, marks);
       }
       deliver(surface_between(triangulation_, marks));
       counters.good_vertices = marks.good_vertices;
@@ -176,7 +175,7 @@ class Reconstruction {
   ReconstructResult take_result() {
     if (stages_ != nullptr) {
       stages_->triangulation = std::move(triangulation_);
-      stages_->dual = std::move(dual_);
+      stages_->not_in_doubles = std::move(dual_.not_in_doubles);
       stages_->poles = std::move(poles_);
       stages_->boundary = std::move(boundary_);
       stages_->halves = std::move(surface_.halves);
@@ -185,6 +184,11 @@ class Reconstruction {
   }
 
  private:
+  // Half as much memory as the triangulation has, no longer needed.
+  void forget_voronoi_vertices() { dual_.centers = {}; }
+  // A third as much. What is left of the links is the set of facets.
+  FacetSet forget_links() { return std::exchange(surface_.triangles, {}).set; }
+
   void count_surface() {
     ReconstructCounters& counters = result_.counters;
     counters.surface_triangles = surface_.halves.size();

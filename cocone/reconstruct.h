@@ -145,7 +145,7 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
 // What the stages found on the way, for those who go on from it.
 struct ReconstructStages {
   Triangulation triangulation;
-  Dual dual;
+  std::vector<CellId> not_in_doubles;  // of the dual
   Poles poles;
   BoundarySamples boundary;
   FacetSet candidates;  // before pruning

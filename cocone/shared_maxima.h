@@ -4,9 +4,10 @@
 
 #include <atomic>
 #include <cstddef>
-#include <vector>
+#include <utility>
 
 #include "geom/execution.h"
+#include "geom/id_vector.h"
 #include "geom/ids.h"
 
 namespace cocoon {
@@ -15,25 +16,27 @@ class SharedMaxima {
  public:
   // All zero.
   SharedMaxima(std::size_t num_vertices, const Execution& execution)
-      : maxima_(num_vertices), alone_(thread_count(execution) == 1) {}
+      : maxima_(num_vertices, 0.0), alone_(thread_count(execution) == 1) {}
 
   void raise(VertexId v, double value) {
-    std::atomic<double>& maximum = maxima_[v.index()];
+    const std::atomic_ref<double> maximum(maxima_[v]);
     double known = maximum.load(std::memory_order_relaxed);
     while (known < value && !replace(maximum, known, value)) {
     }
   }
-  double operator[](VertexId v) const { return maxima_[v.index()].load(std::memory_order_relaxed); }
+  // Both when all threads are done.
+  double operator[](VertexId v) const { return maxima_[v]; }
+  IdVector<VertexId, double> take() && { return std::move(maxima_); }
 
  private:
   // An exchange makes the processor wait for all that it has under way.
-  bool replace(std::atomic<double>& maximum, double& known, double value) const {
+  bool replace(const std::atomic_ref<double>& maximum, double& known, double value) const {
     if (!alone_) return maximum.compare_exchange_weak(known, value, std::memory_order_relaxed);
     maximum.store(value, std::memory_order_relaxed);
     return true;
   }
 
-  std::vector<std::atomic<double>> maxima_;
+  IdVector<VertexId, double> maxima_;
   bool alone_;
 };
 

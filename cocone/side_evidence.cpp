@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "delaunay/circulate.h"
+#include "delaunay/voronoi_dual.h"
 
 namespace cocoon {
 namespace {
@@ -47,13 +48,13 @@ struct AtVertex {
 
 class Propagation {
  public:
-  Propagation(const Triangulation& triangulation, const Dual& dual, BallCosines& cosines,
-              const Poles& poles, const CellMarks& marks, const DoubtfulRegion& region)
+  Propagation(const Triangulation& triangulation, BallCosines& cosines, const Poles& poles,
+              const CellMarks& marks, const DoubtfulRegion& region)
       : triangulation_(triangulation),
-        dual_(dual),
         cosines_(cosines),
         poles_(poles),
         region_(region),
+        centers_(triangulation.num_cells()),
         evidence_(triangulation.num_cells()),
         state_(triangulation.num_cells()),
         at_vertices_(triangulation.num_vertices()) {
@@ -117,7 +118,12 @@ class Propagation {
         if (triangulation_.is_infinite(c)) at_vertices_[v].on_hull = true;
       });
     }
+    for (const CellId c : domain_) {
+      if (!triangulation_.is_infinite(c)) centers_[c] = voronoi_vertex(triangulation_, c);
+    }
   }
+
+  const Point& center(CellId c) const { return centers_[c]; }
 
   template <class Visit>
   void for_asked_vertices(CellId c, Visit visit) {
@@ -137,7 +143,7 @@ class Propagation {
     for_finite_corners([&](CellId c, VertexId v, const Vec3& arm) {
       AtVertex& here = at_vertices_[v];
       const Vec3 normal =
-          here.on_hull ? poles_.normals[v] : dual_.centers[here.positive] - triangulation_.point(v);
+          here.on_hull ? poles_.normals[v] : center(here.positive) - triangulation_.point(v);
       if (dot(arm, normal) < 0) raise_pole(here.negative, here.reach, c, arm);
     });
   }
@@ -146,8 +152,7 @@ class Propagation {
   void for_finite_corners(Visit visit) {
     for (const CellId c : domain_) {
       if (triangulation_.is_infinite(c)) continue;
-      for_asked_vertices(
-          c, [&](VertexId v) { visit(c, v, dual_.centers[c] - triangulation_.point(v)); });
+      for_asked_vertices(c, [&](VertexId v) { visit(c, v, center(c) - triangulation_.point(v)); });
     }
   }
 
@@ -160,7 +165,7 @@ class Propagation {
 
   // Ties: the smaller center, and of cells on one sphere the smaller corners.
   bool precedes(CellId a, CellId b) const {
-    if (dual_.centers[a] != dual_.centers[b]) return dual_.centers[a] < dual_.centers[b];
+    if (center(a) != center(b)) return center(a) < center(b);
     return sorted_corners(triangulation_, a) < sorted_corners(triangulation_, b);
   }
 
@@ -208,18 +213,18 @@ class Propagation {
       other = pair.negative;
     } else {
       if (pair.positive != c && pair.negative != c) return;
-      arm = unit(dual_.centers[c] - p);
+      arm = unit(center(c) - p);
       other = pair.positive == c ? pair.negative : pair.positive;
     }
     if (other.is_none()) return;
-    raise(other, !out, weight * -dot(unit(dual_.centers[other] - p), arm));
+    raise(other, !out, weight * -dot(unit(center(other) - p), arm));
   }
 
   const Triangulation& triangulation_;
-  const Dual& dual_;
   BallCosines& cosines_;
   const Poles& poles_;
   const DoubtfulRegion& region_;
+  ZeroedArray<CellId, Point> centers_;  // of the finite cells of the domain
   ZeroedArray<CellId, SideEvidence> evidence_;
   ZeroedArray<CellId, State> state_;
   std::vector<CellId> order_;  // undecided cells in canonical order
@@ -232,10 +237,10 @@ class Propagation {
 }  // namespace
 
 ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,
-                                                const Dual& dual, BallCosines& cosines,
-                                                const Poles& poles, const CellMarks& marks,
+                                                BallCosines& cosines, const Poles& poles,
+                                                const CellMarks& marks,
                                                 const DoubtfulRegion& region) {
-  return Propagation(triangulation, dual, cosines, poles, marks, region).run();
+  return Propagation(triangulation, cosines, poles, marks, region).run();
 }
 
 }  // namespace cocoon

@@ -18,7 +18,6 @@
 #include "cocone/mark_cells.h"
 #include "cocone/poles.h"
 #include "delaunay/triangulation.h"
-#include "delaunay/voronoi_dual.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
@@ -36,8 +35,8 @@ struct SideEvidence {
 // corners: a function of the point set. Complexity: O(d log d) for d cells at vertices of undecided
 // cells. Source: Amenta, Choi & Kolluri 2001 (the power crust, labeling of poles).
 ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,
-                                                const Dual& dual, BallCosines& cosines,
-                                                const Poles& poles, const CellMarks& marks,
+                                                BallCosines& cosines, const Poles& poles,
+                                                const CellMarks& marks,
                                                 const DoubtfulRegion& region);
 
 }  // namespace cocoon

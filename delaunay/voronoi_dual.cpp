@@ -17,17 +17,21 @@ constexpr std::size_t grain = 8192;  // cells per chunk of the parallel loop
 struct ChunkCounts {
   std::size_t exact = 0;
   std::size_t facet_fallbacks = 0;
+  std::vector<CellId> not_in_doubles;
+
+  void add(CellId c, CenterLevel level) {
+    if (level == CenterLevel::doubles) return;
+    ++(level == CenterLevel::exact ? exact : facet_fallbacks);
+    not_in_doubles.push_back(c);
+  }
 };
 
 // Voronoi vertex of a finite cell.
-Point cell_center(const Triangulation& triangulation, const Cell& cell, ChunkCounts& counts) {
-  const auto& [a, b, c, d] = cell.vertices;
+Point cell_center(const Triangulation& triangulation, CellId cell, ChunkCounts& counts) {
+  const auto& [a, b, c, d] = triangulation.cell(cell).vertices;
   const Circumcenter result = circumcenter(triangulation.point(a), triangulation.point(b),
                                            triangulation.point(c), triangulation.point(d));
-  if (result.level == CenterLevel::exact) ++counts.exact;
-  if (result.level == CenterLevel::facet || result.level == CenterLevel::centroid) {
-    ++counts.facet_fallbacks;
-  }
+  counts.add(cell, result.level);
   return result.center;
 }
 
@@ -53,18 +57,18 @@ void cell_centers(const Triangulation& triangulation, CellId begin, CellId end, 
     for (std::size_t i = 0; i < size; ++i, ++first) {
       dual.centers[first] = ((certified >> i) & 1U) != 0
                                 ? batch.centers[i]
-                                : cell_center(triangulation, triangulation.cell(first), counts);
+                                : cell_center(triangulation, first, counts);
     }
   }
 }
 
 // Direction of the Voronoi ray of an infinite cell: with a point beyond its hull facet as vertex 3
 // the cell would have orient3d > 0, so the facet's normal in the order of the vertices points out.
-Vec3 ray_direction(const Triangulation& triangulation, const Cell& cell, ChunkCounts& counts) {
-  const auto& [a, b, c, infinite] = cell.vertices;
+Vec3 ray_direction(const Triangulation& triangulation, CellId cell, ChunkCounts& counts) {
+  const auto& [a, b, c, infinite] = triangulation.cell(cell).vertices;
   const TriangleNormal normal =
       triangle_normal(triangulation.point(a), triangulation.point(b), triangulation.point(c));
-  if (normal.exact) ++counts.exact;
+  counts.add(cell, normal.exact ? CenterLevel::exact : CenterLevel::doubles);
   return normal.direction;
 }
 
@@ -82,15 +86,23 @@ Dual voronoi_dual(const Triangulation& triangulation, const Execution& execution
                     const CellId infinite(std::clamp(triangulation.num_finite_cells(), begin, end));
                     cell_centers(triangulation, CellId(begin), infinite, dual, count);
                     for (CellId c = infinite; c < last; ++c) {
-                      dual.centers[c] = ray_direction(triangulation, triangulation.cell(c), count);
+                      dual.centers[c] = ray_direction(triangulation, c, count);
                     }
                   });
   for (const ChunkCounts& count : counts) {
     dual.extended_precision += count.exact;
     dual.facet_fallbacks += count.facet_fallbacks;
+    dual.not_in_doubles.insert(dual.not_in_doubles.end(), count.not_in_doubles.begin(),
+                               count.not_in_doubles.end());
   }
   report_progress(execution, "voronoi_dual", 1);
   return dual;
+}
+
+Point voronoi_vertex(const Triangulation& triangulation, CellId c) {
+  ChunkCounts uncounted;
+  return triangulation.is_infinite(c) ? ray_direction(triangulation, c, uncounted)
+                                      : cell_center(triangulation, c, uncounted);
 }
 
 DualEdge dual_edge(const Triangulation& triangulation, const Dual& dual, FacetId f) {

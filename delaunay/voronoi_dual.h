@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
@@ -19,11 +20,15 @@ struct Dual {
   std::size_t extended_precision = 0;  // centers and directions computed in exact integers
   std::size_t facet_fallbacks = 0;     // center of a facet, or the centroid; never for exact cells
                                        // unless the true center is beyond the range of double
+  std::vector<CellId> not_in_doubles;  // the cells of both counts, ascending
 };
 
 // Complexity: O(cells). Deterministic: each center is computed from the cell's vertices in
 // lexicographic order, so equal cells give equal bits.
 Dual voronoi_dual(const Triangulation& triangulation, const Execution& execution = {});
+
+// The element of Dual::centers of one cell, bit for bit: for stages that look at few cells. O(1).
+Point voronoi_vertex(const Triangulation& triangulation, CellId c);
 
 // The dual of a finite facet: segment between two Voronoi vertices, or a ray.
 struct DualEdge {

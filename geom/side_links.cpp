@@ -27,9 +27,9 @@ struct SortedSide {
 // Links the sides whose smaller vertex is one of begin .. end - 1.
 class Linker {
  public:
-  Linker(std::size_t begin, std::size_t end, std::vector<SideId>& links)
+  Linker(std::size_t begin, std::size_t end, std::size_t expected_edges, std::vector<SideId>& links)
       : begin_(begin), links_(links), chains_(end - begin, none), lengths_(end - begin, 0) {
-    edges_.reserve(3 * (end - begin));  // what a closed surface has
+    edges_.reserve(expected_edges);
   }
 
   void add(SideId side, VertexId a, VertexId b) {
@@ -89,7 +89,9 @@ std::vector<SideId> side_links(std::span<const Triangle> triangles, std::size_t 
   const auto ranges = static_cast<std::size_t>(thread_count(execution));
   parallel_chunks(execution, num_vertices, (num_vertices + ranges - 1) / ranges,
                   [&](std::size_t begin, std::size_t end) {
-                    Linker linker(begin, end, links);
+                    // A closed surface has three edges for two triangles; what is not used of this
+                    // costs nothing, growing beyond it would double the memory.
+                    Linker linker(begin, end, 2 * triangles.size() / ranges, links);
                     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
                       const auto& [a, b, c] = triangles[t];
                       linker.add(3 * t, b, c);

@@ -42,7 +42,7 @@ std::vector<Point> ball(std::uint64_t seed) {
 struct Labeling {
   explicit Labeling(const std::vector<Point>& points, std::uint64_t seed = 1, double bias = 0.5)
       : stages(points),
-        cosines(stages.triangulation, stages.dual),
+        cosines(stages.triangulation),
         stars(stages.triangulation),
         labels(stages.triangulation.num_cells(), CellLabel::out),
         out(stages.triangulation.num_cells(), 1),
@@ -189,7 +189,7 @@ TEST(CellEnergy, PartsOfStarsAndFlawsAreThoseOfThePlainSearch) {
 // A regular tetrahedron: the ball's tangent plane at a facet's circle leans by acos(1/3) inward.
 TEST(BallCosines, OfARegularTetrahedron) {
   Stages stages({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});
-  BallCosines cosines(stages.triangulation, stages.dual);
+  BallCosines cosines(stages.triangulation);
   for (int i = 0; i < 4; ++i) {
     const FacetId f = facet_id(CellId(0), i);
     EXPECT_NEAR(cosines.of(f), 1.0 / 3, 1e-15);
@@ -201,7 +201,7 @@ TEST(BallCosines, OfARegularTetrahedron) {
 
 TEST(BallCosines, EqualBallsMeetAtNoAngle) {
   Stages stages(lattice(2));  // one ball through all eight
-  BallCosines cosines(stages.triangulation, stages.dual);
+  BallCosines cosines(stages.triangulation);
   for (const CellId c : stages.triangulation.finite_cells()) {
     for (int i = 0; i < 4; ++i) {
       if (stages.triangulation.is_infinite(stages.triangulation.neighbor(c, i))) continue;

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "geom/circumsphere.h"
 #include "ref/cgal_delaunay.h"
 #include "tests/gallery.h"
 
@@ -126,6 +127,32 @@ TEST(VoronoiDual, GridHasOneCenterPerCube) {
   std::set<Point> expected;
   for (const Point& p : gallery::integer_grid(4)) expected.insert(p + Vec3{0.5, 0.5, 0.5});
   EXPECT_EQ(centers, expected);
+}
+
+// Each cell by itself, and those that floating point could not decide, on the worst sets there are.
+TEST(VoronoiDual, CellsOneByOne) {
+  const std::vector<std::vector<Point>> sets{gallery::uniform_cube(500, 7), gallery::ulp_pairs(200),
+                                             gallery::even_sphere(800)};
+  std::size_t undecided = 0;
+  for (const std::vector<Point>& points : sets) {
+    const Triangulation triangulation = ref::cgal_delaunay(points);
+    const Dual dual = voronoi_dual(triangulation, {.threads = 2});
+    for (const CellId c : triangulation.cells()) {
+      EXPECT_EQ(voronoi_vertex(triangulation, c), dual.centers[c]);
+    }
+    EXPECT_EQ(dual.not_in_doubles.size(), dual.extended_precision + dual.facet_fallbacks);
+    EXPECT_TRUE(std::is_sorted(dual.not_in_doubles.begin(), dual.not_in_doubles.end()));
+    for (const CellId c : dual.not_in_doubles) {
+      if (triangulation.is_infinite(c)) continue;
+      const auto& [p, q, r, s] = triangulation.cell(c).vertices;
+      EXPECT_NE(circumcenter(triangulation.point(p), triangulation.point(q), triangulation.point(r),
+                             triangulation.point(s))
+                    .level,
+                CenterLevel::doubles);
+    }
+    undecided += dual.not_in_doubles.size();
+  }
+  EXPECT_GT(undecided, 0U);
 }
 
 TEST(VoronoiDual, EdgesFromBothSidesAgree) {
