@@ -48,7 +48,7 @@ struct CleanUpOptions {
   // of all finite cells, stay as the peel has them: they fill a volume, and no sample tells where
   // in it a surface should be. Bounds the work on samples that are of no surface.
   std::size_t most_clump_cells = 100000;
-  double most_clump_share = 0.1;
+  double most_clump_share = 0.5;
   // A facet costs 1 at most if the balls lie on its two sides: 3 overrules almost any surface.
   double evidence_weight = 3;
   // Below 0.4 well sampled thin parts shrink; above 1 wrong marks of bad samples stay.

@@ -75,10 +75,10 @@ IdVector<VertexId, double> sample_spacing(const Triangulation& triangulation,
                                           const Execution& execution) {
   IdVector<VertexId, double> spacing(triangulation.num_vertices(), 0);
   const auto measure = [&](std::size_t begin, std::size_t end) {
-    SpacingBuffers buffers;
+    SpacingBuffer shortest;
     for (std::size_t i = begin; i < end; ++i) {
       const VertexId v(i);
-      spacing[v] = sample_spacing(triangulation, stars.star(v), v, neighbors, buffers);
+      spacing[v] = sample_spacing(triangulation, stars.star(v), v, neighbors, shortest);
     }
   };
   parallel_chunks(execution, triangulation.num_vertices(), grain, measure);
@@ -91,13 +91,11 @@ VertexSet outlier_samples(const Triangulation& triangulation, const VertexStars&
   VertexSet outlier(triangulation.num_vertices(), 0);
   const auto judge = [&](std::size_t begin, std::size_t end) {
     std::vector<VertexId> around;
-    std::vector<double> values;
     for (std::size_t i = begin; i < end; ++i) {
       const VertexId v(i);
       collect_neighbors(triangulation, stars.star(v), v, around);
-      values.clear();
-      for (const VertexId w : around) values.push_back(spacing[w]);
-      outlier[v] = is_outlying(spacing[v], ratio, values) ? 1 : 0;
+      const auto spacing_of = [&](VertexId w) { return spacing[w]; };
+      outlier[v] = is_outlying(spacing[v], ratio, around, spacing_of) ? 1 : 0;
     }
   };
   parallel_chunks(execution, triangulation.num_vertices(), grain, judge);

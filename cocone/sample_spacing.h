@@ -20,19 +20,31 @@ void collect_neighbors(const Triangulation& triangulation, std::span<const CellI
                        std::vector<VertexId>& neighbors);
 
 // Room for the work at one sample, to be used for the next.
-struct SpacingBuffers {
-  std::vector<VertexId> around;
-  std::vector<double> squares;
+struct ShortEdge {
+  double square;
+  VertexId to;
 };
+using SpacingBuffer = std::vector<ShortEdge>;
 
 // Of v, from the lengths of that many shortest edges (at least one). In units of the coordinates;
-// sums run in increasing order. Complexity: O(star log star).
+// sums run in increasing order. Complexity: O(star), for few edges.
 double sample_spacing(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
-                      std::size_t edges, SpacingBuffers& buffers);
+                      std::size_t edges, SpacingBuffer& shortest);
 
 // Whether a spacing exceeds `ratio` times the median of the neighbors' spacings, the upper one of
-// two; these change places. Precondition: there are neighbors. Complexity: O(neighbors).
-bool is_outlying(double spacing, double ratio, std::vector<double>& spacings_around);
+// two: whether at least half of them are too small. `spacing_of(w)` is asked for until that is
+// clear. Precondition: there are neighbors. Complexity: O(neighbors).
+template <class SpacingOf>
+bool is_outlying(double spacing, double ratio, std::span<const VertexId> neighbors,
+                 SpacingOf spacing_of) {
+  const std::size_t enough = neighbors.size() - neighbors.size() / 2;
+  std::size_t similar = 0;
+  for (const VertexId w : neighbors) {
+    if (spacing > ratio * spacing_of(w)) continue;
+    if (++similar == enough) return false;
+  }
+  return true;
+}
 
 // Answers for few vertices of a triangulation. Not to be shared by threads.
 class OutlierTest {
@@ -57,7 +69,8 @@ class OutlierTest {
   StarCache& stars_;
   double ratio_;
   ZeroedArray<VertexId, double> spacing_;  // 0: not yet asked for
-  SpacingBuffers buffers_;
+  SpacingBuffer shortest_;
+  std::vector<VertexId> around_;
 };
 
 }  // namespace cocoon

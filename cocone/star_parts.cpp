@@ -16,9 +16,8 @@ StarParts::StarParts(const Triangulation& triangulation, StarCache& stars,
       position_(triangulation.num_cells()),
       stamp_(triangulation.num_cells()) {}
 
-// For each cell of a small star its neighbors across facets at the vertex.
-const std::vector<StarParts::Word>& StarParts::links(VertexId v) {
-  if (place_[v] != 0) return links_[place_[v] - 1];
+StarParts::SmallStar& StarParts::small_star(VertexId v) {
+  if (place_[v] != 0) return small_stars_[place_[v] - 1];
   const std::span<const CellId> star = stars_.star(v);
   for (std::size_t k = 0; k < star.size(); ++k) position_[star[k]] = static_cast<std::uint8_t>(k);
   std::vector<Word> links(star.size(), 0);
@@ -28,9 +27,9 @@ const std::vector<StarParts::Word>& StarParts::links(VertexId v) {
       if (i != opposite) links[k] |= Word{1} << position_[triangulation_.neighbor(star[k], i)];
     }
   }
-  links_.push_back(std::move(links));
-  place_[v] = static_cast<std::uint32_t>(links_.size());
-  return links_.back();
+  small_stars_.push_back({std::move(links)});
+  place_[v] = static_cast<std::uint32_t>(small_stars_.size());
+  return small_stars_.back();
 }
 
 // Bit k: the k-th cell of a small star is OUT.
@@ -62,8 +61,17 @@ std::size_t StarParts::count_in_word(const std::vector<Word>& neighbors, Word ou
   return parts;
 }
 
+// Many cells of a star are asked about before one of them changes sides.
+std::size_t StarParts::count_parts(SmallStar& star, Word outside) {
+  if (star.parts == 0 || star.outside != outside) {
+    star.outside = outside;
+    star.parts = count_in_word(star.neighbors, outside);
+  }
+  return star.parts;
+}
+
 std::size_t StarParts::count(VertexId v) {
-  if (stars_.star(v).size() <= word_size) return count_in_word(links(v), outside(v));
+  if (stars_.star(v).size() <= word_size) return count_parts(small_star(v), outside(v));
   std::size_t parts = 0;
   for_each_part(v, [&](const std::vector<CellId>&) { ++parts; });
   return parts;
@@ -72,10 +80,11 @@ std::size_t StarParts::count(VertexId v) {
 StarParts::Change StarParts::count_change(VertexId v, CellId c) {
   const std::span<const CellId> star = stars_.star(v);
   if (star.size() <= word_size) {
-    const std::vector<Word>& neighbors = links(v);
+    SmallStar& known = small_star(v);
     const Word word = outside(v);
     const auto place = std::lower_bound(star.begin(), star.end(), c) - star.begin();
-    return {count_in_word(neighbors, word), count_in_word(neighbors, word ^ Word{1} << place)};
+    const std::size_t before = count_parts(known, word);
+    return {before, count_in_word(known.neighbors, word ^ Word{1} << place)};
   }
   const std::size_t before = count(v);
   flipped_ = c;

@@ -36,7 +36,14 @@ class StarParts {
  private:
   using Word = std::uint64_t;
   static constexpr std::size_t word_size = 64;
-  const std::vector<Word>& links(VertexId v);
+  // Of a small star: bit k for the k-th cell.
+  struct SmallStar {
+    std::vector<Word> neighbors;  // across facets at the vertex, of each cell
+    Word outside = 0;             // the sides that were counted last
+    std::size_t parts = 0;        // 0: none yet
+  };
+  SmallStar& small_star(VertexId v);
+  static std::size_t count_parts(SmallStar& star, Word outside);
   Word outside(VertexId v);
   static std::size_t count_in_word(const std::vector<Word>& neighbors, Word outside);
   std::uint8_t side(CellId c) const { return c == flipped_ ? out_[c] ^ 1U : out_[c]; }
@@ -47,8 +54,8 @@ class StarParts {
   const Triangulation& triangulation_;
   StarCache& stars_;
   const IdVector<CellId, std::uint8_t>& out_;
-  ZeroedArray<VertexId, std::uint32_t> place_;  // 1 + position in links_
-  std::deque<std::vector<Word>> links_;         // of small stars: bit k for the k-th cell
+  ZeroedArray<VertexId, std::uint32_t> place_;  // 1 + position in small_stars_
+  std::deque<SmallStar> small_stars_;
   ZeroedArray<CellId, std::uint8_t> position_;  // in a star, while its links are found
   ZeroedArray<CellId, std::uint32_t> stamp_;
   std::uint32_t token_ = 0;

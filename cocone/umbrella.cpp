@@ -14,25 +14,17 @@ namespace {
 constexpr std::size_t triangles_per_chunk = 8192;
 constexpr std::size_t vertices_per_chunk = 8192;
 
-// A triangle at a vertex, by its corner there.
-struct Corner {
-  VertexId vertex;
-  std::uint32_t triangle;
-  friend auto operator<=>(const Corner&, const Corner&) = default;
-};
-
 // Drops triangles without a partner at one of their spokes; true iff some survive.
 class UmbrellaSearch {
  public:
   UmbrellaSearch(const LinkedFacets& triangles, double sharp_cosine)
       : triangles_(triangles), sharp_cosine_(sharp_cosine) {}
 
-  // `fan`: all triangles at one vertex.
-  bool exists(std::span<const Corner> fan) {
+  // `fan`: all triangles at the vertex, ascending.
+  bool exists(VertexId center, std::span<const std::uint32_t> fan) {
     if (fan.size() < 3) return false;
-    alive_.clear();
-    for (const Corner& corner : fan) alive_.push_back(corner.triangle);
-    while (drop_round(fan[0].vertex)) {
+    alive_.assign(fan.begin(), fan.end());
+    while (drop_round(center)) {
     }
     return !alive_.empty();
   }
@@ -40,46 +32,59 @@ class UmbrellaSearch {
  private:
   // What survives a round is judged by the survivors of the one before.
   bool drop_round(VertexId center) {
-    std::vector<std::uint32_t> next;
+    survivors_.clear();
     for (const std::uint32_t t : alive_) {
       const Triangle& corners = triangles_.corners[t];
       bool held = true;
       for (std::uint32_t i = 0; i < 3; ++i) {
         if (corners[i] != center) held = held && has_partner(3 * t + i);
       }
-      if (held) next.push_back(t);
+      if (held) survivors_.push_back(t);
     }
-    const bool dropped = next.size() < alive_.size();
-    alive_ = std::move(next);
-    return dropped;
+    std::swap(alive_, survivors_);
+    return alive_.size() < survivors_.size();
   }
 
   bool has_partner(SideId side) const {
-    bool found = false;
-    for_each_side_at_edge(triangles_, side, [&](SideId other) {
-      const std::uint32_t t = triangle_of_side(other);
-      found =
-          found || (other != side && dihedral_cosine(triangles_, side, other) <= sharp_cosine_ &&
-                    std::binary_search(alive_.begin(), alive_.end(), t));
-    });
-    return found;
+    for (SideId other = triangles_.links[side]; other != side; other = triangles_.links[other]) {
+      if (std::binary_search(alive_.begin(), alive_.end(), triangle_of_side(other)) &&
+          dihedral_cosine(triangles_, side, other) <= sharp_cosine_) {
+        return true;
+      }
+    }
+    return false;
   }
 
   const LinkedFacets& triangles_;
   double sharp_cosine_;
-  std::vector<std::uint32_t> alive_;  // ascending
+  std::vector<std::uint32_t> alive_;      // ascending
+  std::vector<std::uint32_t> survivors_;  // of the round
 };
 
-// All corners of triangles at the flagged vertices, sorted by vertex, then triangle.
-std::vector<Corner> corners_at(const LinkedFacets& triangles, const SharedFlags& flags) {
-  std::vector<Corner> found;
+// The triangles at flagged vertices, ascending at each.
+struct Fans {
+  std::vector<std::uint32_t> begins;  // of each vertex, and the end of the last
+  std::vector<std::uint32_t> triangles;
+
+  std::span<const std::uint32_t> at(VertexId v) const {
+    return std::span(triangles).subspan(begins[v.index()],
+                                        begins[v.index() + 1] - begins[v.index()]);
+  }
+};
+
+Fans fans_at(const LinkedFacets& triangles, const SharedFlags& flags, std::size_t num_vertices) {
+  Fans fans{std::vector<std::uint32_t>(num_vertices + 2, 0), {}};
+  for (const Triangle& corners : triangles.corners) {
+    for (const VertexId v : corners) fans.begins[v.index() + 2] += flags.is_raised(v) ? 1U : 0U;
+  }
+  for (std::size_t v = 2; v < fans.begins.size(); ++v) fans.begins[v] += fans.begins[v - 1];
+  fans.triangles.resize(fans.begins.back());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (const VertexId v : triangles.corners[t]) {
-      if (flags.is_raised(v)) found.push_back({v, t});
+      if (flags.is_raised(v)) fans.triangles[fans.begins[v.index() + 1]++] = t;
     }
   }
-  std::sort(found.begin(), found.end());
-  return found;
+  return fans;
 }
 
 struct FirstCorners {
@@ -140,14 +145,14 @@ VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::size_t num_
   for (const Triangle& corners : triangles.corners) {
     for (const VertexId v : corners) flags[v] = 1;
   }
-  const std::vector<Corner> corners = corners_at(triangles, doubtful);
-  UmbrellaSearch search(triangles, sharp_cosine);
-  for (std::size_t begin = 0; begin < corners.size();) {
-    std::size_t end = begin + 1;
-    while (end < corners.size() && corners[end].vertex == corners[begin].vertex) ++end;
-    flags[corners[begin].vertex] = search.exists(std::span(corners).subspan(begin, end - begin));
-    begin = end;
-  }
+  const Fans fans = fans_at(triangles, doubtful, num_vertices);
+  parallel_chunks(execution, num_vertices, vertices_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    UmbrellaSearch search(triangles, sharp_cosine);
+                    for (VertexId v(begin); v.index() < end; ++v) {
+                      if (doubtful.is_raised(v)) flags[v] = search.exists(v, fans.at(v)) ? 1 : 0;
+                    }
+                  });
   return flags;
 }
 
