@@ -7,6 +7,7 @@
 #include "app/reconstruct_report.h"
 #include "app/surface_options.h"
 #include "app/surface_report.h"
+#include "app/thresholds.h"
 #include "cocone/boundary_loops.h"
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
@@ -46,7 +47,11 @@ void add_boundary(JsonReport& report, const ReconstructResult& surface,
 
 void run_boundary(const BoundaryArguments& arguments, Job& job) {
   require_outputs(job, {{arguments.mesh, mesh_extensions}, {arguments.loops, {".obj"}}});
-  const ReconstructOptions options = surface_options(arguments.parameters, open_cloud_defaults());
+  StageOptions stages;
+  stages.surface = surface_options(arguments.parameters, open_cloud_defaults());
+  set_radius(stages.surface, arguments.radius);
+  set_thresholds(stages, arguments.thresholds);
+  const ReconstructOptions& options = stages.surface;
   VertexProperties properties;
   const bool keep = holds_properties(arguments.mesh);
   const std::vector<Point> points =
@@ -55,7 +60,7 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
       arguments.points, [&] { return reconstruct_cocone(points, options, job.execution()); });
   require_surface(job.report(), arguments.points, surface, options.boundary.rho);
   const BoundaryLoops boundary =
-      timed(job.execution(), "loops", [&] { return boundary_loops(surface.mesh); });
+      timed(job.execution(), "loops", [&] { return boundary_loops(surface.mesh, stages.loops); });
   const MeshReport certificate = timed(
       job.execution(), "check", [&] { return mesh_check(surface.mesh, {}, job.execution()); });
   properties = properties_of_surface(job, properties, arguments.points, surface);
@@ -68,6 +73,9 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
   });
 
   add_parameters(job.report(), options);
+  for (const ThresholdUse use : {ThresholdUse::cocone, ThresholdUse::loops}) {
+    add_thresholds(job.report(), use, stages);
+  }
   add_reconstruction(job.report(), surface, certificate);
   add_boundary(job.report(), surface, boundary);
   job.say("{} -> {}", surface_summary(certificate), arguments.mesh);

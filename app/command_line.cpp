@@ -90,24 +90,59 @@ void add_manifold_option(CLI::App& app, bool& manifold) {
       "there get vertices of their own");
 }
 
-void add_thresholds_of_stages(CLI::App& app, ReconstructArguments& arguments) {
-  const std::string group = "Thresholds (defaults in the report; not with --session)";
-  app.add_flag("--cavities", arguments.cavities,
-               "Keep closed surfaces inside the body: they bound hollows of it")
+void add_radius(CLI::App& app, std::string& radius, const std::string& group) {
+  app.add_option("--radius", radius,
+                 "Ratio condition: what is measured of a sample's cell, its cocone (of open clouds "
+                 "the default) or its tangent plane (of closed surfaces; not in paper mode)")
+      ->check(CLI::IsMember({"cocone", "tangent-plane"}))
       ->group(group);
-  app.add_flag("!--no-clean-up", arguments.clean_up, "Leave the surface as the peel left it")
-      ->group(group);
+}
+
+void add_thresholds_of(CLI::App& app, ThresholdUse use, std::map<std::string, double>& given,
+                       const std::string& group) {
   for (const Threshold& t : thresholds()) {
+    if (t.use != use) continue;
     const bool whole = t.kind == ThresholdKind::whole;
     CLI::Option* option = app.add_option_function<double>(
-        std::string("--") + t.name,
-        [&arguments, &t](double value) { arguments.thresholds[t.name] = value; }, t.meaning);
+        std::string("--") + t.name, [&given, &t](double value) { given[t.name] = value; },
+        t.meaning);
     if (whole) option->check(CLI::TypeValidator<std::uint64_t>("WHOLE NUMBER"));
     option->check(between(t.low, t.high))
         ->type_name(t.kind == ThresholdKind::angle ? "DEGREES"
                     : whole                        ? "COUNT"
                                                    : "NUMBER")
         ->group(group);
+  }
+}
+
+void add_stages_of_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
+  const std::string stages = "Single stages (defaults in the report; not with --session)";
+  add_radius(app, arguments.radius, stages);
+  app.add_flag("!--no-deferred-seeding", arguments.deferred_seeding,
+               "Peel what no mark has reached, as published, instead of marking it from its widest "
+               "opening")
+      ->group(stages);
+  app.add_flag("--cavities", arguments.cavities,
+               "Keep closed surfaces inside the body: they bound hollows of it")
+      ->group(stages);
+  app.add_flag("!--no-clean-up", arguments.clean_up, "Leave the surface as the peel left it")
+      ->group(stages);
+  for (const ThresholdUse use : {ThresholdUse::cocone, ThresholdUse::tight}) {
+    add_thresholds_of(app, use, arguments.thresholds, stages);
+  }
+  const std::string noise = "Noise filter (with --noise robust)";
+  app.add_flag("!--noise-skin-only", arguments.noise_keep_good,
+               "Leave out all samples off the outer skin, as published: good ones, too")
+      ->group(noise);
+  add_thresholds_of(app, ThresholdUse::noise, arguments.thresholds, noise);
+  add_thresholds_of(app, ThresholdUse::findings, arguments.thresholds, "Findings");
+}
+
+void add_stages_of_boundary(CLI::App& app, BoundaryArguments& arguments) {
+  const std::string stages = "Single stages (defaults in the report)";
+  add_radius(app, arguments.radius, stages);
+  for (const ThresholdUse use : {ThresholdUse::cocone, ThresholdUse::loops}) {
+    add_thresholds_of(app, use, arguments.thresholds, stages);
   }
 }
 
@@ -161,7 +196,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
                   "Cocone; tight surfaces only); none (default): every sample counts")
       ->check(CLI::IsMember({"none", "robust"}));
   add_surface_options(*sub, reconstruct.parameters);
-  add_thresholds_of_stages(*sub, reconstruct);
+  add_stages_of_reconstruct(*sub, reconstruct);
 
   auto& boundary = add_command<BoundaryArguments>(
       app, "boundary", "The surface of an open cloud and its boundary loops", chosen, shared, sub);
@@ -170,6 +205,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
   sub->add_option("--loops", boundary.loops, "Write the boundary loops as polylines")
       ->type_name("FILE.obj");
   add_surface_options(*sub, boundary.parameters);
+  add_stages_of_boundary(*sub, boundary);
 
   auto& update = add_command<UpdateArguments>(
       app, "update", "Replace the parts of a mesh that new clouds show changed", chosen, shared,

@@ -55,8 +55,11 @@ struct ReconstructArguments {
   bool manifold = false;
   std::string noise = "none";  // "none" or "robust"
   SurfaceArguments parameters;
+  std::string radius;                        // as of boundary
+  bool deferred_seeding = true;              // of the peel, in robust mode
   bool cavities = false;                     // kept, in robust mode
   bool clean_up = true;                      // after the peel, in robust mode
+  bool noise_keep_good = true;               // of the noise filter
   std::map<std::string, double> thresholds;  // those given, by name (thresholds.h)
 };
 
@@ -66,6 +69,8 @@ struct BoundaryArguments {
   std::string loops;  // empty: not written
   bool ascii = false;
   SurfaceArguments parameters;
+  std::string radius;  // "cocone" or "tangent-plane"; empty: as the kind of surface has it
+  std::map<std::string, double> thresholds;  // those given, by name (thresholds.h)
 };
 
 struct UpdateArguments {

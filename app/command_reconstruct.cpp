@@ -1,4 +1,7 @@
+#include <fmt/format.h>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/carried_properties.h"
 #include "app/commands.h"
@@ -20,35 +23,78 @@ namespace cocoon::app {
 
 namespace {
 
-// Noise is filtered before anything else is built, which neither the open surface nor a session,
-// which keeps the triangulation of all points, has a place for.
+// What is set of the noise filter needs one. Noise is filtered before anything else is built, which
+// neither the open surface nor a session, which keeps the triangulation of all points, has a place
+// for.
 void require_possible_noise_filter(const ReconstructArguments& arguments) {
-  if (arguments.noise == "none") return;
+  if (arguments.noise == "none") {
+    std::vector<std::string> given = given_thresholds(ThresholdUse::noise, arguments.thresholds);
+    if (!arguments.noise_keep_good) given.insert(given.begin(), "--noise-skin-only");
+    if (given.empty()) return;
+    throw UsageError(fmt::format("{} needs --noise robust", given.front()));
+  }
   if (arguments.surface != "tight") throw UsageError("--noise robust needs --surface tight");
   if (!arguments.session.empty()) {
     throw UsageError("--noise robust cannot be combined with --session");
   }
 }
 
-// A session keeps the parameters of surface_options.h, and no others.
-ReconstructOptions options_of(const ReconstructArguments& arguments) {
-  const bool thresholds =
-      !arguments.thresholds.empty() || !arguments.clean_up || arguments.cavities;
-  if (thresholds && !arguments.session.empty()) {
-    throw UsageError("thresholds of single stages cannot be combined with --session");
+// Given options that a session does not keep: it has the parameters of surface_options.h only.
+std::vector<std::string> unknown_to_sessions(const ReconstructArguments& arguments) {
+  std::vector<std::string> names;
+  if (!arguments.radius.empty()) names.push_back("--radius");
+  if (!arguments.deferred_seeding) names.push_back("--no-deferred-seeding");
+  if (arguments.cavities) names.push_back("--cavities");
+  if (!arguments.clean_up) names.push_back("--no-clean-up");
+  for (const ThresholdUse use : {ThresholdUse::cocone, ThresholdUse::tight}) {
+    const std::vector<std::string> given = given_thresholds(use, arguments.thresholds);
+    names.insert(names.end(), given.begin(), given.end());
   }
-  ReconstructOptions options =
+  return names;
+}
+
+void require_possible_session(const ReconstructArguments& arguments) {
+  if (arguments.session.empty()) return;
+  const std::vector<std::string> names = unknown_to_sessions(arguments);
+  if (names.empty()) return;
+  throw UsageError(fmt::format("a session does not keep {}: leave {} out, or leave out --session",
+                               fmt::join(names, ", "), names.size() == 1 ? "it" : "them"));
+}
+
+StageOptions options_of(const ReconstructArguments& arguments) {
+  StageOptions options;
+  options.surface =
       surface_options(arguments.parameters,
                       arguments.surface == "tight" ? ReconstructOptions() : open_cloud_defaults());
-  options.clean_up.enabled = arguments.clean_up;
-  options.keep_cavities = arguments.cavities;
+  set_radius(options.surface, arguments.radius);
+  options.surface.peel.deferred_seeding = arguments.deferred_seeding;
+  options.surface.clean_up.enabled = arguments.clean_up;
+  options.surface.keep_cavities = arguments.cavities;
+  options.noise.keep_good = arguments.noise_keep_good;
   set_thresholds(options, arguments.thresholds);
   return options;
 }
 
+void add_stages(JsonReport& report, const ReconstructArguments& arguments,
+                const StageOptions& options) {
+  add_parameters(report, options.surface);
+  add_thresholds(report, ThresholdUse::cocone, options);
+  add_thresholds(report, ThresholdUse::findings, options);
+  if (arguments.noise == "robust") {
+    add_thresholds(report, ThresholdUse::noise, options);
+    report.set("parameters/noise_keep_good", options.noise.keep_good);
+  }
+  if (arguments.surface != "tight") return;
+  add_thresholds(report, ThresholdUse::tight, options);
+  const ReconstructOptions effective = effective_options(options.surface);
+  report.set("parameters/deferred_seeding", effective.peel.deferred_seeding);
+  report.set("parameters/cavities", effective.keep_cavities);
+  report.set("parameters/clean_up", effective.clean_up.enabled);
+}
+
 ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
-                                const ReconstructOptions& options) {
-  RobustResult result = reconstruct_robust(points, {}, options, job.execution());
+                                const StageOptions& options) {
+  RobustResult result = reconstruct_robust(points, options.noise, options.surface, job.execution());
   add_noise(job.report(), result.noise);
   job.say("noise: {} outliers and {} points inside the layer left out", result.noise.outliers,
           result.noise.layer_samples);
@@ -60,8 +106,10 @@ ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
 void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   require_outputs(job, {{arguments.mesh, mesh_extensions}, {arguments.session, {}}});
   require_possible_noise_filter(arguments);
+  require_possible_session(arguments);
   const bool tight = arguments.surface == "tight";
-  const ReconstructOptions options = options_of(arguments);
+  const StageOptions stages = options_of(arguments);
+  const ReconstructOptions& options = stages.surface;
   VertexProperties properties;
   const bool keep = holds_properties(arguments.mesh);
   const std::vector<Point> points =
@@ -76,13 +124,13 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
       reconstruction.mesh = session->model();
       return reconstruction;
     }
-    if (arguments.noise == "robust") return without_noise(job, points, options);
+    if (arguments.noise == "robust") return without_noise(job, points, stages);
     return tight ? reconstruct_tight(points, options, job.execution())
                  : reconstruct_cocone(points, options, job.execution());
   });
   require_surface(job.report(), arguments.points, result, options.boundary.rho);
   const SurfaceDoubts doubts = timed(job.execution(), "check", [&] {
-    return surface_doubts(result, points, {}, job.execution());
+    return surface_doubts(result, points, stages.doubts, job.execution());
   });
   properties = properties_of_surface(job, properties, arguments.points, result);
   MeshReport certificate = doubts.certificate;
@@ -101,10 +149,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
     });
   }
 
-  add_parameters(job.report(), options);
-  add_thresholds(job.report(), options);
-  job.report().set("parameters/cavities", effective_options(options).keep_cavities);
-  job.report().set("parameters/clean_up", effective_options(options).clean_up.enabled);
+  add_stages(job.report(), arguments, stages);
   add_reconstruction(job.report(), result, certificate);
   job.say("{} points ({} duplicates, {} not on the surface), {} tetrahedra", result.points,
           result.duplicates, result.unused_points, result.tetrahedra);

@@ -27,10 +27,20 @@ ReconstructOptions surface_options(const SurfaceArguments& arguments, Reconstruc
   return options;
 }
 
+void set_radius(ReconstructOptions& options, const std::string& radius) {
+  if (radius.empty()) return;
+  options.boundary.radius_mode =
+      radius == "cocone" ? RadiusMode::cocone : RadiusMode::tangent_plane;
+}
+
 void add_parameters(JsonReport& report, const ReconstructOptions& options) {
   const auto degrees = [](double radians) { return radians / degree; };
   report.set("parameters/mode", options.mode == Mode::paper ? "paper" : "robust");
   report.set("parameters/rho", options.boundary.rho);
+  report.set("parameters/radius",
+             effective_options(options).boundary.radius_mode == RadiusMode::cocone
+                 ? "cocone"
+                 : "tangent-plane");
   report.set("parameters/alpha_deg", degrees(std::acos(options.boundary.alpha_cosine)));
   report.set("parameters/cocone_angle_deg", degrees(std::asin(options.cocone.cosine)));
   report.set("parameters/sharp_angle_deg", degrees(std::acos(options.prune.sharp_cosine)));

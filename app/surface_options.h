@@ -12,6 +12,9 @@ namespace cocoon::app {
 // `defaults` with what the user has set.
 ReconstructOptions surface_options(const SurfaceArguments& arguments, ReconstructOptions defaults);
 
+// What the ratio condition measures: "cocone" or "tangent-plane"; empty: as it is.
+void set_radius(ReconstructOptions& options, const std::string& radius);
+
 // The section "parameters" of the report: what was used, given or not.
 void add_parameters(JsonReport& report, const ReconstructOptions& options);
 

@@ -12,48 +12,69 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 using enum ThresholdKind;
-using Options = ReconstructOptions;
+using enum ThresholdUse;
+using Options = StageOptions;
 using Field = Threshold::Field;
 
-constexpr std::array<Threshold, 19> table{{
+constexpr std::array<Threshold, 29> table{{
     {"keep-angle", "Pruning: two triangles at an edge, flatter than this dihedral angle, stay", 0,
-     180, angle, [](Options& o) -> Field { return &o.prune.keep_cosine; }},
+     180, angle, cocone, [](Options& o) -> Field { return &o.surface.prune.keep_cosine; }},
     {"fold-angle", "Marking: a dihedral angle of at most this makes both ends of an edge poor", 0,
-     180, angle, [](Options& o) -> Field { return &o.good_vertices.fold_cosine; }},
+     180, angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.fold_cosine; }},
     {"crease-angle", "Marking: below it those ends become poor that are boundary samples", 0, 180,
-     angle, [](Options& o) -> Field { return &o.good_vertices.crease_cosine; }},
+     angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
     {"most-clump-cells", "Clean-up: more undecided cells together are left as they are", 0, 4e9,
-     whole, [](Options& o) -> Field { return &o.clean_up.most_clump_cells; }},
+     whole, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_cells; }},
     {"most-clump-share", "Clean-up: but not if they are at most this share of all cells", 0, 1,
-     number, [](Options& o) -> Field { return &o.clean_up.most_clump_share; }},
+     number, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_share; }},
     {"decided-rings", "Clean-up: rings of decided cells that the cut may label anew", 0, 100, whole,
-     [](Options& o) -> Field { return &o.clean_up.decided_rings; }},
+     tight, [](Options& o) -> Field { return &o.surface.clean_up.decided_rings; }},
     {"evidence-weight", "Clean-up: evidence of the poles against a cell's label", 0, 1000, number,
-     [](Options& o) -> Field { return &o.clean_up.evidence_weight; }},
-    {"mark-weight", "Clean-up: a decided cell that leaves its label", 0, 1000, number,
-     [](Options& o) -> Field { return &o.clean_up.mark_weight; }},
-    {"defect-cost", "Clean-up: a non-manifold edge or a pinched vertex", 0, 1000, number,
-     [](Options& o) -> Field { return &o.clean_up.defect_cost; }},
-    {"unused-cost", "Clean-up: a sample that is not on the surface", 0, 1000, number,
-     [](Options& o) -> Field { return &o.clean_up.unused_cost; }},
+     tight, [](Options& o) -> Field { return &o.surface.clean_up.evidence_weight; }},
+    {"mark-weight", "Clean-up: a decided cell that leaves its label", 0, 1000, number, tight,
+     [](Options& o) -> Field { return &o.surface.clean_up.mark_weight; }},
+    {"defect-cost", "Clean-up: a non-manifold edge or a pinched vertex", 0, 1000, number, tight,
+     [](Options& o) -> Field { return &o.surface.clean_up.defect_cost; }},
+    {"unused-cost", "Clean-up: a sample that is not on the surface", 0, 1000, number, tight,
+     [](Options& o) -> Field { return &o.surface.clean_up.unused_cost; }},
     {"outlier-ratio", "Clean-up: unused samples so many times as far from others are not missed", 1,
-     1e6, number, [](Options& o) -> Field { return &o.clean_up.outlier_ratio; }},
-    {"handle-cost", "Clean-up: a handle of the surface", 0, 1000, number,
-     [](Options& o) -> Field { return &o.clean_up.handle_cost; }},
+     1e6, number, tight, [](Options& o) -> Field { return &o.surface.clean_up.outlier_ratio; }},
+    {"handle-cost", "Clean-up: a handle of the surface", 0, 1000, number, tight,
+     [](Options& o) -> Field { return &o.surface.clean_up.handle_cost; }},
     {"idle-cost", "Clean-up: a sample that does nothing for the surface; 0: holes stay filled", 0,
-     1000, number, [](Options& o) -> Field { return &o.clean_up.idle_cost; }},
+     1000, number, tight, [](Options& o) -> Field { return &o.surface.clean_up.idle_cost; }},
     {"idle-flat-angle", "Clean-up: facets of idle samples lean by at most this", 0, 90, angle,
-     [](Options& o) -> Field { return &o.clean_up.idle.flat_cosine; }},
+     tight, [](Options& o) -> Field { return &o.surface.clean_up.idle.flat_cosine; }},
     {"idle-ratio", "Clean-up: circles of idle samples' facets, in spacings, at least", 0, 1000,
-     number, [](Options& o) -> Field { return &o.clean_up.idle.ratio; }},
+     number, tight, [](Options& o) -> Field { return &o.surface.clean_up.idle.ratio; }},
     {"deep-angle", "Clean-up: balls of one cluster meet at this angle at most", 0, 180, angle,
-     [](Options& o) -> Field { return &o.clean_up.deep_cosine; }},
+     tight, [](Options& o) -> Field { return &o.surface.clean_up.deep_cosine; }},
     {"deeper-angle", "Clean-up: balls of the closer clusters that are asked then", 0, 180, angle,
-     [](Options& o) -> Field { return &o.clean_up.deeper_cosine; }},
-    {"most-cluster-cells", "Clean-up: larger clusters are not asked", 0, 4e9, whole,
-     [](Options& o) -> Field { return &o.clean_up.most_cluster_cells; }},
+     tight, [](Options& o) -> Field { return &o.surface.clean_up.deeper_cosine; }},
+    {"most-cluster-cells", "Clean-up: larger clusters are not asked", 0, 4e9, whole, tight,
+     [](Options& o) -> Field { return &o.surface.clean_up.most_cluster_cells; }},
     {"component-cost", "Clean-up: a part of the body; cheaper parts are dropped", 0, 1e6, number,
-     [](Options& o) -> Field { return &o.clean_up.component_cost; }},
+     tight, [](Options& o) -> Field { return &o.surface.clean_up.component_cost; }},
+    {"noise-neighbors", "Noise filter: edges that make the spacing of a sample", 1, 1000, whole,
+     noise, [](Options& o) -> Field { return &o.noise.neighbors; }},
+    {"noise-outlier-ratio", "Noise filter: spacing of outliers, in spacings of their neighbors", 1,
+     1e6, number, noise, [](Options& o) -> Field { return &o.noise.outlier_ratio; }},
+    {"noise-large-ratio", "Noise filter: large balls have larger radii, in spacings", 0, 1e6,
+     number, noise, [](Options& o) -> Field { return &o.noise.large_ratio; }},
+    {"noise-deep-angle", "Noise filter: large balls on one side meet at this angle at most", 0, 180,
+     angle, noise, [](Options& o) -> Field { return &o.noise.deep_cosine; }},
+    {"min-part-share", "Loops: parts with a smaller share of the triangles are debris", 0, 1,
+     number, loops, [](Options& o) -> Field { return &o.loops.min_component_share; }},
+    {"min-loop-edges", "Loops: those with fewer edges are pin-holes", 0, 4e9, whole, loops,
+     [](Options& o) -> Field { return &o.loops.min_loop_edges; }},
+    {"min-loop-perimeter", "Loops: shorter ones are pin-holes, in median edges of the surface", 0,
+     1e6, number, loops, [](Options& o) -> Field { return &o.loops.min_perimeter_in_edges; }},
+    {"gap-ratio", "Findings: edges so many times as long as others at a sample are a gap", 1, 1e6,
+     number, findings, [](Options& o) -> Field { return &o.doubts.gap_ratio; }},
+    {"dust-share", "Findings: dust has fewer triangles, as a share of the largest part", 0, 1,
+     number, findings, [](Options& o) -> Field { return &o.doubts.fragment_share; }},
+    {"max-spots", "Findings: places told of each kind", 1, 1000, whole, findings,
+     [](Options& o) -> Field { return &o.doubts.max_spots; }},
 }};
 
 double value_of(Field field) {
@@ -69,7 +90,16 @@ void set_value(Field field, double value) {
 
 std::span<const Threshold> thresholds() { return table; }
 
-void set_thresholds(ReconstructOptions& options, const std::map<std::string, double>& given) {
+std::vector<std::string> given_thresholds(ThresholdUse use,
+                                          const std::map<std::string, double>& given) {
+  std::vector<std::string> names;
+  for (const Threshold& t : table) {
+    if (t.use == use && given.contains(t.name)) names.push_back(std::string("--") + t.name);
+  }
+  return names;
+}
+
+void set_thresholds(StageOptions& options, const std::map<std::string, double>& given) {
   for (const Threshold& t : table) {
     const auto found = given.find(t.name);
     if (found == given.end()) continue;
@@ -78,8 +108,9 @@ void set_thresholds(ReconstructOptions& options, const std::map<std::string, dou
   }
 }
 
-void add_thresholds(JsonReport& report, ReconstructOptions options) {
+void add_thresholds(JsonReport& report, ThresholdUse use, StageOptions options) {
   for (const Threshold& t : table) {
+    if (t.use != use) continue;
     std::string key = std::string("parameters/") + t.name + (t.kind == angle ? "_deg" : "");
     std::replace(key.begin(), key.end(), '-', '_');
     const double value = value_of(t.field(options));

@@ -1,5 +1,5 @@
-// Thresholds of the Cocone stages and of the clean-up as options of the command line. Rarely
-// needed; each is a field of the library's options, whose header says what it does.
+// Thresholds of single stages as options of the command line. Rarely needed; each is a field of the
+// library's options, whose header says what it does.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,32 @@
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "app/json_report.h"
+#include "cocone/boundary_loops.h"
+#include "cocone/noise_filter.h"
 #include "cocone/reconstruct.h"
+#include "cocone/surface_doubts.h"
 
 namespace cocoon::app {
+
+// The options of the library that have thresholds.
+struct StageOptions {
+  ReconstructOptions surface;
+  NoiseOptions noise;
+  BoundaryLoopOptions loops;
+  SurfaceDoubtOptions doubts;
+};
+
+// What a threshold is of.
+enum class ThresholdUse {
+  cocone,    // every surface
+  tight,     // watertight ones
+  noise,     // the filter before them
+  loops,     // the command boundary
+  findings,  // what is said of the result
+};
 
 enum class ThresholdKind {
   number,
@@ -27,16 +48,21 @@ struct Threshold {
   double low;  // the values allowed
   double high;
   ThresholdKind kind;
-  Field (*field)(ReconstructOptions&);
+  ThresholdUse use;
+  Field (*field)(StageOptions&);
 };
 
 // All of them, with unique names, in the order of the stages. O(1).
 std::span<const Threshold> thresholds();
 
-// Sets those given, by name. Precondition: the names are among thresholds().
-void set_thresholds(ReconstructOptions& options, const std::map<std::string, double>& given);
+// The options by which some of one use were given: "--name", in the order of the table.
+std::vector<std::string> given_thresholds(ThresholdUse use,
+                                          const std::map<std::string, double>& given);
 
-// What was used, given or not.
-void add_thresholds(JsonReport& report, ReconstructOptions options);
+// Sets those given, by name. Precondition: the names are among thresholds().
+void set_thresholds(StageOptions& options, const std::map<std::string, double>& given);
+
+// Those of one use, given or not.
+void add_thresholds(JsonReport& report, ThresholdUse use, StageOptions options);
 
 }  // namespace cocoon::app

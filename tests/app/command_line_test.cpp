@@ -51,6 +51,25 @@ TEST(CommandLine, ThresholdsOfStagesAreTakenByName) {
   EXPECT_THROW(parse({"reconstruct", "a.xyz", "-o", "a.ply", "--fold-angle", "200"}), UsageError);
 }
 
+TEST(CommandLine, RadiusSeedingAndNoiseFilterAreOptions) {
+  const auto arguments = parsed<ReconstructArguments>(
+      {"reconstruct", "a.xyz", "-o", "a.ply", "--radius", "cocone", "--no-deferred-seeding",
+       "--noise", "robust", "--noise-skin-only", "--noise-neighbors", "5"});
+  EXPECT_EQ(arguments.radius, "cocone");
+  EXPECT_FALSE(arguments.deferred_seeding);
+  EXPECT_FALSE(arguments.noise_keep_good);
+  EXPECT_EQ(arguments.thresholds, (std::map<std::string, double>{{"noise-neighbors", 5}}));
+  const auto plain = parsed<ReconstructArguments>({"reconstruct", "a.xyz", "-o", "a.ply"});
+  EXPECT_EQ(plain.radius, "");
+  EXPECT_TRUE(plain.deferred_seeding && plain.noise_keep_good);
+  EXPECT_THROW(parse({"reconstruct", "a.xyz", "-o", "a.ply", "--radius", "ball"}), UsageError);
+  const auto open = parsed<BoundaryArguments>(
+      {"boundary", "a.xyz", "-o", "a.ply", "--radius", "tangent-plane", "--min-loop-edges", "3"});
+  EXPECT_EQ(open.radius, "tangent-plane");
+  EXPECT_EQ(open.thresholds, (std::map<std::string, double>{{"min-loop-edges", 3}}));
+  EXPECT_THROW(parse({"boundary", "a.xyz", "-o", "a.ply", "--idle-cost", "3"}), UsageError);
+}
+
 TEST(CommandLine, UpdateTakesAnyNumberOfClouds) {
   const auto arguments = parsed<UpdateArguments>(
       {"update", "m.ply", "c1.xyz", "c2.xyz", "-o", "u.ply", "--map", "m.txt", "--html", "r.html"});

@@ -11,9 +11,12 @@
 namespace cocoon::app {
 namespace {
 
-nlohmann::json parameters(const ReconstructOptions& options) {
+nlohmann::json parameters(const StageOptions& options) {
   JsonReport report;
-  add_thresholds(report, options);
+  for (const ThresholdUse use : {ThresholdUse::cocone, ThresholdUse::tight, ThresholdUse::noise,
+                                 ThresholdUse::loops, ThresholdUse::findings}) {
+    add_thresholds(report, use, options);
+  }
   return nlohmann::json::parse(report.text())["parameters"];
 }
 
@@ -27,7 +30,7 @@ std::string key(const Threshold& threshold) {
 TEST(Thresholds, AreOneFieldEach) {
   std::set<const void*> fields;
   std::set<std::string> names;
-  ReconstructOptions options;
+  StageOptions options;
   for (const Threshold& t : thresholds()) {
     std::visit([&](const void* field) { fields.insert(field); }, t.field(options));
     names.insert(t.name);
@@ -44,7 +47,7 @@ TEST(Thresholds, OneThatIsGivenIsSetAndReportedAndNoOther) {
   for (const Threshold& given : thresholds()) {
     const double inside = given.low + 0.375 * (given.high - given.low);
     const double value = given.kind == ThresholdKind::whole ? std::floor(inside) : inside;
-    ReconstructOptions options;
+    StageOptions options;
     set_thresholds(options, {{given.name, value}});
     const nlohmann::json now = parameters(options);
     for (const Threshold& t : thresholds()) {
@@ -56,6 +59,13 @@ TEST(Thresholds, OneThatIsGivenIsSetAndReportedAndNoOther) {
       }
     }
   }
+}
+
+TEST(Thresholds, GivenOnesAreNamedByUse) {
+  const std::map<std::string, double> given{
+      {"keep-angle", 100}, {"idle-cost", 1}, {"max-spots", 5}};
+  EXPECT_EQ(given_thresholds(ThresholdUse::tight, given), std::vector<std::string>{"--idle-cost"});
+  EXPECT_TRUE(given_thresholds(ThresholdUse::noise, given).empty());
 }
 
 }  // namespace
