@@ -1,20 +1,56 @@
 #include "cocone/sample_spacing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace cocoon {
+
+namespace {
+
+// Vertices met so far: open addressing, for so many that a quarter of it is filled at most.
+class SmallVertexSet {
+ public:
+  static constexpr std::size_t most = 128;
+
+  SmallVertexSet() { slots_.fill(none); }
+  // False if it was there.
+  bool insert(VertexId v) {
+    std::size_t slot = (v.value * 0x9E3779B1U) >> (32 - bits);
+    for (; slots_[slot] != none; slot = (slot + 1) % slots_.size()) {
+      if (slots_[slot] == v.value) return false;
+    }
+    slots_[slot] = v.value;
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t bits = 9;
+  static constexpr std::uint32_t none = infinite_vertex.value;
+  std::array<std::uint32_t, std::size_t{1} << bits> slots_;
+};
+
+void sort_out_repeated(std::vector<VertexId>& vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+}
+
+}  // namespace
 
 void collect_neighbors(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
                        std::vector<VertexId>& neighbors) {
   neighbors.clear();
+  // The link of v is a sphere: it has two vertices more than half its triangles.
+  const bool is_small = star.size() / 2 + 2 <= SmallVertexSet::most;
+  SmallVertexSet met;
   for (const CellId c : star) {
     for (const VertexId w : triangulation.cell(c).vertices) {
-      if (w != v && w != infinite_vertex) neighbors.push_back(w);
+      if (w == v || w == infinite_vertex) continue;
+      if (!is_small || met.insert(w)) neighbors.push_back(w);
     }
   }
-  std::sort(neighbors.begin(), neighbors.end());
-  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  if (!is_small) sort_out_repeated(neighbors);
 }
 
 double sample_spacing(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,

@@ -14,8 +14,8 @@
 
 namespace cocoon {
 
-// The finite Delaunay neighbors of v, ascending; `star`: the cells at v. Complexity: O(star log
-// star).
+// The finite Delaunay neighbors of v, each once, in no particular order; `star`: the cells at v.
+// Complexity: O(star) expected.
 void collect_neighbors(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
                        std::vector<VertexId>& neighbors);
 
