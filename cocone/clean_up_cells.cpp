@@ -9,6 +9,7 @@
 
 #include "cocone/cell_cluster.h"
 #include "cocone/cell_energy.h"
+#include "cocone/cell_order.h"
 #include "cocone/doubtful_region.h"
 #include "cocone/idle_samples.h"
 #include "cocone/max_flow.h"
@@ -295,22 +296,10 @@ class CleanUp {
     return false;
   }
 
-  using Corners = std::array<Point, 4>;
-  std::vector<Corners> key(std::span<const CellId> cells) const {
-    std::vector<Corners> corners;
-    for (const CellId c : cells) {
-      Corners p;
-      for (int i = 0; i < 4; ++i) {
-        p[static_cast<std::size_t>(i)] = triangulation_.point(triangulation_.vertex(c, i));
-      }
-      std::sort(p.begin(), p.end());
-      corners.push_back(p);
-    }
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  }
   bool precedes(std::span<const CellId> a, std::span<const CellId> b) const {
-    return a.size() != b.size() ? a.size() < b.size() : key(a) < key(b);
+    return a.size() != b.size()
+               ? a.size() < b.size()
+               : sorted_corners(triangulation_, a) < sorted_corners(triangulation_, b);
   }
 
   ZeroedArray<CellId, std::uint8_t>& scratch() {
@@ -430,7 +419,9 @@ class CleanUp {
     });
     std::erase_if(parts, [](const auto& part) { return part.empty(); });
     std::sort(parts.begin(), parts.end(), [&](const auto& a, const auto& b) {
-      return a.size() != b.size() ? a.size() < b.size() : key(a) < key(b);
+      return a.size() != b.size()
+                 ? a.size() < b.size()
+                 : sorted_corners(triangulation_, a) < sorted_corners(triangulation_, b);
     });
     if (!alone && parts.size() > 0 && parts.back().size() == most) parts.pop_back();
     return parts;

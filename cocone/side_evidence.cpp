@@ -8,22 +8,12 @@
 #include <queue>
 #include <vector>
 
+#include "cocone/cell_order.h"
 #include "delaunay/circulate.h"
 #include "delaunay/voronoi_dual.h"
 
 namespace cocoon {
 namespace {
-
-using Corners = std::array<Point, 4>;
-
-Corners sorted_corners(const Triangulation& triangulation, CellId c) {
-  Corners corners;
-  for (int i = 0; i < 4; ++i) {
-    corners[static_cast<std::size_t>(i)] = triangulation.point(triangulation.vertex(c, i));
-  }
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
 
 // When a cell has its turn, as one number: the clearer first, then the first in canonical order.
 using Turn = std::uint64_t;

@@ -1,0 +1,34 @@
+// The canonical order of cells: by their corners as points, never by their numbers.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "delaunay/triangulation.h"
+
+namespace cocoon {
+
+// Lexicographically. Precondition: a finite cell. O(1).
+inline std::array<Point, 4> sorted_corners(const Triangulation& triangulation, CellId c) {
+  std::array<Point, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) {
+    corners[i] = triangulation.point(triangulation.cell(c).vertices[i]);
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+// Of finite cells, whatever their order. O(k log k) for k cells.
+inline std::vector<std::array<Point, 4>> sorted_corners(const Triangulation& triangulation,
+                                                        std::span<const CellId> cells) {
+  std::vector<std::array<Point, 4>> corners;
+  corners.reserve(cells.size());
+  for (const CellId c : cells) corners.push_back(sorted_corners(triangulation, c));
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+}  // namespace cocoon
