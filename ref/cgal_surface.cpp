@@ -6,11 +6,8 @@
 #include "ref/cgal_triangulation.h"
 
 namespace cocoon::ref {
-namespace {
 
-using namespace on_cgal;
-
-Delaunay triangulation_of(Points points, double& seconds) {
+on_cgal::Delaunay on_cgal::triangulation_of(Points points, double* processor_seconds) {
   std::vector<std::pair<Kernel::Point_3, VertexInfo>> labeled;
   labeled.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -21,9 +18,15 @@ Delaunay triangulation_of(Points points, double& seconds) {
   Delaunay delaunay;
   const std::clock_t begin = std::clock();
   delaunay.insert(labeled.begin(), labeled.end());
-  seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  if (processor_seconds != nullptr) {
+    *processor_seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  }
   return delaunay;
 }
+
+namespace {
+
+using namespace on_cgal;
 
 // CGAL numbers the corners of a facet clockwise seen from outside of its cell.
 std::array<PointId, 3> ids(const Facet& f) {
@@ -35,7 +38,7 @@ std::array<PointId, 3> ids(const Facet& f) {
 
 CgalSurface cgal_open_surface(Points points, const CgalSurfaceOptions& options) {
   CgalSurface result;
-  Delaunay delaunay = triangulation_of(points, result.delaunay_seconds);
+  Delaunay delaunay = triangulation_of(points, &result.delaunay_seconds);
   find_candidates(delaunay, options);
   prune_and_walk(delaunay);
   for (const Facet& f : delaunay.finite_facets()) {
@@ -46,7 +49,7 @@ CgalSurface cgal_open_surface(Points points, const CgalSurfaceOptions& options) 
 
 CgalSurface cgal_tight_surface(Points points, const CgalSurfaceOptions& options) {
   CgalSurface result;
-  Delaunay delaunay = triangulation_of(points, result.delaunay_seconds);
+  Delaunay delaunay = triangulation_of(points, &result.delaunay_seconds);
   find_candidates(delaunay, options);
   prune_and_walk(delaunay);
   mark_and_peel(delaunay);

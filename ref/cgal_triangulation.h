@@ -1,5 +1,5 @@
-// The triangulation on which cgal_surface.cpp and its parts work, and what they note in it. Only
-// these include it: CGAL stays out of all other headers.
+// The triangulation on which cgal_surface.cpp, its parts and cgal_noise_filter.cpp work, and what
+// they note in it. Only these include it: CGAL stays out of all other headers.
 #pragma once
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -66,6 +66,9 @@ inline void set_surface(const Delaunay& delaunay, const Facet& f, bool value) {
   f.first->info().surface[static_cast<std::size_t>(f.second)] = value;
   mirror.first->info().surface[static_cast<std::size_t>(mirror.second)] = value;
 }
+
+// Vertices have the positions of their points as ids. The time is that of CGAL alone.
+Delaunay triangulation_of(Points points, double* processor_seconds = nullptr);
 
 // The surface facets at v, each by its two other corners.
 std::vector<std::array<VertexHandle, 2>> link_of(const Delaunay& delaunay, VertexHandle v);

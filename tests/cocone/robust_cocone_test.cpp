@@ -7,6 +7,7 @@
 #include "delaunay/delaunay.h"
 #include "geom/mesh_check.h"
 #include "geom/random.h"
+#include "ref/cgal_noise_filter.h"
 #include "tests/cocone/sample_shapes.h"
 
 namespace cocoon {
@@ -103,6 +104,42 @@ TEST(RobustCocone, PublishedFilterKeepsTheSkinAlone) {
   EXPECT_GT(published.counters.layer_samples, ours.counters.layer_samples);
   for (const NoiseCounters& c : {ours.counters, published.counters}) {
     EXPECT_EQ(c.outliers + c.skin_samples + c.good_samples + c.layer_samples, points.size());
+  }
+}
+
+// Skin, layer and outliers are those of the twin; with keep_good only samples of the layer come
+// back.
+TEST(RobustCocone, ChoosesAsTheTwinOnCgal) {
+  const std::vector<Noisy> sets{
+      {"sphere, 10 %", shaken(shapes::sphere(1500, 31), 0.008, 32), 0},
+      {"sphere, 50 %", shaken(shapes::sphere(1500, 5), 0.04, 6), 0},
+      {"torus", shaken(shapes::torus(60, 30, 0.4, 0.3, 7), 0.03, 8), 0},
+      {"two layers", shapes::joined(shapes::sphere(1000, 9), shapes::sphere(1000, 10, 1.03)), 0},
+      {"outliers", shapes::joined(shapes::sphere(1500, 11), scattered(40, 3, 12)), 0},
+      {"open", shaken(shapes::cut_sphere(1500, 0.5, 13), 0.02, 14), 0},
+      {"volume", shapes::random_cube(1200, 15), 0}};
+  const std::vector<NoiseOptions> choices{{.keep_good = false},
+                                          {.neighbors = 6,
+                                           .outlier_ratio = 2,
+                                           .large_ratio = 2.5,
+                                           .deep_cosine = 0.9,
+                                           .keep_good = false}};
+  for (const Noisy& set : sets) {
+    for (NoiseOptions noise : choices) {
+      const RobustSamples skin = robust_samples(set.points, noise);
+      const auto fates = ref::cgal_noise_filter(set.points, noise);
+      noise.keep_good = true;
+      const RobustSamples with_good = robust_samples(set.points, noise);
+      std::size_t outliers = 0;
+      for (const PointId p : fates.ids()) {
+        outliers += fates[p] == ref::SampleFate::outlier ? 1U : 0U;
+        ASSERT_EQ(skin.kept[p] != 0, fates[p] == ref::SampleFate::skin) << set.name;
+        const bool may_stay = fates[p] != ref::SampleFate::outlier;
+        ASSERT_TRUE(with_good.kept[p] == 0 ? skin.kept[p] == 0 : may_stay) << set.name;
+      }
+      EXPECT_EQ(skin.counters.outliers, outliers) << set.name;
+      EXPECT_GT(skin.counters.layer_samples + outliers, 0U) << set.name;
+    }
   }
 }
 
