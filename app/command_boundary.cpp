@@ -10,6 +10,7 @@
 #include "app/thresholds.h"
 #include "cocone/boundary_loops.h"
 #include "cocone/reconstruct.h"
+#include "geom/counted.h"
 #include "geom/mesh_check.h"
 #include "io/mesh_file.h"
 #include "io/polyline_file.h"
@@ -79,8 +80,8 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
   add_reconstruction(job.report(), surface, certificate);
   add_boundary(job.report(), surface, boundary);
   job.say("{} -> {}", surface_summary(certificate), arguments.mesh);
-  job.say("{} boundary samples, {} loops ({} of them pin-holes)", surface.counters.boundary_samples,
-          boundary.loops.size(), boundary.pin_holes);
+  job.say("{}, {} ({})", counted(surface.counters.boundary_samples, "boundary sample"),
+          counted(boundary.loops.size(), "loop"), counted(boundary.pin_holes, "pin-hole"));
   for (const BoundaryLoop& loop : boundary.loops) {
     job.say("  {} edges, length {:.6g}{}", loop.edges.size(), loop.perimeter,
             loop.pin_hole ? " (pin-hole)" : "");

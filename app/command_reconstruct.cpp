@@ -16,6 +16,7 @@
 #include "app/updating.h"
 #include "cocone/reconstruct.h"
 #include "cocone/robust_cocone.h"
+#include "geom/counted.h"
 #include "geom/mesh_check.h"
 #include "io/mesh_file.h"
 
@@ -96,8 +97,8 @@ ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
                                 const StageOptions& options) {
   RobustResult result = reconstruct_robust(points, options.noise, options.surface, job.execution());
   add_noise(job.report(), result.noise);
-  job.say("noise: {} outliers and {} points inside the layer left out", result.noise.outliers,
-          result.noise.layer_samples);
+  job.say("noise: {} and {} inside the layer left out", counted(result.noise.outliers, "outlier"),
+          counted(result.noise.layer_samples, "point"));
   return std::move(result.surface);
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "geom/counted.h"
 #include "geom/errors.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"
@@ -88,7 +89,9 @@ std::vector<Point> read_cloud(Job& job, const std::string& path, const std::stri
   PointCloud cloud = timed(job.execution(), "read", [&] { return read_points(path, options); });
   if (cloud.skipped > 0) {
     job.report().set(section + "/skipped_non_finite", cloud.skipped);
-    job.warn(fmt::format("{}: {} points are not finite and were left out", path, cloud.skipped));
+    job.warn(fmt::format(
+        "{}: {} left out", path,
+        counted(cloud.skipped, "point is not finite and was", "points are not finite and were")));
   }
   if (properties != nullptr) *properties = std::move(cloud.properties);
   return std::move(cloud.points);
@@ -108,7 +111,8 @@ TriangleMesh read_shape(Job& job, const std::string& path, const std::string& se
   const std::size_t left_out = read.short_faces + read.degenerate_triangles;
   if (left_out > 0) {
     job.report().set(section + "/faces_left_out", left_out);
-    job.warn(fmt::format("{}: {} faces without area were left out", path, left_out));
+    job.warn(fmt::format("{}: {} left out", path,
+                         counted(left_out, "face without area was", "faces without area were")));
   }
   return mesh;
 }

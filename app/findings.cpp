@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "geom/counted.h"
+
 namespace cocoon::app {
 
 namespace {
@@ -13,13 +15,21 @@ std::string place(const DoubtfulSpot& spot) {
 // A deviation of normal noise from the median roughness it causes (surface_doubts.h).
 double noise_of(double roughness) { return roughness / 0.7; }
 
+// "12 samples (1 more is beside a gap)"
+std::string sparse_samples(const SurfaceDoubts& d) {
+  if (d.boundary_samples == 0) return counted(d.gap_samples, "sample") + " beside gaps";
+  const std::string samples = counted(d.boundary_samples, "sample");
+  if (d.gap_samples == 0) return samples;
+  return fmt::format("{} ({} beside gaps)", samples, counted(d.gap_samples, "more is", "more are"));
+}
+
 Finding sparse_finding(const SurfaceDoubts& d) {
   return {
       "sparse",
-      fmt::format("samples are too sparse, or edges too sharp, at {} samples ({} more are beside "
-                  "gaps); the longest triangle edge there is {:.3g} ({:.1f} times the median), "
-                  "near {}; scan such places more densely",
-                  d.boundary_samples, d.gap_samples, d.sparse[0].size, d.sparse[0].size / d.spacing,
+      fmt::format("samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
+                  "there is {:.3g} ({:.1f} times the median), near {}; scan such places more "
+                  "densely",
+                  sparse_samples(d), d.sparse[0].size, d.sparse[0].size / d.spacing,
                   place(d.sparse[0])),
       d.boundary_samples + d.gap_samples, d.sparse};
 }
@@ -35,31 +45,39 @@ Finding noise_finding(const SurfaceDoubts& d, bool noise_filtered) {
 
 Finding fragments_finding(const SurfaceDoubts& d) {
   return {"fragments",
-          fmt::format("{} small parts beside the main surface; the largest has {} triangles and is "
-                      "{:.3g} across, near {}; add samples there or remove stray ones",
-                      d.fragments, d.dust[0].count, d.dust[0].size, place(d.dust[0])),
+          fmt::format("{} beside the main surface; {} has {} and is {:.3g} across, near {}; add "
+                      "samples there or remove stray ones",
+                      counted(d.fragments, "small part"), d.fragments == 1 ? "it" : "the largest",
+                      counted(d.dust[0].count, "triangle"), d.dust[0].size, place(d.dust[0])),
           d.fragments, d.dust};
 }
 
 Finding unused_finding(const SurfaceDoubts& d, std::size_t points, bool noise_filtered) {
-  return {
-      "unused",
-      fmt::format("{} of {} points are not on the surface; the farthest is {:.3g} ({:.1f} times "
-                  "the spacing) off, at {}; {}",
-                  d.unused_points, points, d.unused[0].size, d.unused[0].size / d.spacing,
-                  place(d.unused[0]),
-                  noise_filtered ? "they count as noise or outliers"
-                                 : "outliers (--noise robust finds more of them), inner surfaces "
-                                   "(--cavities keeps them), or samples too "
-                                   "sparse there"),
-      d.unused_points, d.unused};
+  return {"unused",
+          fmt::format("{} of {} points {} not on the surface; {} is {:.3g} ({:.1f} times the "
+                      "spacing) off, at {}; {}",
+                      d.unused_points, points, d.unused_points == 1 ? "is" : "are",
+                      d.unused_points == 1 ? "it" : "the farthest", d.unused[0].size,
+                      d.unused[0].size / d.spacing, place(d.unused[0]),
+                      noise_filtered ? "such count as noise or outliers"
+                                     : "outliers (--noise robust finds more of them), inner "
+                                       "surfaces (--cavities keeps them), or samples too sparse "
+                                       "there"),
+          d.unused_points, d.unused};
+}
+
+// "3 edges and 1 vertex"; only what there is
+std::string contacts_of(const SurfaceDoubts& d) {
+  const std::string edges = counted(d.bad_edges, "edge");
+  const std::string vertices = counted(d.pinched_vertices, "vertex", "vertices");
+  if (d.pinched_vertices == 0) return edges;
+  return d.bad_edges == 0 ? vertices : edges + " and " + vertices;
 }
 
 Finding contacts_finding(const SurfaceDoubts& d) {
   return {"contacts",
-          fmt::format("the surface touches itself at {} edges and {} vertices, as near {}; "
-                      "--manifold parts the sheets",
-                      d.bad_edges, d.pinched_vertices, place(d.contacts[0])),
+          fmt::format("the surface touches itself at {}, as near {}; --manifold parts the sheets",
+                      contacts_of(d), place(d.contacts[0])),
           d.bad_edges + d.pinched_vertices, d.contacts};
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "geom/counted.h"
 #include "geom/split_nonmanifold.h"
 #include "io/file_format.h"
 
@@ -32,9 +33,9 @@ void make_manifold(Job& job, const std::string& file, TriangleMesh& mesh,
   if (split.copies + split.midpoints == 0) return;
   properties = properties_of_copies(properties, split.source);
   job.say(
-      "made manifold: {} edges with more than two triangles and {} vertices split; {} vertices "
-      "copied, {} edges given a midpoint",
-      split.split_edges, split.split_vertices, split.copies, split.midpoints);
+      "made manifold: {} with more than two triangles and {} split; {} copied, {} given a midpoint",
+      counted(split.split_edges, "edge"), counted(split.split_vertices, "vertex", "vertices"),
+      counted(split.copies, "vertex", "vertices"), counted(split.midpoints, "edge"));
   if (split.copies > 0 && format_of(file) == FileFormat::stl) {
     job.warn(file +
              ": STL has no vertex ids, so a reader joins the copied vertices again; write .ply, "

@@ -4,16 +4,9 @@
 #include <cstdint>
 #include <fmt/format.h>
 
+#include "geom/counted.h"
+
 namespace cocoon::app {
-
-namespace {
-
-// "1 component", "3 components"
-std::string counted(std::size_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
-}  // namespace
 
 void add_surface(JsonReport& report, const TriangleMesh& mesh, const MeshReport& certificate) {
   report.set("surface/vertices", certificate.vertices);

@@ -7,6 +7,7 @@
 
 #include "app/surface_report.h"
 #include "app/update_report.h"
+#include "geom/counted.h"
 #include "update/vertex_origins.h"
 
 namespace cocoon::app {
@@ -404,8 +405,7 @@ std::vector<std::string> verdicts_of(const MeshReport& surface) {
   verdicts.emplace_back(surface.open_edges == 0 ? "closed" : "open");
   const bool manifold = surface.overfull_edges == 0 && surface.pinched_vertices == 0;
   verdicts.emplace_back(manifold ? "manifold" : "not manifold");
-  verdicts.push_back(
-      fmt::format("{} component{}", surface.components, surface.components == 1 ? "" : "s"));
+  verdicts.push_back(counted(surface.components, "component"));
   return verdicts;
 }
 
@@ -414,8 +414,8 @@ std::vector<std::string> verdicts_of(const MeshReport& surface) {
 ReportPage update_page(const UpdateRecord& record, const std::vector<StageTime>& timings) {
   ReportPage page;
   page.title = "Cocoon: local mesh update";
-  page.subtitle = fmt::format("{} updated by {} cloud{}", record.model_name, record.clouds.size(),
-                              record.clouds.size() == 1 ? "" : "s");
+  page.subtitle =
+      fmt::format("{} updated by {}", record.model_name, counted(record.clouds.size(), "cloud"));
   page.verdicts = verdicts_of(record.certificate);
   SceneBuilder(record, page).build();
   page.tables = {point_table(record), angle_table(record), rim_table(record)};

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "app/surface_report.h"
+#include "geom/counted.h"
 
 namespace cocoon::app {
 
@@ -126,9 +127,10 @@ void say_update(Job& job, const UpdateRecord& record) {
           record.model.triangles.size());
   for (std::size_t c = 0; c < result.clouds.size(); ++c) {
     const CloudReport& cloud = result.clouds[c];
-    job.say("cloud {}: {} points, {} boundary loops with {} points, on {} facets of the model",
-            record.cloud_names[c], record.clouds[c].size(), cloud.loops.size(),
-            cloud.boundary_points, cloud.overlapping_facets.size());
+    job.say("cloud {}: {}, {} with {}, on {} of the model", record.cloud_names[c],
+            counted(record.clouds[c].size(), "point"), counted(cloud.loops.size(), "boundary loop"),
+            counted(cloud.boundary_points, "point"),
+            counted(cloud.overlapping_facets.size(), "facet"));
     for (const GroupAngle& group : cloud.groups) {
       job.say("  group {}: mean angle {:.2f} degrees, {}", group.group.value, group.mean_angle_deg,
               group.under_cloud ? "replaced" : "kept");

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "geom/counted.h"
 #include "geom/errors.h"
 #include "update/model_index.h"
 
@@ -147,9 +148,10 @@ class Update {
     result_.reconstruction.mesh = {};
     map_vertices();
     if (result_.reconstruction.unused_points > 0) {
-      warn(std::to_string(result_.reconstruction.unused_points) + " of " +
-           std::to_string(result_.replacement.points.size()) +
-           " updated points are not on the surface");
+      const std::size_t unused = result_.reconstruction.unused_points;
+      warn(std::to_string(unused) + " of " +
+           counted(result_.replacement.points.size(), "updated point") +
+           (unused == 1 ? " is" : " are") + " not on the surface");
     }
     return true;
   }
@@ -230,16 +232,21 @@ class Update {
            std::to_string(surface.trials.size()) + " trials");
     }
     if (surface.rim.gap_loops > 0) {
-      warn(name_of_cloud(c) + ": " + std::to_string(surface.rim.gap_loops) +
-           " loops are seams inside the cloud (sharp edges?) and not its rim");
+      warn(name_of_cloud(c) + ": " +
+           counted(surface.rim.gap_loops, "loop is a seam", "loops are seams") +
+           " inside the cloud (sharp edges?), not its rim");
     }
     if (surface.rim.small_components > 0) {
-      warn(name_of_cloud(c) + ": " + std::to_string(surface.rim.small_components) +
-           " small parts of its surface are not looked at");
+      warn(name_of_cloud(c) + ": " +
+           counted(surface.rim.small_components, "small part of its surface is",
+                   "small parts of its surface are") +
+           " not looked at");
     }
     if (surface.rim.non_orientable > 0) {
-      warn(name_of_cloud(c) + ": " + std::to_string(surface.rim.non_orientable) +
-           " parts of its surface are one-sided");
+      warn(name_of_cloud(c) + ": " +
+           counted(surface.rim.non_orientable, "part of its surface is",
+                   "parts of its surface are") +
+           " one-sided");
     }
   }
 
@@ -369,8 +376,8 @@ class Update {
       warn(name_of_loop(loop.cloud, loop.loop) +
            ": does not cut the model in two; facets are taken to lie under the cloud if nearer to "
            "its inner side than to its outer one (" +
-           std::to_string(part.under_facets) + " facets, cut along " +
-           std::to_string(part.cut_edges) + " edges); look at the result");
+           counted(part.under_facets, "facet") + ", cut along " + counted(part.cut_edges, "edge") +
+           "); look at the result");
     }
   }
 
@@ -397,8 +404,8 @@ class Update {
       if (choice.replaced[r] != 0) result_.replaced_groups.push_back(r);
     }
     if (seen_by_several > 0) {
-      warn("clouds overlap each other: " + std::to_string(seen_by_several) +
-           " regions lie under more than one");
+      warn("clouds overlap each other: " + counted(seen_by_several, "region lies", "regions lie") +
+           " under more than one");
     }
     if (choice.kept_largest) {
       warn("all regions lie under clouds; the one with the largest angle is kept");

@@ -1,0 +1,69 @@
+#include "app/findings.h"
+
+#include <gtest/gtest.h>
+#include <string>
+
+namespace cocoon::app {
+namespace {
+
+// The message of the only finding, without its numbers' tail.
+std::string said(const SurfaceDoubts& doubts, const std::string& until) {
+  const std::vector<Finding> findings = findings_of(doubts, 10, false);
+  EXPECT_EQ(findings.size(), 1U);
+  if (findings.size() != 1) return "";
+  return findings[0].message.substr(0, findings[0].message.find(until));
+}
+
+const std::vector<DoubtfulSpot> one_spot{{{1, 2, 3}, 1, 0.5}};
+
+TEST(Findings, PartsAreCountedInGoodGrammar) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.fragments = 1;
+  doubts.dust = one_spot;
+  EXPECT_EQ(said(doubts, " and is"), "1 small part beside the main surface; it has 1 triangle");
+  doubts.fragments = 2;
+  doubts.dust[0].count = 4;
+  EXPECT_EQ(said(doubts, " and is"),
+            "2 small parts beside the main surface; the largest has 4 triangles");
+}
+
+TEST(Findings, ContactsNameOnlyWhatThereIs) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.contacts = one_spot;
+  doubts.pinched_vertices = 1;
+  EXPECT_EQ(said(doubts, ","), "the surface touches itself at 1 vertex");
+  doubts.bad_edges = 2;
+  EXPECT_EQ(said(doubts, ","), "the surface touches itself at 2 edges and 1 vertex");
+  doubts.pinched_vertices = 0;
+  doubts.bad_edges = 1;
+  EXPECT_EQ(said(doubts, ","), "the surface touches itself at 1 edge");
+}
+
+TEST(Findings, SparseSamplesAreCountedWithThoseBesideGaps) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.sparse = one_spot;
+  doubts.gap_samples = 1;
+  EXPECT_EQ(said(doubts, ";"),
+            "samples are too sparse, or edges too sharp, at 1 sample beside gaps");
+  doubts.boundary_samples = 3;
+  EXPECT_EQ(said(doubts, ";"),
+            "samples are too sparse, or edges too sharp, at 3 samples (1 more is beside gaps)");
+  doubts.gap_samples = 0;
+  EXPECT_EQ(said(doubts, ";"), "samples are too sparse, or edges too sharp, at 3 samples");
+}
+
+TEST(Findings, UnusedPointsAreOneOrMany) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.unused = one_spot;
+  doubts.unused_points = 1;
+  EXPECT_EQ(said(doubts, " ("), "1 of 10 points is not on the surface; it is 0.5");
+  doubts.unused_points = 2;
+  EXPECT_EQ(said(doubts, " ("), "2 of 10 points are not on the surface; the farthest is 0.5");
+}
+
+}  // namespace
+}  // namespace cocoon::app
