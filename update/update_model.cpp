@@ -227,27 +227,20 @@ class Update {
 
   void warn_about_surface(std::size_t c) {
     const CloudSurface& surface = result_.clouds[c].surface;
+    const std::string cloud = name_of_cloud(c) + ": ";
     if (surface.trials.size() > 1) {
-      warn(name_of_cloud(c) + ": rim found with rho " + rounded(surface.rho) + " after " +
+      warn(cloud + "rim found with rho " + rounded(surface.rho) + " after " +
            std::to_string(surface.trials.size()) + " trials");
     }
-    if (surface.rim.gap_loops > 0) {
-      warn(name_of_cloud(c) + ": " +
-           counted(surface.rim.gap_loops, "loop is a seam", "loops are seams") +
-           " inside the cloud (sharp edges?), not its rim");
-    }
-    if (surface.rim.small_components > 0) {
-      warn(name_of_cloud(c) + ": " +
-           counted(surface.rim.small_components, "small part of its surface is",
-                   "small parts of its surface are") +
-           " not looked at");
-    }
-    if (surface.rim.non_orientable > 0) {
-      warn(name_of_cloud(c) + ": " +
-           counted(surface.rim.non_orientable, "part of its surface is",
-                   "parts of its surface are") +
-           " one-sided");
-    }
+    const auto warn_of = [&](std::size_t count, const char* one, const char* many) {
+      if (count > 0) warn(cloud + counted(count, one, many));
+    };
+    warn_of(surface.rim.gap_loops, "loop is a seam inside the cloud (a sharp edge?), not its rim",
+            "loops are seams inside the cloud (sharp edges?), not its rim");
+    warn_of(surface.rim.small_components, "small part of its surface is not looked at",
+            "small parts of its surface are not looked at");
+    warn_of(surface.rim.non_orientable, "part of its surface is one-sided",
+            "parts of its surface are one-sided");
   }
 
   void report_overlap(std::size_t c) {
