@@ -24,8 +24,9 @@ void report_columns(Job& job, const GatheredProperties& gathered) {
     entry.set("missing", gathered.missing[k]);
     job.report().append("properties", entry);
     if (gathered.missing[k] == 0) continue;
-    job.warn(fmt::format("property {}: {} of {} vertices without a value", declaration.name,
-                         gathered.missing[k], gathered.properties.rows));
+    job.warn(fmt::format("property {}: {} of {} vertices {} no value", declaration.name,
+                         gathered.missing[k], gathered.properties.rows,
+                         gathered.missing[k] == 1 ? "has" : "have"));
   }
 }
 
