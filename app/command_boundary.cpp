@@ -59,7 +59,7 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
       read_cloud(job, arguments.points, "input", keep ? &properties : nullptr);
   const ReconstructResult surface = naming_input(
       arguments.points, [&] { return reconstruct_cocone(points, options, job.execution()); });
-  require_surface(job.report(), arguments.points, surface, options.boundary.rho);
+  require_surface(job, arguments.points, surface, points, options);
   const BoundaryLoops boundary =
       timed(job.execution(), "loops", [&] { return boundary_loops(surface.mesh, stages.loops); });
   const MeshReport certificate = timed(

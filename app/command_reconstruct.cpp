@@ -129,7 +129,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
     return tight ? reconstruct_tight(points, options, job.execution())
                  : reconstruct_cocone(points, options, job.execution());
   });
-  require_surface(job.report(), arguments.points, result, options.boundary.rho);
+  require_surface(job, arguments.points, result, points, options);
   const SurfaceDoubts doubts = timed(job.execution(), "check", [&] {
     return surface_doubts(result, points, stages.doubts, job.execution());
   });

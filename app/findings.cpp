@@ -8,10 +8,6 @@ namespace cocoon::app {
 
 namespace {
 
-std::string place(const DoubtfulSpot& spot) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", spot.at.x, spot.at.y, spot.at.z);
-}
-
 // A deviation of normal noise from the median roughness it causes (surface_doubts.h).
 double noise_of(double roughness) { return roughness / 0.7; }
 
@@ -30,7 +26,7 @@ Finding sparse_finding(const SurfaceDoubts& d) {
                   "there is {:.3g} ({:.1f} times the median), near {}; scan such places more "
                   "densely",
                   sparse_samples(d), d.sparse[0].size, d.sparse[0].size / d.spacing,
-                  place(d.sparse[0])),
+                  place(d.sparse[0].at)),
       d.boundary_samples + d.gap_samples, d.sparse};
 }
 
@@ -48,7 +44,7 @@ Finding fragments_finding(const SurfaceDoubts& d) {
           fmt::format("{} beside the main surface; {} has {} and is {:.3g} across, near {}; add "
                       "samples there or remove stray ones",
                       counted(d.fragments, "small part"), d.fragments == 1 ? "it" : "the largest",
-                      counted(d.dust[0].count, "triangle"), d.dust[0].size, place(d.dust[0])),
+                      counted(d.dust[0].count, "triangle"), d.dust[0].size, place(d.dust[0].at)),
           d.fragments, d.dust};
 }
 
@@ -58,7 +54,7 @@ Finding unused_finding(const SurfaceDoubts& d, std::size_t points, bool noise_fi
                       "spacing) off, at {}; {}",
                       d.unused_points, points, d.unused_points == 1 ? "is" : "are",
                       d.unused_points == 1 ? "it" : "the farthest", d.unused[0].size,
-                      d.unused[0].size / d.spacing, place(d.unused[0]),
+                      d.unused[0].size / d.spacing, place(d.unused[0].at),
                       noise_filtered ? "such count as noise or outliers"
                                      : "outliers (--noise robust finds more of them), inner "
                                        "surfaces (--cavities keeps them), or samples too sparse "
@@ -77,11 +73,15 @@ std::string contacts_of(const SurfaceDoubts& d) {
 Finding contacts_finding(const SurfaceDoubts& d) {
   return {"contacts",
           fmt::format("the surface touches itself at {}, as near {}; --manifold parts the sheets",
-                      contacts_of(d), place(d.contacts[0])),
+                      contacts_of(d), place(d.contacts[0].at)),
           d.bad_edges + d.pinched_vertices, d.contacts};
 }
 
 }  // namespace
+
+std::string place(const Point& at) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", at.x, at.y, at.z);
+}
 
 std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, bool noise_filtered) {
   constexpr double noise_limit = 0.2;    // where reconstructions through all points begin to fail
@@ -98,8 +98,8 @@ std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, boo
   return findings;
 }
 
-void report_findings(Job& job, const std::vector<Finding>& findings) {
-  job.report().set_empty_array("findings");
+void add_findings(JsonReport& report, const std::vector<Finding>& findings) {
+  report.set_empty_array("findings");
   for (const Finding& finding : findings) {
     JsonReport entry;
     entry.set("kind", finding.kind);
@@ -113,9 +113,13 @@ void report_findings(Job& job, const std::vector<Finding>& findings) {
       where.set("size", spot.size);
       entry.append("spots", where);
     }
-    job.report().append("findings", entry);
-    job.warn(finding.message);
+    report.append("findings", entry);
   }
+}
+
+void report_findings(Job& job, const std::vector<Finding>& findings) {
+  add_findings(job.report(), findings);
+  for (const Finding& finding : findings) job.warn(finding.message);
 }
 
 }  // namespace cocoon::app

@@ -10,6 +10,9 @@
 
 namespace cocoon::app {
 
+// As messages name it: "(1, 2.5, -3)".
+std::string place(const Point& at);
+
 struct Finding {
   std::string kind;     // stable: "sparse", "noise", "fragments", "unused", "contacts"
   std::string message;  // one line: what, how much, where, what to do
@@ -22,8 +25,11 @@ struct Finding {
 std::vector<Finding> findings_of(const SurfaceDoubts& doubts, std::size_t points,
                                  bool noise_filtered);
 
-// As warnings in the summary, and as the array "findings" of the report, which is empty if there
-// are none: kind, message, count, spots (at, count, size).
+// As the array "findings" of the report, which is empty if there are none: kind, message, count,
+// spots (at, count, size).
+void add_findings(JsonReport& report, const std::vector<Finding>& findings);
+
+// The same, and as warnings in the summary.
 void report_findings(Job& job, const std::vector<Finding>& findings);
 
 }  // namespace cocoon::app

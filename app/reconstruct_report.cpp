@@ -1,9 +1,13 @@
 #include "app/reconstruct_report.h"
 
+#include <cmath>
 #include <fmt/format.h>
 
+#include "app/findings.h"
 #include "app/surface_report.h"
 #include "app/verification.h"
+#include "cocone/sample_doubts.h"
+#include "geom/counted.h"
 #include "geom/errors.h"
 
 namespace cocoon::app {
@@ -60,6 +64,37 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("clean_up/idle_after", c.clean_up.idle_after);
 }
 
+// "the smallest ratio of radius to height is 2.1, near (1, 2, 3); --rho 0.833 allows that"
+std::string ratios_said(const SampleDoubts& doubts, double rho) {
+  if (!std::isfinite(doubts.least_ratio)) {
+    return "they do not lie between two sides, as samples of a surface do";
+  }
+  if (doubts.least_ratio <= rho) {
+    return fmt::format(
+        "normals of neighbors differ by more than --alpha wherever --rho {:.3g} is "
+        "met, as near {} (try a larger one)",
+        rho, place(doubts.best));
+  }
+  return fmt::format(
+      "the smallest ratio of radius to height is {:.3g}, near {}, and --rho is {:.3g}",
+      doubts.least_ratio, place(doubts.best), rho);
+}
+
+// How far apart they are and where, and what to do.
+std::string samples_said(const SampleDoubts& doubts, double rho) {
+  constexpr double of_volumes = 2;  // random points of a cube: 1.3, of a sphere: 10 and more
+  const bool no_layer = doubts.height > of_volumes;
+  const bool rho_may_help = doubts.least_ratio > rho && doubts.least_ratio < 1;
+  return fmt::format("their spacing is {:.3g} (median) and reaches {:.3g}, near {}; {}",
+                     doubts.spacing, doubts.sparse[0].size, place(doubts.sparse[0].at),
+                     no_layer ? (rho_may_help ? "scan more densely there, or try a larger --rho"
+                                              : "scan more densely there")
+                              : fmt::format("the medial axis is only {:.2g} spacings away: they "
+                                            "fill a volume, or are noisy (try --noise robust), or "
+                                            "too few for their shape (scan more densely)",
+                                            doubts.height));
+}
+
 }  // namespace
 
 void add_reconstruction(JsonReport& report, const ReconstructResult& result,
@@ -83,22 +118,22 @@ void add_noise(JsonReport& report, const NoiseCounters& noise) {
   report.set("noise/layer_samples", noise.layer_samples);
 }
 
-void require_surface(JsonReport& report, const std::string& file, const ReconstructResult& result,
-                     double rho) {
-  report_verification(report, file, result.verification);
+void require_surface(Job& job, const std::string& file, const ReconstructResult& result,
+                     Points points, const ReconstructOptions& options) {
+  report_verification(job.report(), file, result.verification);
+  if (result.status != SurfaceStatus::no_surface && result.status != SurfaceStatus::empty) return;
+  const SampleDoubts doubts = sample_doubts(points, options, {}, job.execution());
+  const double rho = options.boundary.rho;
   if (result.status == SurfaceStatus::no_surface) {
-    throw InputError(fmt::format(
-        "{}: no surface: none of the {} samples lies well inside one; they are too sparse, thin or "
-        "noisy for --rho {:.3g}; try --noise robust if the scan is noisy, a larger --rho, or more "
-        "points",
-        file, result.vertices, rho));
+    throw InputError(
+        fmt::format("{}: no surface: none of the {} samples lies well inside one: {}; {}", file,
+                    result.vertices, ratios_said(doubts, rho), samples_said(doubts, rho)));
   }
-  if (result.status == SurfaceStatus::empty) {
-    throw InputError(fmt::format(
-        "{}: no surface: nothing is left of {} candidate triangles; {} of {} samples count as "
-        "boundary; try a larger --rho (now {:.3g}), or more points",
-        file, result.counters.candidates, result.counters.boundary_samples, result.vertices, rho));
-  }
+  throw InputError(fmt::format(
+      "{}: no surface: nothing is left of {}; {} of {} samples count as boundary by "
+      "--rho {:.3g}; {}",
+      file, counted(result.counters.candidates, "candidate triangle"),
+      result.counters.boundary_samples, result.vertices, rho, samples_said(doubts, rho)));
 }
 
 }  // namespace cocoon::app

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/job.h"
 #include "app/json_report.h"
 #include "cocone/reconstruct.h"
 #include "cocone/robust_cocone.h"
@@ -17,9 +18,10 @@ void add_reconstruction(JsonReport& report, const ReconstructResult& result,
 // The section "noise": what was left out before the reconstruction.
 void add_noise(JsonReport& report, const NoiseCounters& noise);
 
-// Throws InputError unless the status is ok: what failed, the counts that say why, what to try. If
-// a verification was asked for, it goes to the report (app/verification.h), or refutes the result.
-void require_surface(JsonReport& report, const std::string& file, const ReconstructResult& result,
-                     double rho);
+// Throws InputError unless the status is ok: what failed, the numbers and places that say why, what
+// to try; `points` and `options` are those of the reconstruction. If a verification was asked for,
+// it goes to the report (app/verification.h), or refutes the result.
+void require_surface(Job& job, const std::string& file, const ReconstructResult& result,
+                     Points points, const ReconstructOptions& options);
 
 }  // namespace cocoon::app

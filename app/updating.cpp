@@ -5,6 +5,7 @@
 
 #include "app/carried_properties.h"
 #include "app/files.h"
+#include "app/findings.h"
 #include "app/html_report.h"
 #include "app/make_manifold.h"
 #include "app/reconstruct_report.h"
@@ -12,6 +13,7 @@
 #include "app/surface_report.h"
 #include "app/update_report.h"
 #include "app/verification.h"
+#include "cocone/surface_doubts.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
 #include "geom/signed_distance.h"
@@ -55,6 +57,25 @@ std::vector<std::vector<double>> deviation(Job& job, const UpdateInput& input,
   return distances;
 }
 
+// Adds what is doubtful about the updated surface to the report, and to the warnings what is not
+// said there already. Long edges beside short ones are no gaps here: they are at the rim of every
+// cloud that is denser than the model. Returns the certificate of the surface.
+MeshReport report_doubts(Job& job, UpdateResult& result, bool parted) {
+  ReconstructResult& surface = result.reconstruction;
+  surface.mesh = std::move(result.mesh);
+  SurfaceDoubts doubts = surface_doubts(surface, result.replacement.points, {}, job.execution());
+  result.mesh = std::move(surface.mesh);
+  surface.mesh = {};
+  doubts.gap_samples = 0;
+  std::vector<Finding> findings = findings_of(doubts, surface.points - surface.duplicates, false);
+  std::erase_if(findings, [&](const Finding& f) { return parted && f.kind == "contacts"; });
+  add_findings(job.report(), findings);
+  for (const Finding& finding : findings) {
+    if (finding.kind != "unused") result.warnings.push_back(finding.message);
+  }
+  return doubts.certificate;
+}
+
 }  // namespace
 
 UpdateOptions update_options(const SurfaceArguments& arguments) {
@@ -87,7 +108,7 @@ ReconstructResult initial_model(Job& job, const std::string& name, const std::ve
       return reconstruct_tight(points, options, {execution.threads, &nested});
     });
   });
-  require_surface(job.report(), name, result, options.boundary.rho);
+  require_surface(job, name, result, points, options);
   job.report().set("initial_model/points", result.points);
   job.report().set("initial_model/duplicates", result.duplicates);
   job.report().set("initial_model/unused_points", result.unused_points);
@@ -113,7 +134,7 @@ void begin_session(Job& job, const std::string& name, const std::vector<Point>& 
       session.emplace(points, options, Execution{execution.threads, &nested});
     });
   });
-  require_surface(job.report(), name, session->reconstruction(), options.reconstruct.boundary.rho);
+  require_surface(job, name, session->reconstruction(), points, options.reconstruct);
 }
 
 void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,
@@ -139,10 +160,14 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   for (std::string& warning : result.warnings) {
     warning = with_cloud_names(warning, input.cloud_names);
   }
+  MeshReport certificate =
+      timed(job.execution(), "check", [&] { return report_doubts(job, result, output.manifold); });
   VertexProperties properties = properties_of_update(job, input, result);
-  if (output.manifold) make_manifold(job, output.mesh, result.mesh, properties);
-  const MeshReport certificate =
-      timed(job.execution(), "check", [&] { return mesh_check(result.mesh, {}, job.execution()); });
+  if (output.manifold) {
+    make_manifold(job, output.mesh, result.mesh, properties);
+    certificate = timed(job.execution(), "check",
+                        [&] { return mesh_check(result.mesh, {}, job.execution()); });
+  }
   UpdateRecord record{input.model_name, input.model, input.cloud_names,
                       input.clouds,     result,      certificate};
   add_update(job.report(), record);

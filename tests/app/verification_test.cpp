@@ -30,9 +30,9 @@ TEST(Verification, WhatIsRefutedThrowsAndSaysWhy) {
   result.status = SurfaceStatus::refuted;
   result.verification.done = true;
   result.verification.failure = "3 triangles of the surface are no facets of its cells";
-  JsonReport report;
+  Job job("reconstruct", SharedArguments());
   try {
-    require_surface(report, "a.xyz", result, 0.3);
+    require_surface(job, "a.xyz", result, {}, {});
     FAIL() << "accepted";
   } catch (const Error& error) {
     const std::string message = error.what();
@@ -42,7 +42,7 @@ TEST(Verification, WhatIsRefutedThrowsAndSaysWhy) {
   }
   DelaunayReport delaunay;
   delaunay.first_violation = "cell 5 is not positively oriented";
-  EXPECT_THROW(report_verification(report, "a.xyz", 9, delaunay), Error);
+  EXPECT_THROW(report_verification(job.report(), "a.xyz", 9, delaunay), Error);
 }
 
 }  // namespace

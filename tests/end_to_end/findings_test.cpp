@@ -51,5 +51,62 @@ TEST(Findings, AreWarningsInTheSummary) {
       << run.out;
 }
 
+// Where there is no surface, the error names the numbers and places that say why.
+TEST(Findings, ARefusalSaysWhereAndBecauseOfWhat) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(800) + point_line(9, 0, 0));
+  const auto refusal = [&](const std::string& rho) {
+    const ProgramRun run =
+        run_program({"boundary", cloud, "-o", folder.file("mesh.ply"), "--rho", rho});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.error.find("cloud.xyz: no surface: none of the 801 samples"), std::string::npos)
+        << run.error;
+    return run.error;
+  };
+  const std::string error = refusal("0.001");
+  EXPECT_NE(error.find("and --rho is 0.001"), std::string::npos) << error;
+  EXPECT_NE(error.find(", near (9, 0, 0); scan more densely there, or try a larger --rho"),
+            std::string::npos)
+      << error;
+  // with the ratio that it names, and a little more, there is a surface
+  const std::string before = "the smallest ratio of radius to height is ";
+  const double least = std::stod(error.substr(error.find(before) + before.size()));
+  EXPECT_EQ(run_program({"boundary", cloud, "-o", folder.file("mesh.ply"), "--rho",
+                         std::to_string(1.1 * least)})
+                .exit_code,
+            0);
+}
+
+// An update tells what is doubtful about its result, as a reconstruction does: here a small part
+// beside the model.
+TEST(Findings, AreToldOfUpdatesToo) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", sphere_cap(3000, 1, 0.2));
+  const auto report_of = [&](const std::string& points) {
+    const ProgramRun run =
+        run_program({"update", folder.write("model.xyz", points), cloud, "-o",
+                     folder.file("mesh.ply"), "--json", "-", "--html", folder.file("page.html")});
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    return Json::parse(run.out);
+  };
+  const std::string sphere = whole_sphere(1500);
+  EXPECT_EQ(report_of(sphere)["findings"], Json::array());
+  std::string crumb;  // 18 points of a small sphere
+  for (int i = 0; i < 18; ++i) {
+    const double z = 1 - (i + 0.5) / 9;
+    const double ring = std::sqrt(1 - z * z);
+    crumb +=
+        point_line(4 + 0.1 * ring * std::cos(2.4 * i), 0.1 * ring * std::sin(2.4 * i), 0.1 * z);
+  }
+  const Json report = report_of(sphere + crumb);
+  ASSERT_FALSE(report["findings"].empty());
+  const Json& finding = report["findings"][0];
+  EXPECT_EQ(finding["kind"], "fragments");
+  EXPECT_NEAR(finding["spots"][0]["at"][0].get<double>(), 4, 0.2);
+  const std::string message = finding["message"];
+  EXPECT_NE(report["warnings"].dump().find(message), std::string::npos);
+  EXPECT_NE(content_of(folder.file("page.html")).find(message), std::string::npos);
+}
+
 }  // namespace
 }  // namespace cocoon::test

@@ -1,0 +1,88 @@
+#include "cocone/sample_doubts.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "cocone/cocone_radii.h"
+#include "cocone/cocones.h"
+#include "cocone/noise_filter.h"
+#include "cocone/poles.h"
+#include "delaunay/delaunay.h"
+#include "delaunay/vertex_stars.h"
+#include "delaunay/voronoi_dual.h"
+#include "geom/working_scale.h"
+
+namespace cocoon {
+namespace {
+
+constexpr std::size_t edges_of_spacing = 3;
+
+// The upper one of two; 0 if there are none.
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void find_sparse(const Triangulation& triangulation, const IdVector<VertexId, double>& spacing,
+                 std::size_t most, SampleDoubts& doubts) {
+  doubts.spacing = median({spacing.begin(), spacing.end()});
+  for (const VertexId v : spacing.ids()) {
+    doubts.sparse.push_back({triangulation.point(v), 1, spacing[v]});
+  }
+  const auto end =
+      doubts.sparse.begin() + static_cast<std::ptrdiff_t>(std::min(most, doubts.sparse.size()));
+  std::partial_sort(doubts.sparse.begin(), end, doubts.sparse.end(),
+                    [](const DoubtfulSpot& a, const DoubtfulSpot& b) {
+                      return a.size != b.size ? a.size > b.size : a.at < b.at;
+                    });
+  doubts.sparse.erase(end, doubts.sparse.end());
+}
+
+void find_ratios(const Triangulation& triangulation, const IdVector<VertexId, double>& spacing,
+                 const ReconstructOptions& options, const Execution& execution,
+                 SampleDoubts& doubts) {
+  const Dual dual = voronoi_dual(triangulation, execution);
+  const Poles poles = compute_poles(triangulation, dual, execution);
+  const Cocones cocones = intersect_cocones(triangulation, dual, poles, options.cocone, execution);
+  const IdVector<VertexId, double> radii =
+      cocone_radii(triangulation, dual, poles, cocones, options.boundary.radius_mode, execution);
+  std::vector<double> heights;
+  for (const VertexId v : radii.ids()) {
+    if (poles.degenerate[v] != 0 || poles.heights[v] == 0) continue;
+    heights.push_back(poles.heights[v] / spacing[v]);
+    const double ratio = radii[v] / poles.heights[v];
+    const Point& at = triangulation.point(v);
+    if (ratio < doubts.least_ratio || (ratio == doubts.least_ratio && at < doubts.best)) {
+      doubts.least_ratio = ratio;
+      doubts.best = at;
+    }
+  }
+  doubts.height = median(std::move(heights));
+}
+
+}  // namespace
+
+SampleDoubts sample_doubts(Points points, const ReconstructOptions& options,
+                           const SurfaceDoubtOptions& doubts, const Execution& execution) {
+  const ReconstructOptions effective = effective_options(options);
+  const double scale = working_scale(points);
+  std::vector<Point> scaled(points.begin(), points.end());
+  for (Point& p : scaled) p = scale * p;
+  const Triangulation triangulation = delaunay(scaled, effective.delaunay, execution).triangulation;
+  const IdVector<VertexId, double> spacing =
+      sample_spacing(triangulation, vertex_stars(triangulation), edges_of_spacing, execution);
+  SampleDoubts result;
+  find_sparse(triangulation, spacing, doubts.max_spots, result);
+  find_ratios(triangulation, spacing, effective, execution, result);
+  result.spacing /= scale;
+  result.best = (1 / scale) * result.best;
+  for (DoubtfulSpot& spot : result.sparse) {
+    spot.at = (1 / scale) * spot.at;
+    spot.size /= scale;
+  }
+  return result;
+}
+
+}  // namespace cocoon
