@@ -243,6 +243,11 @@ void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) 
   sub->add_option("--settle", watch.settle,
                   "Seconds that a file must have stayed the same to count as complete (1)")
       ->check(between(0, 3600));
+  sub->add_option("--save-every", watch.save_every,
+                  "Clouds until the whole session is written again; till then each is kept in a "
+                  "small file beside it (32)")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
   sub->add_flag("--once", watch.once, "Stop when all clouds that are there have been looked at");
   add_surface_options(*sub, watch.parameters);
 }

@@ -89,10 +89,11 @@ struct WatchArguments {
   std::string model;
   std::string folder;
   std::string mesh;
-  std::string session;  // empty: beside the mesh
-  double poll = 0.5;    // seconds between two looks into the folder
-  double settle = 1;    // seconds that a file must have stayed the same
-  bool once = false;    // stop when everything there has been looked at
+  std::string session;          // empty: beside the mesh
+  double poll = 0.5;            // seconds between two looks into the folder
+  double settle = 1;            // seconds that a file must have stayed the same
+  bool once = false;            // stop when everything there has been looked at
+  std::size_t save_every = 32;  // clouds, until the whole session is written again
   bool ascii = false;
   SurfaceArguments parameters;
 };

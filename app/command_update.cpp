@@ -3,6 +3,7 @@
 #include "app/carried_properties.h"
 #include "app/commands.h"
 #include "app/files.h"
+#include "app/pending_clouds.h"
 #include "app/session_file.h"
 #include "app/updating.h"
 
@@ -41,28 +42,33 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
 
 // Reads the session, updates it, and writes it back together with the mesh.
 void update_session(const UpdateArguments& arguments, Job& job) {
-  SavedSession saved = timed(job.execution(), "read", [&] {
-    return load_session(arguments.session, {job.execution().threads});
+  const Execution quiet{job.execution().threads};
+  SurfaceArguments parameters;
+  ResumedSession resumed;
+  timed(job.execution(), "read", [&] {
+    SavedSession saved = load_session(arguments.session, quiet);
+    parameters = saved.parameters;
+    parameters.rho = arguments.parameters.rho;
+    parameters.verify = arguments.parameters.verify;
+    resume_session(arguments.session, std::move(saved), parameters, quiet, resumed);
   });
-  saved.parameters.rho = arguments.parameters.rho;
-  saved.parameters.verify = arguments.parameters.verify;
-  const UpdateOptions options = update_options(saved.parameters);
+  UpdateSession& session = *resumed.session;
   UpdateInput input;
   input.model_name = arguments.session;
-  input.model = saved.snapshot.model;
+  input.model = session.model();
   for (const std::string& cloud : arguments.clouds) {
     input.cloud_names.push_back(cloud);
     input.clouds.push_back(read_cloud(job, cloud, "input"));
   }
-  UpdateSession session(std::move(saved.snapshot), options, SnapshotCheck::done);
   update_and_write(
-      job, input, options,
+      job, input, session.options(),
       {arguments.mesh, arguments.map, arguments.html, arguments.ascii, arguments.manifold},
       &session);
   timed(job.execution(), "write", [&] {
-    save_session(arguments.session, {session.snapshot(), saved.parameters, saved.notes},
-                 job.outputs());
+    save_session(arguments.session, {session.snapshot(), parameters, resumed.notes}, job.outputs());
   });
+  job.finish();
+  remove_pending_clouds(arguments.session);
 }
 
 }  // namespace
@@ -74,7 +80,6 @@ void run_update(const UpdateArguments& arguments, Job& job) {
                         {arguments.session, {}}});
   if (!arguments.session.empty()) {
     update_session(arguments, job);
-    job.finish();
     return;
   }
   const UpdateOptions options = update_options(arguments.parameters);

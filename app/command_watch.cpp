@@ -9,6 +9,7 @@
 #include "app/files.h"
 #include "app/folder_watch.h"
 #include "app/interrupt.h"
+#include "app/pending_clouds.h"
 #include "app/session_file.h"
 #include "app/standard_streams.h"
 #include "app/updating.h"
@@ -54,6 +55,12 @@ class Watch {
 
   void run() {
     begin();
+    follow_folder();
+    if (state_.pending > 0) save_whole();
+  }
+
+  // Until it is time to stop.
+  void follow_folder() {
     FolderWatch folder(arguments_.folder, to_milliseconds(arguments_.settle));
     for (;;) {
       for (const fs::path& path : folder.poll()) {
@@ -69,8 +76,8 @@ class Watch {
     job_.report().set("watch/applied", applied_);
     job_.report().set("watch/refused", refused_);
     job_.report().set("watch/known", known_);
-    job_.report().set("surface/vertices", session_->model().points.size());
-    job_.report().set("surface/triangles", session_->model().triangles.size());
+    job_.report().set("surface/vertices", model().points.size());
+    job_.report().set("surface/triangles", model().triangles.size());
     job_.say("stopped: {} clouds applied, {} refused, {} known from before", applied_, refused_,
              known_);
   }
@@ -87,10 +94,10 @@ class Watch {
 
   // From where the last run stopped, or from the model.
   void begin() {
-    const std::string model = note_of_model(arguments_.model);
+    const std::string first_note = note_of_model(arguments_.model);
     if (fs::exists(session_file_)) {
       SavedSession saved = load_session(session_file_, {job_.execution().threads});
-      if (saved.notes.empty() || saved.notes.front() != model) {
+      if (saved.notes.empty() || saved.notes.front() != first_note) {
         throw InputError(session_file_ + ": was begun with another model than " + arguments_.model +
                          "; remove it, or name another one by --session");
       }
@@ -99,31 +106,52 @@ class Watch {
                          ": was begun with other parameters; remove it, or name "
                          "another one by --session");
       }
-      notes_ = std::move(saved.notes);
-      session_.emplace(std::move(saved.snapshot), options_, SnapshotCheck::done);
-      write_mesh(arguments_.mesh, session_->model(), {.ascii = arguments_.ascii});
-      say(fmt::format("{}: resumed with {} clouds applied", session_file_, notes_.size() - 1));
+      resume_session(session_file_, std::move(saved), arguments_.parameters,
+                     {job_.execution().threads}, state_);
+      write_mesh(arguments_.mesh, model(), {.ascii = arguments_.ascii});
+      say(fmt::format("{}: resumed with {} clouds applied", session_file_,
+                      state_.notes.size() - 1));
     } else {
       TriangleMesh mesh = read_shape(job_, arguments_.model, "input");
       if (mesh.triangles.empty()) {
-        begin_session(job_, arguments_.model, mesh.points.raw(), options_, session_);
+        begin_session(job_, arguments_.model, mesh.points.raw(), options_, state_.session);
       } else {
-        session_.emplace(std::move(mesh), options_);
+        state_.session.emplace(std::move(mesh), options_);
       }
-      notes_ = {model};
-      write();
-      say(fmt::format("{}: {} vertices, {} triangles", arguments_.model,
-                      session_->model().points.size(), session_->model().triangles.size()));
+      state_.notes = {first_note};
+      remove_pending_clouds(session_file_);  // of a session that somebody removed
+      save_whole();
+      say(fmt::format("{}: {} vertices, {} triangles", arguments_.model, model().points.size(),
+                      model().triangles.size()));
     }
   }
 
+  const TriangleMesh& model() const { return state_.session->model(); }
+
   // Session and mesh together. The session is put in place first: should the program be killed
   // between the two, the mesh follows as soon as the session is taken up again.
-  void write() const {
+  void save_whole() {
     FileBatch outputs;
-    save_session(session_file_, {session_->snapshot(), arguments_.parameters, notes_}, &outputs);
-    write_mesh(arguments_.mesh, session_->model(), {.ascii = arguments_.ascii}, &outputs);
+    save_session(session_file_, {state_.session->snapshot(), arguments_.parameters, state_.notes},
+                 &outputs);
+    write_mesh(arguments_.mesh, model(), {.ascii = arguments_.ascii}, &outputs);
     outputs.commit();
+    remove_pending_clouds(session_file_);
+    state_.pending = 0;
+  }
+
+  // After a cloud was applied: the same with the cloud in place of the session, as a rule.
+  void keep(PendingCloud cloud) {
+    if (state_.pending + 1 >= arguments_.save_every) {
+      state_.notes.push_back(std::move(cloud.note));
+      return save_whole();
+    }
+    FileBatch outputs;
+    save_pending_cloud(session_file_, state_.notes, cloud, outputs);
+    write_mesh(arguments_.mesh, model(), {.ascii = arguments_.ascii}, &outputs);
+    outputs.commit();
+    state_.notes.push_back(std::move(cloud.note));
+    ++state_.pending;
   }
 
   // One line whatever happens to the cloud; what happens to our own files ends the command.
@@ -131,23 +159,23 @@ class Watch {
     const std::string name = display_name(path.filename());
     const auto start = std::chrono::steady_clock::now();
     std::string note;
+    std::vector<std::vector<Point>> clouds;
     SessionUpdate update;
     try {
       note = note_of_cloud(path);
-      if (std::find(notes_.begin(), notes_.end(), note) != notes_.end()) {
+      if (std::find(state_.notes.begin(), state_.notes.end(), note) != state_.notes.end()) {
         ++known_;
         return;
       }
-      const std::vector<std::vector<Point>> clouds{read_cloud(job_, path.string(), "input")};
-      update = session_->apply(clouds, job_.execution());
+      clouds.push_back(read_cloud(job_, path.string(), "input"));
+      update = state_.session->apply(clouds, job_.execution());
     } catch (const Cancelled&) {
       return;  // the interrupt; the session is as it was
     } catch (const Error& error) {
       return refuse(name, error.what());
     }
     if (update.result.status != UpdateStatus::ok) return refuse(name, update.result.message);
-    notes_.push_back(note);
-    write();
+    keep({std::move(note), std::move(clouds[0]), arguments_.parameters.rho});
     ++applied_;
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     std::string line =
@@ -179,8 +207,7 @@ class Watch {
   Job& job_;
   std::string session_file_;
   UpdateOptions options_;
-  std::optional<UpdateSession> session_;
-  std::vector<std::string> notes_;
+  ResumedSession state_;
   std::size_t applied_ = 0;
   std::size_t refused_ = 0;
   std::size_t known_ = 0;

@@ -197,7 +197,7 @@ TEST(FullDisk, SessionsAndWatchedMeshesStayTogether) {
       } else {
         fs::copy_file(disks.session, folder + "s.session");
       }
-      fill_disk(folder, 150 * 1024);
+      fill_disk(folder, (arguments == watching ? 20 : 150) * 1024);
       const std::map<std::string, std::string> before = contents_of(folder);
       const ProgramRun failed = run_program(arguments);
       EXPECT_EQ(failed.exit_code, 1);
@@ -208,6 +208,40 @@ TEST(FullDisk, SessionsAndWatchedMeshesStayTogether) {
       EXPECT_EQ(again.exit_code, 0) << again.error;
       EXPECT_EQ(contents_of(folder).size(), 2U);
     }
+  });
+}
+
+// Room for a cloud and the mesh, but not for the whole session: what was applied is not lost.
+TEST(FullDisk, AWatchedCloudIsKeptWhereTheSessionHasNoRoom) {
+  const Disks disks;
+  make_model(disks);
+  const std::string clouds = disks.large.file("clouds");
+  const std::string none = disks.large.file("none");
+  fs::create_directory(clouds);
+  fs::create_directory(none);
+  fs::copy_file(disks.cloud, clouds + "/a.xyz");
+  on_small_disk(disks, [&] {
+    const std::string mesh = disks.small.file("a.ply");
+    const std::string session = disks.small.file("s.session");
+    const auto watch = [&](const std::string& folder) {
+      return run_program(
+          {"watch", disks.model, folder, "-o", mesh, "--session", session, "--once"});
+    };
+    ASSERT_EQ(watch(none).exit_code, 0);
+    fill_disk(disks.small.file(""), 150 * 1024);
+    const std::string before = content_of(session);
+    const ProgramRun full = watch(clouds);
+    EXPECT_EQ(full.exit_code, 1);
+    EXPECT_NE(full.error.find("No space left on device"), std::string::npos) << full.error;
+    EXPECT_EQ(content_of(session), before);
+    EXPECT_TRUE(fs::exists(session + ".cloud-1"));
+    const std::string updated = content_of(mesh);
+    fs::remove(disks.small.file("filler"));
+    const ProgramRun again = watch(clouds);
+    EXPECT_EQ(again.exit_code, 0) << again.error;
+    EXPECT_NE(again.out.find("0 clouds applied, 0 refused, 1 known"), std::string::npos);
+    EXPECT_EQ(content_of(mesh), updated);
+    EXPECT_FALSE(fs::exists(session + ".cloud-1"));
   });
 }
 

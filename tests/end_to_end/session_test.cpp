@@ -248,6 +248,85 @@ TEST(Watch, ResumesAfterAKill) {
   EXPECT_EQ(content_of(watched.mesh), watched.expected({north, south}));
 }
 
+// Killed after one cloud was applied: the session is as it began, the cloud is beside it.
+class KilledWatch : public Watched {
+ public:
+  explicit KilledWatch(const std::vector<std::string>& more = {}) {
+    put("1.xyz", north);
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), more.begin(), more.end());
+    const TemporaryFolder outputs;
+    const RunningProgram program(outputs, all);
+    EXPECT_TRUE(wait_for(
+        [&] { return content_of(outputs.file("stdout")).find("1.xyz: ") != std::string::npos; }));
+    program.send(SIGKILL);
+    EXPECT_EQ(program.wait().signal, SIGKILL);
+  }
+  std::string session = mesh + ".session";
+  std::string pending = session + ".cloud-1";
+};
+
+TEST(PendingClouds, AreTakenUpByTheNextUpdate) {
+  const KilledWatch watched;
+  EXPECT_TRUE(std::filesystem::exists(watched.pending));
+  EXPECT_EQ(content_of(watched.mesh), watched.expected({north}));
+  const std::string updated = watched.folder.file("updated.ply");
+  const ProgramRun run = run_program({"update", "--session", watched.session,
+                                      watched.folder.write("south.xyz", south), "-o", updated});
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_EQ(content_of(updated), watched.expected({north, south}));
+  EXPECT_FALSE(std::filesystem::exists(watched.pending));
+}
+
+TEST(PendingClouds, AreMergedWhenTheWatchStopsOrIfAskedForEach) {
+  const KilledWatch watched;
+  ASSERT_EQ(run_program(watched.once()).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(watched.pending));
+  EXPECT_EQ(content_of(watched.mesh), watched.expected({north}));
+  const KilledWatch eager({"--save-every", "1"});
+  EXPECT_FALSE(std::filesystem::exists(eager.pending));
+  const ProgramRun run = run_program(eager.once());
+  EXPECT_NE(run.out.find("resumed with 1 clouds"), std::string::npos) << run.out;
+}
+
+// They are applied again with the rho of their time.
+TEST(PendingClouds, KeepTheirRho) {
+  const KilledWatch watched({"--rho", "0.25"});
+  const std::string before = content_of(watched.mesh);
+  std::filesystem::remove(watched.mesh);
+  ASSERT_EQ(run_program(watched.once()).exit_code, 0);
+  EXPECT_EQ(content_of(watched.mesh), before);
+}
+
+TEST(PendingClouds, AreRefusedIfDamagedOrOfAnotherSession) {
+  const KilledWatch watched;
+  const std::string good = content_of(watched.pending);
+  for (const std::size_t at : {std::size_t{0}, std::size_t{9}, std::size_t{40}, good.size() / 2}) {
+    std::string bad = good;
+    bad[at] = static_cast<char>(bad[at] ^ 4);
+    watched.folder.write(std::filesystem::path(watched.pending).filename().string(), bad);
+    expect_error(run_program(watched.once()), 1, "out.ply.session.cloud-1");
+  }
+  watched.folder.write(std::filesystem::path(watched.pending).filename().string(),
+                       good.substr(0, good.size() - 8));
+  expect_error(run_program(watched.once()), 1, "checksum");
+
+  // A session begun anew does not know them, and takes the clouds from the folder.
+  watched.folder.write(std::filesystem::path(watched.pending).filename().string(), good);
+  std::filesystem::remove(watched.session);
+  const ProgramRun run = run_program(watched.once());
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_NE(run.out.find("1 clouds applied, 0 refused, 0 known"), std::string::npos) << run.out;
+  EXPECT_EQ(content_of(watched.mesh), watched.expected({north}));
+
+  // Of a session with other notes: this one knows of no cloud, that one followed a cloud.
+  const KilledWatch two;
+  const std::string first = content_of(two.pending);
+  ASSERT_EQ(run_program(two.once()).exit_code, 0);
+  std::ofstream(two.session + ".cloud-2", std::ios::binary) << first;
+  expect_error(run_program(two.once()), 1, "follows another session");
+}
+
 TEST(Watch, SaysWhatIsWrongBeforeItStarts) {
   const Watched watched;
   expect_error(run_program({"watch", watched.arguments[1], watched.folder.file("missing"), "-o",

@@ -1,6 +1,9 @@
-// Session files: damaged ones are refused; what is read fits together and reads back.
+// Session files, and clouds beside them: damaged ones are refused; what is read fits together and
+// reads back.
+#include <cstring>
 #include <string>
 
+#include "app/pending_clouds.h"
 #include "app/session_file.h"
 #include "geom/errors.h"
 #include "io/byte_order.h"
@@ -10,6 +13,24 @@
 #include "update/update_session.h"
 
 namespace cocoon::fuzz {
+
+namespace {
+
+void check_pending_cloud(const TemporaryFolder& folder) {
+  const std::vector<app::PendingCloud> clouds =
+      app::load_pending_clouds((folder / "a.session").string(), {});
+  require(clouds.size() == 1, "there is one");
+  FileBatch batch;
+  app::save_pending_cloud((folder / "b.session").string(), {}, clouds[0], batch);
+  batch.commit();
+  const app::PendingCloud again =
+      app::load_pending_clouds((folder / "b.session").string(), {}).at(0);
+  require(again.note == clouds[0].note, "the note reads back");
+  require(std::memcmp(again.points.data(), clouds[0].points.data(), 24 * again.points.size()) == 0,
+          "the points read back");
+}
+
+}  // namespace
 
 void session_file_target(Bytes bytes) {
   if (bytes.size() < 8) return;
@@ -21,6 +42,11 @@ void session_file_target(Bytes bytes) {
   const TemporaryFolder folder;
   app::SavedSession session;
   try {
+    if (content.starts_with("COCOONCL")) {
+      folder.write("a.session.cloud-0", content);
+      check_pending_cloud(folder);
+      return;
+    }
     session = app::load_session(folder.write("a.session", content).string());
     const std::string copy = (folder / "b.session").string();
     app::save_session(copy, session);

@@ -1,0 +1,150 @@
+#include "app/pending_clouds.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <string_view>
+#include <utility>
+
+#include "app/updating.h"
+#include "geom/errors.h"
+#include "io/file_bytes.h"
+#include "io/summed_file.h"
+
+namespace cocoon::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view magic = "COCOONCL";
+constexpr std::uint32_t version = 1;
+constexpr std::size_t header_size = 48;
+
+fs::path path_of(const std::string& session, std::size_t notes) {
+  return fmt::format("{}.cloud-{}", session, notes);
+}
+
+// What stands for the notes before a cloud.
+std::uint64_t checksum_of(std::span<const std::string> notes) {
+  std::string text;
+  for (const std::string& note : notes) text += note + "\n";
+  text.resize(round_up_to_8(text.size()), '\0');
+  Checksum checksum;
+  checksum.add(text);
+  return checksum.value();
+}
+
+PendingCloud load_pending_cloud(const fs::path& path, std::span<const std::string> notes) {
+  const FileBytes file = read_file(path);
+  const std::string_view content = summed_content(file, magic, "cloud of a session");
+  const auto number = [&](std::size_t at) {
+    return load_number<std::uint64_t>(content.data() + at, std::endian::little);
+  };
+  const auto damaged = [&] {
+    return file_error(path,
+                      "the numbers in the header do not fit the file; remove it, and put its "
+                      "cloud into the folder again");
+  };
+  if (content.size() < header_size) throw damaged();
+  const auto found = load_number<std::uint32_t>(content.data() + 8, std::endian::little);
+  if (found != version) {
+    throw file_error(path, fmt::format("cloud of a session of version {}, but only version {} can "
+                                       "be read; finish it with the program that wrote it",
+                                       found, version));
+  }
+  if (number(24) != checksum_of(notes)) {
+    throw file_error(path, "follows another session than the one beside it; remove one of them");
+  }
+  const std::uint64_t note_bytes = number(32);
+  const std::uint64_t points = number(40);
+  if (note_bytes > content.size() || points > content.size() ||
+      header_size + 24 * points + round_up_to_8(note_bytes) != content.size()) {
+    throw damaged();
+  }
+  PendingCloud cloud;
+  if (load_number<std::uint32_t>(content.data() + 12, std::endian::little) != 0) {
+    cloud.rho = load_number<double>(content.data() + 16, std::endian::little);
+  }
+  cloud.points.resize(points);
+  load_numbers<double>(content.data() + header_size, std::endian::little, std::span(cloud.points));
+  cloud.note = content.substr(header_size + 24 * points, note_bytes);
+  return cloud;
+}
+
+}  // namespace
+
+void save_pending_cloud(const std::string& session, std::span<const std::string> notes,
+                        const PendingCloud& cloud, FileBatch& batch) {
+  SummedFile file(path_of(session, notes.size()));
+  file.append(magic);
+  file.append(version);
+  file.append(std::uint32_t{cloud.rho ? 1U : 0U});
+  file.append(cloud.rho.value_or(0));
+  file.append(checksum_of(notes));
+  file.append(std::uint64_t{cloud.note.size()});
+  file.append(std::uint64_t{cloud.points.size()});
+  file.append_numbers<double>(std::span(cloud.points));
+  file.append(std::string_view(cloud.note));
+  file.fill_word();
+  file.commit(&batch);
+}
+
+std::vector<PendingCloud> load_pending_clouds(const std::string& session,
+                                              std::span<const std::string> notes) {
+  std::vector<std::string> before(notes.begin(), notes.end());
+  std::vector<PendingCloud> clouds;
+  for (;;) {
+    const fs::path path = path_of(session, before.size());
+    if (!fs::exists(path)) return clouds;
+    clouds.push_back(load_pending_cloud(path, before));
+    before.push_back(clouds.back().note);
+  }
+}
+
+void remove_pending_clouds(const std::string& session) {
+  const fs::path path(session);
+  const std::string prefix = path.filename().string() + ".cloud-";
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool numbered = name.size() > prefix.size() && name.starts_with(prefix) &&
+                          name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
+    if (numbered) found.push_back(entry.path());
+  }
+  for (const fs::path& file : found) {
+    std::error_code error;
+    if (!fs::remove(file, error) && error) {
+      throw file_error(file, "cannot be removed (" + error.message() + "); check the folder");
+    }
+  }
+}
+
+void resume_session(const std::string& path, SavedSession saved, const SurfaceArguments& parameters,
+                    const Execution& execution, ResumedSession& resumed) {
+  SurfaceArguments arguments = saved.parameters;
+  arguments.verify = parameters.verify;
+  const auto take_up = [&](SessionSnapshot snapshot, std::optional<double> rho) {
+    arguments.rho = rho;
+    resumed.session.emplace(std::move(snapshot), update_options(arguments), SnapshotCheck::done);
+  };
+  const std::vector<PendingCloud> clouds = load_pending_clouds(path, saved.notes);
+  resumed.notes = std::move(saved.notes);
+  resumed.pending = clouds.size();
+  take_up(std::move(saved.snapshot), clouds.empty() ? parameters.rho : clouds.front().rho);
+  for (const PendingCloud& cloud : clouds) {
+    if (cloud.rho != arguments.rho) take_up(resumed.session->snapshot(), cloud.rho);
+    const std::vector<std::vector<Point>> points{cloud.points};
+    const UpdateResult result = resumed.session->apply(points, execution).result;
+    if (result.status != UpdateStatus::ok) {
+      throw InputError(fmt::format(
+          "{}: a cloud that was applied before is refused now ({}): {}; "
+          "begin again from the model",
+          path_of(path, resumed.notes.size()).string(), name_of(result.status), result.message));
+    }
+    resumed.notes.push_back(cloud.note);
+  }
+  if (arguments.rho != parameters.rho) take_up(resumed.session->snapshot(), parameters.rho);
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,64 @@
+// Clouds that were applied to a session since its file was written: a small file for each beside
+// it, so that to keep a cloud costs what the cloud costs, and not what the model does.
+//
+//   SESSION.cloud-K  the session had K notes (session_file.h) before this cloud was applied
+//   bytes            content (all numbers little-endian)
+//   8                "COCOONCL"
+//   4, 4             version (1); 1 = rho was given
+//   8                rho, 64-bit floating point
+//   8                what stands for the K notes: the checksum of their text
+//   8, 8             bytes of the note on this cloud, number of points k
+//   24 k             coordinates
+//                    the note; zero bytes up to a multiple of 8
+//   8                checksum (io/summed_file.h)
+//
+// Applied to the session in order they give the model that they gave before, bit for bit
+// (update_session.h). Files with smaller K than the session has notes are in it already.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/session_file.h"
+#include "geom/point.h"
+#include "io/atomic_file.h"
+#include "update/update_session.h"
+
+namespace cocoon::app {
+
+struct PendingCloud {
+  std::string note;
+  std::vector<Point> points;
+  std::optional<double> rho;  // that it was applied with
+};
+
+// `notes`: those before it. The file waits for the batch to be put in place. Errors: FileError.
+void save_pending_cloud(const std::string& session, std::span<const std::string> notes,
+                        const PendingCloud& cloud, FileBatch& batch);
+
+// Those that follow the notes, in order. Errors: FileError, one line, if one is damaged or follows
+// other notes.
+std::vector<PendingCloud> load_pending_clouds(const std::string& session,
+                                              std::span<const std::string> notes);
+
+// When they are in the session's file, or the session was begun anew. Errors: FileError.
+void remove_pending_clouds(const std::string& session);
+
+// A session as it was when it was last used.
+struct ResumedSession {
+  std::optional<UpdateSession> session;
+  std::vector<std::string> notes;
+  std::size_t pending = 0;  // clouds that are not in the file
+};
+
+// Takes up a session with its pending clouds; `rho` and `verify` of `parameters` hold for updates
+// to come, the other parameters are the session's own. Errors: FileError; InputError if a pending
+// cloud can no longer be applied.
+void resume_session(const std::string& path, SavedSession saved, const SurfaceArguments& parameters,
+                    const Execution& execution, ResumedSession& resumed);
+
+}  // namespace cocoon::app
