@@ -33,20 +33,13 @@ class Labels {
   }
 
  private:
-  Vec3 outward_normal(CellHandle infinite_cell) const {
-    const int i = infinite_cell->index(delaunay_.infinite_vertex());
-    const CellHandle inside = infinite_cell->neighbor(i);
-    const Facet f{inside, inside->index(infinite_cell)};
-    const Vec3 a = place(corner(f, 0));
-    const Vec3 normal = unit(cross(place(corner(f, 1)) - a, place(corner(f, 2)) - a));
-    return dot(place(inside->vertex(f.second)) - a, normal) > 0 ? -normal : normal;
-  }
-
   DualEdge dual_edge(const Facet& f) const {
     const CellHandle here = f.first;
     const CellHandle there = here->neighbor(f.second);
-    if (delaunay_.is_infinite(here)) return {there->info().center, outward_normal(here), true};
-    if (delaunay_.is_infinite(there)) return {here->info().center, outward_normal(there), true};
+    if (delaunay_.is_infinite(here))
+      return {there->info().center, outward_normal(delaunay_, here), true};
+    if (delaunay_.is_infinite(there))
+      return {here->info().center, outward_normal(delaunay_, there), true};
     return {here->info().center, there->info().center, false};
   }
 
@@ -59,7 +52,7 @@ class Labels {
     std::size_t hull_facets = 0;
     for (const CellHandle c : cells_) {
       if (delaunay_.is_infinite(c)) {
-        hull_sum = hull_sum + outward_normal(c);
+        hull_sum = hull_sum + outward_normal(delaunay_, c);
         ++hull_facets;
       } else if (const Vec3 x = c->info().center - place(v); norm(x) > norm(pole)) {
         pole = x;
@@ -69,7 +62,7 @@ class Labels {
     info.degenerate = norm(hull_sum) < 0.1 * static_cast<double>(hull_facets);
     for (const CellHandle c : cells_) {
       if (delaunay_.is_infinite(c)) {
-        if (options_.tangent_plane_radius && dot(outward_normal(c), info.normal) <= 0) {
+        if (options_.tangent_plane_radius && dot(outward_normal(delaunay_, c), info.normal) <= 0) {
           info.radius = infinity;
         }
         continue;

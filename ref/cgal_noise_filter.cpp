@@ -86,20 +86,12 @@ class Outside {
     const Vec3 sample = place(corner(f, 0));
     if (delaunay_.is_infinite(f.first)) {
       const Vec3 x = there - sample;
-      return dot(outward_normal(f), x) >= options_.deep_cosine * norm(x);
+      return dot(outward_normal(delaunay_, f.first), x) >= options_.deep_cosine * norm(x);
     }
     const Vec3 here = f.first->info().center;
     const double r1 = norm(here - sample);
     const double r2 = norm(there - sample);
     return squared_norm(here - there) <= r1 * r1 + r2 * r2 - 2 * r1 * r2 * options_.deep_cosine;
-  }
-
-  // Of the hull facet of an infinite cell.
-  Vec3 outward_normal(const Facet& f) const {
-    const Facet inside = delaunay_.mirror_facet(f);
-    const Vec3 a = place(corner(f, 0));
-    const Vec3 normal = unit(cross(place(corner(f, 1)) - a, place(corner(f, 2)) - a));
-    return dot(place(inside.first->vertex(inside.second)) - a, normal) > 0 ? -normal : normal;
   }
 
   Delaunay& delaunay_;

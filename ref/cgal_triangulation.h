@@ -70,6 +70,16 @@ inline void set_surface(const Delaunay& delaunay, const Facet& f, bool value) {
 // Vertices have the positions of their points as ids. The time is that of CGAL alone.
 Delaunay triangulation_of(Points points, double* processor_seconds = nullptr);
 
+// Of the hull facet of an infinite cell, unit.
+inline Vec3 outward_normal(const Delaunay& delaunay, CellHandle infinite_cell) {
+  const int i = infinite_cell->index(delaunay.infinite_vertex());
+  const CellHandle inside = infinite_cell->neighbor(i);
+  const Facet f{inside, inside->index(infinite_cell)};
+  const Vec3 a = place(corner(f, 0));
+  const Vec3 normal = unit(cross(place(corner(f, 1)) - a, place(corner(f, 2)) - a));
+  return dot(place(inside->vertex(f.second)) - a, normal) > 0 ? -normal : normal;
+}
+
 // The surface facets at v, each by its two other corners.
 std::vector<std::array<VertexHandle, 2>> link_of(const Delaunay& delaunay, VertexHandle v);
 
