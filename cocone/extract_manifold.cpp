@@ -106,6 +106,7 @@ class Walk {
   void walk_from(const std::vector<Half>& halves) {
     if (halves.empty()) return;
     std::vector<Start> starts;
+    starts.reserve(halves.size());
     for (const Half h : halves) starts.push_back({lowest_corner(h), h});
     const auto earlier = [&](const Start& a, const Start& b) {
       if (a.lowest != b.lowest) return a.lowest < b.lowest;
