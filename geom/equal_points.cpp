@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <numeric>
 
+#include "geom/box.h"
+
 namespace cocoon {
 namespace {
 
@@ -43,12 +45,15 @@ std::vector<std::uint32_t> look_alikes(Points points, std::size_t distinct) {
   BitTable met(size);
   BitTable met_again(size);
   const auto place_of = [&](const Point& p) { return hash_of(p) & (size - 1); };
+  Box box;
   for (const Point& p : points.subspan(distinct)) {
+    box.include(p);
     const std::uint64_t at = place_of(p);
     if (met.set(at)) met_again.set(at);
   }
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < distinct; ++i) {
+    if (squared_distance(points[i], box) > 0) continue;
     const std::uint64_t at = place_of(points[i]);
     if (!met.contains(at)) continue;
     met_again.set(at);
