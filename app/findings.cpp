@@ -14,7 +14,7 @@ double noise_of(double roughness) { return roughness / 0.7; }
 // "12 samples (1 more is beside a gap)"
 std::string sparse_samples(const SurfaceDoubts& d) {
   if (d.boundary_samples == 0) return counted(d.gap_samples, "sample") + " beside gaps";
-  const std::string samples = counted(d.boundary_samples, "sample");
+  std::string samples = counted(d.boundary_samples, "sample");
   if (d.gap_samples == 0) return samples;
   return fmt::format("{} ({} beside gaps)", samples, counted(d.gap_samples, "more is", "more are"));
 }
@@ -64,8 +64,8 @@ Finding unused_finding(const SurfaceDoubts& d, std::size_t points, bool noise_fi
 
 // "3 edges and 1 vertex"; only what there is
 std::string contacts_of(const SurfaceDoubts& d) {
-  const std::string edges = counted(d.bad_edges, "edge");
-  const std::string vertices = counted(d.pinched_vertices, "vertex", "vertices");
+  std::string edges = counted(d.bad_edges, "edge");
+  std::string vertices = counted(d.pinched_vertices, "vertex", "vertices");
   if (d.pinched_vertices == 0) return edges;
   return d.bad_edges == 0 ? vertices : edges + " and " + vertices;
 }
