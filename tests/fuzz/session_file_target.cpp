@@ -1,5 +1,6 @@
 // Session files, and clouds beside them: damaged ones are refused; what is read fits together and
 // reads back.
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -26,7 +27,12 @@ void check_pending_cloud(const TemporaryFolder& folder) {
   const app::PendingCloud again =
       app::load_pending_clouds((folder / "b.session").string(), {}).at(0);
   require(again.note == clouds[0].note, "the note reads back");
-  require(std::memcmp(again.points.data(), clouds[0].points.data(), 24 * again.points.size()) == 0,
+  require(again.rho.has_value() == clouds[0].rho.has_value(), "so does whether rho was given");
+  const auto same_bits = [](const Point& a, const Point& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+  };
+  require(std::equal(again.points.begin(), again.points.end(), clouds[0].points.begin(),
+                     clouds[0].points.end(), same_bits),
           "the points read back");
 }
 
