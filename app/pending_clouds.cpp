@@ -105,15 +105,19 @@ void remove_pending_clouds(const std::string& session) {
   const fs::path path(session);
   const std::string prefix = path.filename().string() + ".cloud-";
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::error_code error;
   std::vector<fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    const bool numbered = name.size() > prefix.size() && name.starts_with(prefix) &&
-                          name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
-    if (numbered) found.push_back(entry.path());
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    const bool is_numbered =
+        name.size() > prefix.size() && name.starts_with(prefix) &&
+        name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
+    if (is_numbered) found.push_back(entry->path());
   }
+  if (error)
+    throw file_error(folder, "cannot be listed (" + error.message() + "); check the folder");
   for (const fs::path& file : found) {
-    std::error_code error;
     if (!fs::remove(file, error) && error) {
       throw file_error(file, "cannot be removed (" + error.message() + "); check the folder");
     }
