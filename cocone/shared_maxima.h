@@ -24,8 +24,10 @@ class SharedMaxima {
     while (known < value && !replace(maximum, known, value)) {
     }
   }
-  // Both when all threads are done.
-  double operator[](VertexId v) const { return maxima_[v]; }
+  double operator[](VertexId v) const {
+    return std::atomic_ref<double>(maxima_[v]).load(std::memory_order_relaxed);
+  }
+  // When all threads are done.
   IdVector<VertexId, double> take() && { return std::move(maxima_); }
 
  private:
@@ -36,7 +38,7 @@ class SharedMaxima {
     return true;
   }
 
-  IdVector<VertexId, double> maxima_;
+  mutable IdVector<VertexId, double> maxima_;  // a look at an element needs a reference to it
   bool alone_;
 };
 
