@@ -418,11 +418,8 @@ class CleanUp {
       if (left[k - 1] == 0 && (sizes[k - 1] < most || !alone)) parts[k - 1].push_back(c);
     });
     std::erase_if(parts, [](const auto& part) { return part.empty(); });
-    std::sort(parts.begin(), parts.end(), [&](const auto& a, const auto& b) {
-      return a.size() != b.size()
-                 ? a.size() < b.size()
-                 : sorted_corners(triangulation_, a) < sorted_corners(triangulation_, b);
-    });
+    std::sort(parts.begin(), parts.end(),
+              [&](const auto& a, const auto& b) { return precedes(a, b); });
     if (!alone && parts.size() > 0 && parts.back().size() == most) parts.pop_back();
     return parts;
   }
