@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cocone/orient_surface.h"
+#include "geom/median.h"
 #include "geom/mesh_adjacency.h"
 
 namespace cocoon {
@@ -173,10 +174,7 @@ double median_edge_length(const TriangleMesh& mesh, const MeshAdjacency& adjacen
   for (const auto& [a, b] : adjacency.edges) {
     lengths.push_back(distance(mesh.points[a], mesh.points[b]));
   }
-  if (lengths.empty()) return 0;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return median(std::move(lengths));
 }
 
 // Begins the loop at its lexicographically smallest edge.

@@ -1,7 +1,7 @@
 #include "cocone/sample_doubts.h"
 
-#include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "cocone/cocone_radii.h"
 #include "cocone/cocones.h"
@@ -10,6 +10,7 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
+#include "geom/median.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
@@ -17,27 +18,13 @@ namespace {
 
 constexpr std::size_t edges_of_spacing = 3;
 
-// The upper one of two; 0 if there are none.
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 void find_sparse(const Triangulation& triangulation, const IdVector<VertexId, double>& spacing,
                  std::size_t most, SampleDoubts& doubts) {
   doubts.spacing = median({spacing.begin(), spacing.end()});
   for (const VertexId v : spacing.ids()) {
     doubts.sparse.push_back({triangulation.point(v), 1, spacing[v]});
   }
-  const auto end =
-      doubts.sparse.begin() + static_cast<std::ptrdiff_t>(std::min(most, doubts.sparse.size()));
-  std::partial_sort(doubts.sparse.begin(), end, doubts.sparse.end(),
-                    [](const DoubtfulSpot& a, const DoubtfulSpot& b) {
-                      return a.size != b.size ? a.size > b.size : a.at < b.at;
-                    });
-  doubts.sparse.erase(end, doubts.sparse.end());
+  keep_largest(doubts.sparse, most);
 }
 
 void find_ratios(const Triangulation& triangulation, const IdVector<VertexId, double>& spacing,

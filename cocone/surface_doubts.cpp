@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -11,7 +10,9 @@
 #include <vector>
 
 #include "geom/box.h"
+#include "geom/disjoint_sets.h"
 #include "geom/linked_mesh.h"
+#include "geom/median.h"
 #include "geom/nearest_point.h"
 
 namespace cocoon {
@@ -19,41 +20,16 @@ namespace {
 
 constexpr std::size_t vertices_per_chunk = 8192;
 
-// Reorders the values.
-double median(std::span<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+// Those with the largest of a member, ties by place.
+template <class Member>
+void keep_first(std::vector<DoubtfulSpot>& spots, std::size_t count, Member member) {
+  const auto end = spots.begin() + static_cast<std::ptrdiff_t>(std::min(count, spots.size()));
+  std::partial_sort(spots.begin(), end, spots.end(),
+                    [&](const DoubtfulSpot& a, const DoubtfulSpot& b) {
+                      return a.*member != b.*member ? a.*member > b.*member : a.at < b.at;
+                    });
+  spots.erase(end, spots.end());
 }
-
-// Sets of vertices that `join` has put together.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) {
-    for (const VertexId v : parent_.ids()) parent_[v] = v;
-  }
-  VertexId find(VertexId v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(VertexId v, VertexId w) { parent_[find(v)] = find(w); }
-
- private:
-  IdVector<VertexId, VertexId> parent_;
-};
-
-void keep_worst(std::vector<DoubtfulSpot>& spots, std::size_t count,
-                const std::function<bool(const DoubtfulSpot&, const DoubtfulSpot&)>& worse) {
-  std::sort(spots.begin(), spots.end(), [&](const DoubtfulSpot& a, const DoubtfulSpot& b) {
-    if (worse(a, b) || worse(b, a)) return worse(a, b);
-    return a.at < b.at;
-  });
-  if (spots.size() > count) spots.resize(count);
-}
-
-bool larger(const DoubtfulSpot& a, const DoubtfulSpot& b) { return a.size > b.size; }
-bool more(const DoubtfulSpot& a, const DoubtfulSpot& b) { return a.count > b.count; }
 
 class Doubts {
  public:
@@ -108,8 +84,8 @@ class Doubts {
       doubts_.boundary_samples += part.boundary;
       doubts_.gap_samples += part.gaps;
     }
-    doubts_.spacing = median(lengths);
-    doubts_.roughness = median(deviations);
+    doubts_.spacing = quantile_in_place(lengths, 0.5);
+    doubts_.roughness = quantile_in_place(deviations, 0.5);
   }
 
   void measure_at(VertexId v, std::vector<double>& lengths, Measured& measured) {
@@ -146,7 +122,7 @@ class Doubts {
       longest_[v] = *longest;
       // The median is not below the shortest.
       gap = *longest > options_.gap_ratio * *shortest &&
-            longest_[v] > options_.gap_ratio * median(lengths);
+            longest_[v] > options_.gap_ratio * quantile_in_place(lengths, 0.5);
     }
     const bool boundary = sparse_[v] != 0;
     measured.gaps += gap && !boundary ? 1U : 0U;
@@ -155,16 +131,16 @@ class Doubts {
   }
 
   void find_sparse_samples() {
-    Groups groups(mesh_.points.size());
+    DisjointSets groups(mesh_.points.size());
     for (SideId side = 0; side < mesh_.links.size(); ++side) {
       const VertexId a = mesh_.from(side);
       const VertexId b = mesh_.to(side);
-      if (sparse_[a] != 0 && sparse_[b] != 0) groups.join(a, b);
+      if (sparse_[a] != 0 && sparse_[b] != 0) groups.join(a.value, b.value);
     }
     IdVector<VertexId, std::uint32_t> spot_of(mesh_.points.size(), 0);  // place + 1
     for (const VertexId v : mesh_.points.ids()) {
       if (sparse_[v] == 0) continue;
-      std::uint32_t& place = spot_of[groups.find(v)];
+      std::uint32_t& place = spot_of[VertexId(std::size_t{groups.root(v.value)})];
       if (place == 0) {
         doubts_.sparse.push_back({mesh_.points[v], 0, longest_[v]});
         place = static_cast<std::uint32_t>(doubts_.sparse.size());
@@ -177,7 +153,7 @@ class Doubts {
       }
       ++spot.count;
     }
-    keep_worst(doubts_.sparse, options_.max_spots, larger);
+    keep_largest(doubts_.sparse, options_.max_spots);
   }
 
   void find_fragments() {
@@ -200,7 +176,7 @@ class Doubts {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       if (seeds[mesh_.triangle_of[t]] != 0) doubts_.dust.push_back(fragment_of(t, seen));
     }
-    keep_worst(doubts_.dust, options_.max_spots, more);
+    keep_first(doubts_.dust, options_.max_spots, &DoubtfulSpot::count);
   }
 
   // The component of a triangle.
@@ -233,7 +209,7 @@ class Doubts {
       const double squared = tree ? tree->nearest(p).squared_distance : nearest_vertex(p);
       doubts_.unused.push_back({p, 1, std::sqrt(squared)});
     }
-    keep_worst(doubts_.unused, options_.max_spots, larger);
+    keep_largest(doubts_.unused, options_.max_spots);
   }
 
   // Different ones, in lexicographic order.
@@ -271,7 +247,7 @@ class Doubts {
     for (const VertexId v : report.examples.pinched_vertices) {
       doubts_.contacts.push_back({result_.mesh.points[v], 1, 0});
     }
-    keep_worst(doubts_.contacts, options_.max_spots, larger);
+    keep_largest(doubts_.contacts, options_.max_spots);
   }
 
   const ReconstructResult& result_;
@@ -285,6 +261,10 @@ class Doubts {
 };
 
 }  // namespace
+
+void keep_largest(std::vector<DoubtfulSpot>& spots, std::size_t count) {
+  keep_first(spots, count, &DoubtfulSpot::size);
+}
 
 SurfaceDoubts surface_doubts(const ReconstructResult& result, Points points,
                              const SurfaceDoubtOptions& options, const Execution& execution) {

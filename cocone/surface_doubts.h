@@ -20,6 +20,10 @@ struct DoubtfulSpot {
   friend bool operator==(const DoubtfulSpot&, const DoubtfulSpot&) = default;
 };
 
+// Leaves that many of the largest size, the largest first; ties go to the lexicographically smaller
+// place. Complexity: O(n log count).
+void keep_largest(std::vector<DoubtfulSpot>& spots, std::size_t count);
+
 struct SurfaceDoubtOptions {
   std::size_t max_spots = 3;     // of each list
   double gap_ratio = 4;          // longest edge at a vertex over the median of its edges: a gap

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cocone/orient_surface.h"
-#include "update/median.h"
+#include "geom/median.h"
 
 namespace cocoon {
 

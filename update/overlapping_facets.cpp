@@ -8,9 +8,9 @@
 #include <numeric>
 #include <optional>
 
+#include "geom/median.h"
 #include "geom/nearest_point.h"
 #include "geom/triangle_projection.h"
-#include "update/median.h"
 #include "update/near_facets.h"
 
 namespace cocoon {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "geom/median.h"
 #include "geom/mesh_adjacency.h"
-#include "update/median.h"
 #include "update/triangle_set.h"
 
 namespace cocoon {

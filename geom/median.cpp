@@ -1,4 +1,4 @@
-#include "update/median.h"
+#include "geom/median.h"
 
 #include <algorithm>
 #include <cstddef>
