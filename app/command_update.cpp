@@ -43,14 +43,10 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
 // Reads the session, updates it, and writes it back together with the mesh.
 void update_session(const UpdateArguments& arguments, Job& job) {
   const Execution quiet{job.execution().threads};
-  SurfaceArguments parameters;
   ResumedSession resumed;
   timed(job.execution(), "read", [&] {
-    SavedSession saved = load_session(arguments.session, quiet);
-    parameters = saved.parameters;
-    parameters.rho = arguments.parameters.rho;
-    parameters.verify = arguments.parameters.verify;
-    resume_session(arguments.session, std::move(saved), parameters, quiet, resumed);
+    resume_session(arguments.session, load_session(arguments.session, quiet), arguments.parameters,
+                   quiet, resumed);
   });
   UpdateSession& session = *resumed.session;
   UpdateInput input;
@@ -65,7 +61,8 @@ void update_session(const UpdateArguments& arguments, Job& job) {
       {arguments.mesh, arguments.map, arguments.html, arguments.ascii, arguments.manifold},
       &session);
   timed(job.execution(), "write", [&] {
-    save_session(arguments.session, {session.snapshot(), parameters, resumed.notes}, job.outputs());
+    save_session(arguments.session, {session.snapshot(), resumed.parameters, resumed.notes},
+                 job.outputs());
   });
   job.finish();
   remove_pending_clouds(arguments.session);

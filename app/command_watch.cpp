@@ -27,11 +27,7 @@ namespace fs = std::filesystem;
 // What tells one content from another.
 std::string fingerprint(const fs::path& path) {
   const FileBytes file = read_file(path);
-  std::string bytes(file.view());
-  bytes.resize(round_up_to_8(bytes.size()), '\0');
-  Checksum checksum;
-  checksum.add(bytes);
-  return fmt::format("{:016x}-{}", checksum.value(), file.size);
+  return fmt::format("{:016x}-{}", checksum_of(std::string(file.view())), file.size);
 }
 
 // The first note of a session says which model it began with, the others which clouds it holds.

@@ -25,13 +25,10 @@ fs::path path_of(const std::string& session, std::size_t notes) {
 }
 
 // What stands for the notes before a cloud.
-std::uint64_t checksum_of(std::span<const std::string> notes) {
+std::uint64_t history_of(std::span<const std::string> notes) {
   std::string text;
   for (const std::string& note : notes) text += note + "\n";
-  text.resize(round_up_to_8(text.size()), '\0');
-  Checksum checksum;
-  checksum.add(text);
-  return checksum.value();
+  return checksum_of(std::move(text));
 }
 
 PendingCloud load_pending_cloud(const fs::path& path, std::span<const std::string> notes) {
@@ -52,7 +49,7 @@ PendingCloud load_pending_cloud(const fs::path& path, std::span<const std::strin
                                        "be read; finish it with the program that wrote it",
                                        found, version));
   }
-  if (number(24) != checksum_of(notes)) {
+  if (number(24) != history_of(notes)) {
     throw file_error(path, "follows another session than the one beside it; remove one of them");
   }
   const std::uint64_t note_bytes = number(32);
@@ -80,7 +77,7 @@ void save_pending_cloud(const std::string& session, std::span<const std::string>
   file.append(version);
   file.append(std::uint32_t{cloud.rho ? 1U : 0U});
   file.append(cloud.rho.value_or(0));
-  file.append(checksum_of(notes));
+  file.append(history_of(notes));
   file.append(std::uint64_t{cloud.note.size()});
   file.append(std::uint64_t{cloud.points.size()});
   file.append_numbers<double>(std::span(cloud.points));
@@ -126,6 +123,7 @@ void remove_pending_clouds(const std::string& session) {
 
 void resume_session(const std::string& path, SavedSession saved, const SurfaceArguments& parameters,
                     const Execution& execution, ResumedSession& resumed) {
+  resumed.parameters = saved.parameters;
   SurfaceArguments arguments = saved.parameters;
   arguments.verify = parameters.verify;
   const auto take_up = [&](SessionSnapshot snapshot, std::optional<double> rho) {

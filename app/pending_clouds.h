@@ -51,6 +51,7 @@ void remove_pending_clouds(const std::string& session);
 // A session as it was when it was last used.
 struct ResumedSession {
   std::optional<UpdateSession> session;
+  SurfaceArguments parameters;  // the session's own
   std::vector<std::string> notes;
   std::size_t pending = 0;  // clouds that are not in the file
 };

@@ -10,6 +10,13 @@ void Checksum::add(std::string_view bytes) {
   }
 }
 
+std::uint64_t checksum_of(std::string text) {
+  text.resize(round_up_to_8(text.size()), '\0');
+  Checksum checksum;
+  checksum.add(text);
+  return checksum.value();
+}
+
 void SummedFile::flush() {
   checksum_.add(bytes_);
   file_.write(bytes_);

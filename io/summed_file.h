@@ -34,6 +34,9 @@ class Checksum {
   std::uint64_t hash_ = 0;
 };
 
+// Of a text, with zero bytes up to a multiple of 8. Complexity: O(bytes).
+std::uint64_t checksum_of(std::string text);
+
 // Writes such a file; it appears complete or not at all (atomic_file.h). Errors: FileError.
 class SummedFile {
  public:
