@@ -24,6 +24,15 @@ std::size_t border_loops(const CloudReport& cloud) {
   return count;
 }
 
+// Pin-holes among them.
+std::size_t opened_pin_holes(const CloudReport& cloud) {
+  std::size_t count = 0;
+  for (const LoopReport& loop : cloud.loops) {
+    count += loop.pin_hole && loop.match == LoopMatch::on_model ? 1U : 0U;
+  }
+  return count;
+}
+
 JsonReport cloud_entry(const CloudReport& cloud) {
   JsonReport entry;
   for (const GroupAngle& group : cloud.groups) {
@@ -34,6 +43,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("loops", cloud.loops.size());
   entry.set("border_loops", border_loops(cloud));
   entry.set("pin_holes", cloud.surface.rim.pin_holes);
+  entry.set("opened_pin_holes", opened_pin_holes(cloud));
   entry.set("rim_edges", cloud.surface.rim.rim_edges);
   entry.set("gap_edges", cloud.surface.rim.gap_edges);
   entry.set("gap_loops", cloud.surface.rim.gap_loops);

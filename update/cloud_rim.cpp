@@ -61,11 +61,13 @@ CloudRim cloud_rim(const TriangleMesh& surface, const RimOptions& options) {
   CloudRim rim;
   rim.small_components = boundary.small_components;
   rim.non_orientable = boundary.non_orientable;
+  rim.median_edge = boundary.median_edge;
   std::vector<double> edge_lengths;
   for (const BoundaryLoop& loop : boundary.loops) {
     const double outline = options.min_outline_share * disk_perimeter(loop, boundary.median_edge);
     if (loop.pin_hole && loop.perimeter < outline) {
       ++rim.pin_holes;
+      rim.pin_hole_loops.push_back(make_loop(mesh, normals, loop));
       continue;
     }
     rim.loops.push_back(make_loop(mesh, normals, loop));

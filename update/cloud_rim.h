@@ -40,10 +40,14 @@ struct RimLoop {
 
 struct CloudRim {
   std::vector<RimLoop> loops;
+  // Too small to be rims, unless the model goes on through them (pin_holes.h); without seams, once
+  // mark_rim_gaps() has been here.
+  std::vector<RimLoop> pin_hole_loops = {};
   double spacing = 0;  // median length of the rim edges; of all surface edges if there is no loop
+  double median_edge = 0;  // of the surface: shorter where rim edges bridge dents
 
   // What was left out, see RimOptions.
-  std::size_t pin_holes = 0;         // loops too small to be a rim
+  std::size_t pin_holes = 0;         // loops too small to be a rim, seams among them
   std::size_t small_components = 0;  // parts of the surface too small to be the patch
   std::size_t gap_loops = 0;         // taken out by mark_rim_gaps()
   std::size_t rim_edges = 0;         // of all loops that it looked at

@@ -1,5 +1,6 @@
 #include "update/cloud_surface.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "cocone/candidate_triangles.h"
@@ -84,50 +85,72 @@ Trial try_search(const Foundation& f, Points cloud, const RimSearch& search,
     trial.report.gap_share =
         static_cast<double>(rim.gap_edges) / static_cast<double>(rim.rim_edges);
   }
+  if (rim.median_edge > 0) trial.report.stretch = rim.spacing / rim.median_edge;
   return trial;
 }
 
-// Whether `a` is the better trial: a rim before none, a surface before none, then fewer seams.
-bool better(const Trial& a, const Trial& b) {
-  if (a.surface.status != b.surface.status) {
-    auto rank = [](CloudStatus status) {
-      return status == CloudStatus::ok ? 0 : status == CloudStatus::cloud_closed ? 1 : 2;
-    };
-    return rank(a.surface.status) < rank(b.surface.status);
+// Whether the trial is to be preferred: a rim before none, a surface before none, then the less
+// doubtful rim.
+class Preference {
+ public:
+  explicit Preference(const CloudSurfaceOptions& options) : options_(options) {}
+
+  bool good_enough(const Trial& trial) const {
+    return trial.surface.status == CloudStatus::ok &&
+           trial.report.gap_share <= options_.max_gap_share;
   }
-  return a.report.gap_share < b.report.gap_share;
-}
+  bool operator()(const Trial& a, const Trial& b) const {
+    if (a.surface.status != b.surface.status) {
+      return rank(a.surface.status) < rank(b.surface.status);
+    }
+    if (good_enough(a) != good_enough(b)) return good_enough(a);
+    return doubt(a.report) < doubt(b.report);
+  }
+
+ private:
+  static int rank(CloudStatus status) {
+    return status == CloudStatus::ok ? 0 : status == CloudStatus::cloud_closed ? 1 : 2;
+  }
+  double doubt(const RimTrial& trial) const {
+    return trial.gap_share + options_.stretch_weight * (trial.stretch - 1);
+  }
+
+  const CloudSurfaceOptions& options_;
+};
 
 }  // namespace
 
-CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options,
-                           const Execution& execution) {
+std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurfaceOptions& options,
+                                                const Execution& execution) {
   const Foundation foundation = lay_foundation(cloud, options.reconstruct, execution);
-  std::vector<RimTrial> trials;
-  auto attempt = [&](const RimSearch& search) {
-    Trial trial = try_search(foundation, cloud, search, options, execution);
-    trials.push_back(trial.report);
-    return trial;
-  };
-  auto good_enough = [&](const Trial& trial) {
-    return trial.surface.status == CloudStatus::ok &&
-           trial.report.gap_share <= options.max_gap_share;
-  };
-
-  Trial best = attempt(options.start);
+  const Preference preference(options);
+  std::vector<Trial> found = {try_search(foundation, cloud, options.start, options, execution)};
+  std::vector<RimTrial> trials = {found.front().report};
   // Without a rim or a seam the surface is closed: look more closely. Else the seams are in the
   // way.
-  const bool is_closed = best.surface.status == CloudStatus::cloud_closed &&
-                         best.report.gap_share <= options.max_gap_share;
+  const bool is_closed = found.front().surface.status == CloudStatus::cloud_closed &&
+                         found.front().report.gap_share <= options.max_gap_share;
+  bool done = preference.good_enough(found.front());
   for (const RimSearch& search : is_closed ? options.finer : options.coarser) {
-    if (good_enough(best)) break;
-    Trial trial = attempt(search);
+    if (done) break;
+    Trial trial = try_search(foundation, cloud, search, options, execution);
+    trials.push_back(trial.report);
+    done = preference.good_enough(trial);
     // A finer trial that tears the surface up everywhere has found no rim.
-    if (is_closed ? good_enough(trial) : better(trial, best)) best = std::move(trial);
+    if (!is_closed || done) found.push_back(std::move(trial));
   }
-  CloudSurface result = std::move(best.surface);
-  result.trials = std::move(trials);
-  return result;
+  std::stable_sort(found.begin(), found.end(), preference);
+  std::vector<CloudSurface> surfaces;
+  for (Trial& trial : found) {
+    surfaces.push_back(std::move(trial.surface));
+    surfaces.back().trials = trials;
+  }
+  return surfaces;
+}
+
+CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options,
+                           const Execution& execution) {
+  return std::move(ranked_cloud_surfaces(cloud, options, execution).front());
 }
 
 }  // namespace cocoon

@@ -30,12 +30,16 @@ struct CloudSurfaceOptions {
   // Tried in this order while no rim is found: finer eyes for gently curved patches.
   std::vector<RimSearch> finer = {{.rho = 0.2}, {.rho = 0.13}, {.rho = 0.1}};
   // Tried in this order while there is no surface, or more than max_gap_share of the rim edges are
-  // seams inside the cloud: patience with sharp edges, thin walls and noise.
+  // seams inside the cloud: patience with sharp edges, thin walls and noise. Too much of it closes
+  // holes and dents of the rim with long edges.
   std::vector<RimSearch> coarser = {
       {.rho = 0.5},
       {.rho = 0.83, .alpha_cosine = 0.5, .radius_mode = RadiusMode::tangent_plane},
       {.rho = 1.5, .alpha_cosine = 0.5, .radius_mode = RadiusMode::tangent_plane}};
   double max_gap_share = 0.05;
+  // If no trial is good enough: how many seams, as a share of the rim edges, weigh as much as rim
+  // edges twice as long as those of the surface.
+  double stretch_weight = 0.2;
   TrimOptions trim;
   RimOptions rim;
   RimGapOptions gaps;
@@ -57,6 +61,7 @@ struct RimTrial {
   std::size_t gap_loops = 0;
   std::size_t pin_holes = 0;
   double gap_share = 0;  // of the rim edges of all loops
+  double stretch = 1;    // median edge of the rim, over that of the surface
 };
 
 struct CloudSurface {
@@ -76,12 +81,19 @@ struct CloudSurface {
 // only the labels of samples and what follows from them differ. The first trial is taken if it
 // finds a rim with at most max_gap_share seams. If it finds none, the finer ones follow up to the
 // first that does; if it has too many seams or no surface, the coarser ones up to the first that
-// is good enough; if none is, the one with the smallest share of seams is taken.
+// is good enough; if none is, the one whose rim is the least doubtful: with the smallest sum of its
+// share of seams and stretch_weight (stretch - 1).
 // Why: a rim is found iff the gap beyond it is wider than rho times the local feature size. Small
 // rhos find rims of gently curved patches; large ones bear noise and sharp edges.
 // Errors: InputError as delaunay(). Complexity: O(n log n) expected. Deterministic as
 // reconstruct_cocone(). Source: Woo & Dey 2005, section 3.2; ladder and trimming are ours.
 CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options = {},
                            const Execution& execution = {});
+
+// The same with what the other trials gave behind it, from the least to the most doubtful rim: for
+// those who know where the rim should be. At least one.
+std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud,
+                                                const CloudSurfaceOptions& options = {},
+                                                const Execution& execution = {});
 
 }  // namespace cocoon

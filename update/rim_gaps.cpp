@@ -1,6 +1,6 @@
 #include "update/rim_gaps.h"
 
-#include <utility>
+#include <algorithm>
 #include <vector>
 
 namespace cocoon {
@@ -25,30 +25,34 @@ bool has_cloud_beyond(const NearestPointTree& samples, Points cloud, const RimLo
   return nearest.squared_distance <= reach * reach * spacing * spacing;
 }
 
+std::size_t gap_edges(const RimLoop& loop) {
+  return static_cast<std::size_t>(std::count(loop.gap.begin(), loop.gap.end(), 1));
+}
+
 }  // namespace
 
 void mark_rim_gaps(const NearestPointTree& samples, Points cloud, CloudRim& rim,
                    const RimGapOptions& options) {
-  std::vector<RimLoop> kept;
+  const auto mark = [&](RimLoop& loop, double spacing) {
+    loop.gap.assign(loop.size(), 0);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      if (has_cloud_beyond(samples, cloud, loop, i, spacing, options.reach)) loop.gap[i] = 1;
+    }
+  };
+  for (RimLoop& loop : rim.loops) mark(loop, rim.spacing);
+  for (RimLoop& loop : rim.pin_hole_loops) mark(loop, rim.median_edge);
   rim.rim_edges = 0;
   rim.gap_edges = 0;
-  for (RimLoop& loop : rim.loops) {
-    loop.gap.assign(loop.size(), 0);
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      if (!has_cloud_beyond(samples, cloud, loop, i, rim.spacing, options.reach)) continue;
-      loop.gap[i] = 1;
-      ++count;
-    }
+  for (const RimLoop& loop : rim.loops) {
     rim.rim_edges += loop.size();
-    rim.gap_edges += count;
-    if (static_cast<double>(count) > options.max_gap_share * static_cast<double>(loop.size())) {
-      ++rim.gap_loops;
-    } else {
-      kept.push_back(std::move(loop));
-    }
+    rim.gap_edges += gap_edges(loop);
   }
-  rim.loops = std::move(kept);
+  const auto is_gap = [&](const RimLoop& loop) {
+    const auto edges = static_cast<double>(loop.size());
+    return static_cast<double>(gap_edges(loop)) > options.max_gap_share * edges;
+  };
+  rim.gap_loops += std::erase_if(rim.loops, is_gap);
+  std::erase_if(rim.pin_hole_loops, is_gap);
 }
 
 }  // namespace cocoon

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -11,18 +10,13 @@
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "update/model_index.h"
+#include "update/update_messages.h"
 
 namespace cocoon {
 
 namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
-
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
 
 // Runs body(execution) as a step: its stages report as "step/stage".
 template <class Body>
@@ -63,61 +57,51 @@ class Update {
          const UpdateOptions& options)
       : model_(model), clouds_(clouds), options_(options) {
     result_.clouds.resize(clouds.size());
+    rims_.resize(clouds.size());
   }
 
   bool detect_boundaries(const Execution& execution) {
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      CloudReport& report = result_.clouds[c];
-      report.surface = surface_of_cloud(c, execution);
-      for (const RimLoop& loop : report.surface.rim.loops) {
-        report.loops.push_back({.edges = loop.size(), .perimeter = loop.perimeter});
-        report.boundary_points += loop.size();
-      }
-      const CloudSurface& surface = report.surface;
+      other_surfaces_.push_back(surfaces_of_cloud(c, execution));
+      take_surface(c, std::move(other_surfaces_[c].front()));
+      other_surfaces_[c].erase(other_surfaces_[c].begin());
+      const CloudSurface& surface = result_.clouds[c].surface;
       if (surface.status == CloudStatus::no_surface) {
         return fail(UpdateStatus::no_cloud_surface,
-                    name_of_cloud(c) +
-                        " gives no surface; sample it more densely or "
-                        "remove noise");
+                    name_of_cloud(c) + " gives no surface; sample it more densely or remove noise");
       }
       if (surface.status == CloudStatus::cloud_closed) {
         return fail(UpdateStatus::cloud_closed,
-                    name_of_cloud(c) + " has no open rim (" +
-                        std::to_string(surface.rim.pin_holes) + " pin-holes, " +
-                        std::to_string(surface.rim.gap_loops) +
-                        " seams): it is closed; give only the changed part with some of its "
-                        "surroundings");
+                    name_of_cloud(c) + " " + reason_of_closed_cloud(surface.rim));
       }
-      warn_about_surface(c);
     }
     return true;
   }
 
   bool find_overlapping_facets(const ModelIndex& index, const Execution& execution) {
-    std::vector<CloudRim> rims;
-    for (const CloudReport& report : result_.clouds) rims.push_back(report.surface.rim);
-    for (const CloudRim& rim : rims) {
-      overlaps_.push_back(overlapping_facets(index, rim, options_.overlap, execution));
+    overlaps_.resize(clouds_.size());
+    for (std::size_t c = 0; c < clouds_.size(); ++c) locate_rim(c, index, execution);
+    excuse_covered_points(rims_, clouds_, overlaps_, options_.overlap);
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      if (overlaps_[c].status == OverlapStatus::no_overlap) try_others(c, index, execution);
+      for (const std::string& warning : warnings_of_surface(result_.clouds[c].surface)) {
+        warn(name_of_cloud(c) + ": " + warning);
+      }
     }
-    excuse_covered_points(rims, clouds_, overlaps_, options_.overlap);
-    border_facets_ = TriangleSet(model_.triangles.size(), 0);
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       report_overlap(c);
       if (overlaps_[c].status == OverlapStatus::no_overlap) return fail_no_overlap(c);
-      borders_.push_back(trace_border(index, rims[c], overlaps_[c], options_.trace, execution));
-      const Border& border = borders_[c];
-      for (const TriangleId t : border.facets.ids()) border_facets_[t] |= border.facets[t];
-      CloudReport& report = result_.clouds[c];
-      report.border_facets = border.num_facets;
-      report.walks = border.walks;
-      report.searches = border.searches;
-      report.breaks = border.breaks;
     }
+    trace_borders(index, execution);
     return true;
   }
 
   bool segment_and_choose(const ModelIndex& index, const Execution& execution) {
     result_.regions = segment_model(index, border_facets_, options_.segment, execution);
+    if (close_pin_holes(index)) {
+      trace_borders(index, execution);
+      result_.regions = segment_model(index, border_facets_, options_.segment, execution);
+    }
     std::vector<RegionAngles> angles = measure_angles(index);
     if (!check_separation(index, angles)) return false;
     if (!divided_loops_.empty() && !split_divided_regions(index, angles)) return false;
@@ -140,18 +124,14 @@ class Update {
     }
     if (result_.reconstruction.status != SurfaceStatus::ok) {
       return fail(UpdateStatus::empty_surface,
-                  "the " + std::to_string(result_.replacement.points.size()) +
-                      " updated points give no closed surface; check that model and clouds are "
-                      "samples of one surface at one scale");
+                  reason_of_empty_surface(result_.replacement.points.size()));
     }
     result_.mesh = std::move(result_.reconstruction.mesh);
     result_.reconstruction.mesh = {};
     map_vertices();
     if (result_.reconstruction.unused_points > 0) {
-      const std::size_t unused = result_.reconstruction.unused_points;
-      warn(std::to_string(unused) + " of " +
-           counted(result_.replacement.points.size(), "updated point") +
-           (unused == 1 ? " is" : " are") + " not on the surface");
+      warn(warning_of_unused_points(result_.reconstruction.unused_points,
+                                    result_.replacement.points.size()));
     }
     return true;
   }
@@ -168,13 +148,10 @@ class Update {
   };
 
   std::string name_of_cloud(std::size_t c) const {
-    return "cloud " + std::to_string(c + 1) + " of " + std::to_string(clouds_.size());
+    return cocoon::name_of_cloud(c, clouds_.size());
   }
   std::string name_of_loop(std::size_t c, std::size_t l) const {
-    const RimLoop& loop = result_.clouds[c].surface.rim.loops[l];
-    const Point& p = loop.points.front();
-    return name_of_cloud(c) + ", loop of " + std::to_string(loop.size()) + " edges at (" +
-           rounded(p.x) + ", " + rounded(p.y) + ", " + rounded(p.z) + ")";
+    return name_of_cloud(c) + ", " + cocoon::name_of_loop(result_.clouds[c].surface.rim.loops[l]);
   }
   bool fail(UpdateStatus status, std::string message) {
     result_.status = status;
@@ -217,30 +194,83 @@ class Update {
     return angles;
   }
 
-  CloudSurface surface_of_cloud(std::size_t c, const Execution& execution) const {
+  std::vector<CloudSurface> surfaces_of_cloud(std::size_t c, const Execution& execution) const {
     try {
-      return cloud_surface(clouds_[c], options_.cloud, execution);
+      return ranked_cloud_surfaces(clouds_[c], options_.cloud, execution);
     } catch (const InputError& error) {
       throw InputError(name_of_cloud(c) + ": " + error.what());
     }
   }
 
-  void warn_about_surface(std::size_t c) {
-    const CloudSurface& surface = result_.clouds[c].surface;
-    const std::string cloud = name_of_cloud(c) + ": ";
-    if (surface.trials.size() > 1) {
-      warn(cloud + "rim found with rho " + rounded(surface.rho) + " after " +
-           std::to_string(surface.trials.size()) + " trials");
+  void take_surface(std::size_t c, CloudSurface surface) {
+    result_.clouds[c] = {};
+    result_.clouds[c].surface = std::move(surface);
+    for (const RimLoop& loop : result_.clouds[c].surface.rim.loops) report_loop(c, loop, false);
+  }
+
+  void report_loop(std::size_t c, const RimLoop& loop, bool pin_hole) {
+    CloudReport& report = result_.clouds[c];
+    report.loops.push_back(
+        {.edges = loop.size(), .perimeter = loop.perimeter, .pin_hole = pin_hole});
+    report.boundary_points += loop.size();
+  }
+
+  // Where the rim lies on the model, with pin-holes through which the model goes on.
+  void locate_rim(std::size_t c, const ModelIndex& index, const Execution& execution) {
+    CloudRim& rim = result_.clouds[c].surface.rim;
+    for (RimLoop& loop : open_pin_holes(index, clouds_[c], rim, options_.pin_holes)) {
+      report_loop(c, loop, true);
+      rim.loops.push_back(std::move(loop));
     }
-    const auto warn_of = [&](std::size_t count, const char* one, const char* many) {
-      if (count > 0) warn(cloud + counted(count, one, many));
-    };
-    warn_of(surface.rim.gap_loops, "loop is a seam inside the cloud (a sharp edge?), not its rim",
-            "loops are seams inside the cloud (sharp edges?), not its rim");
-    warn_of(surface.rim.small_components, "small part of its surface is not looked at",
-            "small parts of its surface are not looked at");
-    warn_of(surface.rim.non_orientable, "part of its surface is one-sided",
-            "parts of its surface are one-sided");
+    rims_[c] = rim;
+    overlaps_[c] = overlapping_facets(index, rim, options_.overlap, execution);
+  }
+
+  // The rim that looked best is not on the model: takes the best one that is, if there is one.
+  void try_others(std::size_t c, const ModelIndex& index, const Execution& execution) {
+    const CloudReport report = result_.clouds[c];
+    const Overlap overlap = overlaps_[c];
+    for (CloudSurface& other : other_surfaces_[c]) {
+      if (other.status != CloudStatus::ok) continue;
+      take_surface(c, std::move(other));
+      locate_rim(c, index, execution);
+      excuse_covered_points(rims_, clouds_, overlaps_, options_.overlap);
+      if (overlaps_[c].status == OverlapStatus::ok) return;
+    }
+    result_.clouds[c] = report;
+    rims_[c] = report.surface.rim;
+    overlaps_[c] = overlap;
+  }
+
+  // A pin-hole that does not cut the model in two, by itself or with other loops, is none of the
+  // border. Returns whether there was one.
+  bool close_pin_holes(const ModelIndex& index) {
+    bool closed = false;
+    for_each_border_loop([&](std::size_t c, std::size_t l) {
+      if (!result_.clouds[c].loops[l].pin_hole) return;
+      const LoopSides sides =
+          loop_sides(model_, index.adjacency(), borders_[c].loops[l], result_.regions);
+      if (sides.separation == Separation::separates) return;
+      overlaps_[c].loops[l].match = result_.clouds[c].loops[l].match = LoopMatch::off_model;
+      closed = true;
+    });
+    return closed;
+  }
+
+  void trace_borders(const ModelIndex& index, const Execution& execution) {
+    borders_.clear();
+    border_facets_ = TriangleSet(model_.triangles.size(), 0);
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      CloudReport& report = result_.clouds[c];
+      borders_.push_back(
+          trace_border(index, report.surface.rim, overlaps_[c], options_.trace, execution));
+      const Border& border = borders_[c];
+      for (const TriangleId t : border.facets.ids()) border_facets_[t] |= border.facets[t];
+      report.border_facets = border.num_facets;
+      report.walks = border.walks;
+      report.searches = border.searches;
+      report.breaks = border.breaks;
+    }
   }
 
   void report_overlap(std::size_t c) {
@@ -267,11 +297,9 @@ class Update {
     const CloudReport& report = result_.clouds[c];
     return fail(
         UpdateStatus::no_overlap,
-        name_of_cloud(c) + " does not lie on the model: " + std::to_string(overlaps_[c].unmatched) +
-            " of its " + std::to_string(report.boundary_points) +
-            " rim points are farther from it than " + rounded(options_.overlap.max_distance) +
-            " spacings (rim spacing " + rounded(report.surface.rim.spacing) +
-            "); register it to the model or let it reach onto unchanged surface");
+        name_of_cloud(c) + " " +
+            reason_of_no_overlap(overlaps_[c].unmatched, report.boundary_points,
+                                 options_.overlap.max_distance, report.surface.rim.spacing));
   }
 
   // Collects the loops with one and the same region on both sides in divided_loops_.
@@ -316,7 +344,9 @@ class Update {
     if (split.status != SplitStatus::ok) {
       const RegionId failed = result_.split.back().outside;
       for (const DividedLoop& loop : divided_loops_) {
-        if (loop.region == failed) return fail_divided(loop, explanation_of(split.status));
+        if (loop.region == failed) {
+          return fail_divided(loop, reason_of_failed_split(split.status, result_.split.back()));
+        }
       }
     }
     std::swap(result_.regions, split.regions);
@@ -348,12 +378,6 @@ class Update {
              outside.mean() - under.mean() > options_.choice.narrow_margin;
     }
     return false;
-  }
-
-  std::string explanation_of(SplitStatus status) const {
-    if (status == SplitStatus::one_sided) return "the model near the rim lies on one side of it";
-    return "what is nearest to its inner side reaches " + rounded(result_.split.back().reach) +
-           " cloud extents away from the cloud";
   }
 
   bool fail_divided(const DividedLoop& loop, const std::string& why) {
@@ -405,10 +429,7 @@ class Update {
     }
     if (choice.status == ChoiceStatus::ok) return true;
     return fail(UpdateStatus::ambiguous,
-                "the regions inside and outside a rim make angles with the cloud that differ by "
-                "less than " +
-                    rounded(options_.choice.ambiguous_margin * degrees_per_radian) +
-                    " degrees; let the cloud reach farther onto unchanged surface");
+                reason_of_ambiguity(options_.choice.ambiguous_margin * degrees_per_radian));
   }
 
   void map_vertices() {
@@ -426,6 +447,8 @@ class Update {
   const TriangleMesh& model_;
   std::span<const std::vector<Point>> clouds_;
   const UpdateOptions& options_;
+  std::vector<std::vector<CloudSurface>> other_surfaces_;  // of each cloud, the best one first
+  std::vector<CloudRim> rims_;
   std::vector<Overlap> overlaps_;
   std::vector<Border> borders_;
   TriangleSet border_facets_;
@@ -472,28 +495,6 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
                                                            options.reconstruct, nested);
                           }};
   return update_model(model, clouds, parts, options, execution);
-}
-
-std::string_view name_of(UpdateStatus status) {
-  switch (status) {
-    case UpdateStatus::ok:
-      return "ok";
-    case UpdateStatus::no_cloud_surface:
-      return "no_cloud_surface";
-    case UpdateStatus::cloud_closed:
-      return "cloud_closed";
-    case UpdateStatus::no_overlap:
-      return "no_overlap";
-    case UpdateStatus::non_separating:
-      return "non_separating";
-    case UpdateStatus::ambiguous:
-      return "ambiguous";
-    case UpdateStatus::empty_surface:
-      return "empty_surface";
-    case UpdateStatus::refuted:
-      return "refuted";
-  }
-  return "unknown";
 }
 
 }  // namespace cocoon

@@ -11,7 +11,6 @@
 #include <functional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cocone/dynamic_tight_cocone.h"
@@ -24,16 +23,19 @@
 #include "update/loop_sides.h"
 #include "update/model_index.h"
 #include "update/overlapping_facets.h"
+#include "update/pin_holes.h"
 #include "update/replace_points.h"
 #include "update/rim_angles.h"
 #include "update/segment_model.h"
 #include "update/split_regions.h"
 #include "update/trace_border.h"
+#include "update/update_status.h"
 
 namespace cocoon {
 
 struct UpdateOptions {
   CloudSurfaceOptions cloud;
+  PinHoleOptions pin_holes;
   OverlapOptions overlap;
   TraceOptions trace;
   SegmentOptions segment;
@@ -44,23 +46,11 @@ struct UpdateOptions {
   ReconstructOptions reconstruct;  // of the updated model: the defaults for closed models
 };
 
-// Outcomes that depend on the data; none is an exception. All but ok leave the mesh empty and the
-// result filled as far as the work went.
-enum class UpdateStatus {
-  ok,
-  no_cloud_surface,  // a cloud gives no surface: too few or too noisy samples
-  cloud_closed,      // a cloud has no rim: it is a body of its own, not a patch
-  no_overlap,        // a cloud's rim does not lie on the model
-  non_separating,    // a cloud's rim does not cut the model in two, nor do labels (split_regions)
-  ambiguous,         // the angles do not tell which region lies under a cloud
-  empty_surface,     // nothing is left of the updated points' reconstruction
-  refuted,           // its verification failed (ReconstructOptions::verify)
-};
-
 // One boundary loop of a cloud.
 struct LoopReport {
   std::size_t edges = 0;
   double perimeter = 0;
+  bool pin_hole = false;  // opened, since the model goes on through it (open_pin_holes)
   LoopMatch match = LoopMatch::off_model;
   std::size_t unmatched = 0;  // rim points too far from the model
   std::size_t covered = 0;    // of these, points on another cloud
@@ -145,8 +135,5 @@ struct UpdateParts {
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateParts& parts, const UpdateOptions& options = {},
                           const Execution& execution = {});
-
-// "ok", "no_overlap", ...: the names of the enumerators.
-std::string_view name_of(UpdateStatus status);
 
 }  // namespace cocoon

@@ -117,6 +117,56 @@ TEST(UpdateScenarios, SphereByTwoCaps) {
             0.012);
 }
 
+// A sphere with a thin horn in this direction, and the polar angle of its scan about the hill.
+constexpr double horn_height = 0.5;
+constexpr double scan_angle = 0.7;
+
+double horned_radius(const Point& p) {
+  const double angle = polar_angle(p, unit(Vec3{std::sin(0.5), 0, std::cos(0.5)}));
+  return 1 + horn_height * std::exp(-angle * angle / 0.01);
+}
+
+// Ten times as dense where the horn is steep.
+std::vector<Point> horned_sphere(std::uint64_t seed) {
+  std::vector<Point> points;
+  for (const bool at_horn : {false, true}) {
+    for (const Point& p : sphere_points(at_horn ? 10 * sphere_size : sphere_size, seed)) {
+      const double radius = horned_radius(p);
+      if (at_horn == (radius > 1.005)) points.push_back(radius * p);
+    }
+  }
+  return points;
+}
+
+// A scan of a hill beside a horn ends below the tip: a small hole in it. The tip is not gone.
+TEST(UpdateScenarios, AHornThatSticksOutOfTheScanStays) {
+  const TriangleMesh model = reconstruct_tight(horned_sphere(1)).mesh;
+  ASSERT_EQ(mesh_check(model).euler, 2);
+  std::vector<Point> cloud;
+  for (const Point& p : horned_sphere(7)) {
+    const double angle = polar_angle(p, {0, 0, 1});
+    if (angle > scan_angle || norm(p) > 1.3) continue;
+    cloud.push_back((1 + 0.2 * hill(angle, 0.3)) * p);
+  }
+  const auto lost_tip = [&](const UpdateResult& result) {
+    std::size_t lost = 0;
+    for (const VertexId v : model.points.ids()) {
+      lost += norm(model.points[v]) > 1.34 && result.vertex_map[v].is_none() ? 1U : 0U;
+    }
+    return lost;
+  };
+  const UpdateResult result = update_model(model, Clouds{cloud});
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_EQ(lost_tip(result), 0U);
+  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+  ASSERT_EQ(result.clouds[0].loops.size(), 2U);
+  EXPECT_TRUE(result.clouds[0].loops[1].pin_hole);
+
+  UpdateOptions leave;
+  leave.pin_holes.max_distance = 0;
+  EXPECT_GT(lost_tip(update_model(model, Clouds{cloud}, leave)), 10U);
+}
+
 // The order of clouds and of points only numbers things.
 TEST(UpdateScenarios, OrderDoesNotMatter) {
   const TriangleMesh model = sphere_model(1500);

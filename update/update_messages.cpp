@@ -1,0 +1,80 @@
+#include "update/update_messages.h"
+
+#include <cstdio>
+
+#include "geom/counted.h"
+
+namespace cocoon {
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::string name_of_cloud(std::size_t cloud, std::size_t clouds) {
+  return "cloud " + std::to_string(cloud + 1) + " of " + std::to_string(clouds);
+}
+
+std::string name_of_loop(const RimLoop& loop) {
+  const Point& p = loop.points.front();
+  return "loop of " + std::to_string(loop.size()) + " edges at (" + rounded(p.x) + ", " +
+         rounded(p.y) + ", " + rounded(p.z) + ")";
+}
+
+std::string reason_of_closed_cloud(const CloudRim& rim) {
+  return "has no open rim (" + std::to_string(rim.pin_holes) + " pin-holes, " +
+         std::to_string(rim.gap_loops) +
+         " seams): it is closed; give only the changed part with some of its surroundings";
+}
+
+std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_points,
+                                 double max_distance, double rim_spacing) {
+  return "does not lie on the model: " + std::to_string(unmatched) + " of its " +
+         std::to_string(boundary_points) + " rim points are farther from it than " +
+         rounded(max_distance) + " spacings (rim spacing " + rounded(rim_spacing) +
+         "); register it to the model or let it reach onto unchanged surface";
+}
+
+std::string reason_of_failed_split(SplitStatus status, const SplitRegion& split) {
+  if (status == SplitStatus::one_sided) return "the model near the rim lies on one side of it";
+  return "what is nearest to its inner side reaches " + rounded(split.reach) +
+         " cloud extents away from the cloud";
+}
+
+std::string reason_of_ambiguity(double margin) {
+  return "the regions inside and outside a rim make angles with the cloud that differ by less "
+         "than " +
+         rounded(margin) + " degrees; let the cloud reach farther onto unchanged surface";
+}
+
+std::string reason_of_empty_surface(std::size_t updated_points) {
+  return "the " + std::to_string(updated_points) +
+         " updated points give no closed surface; check that model and clouds are samples of one "
+         "surface at one scale";
+}
+
+std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points) {
+  return std::to_string(unused) + " of " + counted(updated_points, "updated point") +
+         (unused == 1 ? " is" : " are") + " not on the surface";
+}
+
+std::vector<std::string> warnings_of_surface(const CloudSurface& surface) {
+  std::vector<std::string> warnings;
+  if (surface.trials.size() > 1) {
+    warnings.push_back("rim found with rho " + rounded(surface.rho) + " after " +
+                       std::to_string(surface.trials.size()) + " trials");
+  }
+  const auto warn_of = [&](std::size_t count, const char* one, const char* many) {
+    if (count > 0) warnings.push_back(counted(count, one, many));
+  };
+  warn_of(surface.rim.gap_loops, "loop is a seam inside the cloud (a sharp edge?), not its rim",
+          "loops are seams inside the cloud (sharp edges?), not its rim");
+  warn_of(surface.rim.small_components, "small part of its surface is not looked at",
+          "small parts of its surface are not looked at");
+  warn_of(surface.rim.non_orientable, "part of its surface is one-sided",
+          "parts of its surface are one-sided");
+  return warnings;
+}
+
+}  // namespace cocoon

@@ -1,0 +1,38 @@
+// What an update says in words: reasons and warnings, one line each.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "update/cloud_surface.h"
+#include "update/split_regions.h"
+
+namespace cocoon {
+
+// Four digits.
+std::string rounded(double value);
+
+// "cloud 2 of 3".
+std::string name_of_cloud(std::size_t cloud, std::size_t clouds);
+// "loop of 31 edges at (0, 1, 2)".
+std::string name_of_loop(const RimLoop& loop);
+
+// Why there is no rim.
+std::string reason_of_closed_cloud(const CloudRim& rim);
+// Why the rim is not on the model; `boundary_points`: of all its loops.
+std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_points,
+                                 double max_distance, double rim_spacing);
+// Why labels do not split a region; `split`: the last part that was tried.
+std::string reason_of_failed_split(SplitStatus status, const SplitRegion& split);
+
+// Why the angles do not decide; `margin`: in degrees.
+std::string reason_of_ambiguity(double margin);
+// Why nothing is left of the updated points.
+std::string reason_of_empty_surface(std::size_t updated_points);
+
+std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points);
+// What was unusual about the surface of a cloud.
+std::vector<std::string> warnings_of_surface(const CloudSurface& surface);
+
+}  // namespace cocoon
