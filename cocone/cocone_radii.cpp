@@ -1,6 +1,7 @@
 #include "cocone/cocone_radii.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -59,9 +60,11 @@ double squared_radius_in_plane(const RelativeEdge& e, const Vec3& n) {
   const double yn = dot(e.y, n);
   if (xn == 0) return squared_norm(e.x);
   if (yn == 0) return e.is_ray ? infinity : squared_norm(e.y);
-  if ((xn < 0) == (yn < 0)) return 0;
-  if (e.is_ray) return squared_norm(e.x - (xn / yn) * e.y);
-  return squared_norm((1 / (yn - xn)) * (yn * e.x - xn * e.y));
+  const bool crosses = (xn < 0) != (yn < 0);
+  if (e.is_ray) return crosses ? squared_norm(e.x - (xn / yn) * e.y) : 0;
+  // Which segments cross the plane cannot be foreseen: computed in any case, without a branch.
+  const double squared = squared_norm((1 / (yn - xn)) * (yn * e.x - xn * e.y));
+  return crosses ? squared : 0;
 }
 
 // The two ends of a dual edge: the lexicographically smaller Voronoi vertex first, or the origin of
@@ -94,16 +97,22 @@ class Radii {
         mode_(mode),
         squared_(num_vertices, execution) {}
 
-  void take(VertexId v, const DualEnds& ends, const Point& p, const Vec3& normal) {
+  // Of the corners of `cell` whose bits are set in `row`.
+  void take(const Triangulation& triangulation, const Poles& poles, const Cell& cell, unsigned row,
+            const DualEnds& ends) {
     const double reach =
         std::max(largest_coordinate(ends.from), ends.is_ray ? 0 : largest_coordinate(ends.to));
-    if (!(reach > largest_safe_length)) {
-      squared_.raise(v, squared_radius(ends, p, normal, 1));
-      return;
+    const bool is_far = reach > largest_safe_length;
+    for (; row != 0; row &= row - 1) {
+      const VertexId v = cell.vertices[static_cast<std::size_t>(std::countr_zero(row))];
+      const Point& p = triangulation.point(v);
+      if (is_far) {
+        take_far(v, ends, p, poles.normals[v]);
+      } else {
+        const RelativeEdge edge{ends.from - p, ends.is_ray ? ends.to : ends.to - p, ends.is_ray};
+        squared_.raise(v, squared_radius(edge, poles.normals[v]));
+      }
     }
-    const double radius = std::sqrt(squared_radius(ends, p, normal, shrink)) / shrink;
-    const std::lock_guard lock(mutex_);
-    far_.emplace_back(v, radius);
   }
   void take_infinite(VertexId v) { squared_.raise(v, infinity); }
 
@@ -115,10 +124,15 @@ class Radii {
   }
 
  private:
-  double squared_radius(const DualEnds& ends, const Point& p, const Vec3& normal,
-                        double scale) const {
-    const RelativeEdge edge{scale * (ends.from - p), ends.is_ray ? ends.to : scale * (ends.to - p),
-                            ends.is_ray};
+  void take_far(VertexId v, const DualEnds& ends, const Point& p, const Vec3& normal) {
+    const RelativeEdge edge{shrink * (ends.from - p),
+                            ends.is_ray ? ends.to : shrink * (ends.to - p), ends.is_ray};
+    const double radius = std::sqrt(squared_radius(edge, normal)) / shrink;
+    const std::lock_guard lock(mutex_);
+    far_.emplace_back(v, radius);
+  }
+
+  double squared_radius(const RelativeEdge& edge, const Vec3& normal) const {
     return mode_ == RadiusMode::cocone ? squared_radius_in_cocone(edge, normal, squared_cosine_)
                                        : squared_radius_in_plane(edge, normal);
   }
@@ -145,13 +159,8 @@ IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, cons
         __builtin_prefetch(&dual.centers[cell_of(triangulation.mirror(cocones.facets[k + ahead]))]);
       }
       const FacetId f = cocones.facets[k];
-      const Cell& cell = triangulation.cell(cell_of(f));
-      const DualEnds ends = dual_ends(triangulation, dual, f);
-      for (unsigned j = 0; j < 4; ++j) {
-        if (((cocones.rows[k] >> j) & 1U) == 0) continue;
-        const VertexId p = cell.vertices[j];
-        radii.take(p, ends, triangulation.point(p), poles.normals[p]);
-      }
+      radii.take(triangulation, poles, triangulation.cell(cell_of(f)), cocones.rows[k],
+                 dual_ends(triangulation, dual, f));
     }
   });
   if (mode == RadiusMode::tangent_plane) {

@@ -8,20 +8,34 @@ namespace {
 
 constexpr std::size_t triangles_per_chunk = 8192;
 
+// Which is nearly always told by x: a branch that is foreseen, and none on the answer.
+bool precedes(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a < b; }
+
+// How three corners are put in order, by the answers to 0 < 1, 1 < 2 and 0 < 2.
+struct CornerOrder {
+  std::array<std::uint8_t, 3> corners;
+  bool turned;
+};
+constexpr std::array<CornerOrder, 8> corner_orders = {{{{2, 1, 0}, true},
+                                                       {{2, 0, 1}, false},
+                                                       {{1, 2, 0}, false},
+                                                       {{}, false},
+                                                       {{}, false},
+                                                       {{0, 2, 1}, true},
+                                                       {{1, 0, 2}, true},
+                                                       {{0, 1, 2}, false}}};
+
 // The unit normal of the corners in lexicographic order, turned as the corners run.
 Vec3 oriented_normal(const IdVector<VertexId, Point>& points, const Triangle& corners) {
-  std::array<Point, 3> p = {points[corners[0]], points[corners[1]], points[corners[2]]};
-  bool turned = false;
-  const auto order = [&](std::size_t i, std::size_t k) {
-    if (!(p[k] < p[i])) return;
-    std::swap(p[i], p[k]);
-    turned = !turned;
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-  const Vec3 normal = unit(cross(p[1] - p[0], p[2] - p[0]));
-  return turned ? -normal : normal;
+  const std::array<const Point*, 3> p = {&points[corners[0]], &points[corners[1]],
+                                         &points[corners[2]]};
+  const unsigned answers = (precedes(*p[0], *p[1]) ? 1U : 0U) | (precedes(*p[1], *p[2]) ? 2U : 0U) |
+                           (precedes(*p[0], *p[2]) ? 4U : 0U);
+  const CornerOrder& order = corner_orders[answers];
+  const Point& first = *p[order.corners[0]];
+  const Vec3 normal = unit(cross(*p[order.corners[1]] - first, *p[order.corners[2]] - first));
+  const double sign = order.turned ? -1.0 : 1.0;
+  return sign * normal;
 }
 
 VertexId smallest(const Triangle& corners) {
@@ -51,6 +65,26 @@ LinkedFacets by_smallest_vertex(const Triangulation& triangulation, const FacetS
   return triangles;
 }
 
+// The side whose link leads to this one.
+SideId side_before(const LinkedFacets& triangles, SideId side) {
+  SideId before = side;
+  while (triangles.links[before] != side) before = triangles.links[before];
+  return before;
+}
+
+// To a place whose triangle is gone.
+void move_triangle(LinkedFacets& triangles, std::uint32_t from, std::uint32_t to) {
+  triangles.facets[to] = triangles.facets[from];
+  triangles.mirrors[to] = triangles.mirrors[from];
+  triangles.corners[to] = triangles.corners[from];
+  triangles.normals[to] = triangles.normals[from];
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const SideId before = side_before(triangles, 3 * from + i);
+    triangles.links[3 * to + i] = triangles.links[3 * from + i];
+    triangles.links[before == 3 * from + i ? 3 * to + i : before] = 3 * to + i;
+  }
+}
+
 }  // namespace
 
 void link_corners(const IdVector<VertexId, Point>& points, LinkedFacets& triangles,
@@ -76,39 +110,45 @@ LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
 
 LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
                      const std::vector<std::uint8_t>& removed) {
-  // Where each triangle goes; what stays moves up.
-  std::vector<std::uint32_t> place(triangles.size());
-  std::uint32_t kept = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (removed[t] != 0) triangles.set.erase(triangulation, triangles.facets[t]);
-    place[t] = kept;
-    kept += removed[t] == 0 ? 1U : 0U;
-  }
-  if (kept == triangles.size()) return triangles;
-  // Rings close over the gaps. A side moves to a place that was read already.
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    if (removed[t] != 0) continue;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      SideId next = triangles.links[3 * t + i];
-      while (removed[triangle_of_side(next)] != 0) next = triangles.links[next];
-      triangles.links[3 * t + i] = 3 * place[triangle_of_side(next)] + corner_of_side(next);
+  const auto size = static_cast<std::uint32_t>(triangles.size());
+  for (std::uint32_t t = 0; t < size; ++t) {
+    if (removed[t] == 0) continue;
+    triangles.set.erase(triangulation, triangles.facets[t]);
+    for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
+      triangles.links[side_before(triangles, side)] = triangles.links[side];
     }
   }
-  for (std::size_t t = 0; t < place.size(); ++t) {
-    if (removed[t] != 0) continue;
-    const std::size_t to = place[t];
-    triangles.facets[to] = triangles.facets[t];
-    triangles.mirrors[to] = triangles.mirrors[t];
-    triangles.corners[to] = triangles.corners[t];
-    triangles.normals[to] = triangles.normals[t];
-    for (std::size_t i = 0; i < 3; ++i) triangles.links[3 * to + i] = triangles.links[3 * t + i];
+  std::uint32_t end = size;
+  for (std::uint32_t hole = 0; hole < end; ++hole) {
+    if (removed[hole] == 0) continue;
+    do {
+      --end;
+    } while (removed[end] != 0 && end > hole);
+    if (end > hole) move_triangle(triangles, end, hole);
   }
-  triangles.facets.resize(kept);
-  triangles.mirrors.resize(kept);
-  triangles.corners.resize(kept);
-  triangles.normals.resize(kept);
-  triangles.links.resize(3 * std::size_t{kept});
+  triangles.facets.resize(end);
+  triangles.mirrors.resize(end);
+  triangles.corners.resize(end);
+  triangles.normals.resize(end);
+  triangles.links.resize(3 * std::size_t{end});
   return triangles;
+}
+
+std::vector<SideId> steep_edges(const LinkedFacets& triangles, double largest_cosine,
+                                const Execution& execution) {
+  std::vector<std::vector<SideId>> found(triangles.size() / triangles_per_chunk + 1);
+  parallel_chunks(execution, triangles.size(), triangles_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for_each_edge(triangles, begin, end, [&](SideId side) {
+                      const bool flat =
+                          triangles.is_two_sided(side) &&
+                          dihedral_cosine(triangles, side, triangles.links[side]) <= largest_cosine;
+                      if (!flat) found[begin / triangles_per_chunk].push_back(side);
+                    });
+                  });
+  std::vector<SideId> all;
+  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 }  // namespace cocoon

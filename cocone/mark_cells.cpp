@@ -1,8 +1,6 @@
 #include "cocone/mark_cells.h"
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <utility>
 
 #include "cocone/known_sides.h"
@@ -11,7 +9,7 @@
 namespace cocoon {
 namespace {
 
-constexpr std::size_t cells_per_chunk = 16384;
+constexpr std::size_t ahead = 16;  // cells lie here and there in memory: fetch those that come soon
 
 struct LabelCount {
   std::size_t out = 0;
@@ -39,16 +37,15 @@ CellLabel opposite(CellLabel label) {
 // the rounds: OUT is what hangs together with an infinite cell by such facets, IN what lies behind.
 class ConsistentMarking {
  public:
+  // `corner_at`: as in GoodVertices.
   ConsistentMarking(const Triangulation& triangulation, const LinkedFacets& surface,
-                    CellMarks& marks)
-      : triangulation_(triangulation), surface_(surface), marks_(marks) {}
+                    const IdVector<VertexId, SideId>& corner_at, CellMarks& marks)
+      : triangulation_(triangulation), surface_(surface), corner_at_(corner_at), marks_(marks) {}
 
   // False if the labels contradict each other; the marks are then of no use.
-  bool run(const Execution& execution) {
+  bool run() {
     for (const CellId c : triangulation_.infinite_cells()) marks_.labels[c] = CellLabel::out;
-    if (!visit_surface() || !label_sides()) return false;
-    label_others();
-    return is_consistent(execution);
+    return visit_surface() && label_sides() && label_others();
   }
 
  private:
@@ -58,10 +55,6 @@ class ConsistentMarking {
   // which side OUT is: 0, in the cell that numbers the facet, 1, in the one behind.
   bool visit_surface() {
     out_side_.assign(surface_.size(), unknown);
-    side_opposite_.resize(triangulation_.num_vertices());
-    for (SideId side = 0; side < surface_.links.size(); ++side) {
-      side_opposite_[surface_.corners[triangle_of_side(side)][corner_of_side(side)]] = side;
-    }
     for (const CellId c : triangulation_.infinite_cells()) {
       for (unsigned i = 0; i < 3; ++i) {
         const VertexId v = triangulation_.cell(c).vertices[i];
@@ -92,7 +85,7 @@ class ConsistentMarking {
 
   // The position of a facet of the surface at the good vertex v: found by going around v.
   std::uint32_t triangle_of_facet(FacetId f, VertexId v) const {
-    SideId crossed = side_opposite_[v];
+    SideId crossed = corner_at_[v];
     for (std::size_t arrived = next_corner(corner_of_side(crossed));;) {
       const std::uint32_t t = triangle_of_side(crossed);
       if (surface_.facets[t] == f || surface_.mirrors[t] == f) return t;
@@ -110,11 +103,12 @@ class ConsistentMarking {
     while (!stack_.empty()) {
       const std::uint32_t t = stack_.back();
       stack_.pop_back();
-      for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
-        const auto [a, b] = surface_.ends(side);
-        if ((marks_.good[a] | marks_.good[b]) == 0) continue;
+      const Triangle& corners = surface_.corners[t];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const VertexId a = corners[next_corner(i)];
+        if ((marks_.good[a] | marks_.good[corners[previous_corner(i)]]) == 0) continue;
         // Around a good vertex every edge has two triangles.
-        const SideId across = surface_.links[side];
+        const SideId across = surface_.links[3 * t + i];
         const bool turned = surface_.ends(across)[0] == a;
         const auto expected = static_cast<std::uint8_t>(out_side_[t] ^ (turned ? 1U : 0U));
         std::uint8_t& found = out_side_[triangle_of_side(across)];
@@ -125,153 +119,98 @@ class ConsistentMarking {
           return false;
         }
       }
-      for (const VertexId v : surface_.corners[t]) {
-        if (marks_.good[v] == 0 || marks_.visited[v] != 0) continue;
-        marks_.visited[v] = 1;
-        ++marks_.visited_vertices;
+      for (const VertexId v : corners) {
+        const auto visited = static_cast<std::uint8_t>(marks_.visited[v] | marks_.good[v]);
+        marks_.visited_vertices += visited ^ marks_.visited[v];
+        marks_.visited[v] = visited;
       }
     }
     return true;
   }
 
-  bool label(CellId c, CellLabel wanted) {
-    CellLabel& label = marks_.labels[c];
-    if (label == CellLabel::unmarked) label = wanted;
-    return label == wanted;
-  }
-
+  // Every triangle whose sides are known has a visited corner: it was reached from one.
   bool label_sides() {
+    bool agrees = true;
+    const auto label = [&](FacetId f, CellLabel wanted) {
+      CellLabel& known = marks_.labels[cell_of(f)];
+      known = known == CellLabel::unmarked ? wanted : known;
+      agrees &= known == wanted;
+    };
     for (std::uint32_t t = 0; t < surface_.size(); ++t) {
-      if (out_side_[t] == unknown || !has_visited_corner(surface_.corners[t])) continue;
-      const CellId here = cell_of(surface_.facets[t]);
-      const CellId behind = cell_of(surface_.mirrors[t]);
+      if (t + ahead < surface_.size()) {
+        __builtin_prefetch(&marks_.labels[cell_of(surface_.facets[t + ahead])]);
+        __builtin_prefetch(&marks_.labels[cell_of(surface_.mirrors[t + ahead])]);
+      }
+      if (out_side_[t] == unknown) continue;
       const bool out_here = out_side_[t] == 0;
-      if (!label(here, out_here ? CellLabel::out : CellLabel::in)) return false;
-      if (!label(behind, out_here ? CellLabel::in : CellLabel::out)) return false;
+      label(surface_.facets[t], out_here ? CellLabel::out : CellLabel::in);
+      label(surface_.mirrors[t], out_here ? CellLabel::in : CellLabel::out);
     }
-    return true;
+    return agrees;
   }
-
-  bool has_visited_corner(const Triangle& corners) const {
-    return (marks_.visited[corners[0]] | marks_.visited[corners[1]] | marks_.visited[corners[2]]) !=
-           0;
-  }
-
-  bool all_visited() const { return marks_.visited_vertices == triangulation_.num_vertices(); }
 
   // Labels pass through facets at visited vertices; in the order of memory, as often as it takes.
-  void label_others() {
-    const bool all = all_visited();
+  // Each cell is compared with those around it when it has its label, so that of any two the second
+  // sees the first. False if they contradict each other, or if none comes to a cell.
+  bool label_others() {
+    unsigned wrong = 0;
     std::vector<CellId> left;
     for (const CellId c : triangulation_.cells()) {
-      if (marks_.labels[c] != CellLabel::unmarked) continue;
-      if (all) {
-        if (!take_any_label(c)) left.push_back(c);
-      } else if (visited_corners(c) != 0) {
-        if (!take_label(c)) left.push_back(c);
-      }
+      if (!take_label(c, wrong) && passing_facets(c) != 0) left.push_back(c);
     }
     for (std::size_t before = left.size() + 1; left.size() < before;) {
       before = left.size();
       std::reverse(left.begin(), left.end());
-      std::erase_if(left, [&](CellId c) { return take_label(c); });
+      std::erase_if(left, [&](CellId c) { return take_label(c, wrong); });
     }
+    return wrong == 0 && left.empty();
   }
 
-  bool take_label(CellId c) {
-    const unsigned visited = visited_corners(c);
-    for (int i = 0; i < 4; ++i) {
-      const FacetId f = facet_id(c, i);
-      if ((visited & ~(1U << i)) == 0 || surface_.set.contains(f)) continue;
-      const CellLabel label = marks_.labels[triangulation_.neighbor(c, i)];
-      if (label == CellLabel::unmarked) continue;
-      marks_.labels[c] = label;
-      return true;
-    }
-    return false;
-  }
-
-  // The labels behind the facets off the surface; those that are not there yet are 0.
-  std::array<unsigned, 4> passing_labels(CellId c) const {
-    const unsigned closed = surface_.set.bits(c);
-    const Cell& cell = triangulation_.cell(c);
-    std::array<unsigned, 4> labels;
-    for (unsigned i = 0; i < 4; ++i) {
-      const auto label = static_cast<unsigned>(marks_.labels[cell_of(cell.neighbors[i])]);
-      labels[i] = label & (((closed >> i) & 1U) - 1U);
-    }
-    return labels;
-  }
-
-  // Where all vertices have been visited: without a branch for each facet. Where labels contradict
-  // each other it takes any of them: that shows in the end.
-  bool take_any_label(CellId c) {
-    const auto [a, b, d, e] = passing_labels(c);
-    const unsigned labels = a | b | d | e;
-    marks_.labels[c] = (labels & static_cast<unsigned>(CellLabel::out)) != 0 ? CellLabel::out
-                       : labels != 0                                         ? CellLabel::in
-                                                                             : CellLabel::unmarked;
-    return labels != 0;
-  }
-
-  // Bit i: vertex i has had its turn.
-  unsigned visited_corners(CellId c) const {
+  // Bit i: facet i has a vertex that has had its turn. A branch only on whether all have.
+  unsigned passing_facets(CellId c) const {
+    if (marks_.visited_vertices == triangulation_.num_vertices()) return 15;
     const Cell& cell = triangulation_.cell(c);
     unsigned bits = 0;
     for (unsigned i = 0; i < (triangulation_.is_infinite(c) ? 3U : 4U); ++i) {
       bits |= static_cast<unsigned>(marks_.visited[cell.vertices[i]]) << i;
     }
-    return bits;
+    const bool is_one = (bits & (bits - 1)) == 0;
+    return bits == 0 ? 0U : is_one ? 15U & ~bits : 15U;
   }
 
-  bool is_consistent(const Execution& execution) const {
-    std::atomic<bool> consistent = true;
-    const bool all = all_visited();
-    parallel_chunks(execution, triangulation_.num_cells(), cells_per_chunk,
-                    [&](std::size_t begin, std::size_t end) {
-                      bool agrees = true;
-                      for (CellId c(begin); c.index() < end; ++c) {
-                        agrees &= all ? agrees_with_all_neighbors(c)
-                                      : agrees_with_neighbors(c, visited_corners(c));
-                      }
-                      if (!agrees) consistent = false;
-                    });
-    return consistent;
-  }
-
-  // Where all vertices have been visited. Asked from both sides of a facet: cheaper than a branch.
-  bool agrees_with_all_neighbors(CellId c) const {
-    static_assert((static_cast<unsigned>(CellLabel::out) ^ static_cast<unsigned>(CellLabel::in)) ==
-                  3);
+  // Gives the cell a label, if it has none, and looks whether it agrees with those around it, by
+  // the bits of labels: a branch for each facet would be guessed wrong half of the time. Where the
+  // cells around contradict each other it takes any of their labels. False if there is none yet.
+  bool take_label(CellId c, unsigned& wrong) {
     const Cell& cell = triangulation_.cell(c);
-    const unsigned facets = surface_.set.bits(c);
-    const auto label = static_cast<unsigned>(marks_.labels[c]);
-    unsigned wrong = label == 0 ? 1U : 0U;
+    const unsigned passing = passing_facets(c);
+    const unsigned closed = surface_.set.bits(c);
+    unsigned same = 0;      // told by cells that have the same label
+    unsigned opposite = 0;  // by cells beyond the surface
     for (unsigned i = 0; i < 4; ++i) {
-      const unsigned turned = ((facets >> i) & 1U) * 3;
-      wrong |= label ^ turned ^ static_cast<unsigned>(marks_.labels[cell_of(cell.neighbors[i])]);
+      const auto behind = static_cast<unsigned>(marks_.labels[cell_of(cell.neighbors[i])]);
+      const unsigned told = behind & (0U - ((passing >> i) & 1U));
+      const unsigned is_closed = 0U - ((closed >> i) & 1U);
+      same |= told & ~is_closed;
+      opposite |= told & is_closed;
     }
-    return wrong == 0;
-  }
-
-  bool agrees_with_neighbors(CellId c, unsigned visited) const {
-    const CellLabel label = marks_.labels[c];
-    for (int i = 0; i < 4; ++i) {
-      const FacetId f = facet_id(c, i);
-      const CellId behind = triangulation_.neighbor(c, i);
-      if (behind < c || (visited & ~(1U << i)) == 0) continue;  // told once, by the smaller cell
-      if (label == CellLabel::unmarked) return false;
-      const CellLabel expected = surface_.set.contains(f) ? opposite(label) : label;
-      if (marks_.labels[behind] != expected) return false;
-    }
-    return true;
+    constexpr auto out = static_cast<unsigned>(CellLabel::out);
+    static_assert(out == 1 && static_cast<unsigned>(CellLabel::in) == 2);
+    const unsigned told = (same & out) != 0 ? out : same;
+    const auto known = static_cast<unsigned>(marks_.labels[c]);
+    const unsigned label = known != 0 ? known : told;
+    const unsigned all =
+        same | opposite >> 1 | (opposite << 1 & 2U);  // opposite bits change places
+    wrong |= label != 0 ? all & ~label : 0U;
+    marks_.labels[c] = static_cast<CellLabel>(label);
+    return label != 0;
   }
 
   const Triangulation& triangulation_;
   const LinkedFacets& surface_;
+  const IdVector<VertexId, SideId>& corner_at_;
   CellMarks& marks_;
-  std::vector<std::uint8_t> out_side_;        // per triangle
-  IdVector<VertexId, SideId> side_opposite_;  // of some triangle at the vertex
+  std::vector<std::uint8_t> out_side_;  // per triangle
   std::vector<std::uint32_t> stack_;
 };
 
@@ -436,7 +375,7 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
   marks.good_vertices = good.count;
   marks.demoted_vertices = good.demoted;
   clear_marks(triangulation, marks);
-  if (!ConsistentMarking(triangulation, surface, marks).run(execution)) {
+  if (!ConsistentMarking(triangulation, surface, good.corner_at, marks).run()) {
     clear_marks(triangulation, marks);
     // the first to have their turn: good vertices on the hull
     std::vector<VertexId> seeds;

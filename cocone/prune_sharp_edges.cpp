@@ -1,6 +1,8 @@
 #include "cocone/prune_sharp_edges.h"
 
 #include <algorithm>
+#include <iterator>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -8,8 +10,6 @@
 
 namespace cocoon {
 namespace {
-
-constexpr std::size_t triangles_per_chunk = 8192;
 
 class Pruning {
  public:
@@ -19,9 +19,10 @@ class Pruning {
         options_(options),
         removed_(triangles.size(), 0) {}
 
-  // Returns one flag per triangle: pruned.
-  std::vector<std::uint8_t> run(const Execution& execution) {
-    find_sharp_edges(execution);
+  // From the steep edges on. Returns one flag per triangle: pruned.
+  std::vector<std::uint8_t> run(std::span<const SideId> steep) {
+    std::copy_if(steep.begin(), steep.end(), std::back_inserter(work_),
+                 [&](SideId side) { return is_guarded(side); });
     while (!work_.empty()) {
       const SideId side = work_.back();
       work_.pop_back();
@@ -35,21 +36,7 @@ class Pruning {
   }
 
  private:
-  // Sharp edges between two vertices with an umbrella.
-  void find_sharp_edges(const Execution& execution) {
-    const std::size_t count = triangles_.size();
-    std::vector<std::vector<SideId>> found(count / triangles_per_chunk + 1);
-    parallel_chunks(execution, count, triangles_per_chunk, [&](std::size_t begin, std::size_t end) {
-      for_each_edge(triangles_, begin, end, [&](SideId side) {
-        const bool flat =
-            triangles_.is_two_sided(side) &&
-            dihedral_cosine(triangles_, side, triangles_.links[side]) <= options_.sharp_cosine;
-        if (!flat && is_guarded(side)) found[begin / triangles_per_chunk].push_back(side);
-      });
-    });
-    for (const auto& part : found) work_.insert(work_.end(), part.begin(), part.end());
-  }
-
+  // Between two vertices with an umbrella.
   bool is_guarded(SideId side) const {
     const auto [a, b] = triangles_.ends(side);
     return umbrella_[a] != 0 && umbrella_[b] != 0;
@@ -107,11 +94,11 @@ PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet 
   LinkedFacets triangles = link_facets(triangulation, std::move(candidates), execution);
   report_progress(execution, "prune_sharp_edges", 0.5);
   PrunedCandidates result;
-  result.umbrella = vertices_with_umbrella(triangles, triangulation.num_vertices(),
+  const std::vector<SideId> steep = steep_edges(triangles, options.sharp_cosine, execution);
+  result.umbrella = vertices_with_umbrella(triangles, steep, triangulation.num_vertices(),
                                            options.sharp_cosine, execution);
   report_progress(execution, "prune_sharp_edges", 0.7);
-  const std::vector<std::uint8_t> removed =
-      Pruning(triangles, result.umbrella, options).run(execution);
+  const std::vector<std::uint8_t> removed = Pruning(triangles, result.umbrella, options).run(steep);
   result.candidates = triangles.size();
   result.pruned = static_cast<std::size_t>(std::count(removed.begin(), removed.end(), 1));
   result.umbrellas =

@@ -72,85 +72,87 @@ struct Fans {
   }
 };
 
-Fans fans_at(const LinkedFacets& triangles, const SharedFlags& flags, std::size_t num_vertices) {
-  Fans fans{std::vector<std::uint32_t>(num_vertices + 2, 0), {}};
-  for (const Triangle& corners : triangles.corners) {
-    for (const VertexId v : corners) fans.begins[v.index() + 2] += flags.is_raised(v) ? 1U : 0U;
+Fans fans_at(const LinkedFacets& triangles, const VertexSet& flags) {
+  Fans fans{std::vector<std::uint32_t>(flags.size() + 2, 0), {}};
+  const auto is_flagged = [&](std::uint32_t t) {  // nearly none is
+    const auto& [a, b, c] = triangles.corners[t];
+    return (flags[a] | flags[b] | flags[c]) != 0;
+  };
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (!is_flagged(t)) continue;
+    for (const VertexId v : triangles.corners[t]) fans.begins[v.index() + 2] += flags[v];
   }
   for (std::size_t v = 2; v < fans.begins.size(); ++v) fans.begins[v] += fans.begins[v - 1];
   fans.triangles.resize(fans.begins.back());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (!is_flagged(t)) continue;
     for (const VertexId v : triangles.corners[t]) {
-      if (flags.is_raised(v)) fans.triangles[fans.begins[v.index() + 1]++] = t;
+      if (flags[v] != 0) fans.triangles[fans.begins[v.index() + 1]++] = t;
     }
   }
   return fans;
 }
 
-struct FirstCorners {
-  IdVector<VertexId, std::uint32_t> count;  // triangles at each vertex
-  IdVector<VertexId, SideId> side;          // opposite the vertex, in one of them
+// The number of triangles at a vertex, and a corner there: the side opposite in one of them.
+struct Corners {
+  std::uint32_t count = 0;
+  SideId one = 0;
 };
 
-FirstCorners first_corners(const LinkedFacets& triangles, std::size_t num_vertices) {
-  FirstCorners first{IdVector<VertexId, std::uint32_t>(num_vertices, 0),
-                     IdVector<VertexId, SideId>(num_vertices, 0)};
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const VertexId v = triangles.corners[t][i];
-      ++first.count[v];
-      first.side[v] = 3 * t + i;
-    }
+IdVector<VertexId, Corners> corners_at(const LinkedFacets& triangles, std::size_t num_vertices) {
+  IdVector<VertexId, Corners> corners(num_vertices);
+  SideId side = 0;
+  for (const Triangle& triangle : triangles.corners) {
+    for (const VertexId v : triangle) corners[v] = {corners[v].count + 1, side++};
   }
-  return first;
+  return corners;
 }
 
-// Do the triangles around v, two at each spoke, make one single cycle?
-bool is_one_cycle(const LinkedFacets& triangles, VertexId v, const FirstCorners& first) {
-  if (first.count[v] < 6) return true;  // two cycles have three triangles each
-  std::uint32_t walked = 0;
-  SideId corner = first.side[v];
+// Do the triangles around v, two at each spoke, make one single cycle? Each cycle has three at
+// least: so yes, unless the walk is back while three are left.
+bool is_one_cycle(const LinkedFacets& triangles, VertexId v, const Corners& corners) {
+  SideId corner = corners.one;
   std::size_t arrived = next_corner(corner_of_side(corner));
-  do {
+  for (std::uint32_t walked = 1; walked + 3 <= corners.count; ++walked) {
     // Over the other of the two spokes into the next triangle.
     const std::uint32_t t = triangle_of_side(corner);
     const std::size_t leaving = 3 - corner_of_side(corner) - arrived;
     const SideId crossed = triangles.links[3 * t + static_cast<SideId>(leaving)];
-    const Triangle& corners = triangles.corners[triangle_of_side(crossed)];
+    const Triangle& triangle = triangles.corners[triangle_of_side(crossed)];
     arrived = corner_of_side(crossed);
     const std::size_t at =
-        corners[next_corner(arrived)] == v ? next_corner(arrived) : previous_corner(arrived);
+        triangle[next_corner(arrived)] == v ? next_corner(arrived) : previous_corner(arrived);
     corner = 3 * triangle_of_side(crossed) + static_cast<SideId>(at);
-    ++walked;
-  } while (triangle_of_side(corner) != triangle_of_side(first.side[v]));
-  return walked == first.count[v];
+    if (corner == corners.one) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
 VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::size_t num_vertices,
                                  double sharp_cosine, const Execution& execution) {
-  SharedFlags doubtful(num_vertices);
-  parallel_chunks(execution, triangles.size(), triangles_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for_each_edge(triangles, begin, end, [&](SideId side) {
-                      if (triangles.is_two_sided(side) &&
-                          dihedral_cosine(triangles, side, triangles.links[side]) <= sharp_cosine) {
-                        return;
-                      }
-                      for (const VertexId v : triangles.ends(side)) doubtful.raise(v);
-                    });
-                  });
+  const std::vector<SideId> steep = steep_edges(triangles, sharp_cosine, execution);
+  return vertices_with_umbrella(triangles, steep, num_vertices, sharp_cosine, execution);
+}
+
+VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::span<const SideId> steep,
+                                 std::size_t num_vertices, double sharp_cosine,
+                                 const Execution& execution) {
+  VertexSet doubtful(num_vertices, 0);
+  for (const SideId side : steep) {
+    for (const VertexId v : triangles.ends(side)) doubtful[v] = 1;
+  }
   VertexSet flags(num_vertices, 0);
   for (const Triangle& corners : triangles.corners) {
     for (const VertexId v : corners) flags[v] = 1;
   }
-  const Fans fans = fans_at(triangles, doubtful, num_vertices);
+  const Fans fans = fans_at(triangles, doubtful);
   parallel_chunks(execution, num_vertices, vertices_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
                     UmbrellaSearch search(triangles, sharp_cosine);
                     for (VertexId v(begin); v.index() < end; ++v) {
-                      if (doubtful.is_raised(v)) flags[v] = search.exists(v, fans.at(v)) ? 1 : 0;
+                      if (doubtful[v] != 0) flags[v] = search.exists(v, fans.at(v)) ? 1 : 0;
                     }
                   });
   return flags;
@@ -177,15 +179,17 @@ GoodVertices good_vertices(const LinkedFacets& triangles, const VertexSet& bound
                       }
                     });
                   });
-  const FirstCorners first = first_corners(triangles, count);
-  GoodVertices result{VertexSet(count, 0), 0, 0};
+  const IdVector<VertexId, Corners> corners = corners_at(triangles, count);
+  GoodVertices result{VertexSet(count, 0), IdVector<VertexId, SideId>(count), 0, 0};
   std::atomic<std::size_t> good = 0;
   std::atomic<std::size_t> demoted = 0;
   parallel_chunks(execution, count, vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
     std::size_t good_here = 0;
     std::size_t demoted_here = 0;
     for (VertexId v(begin); v.index() < end; ++v) {
-      if (first.count[v] < 3 || open.is_raised(v) || !is_one_cycle(triangles, v, first)) continue;
+      result.corner_at[v] = corners[v].one;
+      if (corners[v].count < 3 || open.is_raised(v)) continue;
+      if (!is_one_cycle(triangles, v, corners[v])) continue;
       result.good[v] = !folded.is_raised(v);
       (folded.is_raised(v) ? demoted_here : good_here) += 1;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "cocone/facet_set.h"
 #include "cocone/linked_facets.h"
@@ -22,6 +23,11 @@ namespace cocoon {
 VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::size_t num_vertices,
                                  double sharp_cosine, const Execution& execution = {});
 
+// The same for who has steep_edges(triangles, sharp_cosine).
+VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::span<const SideId> steep,
+                                 std::size_t num_vertices, double sharp_cosine,
+                                 const Execution& execution = {});
+
 struct GoodVertexOptions {
   // A fold: two triangles at an edge with a dihedral cosine of at least this (25.8 degrees or less)
   // make both ends poor; sharp folds give inconsistent marks.
@@ -31,9 +37,10 @@ struct GoodVertexOptions {
 };
 
 struct GoodVertices {
-  VertexSet good;           // 1 = its triangles form one closed umbrella, and it was not demoted
-  std::size_t count = 0;    // good vertices
-  std::size_t demoted = 0;  // closed umbrellas at a fold or crease
+  VertexSet good;  // 1 = its triangles form one closed umbrella, and it was not demoted
+  IdVector<VertexId, SideId> corner_at;  // of each vertex in a triangle: a side opposite to it
+  std::size_t count = 0;                 // good vertices
+  std::size_t demoted = 0;               // closed umbrellas at a fold or crease
 };
 
 // A vertex is good iff its triangles form exactly one closed umbrella: every spoke has two of

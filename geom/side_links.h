@@ -28,8 +28,7 @@ constexpr std::size_t previous_corner(std::size_t i) { return i == 0 ? 2 : i - 1
 // its edge, and two sides linked to each other are what a manifold has everywhere. Sides between
 // equal vertices (of a triangle that repeats one) are linked to themselves. Precondition: vertices
 // are smaller than num_vertices; fewer than 2^32 / 3 triangles. Complexity: O(triangles +
-// vertices), and O(k log k) for the k sides at vertices of great valence; parallel over vertices.
-// Deterministic.
+// vertices), parallel over vertices. Deterministic.
 std::vector<SideId> side_links(std::span<const Triangle> triangles, std::size_t num_vertices,
                                const Execution& execution = {});
 
