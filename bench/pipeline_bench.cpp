@@ -110,9 +110,12 @@ TriangleMesh run_stages(Points points, const Execution& execution, Times& times)
   Triangulation t =
       timed(times, "delaunay", [&] { return delaunay(points, {}, execution).triangulation; });
   const Dual dual = timed(times, "voronoi_dual", [&] { return voronoi_dual(t, execution); });
-  const Poles poles = timed(times, "poles", [&] { return compute_poles(t, dual, execution); });
+  ConeSides sides;
+  const Poles poles = timed(times, "poles", [&] {
+    return compute_poles(t, dual, CoconeOptions().cosine, sides, execution);
+  });
   const Cocones cocones =
-      timed(times, "cocones", [&] { return intersect_cocones(t, dual, poles, {}, execution); });
+      timed(times, "cocones", [&] { return intersect_cocones(t, std::move(sides), execution); });
   const BoundarySamples boundary = timed(
       times, "boundary", [&] { return boundary_samples(t, dual, poles, cocones, {}, execution); });
   FacetSet candidates = timed(times, "candidates", [&] {

@@ -4,58 +4,12 @@
 #include <array>
 #include <utility>
 
-#include "cocone/cell_arms.h"
-#include "cocone/double_cone.h"
 #include "geom/id_vector.h"
 
 namespace cocoon {
 namespace {
 
 constexpr std::size_t cells_per_chunk = 16384;
-
-// Side of a Voronoi vertex, or of the direction of a ray, in the double cone of v.
-ConeSide side_of_dual(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
-                      double squared_cosine, CellId c, VertexId v) {
-  const Point& center = dual.centers[c];
-  const Vec3 x = triangulation.is_infinite(c) ? center : center - triangulation.point(v);
-  return cone_side(x, poles.normals[v], squared_cosine);
-}
-
-// Where the Voronoi vertex of a cell lies for its corners: bit j = in the lower nappe of corner j,
-// bit 4 + j = in the upper one.
-using CornerSides = std::uint8_t;
-
-CornerSides sides_of_cell(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
-                          double squared_cosine, CellId c) {
-  unsigned sides = 0;
-  for (int j = 0; j < (triangulation.is_infinite(c) ? 3 : 4); ++j) {
-    const VertexId v = triangulation.vertex(c, j);
-    const ConeSide side = side_of_dual(triangulation, dual, poles, squared_cosine, c, v);
-    sides |= static_cast<unsigned>(side == ConeSide::below) << j;
-    sides |= static_cast<unsigned>(side == ConeSide::above) << (4 + j);
-  }
-  return static_cast<CornerSides>(sides);
-}
-
-// The same of the cells begin .. end: of most of the finite ones, many at a time.
-void sides_of_cells(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
-                    double squared_cosine, std::size_t begin, std::size_t end,
-                    IdVector<CellId, CornerSides>& sides) {
-  const std::size_t infinite = std::clamp(triangulation.num_finite_cells(), begin, end);
-  ArmSides arms;
-  for (std::size_t first = begin; first < infinite; first += max_arm_cells) {
-    const std::size_t count = std::min(max_arm_cells, infinite - first);
-    arm_sides(triangulation, dual, poles.normals, squared_cosine, CellId(first), count, arms);
-    for (std::size_t k = 0; k < count; ++k) {
-      const CellId c(first + k);
-      sides[c] = arms.unsafe[k] == 0 ? arms.nappes[k]
-                                     : sides_of_cell(triangulation, dual, poles, squared_cosine, c);
-    }
-  }
-  for (CellId c(infinite); c.index() < end; ++c) {
-    sides[c] = sides_of_cell(triangulation, dual, poles, squared_cosine, c);
-  }
-}
 
 // Carries one bit per corner from a cell to the cell before it. Seen from behind, the corners of a
 // facet run the other way round, beginning anywhere: [facet before][facet behind][turn][bits].
@@ -164,22 +118,22 @@ Rows rows_of_cells(const Triangulation& triangulation, const IdVector<CellId, Co
 
 Cocones intersect_cocones(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
                           const CoconeOptions& options, const Execution& execution) {
+  return intersect_cocones(
+      triangulation, cone_sides(triangulation, dual, poles.normals, options.cosine, execution),
+      execution);
+}
+
+Cocones intersect_cocones(const Triangulation& triangulation, ConeSides sides,
+                          const Execution& execution) {
   report_progress(execution, "intersect_cocones", 0);
-  const double squared_cosine = options.cosine * options.cosine;
-  const std::size_t count = triangulation.num_cells();
-  IdVector<CellId, CornerSides> sides(count);
-  parallel_chunks(execution, count, cells_per_chunk, [&](std::size_t begin, std::size_t end) {
-    sides_of_cells(triangulation, dual, poles, squared_cosine, begin, end, sides);
-  });
-  report_progress(execution, "intersect_cocones", 0.5);
   // Infinite cells come last: every finite facet has its canonical id in a finite cell.
   const std::size_t finite = triangulation.num_finite_cells();
   std::vector<Rows> found((finite + cells_per_chunk - 1) / cells_per_chunk);
   parallel_chunks(execution, finite, cells_per_chunk, [&](std::size_t begin, std::size_t end) {
-    found[begin / cells_per_chunk] = rows_of_cells(triangulation, sides, begin, end);
+    found[begin / cells_per_chunk] = rows_of_cells(triangulation, sides.of_cells, begin, end);
   });
-  sides = {};
-  Cocones cocones{{}, {}, options.cosine};
+  sides.of_cells = {};
+  Cocones cocones{{}, {}, sides.cosine};
   std::size_t facets = 0;
   for (const Rows& part : found) facets += part.facets.size();
   cocones.facets.reserve(facets);

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cocone/cone_sides.h"
 #include "cocone/poles.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi_dual.h"
@@ -40,5 +41,9 @@ struct Cocones {
 // Source: Amenta, Choi, Dey & Leekha 2002; Woo & Dey 2005, section 2.1 (cocone).
 Cocones intersect_cocones(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
                           const CoconeOptions& options = {}, const Execution& execution = {});
+
+// The same for who has the sides of the Voronoi vertices (compute_poles finds them on its way).
+Cocones intersect_cocones(const Triangulation& triangulation, ConeSides sides,
+                          const Execution& execution = {});
 
 }  // namespace cocoon

@@ -38,19 +38,22 @@ class Walk {
     keep_unwalked();
   }
 
-  // The kept halves, in the order of their triangles.
+  // The kept halves, in the order of their triangles. From which side a triangle is kept cannot be
+  // foreseen: no branch depends on it.
   std::vector<FacetId> halves() const {
     std::vector<FacetId> halves;
-    for (Half h = 0; h < states_.size(); ++h) {
-      if (states_[h] == HalfState::kept) halves.push_back(facet_of(h));
+    halves.reserve(candidates_.size());
+    for (std::uint32_t t = 0; t < candidates_.size(); ++t) {
+      if (!is_kept(t)) continue;
+      const auto back = static_cast<Half>(states_[2 * t] == HalfState::kept ? 0 : 1);
+      const std::array<FacetId, 2> sides = {candidates_.facets[t], candidates_.mirrors[t]};
+      halves.push_back(sides[back]);
     }
     return halves;
   }
   std::vector<std::uint8_t> off_surface() const {
-    std::vector<std::uint8_t> flags(candidates_.size(), 1);
-    for (Half h = 0; h < states_.size(); ++h) {
-      if (states_[h] == HalfState::kept) flags[triangle_of_half(h)] = 0;
-    }
+    std::vector<std::uint8_t> flags(candidates_.size());
+    for (std::uint32_t t = 0; t < candidates_.size(); ++t) flags[t] = is_kept(t) ? 0 : 1;
     return flags;
   }
   std::size_t walks() const { return walks_; }
@@ -61,6 +64,10 @@ class Walk {
   FacetId facet_of(Half h) const {
     const std::uint32_t t = triangle_of_half(h);
     return (h & 1U) == 0 ? candidates_.facets[t] : candidates_.mirrors[t];
+  }
+  // From one side, so that the other one is the back.
+  bool is_kept(std::uint32_t t) const {
+    return states_[2 * t] == HalfState::kept || states_[2 * t] == HalfState::kept_from_back;
   }
   const Triangle& corners(Half h) const { return candidates_.corners[triangle_of_half(h)]; }
 

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <span>
 
+#include "cocone/cone_sides.h"
 #include "cocone/facet_set.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi_dual.h"
@@ -38,6 +39,11 @@ struct Poles {
 // Source: Amenta, Bern & Kamvysselis 1998; Woo & Dey 2005, section 2.1 (poles).
 Poles compute_poles(const Triangulation& triangulation, const Dual& dual,
                     const Execution& execution = {});
+
+// The same, and the sides of all Voronoi vertices to the double cones of this cosine about the
+// normals, which the cocones are read off (cocones.h): the second pass has them at hand.
+Poles compute_poles(const Triangulation& triangulation, const Dual& dual, double cosine,
+                    ConeSides& sides, const Execution& execution = {});
 
 // Of k unit normals the sum; if it is shorter than 0.1 k, the principal eigenvector instead.
 struct HullNormal {

@@ -60,7 +60,7 @@ class Reconstruction {
   void find_poles() {
     run_stage(execution_, "poles", [&](const Execution& nested) {
       dual_ = voronoi_dual(triangulation_, nested);
-      poles_ = compute_poles(triangulation_, dual_, nested);
+      poles_ = compute_poles(triangulation_, dual_, options_.cocone.cosine, sides_, nested);
     });
     ReconstructCounters& counters = result_.counters;
     counters.dual_extended_precision = dual_.extended_precision;
@@ -73,7 +73,7 @@ class Reconstruction {
   void build_surface() {
     Cocones cocones;
     run_stage(execution_, "cocone", [&](const Execution& nested) {
-      cocones = intersect_cocones(triangulation_, dual_, poles_, options_.cocone, nested);
+      cocones = intersect_cocones(triangulation_, std::move(sides_), nested);
     });
     run_stage(execution_, "boundary", [&](const Execution& nested) {
       boundary_ =
@@ -230,6 +230,7 @@ class Reconstruction {
   Triangulation triangulation_;
   Dual dual_;
   Poles poles_;
+  ConeSides sides_;
   BoundarySamples boundary_;
   ManifoldSurface surface_;
   IdVector<VertexId, VertexId> triangulation_vertex_;  // of each vertex of the result

@@ -148,6 +148,17 @@ TEST(Cocones, TangentPlaneRadiusIsTheConeOpenedByZero) {
   }
 }
 
+TEST(Cocones, SidesFoundWithThePolesAreThoseFoundAlone) {
+  const Stages s(shapes::random_torus(5000, 0.4, 12));
+  ConeSides sides;
+  const Poles poles = compute_poles(s.triangulation, s.dual, cosine, sides, {.threads = 3});
+  EXPECT_EQ(poles.normals, s.poles.normals);
+  EXPECT_EQ(poles.heights, s.poles.heights);
+  EXPECT_EQ(sides.of_cells, cone_sides(s.triangulation, s.dual, poles.normals, cosine).of_cells);
+  EXPECT_EQ(intersect_cocones(s.triangulation, sides).facets, s.cocones.facets);
+  EXPECT_EQ(intersect_cocones(s.triangulation, sides).rows, s.cocones.rows);
+}
+
 TEST(Cocones, ThreadsDoNotShow) {
   const Stages s(shapes::random_torus(20000, 0.4, 10));
   const Execution threaded{.threads = 4};

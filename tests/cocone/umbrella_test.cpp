@@ -1,10 +1,14 @@
 #include "cocone/umbrella.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "cocone/prune_sharp_edges.h"
+#include "geom/random.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 
@@ -50,6 +54,48 @@ struct Octahedron {
 };
 
 VertexSet no_boundary(const Triangulation& t) { return VertexSet(t.num_vertices(), 0); }
+
+// The facets on each side of each facet.
+using Neighbors = std::map<std::pair<FacetId, std::uint32_t>, std::set<FacetId>>;
+
+Neighbors neighbors(const LinkedFacets& triangles) {
+  Neighbors found;
+  for (SideId side = 0; side < triangles.links.size(); ++side) {
+    auto& at_edge = found[{triangles.facets[triangle_of_side(side)], corner_of_side(side)}];
+    for_each_side_at_edge(triangles, side, [&](SideId other) {
+      at_edge.insert(triangles.facets[triangle_of_side(other)]);
+    });
+  }
+  return found;
+}
+
+TEST(LinkedFacets, WithoutSomeTrianglesAreTheOthersLinked) {
+  const Stages s(shapes::random_torus(400, 0.4, 5));
+  Random random(9);
+  for (const double share : {0.0, 0.01, 0.6, 1.0}) {
+    FacetSet all(s.triangulation.num_cells());  // many at each edge
+    for (const CellId c : s.triangulation.finite_cells()) {
+      for (int i = 0; i < 4; ++i) all.insert(s.triangulation, facet_id(c, i));
+    }
+    const LinkedFacets triangles = link_facets(s.triangulation, all);
+    std::vector<std::uint8_t> removed;
+    for (const FacetId f : triangles.facets) {
+      removed.push_back(random.uniform(0, 1) < share ? 1 : 0);
+      if (removed.back() != 0) all.erase(s.triangulation, f);
+    }
+    const LinkedFacets left = without(s.triangulation, triangles, removed);
+    const LinkedFacets anew = link_facets(s.triangulation, all);
+    EXPECT_EQ(left.set, anew.set);
+    EXPECT_EQ(left.size(), anew.size());
+    EXPECT_EQ(neighbors(left), neighbors(anew));
+    const auto count_edges = [](const LinkedFacets& of) {
+      std::size_t count = 0;
+      for_each_edge(of, 0, of.size(), [&](SideId) { ++count; });
+      return count;
+    };
+    EXPECT_EQ(count_edges(left), count_edges(anew));
+  }
+}
 
 TEST(Umbrella, ClosedSurfaceHasGoodVertices) {
   const Octahedron o;
