@@ -8,7 +8,6 @@
 
 #include "cocone/orient_surface.h"
 #include "geom/median.h"
-#include "geom/mesh_adjacency.h"
 
 namespace cocoon {
 namespace {
@@ -57,11 +56,11 @@ void mark_surplus(const TriangleMesh& mesh, std::vector<HalfedgeId> sides,
 }
 
 // Leaves out triangles until no edge has more than two.
-Part without_surplus(const TriangleMesh& surface) {
-  Part part{surface, IdVector<TriangleId, TriangleId>(surface.triangles.size()), {}};
+Part without_surplus(const TriangleMesh& surface, MeshAdjacency adjacency_of_surface) {
+  Part part{surface, IdVector<TriangleId, TriangleId>(surface.triangles.size()),
+            std::move(adjacency_of_surface)};
   for (const TriangleId t : part.origin.ids()) part.origin[t] = t;
   for (;;) {
-    part.adjacency = mesh_adjacency(part.mesh);
     const MeshAdjacency& adjacency = part.adjacency;
     IdVector<TriangleId, std::uint8_t> surplus(part.mesh.triangles.size(), 0);
     bool found = false;
@@ -78,6 +77,7 @@ Part without_surplus(const TriangleMesh& surface) {
       rest.mesh.triangles.push_back(part.mesh.triangles[t]);
       rest.origin.push_back(part.origin[t]);
     }
+    rest.adjacency = mesh_adjacency(rest.mesh);
     part = std::move(rest);
   }
 }
@@ -189,7 +189,12 @@ void rotate_to_start(const TriangleMesh& mesh, std::vector<BoundaryEdge>& edges)
 }  // namespace
 
 BoundaryLoops boundary_loops(const TriangleMesh& open_surface, const BoundaryLoopOptions& options) {
-  Part part = without_surplus(open_surface);
+  return boundary_loops(open_surface, mesh_adjacency(open_surface), options);
+}
+
+BoundaryLoops boundary_loops(const TriangleMesh& open_surface, MeshAdjacency adjacency,
+                             const BoundaryLoopOptions& options) {
+  Part part = without_surplus(open_surface, std::move(adjacency));
   BoundaryLoops result;
   result.surplus_triangles = open_surface.triangles.size() - part.mesh.triangles.size();
   const OrientationReport orientation = orient_surface(part.mesh, part.adjacency);

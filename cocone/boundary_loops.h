@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "geom/mesh_adjacency.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
@@ -58,6 +59,10 @@ struct BoundaryLoops {
 // returns chords across corners and misses edges whose end was taken for interior, so the
 // combinatorial definition is used (spec 7.2).
 BoundaryLoops boundary_loops(const TriangleMesh& open_surface,
+                             const BoundaryLoopOptions& options = {});
+
+// The same for who has the adjacency of the surface.
+BoundaryLoops boundary_loops(const TriangleMesh& open_surface, MeshAdjacency adjacency,
                              const BoundaryLoopOptions& options = {});
 
 }  // namespace cocoon

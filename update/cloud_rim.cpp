@@ -53,10 +53,17 @@ double disk_perimeter(const BoundaryLoop& loop, double median_edge) {
 }  // namespace
 
 CloudRim cloud_rim(const TriangleMesh& surface, const RimOptions& options) {
+  return cloud_rim(surface, mesh_adjacency(surface), options);
+}
+
+CloudRim cloud_rim(const TriangleMesh& surface, const MeshAdjacency& adjacency,
+                   const RimOptions& options) {
   TriangleMesh mesh = surface;
-  orient_surface(mesh);  // so that the normals around a loop agree
+  // So that the normals around a loop agree.
+  const bool flipped = orient_surface(mesh, adjacency).flipped > 0;
   const IdVector<VertexId, Vec3> normals = vertex_normals(mesh);
-  const BoundaryLoops boundary = boundary_loops(mesh, options.loops);
+  const BoundaryLoops boundary =
+      boundary_loops(mesh, flipped ? mesh_adjacency(mesh) : adjacency, options.loops);
 
   CloudRim rim;
   rim.small_components = boundary.small_components;

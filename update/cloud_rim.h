@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cocone/boundary_loops.h"
+#include "geom/mesh_adjacency.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 
@@ -68,5 +69,9 @@ struct RimOptions {
 // and orientation of the surface's triangles, up to the sign of normals.
 // Source: Woo & Dey 2005, section 3.2.
 CloudRim cloud_rim(const TriangleMesh& surface, const RimOptions& options = {});
+
+// The same for who has the adjacency of the surface.
+CloudRim cloud_rim(const TriangleMesh& surface, const MeshAdjacency& adjacency,
+                   const RimOptions& options = {});
 
 }  // namespace cocoon

@@ -64,7 +64,7 @@ Trial try_search(const Foundation& f, Points cloud, const RimSearch& search,
   for (const VertexId v : surface.mesh.points.ids()) {
     surface.boundary_sample[v] = boundary.boundary[sheet.triangulation_vertex[v]];
   }
-  surface.rim = cloud_rim(surface.mesh, options.rim);
+  surface.rim = cloud_rim(surface.mesh, trimmed.adjacency, options.rim);
   mark_rim_gaps(f.samples, cloud, surface.rim, options.gaps);
   surface.rho = search.rho;
   surface.boundary_samples = boundary.count;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geom/median.h"
@@ -159,9 +160,10 @@ TrimmedSurface trim_long_edges(const TriangleMesh& surface, const TrimOptions& o
   TrimmedSurface result;
   if (!(options.max_edge > 0)) {
     result.mesh = surface;
+    result.adjacency = mesh_adjacency(surface);
     return result;
   }
-  const MeshAdjacency adjacency = mesh_adjacency(surface);
+  MeshAdjacency adjacency = mesh_adjacency(surface);
   const EdgeSet is_long = long_edges(surface, adjacency, options.max_edge);
   TriangleSet removed(surface.triangles.size(), 0);
   result.in_clusters = mark_clusters(adjacency, is_long, options.min_cluster, removed);
@@ -172,6 +174,8 @@ TrimmedSurface trim_long_edges(const TriangleMesh& surface, const TrimOptions& o
   for (const TriangleId t : surface.triangles.ids()) {
     if (removed[t] == 0) result.mesh.triangles.push_back(surface.triangles[t]);
   }
+  const bool trimmed = result.mesh.triangles.size() < surface.triangles.size();
+  result.adjacency = trimmed ? mesh_adjacency(result.mesh) : std::move(adjacency);
   return result;
 }
 
