@@ -1,6 +1,7 @@
 #include "geom/mesh_check.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <iterator>
@@ -23,18 +24,26 @@ std::size_t count_distinct(std::span<const Point> points) {
     return word ^ (word >> 31);
   };
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };  // -0 is 0
+  // Slots lie anywhere in memory: those of a block of points are asked for in advance.
+  constexpr std::size_t points_per_block = 32;
+  std::array<std::size_t, points_per_block> slots;
   std::size_t distinct = 0;
-  for (std::uint32_t k = 0; k < points.size(); ++k) {
-    const Point& p = points[k];
-    std::size_t slot = mixed(bits(p.x) + mixed(bits(p.y) + mixed(bits(p.z))));
-    for (;; ++slot) {
-      slot &= table.size() - 1;
-      if (table[slot] == 0) {
-        table[slot] = k + 1;
-        ++distinct;
-        break;
+  for (std::size_t first = 0; first < points.size(); first += points_per_block) {
+    const std::size_t end = std::min(first + points_per_block, points.size());
+    for (std::size_t k = first; k < end; ++k) {
+      const Point& p = points[k];
+      slots[k - first] =
+          mixed(bits(p.x) + mixed(bits(p.y) + mixed(bits(p.z)))) & (table.size() - 1);
+      __builtin_prefetch(&table[slots[k - first]]);
+    }
+    for (std::size_t k = first; k < end; ++k) {
+      std::size_t slot = slots[k - first];
+      while (table[slot] != 0 && points[table[slot] - 1] != points[k]) {
+        slot = (slot + 1) & (table.size() - 1);
       }
-      if (points[table[slot] - 1] == p) break;
+      if (table[slot] != 0) continue;
+      table[slot] = static_cast<std::uint32_t>(k + 1);
+      ++distinct;
     }
   }
   return distinct;
