@@ -1,0 +1,125 @@
+// A random change of a real shape, with a scan of the changed place and the truth about it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "geom/mesh_adjacency.h"
+#include "geom/random.h"
+#include "geom/triangle_mesh.h"
+#include "tests/end_to_end/local_update.h"
+
+namespace cocoon::testing {
+
+// A hill or a dent along one direction: what lies within `radius` of the center is moved.
+struct RandomChange {
+  Point center;
+  Vec3 up;                        // unit
+  double radius = 0;              // the scan reaches 1.3 times as far
+  double height = 0;              // negative: a dent
+  std::vector<TriangleId> place;  // the facets around the center that the scan may show
+
+  double offset(const Point& p) const { return height * hill(distance(p, center), radius); }
+  Point moved(const Point& p) const { return p + offset(p) * up; }
+};
+
+// Facets that hang together with `first` within `reach` of its first corner.
+inline std::vector<TriangleId> facets_around(const TriangleMesh& mesh,
+                                             const MeshAdjacency& adjacency, TriangleId first,
+                                             double reach) {
+  const Point& center = mesh.points[mesh.triangles[first][0]];
+  std::vector<TriangleId> found{first};
+  IdVector<TriangleId, std::uint8_t> seen(mesh.triangles.size(), 0);
+  seen[first] = 1;
+  for (std::size_t next = 0; next < found.size(); ++next) {
+    for (const TriangleId t : adjacency.neighbors[found[next]]) {
+      if (seen[t] != 0 || distance(mesh.points[mesh.triangles[t][0]], center) > reach) continue;
+      seen[t] = 1;
+      found.push_back(t);
+    }
+  }
+  return found;
+}
+
+inline Vec3 area_vector(const TriangleMesh& mesh, TriangleId t) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  return 0.5 * cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+}
+
+// 8 to 14 spacings wide and at most a quarter of that high. Nothing where the surface turns too
+// much for that: where it would meet itself.
+inline std::optional<RandomChange> random_change(const TriangleMesh& mesh,
+                                                 const MeshAdjacency& adjacency, double spacing,
+                                                 Random& random) {
+  RandomChange change;
+  const TriangleId first(random.below(mesh.triangles.size()));
+  change.center = mesh.points[mesh.triangles[first][0]];
+  change.radius = spacing * (8 + 6 * random.uniform());
+  change.height = change.radius * 0.25 * (2 * random.uniform() - 1);
+  change.place = facets_around(mesh, adjacency, first, 1.35 * change.radius);
+  Vec3 sum{};
+  for (const TriangleId t : change.place) {
+    if (distance(mesh.points[mesh.triangles[t][0]], change.center) > change.radius) continue;
+    sum = sum + area_vector(mesh, t);
+  }
+  change.up = unit(sum);
+  for (const TriangleId t : change.place) {
+    if (distance(mesh.points[mesh.triangles[t][0]], change.center) > change.radius) continue;
+    if (dot(unit(area_vector(mesh, t)), change.up) < 0.2) return {};
+  }
+  return change;
+}
+
+// Samples of the changed place no closer to each other than 0.75 spacings, as if scanned anew.
+inline std::vector<Point> scan_of(const TriangleMesh& mesh, const RandomChange& change,
+                                  double spacing, Random& random) {
+  std::vector<double> areas;
+  for (const TriangleId t : change.place) {
+    areas.push_back((areas.empty() ? 0 : areas.back()) + norm(area_vector(mesh, t)));
+  }
+  const double least = 0.75 * spacing;
+  std::map<std::array<std::int64_t, 3>, std::vector<Point>> grid;
+  const auto cell_of = [&](const Point& p) {
+    return std::array{static_cast<std::int64_t>(std::floor(p.x / least)),
+                      static_cast<std::int64_t>(std::floor(p.y / least)),
+                      static_cast<std::int64_t>(std::floor(p.z / least))};
+  };
+  const auto is_free = [&](const Point& p) {
+    const auto [x, y, z] = cell_of(p);
+    for (std::int64_t i = 0; i < 27; ++i) {
+      const auto cell = grid.find({x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1});
+      if (cell == grid.end()) continue;
+      for (const Point& q : cell->second) {
+        if (distance(p, q) < least) return false;
+      }
+    }
+    return true;
+  };
+  std::vector<Point> scan;
+  const double darts = 60 * areas.back() / (spacing * spacing);
+  for (double thrown = 0; thrown < darts; ++thrown) {
+    const auto at = std::lower_bound(areas.begin(), areas.end(), random.uniform() * areas.back());
+    const auto& [a, b, c] =
+        mesh.triangles[change.place[static_cast<std::size_t>(at - areas.begin())]];
+    double u = random.uniform();
+    double v = random.uniform();
+    if (u + v > 1) std::tie(u, v) = std::pair(1 - u, 1 - v);
+    const Point& origin = mesh.points[a];
+    const Point p = origin + u * (mesh.points[b] - origin) + v * (mesh.points[c] - origin);
+    if (distance(p, change.center) > 1.3 * change.radius) continue;
+    const Point q = change.moved(p);
+    if (!is_free(q)) continue;
+    grid[cell_of(q)].push_back(q);
+    scan.push_back(q);
+  }
+  return scan;
+}
+
+}  // namespace cocoon::testing
