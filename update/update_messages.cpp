@@ -54,6 +54,13 @@ std::string reason_of_empty_surface(std::size_t updated_points) {
          "surface at one scale";
 }
 
+std::string warning_of_split(const SplitRegion& split) {
+  return "does not cut the model in two; facets are taken to lie under the cloud if nearer to its "
+         "inner side than to its outer one (" +
+         counted(split.under_facets, "facet") + ", cut along " + counted(split.cut_edges, "edge") +
+         "); look at the result";
+}
+
 std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points) {
   return std::to_string(unused) + " of " + counted(updated_points, "updated point") +
          (unused == 1 ? " is" : " are") + " not on the surface";

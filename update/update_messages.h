@@ -31,6 +31,7 @@ std::string reason_of_ambiguity(double margin);
 // Why nothing is left of the updated points.
 std::string reason_of_empty_surface(std::size_t updated_points);
 
+std::string warning_of_split(const SplitRegion& split);
 std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points);
 // What was unusual about the surface of a cloud.
 std::vector<std::string> warnings_of_surface(const CloudSurface& surface);

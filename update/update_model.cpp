@@ -250,7 +250,11 @@ class Update {
       if (!result_.clouds[c].loops[l].pin_hole) return;
       const LoopSides sides =
           loop_sides(model_, index.adjacency(), borders_[c].loops[l], result_.regions);
-      if (sides.separation == Separation::separates) return;
+      if (sides.separation == Separation::separates) {
+        return warn(
+            name_of_loop(c, l) +
+            ": the model goes on through this small hole of the scan; what is beyond stays");
+      }
       overlaps_[c].loops[l].match = result_.clouds[c].loops[l].match = LoopMatch::off_model;
       closed = true;
     });
@@ -390,11 +394,7 @@ class Update {
   void warn_about_split(const SplitRegion& part) {
     for (const DividedLoop& loop : divided_loops_) {
       if (loop.region != part.outside) continue;
-      warn(name_of_loop(loop.cloud, loop.loop) +
-           ": does not cut the model in two; facets are taken to lie under the cloud if nearer to "
-           "its inner side than to its outer one (" +
-           counted(part.under_facets, "facet") + ", cut along " + counted(part.cut_edges, "edge") +
-           "); look at the result");
+      warn(name_of_loop(loop.cloud, loop.loop) + ": " + warning_of_split(part));
     }
   }
 
