@@ -90,6 +90,7 @@ std::vector<RimLoop> open_pin_holes(const ModelIndex& model, Points cloud, const
   std::vector<RimLoop> loops =
       loops_on_model(model, rim.pin_hole_loops, options.max_distance * rim.median_edge);
   std::vector<View> views;
+  views.reserve(loops.size());
   for (const RimLoop& loop : loops) views.push_back(view_of(loop));
   const std::vector<std::uint8_t> goes_on =
       model_goes_on(model, cloud, views, options.min_beyond * rim.median_edge);
