@@ -9,6 +9,7 @@
 
 #include "geom/mesh_measure.h"
 #include "geom/random.h"
+#include "geom/random_point.h"
 #include "io/implicit_solid.h"
 #include "io/polygonize.h"
 #include "io/surface_sampling.h"
@@ -94,14 +95,7 @@ Point random_point_on(const TriangleMesh& mesh, const std::vector<double>& area_
   const auto found = std::upper_bound(area_before.begin() + 1, area_before.end() - 1, at);
   const TriangleId t(static_cast<std::size_t>(found - area_before.begin() - 1));
   const auto& [a, b, c] = mesh.triangles[t];
-  double u = random.uniform();
-  double v = random.uniform();
-  if (u + v > 1) {
-    u = 1 - u;
-    v = 1 - v;
-  }
-  const Point& origin = mesh.points[a];
-  return origin + u * (mesh.points[b] - origin) + v * (mesh.points[c] - origin);
+  return random_point_in(mesh.points[a], mesh.points[b], mesh.points[c], random);
 }
 
 std::vector<Point> random_points_on(const TriangleMesh& mesh, std::size_t count, Random& random) {

@@ -11,6 +11,7 @@
 #include "geom/errors.h"
 #include "geom/nearest_point.h"
 #include "geom/random.h"
+#include "geom/random_point.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
@@ -62,14 +63,7 @@ std::vector<Point> stratified_samples(const TriangleMesh& mesh, std::size_t coun
       const auto found = std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, at * area);
       const Triangle& t =
           mesh.triangles[TriangleId(static_cast<std::size_t>(found - area_up_to.begin()))];
-      double u = random.uniform();
-      double v = random.uniform();
-      if (u + v > 1) {  // the other half of the parallelogram
-        u = 1 - u;
-        v = 1 - v;
-      }
-      const Point& a = mesh.points[t[0]];
-      samples[k] = a + u * (mesh.points[t[1]] - a) + v * (mesh.points[t[2]] - a);
+      samples[k] = random_point_in(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], random);
     }
   });
   return samples;

@@ -9,6 +9,7 @@
 
 #include "geom/box_tree.h"
 #include "geom/errors.h"
+#include "geom/random_point.h"
 
 namespace cocoon {
 namespace {
@@ -21,14 +22,7 @@ double triangle_area(const TriangleMesh& mesh, const Triangle& t) {
 }
 
 Point random_point_of(const TriangleMesh& mesh, const Triangle& t, Random& random) {
-  double u = random.uniform();
-  double v = random.uniform();
-  if (u + v > 1) {
-    u = 1 - u;
-    v = 1 - v;
-  }
-  const Point& a = mesh.points[t[0]];
-  return a + u * (mesh.points[t[1]] - a) + v * (mesh.points[t[2]] - a);
+  return random_point_in(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], random);
 }
 
 // The sum of areas up to each triangle.

@@ -7,12 +7,11 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include "geom/mesh_adjacency.h"
 #include "geom/random.h"
+#include "geom/random_point.h"
 #include "geom/triangle_mesh.h"
 #include "tests/end_to_end/local_update.h"
 
@@ -108,11 +107,7 @@ inline std::vector<Point> scan_of(const TriangleMesh& mesh, const RandomChange& 
     const auto at = std::lower_bound(areas.begin(), areas.end(), random.uniform() * areas.back());
     const auto& [a, b, c] =
         mesh.triangles[change.place[static_cast<std::size_t>(at - areas.begin())]];
-    double u = random.uniform();
-    double v = random.uniform();
-    if (u + v > 1) std::tie(u, v) = std::pair(1 - u, 1 - v);
-    const Point& origin = mesh.points[a];
-    const Point p = origin + u * (mesh.points[b] - origin) + v * (mesh.points[c] - origin);
+    const Point p = random_point_in(mesh.points[a], mesh.points[b], mesh.points[c], random);
     if (distance(p, change.center) > 1.3 * change.radius) continue;
     const Point q = change.moved(p);
     if (!is_free(q)) continue;

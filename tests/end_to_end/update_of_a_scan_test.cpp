@@ -9,6 +9,7 @@
 #include "geom/mesh_check.h"
 #include "geom/nearest_point.h"
 #include "geom/random.h"
+#include "geom/random_point.h"
 #include "io/point_file.h"
 #include "tests/end_to_end/local_update.h"
 #include "update/model_index.h"
@@ -42,13 +43,7 @@ TEST(UpdateOfAScan, KittenByADenserPatch) {
     const Vec3 ac = model.points[c] - model.points[a];
     const double wanted = 6 * 0.5 * norm(cross(ab, ac)) / (spacing * spacing);
     for (int k = 0; k < static_cast<int>(wanted + random.uniform()); ++k) {
-      double s = random.uniform();
-      double r = random.uniform();
-      if (s + r > 1) {
-        s = 1 - s;
-        r = 1 - r;
-      }
-      const Point p = model.points[a] + s * ab + r * ac;
+      const Point p = random_point_in(model.points[a], model.points[b], model.points[c], random);
       if (distance(p, center) > 0.15) continue;
       const Point moved = p + 0.03 * hill(distance(p, center), 0.09) * index.normal(t);
       // Dart throwing: no two points closer than the spacing.
