@@ -173,17 +173,21 @@ void find_normals(const Triangulation& triangulation, const Dual& dual, Poles& p
   poles.degenerate_vertices = degenerate;
 }
 
-// h_p of all samples, from their normals, and the sides to the double cones of sides.cosine.
+// h_p of all samples, from their normals, and the sides of finite cells to the double cones of
+// sides->cosine if they are wanted.
 void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& poles,
-                  ConeSides& sides, const Execution& execution) {
+                  ConeSides* sides, const Execution& execution) {
   const std::size_t count = triangulation.num_vertices();
+  const double squared_cosine = sides != nullptr ? sides->cosine * sides->cosine : 0;
   // Calls visit(cell, squared lengths, which) for arms below the tangent planes; those of extreme
   // lengths are left to visit_unsafe(c, p).
   const auto for_each_lower_arm = [&](auto visit, auto visit_unsafe) {
     for_each_run(triangulation, execution, [&](CellId first, std::size_t size) {
       ArmSides arms;
-      arm_sides(triangulation, dual, poles.normals, sides.cosine * sides.cosine, first, size, arms);
-      take_cone_sides(triangulation, dual, poles.normals, arms, first, size, sides);
+      arm_sides(triangulation, dual, poles.normals, squared_cosine, first, size, arms);
+      if (sides != nullptr) {
+        take_cone_sides(triangulation, dual, poles.normals, arms, first, size, *sides);
+      }
       for (std::size_t k = 0; k < size; ++k) {
         const CellId c(first.index() + k);
         const Cell& cell = triangulation.cell(c);
@@ -232,6 +236,19 @@ void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& p
   }
 }
 
+Poles find_poles(const Triangulation& triangulation, const Dual& dual, ConeSides* sides,
+                 const Execution& execution) {
+  report_progress(execution, "compute_poles", 0);
+  const std::size_t count = triangulation.num_vertices();
+  Poles poles{IdVector<VertexId, Vec3>(count), IdVector<VertexId, double>(count),
+              VertexSet(count, 0), 0, 0};
+  find_normals(triangulation, dual, poles, execution);
+  report_progress(execution, "compute_poles", 0.5);
+  find_heights(triangulation, dual, poles, sides, execution);
+  report_progress(execution, "compute_poles", 1);
+  return poles;
+}
+
 }  // namespace
 
 HullNormal hull_normal(std::span<Vec3> directions) {
@@ -246,24 +263,16 @@ HullNormal hull_normal(std::span<Vec3> directions) {
 
 Poles compute_poles(const Triangulation& triangulation, const Dual& dual,
                     const Execution& execution) {
-  ConeSides unused;
-  return compute_poles(triangulation, dual, 0, unused, execution);
+  return find_poles(triangulation, dual, nullptr, execution);
 }
 
 Poles compute_poles(const Triangulation& triangulation, const Dual& dual, double cosine,
                     ConeSides& sides, const Execution& execution) {
-  report_progress(execution, "compute_poles", 0);
-  const std::size_t count = triangulation.num_vertices();
-  Poles poles{IdVector<VertexId, Vec3>(count), IdVector<VertexId, double>(count),
-              VertexSet(count, 0), 0, 0};
-  find_normals(triangulation, dual, poles, execution);
-  report_progress(execution, "compute_poles", 0.5);
   sides = {cosine, IdVector<CellId, CornerSides>(triangulation.num_cells())};
-  find_heights(triangulation, dual, poles, sides, execution);
+  Poles poles = find_poles(triangulation, dual, &sides, execution);
   for (const CellId c : triangulation.infinite_cells()) {
     sides.of_cells[c] = cone_sides_of_cell(triangulation, dual, poles.normals, cosine * cosine, c);
   }
-  report_progress(execution, "compute_poles", 1);
   return poles;
 }
 

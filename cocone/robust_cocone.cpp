@@ -17,8 +17,9 @@ namespace {
 // Samples with one disk of the Cocone surface around them.
 VertexSet good_samples(const Triangulation& triangulation, const Dual& dual,
                        const ReconstructOptions& options, const Execution& execution) {
-  const Poles poles = compute_poles(triangulation, dual, execution);
-  const Cocones cocones = intersect_cocones(triangulation, dual, poles, options.cocone, execution);
+  ConeSides sides;
+  const Poles poles = compute_poles(triangulation, dual, options.cocone.cosine, sides, execution);
+  const Cocones cocones = intersect_cocones(triangulation, std::move(sides), execution);
   const BoundarySamples labels =
       boundary_samples(triangulation, dual, poles, cocones, options.boundary, execution);
   PrunedCandidates pruned = prune_sharp_edges(

@@ -31,8 +31,9 @@ void find_ratios(const Triangulation& triangulation, const IdVector<VertexId, do
                  const ReconstructOptions& options, const Execution& execution,
                  SampleDoubts& doubts) {
   const Dual dual = voronoi_dual(triangulation, execution);
-  const Poles poles = compute_poles(triangulation, dual, execution);
-  const Cocones cocones = intersect_cocones(triangulation, dual, poles, options.cocone, execution);
+  ConeSides sides;
+  const Poles poles = compute_poles(triangulation, dual, options.cocone.cosine, sides, execution);
+  const Cocones cocones = intersect_cocones(triangulation, std::move(sides), execution);
   const IdVector<VertexId, double> radii =
       cocone_radii(triangulation, dual, poles, cocones, options.boundary.radius_mode, execution);
   std::vector<double> heights;

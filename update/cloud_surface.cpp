@@ -26,8 +26,9 @@ Foundation lay_foundation(Points cloud, const ReconstructOptions& options,
                           const Execution& execution) {
   Triangulation triangulation = delaunay(cloud, options.delaunay, execution).triangulation;
   Dual dual = voronoi_dual(triangulation, execution);
-  Poles poles = compute_poles(triangulation, dual, execution);
-  Cocones cocones = intersect_cocones(triangulation, dual, poles, options.cocone, execution);
+  ConeSides sides;
+  Poles poles = compute_poles(triangulation, dual, options.cocone.cosine, sides, execution);
+  Cocones cocones = intersect_cocones(triangulation, std::move(sides), execution);
   return {std::move(triangulation), std::move(dual), std::move(poles), std::move(cocones),
           NearestPointTree(cloud)};
 }
