@@ -17,7 +17,8 @@ struct RimGapOptions {
 };
 
 // Marks the edges of each loop that have cloud beyond them (RimLoop::gap), takes out the loops that
-// are gaps altogether and counts both. Pin-holes that are gaps go, too, and count nowhere.
+// are gaps altogether and counts both. Pin-holes that are gaps go, too, and count nowhere; their
+// spacing is the median edge of the surface.
 // `samples`: the cloud of the rim.
 // Why: at sharp edges no spacing is dense enough for Cocone. Its surface breaks up along them, and
 // the seams are rims like any other, but the samples beyond them belong to the same cloud. Measured

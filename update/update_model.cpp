@@ -57,7 +57,6 @@ class Update {
          const UpdateOptions& options)
       : model_(model), clouds_(clouds), options_(options) {
     result_.clouds.resize(clouds.size());
-    rims_.resize(clouds.size());
   }
 
   bool detect_boundaries(const Execution& execution) {
@@ -81,7 +80,7 @@ class Update {
   bool find_overlapping_facets(const ModelIndex& index, const Execution& execution) {
     overlaps_.resize(clouds_.size());
     for (std::size_t c = 0; c < clouds_.size(); ++c) locate_rim(c, index, execution);
-    excuse_covered_points(rims_, clouds_, overlaps_, options_.overlap);
+    excuse_covered_points(rims(), clouds_, overlaps_, options_.overlap);
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       if (overlaps_[c].status == OverlapStatus::no_overlap) try_others(c, index, execution);
       for (const std::string& warning : warnings_of_surface(result_.clouds[c].surface)) {
@@ -112,9 +111,8 @@ class Update {
   }
 
   bool reconstruct(const ModelIndex& index, const UpdateParts& parts, const Execution& execution) {
-    const std::vector<CloudRim> rims = border_rims();
-    result_.replacement =
-        replace_points(index, result_.regions, result_.choice, rims, clouds_, options_.replace);
+    result_.replacement = replace_points(index, result_.regions, result_.choice, border_rims(),
+                                         clouds_, options_.replace);
     const KnownTriangleSource known = [&] {
       return known_triangles(model_, result_.regions, result_.choice, result_.replacement);
     };
@@ -126,8 +124,7 @@ class Update {
       return fail(UpdateStatus::empty_surface,
                   reason_of_empty_surface(result_.replacement.points.size()));
     }
-    result_.mesh = std::move(result_.reconstruction.mesh);
-    result_.reconstruction.mesh = {};
+    result_.mesh = std::exchange(result_.reconstruction.mesh, {});
     map_vertices();
     if (result_.reconstruction.unused_points > 0) {
       warn(warning_of_unused_points(result_.reconstruction.unused_points,
@@ -170,6 +167,13 @@ class Update {
     }
   }
 
+  std::vector<CloudRim> rims() const {
+    std::vector<CloudRim> rims;
+    rims.reserve(result_.clouds.size());
+    for (const CloudReport& report : result_.clouds) rims.push_back(report.surface.rim);
+    return rims;
+  }
+
   // The rims that formed the border.
   std::vector<CloudRim> border_rims() const {
     std::vector<CloudRim> rims(clouds_.size());
@@ -208,10 +212,9 @@ class Update {
     for (const RimLoop& loop : result_.clouds[c].surface.rim.loops) report_loop(c, loop, false);
   }
 
-  void report_loop(std::size_t c, const RimLoop& loop, bool pin_hole) {
+  void report_loop(std::size_t c, const RimLoop& loop, bool opened) {
     CloudReport& report = result_.clouds[c];
-    report.loops.push_back(
-        {.edges = loop.size(), .perimeter = loop.perimeter, .pin_hole = pin_hole});
+    report.loops.push_back({.edges = loop.size(), .perimeter = loop.perimeter, .pin_hole = opened});
     report.boundary_points += loop.size();
   }
 
@@ -222,7 +225,6 @@ class Update {
       report_loop(c, loop, true);
       rim.loops.push_back(std::move(loop));
     }
-    rims_[c] = rim;
     overlaps_[c] = overlapping_facets(index, rim, options_.overlap, execution);
   }
 
@@ -234,11 +236,10 @@ class Update {
       if (other.status != CloudStatus::ok) continue;
       take_surface(c, std::move(other));
       locate_rim(c, index, execution);
-      excuse_covered_points(rims_, clouds_, overlaps_, options_.overlap);
+      excuse_covered_points(rims(), clouds_, overlaps_, options_.overlap);
       if (overlaps_[c].status == OverlapStatus::ok) return;
     }
     result_.clouds[c] = report;
-    rims_[c] = report.surface.rim;
     overlaps_[c] = overlap;
   }
 
@@ -448,7 +449,6 @@ class Update {
   std::span<const std::vector<Point>> clouds_;
   const UpdateOptions& options_;
   std::vector<std::vector<CloudSurface>> other_surfaces_;  // of each cloud, the best one first
-  std::vector<CloudRim> rims_;
   std::vector<Overlap> overlaps_;
   std::vector<Border> borders_;
   TriangleSet border_facets_;
