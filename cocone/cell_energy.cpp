@@ -14,6 +14,9 @@ std::size_t extra(std::size_t count, std::size_t regular) {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+// Of the edge between the corners i and j.
+constexpr std::size_t edge_number[4][4] = {{6, 0, 1, 2}, {0, 6, 3, 4}, {1, 3, 6, 5}, {2, 4, 5, 6}};
+
 // The two of 0 .. 3 that are neither i nor j.
 std::array<int, 2> others(int i, int j) {
   int k = 0;
@@ -43,6 +46,9 @@ CellEnergy::CellEnergy(const Triangulation& triangulation, BallCosines& cosines,
       wanted_(triangulation.num_vertices(), 0),
       parts_(triangulation, stars, out),
       flips_now_(triangulation.num_cells()),
+      places_now_(triangulation.num_cells()),
+      least_now_(triangulation.num_vertices()),
+      taken_(triangulation.num_cells()),
       idle_now_(triangulation.num_vertices()),
       changed_(triangulation.num_vertices()) {}
 
@@ -66,19 +72,19 @@ Energy CellEnergy::vertex_cost(VertexId v) {
 }
 
 // Surface sheets at the edge of vertices i and j of the cell. O(degree).
-std::size_t CellEnergy::sheets_at(CellId c, int i, int j) const {
+int CellEnergy::sheets_at(CellId c, int i, int j) const {
   const VertexId a = triangulation_.vertex(c, i);
   const VertexId b = triangulation_.vertex(c, j);
   int off = 0;  // a facet at the edge is opposite another vertex
   while (off == i || off == j) ++off;
-  std::size_t changes = 0;
+  int changes = 0;
   std::uint8_t before = out_[c];
   const FacetId first = facet_id(c, off);
   FacetId f = first;
   do {
     f = next_facet_around_edge(triangulation_, f, a, b);
     const std::uint8_t here = out_[cell_of(f)];
-    changes += here != before ? 1U : 0U;
+    changes += here != before ? 1 : 0;
     before = here;
   } while (f != first);
   return changes / 2;
@@ -97,7 +103,7 @@ Energy CellEnergy::vertex_change(CellId c, int i, const Place& place) {
     const auto [k, l] = others(i, j);
     kept += place.surface[at(j)] ? 0 : 1;
     if (place.surface[at(k)] != place.surface[at(l)]) continue;
-    regular = regular && place.sheets[at(i)][at(j)] == (place.surface[at(k)] ? 1U : 0U);
+    regular = regular && place.sheets[edge_number[i][j]] == (place.surface[at(k)] ? 1 : 0);
   }
   // One or two: the cell goes from a part that stays whole to one that it borders.
   if (regular && (kept == 1 || kept == 2)) return 0;
@@ -115,30 +121,53 @@ Energy CellEnergy::vertex_change(CellId c, int i, const Place& place) {
   return more * defect_cost_ + used * cost_of_use(v);
 }
 
-// Without what idle samples cost.
-Energy CellEnergy::flip_change(CellId c) {
+// What it costs that an edge with so many sheets gets more, or less.
+Energy CellEnergy::edge_change(int sheets, int more) const {
+  const int after = sheets + more;
+  const Energy extra_sheets = std::max(after - 1, 0) - std::max(sheets - 1, 0);
+  const Energy edges = (after > 0 ? 1 : 0) - (sheets > 0 ? 1 : 0);
+  return defect_cost_ * extra_sheets + half_handle_cost_ * edges;
+}
+
+CellEnergy::Place CellEnergy::place_of(CellId c) {
   Place place{};
-  Energy total = out_[c] != 0 ? -preference(c) : preference(c);
-  Energy euler = 0;
+  place.change = out_[c] != 0 ? -preference(c) : preference(c);
   for (int i = 0; i < 4; ++i) {
-    const FacetId f = facet_id(c, i);
     place.surface[at(i)] = out_[triangulation_.neighbor(c, i)] != out_[c];
-    total += place.surface[at(i)] ? -facet_cost(f) : facet_cost(f);
-    euler += place.surface[at(i)] ? -1 : 1;
+    const Energy more = facet_cost(facet_id(c, i)) - half_handle_cost_;
+    place.change += place.surface[at(i)] ? -more : more;
   }
   for (int i = 0; i < 4; ++i) {
     for (int j = i + 1; j < 4; ++j) {
       const auto [k, l] = others(i, j);
+      const int sheets = sheets_at(c, i, j);
+      place.sheets[edge_number[i][j]] = sheets;
       if (place.surface[at(k)] != place.surface[at(l)]) continue;  // the surface only turns there
-      const std::size_t before = sheets_at(c, i, j);
-      const std::size_t after = place.surface[at(k)] ? before - 1 : before + 1;
-      place.sheets[at(i)][at(j)] = place.sheets[at(j)][at(i)] = before;
-      euler += (before > 0 ? 1 : 0) - (after > 0 ? 1 : 0);
-      total += defect_cost_ *
-               (static_cast<Energy>(extra(after, 1)) - static_cast<Energy>(extra(before, 1)));
+      place.change += edge_change(sheets, place.surface[at(k)] ? -1 : 1);
     }
   }
-  total -= half_handle_cost_ * euler;
+  return place;
+}
+
+int CellEnergy::changed_vertices(CellId c, std::uint32_t state) const {
+  int changed = 0;
+  for (const VertexId v : triangulation_.cell(c).vertices) changed += changed_[v] > state ? 1 : 0;
+  return changed;
+}
+
+// A cell with one corner in common has no facet and no edge in common.
+const CellEnergy::Place& CellEnergy::place_now(CellId c) {
+  Place& place = places_now_[c];
+  if (place.state == 0 || changed_vertices(c, place.state) > 1) {
+    place = place_of(c);
+    place.state = state_;
+  }
+  return place;
+}
+
+// Without what idle samples cost.
+Energy CellEnergy::flip_change(CellId c, const Place& place) {
+  Energy total = place.change;
   for (int i = 0; i < 4; ++i) total += vertex_change(c, i, place);
   return total;
 }
@@ -147,14 +176,108 @@ Energy CellEnergy::flip_change(CellId c) {
 // same cell.
 Energy CellEnergy::flip_change_now(CellId c) {
   FlipNow& flip = flips_now_[c];
-  const auto& vertices = triangulation_.cell(c).vertices;
-  const bool known =
-      flip.state != 0 && std::all_of(vertices.begin(), vertices.end(),
-                                     [&](VertexId v) { return changed_[v] <= flip.state; });
-  if (!known) {
-    flip = {flip_change(c), state_};
+  if (flip.state == 0 || changed_vertices(c, flip.state) > 0) {
+    flip = {flip_change(c, place_now(c)), state_};
   }
   return flip.change;
+}
+
+// A pinched or idle vertex may become regular, an unused one used.
+Energy CellEnergy::least_vertex_change(VertexId v) {
+  LeastNow& least = least_now_[v];
+  if (least.state == 0 || least.state < changed_[v]) {
+    const std::size_t parts = parts_.count(v);
+    Energy gain = parts == 1 ? std::max(Energy{0}, -cost_of_use(v))
+                             : defect_cost_ * static_cast<Energy>(extra(parts, 2));
+    if (idle_cost_ != 0 && is_idle_now(v)) gain += idle_cost_;
+    least = {-gain, state_};
+  }
+  return least.change;
+}
+
+Energy CellEnergy::least_change(CellId c) {
+  Energy total = place_now(c).change;
+  for (const VertexId v : triangulation_.cell(c).vertices) total += least_vertex_change(v);
+  return total;
+}
+
+// The two flips in turn, but for the facet between them, which appears and goes again, and for its
+// edges: there the second adds one sheet less than it would alone.
+Energy CellEnergy::least_change_with(CellId c, int i) {
+  const FacetId f = facet_id(c, i);
+  const FacetId mirror = triangulation_.mirror(f);
+  const CellId d = cell_of(mirror);
+  const Place& first = place_now(c);
+  const Place& second = place_now(d);
+  Energy total = first.change + second.change - 2 * (facet_cost(f) - half_handle_cost_);
+  for (int r = 0; r < 4; ++r) {
+    if (r == i) continue;
+    // The edge of the facet that is not at the corner r.
+    const auto [p, q] = others(i, r);
+    const int there = index_of_vertex(triangulation_.cell(d), triangulation_.vertex(c, r));
+    const int sheets = first.sheets[edge_number[p][q]];
+    const int by_first = first.surface[at(r)] ? 0 : 1;
+    const int by_second = second.surface[at(there)] ? 0 : 1;
+    total += edge_change(sheets, by_first + by_second - 1) - edge_change(sheets, by_first) -
+             edge_change(sheets, by_second);
+  }
+  for (const VertexId v : triangulation_.cell(c).vertices) total += least_vertex_change(v);
+  return total + least_vertex_change(triangulation_.vertex(d, index_of(mirror)));
+}
+
+// Each facet between these cells and others appears or goes, and so half a sheet at its edges does.
+Energy CellEnergy::least_change(std::span<const CellId> cells) {
+  for (const CellId c : cells) taken_[c] = 1;
+  facets_at_edges_.clear();
+  Energy total = 0;
+  for (const CellId c : cells) {
+    const Place& place = place_now(c);
+    total += out_[c] != 0 ? -preference(c) : preference(c);
+    for (int i = 0; i < 4; ++i) {
+      if (taken_[triangulation_.neighbor(c, i)] != 0) continue;
+      const Energy more = facet_cost(facet_id(c, i)) - half_handle_cost_;
+      total += place.surface[at(i)] ? -more : more;
+      for (int r = 0; r < 4; ++r) {
+        if (r == i) continue;
+        const auto [p, q] = others(i, r);
+        const VertexId a = triangulation_.vertex(c, p);
+        const VertexId b = triangulation_.vertex(c, q);
+        facets_at_edges_.push_back({{std::min(a, b), std::max(a, b)},
+                                    place.sheets[edge_number[p][q]],
+                                    place.surface[at(i)] ? -1 : 1});
+      }
+    }
+  }
+  for (const CellId c : cells) taken_[c] = 0;
+  std::sort(facets_at_edges_.begin(), facets_at_edges_.end(),
+            [](const FacetAtEdge& a, const FacetAtEdge& b) { return a.edge < b.edge; });
+  for (std::size_t k = 0; k < facets_at_edges_.size();) {
+    const FacetAtEdge& first = facets_at_edges_[k];
+    int more = 0;
+    for (; k < facets_at_edges_.size() && facets_at_edges_[k].edge == first.edge; ++k) {
+      more += facets_at_edges_[k].more;
+    }
+    total += edge_change(first.sheets, more / 2);
+  }
+  list_vertices(cells);
+  for (const VertexId v : vertices_) total += least_vertex_change(v);
+  return total;
+}
+
+void CellEnergy::list_vertices(std::span<const CellId> cells) {
+  vertices_.clear();
+  for (const CellId c : cells) {
+    for (const VertexId v : triangulation_.cell(c).vertices) vertices_.push_back(v);
+  }
+  std::sort(vertices_.begin(), vertices_.end());
+  vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+}
+
+bool CellEnergy::is_at_surface(CellId c) const {
+  for (int i = 0; i < 4; ++i) {
+    if (out_[triangulation_.neighbor(c, i)] != out_[c]) return true;
+  }
+  return false;
 }
 
 // Remembers it until cells at the vertex change sides for good.
@@ -167,7 +290,7 @@ bool CellEnergy::is_idle_now(VertexId v) {
 Energy CellEnergy::change(std::span<const CellId> cells, Energy limit) {
   Energy total = 0;
   for (const CellId c : cells) {
-    total += c == cells.front() ? flip_change_now(c) : flip_change(c);
+    total += c == cells.front() ? flip_change_now(c) : flip_change(c, place_of(c));
     out_[c] ^= 1U;
   }
   const auto undo = [&] {
@@ -175,12 +298,7 @@ Energy CellEnergy::change(std::span<const CellId> cells, Energy limit) {
   };
   undo();
   if (idle_cost_ == 0) return total;
-  vertices_.clear();
-  for (const CellId c : cells) {
-    for (const VertexId v : triangulation_.cell(c).vertices) vertices_.push_back(v);
-  }
-  std::sort(vertices_.begin(), vertices_.end());
-  vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+  list_vertices(cells);
   for (const VertexId v : vertices_) total -= is_idle_now(v) ? idle_cost_ : 0;
   if (total > limit) return total;
   undo();

@@ -55,23 +55,42 @@ class CellEnergy {
   // If that is more than `limit`, some number above the limit. Precondition: finite cells, all
   // different. Complexity: O(1) for each cell where the surface is regular, O(star) elsewhere.
   Energy change(std::span<const CellId> cells, Energy limit = std::numeric_limits<Energy>::max());
+  // A bound that no change falls below, told from the facets and edges: of cell c; of c with the
+  // finite cell behind its facet i, if both are on one side; of cells on one side. Vertices count
+  // as if the flip healed whatever is wrong there. O(1) for each cell and vertex that was asked
+  // about since the last flip at it.
+  Energy least_change(CellId c);
+  Energy least_change_with(CellId c, int i);
+  Energy least_change(std::span<const CellId> cells);
+  // Is a facet of the cell on the surface? O(1).
+  bool is_at_surface(CellId c) const;
   void flip(std::span<const CellId> cells);
   // The parts into which the surface divides the cells at v. O(star).
   std::vector<std::vector<CellId>> parts_of_star(VertexId v) { return parts_.list(v); }
 
  private:
-  // How a cell lies in the surface, as seen before it changes sides.
+  // How a cell lies in the surface before it changes sides, and by how much the energy grows then,
+  // but for what happens at its vertices.
   struct Place {
-    std::array<bool, 4> surface;                       // facets
-    std::array<std::array<std::size_t, 4>, 4> sheets;  // at its edges, where they may change
+    Energy change;
+    std::array<bool, 4> surface;  // facets
+    std::array<int, 6> sheets;    // at its edges (edge_number)
+    std::uint32_t state;
   };
   Energy preference_by_label(CellId c) const {
     return labels_[c] == CellLabel::out ? -mark_weight_ : mark_weight_;
   }
-  Energy flip_change(CellId c);
+  Place place_of(CellId c);
+  const Place& place_now(CellId c);
+  // The cell's vertices at which something has changed sides since that state.
+  int changed_vertices(CellId c, std::uint32_t state) const;
+  Energy edge_change(int sheets, int more) const;
+  Energy least_vertex_change(VertexId v);
+  void list_vertices(std::span<const CellId> cells);
+  Energy flip_change(CellId c, const Place& place);
   Energy flip_change_now(CellId c);
   Energy vertex_change(CellId c, int i, const Place& place);
-  std::size_t sheets_at(CellId c, int i, int j) const;
+  int sheets_at(CellId c, int i, int j) const;
   // What it costs that a vertex is on the surface rather than not: a vertex for Euler.
   Energy cost_of_use(VertexId v) const {
     return -half_handle_cost_ - (wanted_[v] != 0 ? unused_cost_ : 0);
@@ -97,10 +116,24 @@ class CellEnergy {
     std::uint32_t state;
   };
   ZeroedArray<CellId, FlipNow> flips_now_;
+  ZeroedArray<CellId, Place> places_now_;
+  struct LeastNow {
+    Energy change;
+    std::uint32_t state;
+  };
+  ZeroedArray<VertexId, LeastNow> least_now_;
+  ZeroedArray<CellId, std::uint8_t> taken_;        // scratch, zero between questions
   ZeroedArray<VertexId, std::uint32_t> idle_now_;  // 2 * state + 1 if idle in that state
   std::uint32_t state_ = 1;                        // grows with every flip
   ZeroedArray<VertexId, std::uint32_t> changed_;   // the state since the last flip at a vertex
   std::vector<VertexId> vertices_;
+  // A facet that appears (1) or goes (-1) at an edge, where there are so many sheets now.
+  struct FacetAtEdge {
+    std::array<VertexId, 2> edge;
+    int sheets;
+    int more;
+  };
+  std::vector<FacetAtEdge> facets_at_edges_;
 };
 
 }  // namespace cocoon

@@ -31,4 +31,11 @@ inline std::vector<std::array<Point, 4>> sorted_corners(const Triangulation& tri
   return corners;
 }
 
+// Sets of finite cells: smaller ones first, then by their corners. O(k log k) for k cells each.
+inline bool precedes(const Triangulation& triangulation, std::span<const CellId> a,
+                     std::span<const CellId> b) {
+  return a.size() != b.size() ? a.size() < b.size()
+                              : sorted_corners(triangulation, a) < sorted_corners(triangulation, b);
+}
+
 }  // namespace cocoon

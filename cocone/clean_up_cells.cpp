@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "cocone/best_move.h"
 #include "cocone/cell_cluster.h"
 #include "cocone/cell_energy.h"
 #include "cocone/cell_order.h"
@@ -37,7 +38,8 @@ class CleanUp {
         cosines_(triangulation),
         energy_(triangulation, cosines_, stars_, marks.labels, options, out_),
         region_(find_doubtful_region(triangulation, marks, most_clump_cells())),
-        side_split_(triangulation, out_) {
+        side_split_(triangulation, out_),
+        best_move_(triangulation, stars_, out_, energy_, side_split_) {
     counters_.undecided_cells = region_.undecided.size();
     counters_.left_cells = region_.left_cells;
     for (const CellId c : region_.undecided) {
@@ -169,12 +171,6 @@ class CleanUp {
     }
   }
 
-  // A set of cells that might change sides.
-  struct Move {
-    Energy change = 0;
-    std::vector<CellId> cells;
-  };
-
   // At every sample that is unused or where the surface is pinched (both ends of a non-manifold
   // edge are), in lexicographic order, round by round until no move helps.
   void repair() {
@@ -188,12 +184,16 @@ class CleanUp {
         while (!now.empty() && now.top() == rank) now.pop();
         const VertexId v = region_.vertices[rank - 1];
         while (energy_.vertex_cost(v) != 0) {
-          if (!improve(v)) {
+          const std::vector<CellId> cells = best_move_.find(v);
+          if (cells.empty()) {
             later.push_back(rank);
             break;
           }
+          flip(cells);
+          ++counters_.moves;
+          counters_.moved_cells += cells.size();
           changed = true;
-          for (const CellId c : best_.cells) {
+          for (const CellId c : cells) {
             for (const VertexId w : triangulation_.cell(c).vertices) {
               if (region_.rank[w] > rank) now.push(region_.rank[w]);
               if (region_.rank[w] < rank && region_.contains(w)) later.push_back(region_.rank[w]);
@@ -244,64 +244,6 @@ class CleanUp {
     return ranks;
   }
 
-  bool improve(VertexId v) {
-    best_ = {};
-    const std::span<const CellId> star = stars_.star(v);
-    for (const CellId c : star) {
-      if (triangulation_.is_infinite(c)) continue;
-      consider(std::array{c});
-      for (int i = 0; i < 4; ++i) {
-        const CellId d = triangulation_.neighbor(c, i);
-        if (triangulation_.is_infinite(d)) continue;
-        if (out_[c] == out_[d] && (!has_vertex(triangulation_.cell(d), v) || c < d))
-          consider(std::array{c, d});
-      }
-    }
-    consider_parts(v);
-    if (best_.cells.empty()) return false;
-    flip(best_.cells);
-    ++counters_.moves;
-    counters_.moved_cells += best_.cells.size();
-    return true;
-  }
-
-  // The parts into which the surface divides the star of v.
-  void consider_parts(VertexId v) {
-    for (const std::vector<CellId>& part : energy_.parts_of_star(v)) {
-      const bool finite = std::none_of(part.begin(), part.end(),
-                                       [&](CellId c) { return triangulation_.is_infinite(c); });
-      if (finite && part.size() > 2) consider(part);
-    }
-  }
-
-  void consider(std::span<const CellId> cells) {
-    if (!is_attached(cells)) return;
-    const Energy change = energy_.change(cells, best_.change);
-    if (change >= 0 || change > best_.change) return;
-    if (change == best_.change && !precedes(cells, best_.cells)) return;
-    if (side_split_.splits(cells)) return;
-    best_ = {change, {cells.begin(), cells.end()}};
-  }
-
-  // Would the cells, on their other side, hang together with cells that are there already? Else
-  // the move would found a new part of the body, or a cavity.
-  bool is_attached(std::span<const CellId> cells) const {
-    for (const CellId c : cells) {
-      for (int i = 0; i < 4; ++i) {
-        const CellId behind = triangulation_.neighbor(c, i);
-        if (out_[behind] == out_[c]) continue;
-        if (std::find(cells.begin(), cells.end(), behind) == cells.end()) return true;
-      }
-    }
-    return false;
-  }
-
-  bool precedes(std::span<const CellId> a, std::span<const CellId> b) const {
-    return a.size() != b.size()
-               ? a.size() < b.size()
-               : sorted_corners(triangulation_, a) < sorted_corners(triangulation_, b);
-  }
-
   ZeroedArray<CellId, std::uint8_t>& scratch() {
     if (scratch_.size() == 0) {
       scratch_ = ZeroedArray<CellId, std::uint8_t>(triangulation_.num_cells());
@@ -341,7 +283,7 @@ class CleanUp {
       if (!energy_.is_idle(v)) continue;  // not any more
       for (const CellCluster& cluster : clusters_at(v, deep_cosine, asked)) {
         const std::vector<CellId>& cells = cluster.cells;
-        if (!is_attached(cells) || energy_.change(cells) >= 0) continue;
+        if (!is_attached(triangulation_, out_, cells) || energy_.change(cells) >= 0) continue;
         if (side_split_.splits(cells) || energy_.leaves_out(cells)) continue;
         flip(cells);
         ++counters_.clusters;
@@ -371,8 +313,9 @@ class CleanUp {
       too_large = too_large || asked[c] == Asked::too_large;
     }
     counters_.large_clusters += too_large ? 1U : 0U;
-    std::sort(clusters.begin(), clusters.end(),
-              [&](const auto& a, const auto& b) { return precedes(a.cells, b.cells); });
+    std::sort(clusters.begin(), clusters.end(), [&](const auto& a, const auto& b) {
+      return precedes(triangulation_, a.cells, b.cells);
+    });
     return clusters;
   }
 
@@ -419,7 +362,7 @@ class CleanUp {
     });
     std::erase_if(parts, [](const auto& part) { return part.empty(); });
     std::sort(parts.begin(), parts.end(),
-              [&](const auto& a, const auto& b) { return precedes(a, b); });
+              [&](const auto& a, const auto& b) { return precedes(triangulation_, a, b); });
     if (!alone && parts.size() > 0 && parts.back().size() == most) parts.pop_back();
     return parts;
   }
@@ -459,7 +402,7 @@ class CleanUp {
   SurfaceFlaws flaws_;             // of the region, before what is touched_ changed
   std::vector<VertexId> touched_;  // vertices of the region at flipped cells
   ZeroedArray<CellId, std::uint8_t> scratch_;
-  Move best_;
+  BestMove best_move_;
 };
 
 }  // namespace

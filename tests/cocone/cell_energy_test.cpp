@@ -8,128 +8,10 @@
 #include <utility>
 
 #include "cocone/surface_flaws.h"
-#include "geom/random.h"
-#include "tests/cocone/sample_shapes.h"
-#include "tests/cocone/stages.h"
+#include "tests/cocone/random_labeling.h"
 
 namespace cocoon {
 namespace {
-
-std::vector<Point> cube(std::size_t count, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<Point> points;
-  while (points.size() < count) {
-    points.push_back({random.uniform(), random.uniform(), random.uniform()});
-  }
-  return points;
-}
-
-std::vector<Point> lattice(int side) {
-  std::vector<Point> points;
-  for (int i = 0; i < side * side * side; ++i) {
-    points.push_back({double(i % side), double(i / side % side), double(i / side / side)});
-  }
-  return points;
-}
-
-// A center with far more than 64 cells around it.
-std::vector<Point> ball(std::uint64_t seed) {
-  std::vector<Point> points = shapes::sphere(60, seed);
-  points.push_back({0, 0, 0});
-  return points;
-}
-
-struct Labeling {
-  explicit Labeling(const std::vector<Point>& points, std::uint64_t seed = 1, double bias = 0.5)
-      : stages(points),
-        cosines(stages.triangulation),
-        stars(stages.triangulation),
-        labels(stages.triangulation.num_cells(), CellLabel::out),
-        out(stages.triangulation.num_cells(), 1),
-        energy(stages.triangulation, cosines, stars, labels, options, out) {
-    Random random(seed);
-    for (const CellId c : stages.triangulation.finite_cells()) {
-      out[c] = random.uniform() < bias ? 1 : 0;
-      labels[c] = random.uniform() < 0.5 ? CellLabel::out : CellLabel::in;
-      energy.set_preference(c, to_energy(random.uniform() - 0.5));
-    }
-    for (const VertexId v : stages.triangulation.vertices()) {
-      if (random.uniform() < 0.7) energy.want(v);
-    }
-  }
-
-  // The parts of a star by the plainest means: labels that spread until nothing changes.
-  std::size_t parts(VertexId v) const {
-    const std::span<const CellId> star = stages.stars.star(v);
-    std::map<CellId, CellId> root;
-    for (const CellId c : star) root[c] = c;
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (const CellId c : star) {
-        for (int i = 0; i < 4; ++i) {
-          const CellId d = stages.triangulation.neighbor(c, i);
-          if (root.count(d) == 0 || out[c] != out[d] || stages.triangulation.vertex(c, i) == v) {
-            continue;
-          }
-          changed = changed || root[c] != root[d];
-          root[c] = root[d] = std::min(root[c], root[d]);
-        }
-      }
-    }
-    std::set<CellId> roots;
-    for (const auto& [c, r] : root) roots.insert(r);
-    return roots.size();
-  }
-
-  // The whole energy, term by term from its definition.
-  Energy total() {
-    const Triangulation& t = stages.triangulation;
-    Energy sum = 0;
-    std::ptrdiff_t euler = 0;
-    std::map<std::pair<VertexId, VertexId>, std::size_t> facets_at_edge;
-    for (const CellId c : t.finite_cells()) {
-      if (out[c] != 0) {
-        sum += energy.preference(c);
-        continue;
-      }
-      for (int i = 0; i < 4; ++i) {
-        const FacetId f = facet_id(c, i);
-        if (out[t.neighbor(c, i)] == 0) continue;
-        sum += energy.facet_cost(f);
-        ++euler;
-        std::array<VertexId, 3> v = t.facet_vertices(f);
-        std::sort(v.begin(), v.end());
-        for (const auto& edge : {std::pair(v[0], v[1]), {v[0], v[2]}, {v[1], v[2]}}) {
-          ++facets_at_edge[edge];
-        }
-      }
-    }
-    for (const auto& [edge, facets] : facets_at_edge) {
-      --euler;
-      sum += to_energy(options.defect_cost) * static_cast<Energy>(facets / 2 - 1);
-    }
-    for (const VertexId v : t.vertices()) {
-      const std::size_t fans = parts(v);
-      if (fans == 1) {
-        sum += energy.is_wanted(v) ? to_energy(options.unused_cost) : 0;
-        continue;
-      }
-      ++euler;
-      sum += to_energy(options.defect_cost) * static_cast<Energy>(fans - 2);
-      const bool idle = is_idle(t, stages.stars.star(v), out, v, options.idle);
-      sum += idle ? to_energy(options.idle_cost) : 0;
-    }
-    return sum - to_energy(options.handle_cost / 2) * static_cast<Energy>(euler);
-  }
-
-  CleanUpOptions options;
-  Stages stages;
-  BallCosines cosines;
-  StarCache stars;
-  IdVector<CellId, CellLabel> labels;
-  IdVector<CellId, std::uint8_t> out;
-  CellEnergy energy;
-};
 
 TEST(CellEnergy, ChangeIsTheDifferenceOfTheWholeEnergies) {
   for (const double bias : {0.1, 0.5, 0.8, 0.97}) {
@@ -158,6 +40,40 @@ TEST(CellEnergy, ChangeIsTheDifferenceOfTheWholeEnergies) {
       }
     }
   }
+}
+
+// The bounds of pairs and of single cells are that of sets; where no vertex matters they are exact.
+TEST(CellEnergy, NoChangeIsLessThanItsBound) {
+  std::size_t exact = 0;
+  for (const double bias : {0.1, 0.5, 0.97}) {
+    for (const auto& points : {cube(25, 3), lattice(3), ball(4)}) {
+      Labeling labeling(points, 8, bias);
+      CellEnergy& energy = labeling.energy;
+      const Triangulation& t = labeling.stages.triangulation;
+      for (const CellId c : t.finite_cells()) {
+        EXPECT_EQ(energy.least_change(c), energy.least_change(std::array{c}));
+        EXPECT_LE(energy.least_change(c), energy.change(std::array{c}));
+        for (int i = 0; i < 4; ++i) {
+          const CellId d = t.neighbor(c, i);
+          if (t.is_infinite(d) || labeling.out[c] != labeling.out[d]) continue;
+          const Energy least = energy.least_change_with(c, i);
+          EXPECT_EQ(least, energy.least_change(std::array{c, d}));
+          EXPECT_LE(least, energy.change(std::array{c, d}));
+          exact += least == energy.change(std::array{c, d}) ? 1U : 0U;
+        }
+        energy.flip(std::array{c});  // what is remembered must be told anew around it
+      }
+      for (const VertexId v : t.vertices()) {
+        for (const std::vector<CellId>& part : energy.parts_of_star(v)) {
+          if (std::any_of(part.begin(), part.end(), [&](CellId c) { return t.is_infinite(c); })) {
+            continue;
+          }
+          EXPECT_LE(energy.least_change(part), energy.change(part));
+        }
+      }
+    }
+  }
+  EXPECT_GT(exact, 0U);
 }
 
 TEST(CellEnergy, PartsOfStarsAndFlawsAreThoseOfThePlainSearch) {
