@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "geom/mesh_adjacency.h"
+#include "geom/linked_sides.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
@@ -53,7 +53,7 @@ struct BoundaryLoops {
 // per component (orient_surface.h). At an edge with three or more triangles all but the flattest
 // pair are left out first, repeated until there is no such edge. Triangle ids are those of
 // `open_surface`. Each loop begins at the edge with the lexicographically smallest starting point.
-// Result: no loop if the surface is closed or empty. Errors: InputError as mesh_adjacency().
+// Result: no loop if the surface is closed or empty. Errors: InputError as link_sides().
 // Complexity: O(triangles + vertices + rim log rim). Independent of the numbering of the mesh.
 // Source: Woo & Dey 2005, section 3.2. There a boundary edge joins two boundary samples; that also
 // returns chords across corners and misses edges whose end was taken for interior, so the
@@ -61,8 +61,8 @@ struct BoundaryLoops {
 BoundaryLoops boundary_loops(const TriangleMesh& open_surface,
                              const BoundaryLoopOptions& options = {});
 
-// The same for who has the adjacency of the surface.
-BoundaryLoops boundary_loops(const TriangleMesh& open_surface, MeshAdjacency adjacency,
+// The same for who has the linked sides of the surface.
+BoundaryLoops boundary_loops(const TriangleMesh& open_surface, LinkedSides sides,
                              const BoundaryLoopOptions& options = {});
 
 }  // namespace cocoon

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "geom/mesh_adjacency.h"
+#include "cocone/edge_components.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
@@ -21,8 +21,8 @@ struct OrientationReport {
 // Complexity: O(triangles + vertices).
 OrientationReport orient_surface(TriangleMesh& mesh);
 
-// The same for who has the adjacency of the mesh; it stays that of the mesh unless triangles are
-// flipped.
-OrientationReport orient_surface(TriangleMesh& mesh, const MeshAdjacency& adjacency);
+// The same for who has the components of the mesh. Its linked sides stay those of the mesh unless
+// triangles are flipped.
+OrientationReport orient_surface(TriangleMesh& mesh, const EdgeComponents& components);
 
 }  // namespace cocoon

@@ -1,8 +1,11 @@
 #include "update/cloud_rim.h"
 
+#include <cstdint>
 #include <numbers>
 #include <utility>
+#include <vector>
 
+#include "cocone/edge_components.h"
 #include "cocone/orient_surface.h"
 #include "geom/median.h"
 
@@ -10,15 +13,26 @@ namespace cocoon {
 
 namespace {
 
-// Unit normals of the vertices, weighted by area. The triangles must be oriented.
-IdVector<VertexId, Vec3> vertex_normals(const TriangleMesh& mesh) {
+// Unit normals of the vertices of the loops, weighted by area; zero for others. The triangles must
+// be oriented.
+IdVector<VertexId, Vec3> normals_at(const std::vector<BoundaryLoop>& loops,
+                                    const TriangleMesh& mesh) {
+  IdVector<VertexId, std::uint8_t> wanted(mesh.points.size(), 0);
+  for (const BoundaryLoop& loop : loops) {
+    for (const BoundaryEdge& edge : loop.edges) wanted[edge.from] = 1;
+  }
   IdVector<VertexId, Vec3> sums(mesh.points.size());
   for (const auto& [a, b, c] : mesh.triangles) {
+    if ((wanted[a] | wanted[b] | wanted[c]) == 0) continue;
     const Point& origin = mesh.points[a];
     const Vec3 twice_area = cross(mesh.points[b] - origin, mesh.points[c] - origin);
-    for (const VertexId v : {a, b, c}) sums[v] = sums[v] + twice_area;
+    for (const VertexId v : {a, b, c}) {
+      if (wanted[v] != 0) sums[v] = sums[v] + twice_area;
+    }
   }
-  for (Vec3& sum : sums) sum = unit(sum);
+  for (const VertexId v : sums.ids()) {
+    if (wanted[v] != 0) sums[v] = unit(sums[v]);
+  }
   return sums;
 }
 
@@ -53,17 +67,17 @@ double disk_perimeter(const BoundaryLoop& loop, double median_edge) {
 }  // namespace
 
 CloudRim cloud_rim(const TriangleMesh& surface, const RimOptions& options) {
-  return cloud_rim(surface, mesh_adjacency(surface), options);
+  return cloud_rim(surface, link_sides(surface), options);
 }
 
-CloudRim cloud_rim(const TriangleMesh& surface, const MeshAdjacency& adjacency,
+CloudRim cloud_rim(const TriangleMesh& surface, const LinkedSides& sides,
                    const RimOptions& options) {
   TriangleMesh mesh = surface;
   // So that the normals around a loop agree.
-  const bool flipped = orient_surface(mesh, adjacency).flipped > 0;
-  const IdVector<VertexId, Vec3> normals = vertex_normals(mesh);
+  const bool flipped = orient_surface(mesh, edge_components(mesh, sides)).flipped > 0;
   const BoundaryLoops boundary =
-      boundary_loops(mesh, flipped ? mesh_adjacency(mesh) : adjacency, options.loops);
+      boundary_loops(mesh, flipped ? link_sides(mesh) : sides, options.loops);
+  const IdVector<VertexId, Vec3> normals = normals_at(boundary.loops, mesh);
 
   CloudRim rim;
   rim.small_components = boundary.small_components;

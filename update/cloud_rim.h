@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "cocone/boundary_loops.h"
-#include "geom/mesh_adjacency.h"
+#include "geom/linked_sides.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 
@@ -70,8 +70,8 @@ struct RimOptions {
 // Source: Woo & Dey 2005, section 3.2.
 CloudRim cloud_rim(const TriangleMesh& surface, const RimOptions& options = {});
 
-// The same for who has the adjacency of the surface.
-CloudRim cloud_rim(const TriangleMesh& surface, const MeshAdjacency& adjacency,
+// The same for who has the linked sides of the surface.
+CloudRim cloud_rim(const TriangleMesh& surface, const LinkedSides& sides,
                    const RimOptions& options = {});
 
 }  // namespace cocoon

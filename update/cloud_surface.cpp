@@ -19,7 +19,6 @@ struct Foundation {
   Dual dual;
   Poles poles;
   Cocones cocones;
-  NearestPointTree samples;
 };
 
 Foundation lay_foundation(Points cloud, const ReconstructOptions& options,
@@ -29,8 +28,7 @@ Foundation lay_foundation(Points cloud, const ReconstructOptions& options,
   ConeSides sides;
   Poles poles = compute_poles(triangulation, dual, options.cocone.cosine, sides, execution);
   Cocones cocones = intersect_cocones(triangulation, std::move(sides), execution);
-  return {std::move(triangulation), std::move(dual), std::move(poles), std::move(cocones),
-          NearestPointTree(cloud)};
+  return {std::move(triangulation), std::move(dual), std::move(poles), std::move(cocones)};
 }
 
 struct Trial {
@@ -56,7 +54,7 @@ Trial try_search(const Foundation& f, Points cloud, const RimSearch& search,
   SurfaceMesh sheet = surface_of(f.triangulation, manifold.halves);
 
   // 2. Its rim, after trimming, without seams.
-  TrimmedSurface trimmed = trim_long_edges(sheet.mesh, options.trim);
+  TrimmedSurface trimmed = trim_long_edges(std::move(sheet.mesh), options.trim);
   Trial trial;
   CloudSurface& surface = trial.surface;
   surface.mesh = std::move(trimmed.mesh);
@@ -65,8 +63,8 @@ Trial try_search(const Foundation& f, Points cloud, const RimSearch& search,
   for (const VertexId v : surface.mesh.points.ids()) {
     surface.boundary_sample[v] = boundary.boundary[sheet.triangulation_vertex[v]];
   }
-  surface.rim = cloud_rim(surface.mesh, trimmed.adjacency, options.rim);
-  mark_rim_gaps(f.samples, cloud, surface.rim, options.gaps);
+  surface.rim = cloud_rim(surface.mesh, trimmed.sides, options.rim);
+  mark_rim_gaps(cloud, surface.rim, options.gaps);
   surface.rho = search.rho;
   surface.boundary_samples = boundary.count;
   surface.trimmed = trimmed.at_rim + trimmed.in_clusters;

@@ -1,7 +1,11 @@
 #include "update/rim_gaps.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
+
+#include "geom/nearest_point.h"
+#include "update/reached_cells.h"
 
 namespace cocoon {
 
@@ -14,14 +18,38 @@ Vec3 outward(const RimLoop& loop, std::size_t i) {
   return unit(dot(apex, along) * along - apex);
 }
 
-bool has_cloud_beyond(const NearestPointTree& samples, Points cloud, const RimLoop& loop,
+// Where cloud beyond edge i would lie.
+Point place_beyond(const RimLoop& loop, std::size_t i, double spacing) {
+  return 0.5 * (loop.points[i] + loop.points[loop.next(i)]) + spacing * outward(loop, i);
+}
+
+// The samples near the places beyond the edges of all loops: few of the cloud.
+std::vector<Point> samples_beyond(Points cloud, const CloudRim& rim, double reach) {
+  std::vector<Point> places;
+  const auto list = [&](const std::vector<RimLoop>& loops, double spacing) {
+    for (const RimLoop& loop : loops) {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        places.push_back(place_beyond(loop, i, spacing));
+      }
+    }
+  };
+  list(rim.loops, rim.spacing);
+  list(rim.pin_hole_loops, rim.median_edge);
+  if (places.empty()) return {};
+  const double farthest = reach * std::max(rim.spacing, rim.median_edge);
+  const ReachedCells near(places, reach_with_rounding(places, farthest));
+  std::vector<Point> samples;
+  for (const Point& p : cloud) {
+    if (near.overlap(Box{p, p})) samples.push_back(p);
+  }
+  return samples;
+}
+
+bool has_cloud_beyond(const NearestPointTree& tree, Points samples, const RimLoop& loop,
                       std::size_t i, double spacing, double reach) {
-  const Point& from = loop.points[i];
-  const Point& to = loop.points[loop.next(i)];
-  const Point beyond = 0.5 * (from + to) + spacing * outward(loop, i);
-  const NearestPoint nearest = samples.nearest(beyond);
-  const Point& sample = cloud[nearest.point.index()];
-  if (sample == from || sample == to) return false;
+  const NearestPoint nearest = tree.nearest(place_beyond(loop, i, spacing));
+  const Point& sample = samples[nearest.point.index()];
+  if (sample == loop.points[i] || sample == loop.points[loop.next(i)]) return false;
   return nearest.squared_distance <= reach * reach * spacing * spacing;
 }
 
@@ -31,12 +59,14 @@ std::size_t gap_edges(const RimLoop& loop) {
 
 }  // namespace
 
-void mark_rim_gaps(const NearestPointTree& samples, Points cloud, CloudRim& rim,
-                   const RimGapOptions& options) {
+void mark_rim_gaps(Points cloud, CloudRim& rim, const RimGapOptions& options) {
+  const std::vector<Point> samples = samples_beyond(cloud, rim, options.reach);
+  std::optional<NearestPointTree> tree;
+  if (!samples.empty()) tree.emplace(samples);
   const auto mark = [&](RimLoop& loop, double spacing) {
     loop.gap.assign(loop.size(), 0);
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      if (has_cloud_beyond(samples, cloud, loop, i, spacing, options.reach)) loop.gap[i] = 1;
+    for (std::size_t i = 0; tree && i < loop.size(); ++i) {
+      if (has_cloud_beyond(*tree, samples, loop, i, spacing, options.reach)) loop.gap[i] = 1;
     }
   };
   for (RimLoop& loop : rim.loops) mark(loop, rim.spacing);

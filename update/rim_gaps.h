@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "geom/nearest_point.h"
+#include "geom/point.h"
 #include "update/cloud_rim.h"
 
 namespace cocoon {
@@ -19,13 +19,12 @@ struct RimGapOptions {
 // Marks the edges of each loop that have cloud beyond them (RimLoop::gap), takes out the loops that
 // are gaps altogether and counts both. Pin-holes that are gaps go, too, and count nowhere; their
 // spacing is the median edge of the surface.
-// `samples`: the cloud of the rim.
+// `cloud`: that of the rim.
 // Why: at sharp edges no spacing is dense enough for Cocone. Its surface breaks up along them, and
 // the seams are rims like any other, but the samples beyond them belong to the same cloud. Measured
 // on scans of parts with sharp edges: 0 to 30 % such edges on loops where the cloud ends, 55 to
-// 100 % on seams. Complexity: O(rim log(cloud)). Deterministic.
+// 100 % on seams. Complexity: O(cloud + rim log(rim)). Deterministic.
 // Source: ours; Woo & Dey 2005, section 3.2 takes every loop of boundary edges.
-void mark_rim_gaps(const NearestPointTree& samples, Points cloud, CloudRim& rim,
-                   const RimGapOptions& options = {});
+void mark_rim_gaps(Points cloud, CloudRim& rim, const RimGapOptions& options = {});
 
 }  // namespace cocoon

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "geom/mesh_adjacency.h"
+#include "geom/linked_sides.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
@@ -20,7 +20,7 @@ struct TrimOptions {
 
 struct TrimmedSurface {
   TriangleMesh mesh;            // all vertices, fewer triangles, in the same order
-  MeshAdjacency adjacency;      // of that mesh, for who goes on with it
+  LinkedSides sides;            // of that mesh, for who goes on with it
   std::size_t at_rim = 0;       // triangles taken away from the rim inwards
   std::size_t in_clusters = 0;  // triangles taken away in clusters
 };
@@ -29,8 +29,9 @@ struct TrimmedSurface {
 // Spacings are those of the untrimmed surface, so the order does not matter.
 // Why: undersampling is detected relative to the local feature size, not to the spacing. A flat
 // cloud has no feature, so a slot or hole in it is bridged at any rho (longest edge 5 to 38 medians
-// at rho 0.83, 1 to 8 at 0.13). Complexity: O(triangles log triangles).
+// at rho 0.83, 1 to 8 at 0.13). Complexity: O(triangles): the spacing
+// is looked at only where an edge is long beside the shortest one around.
 // Source: ours; not in Woo & Dey 2005.
-TrimmedSurface trim_long_edges(const TriangleMesh& surface, const TrimOptions& options = {});
+TrimmedSurface trim_long_edges(TriangleMesh surface, const TrimOptions& options = {});
 
 }  // namespace cocoon

@@ -27,7 +27,7 @@ TEST(MarkRimGaps, EdgesWithCloudBeyondThem) {
   const FoldedSheet sheet;
   CloudRim rim = cloud_rim(sheet.floor);
   ASSERT_EQ(rim.loops.size(), 1U);
-  mark_rim_gaps(NearestPointTree(sheet.cloud), sheet.cloud, rim);
+  mark_rim_gaps(sheet.cloud, rim);
   ASSERT_EQ(rim.loops.size(), 1U);
   const RimLoop& loop = rim.loops[0];
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -50,7 +50,7 @@ TEST(MarkRimGaps, ALoopOfSuchEdgesIsNoRim) {
     }
   }
   CloudRim rim = cloud_rim(floor);
-  mark_rim_gaps(NearestPointTree(cloud), cloud, rim);
+  mark_rim_gaps(cloud, rim);
   EXPECT_TRUE(rim.loops.empty());
   EXPECT_EQ(rim.gap_loops, 1U);
 }
@@ -58,7 +58,7 @@ TEST(MarkRimGaps, ALoopOfSuchEdgesIsNoRim) {
 TEST(MarkRimGaps, AFreeRimHasNone) {
   const TriangleMesh floor = testing::grid_plane(10);
   CloudRim rim = cloud_rim(floor);
-  mark_rim_gaps(NearestPointTree(floor.points.raw()), floor.points.raw(), rim);
+  mark_rim_gaps(floor.points.raw(), rim);
   ASSERT_EQ(rim.loops.size(), 1U);
   EXPECT_EQ(rim.gap_edges, 0U);
 }

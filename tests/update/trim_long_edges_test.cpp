@@ -1,7 +1,14 @@
 #include "update/trim_long_edges.h"
 
+#include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
+#include <map>
+#include <set>
+#include <vector>
 
+#include "geom/median.h"
+#include "geom/random.h"
 #include "tests/update/hand_made_models.h"
 
 namespace cocoon {
@@ -69,6 +76,55 @@ TEST(TrimLongEdges, KeepsAnEvenSurface) {
     EXPECT_EQ(trim_long_edges(mesh).mesh.triangles, mesh.triangles);
   }
   EXPECT_TRUE(trim_long_edges({}).mesh.triangles.empty());
+}
+
+// The triangles without a long edge, by the definition.
+IdVector<TriangleId, Triangle> without_long_edges(const TriangleMesh& mesh, double max_edge) {
+  std::map<VertexId, std::set<VertexId>> around;
+  for (const Triangle& t : mesh.triangles) {
+    for (const VertexId v : t) around[v].insert(t.begin(), t.end());
+  }
+  std::map<VertexId, double> quartiles;
+  const auto length = [&](VertexId a, VertexId b) {
+    return distance(mesh.points[a], mesh.points[b]);
+  };
+  for (auto& [v, others] : around) {
+    others.erase(v);
+    std::vector<double> lengths;
+    for (const VertexId w : others) lengths.push_back(length(v, w));
+    quartiles[v] = quantile_in_place(lengths, 0.25);
+  }
+  const auto spacing = [&](VertexId v) {
+    std::vector<double> numbers{quartiles[v]};
+    for (const VertexId w : around[v]) numbers.push_back(quartiles[w]);
+    return median(numbers);
+  };
+  const auto is_long = [&](VertexId a, VertexId b) {
+    return length(a, b) > max_edge * std::min(spacing(a), spacing(b));
+  };
+  IdVector<TriangleId, Triangle> kept;
+  for (const Triangle& t : mesh.triangles) {
+    if (is_long(t[0], t[1]) || is_long(t[1], t[2]) || is_long(t[2], t[0])) continue;
+    kept.push_back(t);
+  }
+  return kept;
+}
+
+TEST(TrimLongEdges, WhatIsLongIsAsDefined) {
+  Random random(8);
+  std::size_t removed = 0;
+  for (const double jitter : {0.2, 0.5, 2.0}) {
+    TriangleMesh mesh = testing::grid_plane(12);
+    for (Point& p : mesh.points) p = p + random.uniform(0, jitter) * random.on_unit_sphere();
+    for (const double max_edge : {1.2, 2.0, 5.0}) {
+      const TrimmedSurface trimmed =
+          trim_long_edges(mesh, {.max_edge = max_edge, .min_cluster = 1});
+      EXPECT_EQ(trimmed.mesh.triangles, without_long_edges(mesh, max_edge));
+      EXPECT_EQ(trimmed.sides.links, link_sides(trimmed.mesh).links);
+      removed += trimmed.in_clusters;
+    }
+  }
+  EXPECT_GT(removed, 100U);
 }
 
 }  // namespace
