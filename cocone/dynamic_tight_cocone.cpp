@@ -9,6 +9,7 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/id_vector.h"
+#include "geom/large_pages.h"
 #include "geom/triangle_order.h"
 #include "geom/working_scale.h"
 
@@ -326,6 +327,7 @@ void DynamicTightCocone::State::replace_triangles(const IdVector<VertexId, Verte
   const IdVector<VertexId, VertexId> after = kept_vertices(number);
   std::vector<Triangle> merged;
   merged.reserve(triangles.size() + fresh.size());
+  prefer_large_pages(merged);
   auto next = fresh.begin();
   Triangle last = lowest_triangle;
   bool sorted = true;
@@ -353,7 +355,15 @@ ReconstructResult DynamicTightCocone::State::assemble(Points points) {
   result.mesh.points.reserve(count);
   result.point_of_vertex.reserve(count);
   result.normals.reserve(count);
+  prefer_large_pages(result.mesh.points.raw());
+  prefer_large_pages(result.normals.raw());
+  constexpr std::size_t ahead = 16;  // points come in any order: what they need is asked for early
   for (const PointId p : vertex_of_point.ids()) {
+    if (p.index() + ahead < points.size()) {
+      const VertexId soon = vertex_of_point[PointId(p.index() + ahead)];
+      __builtin_prefetch(&number[soon]);
+      __builtin_prefetch(&candidates.normal(soon));
+    }
     const VertexId v = vertex_of_point[p];
     if (!number[v].is_none()) continue;
     number[v] = result.mesh.points.push_back(points[p.index()]);

@@ -330,19 +330,25 @@ void LiveCandidates::update_candidates(const Part& part, const Execution& execut
   IdVector<VertexId, std::uint32_t> fan(t.num_vertices(), 0);     // now
   IdVector<VertexId, std::uint32_t> growth(t.num_vertices(), 0);  // modulo 2^32
   VertexSet touched(t.num_vertices(), 0);
+  // Facets that were candidates or are, each from one of the cells that say so.
+  const auto before_or_now = [&](CellId c) {
+    return (known_.cell_flags[patch.slot_of_cell[c]] & cell_flag::candidate_facets) |
+           unsigned{candidates.bits(c)};
+  };
   for (const CellId c : t.cells()) {
-    for (int i = 0; i < 4; ++i) {
+    const unsigned told = before_or_now(c);
+    for (int i = 0; told >> i != 0; ++i) {
+      const unsigned bit = 1U << i;
       const FacetId f = facet_id(c, i);
+      if ((told & bit) == 0 || !t.is_finite_facet(f) || !part.has(part.fresh, f)) continue;
       const FacetId m = t.mirror(f);
-      if (m < f || !t.is_finite_facet(f) || !part.has(part.fresh, f)) continue;
+      const unsigned mirror_bit = 1U << index_of(m);
+      if (m < f && (before_or_now(cell_of(m)) & mirror_bit) != 0) continue;  // was looked at
       const CellId here = patch.slot_of_cell[c];
       const CellId there = patch.slot_of_cell[cell_of(m)];
-      const unsigned bit = 1U << i;
-      const unsigned mirror_bit = 1U << index_of(m);
       const bool before =
           (known_.cell_flags[here] & bit) != 0 || (known_.cell_flags[there] & mirror_bit) != 0;
       const bool now = candidates.contains(f);
-      if (!before && !now) continue;
       const bool pruned =
           now && ((known_.pruned[here] & bit) != 0 || (known_.pruned[there] & mirror_bit) != 0);
       const auto write = [&](CellId slot, unsigned which) {

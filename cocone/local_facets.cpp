@@ -16,22 +16,28 @@ LocalFacets FacetCollector::link(const DynamicDelaunay& delaunay, std::vector<Fa
   LocalFacets local;
   LinkedFacets& triangles = local.triangles;
   triangles.facets = std::move(facets);
+  triangles.mirrors.reserve(triangles.facets.size());
+  triangles.corners.reserve(triangles.facets.size());
+  vertex_here_.resize(delaunay.num_vertex_slots());
   std::vector<VertexId> vertices;
   for (const FacetId f : triangles.facets) {
     triangles.mirrors.push_back(view.mirror(f));
     triangles.corners.push_back(view.facet_vertices(f));
-    const Triangle& corners = triangles.corners.back();
-    vertices.insert(vertices.end(), corners.begin(), corners.end());
+    for (const VertexId v : triangles.corners.back()) {
+      if (!vertex_here_[v].is_none()) continue;
+      vertex_here_[v] = v;  // listed
+      vertices.push_back(v);
+    }
   }
   std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   IdVector<VertexId, Point> points;
-  vertex_here_.resize(delaunay.num_vertex_slots());
+  points.reserve(vertices.size());
   for (const VertexId v : vertices) vertex_here_[v] = points.push_back(view.point(v));
   local.vertex_in_whole = IdVector<VertexId, VertexId>(std::move(vertices));
   for (Triangle& corners : triangles.corners) {
     for (VertexId& v : corners) v = vertex_here_[v];
   }
+  for (const VertexId v : local.vertex_in_whole) vertex_here_[v] = VertexId();
   link_corners(points, triangles);
   return local;
 }

@@ -1,6 +1,5 @@
 #include "cocone/local_patch.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace cocoon {
@@ -9,33 +8,43 @@ LocalPatch PatchBuilder::build(const DynamicDelaunay& delaunay, std::span<const 
   const TriangulationView view = delaunay.view();
   cell_here_.resize(view.cell_records().size());
   vertex_here_.resize(delaunay.num_vertex_slots());
+  // Finite cells first.
   const std::span<const CellId> cells = stars_.stars(delaunay, core);
-  slots_.assign(cells.begin(), cells.end());
-  const auto first_infinite = std::stable_partition(slots_.begin(), slots_.end(),
-                                                    [&](CellId c) { return !view.is_infinite(c); });
-  const auto finite_cells = static_cast<std::size_t>(first_infinite - slots_.begin());
+  slots_.clear();
+  infinite_.clear();
+  for (const CellId c : cells) (view.is_infinite(c) ? infinite_ : slots_).push_back(c);
+  const std::size_t finite_cells = slots_.size();
+  slots_.insert(slots_.end(), infinite_.begin(), infinite_.end());
   for (std::size_t i = 0; i < slots_.size(); ++i) cell_here_[slots_[i]] = CellId(i);
 
   LocalPatch patch;
   TriangulationArrays arrays;
-  arrays.cells.reserve(slots_.size());
+  arrays.cells.resize(slots_.size());
   for (std::size_t k = 0; k < slots_.size(); ++k) {
+    // Cells and what lies at their neighbors are asked for in advance.
+    if (k + 16 < slots_.size()) __builtin_prefetch(&view.cell(slots_[k + 16]));
+    if (k + 8 < slots_.size()) {
+      for (const FacetId f : view.cell(slots_[k + 8]).neighbors) {
+        __builtin_prefetch(&cell_here_[cell_of(f)]);
+      }
+    }
     const CellId here(k);
-    Cell cell = view.cell(slots_[k]);
+    Cell& cell = arrays.cells[here];
+    cell = view.cell(slots_[k]);
     for (VertexId& v : cell.vertices) {
       if (v == infinite_vertex) continue;
-      if (vertex_here_[v].is_none()) {
-        vertex_here_[v] = arrays.points.push_back(view.point(v));
+      VertexId& number = vertex_here_[v];
+      if (number.is_none()) {
+        number = arrays.points.push_back(view.point(v));
         patch.vertex_in_whole.push_back(v);
       }
-      v = vertex_here_[v];
+      v = number;
     }
     for (int i = 0; i < 4; ++i) {
       FacetId& f = cell.neighbors[static_cast<std::size_t>(i)];
       const CellId behind = cell_here_[cell_of(f)];
       f = behind.is_none() ? facet_id(here, i) : facet_id(behind, index_of(f));
     }
-    arrays.cells.push_back(cell);
   }
   patch.is_core = VertexSet(arrays.points.size(), 0);
   for (const VertexId v : core) patch.is_core[vertex_here_[v]] = 1;

@@ -35,6 +35,7 @@ class PatchBuilder {
   IdVector<CellId, CellId> cell_here_;
   IdVector<VertexId, VertexId> vertex_here_;
   std::vector<CellId> slots_;
+  std::vector<CellId> infinite_;
 };
 
 }  // namespace cocoon

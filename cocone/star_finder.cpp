@@ -17,6 +17,7 @@ std::span<const CellId> StarFinder::stars(const DynamicDelaunay& delaunay,
     if (seen_[c] != 0) return;
     seen_[c] = 1;
     cells_.push_back(c);
+    __builtin_prefetch(&view.cell(c));  // looked at later
   };
   std::size_t next = 0;
   for (const VertexId v : vertices) {

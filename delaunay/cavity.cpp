@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
 namespace cocoon {
@@ -9,7 +10,7 @@ namespace {
 
 // Vertices of a zone are numbered by their places in its list. Of the table of directed edges most
 // zones use 24 rows of 24 entries, which stay in the L1 cache. Local ids fit a byte, and a table of
-// 256 rows the L2 cache; the few larger zones pair their edges by sorting.
+// 256 rows the L2 cache; the few larger zones pair their edges by hashing.
 constexpr unsigned small_stride = 64;
 constexpr unsigned large_stride = 256;
 
@@ -133,37 +134,37 @@ void CavityInserter::build_star(VertexId v, const ConflictZone& zone) {
   }
 }
 
-// The same for borders of any size.
+// The same for borders of any size: the first of the two facets at an edge waits for the other one
+// in a hash table.
 void CavityInserter::build_large_star(VertexId v, std::span<const FacetId> border) {
-  struct EdgeFacet {
-    VertexId low, high;  // the edge, undirected
-    FacetId facet;
+  const std::size_t size = std::bit_ceil(4 * border.size());
+  const int shift = 64 - std::countr_zero(size);
+  waiting_.assign(size, {});
+  const auto pair_up = [&](FacetId facet, VertexId a, VertexId b) {
+    const std::uint64_t edge = std::uint64_t{std::min(a, b).value} << 32 | std::max(a, b).value;
+    std::size_t place = edge * 0x9E3779B97F4A7C15U >> shift;
+    while (waiting_[place].edge != edge && waiting_[place].edge != no_edge) {
+      place = (place + 1) & (size - 1);
+    }
+    if (waiting_[place].edge == no_edge) {
+      waiting_[place] = {edge, facet};
+      return;
+    }
+    const FacetId other = waiting_[place].facet;
+    pool_.cells[cell_of(facet)].neighbors[static_cast<std::size_t>(index_of(facet))] = other;
+    pool_.cells[cell_of(other)].neighbors[static_cast<std::size_t>(index_of(other))] = facet;
   };
-  std::vector<EdgeFacet> edges;
-  edges.reserve(border.size() * 3);
   for (std::size_t b = 0; b < border.size(); ++b) {
     const FacetId outer = border[b];
+    const CellId c = slots_[b];
     Cell& behind = pool_.cells[cell_of(outer)];
-    Cell& created = pool_.cells[slots_[b]];
     const auto [v0, v1, v2] = corners_of(behind, outer);
-    created.vertices = {v0, v1, v2, v};
-    created.neighbors[3] = outer;
-    behind.neighbors[static_cast<std::size_t>(index_of(outer))] = facet_id(slots_[b], 3);
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(created.vertices[static_cast<std::size_t>((k + 1) % 3)],
-                                           created.vertices[static_cast<std::size_t>((k + 2) % 3)]);
-      edges.push_back({low, high, facet_id(slots_[b], k)});
-    }
-  }
-  std::sort(edges.begin(), edges.end(), [](const EdgeFacet& a, const EdgeFacet& b) {
-    return a.low != b.low ? a.low < b.low : a.high < b.high;
-  });
-  const auto link = [&](FacetId facet, FacetId to) {
-    pool_.cells[cell_of(facet)].neighbors[static_cast<std::size_t>(index_of(facet))] = to;
-  };
-  for (std::size_t i = 0; i < edges.size(); i += 2) {
-    link(edges[i].facet, edges[i + 1].facet);
-    link(edges[i + 1].facet, edges[i].facet);
+    pool_.cells[c].vertices = {v0, v1, v2, v};
+    pool_.cells[c].neighbors[3] = outer;
+    behind.neighbors[static_cast<std::size_t>(index_of(outer))] = facet_id(c, 3);
+    pair_up(facet_id(c, 0), v1, v2);
+    pair_up(facet_id(c, 1), v2, v0);
+    pair_up(facet_id(c, 2), v0, v1);
   }
 }
 

@@ -88,6 +88,13 @@ class CavityInserter {
   // Number of a vertex of the zone; anything elsewhere. Memory is taken where it is written to.
   std::vector<std::uint8_t, OverwriteAllocator<std::uint8_t>> local_id_;
   std::vector<FacetId> edge_table_;  // facet of a new cell by (local id, local id) of its edge
+  // Of large borders: a facet of a new cell by its edge, the smaller vertex in the upper half.
+  static constexpr std::uint64_t no_edge = ~std::uint64_t{0};
+  struct WaitingFacet {
+    std::uint64_t edge = no_edge;
+    FacetId facet;
+  };
+  std::vector<WaitingFacet> waiting_;
 };
 
 }  // namespace cocoon

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -41,7 +42,7 @@ struct DynamicDelaunay::State {
   void require_vertices(std::span<const VertexId> vertices) const;
 
   void begin_journal();
-  void touch(CellId c, bool was_live);
+  void touch(std::span<const CellId> gone, std::span<const CellId> fresh);
   void update_cells_at_vertices();
   void write_journal(DelaunayChange& change);
 
@@ -99,12 +100,17 @@ void DynamicDelaunay::State::begin_journal() {
   deleted.clear();
 }
 
-void DynamicDelaunay::State::touch(CellId c, bool was_live) {
+// Cells that are gone, or are to go, and new ones.
+void DynamicDelaunay::State::touch(std::span<const CellId> gone, std::span<const CellId> fresh) {
   if (is_touched.size() < pool.cells.size()) is_touched.resize(pool.cells.size(), 0);
-  if (is_touched[c] != 0) return;
-  is_touched[c] = 1;
-  touched.push_back(c);
-  if (was_live) deleted.push_back(c);
+  for (const CellId c : gone) {
+    if (std::exchange(is_touched[c], 1) != 0) continue;
+    touched.push_back(c);
+    deleted.push_back(c);
+  }
+  for (const CellId c : fresh) {
+    if (std::exchange(is_touched[c], 1) == 0) touched.push_back(c);
+  }
 }
 
 // A vertex whose cell was deleted is in one of the cells that came in its place.
@@ -172,8 +178,7 @@ VertexId DynamicDelaunay::State::take_vertex(const Point& p) {
 
 CellId DynamicDelaunay::State::insert_vertex(VertexId v, CellId start, DelaunayCounters& counters) {
   last_created = inserter.insert(v, start, counters);
-  for (const CellId c : inserter.removed_cells()) touch(c, true);
-  for (const CellId c : inserter.new_cells()) touch(c, false);
+  touch(inserter.removed_cells(), inserter.new_cells());
   cell_at[v] = last_created;
   ++num_vertices;
   return last_created;
@@ -212,8 +217,7 @@ void DynamicDelaunay::State::insert_points(Points given, const Execution& execut
 void DynamicDelaunay::State::commit_removal(std::span<const VertexId> vertices,
                                             DelaunayChange& change) {
   remover.commit();
-  for (const CellId c : remover.deleted_cells()) touch(c, true);
-  for (const CellId c : remover.new_cells()) touch(c, false);
+  touch(remover.deleted_cells(), remover.new_cells());
   for (const VertexId v : vertices) cell_at[v] = CellId();
   num_vertices -= vertices.size();
   last_created = remover.new_cells().back();
@@ -252,9 +256,11 @@ void DynamicDelaunay::State::rebuild(Points given, const Execution& execution,
     change.insertion = result.counters;
     fresh = std::move(result.triangulation);
   }
+  std::vector<CellId> gone;
   for (const CellId c : pool.cells.ids()) {
-    if (!pool.is_free(c)) touch(c, true);
+    if (!pool.is_free(c)) gone.push_back(c);
   }
+  touch(gone, {});
   change.duplicates = fresh.num_duplicates();
   change.vertex_of_point = fresh.vertex_of_point().raw();
   for (const VertexId v : fresh.vertices()) change.inserted.push_back(v);

@@ -11,6 +11,7 @@
 #include "geom/changed_adjacency.h"
 #include "geom/equal_points.h"
 #include "geom/errors.h"
+#include "geom/zeroed_array.h"
 
 namespace cocoon {
 
@@ -61,27 +62,20 @@ IdVector<TriangleId, std::uint32_t> components_of(const MeshAdjacency& adjacency
   return components;
 }
 
-// Whether one can go from each of the triangles to each other one within them. Ascending.
+// Whether one can go from each of the triangles, all different, to each other one within them.
 bool hang_together(std::span<const TriangleId> triangles, const MeshAdjacency& adjacency) {
   if (triangles.empty()) return true;
-  const auto place_of = [&](TriangleId t) {
-    const auto found = std::lower_bound(triangles.begin(), triangles.end(), t);
-    return found == triangles.end() || *found != t ? triangles.end() : found;
-  };
-  std::vector<std::uint8_t> reached(triangles.size(), 0);
-  reached[0] = 1;
+  ZeroedArray<TriangleId, std::uint8_t> open(adjacency.neighbors.size());  // and not reached yet
+  for (const TriangleId t : triangles) open[t] = 1;
+  open[triangles[0]] = 0;
   std::size_t count = 1;
   std::vector<TriangleId> stack(1, triangles[0]);
   while (!stack.empty()) {
     const TriangleId t = stack.back();
     stack.pop_back();
     for (const TriangleId next : adjacency.neighbors[t]) {
-      if (next.is_none()) continue;
-      const auto place = place_of(next);
-      if (place == triangles.end()) continue;
-      std::uint8_t& mark = reached[static_cast<std::size_t>(place - triangles.begin())];
-      if (mark != 0) continue;
-      mark = 1;
+      if (next.is_none() || open[next] == 0) continue;
+      open[next] = 0;
       ++count;
       stack.push_back(next);
     }
