@@ -109,10 +109,10 @@ auto timed(Times& times, const std::string& name, Body body) {
 TriangleMesh run_stages(Points points, const Execution& execution, Times& times) {
   Triangulation t =
       timed(times, "delaunay", [&] { return delaunay(points, {}, execution).triangulation; });
-  const Dual dual = timed(times, "voronoi_dual", [&] { return voronoi_dual(t, execution); });
+  Dual dual;
   ConeSides sides;
   const Poles poles = timed(times, "poles", [&] {
-    return compute_poles(t, dual, CoconeOptions().cosine, sides, execution);
+    return compute_poles(t, CoconeOptions().cosine, dual, sides, execution);
   });
   const Cocones cocones =
       timed(times, "cocones", [&] { return intersect_cocones(t, std::move(sides), execution); });

@@ -1,5 +1,8 @@
 #include "cocone/cell_arms.h"
 
+#include <algorithm>
+#include <span>
+
 #include "cocone/double_cone.h"
 
 // Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
@@ -7,50 +10,101 @@
 #define HWY_TARGET_INCLUDE "cocone/cell_arms.cpp"
 #include <hwy/foreach_target.h>
 // clang-format off: must come after foreach_target.h
-#include "delaunay/lanes-inl.h"
+#include <hwy/highway.h>
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace cocoon::HWY_NAMESPACE {
 
-HWY_INLINE FourVectors at_corners(const IdVector<VertexId, Vec3>& vectors, const Cell& cell) {
-  const auto& [a, b, c, d] = cell.vertices;
-  return load_triples(&vectors[a].x, &vectors[b].x, &vectors[c].x, &vectors[d].x);
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::CappedTag<double, circumcenter_batch_size>;
+using Vector = hn::Vec<Lanes>;
+
+struct Vectors {
+  Vector x, y, z;
+};
+
+HWY_INLINE Vectors load(const BatchOfPoints& points, std::size_t first) {
+  const Lanes d;
+  return {hn::Load(d, &points[0][first]), hn::Load(d, &points[1][first]),
+          hn::Load(d, &points[2][first])};
+}
+HWY_INLINE Vectors minus(const Vectors& a, const Vectors& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+// Rounds as dot() of geom/point.h.
+HWY_INLINE Vector dot(const Vectors& a, const Vectors& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+// Bit i: lane i.
+HWY_INLINE std::uint64_t bits_of(hn::Mask<Lanes> mask) {
+  std::uint8_t bytes[8];  // StoreMaskBits may write this many
+  hn::StoreMaskBits(Lanes(), mask, bytes);
+  return bytes[0] & ((1U << hn::Lanes(Lanes())) - 1U);
 }
 
-HWY_INLINE FourVectors arms_of(const Triangulation& triangulation, const Dual& dual, CellId c) {
-  const Point& center = dual.centers[c];
-  const FourVectors centers{broadcast(center.x), broadcast(center.y), broadcast(center.z)};
-  return centers - at_corners(triangulation.points(), triangulation.cell(c));
-}
-
-void squared_arms(const Triangulation& triangulation, const Dual& dual, CellId first,
-                  std::size_t count, SquaredArms& arms) {
-  for (std::size_t k = 0; k < count; ++k) {
-    const FourVectors arm = arms_of(triangulation, dual, CellId(first.index() + k));
-    store(dot(arm, arm), &arms.lengths[4 * k]);
+void squared_arms(const CellBlock& block, SquaredArms& arms) {
+  const Lanes d;
+  for (std::size_t b = 0; b < block.used().size(); ++b) {
+    const CircumcenterBatch& batch = block.batches[b];
+    for (std::size_t first = 0; first < circumcenter_batch_size; first += hn::Lanes(d)) {
+      const Vectors centers = load(batch.centers, first);
+      for (std::size_t j = 0; j < 4; ++j) {
+        const Vectors arm = minus(centers, load(batch.corners[j], first));
+        hn::Store(dot(arm, arm), d, &arms.lengths[b][j][first]);
+      }
+    }
   }
 }
 
-void arm_sides(const Triangulation& triangulation, const Dual& dual,
-               const IdVector<VertexId, Vec3>& normals, double squared_cosine, CellId first,
-               std::size_t count, ArmSides& arms) {
-  const Four zero = broadcast(0);
-  const Four cosine = broadcast(squared_cosine);
-  const Four most = broadcast(largest_safe_length * largest_safe_length);
-  const Four least = broadcast(smallest_safe_length * smallest_safe_length);
-  for (std::size_t k = 0; k < count; ++k) {
-    const CellId c(first.index() + k);
-    const FourVectors arm = arms_of(triangulation, dual, c);
-    const Four along = dot(arm, at_corners(normals, triangulation.cell(c)));
-    const Four squared = dot(arm, arm);
-    const unsigned nappes = is_greater(along * along, cosine * squared);
-    const unsigned positive = is_greater(along, zero);
-    const unsigned safe = bits_of(both(greater(most, squared), greater(squared, least)));
-    store(squared, &arms.squared.lengths[4 * k]);
-    arms.negative[k] = static_cast<std::uint8_t>(is_greater(zero, along));
-    arms.nappes[k] = static_cast<std::uint8_t>((nappes & ~positive) | (nappes & positive) << 4);
-    arms.unsafe[k] = static_cast<std::uint8_t>(15U & ~safe);
+// Byte i of the result: bit i of each of the eight bytes.
+HWY_INLINE std::uint64_t transposed_bits(std::uint64_t bits) {
+  const auto swap = [&bits](int distance, std::uint64_t lower) {
+    const std::uint64_t differ = (bits ^ (bits >> distance)) & lower;
+    bits ^= differ ^ (differ << distance);
+  };
+  swap(7, 0x00AA00AA00AA00AAU);
+  swap(14, 0x0000CCCC0000CCCCU);
+  swap(28, 0x00000000F0F0F0F0U);
+  return bits;
+}
+
+using NormalBatches =
+    std::array<std::array<BatchOfPoints, 4>, max_block_cells / circumcenter_batch_size>;
+
+void sides_of_batches(const CellBlock& block, const NormalBatches& normals, double squared_cosine,
+                      ArmSides& arms) {
+  const Lanes d;
+  const Vector zero = hn::Zero(d);
+  const Vector cosine = hn::Set(d, squared_cosine);
+  const Vector most = hn::Set(d, largest_safe_length * largest_safe_length);
+  const Vector least = hn::Set(d, smallest_safe_length * smallest_safe_length);
+  for (std::size_t b = 0; b < block.used().size(); ++b) {
+    const CircumcenterBatch& batch = block.batches[b];
+    std::uint64_t nappes = 0;  // byte j: below at corner j, byte 4 + j: above
+    std::uint64_t unsafe = 0;
+    for (std::size_t first = 0; first < circumcenter_batch_size; first += hn::Lanes(d)) {
+      const Vectors centers = load(batch.centers, first);
+      for (std::size_t j = 0; j < 4; ++j) {
+        const Vectors arm = minus(centers, load(batch.corners[j], first));
+        const Vector along = dot(arm, load(normals[b][j], first));
+        const Vector squared = dot(arm, arm);
+        const auto in_nappe = hn::Gt(hn::Mul(along, along), hn::Mul(cosine, squared));
+        const auto positive = hn::Gt(along, zero);
+        const auto safe = hn::And(hn::Lt(squared, most), hn::Gt(squared, least));
+        const auto is_lower = hn::And(hn::Lt(along, zero), safe);
+        hn::Store(hn::IfThenElseZero(is_lower, squared), d, &arms.lower.lengths[b][j][first]);
+        nappes |= bits_of(hn::AndNot(positive, in_nappe)) << (8 * j + first);
+        nappes |= bits_of(hn::And(positive, in_nappe)) << (8 * (4 + j) + first);
+        unsafe |= bits_of(hn::Not(safe)) << (8 * j + first);
+      }
+    }
+    nappes = transposed_bits(nappes);
+    unsafe = unsafe == 0 ? 0 : transposed_bits(unsafe);
+    for (std::size_t i = 0; i < circumcenter_batch_size; ++i) {
+      arms.nappes[b * circumcenter_batch_size + i] = static_cast<std::uint8_t>(nappes >> (8 * i));
+      arms.unsafe[b * circumcenter_batch_size + i] = static_cast<std::uint8_t>(unsafe >> (8 * i));
+    }
   }
 }
 
@@ -62,18 +116,29 @@ HWY_AFTER_NAMESPACE();
 namespace cocoon {
 
 HWY_EXPORT(squared_arms);
-HWY_EXPORT(arm_sides);
+HWY_EXPORT(sides_of_batches);
 
-void squared_arms(const Triangulation& triangulation, const Dual& dual, CellId first,
-                  std::size_t count, SquaredArms& arms) {
-  HWY_DYNAMIC_DISPATCH(squared_arms)(triangulation, dual, first, count, arms);
+void squared_arms(const CellBlock& block, SquaredArms& arms) {
+  HWY_DYNAMIC_DISPATCH(squared_arms)(block, arms);
 }
 
-void arm_sides(const Triangulation& triangulation, const Dual& dual,
-               const IdVector<VertexId, Vec3>& normals, double squared_cosine, CellId first,
-               std::size_t count, ArmSides& arms) {
-  HWY_DYNAMIC_DISPATCH(arm_sides)
-  (triangulation, dual, normals, squared_cosine, first, count, arms);
+void arm_sides(const Triangulation& triangulation, const IdVector<VertexId, Vec3>& normals,
+               double squared_cosine, CellId first, const CellBlock& block, ArmSides& arms) {
+  alignas(64) std::array<std::array<BatchOfPoints, 4>, max_block_cells / circumcenter_batch_size>
+      of_corners;
+  const std::size_t end = block.used().size() * circumcenter_batch_size;
+  for (std::size_t k = 0; k < end; ++k) {
+    const Cell& cell = triangulation.cell(CellId(first.index() + std::min(k, block.size - 1)));
+    auto& batch = of_corners[k / circumcenter_batch_size];
+    const std::size_t lane = k % circumcenter_batch_size;
+    for (std::size_t j = 0; j < 4; ++j) {
+      const Vec3& normal = normals[cell.vertices[j]];
+      batch[j][0][lane] = normal.x;
+      batch[j][1][lane] = normal.y;
+      batch[j][2][lane] = normal.z;
+    }
+  }
+  HWY_DYNAMIC_DISPATCH(sides_of_batches)(block, of_corners, squared_cosine, arms);
 }
 
 }  // namespace cocoon

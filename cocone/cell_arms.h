@@ -1,4 +1,4 @@
-// The arms of cells: from the corners to the circumcenter, four at once in SIMD lanes.
+// The arms of cells: from the corners to the circumcenter, many at once in SIMD lanes.
 #pragma once
 
 #include <array>
@@ -12,31 +12,31 @@
 
 namespace cocoon {
 
-inline constexpr std::size_t max_arm_cells = 128;
-
-// The arms of some successive cells; arm 4 k + j: of corner j of cell k.
+// Of the arms of the cells of a block, by batches, corners, and cells of the batch.
 struct SquaredArms {
-  alignas(32) std::array<double, 4 * max_arm_cells> lengths;
+  using Batch = std::array<std::array<double, circumcenter_batch_size>, 4>;
+  alignas(64) std::array<Batch, max_block_cells / circumcenter_batch_size> lengths;
+
+  // Of corner j of cell k.
+  double at(std::size_t k, std::size_t j) const {
+    return lengths[k / circumcenter_batch_size][j][k % circumcenter_batch_size];
+  }
 };
 
 // And how they lie to the normals of their corners. One bit per corner.
 struct ArmSides {
-  SquaredArms squared;
-  std::array<std::uint8_t, max_arm_cells> negative;  // arm . normal < 0
+  SquaredArms lower;  // of those below the tangent planes, arm . normal < 0, if not unsafe; else 0
   // In the lower nappe of the double cone (double_cone.h), and 16 times in the upper one.
-  std::array<std::uint8_t, max_arm_cells> nappes;
+  std::array<std::uint8_t, max_block_cells> nappes;
   // Not between the safe lengths of double_cone.h: nothing above is to be trusted.
-  std::array<std::uint8_t, max_arm_cells> unsafe;
+  std::array<std::uint8_t, max_block_cells> unsafe;
 };
 
-// squared_norm(center - point) of the cells first ... first + count - 1, bit for bit.
-// Preconditions: finite cells; count <= max_arm_cells. Complexity: O(count).
-void squared_arms(const Triangulation& triangulation, const Dual& dual, CellId first,
-                  std::size_t count, SquaredArms& arms);
+// squared_norm(center - point), bit for bit. Complexity: O(cells).
+void squared_arms(const CellBlock& block, SquaredArms& arms);
 
-// And the sides, as dot() and cone_side() tell them. Preconditions as above.
-void arm_sides(const Triangulation& triangulation, const Dual& dual,
-               const IdVector<VertexId, Vec3>& normals, double squared_cosine, CellId first,
-               std::size_t count, ArmSides& arms);
+// And the sides, as dot() and cone_side() tell them; of the block of cells first, first + 1, ...
+void arm_sides(const Triangulation& triangulation, const IdVector<VertexId, Vec3>& normals,
+               double squared_cosine, CellId first, const CellBlock& block, ArmSides& arms);
 
 }  // namespace cocoon

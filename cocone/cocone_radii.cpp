@@ -1,10 +1,12 @@
 #include "cocone/cocone_radii.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -75,12 +77,34 @@ struct DualEnds {
   bool is_ray = false;
 };
 
-DualEnds dual_ends(const Triangulation& triangulation, const Dual& dual, FacetId f) {
-  const CellId behind = cell_of(triangulation.mirror(f));
-  const Point& here = dual.centers[cell_of(f)];  // finite: the id is canonical
-  const Point& there = dual.centers[behind];
-  if (triangulation.is_infinite(behind)) return {here, there, true};
-  return there < here ? DualEnds{there, here, false} : DualEnds{here, there, false};
+// Calls visit(k, ends) for the facets begin ... end - 1 of `cocones`.
+template <class Visit>
+void for_each_dual_edge(const Triangulation& triangulation, const Dual& dual,
+                        const Cocones& cocones, std::size_t begin, std::size_t end, Visit visit) {
+  constexpr std::size_t facets_per_block = max_block_cells / 2;
+  std::array<CellId, max_block_cells> cells;
+  CellBlock block;
+  for (std::size_t first = begin; first < end; first += facets_per_block) {
+    const std::size_t count = std::min(facets_per_block, end - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      const FacetId f = cocones.facets[first + k];
+      const CellId behind = cell_of(triangulation.mirror(f));
+      cells[2 * k] = cell_of(f);  // finite: the id is canonical
+      cells[2 * k + 1] = triangulation.is_infinite(behind) ? cell_of(f) : behind;
+    }
+    load_cells(triangulation, dual, std::span(cells).first(2 * count), block);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Point here = block.center(2 * k);
+      const Point there = block.center(2 * k + 1);
+      if (cells[2 * k] == cells[2 * k + 1]) {
+        const CellId behind = cell_of(triangulation.mirror(cocones.facets[first + k]));
+        visit(first + k, DualEnds{here, center_of(triangulation, dual, behind), true});
+      } else {
+        visit(first + k,
+              there < here ? DualEnds{there, here, false} : DualEnds{here, there, false});
+      }
+    }
+  }
 }
 
 double largest_coordinate(const Vec3& v) {
@@ -152,22 +176,18 @@ IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, cons
   Radii radii(cocones, mode, triangulation.num_vertices(), execution);
   const std::size_t facets = cocones.facets.size();
   parallel_chunks(execution, facets, facets_per_chunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      // The cells behind lie here and there in memory: ask for their centers in advance.
-      constexpr std::size_t ahead = 16;
-      if (k + ahead < end) {
-        __builtin_prefetch(&dual.centers[cell_of(triangulation.mirror(cocones.facets[k + ahead]))]);
-      }
-      const FacetId f = cocones.facets[k];
-      radii.take(triangulation, poles, triangulation.cell(cell_of(f)), cocones.rows[k],
-                 dual_ends(triangulation, dual, f));
-    }
+    for_each_dual_edge(triangulation, dual, cocones, begin, end,
+                       [&](std::size_t k, const DualEnds& ends) {
+                         const Cell& cell = triangulation.cell(cell_of(cocones.facets[k]));
+                         radii.take(triangulation, poles, cell, cocones.rows[k], ends);
+                       });
   });
   if (mode == RadiusMode::tangent_plane) {
     for (const CellId c : triangulation.infinite_cells()) {
+      const Vec3 ray = center_of(triangulation, dual, c);
       for (unsigned j = 0; j < 3; ++j) {
         const VertexId p = triangulation.cell(c).vertices[j];
-        if (!(dot(dual.centers[c], poles.normals[p]) > 0)) radii.take_infinite(p);
+        if (!(dot(ray, poles.normals[p]) > 0)) radii.take_infinite(p);
       }
     }
   }

@@ -14,7 +14,7 @@ constexpr std::size_t cells_per_chunk = 16384;
 CornerSides cone_sides_of_cell(const Triangulation& triangulation, const Dual& dual,
                                const IdVector<VertexId, Vec3>& normals, double squared_cosine,
                                CellId c) {
-  const Point& center = dual.centers[c];
+  const Point center = center_of(triangulation, dual, c);
   const bool is_ray = triangulation.is_infinite(c);
   unsigned sides = 0;
   for (int j = 0; j < (is_ray ? 3 : 4); ++j) {
@@ -36,10 +36,12 @@ ConeSides cone_sides(const Triangulation& triangulation, const Dual& dual,
       execution, triangulation.num_cells(), cells_per_chunk,
       [&](std::size_t begin, std::size_t end) {
         const std::size_t infinite = std::clamp(triangulation.num_finite_cells(), begin, end);
+        CellBlock block;
         ArmSides arms;
-        for (std::size_t first = begin; first < infinite; first += max_arm_cells) {
-          const std::size_t count = std::min(max_arm_cells, infinite - first);
-          arm_sides(triangulation, dual, normals, squared_cosine, CellId(first), count, arms);
+        for (std::size_t first = begin; first < infinite; first += max_block_cells) {
+          const std::size_t count = std::min(max_block_cells, infinite - first);
+          load_run(triangulation, dual, CellId(first), count, block);
+          arm_sides(triangulation, normals, squared_cosine, CellId(first), block, arms);
           take_cone_sides(triangulation, dual, normals, arms, CellId(first), count, sides);
         }
         for (CellId c(infinite); c.index() < end; ++c) {

@@ -1,6 +1,8 @@
 #include "cocone/mark_cells.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <utility>
 
 #include "cocone/known_sides.h"
@@ -182,28 +184,37 @@ class ConsistentMarking {
   // the bits of labels: a branch for each facet would be guessed wrong half of the time. Where the
   // cells around contradict each other it takes any of their labels. False if there is none yet.
   bool take_label(CellId c, unsigned& wrong) {
-    const Cell& cell = triangulation_.cell(c);
-    const unsigned passing = passing_facets(c);
-    const unsigned closed = surface_.set.bits(c);
-    unsigned same = 0;      // told by cells that have the same label
-    unsigned opposite = 0;  // by cells beyond the surface
-    for (unsigned i = 0; i < 4; ++i) {
-      const auto behind = static_cast<unsigned>(marks_.labels[cell_of(cell.neighbors[i])]);
-      const unsigned told = behind & (0U - ((passing >> i) & 1U));
-      const unsigned is_closed = 0U - ((closed >> i) & 1U);
-      same |= told & ~is_closed;
-      opposite |= told & is_closed;
-    }
     constexpr auto out = static_cast<unsigned>(CellLabel::out);
     static_assert(out == 1 && static_cast<unsigned>(CellLabel::in) == 2);
-    const unsigned told = (same & out) != 0 ? out : same;
+    const Cell& cell = triangulation_.cell(c);
+    std::uint32_t labels = 0;  // of the cells around, one in each byte
+    for (unsigned i = 0; i < 4; ++i) {
+      labels |= static_cast<std::uint32_t>(marks_.labels[cell_of(cell.neighbors[i])]) << (8 * i);
+    }
+    const std::uint32_t told = labels & byte_of_bit[passing_facets(c)];
+    const std::uint32_t closed = byte_of_bit[surface_.set.bits(c)];
+    const unsigned same = any_byte(told & ~closed);     // told by cells that have the same label
+    const unsigned opposite = any_byte(told & closed);  // by cells beyond the surface
     const auto known = static_cast<unsigned>(marks_.labels[c]);
-    const unsigned label = known != 0 ? known : told;
-    const unsigned all =
-        same | opposite >> 1 | (opposite << 1 & 2U);  // opposite bits change places
+    const unsigned label = known != 0 ? known : (same & out) != 0 ? out : same;
+    const unsigned all = same | opposite >> 1 | (opposite << 1 & 2U);  // these bits change places
     wrong |= label != 0 ? all & ~label : 0U;
     marks_.labels[c] = static_cast<CellLabel>(label);
     return label != 0;
+  }
+
+  // Byte i: whether bit i is set, in both bits of a label.
+  static constexpr std::array<std::uint32_t, 16> byte_of_bit = [] {
+    std::array<std::uint32_t, 16> masks{};
+    for (std::uint32_t bits = 0; bits < 16; ++bits) {
+      for (unsigned i = 0; i < 4; ++i) masks[bits] |= 3 * ((bits >> i) & 1U) << (8 * i);
+    }
+    return masks;
+  }();
+  // The bits of a label that are set in any of four bytes.
+  static unsigned any_byte(std::uint32_t bytes) {
+    bytes |= bytes >> 16;
+    return (bytes | bytes >> 8) & 3U;
   }
 
   const Triangulation& triangulation_;

@@ -2,11 +2,14 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "cocone/cell_arms.h"
@@ -58,7 +61,7 @@ struct Arm {
 };
 
 Arm arm_of(const Triangulation& triangulation, const Dual& dual, CellId c, VertexId p) {
-  return Arm(dual.centers[c] - triangulation.point(p));
+  return Arm(center_of(triangulation, dual, c) - triangulation.point(p));
 }
 
 // The farthest Voronoi vertex of every sample, by its cell: a maximum that many threads raise at
@@ -72,30 +75,31 @@ class FarthestCells {
         words_(triangulation.num_vertices()),
         alone_(thread_count(execution) == 1) {}
 
-  // Would the arm of this length at corner p be the farthest known, or nearly so?
-  bool may_win(VertexId p, double squared_length) const {
-    return words_[p.index()].load(std::memory_order_relaxed) >> 32 <= rounded(squared_length);
-  }
-
-  // Of the arm of cell c at its corner p.
-  void offer(CellId c, VertexId p, double squared_length) {
-    std::atomic<std::uint64_t>& word = words_[p.index()];
-    const std::uint64_t upper = rounded(squared_length);
-    const std::uint64_t offered = upper << 32 | c.value;
-    std::uint64_t known = word.load(std::memory_order_relaxed);
-    while (known >> 32 <= upper) {
-      if (known >> 32 == upper && !arm_of(triangulation_, dual_, c, p)
-                                       .precedes(arm_of(triangulation_, dual_, unpack(known), p))) {
-        return;
+  // Of cell c, which is the k-th of the block.
+  void offer(CellId c, const Cell& cell, const CellBlock& block, std::size_t k,
+             const SquaredArms& arms) {
+    unsigned open = 0;  // corners that are not done
+    for (unsigned j = 0; j < 4; ++j) {
+      std::atomic<std::uint64_t>& word = words_[cell.vertices[j].index()];
+      const std::uint64_t upper = rounded(arms.at(k, j));
+      const std::uint64_t known = word.load(std::memory_order_relaxed);
+      if (!alone_) {
+        open |= static_cast<unsigned>(known >> 32 <= upper) << j;
+        continue;
       }
-      if (alone_) return word.store(offered, std::memory_order_relaxed);  // see shared_maxima.h
-      if (word.compare_exchange_weak(known, offered, std::memory_order_relaxed)) return;
+      // No branch on which corners it wins, which cannot be foreseen.
+      const bool equal = known >> 32 == upper;
+      word.store(equal ? known : std::max(known, upper << 32 | c.value), std::memory_order_relaxed);
+      open |= static_cast<unsigned>(equal) << j;
+    }
+    for (; open != 0; open &= open - 1) {
+      const auto j = static_cast<unsigned>(std::countr_zero(open));
+      offer_at(cell.vertices[j], c, block.center(k), arms.at(k, j));
     }
   }
 
-  Arm farthest(VertexId p) const {
-    return arm_of(triangulation_, dual_, unpack(words_[p.index()].load(std::memory_order_relaxed)),
-                  p);
+  CellId farthest(VertexId p) const {
+    return unpack(words_[p.index()].load(std::memory_order_relaxed));
   }
 
  private:
@@ -105,66 +109,95 @@ class FarthestCells {
   }
   static CellId unpack(std::uint64_t word) { return CellId(static_cast<std::uint32_t>(word)); }
 
+  void offer_at(VertexId p, CellId c, const Point& center, double squared_length) {
+    std::atomic<std::uint64_t>& word = words_[p.index()];
+    const std::uint64_t upper = rounded(squared_length);
+    std::uint64_t known = word.load(std::memory_order_relaxed);
+    while (known >> 32 <= upper) {
+      if (known >> 32 == upper && !Arm(center - triangulation_.point(p))
+                                       .precedes(arm_of(triangulation_, dual_, unpack(known), p))) {
+        return;
+      }
+      if (word.compare_exchange_weak(known, upper << 32 | c.value, std::memory_order_relaxed)) {
+        return;
+      }
+    }
+  }
+
   const Triangulation& triangulation_;
   const Dual& dual_;
   std::vector<std::atomic<std::uint64_t>> words_;
   bool alone_;
 };
 
-// Calls visit(first, count) for runs of the finite cells, of at most max_arm_cells.
+// Calls visit(first, count) for runs of the cells begin ... end - 1, of at most max_block_cells.
 template <class Visit>
-void for_each_run(const Triangulation& triangulation, const Execution& execution, Visit visit) {
-  static_assert(cells_per_chunk % max_arm_cells == 0);
-  parallel_chunks(execution, triangulation.num_finite_cells(), cells_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t c = begin; c < end; c += max_arm_cells) {
-                      visit(CellId(c), std::min(max_arm_cells, end - c));
-                    }
-                  });
+void for_each_run(std::size_t begin, std::size_t end, Visit visit) {
+  for (std::size_t c = begin; c < end; c += max_block_cells) {
+    visit(CellId(c), std::min(max_block_cells, end - c));
+  }
+}
+
+// From the arms of all finite cells, which load(first, count, block) puts into blocks.
+template <class Load>
+FarthestCells find_farthest(const Triangulation& triangulation, const Dual& dual,
+                            const Execution& execution, Load load) {
+  FarthestCells farthest(triangulation, dual, execution);
+  const auto offer_cells = [&](std::size_t begin, std::size_t end) {
+    CellBlock block;
+    SquaredArms arms;
+    for_each_run(begin, end, [&](CellId first, std::size_t count) {
+      load(first, count, block);
+      squared_arms(block, arms);
+      for (std::size_t k = 0; k < count; ++k) {
+        const CellId c(first.index() + k);
+        farthest.offer(c, triangulation.cell(c), block, k, arms);
+      }
+    });
+  };
+  parallel_chunks(execution, triangulation.num_finite_cells(), cells_per_chunk, offer_cells);
+  return farthest;
 }
 
 // n_p of all samples.
-void find_normals(const Triangulation& triangulation, const Dual& dual, Poles& poles,
-                  const Execution& execution) {
-  FarthestCells poles_of(triangulation, dual, execution);
-  for_each_run(triangulation, execution, [&](CellId first, std::size_t count) {
-    SquaredArms arms;
-    squared_arms(triangulation, dual, first, count, arms);
-    for (std::size_t k = 0; k < count; ++k) {
-      const CellId c(first.index() + k);
-      const Cell& cell = triangulation.cell(c);
-      // One branch for four corners: which of them win cannot be foreseen.
-      unsigned winners = 0;
-      for (unsigned j = 0; j < 4; ++j) {
-        const bool wins = poles_of.may_win(cell.vertices[j], arms.lengths[4 * k + j]);
-        winners |= static_cast<unsigned>(wins) << j;
-      }
-      for (; winners != 0; winners &= winners - 1) {
-        const auto j = static_cast<unsigned>(std::countr_zero(winners));
-        poles_of.offer(c, cell.vertices[j], arms.lengths[4 * k + j]);
-      }
-    }
-  });
+void find_normals(const Triangulation& triangulation, const Dual& dual, FarthestCells farthest,
+                  Poles& poles, const Execution& execution) {
   const VertexStars hull = hull_stars(triangulation);
   std::atomic<std::size_t> on_hull = 0;
   std::atomic<std::size_t> degenerate = 0;
+  const auto from_hull = [&](VertexId p, std::vector<Vec3>& directions) {
+    directions.clear();
+    for (const CellId c : hull.star(p)) directions.push_back(center_of(triangulation, dual, c));
+    const HullNormal sum = hull_normal(directions);
+    poles.normals[p] = sum.normal;
+    poles.degenerate[p] = sum.degenerate;
+    return sum.degenerate;
+  };
   parallel_chunks(execution, triangulation.num_vertices(), vertices_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
                     std::vector<Vec3> directions;
                     std::size_t on_hull_here = 0;
                     std::size_t degenerate_here = 0;
-                    for (VertexId p(begin); p.index() < end; ++p) {
-                      if (hull.star(p).empty()) {
-                        poles.normals[p] = unit(poles_of.farthest(p).safe());
-                        continue;
+                    CellBlock block;
+                    std::array<VertexId, max_block_cells> inner;
+                    std::array<CellId, max_block_cells> cells;
+                    for (VertexId p(begin); p.index() < end;) {
+                      std::size_t count = 0;
+                      for (; count < max_block_cells && p.index() < end; ++p) {
+                        if (hull.star(p).empty()) {
+                          inner[count] = p;
+                          cells[count++] = farthest.farthest(p);
+                        } else {
+                          ++on_hull_here;
+                          degenerate_here += from_hull(p, directions);
+                        }
                       }
-                      directions.clear();
-                      for (const CellId c : hull.star(p)) directions.push_back(dual.centers[c]);
-                      const HullNormal sum = hull_normal(directions);
-                      poles.normals[p] = sum.normal;
-                      poles.degenerate[p] = sum.degenerate;
-                      ++on_hull_here;
-                      degenerate_here += sum.degenerate;
+                      if (count == 0) continue;
+                      load_cells(triangulation, dual, std::span(cells).first(count), block);
+                      for (std::size_t k = 0; k < count; ++k) {
+                        const Arm arm(block.center(k) - triangulation.point(inner[k]));
+                        poles.normals[inner[k]] = unit(arm.safe());
+                      }
                     }
                     on_hull += on_hull_here;
                     degenerate += degenerate_here;
@@ -179,40 +212,37 @@ void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& p
                   ConeSides* sides, const Execution& execution) {
   const std::size_t count = triangulation.num_vertices();
   const double squared_cosine = sides != nullptr ? sides->cosine * sides->cosine : 0;
-  // Calls visit(cell, squared lengths, which) for arms below the tangent planes; those of extreme
-  // lengths are left to visit_unsafe(c, p).
+  // Calls visit(cell, lower arms, k) for cell k of a block; corners with arms of extreme lengths
+  // are left to visit_unsafe(c, p).
   const auto for_each_lower_arm = [&](auto visit, auto visit_unsafe) {
-    for_each_run(triangulation, execution, [&](CellId first, std::size_t size) {
+    const auto visit_cells = [&](std::size_t begin, std::size_t end) {
+      CellBlock block;
       ArmSides arms;
-      arm_sides(triangulation, dual, poles.normals, squared_cosine, first, size, arms);
-      if (sides != nullptr) {
-        take_cone_sides(triangulation, dual, poles.normals, arms, first, size, *sides);
-      }
-      for (std::size_t k = 0; k < size; ++k) {
-        const CellId c(first.index() + k);
-        const Cell& cell = triangulation.cell(c);
-        visit(cell, &arms.squared.lengths[4 * k], arms.negative[k] & ~arms.unsafe[k] & 15U);
-        for (unsigned rest = arms.unsafe[k]; rest != 0; rest &= rest - 1) {
-          visit_unsafe(c, cell.vertices[static_cast<std::size_t>(std::countr_zero(rest))]);
+      for_each_run(begin, end, [&](CellId first, std::size_t size) {
+        load_run(triangulation, dual, first, size, block);
+        arm_sides(triangulation, poles.normals, squared_cosine, first, block, arms);
+        if (sides != nullptr) {
+          take_cone_sides(triangulation, dual, poles.normals, arms, first, size, *sides);
         }
-      }
-    });
+        for (std::size_t k = 0; k < size; ++k) {
+          const CellId c(first.index() + k);
+          const Cell& cell = triangulation.cell(c);
+          visit(cell, arms.lower, k);
+          for (unsigned rest = arms.unsafe[k]; rest != 0; rest &= rest - 1) {
+            visit_unsafe(c, cell.vertices[static_cast<std::size_t>(std::countr_zero(rest))]);
+          }
+        }
+      });
+    };
+    parallel_chunks(execution, triangulation.num_finite_cells(), cells_per_chunk, visit_cells);
   };
   const auto is_lower = [&](VertexId p, const Arm& arm) {
     return dot(arm.safe(), poles.normals[p]) < 0;
   };
   SharedMaxima squared(count, execution);
   std::atomic<bool> any_far = false;
-  const auto raise_all = [&](const Cell& cell, const double* lengths, unsigned which) {
-    // One branch for four corners, as above.
-    unsigned higher = 0;
-    for (unsigned j = 0; j < 4; ++j) {
-      higher |= static_cast<unsigned>(squared[cell.vertices[j]] < lengths[j]) << j;
-    }
-    for (higher &= which; higher != 0; higher &= higher - 1) {
-      const auto j = static_cast<unsigned>(std::countr_zero(higher));
-      squared.raise(cell.vertices[j], lengths[j]);
-    }
+  const auto raise_all = [&](const Cell& cell, const SquaredArms& lower, std::size_t k) {
+    for (std::size_t j = 0; j < 4; ++j) squared.raise(cell.vertices[j], lower.at(k, j));
   };
   for_each_lower_arm(raise_all, [&](CellId c, VertexId p) {
     const Arm arm = arm_of(triangulation, dual, c, p);
@@ -222,7 +252,7 @@ void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& p
   });
   SharedMaxima far(any_far ? count : 0, execution);
   if (any_far) {
-    for_each_lower_arm([](const Cell&, const double*, unsigned) {},
+    for_each_lower_arm([](const Cell&, const SquaredArms&, std::size_t) {},
                        [&](CellId c, VertexId p) {
                          const Arm arm = arm_of(triangulation, dual, c, p);
                          if (arm.is_far() && is_lower(p, arm)) {
@@ -230,23 +260,41 @@ void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& p
                          }
                        });
   }
+  poles.heights = std::move(squared).take();
   for (const VertexId p : poles.heights.ids()) {
-    const double height = std::sqrt(squared[p]);
+    const double height = std::sqrt(poles.heights[p]);
     poles.heights[p] = std::isfinite(height) ? height : far[p];
   }
 }
 
+// All that follows the search for the farthest Voronoi vertices.
+Poles finish_poles(const Triangulation& triangulation, const Dual& dual, FarthestCells farthest,
+                   ConeSides* sides, const Execution& execution) {
+  const std::size_t count = triangulation.num_vertices();
+  Poles poles{IdVector<VertexId, Vec3>(count), {}, VertexSet(count, 0), 0, 0};
+  find_normals(triangulation, dual, std::move(farthest), poles, execution);
+  report_progress(execution, "compute_poles", 0.5);
+  if (sides != nullptr) sides->of_cells.resize(triangulation.num_cells());
+  find_heights(triangulation, dual, poles, sides, execution);
+  if (sides != nullptr) {
+    for (const CellId c : triangulation.infinite_cells()) {
+      sides->of_cells[c] =
+          cone_sides_of_cell(triangulation, dual, poles.normals, sides->cosine * sides->cosine, c);
+    }
+  }
+  report_progress(execution, "compute_poles", 1);
+  return poles;
+}
+
+// Of a triangulation whose dual is known.
 Poles find_poles(const Triangulation& triangulation, const Dual& dual, ConeSides* sides,
                  const Execution& execution) {
   report_progress(execution, "compute_poles", 0);
-  const std::size_t count = triangulation.num_vertices();
-  Poles poles{IdVector<VertexId, Vec3>(count), IdVector<VertexId, double>(count),
-              VertexSet(count, 0), 0, 0};
-  find_normals(triangulation, dual, poles, execution);
-  report_progress(execution, "compute_poles", 0.5);
-  find_heights(triangulation, dual, poles, sides, execution);
-  report_progress(execution, "compute_poles", 1);
-  return poles;
+  FarthestCells farthest = find_farthest(triangulation, dual, execution,
+                                         [&](CellId first, std::size_t count, CellBlock& block) {
+                                           load_run(triangulation, dual, first, count, block);
+                                         });
+  return finish_poles(triangulation, dual, std::move(farthest), sides, execution);
 }
 
 }  // namespace
@@ -268,12 +316,22 @@ Poles compute_poles(const Triangulation& triangulation, const Dual& dual,
 
 Poles compute_poles(const Triangulation& triangulation, const Dual& dual, double cosine,
                     ConeSides& sides, const Execution& execution) {
-  sides = {cosine, IdVector<CellId, CornerSides>(triangulation.num_cells())};
-  Poles poles = find_poles(triangulation, dual, &sides, execution);
-  for (const CellId c : triangulation.infinite_cells()) {
-    sides.of_cells[c] = cone_sides_of_cell(triangulation, dual, poles.normals, cosine * cosine, c);
-  }
-  return poles;
+  sides = {cosine, {}};
+  return find_poles(triangulation, dual, &sides, execution);
+}
+
+Poles compute_poles(const Triangulation& triangulation, double cosine, Dual& dual, ConeSides& sides,
+                    const Execution& execution) {
+  report_progress(execution, "compute_poles", 0);
+  sides = {cosine, {}};
+  dual = {};
+  std::vector<HardCenters> hard(triangulation.num_finite_cells() / cells_per_chunk + 1);
+  FarthestCells farthest = find_farthest(
+      triangulation, dual, execution, [&](CellId first, std::size_t count, CellBlock& block) {
+        load_new_run(triangulation, first, count, block, hard[first.index() / cells_per_chunk]);
+      });
+  dual = lean_dual(triangulation, hard, execution);
+  return finish_poles(triangulation, dual, std::move(farthest), &sides, execution);
 }
 
 }  // namespace cocoon

@@ -45,6 +45,10 @@ Poles compute_poles(const Triangulation& triangulation, const Dual& dual,
 Poles compute_poles(const Triangulation& triangulation, const Dual& dual, double cosine,
                     ConeSides& sides, const Execution& execution = {});
 
+// Both of a triangulation whose dual is not known yet: the first pass makes a lean one on its way.
+Poles compute_poles(const Triangulation& triangulation, double cosine, Dual& dual, ConeSides& sides,
+                    const Execution& execution = {});
+
 // Of k unit normals the sum; if it is shorter than 0.1 k, the principal eigenvector instead.
 struct HullNormal {
   Vec3 normal;

@@ -59,8 +59,7 @@ class Reconstruction {
 
   void find_poles() {
     run_stage(execution_, "poles", [&](const Execution& nested) {
-      dual_ = voronoi_dual(triangulation_, nested);
-      poles_ = compute_poles(triangulation_, dual_, options_.cocone.cosine, sides_, nested);
+      poles_ = compute_poles(triangulation_, options_.cocone.cosine, dual_, sides_, nested);
     });
     ReconstructCounters& counters = result_.counters;
     counters.dual_extended_precision = dual_.extended_precision;
@@ -78,11 +77,12 @@ class Reconstruction {
     run_stage(execution_, "boundary", [&](const Execution& nested) {
       boundary_ =
           boundary_samples(triangulation_, dual_, poles_, cocones, options_.boundary, nested);
+      dual_.rays = {};
+      dual_.hard_centers = {};
     });
     run_stage(execution_, "cocone", [&](const Execution& nested) {
       FacetSet candidates =
           candidate_triangles(triangulation_, cocones, boundary_.boundary, nested);
-      forget_voronoi_vertices();
       cocones = {};
       if (stages_ != nullptr) stages_->candidates = candidates;
       PrunedCandidates pruned =
@@ -184,9 +184,8 @@ class Reconstruction {
   }
 
  private:
-  // Half as much memory as the triangulation has, no longer needed.
-  void forget_voronoi_vertices() { dual_.centers = {}; }
-  // A third as much. What is left of the links is the set of facets.
+  // A third as much memory as the triangulation has. What is left of the links is the set of
+  // facets.
   FacetSet forget_links() { return std::exchange(surface_.triangles, {}).set; }
 
   void count_surface() {

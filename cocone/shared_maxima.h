@@ -2,6 +2,7 @@
 // in which they are raised does not show.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <utility>
@@ -21,7 +22,14 @@ class SharedMaxima {
   void raise(VertexId v, double value) {
     const std::atomic_ref<double> maximum(maxima_[v]);
     double known = maximum.load(std::memory_order_relaxed);
-    while (known < value && !replace(maximum, known, value)) {
+    if (alone_) {
+      // No exchange, which makes the processor wait for all that it has under way, and no branch
+      // on whether it is raised, which cannot be foreseen.
+      maximum.store(std::max(known, value), std::memory_order_relaxed);
+      return;
+    }
+    while (known < value &&
+           !maximum.compare_exchange_weak(known, value, std::memory_order_relaxed)) {
     }
   }
   double operator[](VertexId v) const {
@@ -31,13 +39,6 @@ class SharedMaxima {
   IdVector<VertexId, double> take() && { return std::move(maxima_); }
 
  private:
-  // An exchange makes the processor wait for all that it has under way.
-  bool replace(const std::atomic_ref<double>& maximum, double& known, double value) const {
-    if (!alone_) return maximum.compare_exchange_weak(known, value, std::memory_order_relaxed);
-    maximum.store(value, std::memory_order_relaxed);
-    return true;
-  }
-
   mutable IdVector<VertexId, double> maxima_;  // a look at an element needs a reference to it
   bool alone_;
 };

@@ -119,15 +119,6 @@ HWY_INLINE FourVectors load_points(const double* p0, const double* p1, const dou
   return transposed(hn::LoadU(d, p0), hn::LoadU(d, p1), hn::LoadU(d, p2), hn::LoadU(d, p3));
 }
 
-// The same for arrays whose last point has nothing behind it.
-HWY_INLINE FourVectors load_triples(const double* p0, const double* p1, const double* p2,
-                                    const double* p3) {
-  const FourTag d;
-  const auto three = hn::FirstN(d, 3);
-  return transposed(hn::MaskedLoad(three, d, p0), hn::MaskedLoad(three, d, p1),
-                    hn::MaskedLoad(three, d, p2), hn::MaskedLoad(three, d, p3));
-}
-
 #else
 
 struct Four {
@@ -213,11 +204,6 @@ HWY_INLINE FourVectors load_points(const double* p0, const double* p1, const dou
           {{p0[1], p1[1], p2[1], p3[1]}},
           {{p0[2], p1[2], p2[2], p3[2]}}};
 }
-HWY_INLINE FourVectors load_triples(const double* p0, const double* p1, const double* p2,
-                                    const double* p3) {
-  return load_points(p0, p1, p2, p3);
-}
-
 #endif
 
 HWY_INLINE FourVectors operator-(const FourVectors& a, const FourVectors& b) {
@@ -225,10 +211,6 @@ HWY_INLINE FourVectors operator-(const FourVectors& a, const FourVectors& b) {
 }
 HWY_INLINE Four squared_norm(const FourVectors& v) {
   return multiply_add(v.x, v.x, multiply_add(v.y, v.y, v.z * v.z));
-}
-// Rounds as dot() of geom/point.h.
-HWY_INLINE Four dot(const FourVectors& v, const FourVectors& w) {
-  return v.x * w.x + v.y * w.y + v.z * w.z;
 }
 HWY_INLINE Four minor_xy(const FourVectors& v, const FourVectors& w) {
   return multiply_subtract(v.x, w.y, v.y * w.x);

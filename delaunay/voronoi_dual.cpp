@@ -1,11 +1,12 @@
 #include "delaunay/voronoi_dual.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 #include "geom/circumsphere.h"
-#include "geom/circumsphere_batch.h"
 #include "geom/triangle_normal.h"
 
 namespace cocoon {
@@ -13,63 +14,111 @@ namespace {
 
 constexpr std::size_t grain = 8192;  // cells per chunk of the parallel loop
 
-// The counters of one chunk.
-struct ChunkCounts {
-  std::size_t exact = 0;
-  std::size_t facet_fallbacks = 0;
-  std::vector<CellId> not_in_doubles;
-
-  void add(CellId c, CenterLevel level) {
-    if (level == CenterLevel::doubles) return;
-    ++(level == CenterLevel::exact ? exact : facet_fallbacks);
-    not_in_doubles.push_back(c);
-  }
-};
-
-// Voronoi vertex of a finite cell.
-Point cell_center(const Triangulation& triangulation, CellId cell, ChunkCounts& counts) {
-  const auto& [a, b, c, d] = triangulation.cell(cell).vertices;
-  const Circumcenter result = circumcenter(triangulation.point(a), triangulation.point(b),
-                                           triangulation.point(c), triangulation.point(d));
-  counts.add(cell, result.level);
-  return result.center;
+// Notes down how a center or direction was obtained.
+void count_level(CenterLevel level, CellId c, HardCenters& hard) {
+  if (level == CenterLevel::doubles) return;
+  ++(level == CenterLevel::exact ? hard.extended_precision : hard.facet_fallbacks);
+  hard.cells.push_back(c);
 }
 
-// Voronoi vertices of the cells begin .. end, all finite, in batches as far as they go.
-void cell_centers(const Triangulation& triangulation, CellId begin, CellId end, Dual& dual,
-                  ChunkCounts& counts) {
-  CircumcenterBatch batch;
-  for (CellId first = begin; first < end;) {
-    const std::size_t size = std::min(circumcenter_batch_size, end.index() - first.index());
-    unsigned certified = 0;
-    if (size == circumcenter_batch_size) {
-      for (std::size_t i = 0; i < size; ++i) {
-        const Cell& cell = triangulation.cell(CellId(first.index() + i));
-        for (std::size_t corner = 0; corner < 4; ++corner) {
-          const Point& p = triangulation.point(cell.vertices[corner]);
-          batch.corners[corner][0][i] = p.x;
-          batch.corners[corner][1][i] = p.y;
-          batch.corners[corner][2][i] = p.z;
-        }
-      }
-      certified = circumcenters_in_doubles(batch);
-    }
-    for (std::size_t i = 0; i < size; ++i, ++first) {
-      dual.centers[first] = ((certified >> i) & 1U) != 0
-                                ? batch.centers[i]
-                                : cell_center(triangulation, first, counts);
+// Voronoi vertex of a finite cell.
+Circumcenter center_of_cell(const Triangulation& triangulation, CellId cell) {
+  const auto& [a, b, c, d] = triangulation.cell(cell).vertices;
+  return circumcenter(triangulation.point(a), triangulation.point(b), triangulation.point(c),
+                      triangulation.point(d));
+}
+
+// The corners of the cells cell_at(0) ... cell_at(count - 1).
+template <class CellAt>
+void load_corners(const Triangulation& triangulation, std::size_t count, CellAt cell_at,
+                  CellBlock& block) {
+  block.size = count;
+  const std::size_t end = block.used().size() * circumcenter_batch_size;
+  for (std::size_t k = 0; k < end; ++k) {
+    const Cell& cell = triangulation.cell(cell_at(std::min(k, count - 1)));
+    CircumcenterBatch& batch = block.batches[k / circumcenter_batch_size];
+    const std::size_t lane = k % circumcenter_batch_size;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const Point& p = triangulation.point(cell.vertices[corner]);
+      batch.corners[corner][0][lane] = p.x;
+      batch.corners[corner][1][lane] = p.y;
+      batch.corners[corner][2][lane] = p.z;
     }
   }
+}
+
+void set_center(CellBlock& block, std::size_t k, const Point& center) {
+  BatchOfPoints& centers = block.batches[k / circumcenter_batch_size].centers;
+  const std::size_t lane = k % circumcenter_batch_size;
+  centers[0][lane] = center.x;
+  centers[1][lane] = center.y;
+  centers[2][lane] = center.z;
+}
+
+// And their centers; those that are not certified in batches by `otherwise`.
+template <class CellAt, class Otherwise>
+void compute_block(const Triangulation& triangulation, std::size_t count, CellAt cell_at,
+                   Otherwise otherwise, CellBlock& block) {
+  load_corners(triangulation, count, cell_at, block);
+  circumcenters_in_doubles(std::span(block.batches).first(block.used().size()));
+  for (std::size_t first = 0; first < count; first += circumcenter_batch_size) {
+    const std::size_t size = std::min(circumcenter_batch_size, count - first);
+    const unsigned all = (1U << size) - 1U;
+    for (unsigned rest = all & ~block.batches[first / circumcenter_batch_size].certified; rest != 0;
+         rest &= rest - 1) {
+      const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(rest));
+      set_center(block, k, otherwise(cell_at(k)));
+    }
+  }
+}
+
+// Successive cells.
+auto run_from(CellId first) {
+  return [first](std::size_t k) { return CellId(first.index() + k); };
+}
+
+// Voronoi vertex of a finite cell that no batch certifies.
+Point hard_center(const Triangulation& triangulation, const Dual& dual, CellId c) {
+  const auto end =
+      dual.not_in_doubles.begin() + static_cast<std::ptrdiff_t>(dual.hard_centers.size());
+  const auto place = std::lower_bound(dual.not_in_doubles.begin(), end, c);
+  if (place == end || *place != c) return center_of_cell(triangulation, c).center;
+  return dual.hard_centers[static_cast<std::size_t>(place - dual.not_in_doubles.begin())];
 }
 
 // Direction of the Voronoi ray of an infinite cell: with a point beyond its hull facet as vertex 3
 // the cell would have orient3d > 0, so the facet's normal in the order of the vertices points out.
-Vec3 ray_direction(const Triangulation& triangulation, CellId cell, ChunkCounts& counts) {
+Vec3 ray_direction(const Triangulation& triangulation, CellId cell, HardCenters& hard) {
   const auto& [a, b, c, infinite] = triangulation.cell(cell).vertices;
   const TriangleNormal normal =
       triangle_normal(triangulation.point(a), triangulation.point(b), triangulation.point(c));
-  counts.add(cell, normal.exact ? CenterLevel::exact : CenterLevel::doubles);
+  count_level(normal.exact ? CenterLevel::exact : CenterLevel::doubles, cell, hard);
   return normal.direction;
+}
+
+// Puts the notes of successive cells behind those that the dual has.
+void append(std::span<const HardCenters> parts, Dual& dual) {
+  for (const HardCenters& part : parts) {
+    dual.extended_precision += part.extended_precision;
+    dual.facet_fallbacks += part.facet_fallbacks;
+    dual.not_in_doubles.insert(dual.not_in_doubles.end(), part.cells.begin(), part.cells.end());
+    dual.hard_centers.insert(dual.hard_centers.end(), part.centers.begin(), part.centers.end());
+  }
+}
+
+// Of all infinite cells.
+template <class Keep>
+void find_rays(const Triangulation& triangulation, Dual& dual, const Execution& execution,
+               Keep keep) {
+  const std::size_t finite = triangulation.num_finite_cells();
+  const std::size_t count = triangulation.num_cells() - finite;
+  std::vector<HardCenters> hard((count + grain - 1) / grain);
+  parallel_chunks(execution, count, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      keep(k, ray_direction(triangulation, CellId(finite + k), hard[begin / grain]));
+    }
+  });
+  append(hard, dual);
 }
 
 }  // namespace
@@ -78,38 +127,91 @@ Dual voronoi_dual(const Triangulation& triangulation, const Execution& execution
   report_progress(execution, "voronoi_dual", 0);
   Dual dual;
   dual.centers.resize(triangulation.num_cells());
-  std::vector<ChunkCounts> counts((triangulation.num_cells() + grain - 1) / grain);
-  parallel_chunks(execution, triangulation.num_cells(), grain,
-                  [&](std::size_t begin, std::size_t end) {
-                    ChunkCounts& count = counts[begin / grain];
-                    const CellId last(end);
-                    const CellId infinite(std::clamp(triangulation.num_finite_cells(), begin, end));
-                    cell_centers(triangulation, CellId(begin), infinite, dual, count);
-                    for (CellId c = infinite; c < last; ++c) {
-                      dual.centers[c] = ray_direction(triangulation, c, count);
-                    }
-                  });
-  for (const ChunkCounts& count : counts) {
-    dual.extended_precision += count.exact;
-    dual.facet_fallbacks += count.facet_fallbacks;
-    dual.not_in_doubles.insert(dual.not_in_doubles.end(), count.not_in_doubles.begin(),
-                               count.not_in_doubles.end());
-  }
+  const std::size_t finite = triangulation.num_finite_cells();
+  std::vector<HardCenters> hard((finite + grain - 1) / grain);
+  parallel_chunks(execution, finite, grain, [&](std::size_t begin, std::size_t end) {
+    CellBlock block;
+    for (std::size_t first = begin; first < end; first += max_block_cells) {
+      const std::size_t count = std::min(max_block_cells, end - first);
+      load_new_run(triangulation, CellId(first), count, block, hard[begin / grain]);
+      for (std::size_t k = 0; k < count; ++k) dual.centers[CellId(first + k)] = block.center(k);
+    }
+  });
+  append(hard, dual);
+  dual.hard_centers = {};
+  find_rays(triangulation, dual, execution,
+            [&](std::size_t k, const Vec3& ray) { dual.centers[CellId(finite + k)] = ray; });
   report_progress(execution, "voronoi_dual", 1);
   return dual;
 }
 
+void load_new_run(const Triangulation& triangulation, CellId first, std::size_t count,
+                  CellBlock& block, HardCenters& hard) {
+  const auto otherwise = [&](CellId c) {
+    const Circumcenter found = center_of_cell(triangulation, c);
+    count_level(found.level, c, hard);
+    if (found.level != CenterLevel::doubles) hard.centers.push_back(found.center);
+    return found.center;
+  };
+  compute_block(triangulation, count, run_from(first), otherwise, block);
+}
+
+Dual lean_dual(const Triangulation& triangulation, std::span<const HardCenters> parts,
+               const Execution& execution) {
+  Dual dual;
+  append(parts, dual);
+  dual.rays.resize(triangulation.num_cells() - triangulation.num_finite_cells());
+  find_rays(triangulation, dual, execution,
+            [&](std::size_t k, const Vec3& ray) { dual.rays[k] = ray; });
+  return dual;
+}
+
+void load_run(const Triangulation& triangulation, const Dual& dual, CellId first, std::size_t count,
+              CellBlock& block) {
+  if (dual.is_lean()) {
+    const auto otherwise = [&](CellId c) { return hard_center(triangulation, dual, c); };
+    return compute_block(triangulation, count, run_from(first), otherwise, block);
+  }
+  load_corners(triangulation, count, run_from(first), block);
+  for (std::size_t k = 0; k < count; ++k) {
+    set_center(block, k, dual.centers[CellId(first.index() + k)]);
+  }
+}
+
+void load_cells(const Triangulation& triangulation, const Dual& dual, std::span<const CellId> cells,
+                CellBlock& block) {
+  // They lie here and there in memory: all are asked for in advance.
+  for (const CellId c : cells) {
+    __builtin_prefetch(&triangulation.cell(c));
+    if (!dual.is_lean()) __builtin_prefetch(&dual.centers[c]);
+  }
+  const auto cell_at = [&](std::size_t k) { return cells[k]; };
+  if (dual.is_lean()) {
+    const auto otherwise = [&](CellId c) { return hard_center(triangulation, dual, c); };
+    return compute_block(triangulation, cells.size(), cell_at, otherwise, block);
+  }
+  load_corners(triangulation, cells.size(), cell_at, block);
+  for (std::size_t k = 0; k < cells.size(); ++k) set_center(block, k, dual.centers[cells[k]]);
+}
+
+Point center_of(const Triangulation& triangulation, const Dual& dual, CellId c) {
+  if (!dual.is_lean()) return dual.centers[c];
+  if (triangulation.is_infinite(c)) return dual.rays[c.index() - triangulation.num_finite_cells()];
+  return hard_center(triangulation, dual, c);
+}
+
 Point voronoi_vertex(const Triangulation& triangulation, CellId c) {
-  ChunkCounts uncounted;
+  HardCenters uncounted;
   return triangulation.is_infinite(c) ? ray_direction(triangulation, c, uncounted)
-                                      : cell_center(triangulation, c, uncounted);
+                                      : center_of_cell(triangulation, c).center;
 }
 
 DualEdge dual_edge(const Triangulation& triangulation, const Dual& dual, FacetId f) {
   CellId from = cell_of(f);
   CellId to = cell_of(triangulation.mirror(f));
   if (triangulation.is_infinite(from)) std::swap(from, to);
-  return {dual.centers[from], dual.centers[to], triangulation.is_infinite(to)};
+  return {center_of(triangulation, dual, from), center_of(triangulation, dual, to),
+          triangulation.is_infinite(to)};
 }
 
 }  // namespace cocoon

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 
 // Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -73,9 +74,9 @@ HWY_INLINE void order(Vectors& a, Vectors& b) {
 HWY_INLINE Mask centers_from(const CircumcenterBatch& batch, std::size_t first, Vectors& centers) {
   const Lanes d;
   const auto load = [&](std::size_t corner) {
-    const auto& axes = batch.corners[corner];
-    return Vectors{hn::LoadU(d, &axes[0][first]), hn::LoadU(d, &axes[1][first]),
-                   hn::LoadU(d, &axes[2][first])};
+    const BatchOfPoints& axes = batch.corners[corner];
+    return Vectors{hn::Load(d, &axes[0][first]), hn::Load(d, &axes[1][first]),
+                   hn::Load(d, &axes[2][first])};
   };
   Vectors p0 = load(0), p1 = load(1), p2 = load(2), p3 = load(3);
   order(p0, p1);
@@ -112,31 +113,36 @@ HWY_INLINE Mask centers_from(const CircumcenterBatch& batch, std::size_t first, 
   const Mask sure_denominator =
       hn::And(hn::Gt(hn::Abs(denominator), hn::Set(d, 0x1p-900)),
               hn::Le(hn::Mul(hn::Set(d, 9 * 0x1p-53), denominator_sum), allowed));
-  const Mask sure_numerator = hn::Le(hn::Mul(hn::Set(d, 13 * 0x1p-53), numerator_sum),
-                                     hn::Mul(allowed, hn::Sqrt(dot(offset, offset))));
-  centers = plus(p0, times(hn::Div(hn::Set(d, 1.0), scale), offset));
+  // In squares, with room for their roundings: the root would be waited for.
+  const Vector numerator_error = hn::Mul(hn::Set(d, 13 * 0x1p-53), numerator_sum);
+  const Vector squared_error =
+      hn::Max(hn::Mul(hn::Set(d, 1 + 0x1p-40), hn::Mul(numerator_error, numerator_error)),
+              hn::Set(d, 0x1p-900));
+  const Mask sure_numerator =
+      hn::Lt(squared_error, hn::Mul(hn::Mul(allowed, allowed), dot(offset, offset)));
+  // 1 / scale, a power of two as well.
+  const Vector enlarge =
+      hn::IfThenElse(normal, hn::BitCast(d, hn::ShiftLeft<52>(biased)), hn::Set(d, 1.0));
+  centers = plus(p0, times(enlarge, offset));
   const Mask finite = hn::Le(largest(centers), hn::Set(d, std::numeric_limits<double>::max()));
   return hn::And(hn::And(normal, finite), hn::And(sure_denominator, sure_numerator));
 }
 
-unsigned certified_centers(CircumcenterBatch& batch) {
+void certified_centers(std::span<CircumcenterBatch> batches) {
   const Lanes d;
-  alignas(64) double x[circumcenter_batch_size];
-  alignas(64) double y[circumcenter_batch_size];
-  alignas(64) double z[circumcenter_batch_size];
-  unsigned certified = 0;
-  for (std::size_t first = 0; first < circumcenter_batch_size; first += hn::Lanes(d)) {
-    Vectors centers;
-    const Mask sure = centers_from(batch, first, centers);
-    hn::StoreU(centers.x, d, x + first);
-    hn::StoreU(centers.y, d, y + first);
-    hn::StoreU(centers.z, d, z + first);
-    std::uint8_t bytes[8];  // StoreMaskBits may write this many
-    hn::StoreMaskBits(d, sure, bytes);
-    certified |= (bytes[0] & ((1U << hn::Lanes(d)) - 1U)) << first;
+  for (CircumcenterBatch& batch : batches) {
+    batch.certified = 0;
+    for (std::size_t first = 0; first < circumcenter_batch_size; first += hn::Lanes(d)) {
+      Vectors centers;
+      const Mask sure = centers_from(batch, first, centers);
+      hn::Store(centers.x, d, &batch.centers[0][first]);
+      hn::Store(centers.y, d, &batch.centers[1][first]);
+      hn::Store(centers.z, d, &batch.centers[2][first]);
+      std::uint8_t bytes[8];  // StoreMaskBits may write this many
+      hn::StoreMaskBits(d, sure, bytes);
+      batch.certified |= (bytes[0] & ((1U << hn::Lanes(d)) - 1U)) << first;
+    }
   }
-  for (std::size_t i = 0; i < circumcenter_batch_size; ++i) batch.centers[i] = {x[i], y[i], z[i]};
-  return certified;
 }
 
 }  // namespace cocoon::HWY_NAMESPACE
@@ -148,8 +154,8 @@ namespace cocoon {
 
 HWY_EXPORT(certified_centers);
 
-unsigned circumcenters_in_doubles(CircumcenterBatch& batch) {
-  return HWY_DYNAMIC_DISPATCH(certified_centers)(batch);
+void circumcenters_in_doubles(std::span<CircumcenterBatch> batches) {
+  HWY_DYNAMIC_DISPATCH(certified_centers)(batches);
 }
 
 }  // namespace cocoon

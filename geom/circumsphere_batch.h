@@ -3,23 +3,27 @@
 
 #include <array>
 #include <cstddef>
-
-#include "geom/point.h"
+#include <cstdint>
+#include <span>
 
 namespace cocoon {
 
 inline constexpr std::size_t circumcenter_batch_size = 8;
 
+// Coordinates [axis][tetrahedron].
+using BatchOfPoints = std::array<std::array<double, circumcenter_batch_size>, 3>;
+
 struct CircumcenterBatch {
-  // Coordinates [corner][axis][tetrahedron].
-  alignas(64) std::array<std::array<std::array<double, circumcenter_batch_size>, 3>, 4> corners;
+  alignas(64) std::array<BatchOfPoints, 4> corners;
   // Of those that are certified, circumcenter(a, b, c, d) bit for bit; else unspecified.
-  std::array<Point, circumcenter_batch_size> centers;
+  alignas(64) BatchOfPoints centers;
+  std::uint32_t certified;  // bit i: the center of tetrahedron i is
 };
 
-// Fills in the centers at level `doubles` of geom/circumsphere.h: same expressions, same bounds,
-// whatever the instruction set. Bit i of the result: the center of tetrahedron i is certified; the
-// others are left to circumcenter(). Complexity: O(1).
-unsigned circumcenters_in_doubles(CircumcenterBatch& batch);
+// Fills in the centers at level `doubles` of geom/circumsphere.h: same expressions, same bits,
+// whatever the instruction set. What is not certified is left to circumcenter(): all that it would
+// not certify, and a few more at the border. Many batches at a time, so that the processor begins
+// the next one while the divisions of one are under way. Complexity: O(batches).
+void circumcenters_in_doubles(std::span<CircumcenterBatch> batches);
 
 }  // namespace cocoon

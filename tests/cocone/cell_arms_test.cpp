@@ -12,25 +12,26 @@ namespace {
 
 // Bit for bit what is computed one by one.
 void expect_same_as_one_by_one(const Stages& s, double squared_cosine) {
+  CellBlock block;
   ArmSides arms;
   SquaredArms squared;
   const std::size_t finite = s.triangulation.num_finite_cells();
   for (std::size_t first = 0; first < finite; first += 100) {
     const std::size_t count = std::min<std::size_t>(100, finite - first);
-    squared_arms(s.triangulation, s.dual, CellId(first), count, squared);
-    arm_sides(s.triangulation, s.dual, s.poles.normals, squared_cosine, CellId(first), count, arms);
+    load_run(s.triangulation, s.dual, CellId(first), count, block);
+    squared_arms(block, squared);
+    arm_sides(s.triangulation, s.poles.normals, squared_cosine, CellId(first), block, arms);
     for (std::size_t k = 0; k < count; ++k) {
       for (std::size_t j = 0; j < 4; ++j) {
         const CellId c(first + k);
         const VertexId p = s.triangulation.cell(c).vertices[j];
         const Vec3 arm = s.dual.centers[c] - s.triangulation.point(p);
-        EXPECT_EQ(squared.lengths[4 * k + j], squared_norm(arm));
-        EXPECT_EQ(arms.squared.lengths[4 * k + j], squared_norm(arm));
+        EXPECT_EQ(squared.at(k, j), squared_norm(arm));
         const double safe = largest_safe_length * largest_safe_length;
         EXPECT_EQ((arms.unsafe[k] >> j) & 1, squared_norm(arm) < safe ? 0 : 1);
         if (((arms.unsafe[k] >> j) & 1) != 0) continue;
         const ConeSide side = cone_side(arm, s.poles.normals[p], squared_cosine);
-        EXPECT_EQ((arms.negative[k] >> j) & 1, dot(arm, s.poles.normals[p]) < 0 ? 1 : 0);
+        EXPECT_EQ(arms.lower.at(k, j), dot(arm, s.poles.normals[p]) < 0 ? squared_norm(arm) : 0.0);
         EXPECT_EQ((arms.nappes[k] >> j) & 1, side == ConeSide::below ? 1 : 0);
         EXPECT_EQ((arms.nappes[k] >> (4 + j)) & 1, side == ConeSide::above ? 1 : 0);
       }

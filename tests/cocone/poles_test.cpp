@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "cocone/cocone_radii.h"
 #include "ref/brute_force_poles.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
+#include "tests/gallery.h"
 
 namespace cocoon {
 namespace {
@@ -81,6 +83,45 @@ TEST(Poles, FarCircumcentersDoNotOverflow) {
     EXPECT_NEAR(norm(s.poles.normals[v]), 1, 1e-12);
     EXPECT_FALSE(std::isnan(s.poles.heights[v]));
   }
+}
+
+// Without Voronoi vertices kept, whatever they are: of scans, of slivers, of lattices, of flat
+// cells.
+TEST(Poles, SameWithALeanDual) {
+  const std::vector<std::vector<Point>> sets{
+      shapes::random_torus(5000, 0.4, 8),
+      shapes::random_cube(500, 5),
+      gallery::ulp_pairs(200),
+      gallery::integer_grid(6),
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1e-200}, {0.3, 0.4, 1}}};
+  std::size_t hard = 0;
+  for (const std::vector<Point>& points : sets) {
+    const Stages s(points);
+    for (const int threads : {1, 3}) {
+      Dual lean;
+      ConeSides sides;
+      const Poles poles = compute_poles(s.triangulation, 0.4, lean, sides, {.threads = threads});
+      EXPECT_TRUE(lean.is_lean());
+      EXPECT_EQ(lean.extended_precision, s.dual.extended_precision);
+      EXPECT_EQ(lean.facet_fallbacks, s.dual.facet_fallbacks);
+      EXPECT_EQ(lean.not_in_doubles, s.dual.not_in_doubles);
+      for (const CellId c : s.triangulation.cells()) {
+        EXPECT_EQ(center_of(s.triangulation, lean, c), s.dual.centers[c]);
+      }
+      EXPECT_EQ(poles.normals, s.poles.normals);
+      EXPECT_EQ(poles.heights, s.poles.heights);
+      EXPECT_EQ(poles.degenerate, s.poles.degenerate);
+      EXPECT_EQ(poles.hull_vertices, s.poles.hull_vertices);
+      EXPECT_EQ(sides.of_cells, cone_sides(s.triangulation, s.dual, s.poles.normals, 0.4).of_cells);
+      const Cocones cocones = intersect_cocones(s.triangulation, sides);
+      for (const RadiusMode mode : {RadiusMode::cocone, RadiusMode::tangent_plane}) {
+        EXPECT_EQ(cocone_radii(s.triangulation, lean, poles, cocones, mode),
+                  cocone_radii(s.triangulation, s.dual, poles, cocones, mode));
+      }
+    }
+    hard += s.dual.not_in_doubles.size();
+  }
+  EXPECT_GT(hard, 100U);
 }
 
 TEST(Poles, SameForEveryThreadCount) {
