@@ -20,6 +20,9 @@
 #include <string>
 #include <string_view>
 #include <vector>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "cocone/reconstruct.h"
 #include "io/sample_models.h"
@@ -123,6 +126,14 @@ Columns beyond_delaunay(const Ours& ours) {
           (ours.seconds[3] - updated) / updated};
 }
 
+// Neither program is to pay for tidying up what the other one has given back: CGAL's triangulations
+// are millions of small pieces.
+void tidy_heap() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 struct Arguments {
   std::size_t repetitions = 3;
   SampleOptions sample;
@@ -155,9 +166,11 @@ bool run_model(const std::string& name, const Arguments& arguments,
   Ours ours;
   ref::CgalUpdate cgal;
   for (std::size_t r = 0; r < arguments.repetitions; ++r) {
+    tidy_heap();
     ours = run_ours(model, sample.clouds);
     our_runs.push_back(ours.seconds);
     shares.push_back(beyond_delaunay(ours));
+    tidy_heap();
     cgal = ref::cgal_update(model, sample.clouds);
     cgal_runs.push_back(cgal.seconds);
   }
