@@ -334,9 +334,9 @@ void DynamicTightCocone::State::replace_triangles(const IdVector<VertexId, Verte
   for (const Triangle& t : triangles) {
     const Triangle mapped{after[t[0]], after[t[1]], after[t[2]]};
     if (mapped[0].is_none() || mapped[1].is_none() || mapped[2].is_none()) continue;
-    sorted = sorted && last < mapped && mapped[0] < mapped[1] && mapped[0] < mapped[2];
+    sorted = sorted && precedes(last, mapped) && mapped[0] < mapped[1] && mapped[0] < mapped[2];
     last = mapped;
-    for (; next != fresh.end() && *next < mapped; ++next) merged.push_back(*next);
+    for (; next != fresh.end() && precedes(*next, mapped); ++next) merged.push_back(*next);
     merged.push_back(mapped);
   }
   merged.insert(merged.end(), next, fresh.end());

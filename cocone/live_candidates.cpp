@@ -9,6 +9,7 @@
 #include "cocone/umbrella.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/circumsphere.h"
+#include "geom/large_pages.h"
 #include "geom/triangle_normal.h"
 
 namespace cocoon {
@@ -73,6 +74,8 @@ void LiveCandidates::resume(const DynamicDelaunay& delaunay, CandidateState stat
 }
 
 void LiveCandidates::start_samples(const TriangulationView& view, const ReconstructStages& stages) {
+  known_.normals.reserve(stages.poles.normals.size());
+  prefer_large_pages(known_.normals.raw());
   known_.normals = stages.poles.normals;
   known_.samples = stages.boundary.states;
   for (const VertexId v : known_.samples.ids()) {

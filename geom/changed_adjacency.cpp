@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "geom/large_pages.h"
+
 namespace cocoon {
 namespace {
 
@@ -52,6 +54,8 @@ std::optional<ChangedAdjacency> changed_neighbors(const TriangleMesh& mesh,
                                                   const MeshBefore& before) {
   ChangedAdjacency result;
   MeshAdjacency& adjacency = result.adjacency;
+  adjacency.neighbors.reserve(mesh.triangles.size());
+  prefer_large_pages(adjacency.neighbors.raw());
   adjacency.neighbors.resize(mesh.triangles.size());
   if (!copy_links(mesh, before, adjacency.neighbors)) return {};
   list_triangles_at_vertices(mesh, adjacency);

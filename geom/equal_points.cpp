@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <numeric>
 
 #include "geom/box.h"
 
@@ -67,20 +66,24 @@ std::vector<std::uint32_t> look_alikes(Points points, std::size_t distinct) {
 
 }  // namespace
 
-std::vector<std::uint32_t> first_of_equal(Points points) { return first_of_equal(points, 0); }
-
-std::vector<std::uint32_t> first_of_equal(Points points, std::size_t distinct) {
-  std::vector<std::uint32_t> first(points.size());
-  std::iota(first.begin(), first.end(), 0U);
+std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct) {
   std::vector<std::uint32_t> order = look_alikes(points, distinct);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     const auto by_position = points[a] <=> points[b];
     return by_position != 0 ? by_position < 0 : a < b;
   });
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    if (points[order[k]] == points[order[k - 1]]) first[order[k]] = first[order[k - 1]];
+  std::vector<RepeatedPoint> repeated;
+  std::uint32_t first = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (k == 0 || points[order[k]] != points[order[k - 1]]) {
+      first = order[k];
+    } else {
+      repeated.push_back({order[k], first});
+    }
   }
-  return first;
+  std::sort(repeated.begin(), repeated.end(),
+            [](const RepeatedPoint& a, const RepeatedPoint& b) { return a.point < b.point; });
+  return repeated;
 }
 
 }  // namespace cocoon

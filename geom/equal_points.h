@@ -1,6 +1,7 @@
 // Which of a list of points are equal.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -8,14 +9,18 @@
 
 namespace cocoon {
 
-// For each point the position of the first one that is equal to it (0 and -0 are): its own, if it
-// has no equal before. Precondition: finite points, fewer than 2^32.
+// A point that is equal to an earlier one (0 and -0 are), and the first of those; positions.
+struct RepeatedPoint {
+  std::uint32_t point;
+  std::uint32_t first;
+
+  friend bool operator==(const RepeatedPoint&, const RepeatedPoint&) = default;
+};
+
+// All of them, in increasing order. The first `distinct` points are known to differ from each
+// other: the hashes are those of the others. Precondition: finite points, fewer than 2^32.
 // Complexity: O(n), two passes over the points, and k log k for k points that are equal or look so
 // to a hash of 16 bits per point (about n / 8). Deterministic.
-std::vector<std::uint32_t> first_of_equal(Points points);
-
-// The same for points of which the first `distinct` are known to differ from each other: the hashes
-// are those of the others.
-std::vector<std::uint32_t> first_of_equal(Points points, std::size_t distinct);
+std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct = 0);
 
 }  // namespace cocoon

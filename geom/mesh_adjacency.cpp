@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "geom/large_pages.h"
 #include "geom/side_links.h"
 
 namespace cocoon {
 namespace {
-
-// A corner listed after an equal one of the same triangle: the triangle is already in the list.
-bool repeats_earlier_corner(const Triangle& triangle, std::size_t corner) {
-  const auto end = triangle.begin() + static_cast<std::ptrdiff_t>(corner);
-  return std::find(triangle.begin(), end, triangle[corner]) != end;
-}
 
 // Turns counts[k + 1] = size of list k into the begins of the lists.
 void accumulate(std::vector<std::uint32_t>& counts) {
@@ -95,26 +90,31 @@ void link_neighbors(MeshAdjacency& adjacency) {
 }  // namespace
 
 bool repeats_a_vertex(const Triangle& triangle) {
-  return repeats_earlier_corner(triangle, 1) || repeats_earlier_corner(triangle, 2);
+  return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
 }
 
 void list_triangles_at_vertices(const TriangleMesh& mesh, MeshAdjacency& adjacency) {
-  adjacency.vertex_begin.assign(mesh.points.size() + 1, 0);
-  for (const Triangle& triangle : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!repeats_earlier_corner(triangle, i)) ++adjacency.vertex_begin[triangle[i].index() + 1];
+  // Calls visit(vertex, triangle) for each corner, equal ones of a triangle once.
+  const auto for_each_corner = [&mesh](const auto& visit) {
+    for (const TriangleId t : mesh.triangles.ids()) {
+      const auto [a, b, c] = mesh.triangles[t];
+      visit(a, t);
+      if (b != a) visit(b, t);
+      if (c != a && c != b) visit(c, t);
     }
-  }
-  accumulate(adjacency.vertex_begin);
-  adjacency.vertex_triangles.resize(adjacency.vertex_begin.back());
-  std::vector<std::uint32_t> next = adjacency.vertex_begin;
-  for (const TriangleId t : mesh.triangles.ids()) {
-    const Triangle& triangle = mesh.triangles[t];
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (repeats_earlier_corner(triangle, i)) continue;
-      adjacency.vertex_triangles[next[triangle[i].index()]++] = t;
-    }
-  }
+  };
+  // The begin of list v stands at place v + 1 until all triangles before it are listed.
+  std::vector<std::uint32_t>& begin = adjacency.vertex_begin;
+  begin.assign(mesh.points.size() + 2, 0);
+  for_each_corner([&](VertexId v, TriangleId) { ++begin[v.index() + 2]; });
+  accumulate(begin);
+  std::vector<TriangleId>& listed = adjacency.vertex_triangles;
+  listed.clear();
+  listed.reserve(begin.back());
+  prefer_large_pages(listed);
+  listed.resize(begin.back());
+  for_each_corner([&](VertexId v, TriangleId t) { listed[begin[v.index() + 1]++] = t; });
+  begin.pop_back();
 }
 
 std::span<const HalfedgeId> MeshAdjacency::halfedges_at(EdgeId edge) const {

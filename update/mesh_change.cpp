@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geom/large_pages.h"
 #include "geom/triangle_order.h"
 
 namespace cocoon {
@@ -30,7 +31,7 @@ bool compare_in_order(const TriangleMesh& before, const TriangleMesh& after,
   const auto look = [&] {
     if (next == end) return;
     now = smallest_first(*next);
-    sorted = sorted && !(now < last_new);
+    sorted = sorted && !precedes(now, last_new);
     last_new = now;
   };
   look();
@@ -42,9 +43,9 @@ bool compare_in_order(const TriangleMesh& before, const TriangleMesh& after,
       continue;
     }
     mapped = smallest_first(mapped);
-    if (mapped < last_old || !sorted) return false;
+    if (precedes(mapped, last_old) || !sorted) return false;
     last_old = mapped;
-    for (; next != end && now < mapped; ++next, look()) change.added.push_back(now);
+    for (; next != end && precedes(now, mapped); ++next, look()) change.added.push_back(now);
     if (next != end && now == mapped) {
       change.triangle_map[id] =
           TriangleId(static_cast<std::size_t>(next - after.triangles.begin()));
@@ -102,6 +103,8 @@ void compare_sorted_copies(const TriangleMesh& before, const TriangleMesh& after
 MeshChange mesh_change(const TriangleMesh& before, const TriangleMesh& after,
                        IdVector<VertexId, VertexId> vertex_map) {
   MeshChange change;
+  change.triangle_map.reserve(before.triangles.size());
+  prefer_large_pages(change.triangle_map.raw());
   change.triangle_map.resize(before.triangles.size());
   if (!compare_in_order(before, after, vertex_map, change)) {
     change = {};

@@ -83,13 +83,7 @@ bool hang_together(std::span<const TriangleId> triangles, const MeshAdjacency& a
   return count == triangles.size();
 }
 
-bool all_differ(Points points) {
-  const std::vector<std::uint32_t> first = first_of_equal(points);
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    if (first[i] != i) return false;
-  }
-  return true;
-}
+bool all_differ(Points points) { return repeated_points(points).empty(); }
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geom/equal_points.h"
+#include "geom/large_pages.h"
 #include "geom/nearest_point.h"
 #include "update/rim_index.h"
 
@@ -41,16 +42,18 @@ class ThinningTest {
 // Merges equal points of `points`, of which the first `distinct` differ from each other, keeping
 // the first of each in place; returns the new position of every old one.
 std::vector<PointId> merge_equal(std::vector<Point>& points, std::size_t distinct) {
-  const std::vector<std::uint32_t> first = first_of_equal(points, distinct);
+  const std::vector<RepeatedPoint> repeated = repeated_points(points, distinct);
   std::vector<PointId> new_position(points.size());
+  auto next = repeated.begin();
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (first[i] == i) {
-      points[count] = points[i];
-      new_position[i] = PointId(count++);
-    } else {
-      new_position[i] = new_position[first[i]];
+    if (next != repeated.end() && next->point == i) {
+      new_position[i] = new_position[next->first];
+      ++next;
+      continue;
     }
+    if (count != i) points[count] = points[i];
+    new_position[i] = PointId(count++);
   }
   points.resize(count);
   return new_position;
@@ -72,6 +75,7 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
 
   // 1. Kept vertices.
   std::vector<VertexId> kept;
+  kept.reserve(model.points.size());
   for (const VertexId v : model.points.ids()) {
     if (index.adjacency().triangles_at(v).empty()) {
       ++result.unused_vertices;
@@ -97,12 +101,14 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   result.kept = kept.size();
 
   // 2. Then the clouds; equal points once.
-  result.points.reserve(kept.size());
+  std::size_t gathered = kept.size();
+  for (const std::vector<Point>& cloud : clouds) gathered += cloud.size();
+  result.points.reserve(gathered);
+  prefer_large_pages(result.points);
   for (const VertexId v : kept) result.points.push_back(model.points[v]);
   for (const std::vector<Point>& cloud : clouds) {
     result.points.insert(result.points.end(), cloud.begin(), cloud.end());
   }
-  const std::size_t gathered = result.points.size();
   const std::vector<PointId> new_position =
       merge_equal(result.points, index.has_distinct_points() ? kept.size() : 0);
   result.duplicates = gathered - result.points.size();

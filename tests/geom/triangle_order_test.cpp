@@ -1,6 +1,7 @@
 #include "geom/triangle_order.h"
 
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace cocoon {
 namespace {
@@ -25,6 +26,18 @@ TEST(TriangleOrder, NoTriangleIsBelowTheLowest) {
   EXPECT_FALSE(triangle(0, 0, 0) < lowest_triangle);
   EXPECT_TRUE(lowest_triangle < triangle(0, 1, 2));
   EXPECT_TRUE(lowest_triangle < Triangle{});
+}
+
+TEST(TriangleOrder, PrecedesAsTheOperatorTells) {
+  std::vector<Triangle> triangles{Triangle{}, lowest_triangle};
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      for (int c = 0; c < 3; ++c) triangles.push_back(triangle(a, b, c));
+    }
+  }
+  for (const Triangle& a : triangles) {
+    for (const Triangle& b : triangles) EXPECT_EQ(precedes(a, b), a < b);
+  }
 }
 
 }  // namespace
