@@ -183,6 +183,19 @@ const std::vector<Point> five_points{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4},
 
 // --- Contract --------------------------------------------------------------------------------
 
+// The center of a sphere has all its points around it: the border of its hole has more facets than
+// the table of edges has room for.
+TEST(DynamicDelaunay, APointWithAThousandNeighbors) {
+  DynamicDelaunay triangulation;
+  triangulation.insert(gallery::sphere(1000));
+  const std::vector<Point> center{{0, 0, 0}, {3, 0, 0}};
+  const DelaunayChange change = triangulation.insert(center);
+  EXPECT_GT(change.created.size(), 1900U);
+  expect_fresh(triangulation);
+  triangulation.remove(change.inserted);
+  expect_fresh(triangulation);
+}
+
 TEST(DynamicDelaunay, IsASet) {
   DynamicDelaunay dynamic;
   const DelaunayChange first = dynamic.insert(five_points);
