@@ -68,7 +68,7 @@ void BestMove::consider_parts(VertexId v) {
     const bool finite = std::none_of(part.begin(), part.end(),
                                      [&](CellId c) { return triangulation_.is_infinite(c); });
     if (!finite || part.size() <= 2 || !is_attached(triangulation_, out_, part)) continue;
-    if (energy_.least_change(part) <= best_change_) consider(part);
+    if (energy_.least_change(part, best_change_) <= best_change_) consider(part);
   }
 }
 

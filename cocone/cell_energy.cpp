@@ -225,32 +225,57 @@ Energy CellEnergy::least_change_with(CellId c, int i) {
   return total + least_vertex_change(triangulation_.vertex(d, index_of(mirror)));
 }
 
-// Each facet between these cells and others appears or goes, and so half a sheet at its edges does.
-Energy CellEnergy::least_change(std::span<const CellId> cells) {
-  for (const CellId c : cells) taken_[c] = 1;
-  facets_at_edges_.clear();
+// What the facets between these cells and others cost once they appear or go. Each takes half a
+// sheet at its three edges along; before the edges are looked at, each half counts as little as it
+// can: a sheet that comes costs an edge or a defect, one that goes saves one of them.
+Energy CellEnergy::least_change(std::span<const CellId> cells, Energy limit) {
+  list_boundary(cells);
+  const Energy least_of_coming = 3 * std::min(half_handle_cost_, defect_cost_) / 2;
+  const Energy most_of_going = 3 * std::max(half_handle_cost_, defect_cost_) / 2;
   Energy total = 0;
+  Energy edges = 0;
+  for (const CellId c : cells) total += out_[c] != 0 ? -preference(c) : preference(c);
+  for (const FacetId f : boundary_) {
+    const Energy more = facet_cost(f) - half_handle_cost_;
+    const bool goes = is_on_surface(f);
+    total += goes ? -more : more;
+    edges += goes ? -most_of_going : least_of_coming;
+  }
+  list_vertices(cells);
+  for (const VertexId v : vertices_) total += least_vertex_change(v);
+  return total + edges > limit ? total + edges : total + least_edge_changes();
+}
+
+void CellEnergy::list_boundary(std::span<const CellId> cells) {
+  for (const CellId c : cells) taken_[c] = 1;
+  boundary_.clear();
   for (const CellId c : cells) {
-    const Place& place = place_now(c);
-    total += out_[c] != 0 ? -preference(c) : preference(c);
     for (int i = 0; i < 4; ++i) {
-      if (taken_[triangulation_.neighbor(c, i)] != 0) continue;
-      const Energy more = facet_cost(facet_id(c, i)) - half_handle_cost_;
-      total += place.surface[at(i)] ? -more : more;
-      for (int r = 0; r < 4; ++r) {
-        if (r == i) continue;
-        const auto [p, q] = others(i, r);
-        const VertexId a = triangulation_.vertex(c, p);
-        const VertexId b = triangulation_.vertex(c, q);
-        facets_at_edges_.push_back({{std::min(a, b), std::max(a, b)},
-                                    place.sheets[edge_number[p][q]],
-                                    place.surface[at(i)] ? -1 : 1});
-      }
+      if (taken_[triangulation_.neighbor(c, i)] == 0) boundary_.push_back(facet_id(c, i));
     }
   }
   for (const CellId c : cells) taken_[c] = 0;
+}
+
+// At the edges of the boundary.
+Energy CellEnergy::least_edge_changes() {
+  facets_at_edges_.clear();
+  for (const FacetId f : boundary_) {
+    const CellId c = cell_of(f);
+    const Place& place = place_now(c);
+    const int more = is_on_surface(f) ? -1 : 1;
+    for (int r = 0; r < 4; ++r) {
+      if (r == index_of(f)) continue;
+      const auto [p, q] = others(index_of(f), r);
+      const VertexId a = triangulation_.vertex(c, p);
+      const VertexId b = triangulation_.vertex(c, q);
+      facets_at_edges_.push_back(
+          {{std::min(a, b), std::max(a, b)}, place.sheets[edge_number[p][q]], more});
+    }
+  }
   std::sort(facets_at_edges_.begin(), facets_at_edges_.end(),
             [](const FacetAtEdge& a, const FacetAtEdge& b) { return a.edge < b.edge; });
+  Energy total = 0;
   for (std::size_t k = 0; k < facets_at_edges_.size();) {
     const FacetAtEdge& first = facets_at_edges_[k];
     int more = 0;
@@ -259,8 +284,6 @@ Energy CellEnergy::least_change(std::span<const CellId> cells) {
     }
     total += edge_change(first.sheets, more / 2);
   }
-  list_vertices(cells);
-  for (const VertexId v : vertices_) total += least_vertex_change(v);
   return total;
 }
 
@@ -275,7 +298,7 @@ void CellEnergy::list_vertices(std::span<const CellId> cells) {
 
 bool CellEnergy::is_at_surface(CellId c) const {
   for (int i = 0; i < 4; ++i) {
-    if (out_[triangulation_.neighbor(c, i)] != out_[c]) return true;
+    if (is_on_surface(facet_id(c, i))) return true;
   }
   return false;
 }

@@ -57,11 +57,13 @@ class CellEnergy {
   Energy change(std::span<const CellId> cells, Energy limit = std::numeric_limits<Energy>::max());
   // A bound that no change falls below, told from the facets and edges: of cell c; of c with the
   // finite cell behind its facet i, if both are on one side; of cells on one side. Vertices count
-  // as if the flip healed whatever is wrong there. O(1) for each cell and vertex that was asked
-  // about since the last flip at it.
+  // as if the flip healed whatever is wrong there. If a set's bound is more than `limit`, some
+  // bound above the limit. O(1) for each cell and vertex that was asked about since the last flip
+  // at it.
   Energy least_change(CellId c);
   Energy least_change_with(CellId c, int i);
-  Energy least_change(std::span<const CellId> cells);
+  Energy least_change(std::span<const CellId> cells,
+                      Energy limit = std::numeric_limits<Energy>::max());
   // Is a facet of the cell on the surface? O(1).
   bool is_at_surface(CellId c) const;
   void flip(std::span<const CellId> cells);
@@ -69,6 +71,9 @@ class CellEnergy {
   std::vector<std::vector<CellId>> parts_of_star(VertexId v) { return parts_.list(v); }
 
  private:
+  bool is_on_surface(FacetId f) const {
+    return out_[triangulation_.neighbor(cell_of(f), index_of(f))] != out_[cell_of(f)];
+  }
   // How a cell lies in the surface before it changes sides, and by how much the energy grows then,
   // but for what happens at its vertices.
   struct Place {
@@ -86,6 +91,8 @@ class CellEnergy {
   int changed_vertices(CellId c, std::uint32_t state) const;
   Energy edge_change(int sheets, int more) const;
   Energy least_vertex_change(VertexId v);
+  void list_boundary(std::span<const CellId> cells);
+  Energy least_edge_changes();
   void list_vertices(std::span<const CellId> cells);
   Energy flip_change(CellId c, const Place& place);
   Energy flip_change_now(CellId c);
@@ -134,6 +141,7 @@ class CellEnergy {
     int more;
   };
   std::vector<FacetAtEdge> facets_at_edges_;
+  std::vector<FacetId> boundary_;  // of a set of cells, as seen from these
 };
 
 }  // namespace cocoon

@@ -55,6 +55,8 @@ class CleanUp {
     set_preferences();
     cut();
     fill_cavities();
+    extend_region(triangulation_, stars_, touched_, region_);
+    touched_.clear();
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     repair();
     flip_clusters();
@@ -141,7 +143,11 @@ class CleanUp {
     for (const CellId c : triangulation_.finite_cells()) {
       out_[c] = marks_.labels[c] == CellLabel::out ? 1 : 0;
     }
-    for (std::size_t k = 0; k < cells.size(); ++k) out_[cells[k]] = side[k];
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const CellId c = cells[k];
+      if (marks_.labels[c] != CellLabel::unmarked && side[k] != out_[c]) touch(c);
+      out_[c] = side[k];
+    }
     for (const CellId c : triangulation_.finite_cells()) {
       counters_.relabeled_cells += out_[c] != marks_.reached[c];
     }
@@ -166,19 +172,24 @@ class CleanUp {
       }
     }
     for (const CellId c : triangulation_.finite_cells()) {
-      counters_.filled_cells += out_[c] != reached[c];
+      if (out_[c] == reached[c]) continue;
+      ++counters_.filled_cells;
       out_[c] = reached[c];
+      touch(c);
     }
   }
 
   // At every sample that is unused or where the surface is pinched (both ends of a non-manifold
   // edge are), in lexicographic order, round by round until no move helps.
   void repair() {
-    std::vector<std::uint32_t> turns = flawed_ranks();
+    std::vector<VertexId> turns = flawed_vertices();
     for (bool changed = true; changed;) {
       changed = false;
-      std::vector<std::uint32_t> later;
-      Turns now({}, std::move(turns));
+      std::vector<VertexId> later;
+      Turns now;
+      for (const VertexId v : turns) {
+        if (region_.contains(v)) now.push(region_.rank[v]);  // else left alone
+      }
       while (!now.empty()) {
         const std::uint32_t rank = now.top();
         while (!now.empty() && now.top() == rank) now.pop();
@@ -186,7 +197,7 @@ class CleanUp {
         while (energy_.vertex_cost(v) != 0) {
           const std::vector<CellId> cells = best_move_.find(v);
           if (cells.empty()) {
-            later.push_back(rank);
+            later.push_back(v);
             break;
           }
           flip(cells);
@@ -196,27 +207,32 @@ class CleanUp {
           for (const CellId c : cells) {
             for (const VertexId w : triangulation_.cell(c).vertices) {
               if (region_.rank[w] > rank) now.push(region_.rank[w]);
-              if (region_.rank[w] < rank && region_.contains(w)) later.push_back(region_.rank[w]);
+              if (region_.rank[w] < rank) later.push_back(w);
             }
           }
         }
       }
       turns = std::move(later);
+      extend_region(triangulation_, stars_, turns, region_);
     }
   }
 
   void flip(const std::vector<CellId>& cells) {
     energy_.flip(cells);
-    for (const CellId c : cells) {
-      for (const VertexId v : triangulation_.cell(c).vertices) {
-        if (region_.contains(v)) touched_.push_back(v);
-      }
-    }
+    for (const CellId c : cells) touch(c);
+  }
+
+  // Something has changed at the vertices of a finite cell.
+  void touch(CellId c) {
+    const auto& vertices = triangulation_.cell(c).vertices;
+    touched_.insert(touched_.end(), vertices.begin(), vertices.end());
   }
 
   // After flips: what was flawless elsewhere still is.
   void update_flaws() {
+    extend_region(triangulation_, stars_, touched_, region_);
     std::vector<VertexId> asked = std::move(touched_);
+    std::erase_if(asked, [&](VertexId v) { return !region_.contains(v); });
     asked.insert(asked.end(), flaws_.unused.begin(), flaws_.unused.end());
     asked.insert(asked.end(), flaws_.pinched.begin(), flaws_.pinched.end());
     std::sort(asked.begin(), asked.end(),
@@ -234,14 +250,13 @@ class CleanUp {
   }
 
   // Of the vertices that cost something.
-  std::vector<std::uint32_t> flawed_ranks() {
+  std::vector<VertexId> flawed_vertices() {
     if (!touched_.empty()) update_flaws();
-    std::vector<std::uint32_t> ranks;
+    std::vector<VertexId> flawed = flaws_.pinched;
     for (const VertexId v : flaws_.unused) {
-      if (energy_.is_wanted(v)) ranks.push_back(region_.rank[v]);
+      if (energy_.is_wanted(v)) flawed.push_back(v);
     }
-    for (const VertexId v : flaws_.pinched) ranks.push_back(region_.rank[v]);
-    return ranks;
+    return flawed;
   }
 
   ZeroedArray<CellId, std::uint8_t>& scratch() {
@@ -400,7 +415,7 @@ class CleanUp {
   DoubtfulRegion region_;
   SideSplit side_split_;
   SurfaceFlaws flaws_;             // of the region, before what is touched_ changed
-  std::vector<VertexId> touched_;  // vertices of the region at flipped cells
+  std::vector<VertexId> touched_;  // vertices of cells that have changed sides since
   ZeroedArray<CellId, std::uint8_t> scratch_;
   BestMove best_move_;
 };

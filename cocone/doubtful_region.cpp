@@ -61,24 +61,37 @@ void leave_large_clumps(const Triangulation& triangulation, std::size_t most_cel
   region.undecided = std::move(kept);
 }
 
-std::vector<VertexId> doubtful_vertices(const Triangulation& triangulation, const CellMarks& marks,
-                                        const DoubtfulRegion& region) {
+// In lexicographic order.
+void sort_by_place(const Triangulation& triangulation, std::vector<VertexId>& vertices) {
   struct Place {
     double x;  // decides nearly always
     VertexId vertex;
   };
   std::vector<Place> places;
-  for (const VertexId v : triangulation.vertices()) {
-    if (marks.good[v] != 0 && marks.conflicts == 0) continue;
-    if (!region.is_left(v)) places.push_back({triangulation.point(v).x, v});
-  }
+  places.reserve(vertices.size());
+  for (const VertexId v : vertices) places.push_back({triangulation.point(v).x, v});
   std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
     if (a.x != b.x) return a.x < b.x;
     return triangulation.point(a.vertex) < triangulation.point(b.vertex);
   });
+  for (std::size_t k = 0; k < places.size(); ++k) vertices[k] = places[k].vertex;
+}
+
+void rank_vertices(DoubtfulRegion& region) {
+  for (std::uint32_t k = 0; k < region.vertices.size(); ++k) {
+    region.rank[region.vertices[k]] = k + 1;
+  }
+}
+
+std::vector<VertexId> doubtful_vertices(const Triangulation& triangulation, const CellMarks& marks,
+                                        const DoubtfulRegion& region) {
   std::vector<VertexId> vertices;
-  vertices.reserve(places.size());
-  for (const Place& place : places) vertices.push_back(place.vertex);
+  for (const VertexId v : triangulation.vertices()) {
+    const bool doubtful =
+        marks.good[v] == 0 || (marks.conflicts != 0 && marks.contradicted[v] != 0);
+    if (doubtful && !region.is_left(v)) vertices.push_back(v);
+  }
+  sort_by_place(triangulation, vertices);
   return vertices;
 }
 
@@ -91,9 +104,7 @@ DoubtfulRegion find_doubtful_region(const Triangulation& triangulation, const Ce
   if (region.undecided.size() > most_cells) leave_large_clumps(triangulation, most_cells, region);
   region.vertices = doubtful_vertices(triangulation, marks, region);
   region.rank = ZeroedArray<VertexId, std::uint32_t>(triangulation.num_vertices());
-  for (std::uint32_t k = 0; k < region.vertices.size(); ++k) {
-    region.rank[region.vertices[k]] = k + 1;
-  }
+  rank_vertices(region);
   for (const CellId c : triangulation.cells()) {
     const auto& vertices = triangulation.cell(c).vertices;
     const bool doubtful = std::any_of(vertices.begin(), vertices.end(),
@@ -101,6 +112,23 @@ DoubtfulRegion find_doubtful_region(const Triangulation& triangulation, const Ce
     if (doubtful) region.cells.push_back(c);
   }
   return region;
+}
+
+void extend_region(const Triangulation& triangulation, StarCache& stars,
+                   std::span<const VertexId> vertices, DoubtfulRegion& region) {
+  const std::size_t before = region.vertices.size();
+  for (const VertexId v : vertices) {
+    if (region.contains(v) || region.is_left(v)) continue;
+    region.vertices.push_back(v);
+    region.rank[v] = 1;
+    const std::span<const CellId> star = stars.star(v);
+    region.cells.insert(region.cells.end(), star.begin(), star.end());
+  }
+  if (region.vertices.size() == before) return;
+  sort_by_place(triangulation, region.vertices);
+  rank_vertices(region);
+  std::sort(region.cells.begin(), region.cells.end());
+  region.cells.erase(std::unique(region.cells.begin(), region.cells.end()), region.cells.end());
 }
 
 bool is_left(const Triangulation& triangulation, const CellMarks& marks,

@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "cocone/mark_cells.h"
+#include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
 #include "geom/zeroed_array.h"
 
@@ -24,13 +26,18 @@ struct DoubtfulRegion {
   bool is_left(VertexId v) const { return left_cells != 0 && v != infinite_vertex && left[v] != 0; }
 };
 
-// Vertices that are not good; all of them if marks conflict. Undecided cells that hang together by
-// facets are a clump. Those of more than `most_cells` cells are left alone, with the vertices that
-// no other undecided cell has.
-// Complexity: O(cells + d log d) for d such vertices: passes over the cells in the order of memory.
+// Vertices that are not good, and those contradicted where marks conflict. Undecided cells that
+// hang together by facets are a clump. Those of more than `most_cells` cells are left alone, with
+// the vertices that no other undecided cell has. Complexity: O(cells + d log d) for d such
+// vertices: passes over the cells in the order of memory.
 DoubtfulRegion find_doubtful_region(
     const Triangulation& triangulation, const CellMarks& marks,
     std::size_t most_cells = std::numeric_limits<std::size_t>::max());
+
+// Takes further vertices into the region, each with its cells. Complexity: O(region + k log k) for
+// k of them, with their stars.
+void extend_region(const Triangulation& triangulation, StarCache& stars,
+                   std::span<const VertexId> vertices, DoubtfulRegion& region);
 
 // Is the cell undecided, and in a clump that was left to the peel? Complexity: O(log cells).
 bool is_left(const Triangulation& triangulation, const CellMarks& marks,

@@ -1,17 +1,15 @@
 #include "cocone/mark_cells.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <utility>
 
+#include "cocone/carried_marks.h"
+#include "cocone/disputed_marks.h"
 #include "cocone/known_sides.h"
 #include "delaunay/circulate.h"
 
 namespace cocoon {
 namespace {
-
-constexpr std::size_t ahead = 16;  // cells lie here and there in memory: fetch those that come soon
 
 struct LabelCount {
   std::size_t out = 0;
@@ -31,199 +29,6 @@ struct LabelCount {
 CellLabel opposite(CellLabel label) {
   return label == CellLabel::out ? CellLabel::in : CellLabel::out;
 }
-
-// What the rounds give where no two vertices disagree. The vertices that get their turn are those
-// joined to the hull by triangles of the surface. A side of the surface, carried from triangle to
-// triangle around them, labels the cells on both sides of it; cells that share a facet at such a
-// vertex, off the surface, have the same label. Labels that meet all these conditions are those of
-// the rounds: OUT is what hangs together with an infinite cell by such facets, IN what lies behind.
-class ConsistentMarking {
- public:
-  // `corner_at`: as in GoodVertices.
-  ConsistentMarking(const Triangulation& triangulation, const LinkedFacets& surface,
-                    const IdVector<VertexId, SideId>& corner_at, CellMarks& marks)
-      : triangulation_(triangulation), surface_(surface), corner_at_(corner_at), marks_(marks) {}
-
-  // False if the labels contradict each other; the marks are then of no use.
-  bool run() {
-    for (const CellId c : triangulation_.infinite_cells()) marks_.labels[c] = CellLabel::out;
-    return visit_surface() && label_sides() && label_others();
-  }
-
- private:
-  static constexpr std::uint8_t unknown = 2;
-
-  // Goes over the surface from the hull, by good vertices. Of each triangle at one it learns on
-  // which side OUT is: 0, in the cell that numbers the facet, 1, in the one behind.
-  bool visit_surface() {
-    out_side_.assign(surface_.size(), unknown);
-    for (const CellId c : triangulation_.infinite_cells()) {
-      for (unsigned i = 0; i < 3; ++i) {
-        const VertexId v = triangulation_.cell(c).vertices[i];
-        if (marks_.good[v] == 0 || marks_.visited[v] != 0) continue;
-        const FacetId seen = surface_seen_from(c, v);
-        const std::uint32_t t = triangle_of_facet(seen, v);
-        if (!visit_from(t, seen == surface_.facets[t] ? 0 : 1)) return false;
-      }
-    }
-    return true;
-  }
-
-  // The first facet of the surface at v met from the infinite cell c, seen from that side.
-  // Precondition: v is good.
-  FacetId surface_seen_from(CellId c, VertexId v) const {
-    std::vector<CellId> half{c};
-    for (std::size_t next = 0;; ++next) {
-      const int opposite_facet = index_of_vertex(triangulation_.cell(half[next]), v);
-      for (int i = 0; i < 4; ++i) {
-        if (i == opposite_facet) continue;
-        const FacetId f = facet_id(half[next], i);
-        if (surface_.set.contains(f)) return f;
-        const CellId behind = cell_of(triangulation_.mirror(f));
-        if (std::find(half.begin(), half.end(), behind) == half.end()) half.push_back(behind);
-      }
-    }
-  }
-
-  // The position of a facet of the surface at the good vertex v: found by going around v.
-  std::uint32_t triangle_of_facet(FacetId f, VertexId v) const {
-    SideId crossed = corner_at_[v];
-    for (std::size_t arrived = next_corner(corner_of_side(crossed));;) {
-      const std::uint32_t t = triangle_of_side(crossed);
-      if (surface_.facets[t] == f || surface_.mirrors[t] == f) return t;
-      const Triangle& corners = surface_.corners[t];
-      std::size_t leaving = next_corner(arrived);
-      if (corners[leaving] == v) leaving = next_corner(leaving);
-      crossed = surface_.links[3 * t + static_cast<SideId>(leaving)];
-      arrived = corner_of_side(crossed);
-    }
-  }
-
-  bool visit_from(std::uint32_t first, std::uint8_t out_side) {
-    stack_.assign(1, first);
-    out_side_[first] = out_side;
-    while (!stack_.empty()) {
-      const std::uint32_t t = stack_.back();
-      stack_.pop_back();
-      const Triangle& corners = surface_.corners[t];
-      for (std::size_t i = 0; i < 3; ++i) {
-        const VertexId a = corners[next_corner(i)];
-        if ((marks_.good[a] | marks_.good[corners[previous_corner(i)]]) == 0) continue;
-        // Around a good vertex every edge has two triangles.
-        const SideId across = surface_.links[3 * t + i];
-        const bool turned = surface_.ends(across)[0] == a;
-        const auto expected = static_cast<std::uint8_t>(out_side_[t] ^ (turned ? 1U : 0U));
-        std::uint8_t& found = out_side_[triangle_of_side(across)];
-        if (found == unknown) {
-          found = expected;
-          stack_.push_back(triangle_of_side(across));
-        } else if (found != expected) {
-          return false;
-        }
-      }
-      for (const VertexId v : corners) {
-        const auto visited = static_cast<std::uint8_t>(marks_.visited[v] | marks_.good[v]);
-        marks_.visited_vertices += visited ^ marks_.visited[v];
-        marks_.visited[v] = visited;
-      }
-    }
-    return true;
-  }
-
-  // Every triangle whose sides are known has a visited corner: it was reached from one.
-  bool label_sides() {
-    bool agrees = true;
-    const auto label = [&](FacetId f, CellLabel wanted) {
-      CellLabel& known = marks_.labels[cell_of(f)];
-      known = known == CellLabel::unmarked ? wanted : known;
-      agrees &= known == wanted;
-    };
-    for (std::uint32_t t = 0; t < surface_.size(); ++t) {
-      if (t + ahead < surface_.size()) {
-        __builtin_prefetch(&marks_.labels[cell_of(surface_.facets[t + ahead])]);
-        __builtin_prefetch(&marks_.labels[cell_of(surface_.mirrors[t + ahead])]);
-      }
-      if (out_side_[t] == unknown) continue;
-      const bool out_here = out_side_[t] == 0;
-      label(surface_.facets[t], out_here ? CellLabel::out : CellLabel::in);
-      label(surface_.mirrors[t], out_here ? CellLabel::in : CellLabel::out);
-    }
-    return agrees;
-  }
-
-  // Labels pass through facets at visited vertices; in the order of memory, as often as it takes.
-  // Each cell is compared with those around it when it has its label, so that of any two the second
-  // sees the first. False if they contradict each other, or if none comes to a cell.
-  bool label_others() {
-    unsigned wrong = 0;
-    std::vector<CellId> left;
-    for (const CellId c : triangulation_.cells()) {
-      if (!take_label(c, wrong) && passing_facets(c) != 0) left.push_back(c);
-    }
-    for (std::size_t before = left.size() + 1; left.size() < before;) {
-      before = left.size();
-      std::reverse(left.begin(), left.end());
-      std::erase_if(left, [&](CellId c) { return take_label(c, wrong); });
-    }
-    return wrong == 0 && left.empty();
-  }
-
-  // Bit i: facet i has a vertex that has had its turn. A branch only on whether all have.
-  unsigned passing_facets(CellId c) const {
-    if (marks_.visited_vertices == triangulation_.num_vertices()) return 15;
-    const Cell& cell = triangulation_.cell(c);
-    unsigned bits = 0;
-    for (unsigned i = 0; i < (triangulation_.is_infinite(c) ? 3U : 4U); ++i) {
-      bits |= static_cast<unsigned>(marks_.visited[cell.vertices[i]]) << i;
-    }
-    const bool is_one = (bits & (bits - 1)) == 0;
-    return bits == 0 ? 0U : is_one ? 15U & ~bits : 15U;
-  }
-
-  // Gives the cell a label, if it has none, and looks whether it agrees with those around it, by
-  // the bits of labels: a branch for each facet would be guessed wrong half of the time. Where the
-  // cells around contradict each other it takes any of their labels. False if there is none yet.
-  bool take_label(CellId c, unsigned& wrong) {
-    constexpr auto out = static_cast<unsigned>(CellLabel::out);
-    static_assert(out == 1 && static_cast<unsigned>(CellLabel::in) == 2);
-    const Cell& cell = triangulation_.cell(c);
-    std::uint32_t labels = 0;  // of the cells around, one in each byte
-    for (unsigned i = 0; i < 4; ++i) {
-      labels |= static_cast<std::uint32_t>(marks_.labels[cell_of(cell.neighbors[i])]) << (8 * i);
-    }
-    const std::uint32_t told = labels & byte_of_bit[passing_facets(c)];
-    const std::uint32_t closed = byte_of_bit[surface_.set.bits(c)];
-    const unsigned same = any_byte(told & ~closed);     // told by cells that have the same label
-    const unsigned opposite = any_byte(told & closed);  // by cells beyond the surface
-    const auto known = static_cast<unsigned>(marks_.labels[c]);
-    const unsigned label = known != 0 ? known : (same & out) != 0 ? out : same;
-    const unsigned all = same | opposite >> 1 | (opposite << 1 & 2U);  // these bits change places
-    wrong |= label != 0 ? all & ~label : 0U;
-    marks_.labels[c] = static_cast<CellLabel>(label);
-    return label != 0;
-  }
-
-  // Byte i: whether bit i is set, in both bits of a label.
-  static constexpr std::array<std::uint32_t, 16> byte_of_bit = [] {
-    std::array<std::uint32_t, 16> masks{};
-    for (std::uint32_t bits = 0; bits < 16; ++bits) {
-      for (unsigned i = 0; i < 4; ++i) masks[bits] |= 3 * ((bits >> i) & 1U) << (8 * i);
-    }
-    return masks;
-  }();
-  // The bits of a label that are set in any of four bytes.
-  static unsigned any_byte(std::uint32_t bytes) {
-    bytes |= bytes >> 16;
-    return (bytes | bytes >> 8) & 3U;
-  }
-
-  const Triangulation& triangulation_;
-  const LinkedFacets& surface_;
-  const IdVector<VertexId, SideId>& corner_at_;
-  CellMarks& marks_;
-  std::vector<std::uint8_t> out_side_;  // per triangle
-  std::vector<std::uint32_t> stack_;
-};
 
 void clear_marks(const Triangulation& triangulation, CellMarks& marks) {
   marks.labels = IdVector<CellId, CellLabel>(triangulation.num_cells(), CellLabel::unmarked);
@@ -386,7 +191,10 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
   marks.good_vertices = good.count;
   marks.demoted_vertices = good.demoted;
   clear_marks(triangulation, marks);
-  if (!ConsistentMarking(triangulation, surface, good.corner_at, marks).run()) {
+  const CarriedMarks carried = carry_marks(triangulation, surface, good.corner_at, marks);
+  if (carried.carried && known.empty()) {
+    settle_disputes(triangulation, surface, good.corner_at, carried, marks);
+  } else if (!carried.carried || !carried.disputed.empty()) {
     clear_marks(triangulation, marks);
     // the first to have their turn: good vertices on the hull
     std::vector<VertexId> seeds;

@@ -34,6 +34,9 @@ struct CellMarks {
   VertexSet visited;  // good vertices that have done so
   // After peel_cells: 1 = reached from infinity. The body is the set of finite cells not reached.
   IdVector<CellId, std::uint8_t> reached;
+  // After peel_cells, empty if there are no conflicts: 1 = a good vertex whose cells are not OUT on
+  // one side of the surface and IN (or unmarked) on the other.
+  VertexSet contradicted;
 
   std::size_t good_vertices = 0;
   std::size_t demoted_vertices = 0;  // closed umbrellas at folds (umbrella.h)
@@ -51,8 +54,10 @@ struct CellMarks {
 // way round; where both labels occur the half's majority counts, a tie is OUT, and it is counted as
 // a conflict. Nothing is overwritten; a cell told both in one round is OUT, also counted.
 // A vertex whose star is labeled already passes on the turn and is not examined for conflicts.
-// Where no two vertices disagree, one pass over the cells gives the same labels; the rounds run
-// only if it meets a contradiction. Complexity: O(cells). Rounds read only earlier rounds:
+// One pass over the cells (carried_marks.h) gives the same labels where no two vertices disagree;
+// of the others those are asked, round by round, whom the disagreement touches (disputed_marks.h).
+// Only a surface that contradicts the hull goes through all rounds. Complexity: O(cells). Rounds
+// read only earlier rounds:
 // independent of order. Source: Dey & Goswami 2003 (Tight Cocone, marking); spec 6.1, 6.2,
 // section 12.
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,

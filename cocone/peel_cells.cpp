@@ -237,6 +237,24 @@ class Peeling {
   std::priority_queue<DeferredSeed> heap_;
 };
 
+// Good vertices at facets of the surface with both sides alike, and at others with different ones.
+VertexSet contradicted_vertices(const Triangulation& triangulation, const FacetSet& surface,
+                                const CellMarks& marks) {
+  VertexSet contradicted(triangulation.num_vertices(), 0);
+  const auto is_out = [&](CellId c) { return marks.labels[c] == CellLabel::out; };
+  for (const CellId c : triangulation.cells()) {
+    for (int i = 0; i < 4; ++i) {
+      const FacetId f = facet_id(c, i);
+      const bool differ = is_out(c) != is_out(triangulation.neighbor(c, i));
+      if (differ == surface.contains(f)) continue;
+      for (const VertexId v : triangulation.facet_vertices(f)) {
+        if (v != infinite_vertex && marks.good[v] != 0) contradicted[v] = 1;
+      }
+    }
+  }
+  return contradicted;
+}
+
 // What hangs together by facets.
 CavityCounters count_parts(const Triangulation& triangulation,
                            IdVector<CellId, std::uint8_t> cells) {
@@ -266,6 +284,9 @@ CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface
                      const PeelOptions& options, const Execution& execution) {
   report_progress(execution, "peel_cells", 0);
   Peeling(triangulation, surface, marks).run(options);
+  if (marks.conflicts != 0) {
+    marks.contradicted = contradicted_vertices(triangulation, surface, marks);
+  }
   report_progress(execution, "peel_cells", 1);
   return marks;
 }

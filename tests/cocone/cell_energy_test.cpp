@@ -68,7 +68,9 @@ TEST(CellEnergy, NoChangeIsLessThanItsBound) {
           if (std::any_of(part.begin(), part.end(), [&](CellId c) { return t.is_infinite(c); })) {
             continue;
           }
-          EXPECT_LE(energy.least_change(part), energy.change(part));
+          const Energy change = energy.change(part);
+          EXPECT_LE(energy.least_change(part), change);
+          EXPECT_LE(energy.least_change(part, to_energy(-20)), std::max(change, to_energy(-20)));
         }
       }
     }

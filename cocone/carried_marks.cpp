@@ -1,0 +1,226 @@
+#include "cocone/carried_marks.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "delaunay/circulate.h"
+
+namespace cocoon {
+namespace {
+
+constexpr std::size_t ahead = 16;  // cells lie here and there in memory: fetch those that come soon
+
+class Carrying {
+ public:
+  Carrying(const Triangulation& triangulation, const LinkedFacets& surface,
+           const IdVector<VertexId, SideId>& corner_at, CellMarks& marks)
+      : triangulation_(triangulation), surface_(surface), corner_at_(corner_at), marks_(marks) {}
+
+  CarriedMarks run() {
+    for (const CellId c : triangulation_.infinite_cells()) marks_.labels[c] = CellLabel::out;
+    if (visit_surface()) {
+      label_sides();
+      result_.carried = label_others();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  // Goes over the surface from the hull, by good vertices. Of each triangle at one it learns on
+  // which side OUT is: 0, in the cell that numbers the facet, 1, in the one behind.
+  bool visit_surface() {
+    out_side_.assign(surface_.size(), CarriedMarks::unknown);
+    for (const CellId c : triangulation_.infinite_cells()) {
+      for (unsigned i = 0; i < 3; ++i) {
+        const VertexId v = triangulation_.cell(c).vertices[i];
+        if (marks_.good[v] == 0 || marks_.visited[v] != 0) continue;
+        const FacetId seen = surface_seen_from(c, v);
+        const std::uint32_t t = triangle_of_facet(seen, v);
+        if (!visit_from(t, seen == surface_.facets[t] ? 0 : 1)) return false;
+      }
+    }
+    return true;
+  }
+
+  // The first facet of the surface at v met from the infinite cell c, seen from that side.
+  // Precondition: v is good.
+  FacetId surface_seen_from(CellId c, VertexId v) const {
+    std::vector<CellId> half{c};
+    for (std::size_t next = 0;; ++next) {
+      const int opposite_facet = index_of_vertex(triangulation_.cell(half[next]), v);
+      for (int i = 0; i < 4; ++i) {
+        if (i == opposite_facet) continue;
+        const FacetId f = facet_id(half[next], i);
+        if (surface_.set.contains(f)) return f;
+        const CellId behind = cell_of(triangulation_.mirror(f));
+        if (std::find(half.begin(), half.end(), behind) == half.end()) half.push_back(behind);
+      }
+    }
+  }
+
+  // The position of a facet of the surface at the good vertex v.
+  std::uint32_t triangle_of_facet(FacetId f, VertexId v) const {
+    std::uint32_t found = 0;
+    for_each_triangle_around(surface_, corner_at_[v], [&](std::uint32_t t) {
+      if (surface_.facets[t] == f || surface_.mirrors[t] == f) found = t;
+    });
+    return found;
+  }
+
+  bool visit_from(std::uint32_t first, std::uint8_t out_side) {
+    stack_.assign(1, first);
+    out_side_[first] = out_side;
+    while (!stack_.empty()) {
+      const std::uint32_t t = stack_.back();
+      stack_.pop_back();
+      const Triangle& corners = surface_.corners[t];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const VertexId a = corners[next_corner(i)];
+        if ((marks_.good[a] | marks_.good[corners[previous_corner(i)]]) == 0) continue;
+        // Around a good vertex every edge has two triangles.
+        const SideId across = surface_.links[3 * t + i];
+        const bool turned = surface_.ends(across)[0] == a;
+        const auto expected = static_cast<std::uint8_t>(out_side_[t] ^ (turned ? 1U : 0U));
+        std::uint8_t& found = out_side_[triangle_of_side(across)];
+        if (found == CarriedMarks::unknown) {
+          found = expected;
+          stack_.push_back(triangle_of_side(across));
+        } else if (found != expected) {
+          return false;
+        }
+      }
+      for (const VertexId v : corners) {
+        const auto visited = static_cast<std::uint8_t>(marks_.visited[v] | marks_.good[v]);
+        marks_.visited_vertices += visited ^ marks_.visited[v];
+        marks_.visited[v] = visited;
+      }
+    }
+    return true;
+  }
+
+  // Every triangle whose sides are known has a visited corner: it was reached from one.
+  void label_sides() {
+    for (std::uint32_t t = 0; t < surface_.size(); ++t) {
+      if (t + ahead < surface_.size()) {
+        __builtin_prefetch(&marks_.labels[cell_of(surface_.facets[t + ahead])]);
+        __builtin_prefetch(&marks_.labels[cell_of(surface_.mirrors[t + ahead])]);
+      }
+      if (out_side_[t] == CarriedMarks::unknown) continue;
+      const bool out_here = out_side_[t] == 0;
+      const bool agrees = label(surface_.facets[t], out_here ? CellLabel::out : CellLabel::in) &
+                          label(surface_.mirrors[t], out_here ? CellLabel::in : CellLabel::out);
+      if (!agrees) dispute(surface_.facets[t]);
+    }
+  }
+
+  // False if the cell of the facet has another label.
+  bool label(FacetId f, CellLabel wanted) {
+    CellLabel& known = marks_.labels[cell_of(f)];
+    known = known == CellLabel::unmarked ? wanted : known;
+    return known == wanted;
+  }
+
+  void dispute(FacetId f) {
+    for (const VertexId v : triangulation_.facet_vertices(f)) {
+      if (v != infinite_vertex && marks_.visited[v] != 0) result_.disputed.push_back(v);
+    }
+  }
+
+  // Labels pass through facets at visited vertices; in the order of memory, as often as it takes.
+  // Each cell is compared with those around it when it has its label, so that of any two the second
+  // sees the first. False if none comes to a cell.
+  bool label_others() {
+    std::vector<CellId> left;
+    for (const CellId c : triangulation_.cells()) {
+      if (!take_label(c) && passing_facets(c) != 0) left.push_back(c);
+    }
+    for (std::size_t before = left.size() + 1; left.size() < before;) {
+      before = left.size();
+      std::reverse(left.begin(), left.end());
+      std::erase_if(left, [&](CellId c) { return take_label(c); });
+    }
+    return left.empty();
+  }
+
+  // Bit i: facet i has a vertex that has had its turn. A branch only on whether all have.
+  unsigned passing_facets(CellId c) const {
+    if (marks_.visited_vertices == triangulation_.num_vertices()) return 15;
+    const Cell& cell = triangulation_.cell(c);
+    unsigned bits = 0;
+    for (unsigned i = 0; i < (triangulation_.is_infinite(c) ? 3U : 4U); ++i) {
+      bits |= static_cast<unsigned>(marks_.visited[cell.vertices[i]]) << i;
+    }
+    const bool is_one = (bits & (bits - 1)) == 0;
+    return bits == 0 ? 0U : is_one ? 15U & ~bits : 15U;
+  }
+
+  // Gives the cell a label, if it has none, and looks whether it agrees with those around it, by
+  // the bits of labels: a branch for each facet would be guessed wrong half of the time. Where the
+  // cells around contradict each other it takes any of their labels. False if there is none yet.
+  bool take_label(CellId c) {
+    constexpr auto out = static_cast<unsigned>(CellLabel::out);
+    static_assert(out == 1 && static_cast<unsigned>(CellLabel::in) == 2);
+    const Cell& cell = triangulation_.cell(c);
+    std::uint32_t labels = 0;  // of the cells around, one in each byte
+    for (unsigned i = 0; i < 4; ++i) {
+      labels |= static_cast<std::uint32_t>(marks_.labels[cell_of(cell.neighbors[i])]) << (8 * i);
+    }
+    const unsigned passing = passing_facets(c);
+    const std::uint32_t told = labels & byte_of_bit[passing];
+    const std::uint32_t closed = byte_of_bit[surface_.set.bits(c)];
+    const unsigned same = any_byte(told & ~closed);     // told by cells that have the same label
+    const unsigned opposite = any_byte(told & closed);  // by cells beyond the surface
+    const auto known = static_cast<unsigned>(marks_.labels[c]);
+    const unsigned label = known != 0 ? known : (same & out) != 0 ? out : same;
+    const unsigned all = same | opposite >> 1 | (opposite << 1 & 2U);  // these bits change places
+    marks_.labels[c] = static_cast<CellLabel>(label);
+    if (label != 0 && (all & ~label) != 0) dispute_around(c, passing);
+    return label != 0;
+  }
+
+  // Byte i: whether bit i is set, in both bits of a label.
+  static constexpr std::array<std::uint32_t, 16> byte_of_bit = [] {
+    std::array<std::uint32_t, 16> masks{};
+    for (std::uint32_t bits = 0; bits < 16; ++bits) {
+      for (unsigned i = 0; i < 4; ++i) masks[bits] |= 3 * ((bits >> i) & 1U) << (8 * i);
+    }
+    return masks;
+  }();
+  // The bits of a label that are set in any of four bytes.
+  static unsigned any_byte(std::uint32_t bytes) {
+    bytes |= bytes >> 16;
+    return (bytes | bytes >> 8) & 3U;
+  }
+
+  // At the facets of the cell where labels do not fit the surface.
+  void dispute_around(CellId c, unsigned passing) {
+    for (int i = 0; i < 4; ++i) {
+      const FacetId f = facet_id(c, i);
+      const CellLabel behind = marks_.labels[triangulation_.neighbor(c, i)];
+      if (((passing >> i) & 1U) == 0 || behind == CellLabel::unmarked) continue;
+      if ((behind != marks_.labels[c]) != surface_.set.contains(f)) dispute(f);
+    }
+  }
+
+  const Triangulation& triangulation_;
+  const LinkedFacets& surface_;
+  const IdVector<VertexId, SideId>& corner_at_;
+  CellMarks& marks_;
+  CarriedMarks result_;
+  std::vector<std::uint8_t>& out_side_ = result_.out_side;
+  std::vector<std::uint32_t> stack_;
+};
+
+}  // namespace
+
+CarriedMarks carry_marks(const Triangulation& triangulation, const LinkedFacets& surface,
+                         const IdVector<VertexId, SideId>& corner_at, CellMarks& marks) {
+  CarriedMarks carried = Carrying(triangulation, surface, corner_at, marks).run();
+  std::sort(carried.disputed.begin(), carried.disputed.end());
+  carried.disputed.erase(std::unique(carried.disputed.begin(), carried.disputed.end()),
+                         carried.disputed.end());
+  return carried;
+}
+
+}  // namespace cocoon
