@@ -17,10 +17,10 @@
 #include "cocone/sample_spacing.h"
 #include "cocone/side_evidence.h"
 #include "cocone/side_split.h"
+#include "cocone/small_parts.h"
 #include "cocone/surface_flaws.h"
 #include "delaunay/circulate.h"
 #include "delaunay/star_cache.h"
-#include "geom/disjoint_sets.h"
 
 namespace cocoon {
 namespace {
@@ -340,54 +340,15 @@ class CleanUp {
                        [&](VertexId v) { return region_.is_left(v); });
   }
 
-  // The finite IN cells that hang together, few first; not the part with the most, nor what is
-  // left alone.
-  std::vector<std::vector<CellId>> small_parts() const {
-    DisjointSets sets(triangulation_.num_cells());
-    for (const CellId c : triangulation_.finite_cells()) {
-      for (int i = 0; i < 4 && out_[c] == 0; ++i) {
-        const CellId behind = triangulation_.neighbor(c, i);
-        if (behind < c && out_[behind] == 0) sets.join(behind.value, c.value);
-      }
-    }
-    std::vector<std::vector<CellId>> parts;
-    ZeroedArray<CellId, std::uint32_t> place(triangulation_.num_cells());  // 1 + that, of roots
-    const auto for_body_cells = [&](auto visit) {
-      for (const CellId c : triangulation_.finite_cells()) {
-        if (out_[c] == 0) visit(c, place[CellId(sets.root(c.value))]);
-      }
-    };
-    std::vector<std::size_t> sizes;
-    std::vector<std::uint8_t> left;
-    for_body_cells([&](CellId c, std::uint32_t& k) {
-      if (k == 0) {
-        sizes.push_back(0);
-        left.push_back(0);
-        k = static_cast<std::uint32_t>(sizes.size());
-      }
-      ++sizes[k - 1];
-      if (has_left_vertex(c)) left[k - 1] = 1;
-    });
-    if (sizes.size() < 2) return {};
-    const std::size_t most = *std::max_element(sizes.begin(), sizes.end());
-    const bool alone = std::count(sizes.begin(), sizes.end(), most) == 1;
-    parts.resize(sizes.size());
-    for_body_cells([&](CellId c, std::uint32_t k) {
-      if (left[k - 1] == 0 && (sizes[k - 1] < most || !alone)) parts[k - 1].push_back(c);
-    });
-    std::erase_if(parts, [](const auto& part) { return part.empty(); });
-    std::sort(parts.begin(), parts.end(),
-              [&](const auto& a, const auto& b) { return precedes(triangulation_, a, b); });
-    if (!alone && parts.size() > 0 && parts.back().size() == most) parts.pop_back();
-    return parts;
-  }
-
   // Parts of the body whose samples and facets are not worth a part of its own.
   bool drop_components() {
     const Energy gain = to_energy(options_.component_cost);
     bool dropped = false;
-    for (const std::vector<CellId>& part : small_parts()) {
-      if (energy_.change(part) >= gain) continue;
+    for (const std::vector<CellId>& part :
+         small_parts(triangulation_, out_, region_.cells, options_.most_cluster_cells)) {
+      const bool is_left =
+          std::any_of(part.begin(), part.end(), [&](CellId c) { return has_left_vertex(c); });
+      if (is_left || energy_.change(part) >= gain) continue;
       flip(part);
       ++counters_.dropped_components;
       dropped = true;

@@ -25,7 +25,8 @@
 //  3. Clusters. At idle samples whole clusters of cells (cell_cluster.h) change sides where that
 //     lowers E, under the same conditions, and if no sample on the surface is left out: holes of
 //     which only the rims are sampled open. Moves again.
-//  4. Small parts of the body are dropped where that lowers E. Moves again.
+//  4. Small parts of the body (small_parts.h) in the doubtful region are dropped where that lowers
+//     E. Moves again.
 //  What is undecided over a volume (most_clump_cells) is left to the peel.
 //  E falls strictly in 2 to 4, and there are finitely many labelings, so this ends.
 #pragma once
@@ -65,7 +66,8 @@ struct CleanUpOptions {
   double deep_cosine = 0.9;  // of a cluster: below, walls of thick plates are crossed
   // Then of closer clusters, at samples that are still idle: above, a hole is several.
   double deeper_cosine = 0.95;
-  // Larger clusters are not asked: the inner cells of a body are one, too.
+  // Larger clusters are not asked: the inner cells of a body are one, too. Nor are larger parts of
+  // the body dropped.
   std::size_t most_cluster_cells = 10000;
   double component_cost = 100;  // a part is dropped if it uses few samples: fewer than about 12
 };
