@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/half_labels.h"
 #include "delaunay/circulate.h"
 #include "delaunay/star_cache.h"
 #include "geom/zeroed_array.h"
@@ -67,14 +68,6 @@ class Disputes {
   struct Decision {
     CellLabel of_out;
     CellLabel of_in;  // both unmarked: as it should be
-  };
-  struct LabelCount {
-    std::size_t out = 0;
-    std::size_t in = 0;
-    void add(CellLabel label) { ++(label == CellLabel::out ? out : in); }
-    bool mixed() const { return out != 0 && in != 0; }
-    CellLabel majority() const { return out >= in ? CellLabel::out : CellLabel::in; }
-    bool empty() const { return out + in == 0; }
   };
 
   // The round in which each visited vertex has its turn.
@@ -162,18 +155,13 @@ class Disputes {
       }
     }
     if (complete) return;
-    const CellLabel of_out = out.empty() ? opposite(in.majority()) : out.majority();
-    const CellLabel of_in = in.empty() ? opposite(out.majority()) : in.majority();
-    if (out.mixed() || in.mixed() || of_out == of_in) ++marks_.conflicts;
-    if (of_out == CellLabel::out && of_in == CellLabel::in) return;
-    decisions_[v] = {of_out, of_in};
+    const HalfLabels labels = label_halves(out, in);
+    marks_.conflicts += labels.conflict ? 1U : 0U;
+    if (labels.first == CellLabel::out && labels.second == CellLabel::in) return;
+    decisions_[v] = {labels.first, labels.second};
     for (const CellId c : stars_.star(v)) {
       if (turn_of(c) == turn_[v]) cells_[turn_[v]].push_back(c);
     }
-  }
-
-  static CellLabel opposite(CellLabel label) {
-    return label == CellLabel::out ? CellLabel::in : CellLabel::out;
   }
 
   // What the vertices tell the cell whose turn it is.

@@ -5,30 +5,12 @@
 
 #include "cocone/carried_marks.h"
 #include "cocone/disputed_marks.h"
+#include "cocone/half_labels.h"
 #include "cocone/known_sides.h"
 #include "delaunay/circulate.h"
 
 namespace cocoon {
 namespace {
-
-struct LabelCount {
-  std::size_t out = 0;
-  std::size_t in = 0;
-
-  void add(CellLabel label) {
-    out += label == CellLabel::out;
-    in += label == CellLabel::in;
-  }
-  bool mixed() const { return out != 0 && in != 0; }
-  CellLabel majority() const {
-    if (out == 0 && in == 0) return CellLabel::unmarked;
-    return out >= in ? CellLabel::out : CellLabel::in;
-  }
-};
-
-CellLabel opposite(CellLabel label) {
-  return label == CellLabel::out ? CellLabel::in : CellLabel::out;
-}
 
 void clear_marks(const Triangulation& triangulation, CellMarks& marks) {
   marks.labels = IdVector<CellId, CellLabel>(triangulation.num_cells(), CellLabel::unmarked);
@@ -98,12 +80,9 @@ void MarkingRounds::decide(VertexId v) {
   LabelCount flooded;
   LabelCount rest;
   for (const CellId c : star) (scratch_[c] != 0 ? flooded : rest).add(marks_.labels[c]);
-  CellLabel of_flooded = flooded.majority();
-  CellLabel of_rest = rest.majority();
-  if (of_flooded == CellLabel::unmarked) of_flooded = opposite(of_rest);
-  if (of_rest == CellLabel::unmarked) of_rest = opposite(of_flooded);
-  if (flooded.mixed() || rest.mixed() || of_flooded == of_rest) ++marks_.conflicts;
-  propose(v, of_flooded, of_rest);
+  const HalfLabels labels = label_halves(flooded, rest);
+  marks_.conflicts += labels.conflict ? 1U : 0U;
+  propose(v, labels.first, labels.second);
   for (const CellId c : half_) scratch_[c] = 0;
 }
 
