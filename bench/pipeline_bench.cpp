@@ -85,6 +85,7 @@ class Times {
     seconds_[name].push_back(elapsed.processor);
   }
   const std::vector<std::string>& names() const { return names_; }
+  bool has(const std::string& name) const { return seconds_.contains(name); }
   double median(const std::string& name) const {
     std::vector<double> sorted = seconds_.at(name);
     std::sort(sorted.begin(), sorted.end());
@@ -151,35 +152,48 @@ struct Case {
   Times times;
 };
 
-void print_stages(const std::vector<Case>& cases) {
+// A filter may have left cases out.
+std::vector<const Case*> measured(const std::vector<Case>& cases, const std::string& name) {
+  std::vector<const Case*> found;
+  for (const Case& c : cases) {
+    if (c.times.has(name)) found.push_back(&c);
+  }
+  return found;
+}
+
+void print_stages(const std::vector<Case>& all_cases) {
+  const std::vector<const Case*> cases = measured(all_cases, "delaunay");
+  if (cases.empty()) return;
   std::printf("\nstages: medians of processor time in ms, and parts of the Delaunay step\n%-14s",
               "");
-  for (const Case& c : cases) std::printf(" %13.13s %7zu", c.name.c_str(), c.points.size());
+  for (const Case* c : cases) std::printf(" %13.13s %7zu", c->name.c_str(), c->points.size());
   std::printf("\n");
   std::vector<double> after(cases.size(), 0);
   const auto row = [&](const char* name, const std::function<double(std::size_t)>& seconds) {
     std::printf("%-14s", name);
     for (std::size_t i = 0; i < cases.size(); ++i) {
-      const double share = seconds(i) / cases[i].times.median("delaunay");
+      const double share = seconds(i) / cases[i]->times.median("delaunay");
       std::printf(" %13.1f %6.1f%%", 1e3 * seconds(i), 100 * share);
     }
     std::printf("\n");
   };
-  for (const std::string& name : cases[0].times.names()) {
-    const auto seconds = [&](std::size_t i) { return cases[i].times.median(name); };
+  for (const std::string& name : cases[0]->times.names()) {
+    const auto seconds = [&](std::size_t i) { return cases[i]->times.median(name); };
     for (std::size_t i = 0; i < cases.size(); ++i) after[i] += name == "delaunay" ? 0 : seconds(i);
     row(name.c_str(), seconds);
   }
   row("all after it", [&](std::size_t i) { return after[i]; });
 }
 
-void print_rivals(const std::vector<Case>& cases) {
+void print_rivals(const std::vector<Case>& all_cases) {
+  const std::vector<const Case*> cases = measured(all_cases, "cocoon");
+  if (cases.empty()) return;
   std::printf("\nwhole: medians of processor time in ms; ratio to Cocoon\n");
-  for (const Case& c : cases) {
-    const double ours = c.times.median("cocoon");
-    std::printf("%-14s %7zu", c.name.c_str(), c.points.size());
-    for (const std::string& name : c.times.names()) {
-      const double seconds = c.times.median(name);
+  for (const Case* c : cases) {
+    const double ours = c->times.median("cocoon");
+    std::printf("%-14s %7zu", c->name.c_str(), c->points.size());
+    for (const std::string& name : c->times.names()) {
+      const double seconds = c->times.median(name);
       std::printf(" | %s %.0f (%.1f)", name.c_str(), 1e3 * seconds, seconds / ours);
     }
     std::printf("\n");
