@@ -108,9 +108,10 @@ class Carrying {
       }
       if (out_side_[t] == CarriedMarks::unknown) continue;
       const bool out_here = out_side_[t] == 0;
-      const bool agrees = label(surface_.facets[t], out_here ? CellLabel::out : CellLabel::in) &
-                          label(surface_.mirrors[t], out_here ? CellLabel::in : CellLabel::out);
-      if (!agrees) dispute(surface_.facets[t]);
+      const bool agrees_here = label(surface_.facets[t], out_here ? CellLabel::out : CellLabel::in);
+      const bool agrees_behind =
+          label(surface_.mirrors[t], out_here ? CellLabel::in : CellLabel::out);
+      if (!agrees_here || !agrees_behind) dispute(surface_.facets[t]);
     }
   }
 
