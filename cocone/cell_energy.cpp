@@ -45,7 +45,6 @@ CellEnergy::CellEnergy(const Triangulation& triangulation, BallCosines& cosines,
       own_preference_(triangulation.num_cells()),
       wanted_(triangulation.num_vertices(), 0),
       parts_(triangulation, stars, out),
-      flips_now_(triangulation.num_cells()),
       places_now_(triangulation.num_cells()),
       least_now_(triangulation.num_vertices()),
       taken_(triangulation.num_cells()),
@@ -149,16 +148,15 @@ CellEnergy::Place CellEnergy::place_of(CellId c) {
   return place;
 }
 
-int CellEnergy::changed_vertices(CellId c, std::uint32_t state) const {
-  int changed = 0;
-  for (const VertexId v : triangulation_.cell(c).vertices) changed += changed_[v] > state ? 1 : 0;
-  return changed;
-}
-
-// A cell with one corner in common has no facet and no edge in common.
+// Remembered until cells at two of its corners change sides for good: those with one corner in
+// common have no facet and no edge in common.
 const CellEnergy::Place& CellEnergy::place_now(CellId c) {
   Place& place = places_now_[c];
-  if (place.state == 0 || changed_vertices(c, place.state) > 1) {
+  int changed = 0;
+  for (const VertexId v : triangulation_.cell(c).vertices) {
+    changed += changed_[v] > place.state ? 1 : 0;
+  }
+  if (place.state == 0 || changed > 1) {
     place = place_of(c);
     place.state = state_;
   }
@@ -170,16 +168,6 @@ Energy CellEnergy::flip_change(CellId c, const Place& place) {
   Energy total = place.change;
   for (int i = 0; i < 4; ++i) total += vertex_change(c, i, place);
   return total;
-}
-
-// The same, remembered until cells at its vertices change sides for good: many sets begin with the
-// same cell.
-Energy CellEnergy::flip_change_now(CellId c) {
-  FlipNow& flip = flips_now_[c];
-  if (flip.state == 0 || changed_vertices(c, flip.state) > 0) {
-    flip = {flip_change(c, place_now(c)), state_};
-  }
-  return flip.change;
 }
 
 // A pinched or idle vertex may become regular, an unused one used.
@@ -313,7 +301,8 @@ bool CellEnergy::is_idle_now(VertexId v) {
 Energy CellEnergy::change(std::span<const CellId> cells, Energy limit) {
   Energy total = 0;
   for (const CellId c : cells) {
-    total += c == cells.front() ? flip_change_now(c) : flip_change(c, place_of(c));
+    // The first one's place is that of many sets.
+    total += flip_change(c, c == cells.front() ? place_now(c) : place_of(c));
     out_[c] ^= 1U;
   }
   const auto undo = [&] {

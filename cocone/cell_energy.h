@@ -87,15 +87,12 @@ class CellEnergy {
   }
   Place place_of(CellId c);
   const Place& place_now(CellId c);
-  // The cell's vertices at which something has changed sides since that state.
-  int changed_vertices(CellId c, std::uint32_t state) const;
   Energy edge_change(int sheets, int more) const;
   Energy least_vertex_change(VertexId v);
   void list_boundary(std::span<const CellId> cells);
   Energy least_edge_changes();
   void list_vertices(std::span<const CellId> cells);
   Energy flip_change(CellId c, const Place& place);
-  Energy flip_change_now(CellId c);
   Energy vertex_change(CellId c, int i, const Place& place);
   int sheets_at(CellId c, int i, int j) const;
   // What it costs that a vertex is on the surface rather than not: a vertex for Euler.
@@ -118,11 +115,6 @@ class CellEnergy {
   ZeroedArray<CellId, Energy> own_preference_;  // beyond that by the label
   VertexSet wanted_;
   StarParts parts_;
-  struct FlipNow {
-    Energy change;
-    std::uint32_t state;
-  };
-  ZeroedArray<CellId, FlipNow> flips_now_;
   ZeroedArray<CellId, Place> places_now_;
   struct LeastNow {
     Energy change;

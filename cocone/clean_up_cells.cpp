@@ -1,7 +1,6 @@
 #include "cocone/clean_up_cells.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <queue>
 #include <span>
@@ -19,7 +18,6 @@
 #include "cocone/side_split.h"
 #include "cocone/small_parts.h"
 #include "cocone/surface_flaws.h"
-#include "delaunay/circulate.h"
 #include "delaunay/star_cache.h"
 
 namespace cocoon {

@@ -57,23 +57,22 @@ struct CellMarks {
 // One pass over the cells (carried_marks.h) gives the same labels where no two vertices disagree;
 // of the others those are asked, round by round, whom the disagreement touches (disputed_marks.h).
 // Only a surface that contradicts the hull goes through all rounds. Complexity: O(cells). Rounds
-// read only earlier rounds:
-// independent of order. Source: Dey & Goswami 2003 (Tight Cocone, marking); spec 6.1, 6.2,
-// section 12.
+// read only earlier rounds: independent of order.
+// Source: Dey & Goswami 2003 (Tight Cocone, marking); spec 6.1, 6.2, section 12.
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      const VertexSet& boundary, const GoodVertexOptions& options = {},
                      const Execution& execution = {});
 
 // The same with triangles whose places are known beforehand. They count only where vertices
-// disagree, which is where marks may have gone astray: then the cells that they label (known_sides)
-// and that touch a good vertex have their labels before the first round, and their good vertices
-// are among the first.
+// disagree, which is where marks may have gone astray: then all rounds run, the cells that they
+// label (known_sides) and that touch a good vertex have their labels before the first round, and
+// their good vertices are among the first.
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      const VertexSet& boundary, std::span<const KnownTriangle> known,
                      const GoodVertexOptions& options = {}, const Execution& execution = {});
 
-// The rounds from the infinite cells on, without the pass that may replace them (mark_cells decides
-// which). Precondition: labels are unmarked, nobody is visited; good vertices are known.
+// All rounds from the infinite cells on, without what may replace them (mark_cells decides which).
+// Precondition: labels are unmarked, nobody is visited; good vertices are known.
 void mark_in_rounds(const Triangulation& triangulation, const FacetSet& surface,
                     std::span<const VertexId> seeds, CellMarks& marks);
 

@@ -29,8 +29,8 @@ struct TrimmedSurface {
 // Spacings are those of the untrimmed surface, so the order does not matter.
 // Why: undersampling is detected relative to the local feature size, not to the spacing. A flat
 // cloud has no feature, so a slot or hole in it is bridged at any rho (longest edge 5 to 38 medians
-// at rho 0.83, 1 to 8 at 0.13). Complexity: O(triangles): the spacing
-// is looked at only where an edge is long beside the shortest one around.
+// at rho 0.83, 1 to 8 at 0.13). Complexity: O(triangles): the spacing is looked at only
+// where an edge is long beside the shortest one around.
 // Source: ours; not in Woo & Dey 2005.
 TrimmedSurface trim_long_edges(TriangleMesh surface, const TrimOptions& options = {});
 

@@ -47,7 +47,7 @@ std::vector<CellId> plain_best(Labeling& labeling, SideSplit& split, VertexId v)
 TEST(BestMove, IsTheBestOfAll) {
   std::array<std::size_t, 4> found{};  // by the number of cells
   for (const double bias : {0.1, 0.5, 0.97}) {
-    for (const auto& points : {cube(60, 3), lattice(4), ball(4)}) {
+    for (const auto& points : {shapes::random_cube(60, 3), lattice(4), ball(4)}) {
       Labeling labeling(points, 11, bias);
       const Triangulation& t = labeling.stages.triangulation;
       SideSplit split(t, labeling.out);

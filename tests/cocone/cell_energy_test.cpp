@@ -16,7 +16,7 @@ namespace {
 TEST(CellEnergy, ChangeIsTheDifferenceOfTheWholeEnergies) {
   for (const double bias : {0.1, 0.5, 0.8, 0.97}) {
     for (const auto& points :
-         {cube(25, 3), lattice(3), ball(4), shapes::random_torus(40, 0.4, 2)}) {
+         {shapes::random_cube(25, 3), lattice(3), ball(4), shapes::random_torus(40, 0.4, 2)}) {
       Labeling labeling(points, 7, bias);
       Random random(5);
       const std::size_t count = labeling.stages.triangulation.num_finite_cells();
@@ -46,7 +46,7 @@ TEST(CellEnergy, ChangeIsTheDifferenceOfTheWholeEnergies) {
 TEST(CellEnergy, NoChangeIsLessThanItsBound) {
   std::size_t exact = 0;
   for (const double bias : {0.1, 0.5, 0.97}) {
-    for (const auto& points : {cube(25, 3), lattice(3), ball(4)}) {
+    for (const auto& points : {shapes::random_cube(25, 3), lattice(3), ball(4)}) {
       Labeling labeling(points, 8, bias);
       CellEnergy& energy = labeling.energy;
       const Triangulation& t = labeling.stages.triangulation;
@@ -80,7 +80,7 @@ TEST(CellEnergy, NoChangeIsLessThanItsBound) {
 
 TEST(CellEnergy, PartsOfStarsAndFlawsAreThoseOfThePlainSearch) {
   for (const double bias : {0.02, 0.3, 0.9}) {
-    for (const auto& points : {cube(60, 3), lattice(4), ball(4)}) {
+    for (const auto& points : {shapes::random_cube(60, 3), lattice(4), ball(4)}) {
       Labeling labeling(points, 9, bias);
       const Triangulation& t = labeling.stages.triangulation;
       CellMarks marks;
@@ -130,7 +130,7 @@ TEST(BallCosines, EqualBallsMeetAtNoAngle) {
 
 // It has all stars listed once many have been asked for; nothing else changes.
 TEST(StarCache, TellsTheStarsOfVertexStars) {
-  const Triangulation triangulation = delaunay(cube(3000, 8)).triangulation;
+  const Triangulation triangulation = delaunay(shapes::random_cube(3000, 8)).triangulation;
   const VertexStars stars = vertex_stars(triangulation);
   StarCache cache(triangulation);
   const std::span<const CellId> first = cache.star(VertexId(0));

@@ -18,15 +18,6 @@
 
 namespace cocoon {
 
-inline std::vector<Point> cube(std::size_t count, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<Point> points;
-  while (points.size() < count) {
-    points.push_back({random.uniform(), random.uniform(), random.uniform()});
-  }
-  return points;
-}
-
 inline std::vector<Point> lattice(int side) {
   std::vector<Point> points;
   for (int i = 0; i < side * side * side; ++i) {

@@ -46,7 +46,7 @@ std::vector<std::vector<CellId>> sorted(std::vector<std::vector<CellId>> parts) 
 
 TEST(SmallParts, AreAllButTheLargest) {
   for (const double bias : {0.6, 0.75, 0.9}) {
-    const Labeling labeling(cube(80, 3), 5, bias);
+    const Labeling labeling(shapes::random_cube(80, 3), 5, bias);
     const Triangulation& t = labeling.stages.triangulation;
     std::vector<CellId> everywhere;
     for (const CellId c : t.cells()) everywhere.push_back(c);
@@ -66,7 +66,7 @@ TEST(SmallParts, AreAllButTheLargest) {
 }
 
 TEST(SmallParts, OnlyWhereAsked) {
-  const Labeling labeling(cube(80, 3), 5, 0.9);
+  const Labeling labeling(shapes::random_cube(80, 3), 5, 0.9);
   const Triangulation& t = labeling.stages.triangulation;
   const std::vector<std::vector<CellId>> parts = all_parts(labeling);
   const std::vector<CellId>& first = parts.front();
