@@ -16,13 +16,16 @@ using enum ThresholdUse;
 using Options = StageOptions;
 using Field = Threshold::Field;
 
-constexpr std::array<Threshold, 29> table{{
+constexpr std::array<Threshold, 3> of_marking{{
     {"keep-angle", "Pruning: two triangles at an edge, flatter than this dihedral angle, stay", 0,
      180, angle, cocone, [](Options& o) -> Field { return &o.surface.prune.keep_cosine; }},
     {"fold-angle", "Marking: a dihedral angle of at most this makes both ends of an edge poor", 0,
      180, angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.fold_cosine; }},
     {"crease-angle", "Marking: below it those ends become poor that are boundary samples", 0, 180,
      angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
+}};
+
+constexpr std::array<Threshold, 18> of_clean_up{{
     {"most-clump-cells", "Clean-up: more undecided cells together are left as they are", 0, 4e9,
      whole, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_cells; }},
     {"most-clump-share", "Clean-up: but not if they are at most this share of all cells", 0, 1,
@@ -31,6 +34,10 @@ constexpr std::array<Threshold, 29> table{{
      tight, [](Options& o) -> Field { return &o.surface.clean_up.decided_rings; }},
     {"evidence-weight", "Clean-up: evidence of the poles against a cell's label", 0, 1000, number,
      tight, [](Options& o) -> Field { return &o.surface.clean_up.evidence_weight; }},
+    {"stretch-cost", "Clean-up: a facet much longer than its samples lie apart", 0, 1000, number,
+     tight, [](Options& o) -> Field { return &o.surface.clean_up.stretch_cost; }},
+    {"stretch-ratio", "Clean-up: such facets are longer than so many spacings", 0, 1e6, number,
+     tight, [](Options& o) -> Field { return &o.surface.clean_up.stretch_ratio; }},
     {"mark-weight", "Clean-up: a decided cell that leaves its label", 0, 1000, number, tight,
      [](Options& o) -> Field { return &o.surface.clean_up.mark_weight; }},
     {"defect-cost", "Clean-up: a non-manifold edge or a pinched vertex", 0, 1000, number, tight,
@@ -55,6 +62,9 @@ constexpr std::array<Threshold, 29> table{{
      [](Options& o) -> Field { return &o.surface.clean_up.most_cluster_cells; }},
     {"component-cost", "Clean-up: a part of the body; cheaper parts are dropped", 0, 1e6, number,
      tight, [](Options& o) -> Field { return &o.surface.clean_up.component_cost; }},
+}};
+
+constexpr std::array<Threshold, 10> of_clouds_and_findings{{
     {"noise-neighbors", "Noise filter: edges that make the spacing of a sample", 1, 1000, whole,
      noise, [](Options& o) -> Field { return &o.noise.neighbors; }},
     {"noise-outlier-ratio", "Noise filter: spacing of outliers, in spacings of their neighbors", 1,
@@ -76,6 +86,14 @@ constexpr std::array<Threshold, 29> table{{
     {"max-spots", "Findings: places told of each kind", 1, 1000, whole, findings,
      [](Options& o) -> Field { return &o.doubts.max_spots; }},
 }};
+
+constexpr auto table = [] {
+  std::array<Threshold, of_marking.size() + of_clean_up.size() + of_clouds_and_findings.size()> all;
+  auto end = std::copy(of_marking.begin(), of_marking.end(), all.begin());
+  end = std::copy(of_clean_up.begin(), of_clean_up.end(), end);
+  std::copy(of_clouds_and_findings.begin(), of_clouds_and_findings.end(), end);
+  return all;
+}();
 
 double value_of(Field field) {
   return std::visit([](const auto* value) { return static_cast<double>(*value); }, field);

@@ -29,13 +29,16 @@ std::array<int, 2> others(int i, int j) {
 Energy to_energy(double units) { return std::llround(units * 0x1p+20); }
 
 CellEnergy::CellEnergy(const Triangulation& triangulation, BallCosines& cosines, StarCache& stars,
-                       const IdVector<CellId, CellLabel>& labels, const CleanUpOptions& options,
-                       IdVector<CellId, std::uint8_t>& out)
+                       SpacingCache& spacings, const IdVector<CellId, CellLabel>& labels,
+                       const CleanUpOptions& options, IdVector<CellId, std::uint8_t>& out)
     : triangulation_(triangulation),
       cosines_(cosines),
       stars_(stars),
+      spacings_(spacings),
       labels_(labels),
       out_(out),
+      stretch_cost_(options.stretch_cost),
+      stretch_ratio_(options.stretch_ratio),
       mark_weight_(to_energy(options.mark_weight)),
       defect_cost_(to_energy(options.defect_cost)),
       unused_cost_(to_energy(options.unused_cost)),
@@ -52,7 +55,21 @@ CellEnergy::CellEnergy(const Triangulation& triangulation, BallCosines& cosines,
       changed_(triangulation.num_vertices()) {}
 
 Energy CellEnergy::facet_cost(FacetId f) {
-  return to_energy(1 - std::min(cosines_.of(f), cosines_.of(triangulation_.mirror(f))));
+  const double cosine = std::min(cosines_.of(f), cosines_.of(triangulation_.mirror(f)));
+  return to_energy(1 - cosine + stretch(f));
+}
+
+double CellEnergy::stretch(FacetId f) {
+  if (stretch_cost_ == 0) return 0;
+  const auto [a, b, c] = triangulation_.facet_vertices(f);
+  const Point& p = triangulation_.point(a);
+  const Point& q = triangulation_.point(b);
+  const Point& r = triangulation_.point(c);
+  const double longest =
+      std::sqrt(std::max({squared_distance(p, q), squared_distance(q, r), squared_distance(r, p)}));
+  const double limit =
+      stretch_ratio_ * std::max({spacings_.of(a), spacings_.of(b), spacings_.of(c)});
+  return longest > limit ? stretch_cost_ * (1 - limit / longest) : 0;
 }
 
 bool CellEnergy::is_unused(VertexId v) const {

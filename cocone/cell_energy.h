@@ -10,6 +10,7 @@
 
 #include "cocone/ball_cosines.h"
 #include "cocone/clean_up_cells.h"
+#include "cocone/sample_spacing.h"
 #include "cocone/star_parts.h"
 #include "delaunay/star_cache.h"
 #include "geom/zeroed_array.h"
@@ -25,8 +26,8 @@ class CellEnergy {
   // All references must outlive the object. `out[c]` = 1: cell c is OUT.
   // `labels`: those of the marking, which decided cells prefer at mark_weight.
   CellEnergy(const Triangulation& triangulation, BallCosines& cosines, StarCache& stars,
-             const IdVector<CellId, CellLabel>& labels, const CleanUpOptions& options,
-             IdVector<CellId, std::uint8_t>& out);
+             SpacingCache& spacings, const IdVector<CellId, CellLabel>& labels,
+             const CleanUpOptions& options, IdVector<CellId, std::uint8_t>& out);
 
   // What it costs that the cell is OUT rather than IN; may be negative.
   void set_preference(CellId c, Energy cost_of_out) {
@@ -38,7 +39,8 @@ class CellEnergy {
   bool is_wanted(VertexId v) const { return wanted_[v] != 0; }
   Energy preference(CellId c) const { return preference_by_label(c) + own_preference_[c]; }
 
-  // The cost of a facet, if its cells are on different sides. Precondition: a finite facet. O(1).
+  // The cost of a facet, if its cells are on different sides. Precondition: a finite facet. O(1),
+  // but for spacings that were never asked for.
   Energy facet_cost(FacetId f);
   // The cost of defects at a vertex, apart from its edges. O(star).
   Energy vertex_cost(VertexId v);
@@ -82,6 +84,8 @@ class CellEnergy {
     std::array<int, 6> sheets;    // at its edges (edge_number)
     std::uint32_t state;
   };
+  // What a facet costs for being longer than the samples at it lie apart, in units.
+  double stretch(FacetId f);
   Energy preference_by_label(CellId c) const {
     return labels_[c] == CellLabel::out ? -mark_weight_ : mark_weight_;
   }
@@ -104,8 +108,11 @@ class CellEnergy {
   const Triangulation& triangulation_;
   BallCosines& cosines_;
   StarCache& stars_;
+  SpacingCache& spacings_;
   const IdVector<CellId, CellLabel>& labels_;
   IdVector<CellId, std::uint8_t>& out_;
+  double stretch_cost_;
+  double stretch_ratio_;
   Energy mark_weight_;
   Energy defect_cost_;
   Energy unused_cost_;

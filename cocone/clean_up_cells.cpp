@@ -34,7 +34,8 @@ class CleanUp {
         options_(options),
         out_(marks.reached),
         cosines_(triangulation),
-        energy_(triangulation, cosines_, stars_, marks.labels, options, out_),
+        spacings_(triangulation, stars_),
+        energy_(triangulation, cosines_, stars_, spacings_, marks.labels, options, out_),
         region_(find_doubtful_region(triangulation, marks, most_clump_cells())),
         side_split_(triangulation, out_),
         best_move_(triangulation, stars_, out_, energy_, side_split_) {
@@ -70,9 +71,8 @@ class CleanUp {
 
  private:
   void leave_out_outliers() {
-    OutlierTest test(triangulation_, stars_, options_.outlier_ratio);
     for (const VertexId v : flaws_.unused) {
-      if (!energy_.is_wanted(v) || !test.is_outlier(v)) continue;
+      if (!energy_.is_wanted(v) || !spacings_.is_outlier(v, options_.outlier_ratio)) continue;
       energy_.leave_out(v);
       ++counters_.outliers;
     }
@@ -369,6 +369,7 @@ class CleanUp {
   const CleanUpOptions& options_;
   IdVector<CellId, std::uint8_t> out_;
   BallCosines cosines_;
+  SpacingCache spacings_;
   CellEnergy energy_;
   CleanUpCounters counters_;
   DoubtfulRegion region_;

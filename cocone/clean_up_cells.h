@@ -3,6 +3,7 @@
 // One energy judges a labeling of the finite cells as OUT or IN (infinite cells are OUT):
 //
 //   E =  sum over surface facets of  1 - min(cos phi, cos psi)           quality of a facet, 0 .. 2
+//      + stretch_cost     * sum over surface facets of max(0, 1 - stretch_ratio spacing / length)
 //      + evidence_weight  * sum over undecided cells of max(0, contrary - own evidence)
 //      + mark_weight      * (decided cells that have left their label)
 //      + defect_cost      * (non-manifold edges + pinched vertices, with multiplicity)
@@ -12,10 +13,11 @@
 //      + component_cost   * (parts of the body)
 //
 // phi, psi: angles between the facet and the circumballs on its two sides: 0 where both balls are
-// large, as across a well sampled surface. A cell is undecided if none of its vertices is good (a
-// poor cell of the peel). The evidence comes from the poles (side_evidence.h).
+// large, as across a well sampled surface. length, spacing: longest edge of a facet, largest
+// spacing of its samples (sample_spacing.h, by three edges). A cell is undecided if none of its
+// vertices is good (a poor cell of the peel). The evidence comes from the poles (side_evidence.h).
 //
-//  1. Cut. The first three terms are minimized over all labelings of the undecided cells and of the
+//  1. Cut. The first four terms are minimized over all labelings of the undecided cells and of the
 //     decided ones within decided_rings of them, the others held fixed: a minimum cut, so a global
 //     optimum; of several the one with most IN cells. OUT cells that infinity cannot reach through
 //     OUT cells are then filled, as in the peel.
@@ -50,8 +52,13 @@ struct CleanUpOptions {
   // in it a surface should be. Bounds the work on samples that are of no surface.
   std::size_t most_clump_cells = 100000;
   double most_clump_share = 0.5;
-  // A facet costs 1 at most if the balls lie on its two sides: 3 overrules almost any surface.
-  double evidence_weight = 3;
+  // A facet between samples that lie far closer to others costs up to this much more. Without it
+  // slivers across the empty space change sides to use samples inside a noisy layer.
+  double stretch_cost = 3;
+  double stretch_ratio = 6;  // longer than so many spacings; below 4 thin plates lose holes
+  // A facet costs 1 at most if the balls lie on its two sides: 2.5 overrules most surfaces. Above,
+  // noisy layers get handles; below 1.5 holes of thin plates stay filled.
+  double evidence_weight = 2.5;
   // Below 0.4 well sampled thin parts shrink; above 1 wrong marks of bad samples stay.
   double mark_weight = 0.5;
   int decided_rings = 1;  // 0: decided cells are not relabeled by the cut

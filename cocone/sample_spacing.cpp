@@ -75,16 +75,16 @@ double sample_spacing(const Triangulation& triangulation, std::span<const CellId
   return std::sqrt(sum / static_cast<double>(shortest.size()));
 }
 
-double OutlierTest::spacing(VertexId v) {
+double SpacingCache::of(VertexId v) {
   if (spacing_[v] == 0) {
     spacing_[v] = sample_spacing(triangulation_, stars_.star(v), v, edges, shortest_);
   }
   return spacing_[v];
 }
 
-bool OutlierTest::is_outlier(VertexId v) {
+bool SpacingCache::is_outlier(VertexId v, double ratio) {
   collect_neighbors(triangulation_, stars_.star(v), v, around_);
-  return is_outlying(spacing(v), ratio_, around_, [&](VertexId w) { return spacing(w); });
+  return is_outlying(of(v), ratio, around_, [&](VertexId w) { return of(w); });
 }
 
 }  // namespace cocoon

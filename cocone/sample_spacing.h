@@ -46,28 +46,24 @@ bool is_outlying(double spacing, double ratio, std::span<const VertexId> neighbo
   return true;
 }
 
-// Answers for few vertices of a triangulation. Not to be shared by threads.
-class OutlierTest {
+// Spacings of few vertices of a triangulation, each computed once. Not to be shared by threads.
+class SpacingCache {
  public:
   static constexpr std::size_t edges = 3;  // that make the spacing of a sample
 
   // Keeps references, which must outlive the object.
-  OutlierTest(const Triangulation& triangulation, StarCache& stars, double ratio)
-      : triangulation_(triangulation),
-        stars_(stars),
-        ratio_(ratio),
-        spacing_(triangulation.num_vertices()) {}
+  SpacingCache(const Triangulation& triangulation, StarCache& stars)
+      : triangulation_(triangulation), stars_(stars), spacing_(triangulation.num_vertices()) {}
 
+  // Complexity: O(star) when first asked.
+  double of(VertexId v);
   // Whether the spacing of v exceeds `ratio` times the median of its neighbors' spacings.
   // Complexity: O(stars of v and of its neighbors).
-  bool is_outlier(VertexId v);
+  bool is_outlier(VertexId v, double ratio);
 
  private:
-  double spacing(VertexId v);
-
   const Triangulation& triangulation_;
   StarCache& stars_;
-  double ratio_;
   ZeroedArray<VertexId, double> spacing_;  // 0: not yet asked for
   SpacingBuffer shortest_;
   std::vector<VertexId> around_;

@@ -42,7 +42,7 @@ TEST(Thresholds, AreOneFieldEach) {
 TEST(Thresholds, OneThatIsGivenIsSetAndReportedAndNoOther) {
   const nlohmann::json defaults = parameters({});
   ASSERT_EQ(defaults.size(), thresholds().size());
-  EXPECT_EQ(defaults["evidence_weight"], 3);
+  EXPECT_EQ(defaults["evidence_weight"], 2.5);
   EXPECT_NEAR(defaults["keep_angle_deg"].get<double>(), 134.4, 0.1);
   for (const Threshold& given : thresholds()) {
     const double inside = given.low + 0.375 * (given.high - given.low);

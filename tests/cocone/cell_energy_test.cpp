@@ -104,6 +104,37 @@ TEST(CellEnergy, PartsOfStarsAndFlawsAreThoseOfThePlainSearch) {
   }
 }
 
+// Two clumps of samples far apart: what crosses the gap costs more, by the length of its longest
+// edge in spacings.
+TEST(CellEnergy, LongFacetsCostMore) {
+  std::vector<Point> points = shapes::random_cube(20, 3);
+  points = shapes::joined(points, shapes::moved(points, {30, 0, 0}));
+  Labeling labeling(points);
+  const Triangulation& t = labeling.stages.triangulation;
+  CleanUpOptions without;
+  without.stretch_cost = 0;
+  CellEnergy plain(t, labeling.cosines, labeling.stars, labeling.spacings, labeling.labels, without,
+                   labeling.out);
+  std::size_t stretched = 0;
+  for (const CellId c : t.finite_cells()) {
+    for (int i = 0; i < 4; ++i) {
+      const std::array<VertexId, 3> v = t.facet_vertices(facet_id(c, i));
+      double length = 0;
+      double spacing = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        length = std::max(length, norm(t.point(v[k]) - t.point(v[(k + 1) % 3])));
+        spacing = std::max(spacing, labeling.spacings.of(v[k]));
+      }
+      const double expected = 3 * std::max(0.0, 1 - 6 * spacing / length);
+      const Energy more =
+          labeling.energy.facet_cost(facet_id(c, i)) - plain.facet_cost(facet_id(c, i));
+      EXPECT_NEAR(static_cast<double>(more), 0x1p+20 * expected, 1.0);
+      stretched += expected > 0 ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(stretched, 20U);
+}
+
 // A regular tetrahedron: the ball's tangent plane at a facet's circle leans by acos(1/3) inward.
 TEST(BallCosines, OfARegularTetrahedron) {
   Stages stages({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});

@@ -52,6 +52,30 @@ TEST(CleanUpCells, NoiseLosesItsDefects) {
   EXPECT_EQ(counters.unused_after, result.unused_points);
 }
 
+std::size_t longer_than(const TriangleMesh& mesh, double length) {
+  return static_cast<std::size_t>(
+      std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+        const Point& a = mesh.points[t[0]];
+        const Point& b = mesh.points[t[1]];
+        const Point& c = mesh.points[t[2]];
+        return std::max({norm(a - b), norm(b - c), norm(c - a)}) > length;
+      }));
+}
+
+// In a noisy layer (here 46 % of the spacing) many samples are not on the surface. Slivers from there
+// to another body would put them on it.
+TEST(CleanUpCells, FewSliversCrossEmptySpace) {
+  const std::vector<Point> points =
+      shapes::joined(shapes::noisy_sphere(3000, 0.03, 6),
+                     shapes::moved(shapes::noisy_sphere(3000, 0.03, 7), {3, 0.1, 0.2}));
+  const auto slivers = [&](double stretch_cost) {
+    ReconstructOptions options;
+    options.clean_up.stretch_cost = stretch_cost;
+    return longer_than(reconstruct_tight(points, options).mesh, 1);  // 15 spacings
+  };
+  EXPECT_GT(slivers(0), 2 * slivers(CleanUpOptions().stretch_cost));
+}
+
 struct Known {
   const char* file;
   std::ptrdiff_t euler;

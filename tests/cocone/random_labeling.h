@@ -40,7 +40,8 @@ struct Labeling {
         stars(stages.triangulation),
         labels(stages.triangulation.num_cells(), CellLabel::out),
         out(stages.triangulation.num_cells(), 1),
-        energy(stages.triangulation, cosines, stars, labels, options, out) {
+        spacings(stages.triangulation, stars),
+        energy(stages.triangulation, cosines, stars, spacings, labels, options, out) {
     Random random(seed);
     for (const CellId c : stages.triangulation.finite_cells()) {
       out[c] = random.uniform() < bias ? 1 : 0;
@@ -122,6 +123,7 @@ struct Labeling {
   StarCache stars;
   IdVector<CellId, CellLabel> labels;
   IdVector<CellId, std::uint8_t> out;
+  SpacingCache spacings;
   CellEnergy energy;
 };
 
