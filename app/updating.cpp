@@ -76,6 +76,13 @@ MeshReport report_doubts(Job& job, UpdateResult& result, bool parted) {
   return doubts.certificate;
 }
 
+// What the session keeps of its last update.
+void add_surface_of(const UpdateSession& session, UpdateResult& result) {
+  result.reconstruction = session.reconstruction();
+  result.mesh = session.model();
+  result.replacement.points.assign(session.points().begin(), session.points().end());
+}
+
 }  // namespace
 
 UpdateOptions update_options(const SurfaceArguments& arguments) {
@@ -145,7 +152,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
       result = update_model(input.model, input.clouds, options, job.execution());
     } else {
       result = session->apply(input.clouds, job.execution()).result;
-      if (result.status == UpdateStatus::ok) result.mesh = session->model();
+      if (result.status == UpdateStatus::ok) add_surface_of(*session, result);
     }
   } catch (const InputError& error) {
     throw InputError(fmt::format("cannot update {}: {}", input.model_name,

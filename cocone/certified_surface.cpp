@@ -5,6 +5,7 @@
 
 #include "delaunay/circulate.h"
 #include "geom/disjoint_sets.h"
+#include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {
@@ -189,8 +190,7 @@ std::vector<VertexId> CertifiedSurface::find_ring(const TriangulationView& view,
       if (is_touched_[v] == 0) ring.push_back(v);
     }
   }
-  std::sort(ring.begin(), ring.end());
-  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  make_set(ring);
   return ring;
 }
 

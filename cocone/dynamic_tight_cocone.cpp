@@ -1,40 +1,43 @@
 #include "cocone/dynamic_tight_cocone.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "cocone/certified_surface.h"
+#include "cocone/compact_delaunay.h"
 #include "cocone/live_candidates.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/id_vector.h"
-#include "geom/large_pages.h"
+#include "geom/sort_ids.h"
 #include "geom/triangle_order.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
 
-// Smallest vertex first, and sorted: as canonicalize_triangles, but in proportion to the list.
-void canonicalize(std::vector<Triangle>& triangles) {
-  for (Triangle& t : triangles) t = smallest_first(t);
-  std::sort(triangles.begin(), triangles.end());
-}
-
-// What is known by slot, by number.
-template <class IdType, class T>
-IdVector<IdType, T> by_number(const IdVector<IdType, T>& by_slot,
-                              const IdVector<IdType, IdType>& number, std::size_t count) {
-  IdVector<IdType, T> values(count);
-  for (const IdType slot : number.ids()) {
-    if (!number[slot].is_none()) values[number[slot]] = by_slot[slot];
-  }
-  return values;
-}
-
 std::vector<KnownTriangle> triangles_of(const KnownTriangleSource& source) {
   return source ? source() : std::vector<KnownTriangle>();
+}
+
+std::vector<PointId> old_positions(const ListEdit<PointId>& change, std::size_t count) {
+  std::vector<PointId> positions(count);
+  const std::size_t before = count + change.removed.size() - change.added.size();
+  for (const KeptRun& run : kept_runs(change, before)) {
+    for (std::size_t k = 0; k < run.count; ++k) positions[run.to + k] = PointId(run.from + k);
+  }
+  return positions;
+}
+
+// Whether the working scale of the points is 1, as that of those they were made of, by some that
+// came. Complexity: O(inserted), as a rule.
+bool keeps_scale(Points points, Points inserted) {
+  const bool tells =
+      std::any_of(inserted.begin(), inserted.end(), [](const Point& p) { return p != Point{}; });
+  return (tells && working_scale(inserted) == 1) || working_scale(points) == 1;
 }
 
 }  // namespace
@@ -47,25 +50,14 @@ struct DynamicTightCocone::State {
   IdVector<PointId, VertexId> vertex_of_point;  // in it
   LiveCandidates candidates;
   CertifiedSurface certified;
-  // If that exists: its triangles by mesh vertices, in canonical order, and the vertices.
-  std::vector<Triangle> triangles;
-  IdVector<VertexId, VertexId> vertex_of_mesh;
+  // The way back from vertex_of_point, if each vertex has one point; empty: not known.
+  IdVector<VertexId, PointId> point_of_vertex;
 
   bool is_live() const { return delaunay.num_vertices() > 0; }
   void take(std::size_t count, Triangulation triangulation);
   void take(const ReconstructResult& result, ReconstructStages stages);
-  // The live cells and vertices, in the order of their slots, finite cells first.
-  struct Compact {
-    Triangulation triangulation;
-    IdVector<VertexId, VertexId> vertex;  // by slot
-    IdVector<CellId, CellId> cell;        // by slot
-  };
-  Compact compact() const;
-  SurfaceState surface_state(const Compact& whole) const;
   void resume(SurfaceState surface);
-  void list_surface();
   void look_for_certificate(const ReconstructResult& result, std::span<const FacetId> halves);
-  KnownCandidates known_candidates(const Compact& compact) const;
   ReconstructResult run_later_stages(Points points, std::span<const KnownTriangle> known,
                                      const Execution& execution);
   void clear(std::size_t count);
@@ -79,15 +71,24 @@ struct DynamicTightCocone::State {
     IdVector<PointId, VertexId> vertex_of_point;  // none: to be inserted
   };
   Step plan(Points points, std::span<const PointId> old_position) const;
+  Step plan(Points points, const ListEdit<PointId>& change) const;
   DelaunayChange change_triangulation(const Step& step, const Execution& execution);
   void undo(const Step& step, const DelaunayChange& change,
             IdVector<PointId, VertexId> vertex_of_point);
   ReconstructResult run_stages(Points points, std::span<const KnownTriangle> known,
                                const Execution& execution);
-  ReconstructResult assemble(Points points);
-  void replace_triangles(const IdVector<VertexId, VertexId>& number,
-                         const std::vector<Triangle>& fresh);
-  IdVector<VertexId, VertexId> kept_vertices(const IdVector<VertexId, VertexId>& number) const;
+  // Whether so many points are the vertices of a certain surface, each its own.
+  bool is_certain(std::size_t points) const {
+    return certified.exists() && !options.verify && points == delaunay.num_vertices();
+  }
+  DelaunayChange carry_out(Step& step, const Execution& execution);
+  ReconstructResult finish(Points points, Step step, const DelaunayChange& change,
+                           const Execution& execution, const KnownTriangleSource& known);
+  void list_points_of_vertices(PointId first);
+  SurfaceEdit surface_edit(const ListEdit<PointId>& points, const Step& step);
+  ReconstructResult counts(std::size_t points) const;
+  IdVector<TriangleId, Triangle> numbered_triangles() const;
+  ReconstructResult assemble(Points points) const;
 };
 
 void DynamicTightCocone::State::take(std::size_t count, Triangulation triangulation) {
@@ -111,10 +112,7 @@ void DynamicTightCocone::State::look_for_certificate(const ReconstructResult& re
   const bool hopeful = result.status == SurfaceStatus::ok && result.unused_points == 0 &&
                        counters.surface_walks == 1 && counters.back_contacts == 0 &&
                        counters.good_vertices == result.vertices;
-  if (!hopeful || !certified.certify(delaunay, candidates, halves)) return;
-  triangles = result.mesh.triangles.raw();
-  vertex_of_mesh.clear();
-  for (const PointId p : result.point_of_vertex) vertex_of_mesh.push_back(vertex_of_point[p]);
+  if (hopeful) certified.certify(delaunay, candidates, halves);
 }
 
 void DynamicTightCocone::State::clear(std::size_t count) {
@@ -127,6 +125,7 @@ void DynamicTightCocone::State::clear(std::size_t count) {
 void DynamicTightCocone::State::forget_surface() {
   candidates.clear();
   certified.clear();
+  point_of_vertex.clear();
 }
 
 DynamicTightCocone::State::Step DynamicTightCocone::State::plan(
@@ -151,6 +150,64 @@ DynamicTightCocone::State::Step DynamicTightCocone::State::plan(
     step.removed_points.push_back(delaunay.point(v));
   }
   return step;
+}
+
+// Precondition: is_certain().
+DynamicTightCocone::State::Step DynamicTightCocone::State::plan(
+    Points points, const ListEdit<PointId>& change) const {
+  Step step;
+  for (const PointId p : change.removed) {
+    step.removed.push_back(vertex_of_point[p]);
+    step.removed_points.push_back(delaunay.point(vertex_of_point[p]));
+  }
+  step.inserted = change.added;
+  for (const PointId p : change.added) step.inserted_points.push_back(points[p.index()]);
+  step.vertex_of_point.resize(points.size());
+  for (const KeptRun& run : kept_runs(change, vertex_of_point.size())) {
+    std::copy_n(vertex_of_point.begin() + static_cast<std::ptrdiff_t>(run.from), run.count,
+                step.vertex_of_point.begin() + static_cast<std::ptrdiff_t>(run.to));
+  }
+  return step;
+}
+
+// Changes the triangulation, and follows the surface as far as it stays certain. The step gets
+// what vertex_of_point was.
+DelaunayChange DynamicTightCocone::State::carry_out(Step& step, const Execution& execution) {
+  DelaunayChange change = change_triangulation(step, execution);
+  for (std::size_t k = 0; k < step.inserted.size(); ++k) {
+    step.vertex_of_point[step.inserted[k]] = change.vertex_of_point[k];
+  }
+  std::swap(vertex_of_point, step.vertex_of_point);
+  // Where about half of the points come or go, looking at the whole takes less time.
+  const bool is_local =
+      2 * (change.inserted.size() + change.removed.size()) <= delaunay.num_vertices();
+  if (!is_local) forget_surface();
+  if (candidates.exists()) candidates.update(delaunay, change, execution);
+  if (certified.exists()) certified.update(delaunay, change, candidates);
+  return change;
+}
+
+// The result after a step.
+ReconstructResult DynamicTightCocone::State::finish(Points points, Step step,
+                                                    const DelaunayChange& change,
+                                                    const Execution& execution,
+                                                    const KnownTriangleSource& known) {
+  ReconstructResult result;
+  if (certified.exists() && !options.verify) {
+    result = assemble(points);
+    ++local_changes;
+  } else {
+    // What is to be verified is computed as a whole.
+    try {
+      result = run_stages(points, triangles_of(known), execution);
+    } catch (...) {
+      undo(step, change, std::move(step.vertex_of_point));
+      throw;
+    }
+  }
+  result.counters.delaunay = change.insertion;
+  num_points = points.size();
+  return result;
 }
 
 // If it throws the points are as before, but cells may have other numbers.
@@ -183,35 +240,6 @@ void DynamicTightCocone::State::undo(const Step& step, const DelaunayChange& cha
   vertex_of_point = std::move(before);
 }
 
-DynamicTightCocone::State::Compact DynamicTightCocone::State::compact() const {
-  const TriangulationView view = delaunay.view();
-  TriangulationArrays arrays;
-  IdVector<VertexId, VertexId> number(delaunay.num_vertex_slots());
-  for (const VertexId v : number.ids()) {
-    if (delaunay.contains(v)) number[v] = arrays.points.push_back(view.point(v));
-  }
-  IdVector<CellId, CellId> place(view.cell_records().size());
-  std::size_t count = 0;
-  for (const CellId c : place.ids()) {
-    if (view.is_finite_cell(c)) place[c] = CellId(count++);
-  }
-  const std::size_t finite_cells = count;
-  for (const CellId c : place.ids()) {
-    if (!view.is_free(c) && view.is_infinite(c)) place[c] = CellId(count++);
-  }
-  arrays.cells.resize(count);
-  for (const CellId c : place.ids()) {
-    if (place[c].is_none()) continue;
-    Cell cell = view.cell(c);
-    for (VertexId& v : cell.vertices) v = v == infinite_vertex ? v : number[v];
-    for (FacetId& f : cell.neighbors) f = facet_id(place[cell_of(f)], index_of(f));
-    arrays.cells[place[c]] = cell;
-  }
-  arrays.vertex_of_point.reserve(vertex_of_point.size());
-  for (const VertexId v : vertex_of_point) arrays.vertex_of_point.push_back(number[v]);
-  return {Triangulation(std::move(arrays), finite_cells), std::move(number), std::move(place)};
-}
-
 // All stages after the triangulation.
 ReconstructResult DynamicTightCocone::State::run_stages(Points points,
                                                         std::span<const KnownTriangle> known,
@@ -219,50 +247,10 @@ ReconstructResult DynamicTightCocone::State::run_stages(Points points,
   if (candidates.exists()) return run_later_stages(points, known, execution);
   ReconstructStages stages;
   ReconstructResult result =
-      reconstruct_tight_again(compact().triangulation, points, known, options, execution, stages);
+      reconstruct_tight_again(compact_delaunay(delaunay, vertex_of_point).triangulation, points,
+                              known, options, execution, stages);
   take(result, std::move(stages));
   return result;
-}
-
-KnownCandidates DynamicTightCocone::State::known_candidates(const Compact& whole) const {
-  KnownCandidates found;
-  const std::size_t count = whole.triangulation.num_vertices();
-  found.normals.resize(count);
-  found.boundary.resize(count, 0);
-  found.umbrella.resize(count, 0);
-  for (const VertexId v : whole.vertex.ids()) {
-    const VertexId here = whole.vertex[v];
-    if (here.is_none()) continue;
-    found.normals[here] = candidates.normal(v);
-    found.boundary[here] = candidates.is_boundary(v) ? 1 : 0;
-    found.umbrella[here] = candidates.has_umbrella(v) ? 1 : 0;
-  }
-  IdVector<CellId, std::uint8_t> left(whole.triangulation.num_cells(), 0);
-  for (const CellId c : whole.cell.ids()) {
-    if (whole.cell[c].is_none()) continue;
-    left[whole.cell[c]] = static_cast<std::uint8_t>(candidates.left(c));
-  }
-  found.left = FacetSet(std::move(left));
-  candidates.count(found.counters);
-  return found;
-}
-
-// In the numbers of a compact triangulation.
-SurfaceState DynamicTightCocone::State::surface_state(const Compact& whole) const {
-  SurfaceState state;
-  if (!candidates.exists()) return state;
-  const CandidateState& known = candidates.state();
-  const std::size_t vertices = whole.triangulation.num_vertices();
-  const std::size_t cells = whole.triangulation.num_cells();
-  CandidateState& here = state.candidates;
-  here.normals = by_number(known.normals, whole.vertex, vertices);
-  here.vertex_flags = by_number(known.vertex_flags, whole.vertex, vertices);
-  here.samples = by_number(known.samples, whole.vertex, vertices);
-  here.steps = by_number(known.steps, whole.vertex, vertices);
-  here.cell_flags = by_number(known.cell_flags, whole.cell, cells);
-  here.pruned = by_number(known.pruned, whole.cell, cells);
-  if (certified.exists()) state.sides = by_number(certified.sides(), whole.cell, cells);
-  return state;
 }
 
 void DynamicTightCocone::State::resume(SurfaceState surface) {
@@ -270,31 +258,14 @@ void DynamicTightCocone::State::resume(SurfaceState surface) {
   candidates.resume(delaunay, std::move(surface.candidates));
   if (surface.sides.empty()) return;
   certified.resume(delaunay, std::move(surface.sides));
-  list_surface();
-}
-
-// The certified surface as a mesh; it has all vertices. Complexity: O(n).
-void DynamicTightCocone::State::list_surface() {
-  IdVector<VertexId, VertexId> number(delaunay.num_vertex_slots());
-  vertex_of_mesh.clear();
-  for (const VertexId v : vertex_of_point) {
-    if (number[v].is_none()) number[v] = vertex_of_mesh.push_back(v);
-  }
-  TriangleMesh mesh;
-  mesh.points.resize(vertex_of_mesh.size());
-  for (const auto& [a, b, c] : certified.triangles(delaunay.view())) {
-    mesh.triangles.push_back({number[a], number[b], number[c]});
-  }
-  canonicalize_triangles(mesh);
-  triangles = std::move(mesh.triangles.raw());
 }
 
 // Those from the extraction on, of the candidates that are known.
 ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
                                                               std::span<const KnownTriangle> known,
                                                               const Execution& execution) {
-  Compact whole = compact();
-  KnownCandidates found = known_candidates(whole);
+  CompactDelaunay whole = compact_delaunay(delaunay, vertex_of_point);
+  KnownCandidates found = known_candidates(candidates, whole);
   std::vector<FacetId> halves;
   ReconstructResult result = reconstruct_tight_from(
       std::move(whole.triangulation), std::move(found), points, known, options, execution, halves);
@@ -307,86 +278,85 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
   return result;
 }
 
-// The vertices of the mesh so far that were not touched, in new numbers.
-IdVector<VertexId, VertexId> DynamicTightCocone::State::kept_vertices(
-    const IdVector<VertexId, VertexId>& number) const {
-  IdVector<VertexId, VertexId> after(vertex_of_mesh.size());
-  VertexSet touched(number.size(), 0);
-  for (const VertexId v : certified.touched()) touched[v] = 1;
-  for (const VertexId m : after.ids()) {
-    const VertexId v = vertex_of_mesh[m];
-    if (v.index() < number.size() && touched[v] == 0) after[m] = number[v];
-  }
-  return after;
-}
-
-// Triangles without a touched vertex stay, those at touched vertices are the fresh ones. In
-// canonical order, as long as the vertices that stay keep theirs; else everything is sorted.
-void DynamicTightCocone::State::replace_triangles(const IdVector<VertexId, VertexId>& number,
-                                                  const std::vector<Triangle>& fresh) {
-  const IdVector<VertexId, VertexId> after = kept_vertices(number);
-  std::vector<Triangle> merged;
-  merged.reserve(triangles.size() + fresh.size());
-  prefer_large_pages(merged);
-  auto next = fresh.begin();
-  Triangle last = lowest_triangle;
-  bool sorted = true;
-  for (const Triangle& t : triangles) {
-    const Triangle mapped{after[t[0]], after[t[1]], after[t[2]]};
-    if (mapped[0].is_none() || mapped[1].is_none() || mapped[2].is_none()) continue;
-    sorted = sorted && precedes(last, mapped) && mapped[0] < mapped[1] && mapped[0] < mapped[2];
-    last = mapped;
-    for (; next != fresh.end() && precedes(*next, mapped); ++next) merged.push_back(*next);
-    merged.push_back(mapped);
-  }
-  merged.insert(merged.end(), next, fresh.end());
-  if (!sorted) canonicalize(merged);
-  triangles = std::move(merged);
-}
-
-// The result from what is certified. Complexity: one pass over points and triangles, and sorting
-// what is new.
-ReconstructResult DynamicTightCocone::State::assemble(Points points) {
+// What the result has besides mesh and vertices.
+ReconstructResult DynamicTightCocone::State::counts(std::size_t points) const {
   ReconstructResult result;
-  IdVector<VertexId, VertexId> number(delaunay.num_vertex_slots());
-  IdVector<VertexId, VertexId> vertices;
-  const std::size_t count = delaunay.num_vertices();
-  vertices.reserve(count);
-  result.mesh.points.reserve(count);
-  result.point_of_vertex.reserve(count);
-  result.normals.reserve(count);
-  prefer_large_pages(result.mesh.points.raw());
-  prefer_large_pages(result.normals.raw());
-  constexpr std::size_t ahead = 16;  // points come in any order: what they need is asked for early
-  for (const PointId p : vertex_of_point.ids()) {
-    if (p.index() + ahead < points.size()) {
-      const VertexId soon = vertex_of_point[PointId(p.index() + ahead)];
-      __builtin_prefetch(&number[soon]);
-      __builtin_prefetch(&candidates.normal(soon));
-    }
-    const VertexId v = vertex_of_point[p];
-    if (!number[v].is_none()) continue;
-    number[v] = result.mesh.points.push_back(points[p.index()]);
-    vertices.push_back(v);
-    result.point_of_vertex.push_back(p);
-    result.normals.push_back(candidates.normal(v));
-  }
-  std::vector<Triangle> fresh;
-  for (const auto& [a, b, c] : certified.triangles_at_touched()) {
-    fresh.push_back({number[a], number[b], number[c]});
-  }
-  canonicalize(fresh);
-  replace_triangles(number, fresh);
-  vertex_of_mesh = std::move(vertices);
-  result.mesh.triangles = IdVector<TriangleId, Triangle>(triangles);
-  result.boundary_sample.resize(vertex_of_mesh.size(), 0);
-  result.points = points.size();
-  result.duplicates = points.size() - vertex_of_mesh.size();
+  result.points = points;
   result.vertices = delaunay.num_vertices();
+  result.duplicates = points - result.vertices;
   result.tetrahedra = candidates.num_finite_cells();
   candidates.count(result.counters);
   certified.count(result.counters);
   return result;
+}
+
+// What is certified by mesh vertices, in canonical order; it has all vertices.
+IdVector<TriangleId, Triangle> DynamicTightCocone::State::numbered_triangles() const {
+  IdVector<VertexId, VertexId> number(delaunay.num_vertex_slots());
+  std::size_t count = 0;
+  for (const VertexId v : vertex_of_point) {
+    if (number[v].is_none()) number[v] = VertexId(count++);
+  }
+  TriangleMesh mesh;
+  mesh.points.resize(count);
+  for (const auto& [a, b, c] : certified.triangles(delaunay.view())) {
+    mesh.triangles.push_back({number[a], number[b], number[c]});
+  }
+  canonicalize_triangles(mesh);
+  return std::move(mesh.triangles);
+}
+
+// The result from what is certified. Complexity: O(n).
+ReconstructResult DynamicTightCocone::State::assemble(Points points) const {
+  ReconstructResult result = counts(points.size());
+  VertexSet listed(delaunay.num_vertex_slots(), 0);
+  for (const PointId p : vertex_of_point.ids()) {
+    const VertexId v = vertex_of_point[p];
+    if (listed[v] != 0) continue;
+    listed[v] = 1;
+    result.mesh.points.push_back(points[p.index()]);
+    result.point_of_vertex.push_back(p);
+    result.normals.push_back(candidates.normal(v));
+  }
+  result.mesh.triangles = numbered_triangles();
+  result.boundary_sample.resize(result.vertices, 0);
+  return result;
+}
+
+// Precondition: is_certain().
+void DynamicTightCocone::State::list_points_of_vertices(PointId first) {
+  point_of_vertex.resize(delaunay.num_vertex_slots());
+  constexpr std::size_t ahead = 16;  // vertices come in any order: asked for early
+  for (PointId p = first; p.index() < vertex_of_point.size(); ++p) {
+    if (p.index() + ahead < vertex_of_point.size()) {
+      __builtin_prefetch(&point_of_vertex[vertex_of_point[PointId(p.index() + ahead)]], 1);
+    }
+    point_of_vertex[vertex_of_point[p]] = p;
+  }
+}
+
+// After a change from one certain surface to another one.
+DynamicTightCocone::SurfaceEdit DynamicTightCocone::State::surface_edit(
+    const ListEdit<PointId>& points, const Step& step) {
+  SurfaceEdit edit;
+  for (const PointId p : points.removed) edit.touched.push_back(VertexId(p.value));
+  // Slots of removed vertices may hold new ones.
+  for (const VertexId v : step.removed) point_of_vertex[v] = PointId();
+  point_of_vertex.resize(delaunay.num_vertex_slots());
+  for (const VertexId v : certified.touched()) {
+    if (!point_of_vertex[v].is_none()) edit.touched.push_back(VertexId(point_of_vertex[v].value));
+  }
+  make_set(edit.touched);
+  PointId first(vertex_of_point.size());
+  if (!points.removed.empty()) first = std::min(first, points.removed.front());
+  if (!points.added.empty()) first = std::min(first, points.added.front());
+  list_points_of_vertices(first);
+  const auto number = [&](VertexId v) { return VertexId(point_of_vertex[v].value); };
+  for (const auto& [a, b, c] : certified.triangles_at_touched()) {
+    edit.triangles.push_back(smallest_first({number(a), number(b), number(c)}));
+  }
+  std::sort(edit.triangles.begin(), edit.triangles.end(), precedes);
+  return edit;
 }
 
 DynamicTightCocone::DynamicTightCocone(const ReconstructOptions& options)
@@ -413,8 +383,9 @@ void DynamicTightCocone::take(Points points, Snapshot snapshot) {
 }
 
 DynamicTightCocone::Snapshot DynamicTightCocone::snapshot() const {
-  State::Compact whole = state_->compact();
-  SurfaceState surface = state_->surface_state(whole);
+  const State& state = *state_;
+  CompactDelaunay whole = compact_delaunay(state.delaunay, state.vertex_of_point);
+  SurfaceState surface = surface_state(state.candidates, state.certified, whole);
   return {std::move(whole.triangulation), std::move(surface)};
 }
 
@@ -442,34 +413,53 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
   State& state = *state_;
   if (!state.is_live() || working_scale(points) != 1) return reconstruct(points, execution, known);
   State::Step step = state.plan(points, old_position);
-  const DelaunayChange change = state.change_triangulation(step, execution);
-  for (std::size_t k = 0; k < step.inserted.size(); ++k) {
-    step.vertex_of_point[step.inserted[k]] = change.vertex_of_point[k];
+  const DelaunayChange change = state.carry_out(step, execution);
+  state.point_of_vertex.clear();
+  return state.finish(points, std::move(step), change, execution, known);
+}
+
+DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdit<PointId>& change,
+                                                    const Execution& execution,
+                                                    const KnownTriangleSource& known) {
+  State& state = *state_;
+  if (!is_certain()) {
+    return {replace(points, old_positions(change, points.size()), execution, known), {}};
   }
-  std::swap(state.vertex_of_point, step.vertex_of_point);
-  // Where about half of the points come or go, looking at the whole takes less time.
-  const bool is_local =
-      2 * (change.inserted.size() + change.removed.size()) <= state.delaunay.num_vertices();
-  if (!is_local) state.forget_surface();
-  if (state.candidates.exists()) state.candidates.update(state.delaunay, change, execution);
-  if (state.certified.exists()) state.certified.update(state.delaunay, change, state.candidates);
-  // What is to be verified is computed as a whole.
-  if (state.certified.exists() && !state.options.verify) {
-    ReconstructResult result = state.assemble(points);
-    result.counters.delaunay = change.insertion;
-    state.num_points = points.size();
-    ++state.local_changes;
-    return result;
+  State::Step step = state.plan(points, change);
+  if (!keeps_scale(points, step.inserted_points))
+    return {reconstruct(points, execution, known), {}};
+  if (state.point_of_vertex.empty()) state.list_points_of_vertices(PointId(0));
+  const DelaunayChange done = state.carry_out(step, execution);
+  if (!state.is_certain(points.size())) {
+    state.point_of_vertex.clear();
+    return {state.finish(points, std::move(step), done, execution, known), {}};
   }
-  try {
-    ReconstructResult result = state.run_stages(points, triangles_of(known), execution);
-    result.counters.delaunay = change.insertion;
-    state.num_points = points.size();
-    return result;
-  } catch (...) {
-    state.undo(step, change, std::move(step.vertex_of_point));
-    throw;
+  Edited edited{state.counts(points.size()), state.surface_edit(change, step)};
+  edited.result.counters.delaunay = done.insertion;
+  state.num_points = points.size();
+  ++state.local_changes;
+  return edited;
+}
+
+void DynamicTightCocone::complete(ReconstructResult& result) const {
+  const State& state = *state_;
+  assert(state.candidates.exists() && state.num_points == state.delaunay.num_vertices());
+  result.point_of_vertex.clear();
+  result.normals.clear();
+  result.boundary_sample.clear();
+  for (const PointId p : state.vertex_of_point.ids()) {
+    const VertexId v = state.vertex_of_point[p];
+    result.point_of_vertex.push_back(p);
+    result.normals.push_back(state.candidates.normal(v));
+    result.boundary_sample.push_back(state.candidates.is_boundary(v) ? 1 : 0);
   }
+}
+
+bool DynamicTightCocone::is_certain() const { return state_->is_certain(state_->num_points); }
+
+IdVector<TriangleId, Triangle> DynamicTightCocone::triangles() const {
+  assert(is_certain());
+  return state_->numbered_triangles();
 }
 
 }  // namespace cocoon

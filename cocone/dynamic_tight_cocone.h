@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,7 +13,9 @@
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/ids.h"
+#include "geom/list_edit.h"
 #include "geom/point.h"
+#include "geom/triangle_mesh.h"
 
 namespace cocoon {
 
@@ -54,6 +57,35 @@ class DynamicTightCocone {
   // Complexity: the triangulation changes in O(k log n) expected for k points that come or go.
   ReconstructResult replace(Points points, std::span<const PointId> old_position,
                             const Execution& execution = {}, const KnownTriangleSource& known = {});
+
+  // What edit() did to a mesh whose vertices are all points, each its own.
+  struct SurfaceEdit {
+    // The vertices of the mesh before at which triangles may have changed, with those that went;
+    // ascending.
+    std::vector<VertexId> touched;
+    // All triangles of the mesh after at those of them that stayed and at new ones, in canonical
+    // order. The other triangles are as before.
+    std::vector<Triangle> triangles;
+  };
+  struct Edited {
+    // If there is an edit: without mesh and all that it has of each vertex, see result().
+    ReconstructResult result;
+    std::optional<SurfaceEdit> edit;
+  };
+  // As replace(), for a change that keeps the order of the points that stay. Where the surface
+  // stays certain and each point is a vertex of the mesh, before and after (vertex i: point i),
+  // only what the edit did is told. Precondition: points that stay are equal before and after.
+  // Complexity: then as the change of the triangulation, and a pass over the numbers of the points.
+  Edited edit(Points points, const ListEdit<PointId>& change, const Execution& execution = {},
+              const KnownTriangleSource& known = {});
+  // Adds what an edit left out, but for the mesh. Precondition: the result is that of the points so
+  // far, each a vertex of the mesh. Complexity: O(n).
+  void complete(ReconstructResult& result) const;
+  // Whether the points so far are the vertices of a certain surface, each its own: what edit()
+  // asks for.
+  bool is_certain() const;
+  // Then its triangles by points, in canonical order. Complexity: O(n).
+  IdVector<TriangleId, Triangle> triangles() const;
 
   // Takes over the snapshot of one with these points and the same options; or a triangulation whose
   // input points they are (delaunay(points)), without looking for its surface.

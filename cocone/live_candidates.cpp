@@ -10,6 +10,7 @@
 #include "delaunay/voronoi_dual.h"
 #include "geom/circumsphere.h"
 #include "geom/large_pages.h"
+#include "geom/sort_ids.h"
 #include "geom/triangle_normal.h"
 
 namespace cocoon {
@@ -39,11 +40,6 @@ unsigned center_kind(const TriangulationView& view, CellId c) {
       return cell_flag::facet_center;
   }
   return 0;
-}
-
-void make_set(std::vector<VertexId>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 }  // namespace
@@ -126,7 +122,7 @@ void LiveCandidates::update(const DynamicDelaunay& delaunay, const DelaunayChang
     }
   }
   for (const VertexId v : dirty_) is_dirty_[v] = 0;
-  std::sort(dirty_.begin(), dirty_.end());
+  sort_ids(dirty_);
   examine(delaunay, execution);
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geom/sort_ids.h"
+
 namespace cocoon {
 
 VertexId LocalFacets::local(VertexId in_whole) const {
@@ -11,7 +13,7 @@ VertexId LocalFacets::local(VertexId in_whole) const {
 }
 
 LocalFacets FacetCollector::link(const DynamicDelaunay& delaunay, std::vector<FacetId> facets) {
-  std::sort(facets.begin(), facets.end());
+  sort_ids(facets);
   const TriangulationView view = delaunay.view();
   LocalFacets local;
   LinkedFacets& triangles = local.triangles;
@@ -29,7 +31,7 @@ LocalFacets FacetCollector::link(const DynamicDelaunay& delaunay, std::vector<Fa
       vertices.push_back(v);
     }
   }
-  std::sort(vertices.begin(), vertices.end());
+  sort_ids(vertices);
   IdVector<VertexId, Point> points;
   points.reserve(vertices.size());
   for (const VertexId v : vertices) vertex_here_[v] = points.push_back(view.point(v));

@@ -19,10 +19,16 @@ std::span<const CellId> StarFinder::stars(const DynamicDelaunay& delaunay,
     cells_.push_back(c);
     __builtin_prefetch(&view.cell(c));  // looked at later
   };
+  constexpr std::size_t ahead = 8;  // cells whose neighbors are asked for early
   std::size_t next = 0;
   for (const VertexId v : vertices) {
     find(delaunay.cell_at(v));
     for (; next < cells_.size(); ++next) {
+      if (next + ahead < cells_.size()) {
+        for (const FacetId f : view.cell(cells_[next + ahead]).neighbors) {
+          __builtin_prefetch(&seen_[cell_of(f)]);
+        }
+      }
       const Cell& cell = view.cell(cells_[next]);
       int listed = 0;
       std::array<int, 4> is_listed{};

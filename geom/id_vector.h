@@ -1,6 +1,7 @@
 // A std::vector that only its own id type can index.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <memory>
@@ -60,7 +61,16 @@ class IdVector {
   std::size_t size() const { return data_.size(); }
   bool empty() const { return data_.empty(); }
   void reserve(std::size_t count) { data_.reserve(count); }
-  void resize(std::size_t count, const T& value = T()) { data_.resize(count, value); }
+  // Not std::vector's own filling: g++ reads its value again for each element, byte by byte.
+  void resize(std::size_t count, const T& value = T()) {
+    const std::size_t before = data_.size();
+    if (before == 0) {
+      data_.assign(count, value);
+    } else {
+      data_.resize(count);
+      if (count > before) std::fill(data_.begin() + difference(before), data_.end(), value);
+    }
+  }
   // New elements have no value until they are assigned one. Only where ElementStorage says so.
   void resize_for_overwrite(std::size_t count) {
     static_assert(std::is_same_v<Storage, std::vector<T, OverwriteAllocator<T>>>);
@@ -87,6 +97,10 @@ class IdVector {
   friend bool operator==(const IdVector&, const IdVector&) = default;
 
  private:
+  static constexpr std::ptrdiff_t difference(std::size_t count) {
+    return static_cast<std::ptrdiff_t>(count);
+  }
+
   Storage data_;
 };
 

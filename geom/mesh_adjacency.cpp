@@ -144,23 +144,32 @@ MeshAdjacency mesh_adjacency(const TriangleMesh& mesh) {
   return adjacency;
 }
 
-MeshAdjacency mesh_neighbors(const TriangleMesh& mesh) {
+IdVector<TriangleId, std::array<TriangleId, 3>> neighbors_across_sides(const TriangleMesh& mesh) {
   require_valid_triangles(mesh);
-  if (std::any_of(mesh.triangles.begin(), mesh.triangles.end(), repeats_a_vertex)) {
-    return mesh_adjacency(mesh);
-  }
-  MeshAdjacency adjacency;
-  adjacency.neighbors.resize(mesh.triangles.size());
-  list_triangles_at_vertices(mesh, adjacency);
+  IdVector<TriangleId, std::array<TriangleId, 3>> neighbors;
+  neighbors.reserve(mesh.triangles.size());
+  prefer_large_pages(neighbors.raw());
+  neighbors.resize(mesh.triangles.size());
   const std::vector<SideId> links = side_links(mesh.triangles.span(), mesh.points.size());
   for (const TriangleId t : mesh.triangles.ids()) {
     for (std::size_t i = 0; i < 3; ++i) {
       const auto side = static_cast<SideId>(3 * t.index() + i);
       const SideId other = links[side];
       if (other == side || links[other] != side) continue;
-      adjacency.neighbors[t][i] = TriangleId(triangle_of_side(other));
+      neighbors[t][i] = TriangleId(triangle_of_side(other));
     }
   }
+  return neighbors;
+}
+
+MeshAdjacency mesh_neighbors(const TriangleMesh& mesh) {
+  require_valid_triangles(mesh);
+  if (std::any_of(mesh.triangles.begin(), mesh.triangles.end(), repeats_a_vertex)) {
+    return mesh_adjacency(mesh);
+  }
+  MeshAdjacency adjacency;
+  adjacency.neighbors = neighbors_across_sides(mesh);
+  list_triangles_at_vertices(mesh, adjacency);
   return adjacency;
 }
 

@@ -67,6 +67,9 @@ MeshAdjacency mesh_adjacency(const TriangleMesh& mesh);
 // triangles_at, for a third of the time. Everything else may be empty.
 MeshAdjacency mesh_neighbors(const TriangleMesh& mesh);
 
+// The neighbors alone. Precondition: no triangle repeats a vertex. Errors: as mesh_adjacency().
+IdVector<TriangleId, std::array<TriangleId, 3>> neighbors_across_sides(const TriangleMesh& mesh);
+
 // Whether two corners are the same vertex.
 bool repeats_a_vertex(const Triangle& triangle);
 

@@ -5,6 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "geom/large_pages.h"
+#include "geom/zeroed_array.h"
+
 namespace cocoon {
 
 namespace {
@@ -39,14 +42,17 @@ Regions grow_one_by_one(const MeshAdjacency& adjacency, const TriangleSet& borde
 class Fronts {
  public:
   Fronts(const MeshAdjacency& adjacency, const TriangleSet& border)
-      : adjacency_(adjacency), border_(border), front_of_(border.size(), none) {
+      : adjacency_(adjacency), border_(border), front_of_(border.size()) {
     for (const TriangleId t : border.ids()) {
       if (border[t] == 0) continue;
+      ++num_border_;
       for (const TriangleId next : adjacency.neighbors[t]) {
-        if (!next.is_none() && border[next] == 0 && front_of_[next] == none) start(next);
+        if (!next.is_none() && border[next] == 0 && front_of_[next] == 0) start(next);
       }
     }
   }
+
+  bool any() const { return !parent_.empty(); }
 
   // Until no more than one has anything left to do.
   void grow() {
@@ -63,27 +69,34 @@ class Fronts {
     }
   }
 
-  // The facets that were not reached are of the front that is still open. Precondition: grow().
+  // The facets that were not reached are of the front that is still open. Precondition: grow(), and
+  // a front.
   Regions regions() {
-    const std::uint32_t rest = open_.empty() ? none : open_.front();  // none: all were reached
-    IdVector<RegionId, Region> found;
-    std::vector<RegionId> region_of_front(parent_.size());
-    Regions result;
-    result.region_of_facet = IdVector<TriangleId, RegionId>(border_.size());
-    for (const TriangleId t : border_.ids()) {
-      if (border_[t] != 0) continue;
-      const std::uint32_t f = front_of_[t] == none ? rest : root_of(front_of_[t]);
-      RegionId& region = region_of_front[f];
-      if (region.is_none()) region = found.push_back({.first = t});
-      ++found[region].facets;
-      result.region_of_facet[t] = region;
+    const std::uint32_t rest = open_.empty() ? root_of(0) : open_.front();
+    std::vector<Region> found(parent_.size());  // of each root
+    std::size_t facets = border_.size() - num_border_;
+    for (const TriangleId t : reached_) {
+      Region& region = found[root_of(front_of_[t] - 1)];
+      region.first = std::min(region.first, t);  // none is above all
+      ++region.facets;
     }
-    result.regions = std::move(found);
+    for (std::uint32_t f = 0; f < found.size(); ++f) facets -= f == rest ? 0 : found[f].facets;
+    found[rest] = {.first = first_of_rest(rest), .facets = facets};
+
+    std::vector<std::uint32_t> roots;
+    for (std::uint32_t f = 0; f < found.size(); ++f) {
+      if (found[f].facets > 0) roots.push_back(f);
+    }
+    std::sort(roots.begin(), roots.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return found[a].first < found[b].first; });
+    Regions result;
+    std::vector<RegionId> region_of_front(parent_.size());
+    for (const std::uint32_t f : roots) region_of_front[f] = result.regions.push_back(found[f]);
+    label(region_of_front, rest, result);
     return result;
   }
 
  private:
-  static constexpr std::uint32_t none = 0xFFFFFFFFU;
   // Facets that a front passes in one turn.
   static constexpr std::size_t pace = 64;
 
@@ -91,8 +104,33 @@ class Fronts {
     const auto f = static_cast<std::uint32_t>(parent_.size());
     parent_.push_back(f);
     stacks_.push_back({t});
-    front_of_[t] = f;
+    reach(t, f);
     open_.push_back(f);
+  }
+
+  void reach(TriangleId t, std::uint32_t f) {
+    front_of_[t] = f + 1;
+    reached_.push_back(t);
+  }
+
+  TriangleId first_of_rest(std::uint32_t rest) {
+    for (const TriangleId t : border_.ids()) {
+      if (border_[t] != 0) continue;
+      if (front_of_[t] == 0 || root_of(front_of_[t] - 1) == rest) return t;
+    }
+    return {};
+  }
+
+  void label(const std::vector<RegionId>& region_of_front, std::uint32_t rest, Regions& result) {
+    result.region_of_facet.reserve(border_.size());
+    prefer_large_pages(result.region_of_facet.raw());
+    result.region_of_facet.resize(border_.size(), region_of_front[rest]);
+    for (const TriangleId t : reached_) {
+      result.region_of_facet[t] = region_of_front[root_of(front_of_[t] - 1)];
+    }
+    for (const TriangleId t : border_.ids()) {
+      if (border_[t] != 0) result.region_of_facet[t] = RegionId();
+    }
   }
 
   std::uint32_t root_of(std::uint32_t f) {
@@ -106,11 +144,11 @@ class Fronts {
       stacks_[f].pop_back();
       for (const TriangleId next : adjacency_.neighbors[t]) {
         if (next.is_none() || border_[next] != 0) continue;
-        if (front_of_[next] == none) {
-          front_of_[next] = f;
+        if (front_of_[next] == 0) {
+          reach(next, f);
           stacks_[f].push_back(next);
         } else {
-          take_in(root_of(front_of_[next]), f);
+          take_in(root_of(front_of_[next] - 1), f);
         }
       }
     }
@@ -127,7 +165,9 @@ class Fronts {
 
   const MeshAdjacency& adjacency_;
   const TriangleSet& border_;
-  IdVector<TriangleId, std::uint32_t> front_of_;
+  std::size_t num_border_ = 0;
+  ZeroedArray<TriangleId, std::uint32_t> front_of_;  // 1 + its front; 0: not reached
+  std::vector<TriangleId> reached_;
   std::vector<std::uint32_t> parent_;            // of each front: what it became part of, or itself
   std::vector<std::vector<TriangleId>> stacks_;  // facets whose neighbors are to be looked at
   std::vector<std::uint32_t> open_;
@@ -140,6 +180,7 @@ Regions grow_regions(const ModelIndex& model, const TriangleSet& border) {
       std::any_of(border.begin(), border.end(), [](std::uint8_t flag) { return flag != 0; });
   if (!model.is_connected() || !has_border) return grow_one_by_one(model.adjacency(), border);
   Fronts fronts(model.adjacency(), border);
+  if (!fronts.any()) return grow_one_by_one(model.adjacency(), border);
   fronts.grow();
   return fronts.regions();
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cassert>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,8 +12,8 @@
 #include <vector>
 
 #include "geom/changed_adjacency.h"
-#include "geom/equal_points.h"
 #include "geom/errors.h"
+#include "geom/sort_ids.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
@@ -83,15 +86,12 @@ bool hang_together(std::span<const TriangleId> triangles, const MeshAdjacency& a
   return count == triangles.size();
 }
 
-bool all_differ(Points points) { return repeated_points(points).empty(); }
-
 }  // namespace
 
 ModelIndex::ModelIndex(const TriangleMesh& mesh)
     : mesh_(&checked(mesh)),
       adjacency_(mesh_neighbors(mesh)),
-      components_(components_of(adjacency_)),
-      distinct_points_(all_differ(mesh.points.span())) {}
+      components_(components_of(adjacency_)) {}
 
 ModelIndex::ModelIndex(const TriangleMesh& mesh, const IndexBefore& before) : mesh_(&mesh) {
   const MeshChange& change = before.change;
@@ -108,7 +108,88 @@ ModelIndex::ModelIndex(const TriangleMesh& mesh, const IndexBefore& before) : me
                          (change.added.empty() || !change.removed.empty()) &&
                          hang_together(changed->seam, adjacency_);
   if (!connected) components_ = components_of(adjacency_);
-  distinct_points_ = before.distinct_points || all_differ(mesh.points.span());
+  distinct_points_ = before.distinct_points;
+}
+
+ModelIndex ModelIndex::of_smooth(const TriangleMesh& mesh) {
+  ModelIndex index;
+  index.mesh_ = &mesh;
+  index.adjacency_.neighbors = neighbors_across_sides(mesh);
+  index.prepare_for_edits();
+  return index;
+}
+
+void ModelIndex::prepare_for_edits() {
+  distinct_points_ = true;
+  adjacency_.vertex_begin = {};
+  adjacency_.vertex_triangles = {};
+  triangle_at_.resize(mesh_->points.size());
+  for (const TriangleId t : mesh_->triangles.ids()) {
+    for (const VertexId v : mesh_->triangles[t]) triangle_at_[v] = t;
+  }
+}
+
+void ModelIndex::edit(const Edit& edit) {
+  assert(is_smooth());
+  auto& neighbors = adjacency_.neighbors;
+  // Triangles that came, or lost a neighbor.
+  std::vector<TriangleId> seam = edit.triangles.added;
+  for (const TriangleId t : edit.triangles.removed) {
+    for (const TriangleId next : neighbors[t]) {
+      const TriangleId now = edit.triangle_map[next];
+      if (!now.is_none()) seam.push_back(now);
+    }
+  }
+  make_set(seam);
+
+  constexpr std::array<TriangleId, 3> open{};
+  const std::vector fresh(edit.triangles.added.size(), open);
+  edit_list(neighbors, edit.triangles, fresh, [&](const auto& old) {
+    return std::array{edit.triangle_map[old[0]], edit.triangle_map[old[1]],
+                      edit.triangle_map[old[2]]};
+  });
+  link_open_sides(seam);
+  const std::vector<TriangleId> none(edit.vertices.added.size());
+  edit_list(triangle_at_, edit.vertices, none, [&](TriangleId t) { return edit.triangle_map[t]; });
+  // Whoever lost a triangle has one beside it, or new ones.
+  for (const TriangleId t : seam) {
+    for (const VertexId v : mesh_->triangles[t]) triangle_at_[v] = t;
+  }
+}
+
+// Links the sides of these triangles that have no neighbor, two by two: each waits in a table with
+// open addresses, by its edge, for the other one.
+void ModelIndex::link_open_sides(std::span<const TriangleId> triangles) {
+  struct Waiting {
+    std::uint64_t edge = 0;  // no edge: its ends differ
+    HalfedgeId side;
+  };
+  std::vector<Waiting> table(std::bit_ceil(6 * triangles.size() + 2));
+  const std::size_t mask = table.size() - 1;
+  auto& neighbors = adjacency_.neighbors;
+  for (const TriangleId t : triangles) {
+    for (int i = 0; i < 3; ++i) {
+      if (!neighbors[t][static_cast<std::size_t>(i)].is_none()) continue;
+      const auto [a, b] = ends_of(*mesh_, halfedge_of(t, i));
+      const std::uint64_t edge = std::uint64_t{std::min(a, b).value} << 32 | std::max(a, b).value;
+      std::size_t at = (edge * 0x9E3779B97F4A7C15U) >> 32 & mask;
+      while (table[at].edge != 0 && table[at].edge != edge) at = (at + 1) & mask;
+      if (table[at].edge == 0) {
+        table[at] = {edge, halfedge_of(t, i)};
+        continue;
+      }
+      const HalfedgeId other = table[at].side;
+      neighbors[t][static_cast<std::size_t>(i)] = triangle_of(other);
+      neighbors[triangle_of(other)][static_cast<std::size_t>(corner_of(other))] = t;
+    }
+  }
+}
+
+std::vector<TriangleId> ModelIndex::triangles_at(VertexId v) const {
+  std::vector<TriangleId> found;
+  for_each_triangle_at(v, [&](TriangleId t) { found.push_back(t); });
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 Vec3 ModelIndex::normal(TriangleId t) const {

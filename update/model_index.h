@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "geom/id_vector.h"
+#include "geom/list_edit.h"
 #include "geom/mesh_adjacency.h"
 #include "geom/triangle_mesh.h"
 #include "update/mesh_change.h"
@@ -32,9 +35,49 @@ class ModelIndex {
   // `before.mesh`, and `mesh` is what `before.change` made of it, with finite points.
   ModelIndex(const TriangleMesh& mesh, const IndexBefore& before);
 
+  // The same for a mesh that is known to be connected and closed, with one umbrella at each vertex
+  // and no two equal points: its sides are linked, and no more. Complexity: O(t + v).
+  static ModelIndex of_smooth(const TriangleMesh& mesh);
+  // What edit() has to know of an edit of the mesh: what went and came, in the mesh before and
+  // after, and where all the others are now (places_after).
+  struct Edit {
+    const ListEdit<VertexId>& vertices;
+    const ListEdit<TriangleId>& triangles;
+    const IdVector<TriangleId, TriangleId>& triangle_map;
+  };
+  // Follows an edit of the mesh, which has been carried out. Precondition: before and after it is
+  // as of_smooth() demands; triangles that stay have their corners in the same order. Complexity:
+  // O(t + v), a pass in place over each list, and sorting what is new.
+  void edit(const Edit& edit);
+  bool can_edit() const { return is_smooth(); }
+  // Makes it one that can. Precondition: the mesh is as of_smooth() demands. Complexity: O(t + v).
+  void prepare_for_edits();
+
   const TriangleMesh& mesh() const { return *mesh_; }
-  // Without edges (mesh_neighbors).
+  // Its neighbors alone: without edges, and triangles_at() is asked for here.
   const MeshAdjacency& adjacency() const { return adjacency_; }
+  // The triangles that have the vertex as a corner, in the order of their ids. Complexity:
+  // O(triangles found), a bit more for sorting.
+  std::vector<TriangleId> triangles_at(VertexId v) const;
+  // Calls visit(triangle) for each of them, in any order, without making a list.
+  template <class Visit>
+  void for_each_triangle_at(VertexId v, Visit visit) const {
+    if (!is_smooth()) {
+      for (const TriangleId t : adjacency_.triangles_at(v)) visit(t);
+      return;
+    }
+    const TriangleId first = triangle_at_[v];
+    TriangleId t = first;
+    do {
+      visit(t);
+      const Triangle& corners = mesh_->triangles[t];
+      t = adjacency_.neighbors[t][corners[0] == v ? 1 : corners[1] == v ? 2 : 0];
+    } while (t != first);
+  }
+  // Whether a triangle has the vertex.
+  bool is_used(VertexId v) const {
+    return is_smooth() ? !triangle_at_[v].is_none() : !adjacency_.triangles_at(v).empty();
+  }
   // Unit normal, outward if the mesh is oriented; the zero vector for a facet without area.
   Vec3 normal(TriangleId t) const;
   Point centroid(TriangleId t) const;
@@ -42,12 +85,17 @@ class ModelIndex {
   std::uint32_t component(TriangleId t) const { return is_connected() ? 0 : components_[t]; }
   // Whether all facets are.
   bool is_connected() const { return components_.empty(); }
-  // Whether the mesh has no two equal points.
+  // Whether it is known that the mesh has no two equal points.
   bool has_distinct_points() const { return distinct_points_; }
 
  private:
-  const TriangleMesh* mesh_;
-  MeshAdjacency adjacency_;
+  ModelIndex() = default;
+  bool is_smooth() const { return !triangle_at_.empty(); }
+  void link_open_sides(std::span<const TriangleId> triangles);
+
+  const TriangleMesh* mesh_ = nullptr;
+  MeshAdjacency adjacency_;                         // if smooth: no lists at vertices
+  IdVector<VertexId, TriangleId> triangle_at_;      // if smooth: one of those at the vertex
   IdVector<TriangleId, std::uint32_t> components_;  // empty: all are of one
   bool distinct_points_ = false;
 };

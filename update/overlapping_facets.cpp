@@ -61,7 +61,7 @@ ClosestFacet star_facet(const ModelIndex& model, VertexId nearest, const Point& 
   const TriangleMesh& mesh = model.mesh();
   ClosestFacet best;
   best.squared_distance = max_distance * max_distance;
-  for (const TriangleId t : model.adjacency().triangles_at(nearest)) {
+  for (const TriangleId t : model.triangles_at(nearest)) {
     const Triangle& v = mesh.triangles[t];
     const PlaneProjection projection =
         project_to_triangle_plane(b, {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]});
@@ -86,7 +86,7 @@ class NearestVertex {
   static std::vector<VertexId> used_vertices(const ModelIndex& model) {
     std::vector<VertexId> used;
     for (const VertexId v : model.mesh().points.ids()) {
-      if (!model.adjacency().triangles_at(v).empty()) used.push_back(v);
+      if (model.is_used(v)) used.push_back(v);
     }
     return used;
   }

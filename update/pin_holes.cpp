@@ -65,7 +65,7 @@ std::vector<std::uint8_t> model_goes_on(const ModelIndex& model, Points cloud,
   const TriangleMesh& mesh = model.mesh();
   for (const VertexId v : mesh.points.ids()) {
     const Point& p = mesh.points[v];
-    if (squared_distance(p, all) > 0 || model.adjacency().triangles_at(v).empty()) continue;
+    if (squared_distance(p, all) > 0 || !model.is_used(v)) continue;
     bool asked = false;
     bool is_beyond = false;
     tree.visit_near(p, 0, [&](std::uint32_t slot) {

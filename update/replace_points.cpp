@@ -1,10 +1,11 @@
 #include "update/replace_points.h"
 
 #include <algorithm>
-#include <optional>
+#include <utility>
 
 #include "geom/equal_points.h"
 #include "geom/large_pages.h"
+#include "geom/list_edit.h"
 #include "geom/nearest_point.h"
 #include "update/rim_index.h"
 
@@ -39,10 +40,10 @@ class ThinningTest {
   std::vector<Cloud> clouds_;
 };
 
-// Merges equal points of `points`, of which the first `distinct` differ from each other, keeping
-// the first of each in place; returns the new position of every old one.
-std::vector<PointId> merge_equal(std::vector<Point>& points, std::size_t distinct) {
-  const std::vector<RepeatedPoint> repeated = repeated_points(points, distinct);
+// Merges equal points, keeping the first of each in place; returns the new position of every old
+// one.
+std::vector<PointId> merge_equal(std::vector<Point>& points,
+                                 std::span<const RepeatedPoint> repeated) {
   std::vector<PointId> new_position(points.size());
   auto next = repeated.begin();
   std::size_t count = 0;
@@ -59,6 +60,47 @@ std::vector<PointId> merge_equal(std::vector<Point>& points, std::size_t distinc
   return new_position;
 }
 
+// The points that stay, and then the clouds.
+std::vector<Point> gather(Points model, const ListEdit<VertexId>& edit,
+                          std::span<const std::vector<Point>> clouds) {
+  std::vector<Point> points;
+  std::size_t count = edit.size_after(model.size());
+  for (const std::vector<Point>& cloud : clouds) count += cloud.size();
+  points.reserve(count);
+  prefer_large_pages(points);
+  for (const KeptRun& run : kept_runs(edit, model.size())) {
+    const Points kept = model.subspan(run.from, run.count);
+    points.insert(points.end(), kept.begin(), kept.end());
+  }
+  for (const std::vector<Point>& cloud : clouds) {
+    points.insert(points.end(), cloud.begin(), cloud.end());
+  }
+  return points;
+}
+
+// Where the model vertices went, and the points of the clouds behind them.
+void tell_positions(const ListEdit<VertexId>& edit, std::size_t num_vertices,
+                    std::span<const std::vector<Point>> clouds,
+                    std::span<const PointId> new_position, Replacement& result) {
+  const auto position = [&](std::size_t gathered) {
+    return new_position.empty() ? PointId(gathered) : new_position[gathered];
+  };
+  result.point_of_vertex.reserve(num_vertices);
+  prefer_large_pages(result.point_of_vertex.raw());
+  result.point_of_vertex.resize(num_vertices);
+  for (const KeptRun& run : kept_runs(edit, num_vertices)) {
+    for (std::size_t k = 0; k < run.count; ++k) {
+      result.point_of_vertex[VertexId(run.from + k)] = position(run.to + k);
+    }
+  }
+  std::size_t next = edit.size_after(num_vertices);
+  for (const std::vector<Point>& cloud : clouds) {
+    IdVector<PointId, PointId> positions;
+    for (std::size_t k = 0; k < cloud.size(); ++k) positions.push_back(position(next++));
+    result.point_of_cloud_point.push_back(std::move(positions));
+  }
+}
+
 }  // namespace
 
 Replacement replace_points(const ModelIndex& index, const Regions& regions,
@@ -73,16 +115,16 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   const IdVector<VertexId, Scanned> scanned =
       scanned_vertices(index, regions, rim_index, rims, clouds, options.scanned);
 
-  // 1. Kept vertices.
-  std::vector<VertexId> kept;
-  kept.reserve(model.points.size());
+  // 1. Who goes.
+  ListEdit<VertexId> edit;
   for (const VertexId v : model.points.ids()) {
-    if (index.adjacency().triangles_at(v).empty()) {
-      ++result.unused_vertices;
-      continue;
-    }
     const RegionId group = regions.group_of_vertex[v];
     const bool on_border = group.is_none();
+    if (on_border && !index.is_used(v)) {
+      ++result.unused_vertices;
+      edit.removed.push_back(v);
+      continue;
+    }
     bool replaced =
         on_border ? rim_index.on_cloud_side(model.points[v]) : choice.replaced[group] != 0;
     if (scanned[v] != Scanned::unclear && replaced != (scanned[v] == Scanned::yes)) {
@@ -92,36 +134,24 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
     if (on_border) ++(replaced ? result.border_replaced : result.border_kept);
     if (replaced) {
       ++result.replaced;
+      edit.removed.push_back(v);
     } else if (thinning.is_thinned(model.points[v])) {
       ++result.thinned;
-    } else {
-      kept.push_back(v);
+      edit.removed.push_back(v);
     }
   }
-  result.kept = kept.size();
+  result.kept = edit.size_after(model.points.size());
 
   // 2. Then the clouds; equal points once.
-  std::size_t gathered = kept.size();
-  for (const std::vector<Point>& cloud : clouds) gathered += cloud.size();
-  result.points.reserve(gathered);
-  prefer_large_pages(result.points);
-  for (const VertexId v : kept) result.points.push_back(model.points[v]);
-  for (const std::vector<Point>& cloud : clouds) {
-    result.points.insert(result.points.end(), cloud.begin(), cloud.end());
-  }
-  const std::vector<PointId> new_position =
-      merge_equal(result.points, index.has_distinct_points() ? kept.size() : 0);
-  result.duplicates = gathered - result.points.size();
+  result.points = gather(model.points.span(), edit, clouds);
+  const std::vector<RepeatedPoint> repeated =
+      repeated_points(result.points, index.has_distinct_points() ? result.kept : 0);
+  std::vector<PointId> new_position;
+  if (!repeated.empty()) new_position = merge_equal(result.points, repeated);
+  result.duplicates = repeated.size();
 
   // 3. Where everything went.
-  result.point_of_vertex = IdVector<VertexId, PointId>(model.points.size());
-  auto next = new_position.begin();
-  for (const VertexId v : kept) result.point_of_vertex[v] = *next++;
-  for (const std::vector<Point>& cloud : clouds) {
-    const auto end = next + static_cast<std::ptrdiff_t>(cloud.size());
-    result.point_of_cloud_point.emplace_back(std::vector<PointId>(next, end));
-    next = end;
-  }
+  tell_positions(edit, model.points.size(), clouds, new_position, result);
   return result;
 }
 

@@ -87,7 +87,7 @@ RegionAngles mean_rim_angles(const ModelIndex& model, const Regions& regions, co
     for (const TriangleId t : facets) nearest.enter(t, false);
     for (const TriangleId t : facets) {
       for (const VertexId v : mesh.triangles[t]) {
-        for (const TriangleId around : model.adjacency().triangles_at(v)) {
+        for (const TriangleId around : model.triangles_at(v)) {
           nearest.enter(around, true);
         }
       }

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 
 #include "geom/box_tree.h"
+#include "geom/sort_ids.h"
+#include "geom/zeroed_array.h"
 
 namespace cocoon {
 
@@ -15,16 +19,15 @@ namespace {
 class BorderSpacing {
  public:
   BorderSpacing(const ModelIndex& model, const Regions& regions)
-      : model_(model), place_(model.mesh().points.size(), none) {
+      : model_(model), place_(model.mesh().points.size()) {
     for (const TriangleId t : regions.region_of_facet.ids()) {
       if (!regions.region_of_facet[t].is_none()) continue;
-      for (const VertexId v : model.mesh().triangles[t]) place_[v] = at_border;
+      for (const VertexId v : model.mesh().triangles[t]) {
+        if (std::exchange(place_[v], 1) == 0) vertices_.push_back(v);
+      }
     }
-    for (const VertexId v : place_.ids()) {
-      if (place_[v] == none) continue;
-      place_[v] = static_cast<std::uint32_t>(vertices_.size());
-      vertices_.push_back(v);
-    }
+    sort_ids(vertices_);
+    for (std::uint32_t i = 0; i < vertices_.size(); ++i) place_[vertices_[i]] = i + 1;
   }
 
   const std::vector<VertexId>& vertices() const { return vertices_; }
@@ -35,15 +38,12 @@ class BorderSpacing {
       return distance(points[v.index()], points[other.index()]);
     });
     return mean_around([&](VertexId v, VertexId other) {
-      const double at_v = own[place_[v]];
-      return place_[other] != none ? 0.5 * (at_v + own[place_[other]]) : at_v;
+      const double at_v = own[place_[v] - 1];
+      return place_[other] != 0 ? 0.5 * (at_v + own[place_[other] - 1]) : at_v;
     });
   }
 
  private:
-  static constexpr std::uint32_t none = 0xFFFFFFFFU;
-  static constexpr std::uint32_t at_border = 0;
-
   // The mean of value(v, other) over the other corners of the facets at each vertex v.
   template <class Value>
   std::vector<double> mean_around(const Value& value) const {
@@ -52,7 +52,7 @@ class BorderSpacing {
     for (const VertexId v : vertices_) {
       double sum = 0;
       std::size_t count = 0;
-      for (const TriangleId t : model_.adjacency().triangles_at(v)) {
+      for (const TriangleId t : model_.triangles_at(v)) {
         const Triangle& corners = model_.mesh().triangles[t];
         for (std::size_t i = 0; i < 3; ++i) {
           if (corners[i] != v) continue;
@@ -66,7 +66,7 @@ class BorderSpacing {
   }
 
   const ModelIndex& model_;
-  IdVector<VertexId, std::uint32_t> place_;  // among vertices_
+  ZeroedArray<VertexId, std::uint32_t> place_;  // 1 + that among vertices_; 0: not there
   std::vector<VertexId> vertices_;
 };
 

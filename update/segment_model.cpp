@@ -1,5 +1,7 @@
 #include "update/segment_model.h"
 
+#include "geom/large_pages.h"
+#include "geom/zeroed_array.h"
 #include "update/grow_regions.h"
 
 namespace cocoon {
@@ -30,38 +32,71 @@ void merge_islands(std::size_t min_facets, Regions& result) {
 
 void count_facets(Regions& result) {
   for (Region& region : result.regions) region = {};
-  result.border_facets = 0;
   for (const TriangleId t : result.region_of_facet.ids()) {
     const RegionId r = result.region_of_facet[t];
-    if (r.is_none()) {
-      ++result.border_facets;
-    } else if (result.regions[r].facets++ == 0) {
-      result.regions[r].first = t;
-    }
+    if (!r.is_none() && result.regions[r].facets++ == 0) result.regions[r].first = t;
   }
 }
 
-void group_vertices(const TriangleMesh& model, const MeshAdjacency& adjacency, Regions& result) {
-  result.group_of_vertex = IdVector<VertexId, RegionId>(model.points.size());
+// The one region of the facets at a vertex that are not in the border; none if there are several.
+RegionId group_of(const ModelIndex& model, const IdVector<TriangleId, RegionId>& region_of_facet,
+                  VertexId v) {
+  RegionId group;
+  bool several = false;
+  model.for_each_triangle_at(v, [&](TriangleId t) {
+    const RegionId region = region_of_facet[t];
+    if (region.is_none()) return;
+    several |= !group.is_none() && group != region;
+    group = region;
+  });
+  return several ? RegionId() : group;
+}
+
+// The region with the most facets, of several the first one; none if there is none.
+RegionId largest_region(const IdVector<RegionId, Region>& regions) {
+  RegionId largest;
+  for (const RegionId r : regions.ids()) {
+    if (largest.is_none() || regions[r].facets > regions[largest].facets) largest = r;
+  }
+  return largest;
+}
+
+// All vertices are of the largest region but for those at other facets, and those at none.
+void group_vertices(const ModelIndex& model, Regions& result) {
+  const TriangleMesh& mesh = model.mesh();
+  const RegionId largest = largest_region(result.regions);
+  result.group_of_vertex = {};
+  result.group_of_vertex.reserve(mesh.points.size());
+  prefer_large_pages(result.group_of_vertex.raw());
+  result.group_of_vertex.resize(mesh.points.size(), largest);
   result.border_vertices = 0;
-  for (const VertexId v : model.points.ids()) {
-    const auto facets = adjacency.triangles_at(v);
-    if (facets.empty()) continue;
-    RegionId group;
-    bool several = false;
-    for (const TriangleId t : facets) {
-      const RegionId region = result.region_of_facet[t];
-      if (region.is_none()) continue;
-      several |= !group.is_none() && group != region;
-      group = region;
-    }
-    if (several || group.is_none()) {
-      ++result.border_vertices;
-    } else {
+  for (Region& region : result.regions) region.vertices = 0;
+  std::size_t others = 0;
+  for (const VertexId v : mesh.points.ids()) {
+    if (model.is_used(v)) continue;
+    result.group_of_vertex[v] = RegionId();
+    ++others;
+  }
+  ZeroedArray<VertexId, std::uint8_t> seen(mesh.points.size());
+  for (const TriangleId t : result.region_of_facet.ids()) {
+    if (result.region_of_facet[t] == largest && !largest.is_none()) continue;
+    for (const VertexId v : mesh.triangles[t]) {
+      if (seen[v] != 0) continue;
+      seen[v] = 1;
+      ++others;
+      const RegionId group = group_of(model, result.region_of_facet, v);
       result.group_of_vertex[v] = group;
-      ++result.regions[group].vertices;
+      ++(group.is_none() ? result.border_vertices : result.regions[group].vertices);
     }
   }
+  if (!largest.is_none()) result.regions[largest].vertices += mesh.points.size() - others;
+}
+
+// Everything that tells of vertices, and of the border.
+void complete(const ModelIndex& model, Regions& result) {
+  result.border_facets = result.region_of_facet.size();
+  for (const Region& region : result.regions) result.border_facets -= region.facets;
+  group_vertices(model, result);
 }
 
 }  // namespace
@@ -71,7 +106,7 @@ Regions segment_model(const ModelIndex& model, const TriangleSet& border,
   report_progress(execution, "segment_model", 0);
   Regions result = grow_regions(model, border);
   merge_islands(options.min_region_facets, result);
-  count_and_group(model.mesh(), model.adjacency(), result);
+  complete(model, result);
   report_progress(execution, "segment_model", 1);
   return result;
 }
@@ -81,9 +116,9 @@ Regions segment_model(const TriangleMesh& model, const TriangleSet& border,
   return segment_model(ModelIndex(model), border, options, execution);
 }
 
-void count_and_group(const TriangleMesh& model, const MeshAdjacency& adjacency, Regions& regions) {
+void count_and_group(const ModelIndex& model, Regions& regions) {
   count_facets(regions);
-  group_vertices(model, adjacency, regions);
+  complete(model, regions);
 }
 
 }  // namespace cocoon

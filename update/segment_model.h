@@ -6,7 +6,6 @@
 #include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
-#include "geom/mesh_adjacency.h"
 #include "geom/triangle_mesh.h"
 #include "update/model_index.h"
 #include "update/triangle_set.h"
@@ -49,6 +48,6 @@ Regions segment_model(const TriangleMesh& model, const TriangleSet& border,
 
 // Fills in all of `regions` but its islands from region_of_facet, for as many regions as there are.
 // For those who change region_of_facet. Complexity: O(triangles + vertices).
-void count_and_group(const TriangleMesh& model, const MeshAdjacency& adjacency, Regions& regions);
+void count_and_group(const ModelIndex& model, Regions& regions);
 
 }  // namespace cocoon

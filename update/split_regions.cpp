@@ -162,7 +162,7 @@ RegionSplit split_regions(const ModelIndex& model, const Regions& regions,
       return result;
     }
   }
-  count_and_group(model.mesh(), model.adjacency(), result.regions);
+  count_and_group(model, result.regions);
   return result;
 }
 

@@ -1,7 +1,6 @@
 #include "update/update_model.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -9,7 +8,9 @@
 
 #include "geom/counted.h"
 #include "geom/errors.h"
+#include "geom/large_pages.h"
 #include "update/model_index.h"
+#include "update/ordinary_size.h"
 #include "update/update_messages.h"
 
 namespace cocoon {
@@ -25,29 +26,6 @@ void run_step(const Execution& execution, std::string_view step, Body body) {
   PrefixedProgress nested{std::string(step), execution.progress};
   body(Execution{execution.threads, execution.progress == nullptr ? nullptr : &nested});
   report_progress(execution, step, 1);
-}
-
-// The stages multiply three lengths and more, so they need room on both sides.
-bool has_ordinary_size(Points points) {
-  double largest = 0;
-  for (const Point& p : points) {
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
-  // What is not finite is for delaunay() to name.
-  return largest == 0 || !std::isfinite(largest) || (largest >= 0x1p-200 && largest <= 0x1p+200);
-}
-
-void require_ordinary_size(const TriangleMesh& model, std::span<const std::vector<Point>> clouds) {
-  std::string too_far;
-  if (!has_ordinary_size(model.points.span())) too_far = "the model";
-  for (std::size_t c = 0; c < clouds.size() && too_far.empty(); ++c) {
-    if (has_ordinary_size(clouds[c])) continue;
-    too_far = "cloud " + std::to_string(c + 1) + " of " + std::to_string(clouds.size());
-  }
-  if (too_far.empty()) return;
-  throw InputError(too_far +
-                   ": its largest coordinate is not between 2^-200 (6.2e-61) and 2^200 (1.6e60), "
-                   "where an update can measure lengths; use other units for model and clouds");
 }
 
 // The state of one update; its steps return false when the result is final.
@@ -434,14 +412,21 @@ class Update {
   }
 
   void map_vertices() {
-    IdVector<PointId, VertexId> vertex_of_point(result_.replacement.points.size());
+    // If each point is a vertex, they have the same order.
+    const std::size_t num_points = result_.replacement.points.size();
+    const bool same = result_.reconstruction.unused_points == 0;
+    IdVector<PointId, VertexId> vertex_of_point(same ? 0 : num_points);
     for (const VertexId v : result_.mesh.points.ids()) {
-      vertex_of_point[result_.reconstruction.point_of_vertex[v]] = v;
+      if (!same) vertex_of_point[result_.reconstruction.point_of_vertex[v]] = v;
     }
-    result_.vertex_map = IdVector<VertexId, VertexId>(model_.points.size());
-    for (const VertexId v : model_.points.ids()) {
-      const PointId p = result_.replacement.point_of_vertex[v];
-      if (!p.is_none()) result_.vertex_map[v] = vertex_of_point[p];
+    result_.vertex_map.clear();
+    result_.vertex_map.reserve(model_.points.size());
+    prefer_large_pages(result_.vertex_map.raw());
+    for (const PointId p : result_.replacement.point_of_vertex) {
+      const bool stays = !p.is_none();
+      result_.vertex_map.push_back(!stays ? VertexId()
+                                   : same ? VertexId(p.value)
+                                          : vertex_of_point[p]);
     }
   }
 
@@ -462,7 +447,7 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
                           const UpdateParts& parts, const UpdateOptions& options,
                           const Execution& execution) {
   if (clouds.empty()) throw InputError("update: no cloud given; give at least one");
-  require_ordinary_size(model, clouds);
+  require_ordinary_size(parts.ordinary_size ? Points() : model.points.span(), clouds);
   Update update(model, clouds, options);
   bool going = true;
   run_step(execution, "boundary_detection",

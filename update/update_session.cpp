@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -54,10 +55,13 @@ void check_snapshot(const SessionSnapshot& snapshot, const Execution& execution)
 
 UpdateSession::UpdateSession(Points points, const UpdateOptions& options,
                              const Execution& execution)
-    : options_(options), points_(points.begin(), points.end()), surface_(options.reconstruct) {
-  reconstruction_ = surface_.reconstruct(points_, execution);
+    : options_(options), surface_(options.reconstruct) {
+  reconstruction_ = surface_.reconstruct(points, execution);
   model_ = std::move(reconstruction_.mesh);
   reconstruction_.mesh = {};
+  points_are_vertices_ = model_.points.size() == points.size();
+  if (points_are_vertices_) return;
+  points_.assign(points.begin(), points.end());
   point_of_vertex_ = reconstruction_.point_of_vertex;
 }
 
@@ -76,6 +80,24 @@ UpdateSession::UpdateSession(SessionSnapshot snapshot, const UpdateOptions& opti
   if (snapshot.triangulation.num_cells() != 0) {
     surface_.take(points_, {std::move(snapshot.triangulation), std::move(snapshot.surface)});
   }
+  forget_points_of_vertices();
+  // Updates go on from the triangles of the model.
+  require(
+      !surface_.is_certain() || !points_are_vertices_ || surface_.triangles() == model_.triangles,
+      "the model is not the surface of its points");
+}
+
+// If they tell nothing: each point is the vertex in its place.
+void UpdateSession::forget_points_of_vertices() {
+  points_are_vertices_ = points_.size() == model_.points.size();
+  for (std::size_t i = 0; points_are_vertices_ && i < points_.size(); ++i) {
+    const VertexId v(i);
+    points_are_vertices_ = point_of_vertex_[v] == PointId(i) &&
+                           std::memcmp(&points_[i], &model_.points[v], sizeof(Point)) == 0;
+  }
+  if (!points_are_vertices_) return;
+  points_ = {};
+  point_of_vertex_ = {};
 }
 
 // The points of a mesh are the vertices that its triangles use.
@@ -92,6 +114,22 @@ void UpdateSession::take_points_of_model() {
     point_of_vertex_[v] = PointId(points_.size());
     points_.push_back(model_.points[v]);
   }
+  forget_points_of_vertices();
+}
+
+ReconstructResult UpdateSession::reconstruction() const {
+  ReconstructResult result = reconstruction_;
+  const bool left_out = result.normals.empty() && result.status == SurfaceStatus::ok;
+  if (left_out && result.vertices > 0) surface_.complete(result);
+  return result;
+}
+
+const ModelIndex& UpdateSession::index() {
+  const bool certain = surface_.is_certain() && points_are_vertices_;
+  if (!index_ && !certain) return index_.emplace(model_);
+  if (!index_) return index_.emplace(ModelIndex::of_smooth(model_));
+  if (certain && !index_->can_edit()) index_->prepare_for_edits();
+  return *index_;
 }
 
 // Where the updated points were: kept model vertices know, points of clouds are new.
@@ -99,23 +137,14 @@ std::vector<PointId> UpdateSession::old_positions(const Replacement& replacement
   std::vector<PointId> positions(replacement.points.size());
   for (const VertexId v : replacement.point_of_vertex.ids()) {
     const PointId p = replacement.point_of_vertex[v];
-    if (!p.is_none()) positions[p.index()] = point_of_vertex_[v];
+    if (!p.is_none()) positions[p.index()] = point_of_vertex(v);
   }
   return positions;
 }
 
-ReconstructResult UpdateSession::reconstruct(const Replacement& replacement,
-                                             const KnownTriangleSource& known,
-                                             const Execution& execution) {
-  if (surface_.num_points() == 0) {
-    return surface_.reconstruct(replacement.points, execution, known);
-  }
-  return surface_.replace(replacement.points, old_positions(replacement), execution, known);
-}
-
 // Where the points of the model are among the updated ones; none: they go.
 std::vector<PointId> UpdateSession::positions_after(const Replacement& replacement) const {
-  std::vector<PointId> after(points_.size());
+  std::vector<PointId> after(points().size());
   const std::vector<PointId> before = old_positions(replacement);
   for (std::size_t p = 0; p < before.size(); ++p) {
     if (!before[p].is_none()) after[before[p].index()] = PointId(p);
@@ -123,35 +152,126 @@ std::vector<PointId> UpdateSession::positions_after(const Replacement& replaceme
   return after;
 }
 
+// If all points are vertices, and no two of those that stay are one: what goes, and what comes
+// behind all the others.
+std::optional<ListEdit<PointId>> UpdateSession::edit_of_points(
+    const Replacement& replacement) const {
+  if (!points_are_vertices_) return {};
+  ListEdit<PointId> edit;
+  std::size_t kept = 0;
+  for (const VertexId v : replacement.point_of_vertex.ids()) {
+    const PointId p = replacement.point_of_vertex[v];
+    if (p.is_none()) {
+      edit.removed.push_back(PointId(v.value));
+    } else if (p.index() != kept++) {
+      return {};
+    }
+  }
+  for (; kept < replacement.points.size(); ++kept) edit.added.push_back(PointId(kept));
+  return edit;
+}
+
+ReconstructResult UpdateSession::reconstruct(const Replacement& replacement,
+                                             const KnownTriangleSource& known,
+                                             const Execution& execution, Pending& pending) {
+  ReconstructResult result;
+  if (surface_.num_points() == 0) {
+    result = surface_.reconstruct(replacement.points, execution, known);
+  } else if (pending.points = edit_of_points(replacement); pending.points) {
+    DynamicTightCocone::Edited edited =
+        surface_.edit(replacement.points, *pending.points, execution, known);
+    pending.surface = std::move(edited.edit);
+    result = std::move(edited.result);
+  } else {
+    result = surface_.replace(replacement.points, old_positions(replacement), execution, known);
+  }
+  if (!pending.surface) pending.position_after = positions_after(replacement);
+  pending.done = true;
+  return result;
+}
+
+// The points of the surface are again those of the model.
+void UpdateSession::take_back(const Pending& pending) {
+  if (!pending.done) return;
+  if (pending.points) {
+    surface_.edit(points(), pending.points->reversed());
+  } else {
+    surface_.replace(points(), pending.position_after);
+  }
+}
+
 SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
                                    const Execution& execution) {
-  std::vector<PointId> after;  // not empty: the surface is that of the updated points
-  const UpdateParts parts{[&]() -> const ModelIndex& {
-                            if (!index_) index_.emplace(model_);
-                            return *index_;
-                          },
-                          [&](const Replacement& replacement, const KnownTriangleSource& known,
-                              const Execution& nested) {
-                            ReconstructResult result = reconstruct(replacement, known, nested);
-                            after = positions_after(replacement);
-                            return result;
-                          }};
+  Pending pending;
+  const UpdateParts parts{
+      [&]() -> const ModelIndex& { return index(); },
+      [&](const Replacement& replacement, const KnownTriangleSource& known,
+          const Execution& nested) { return reconstruct(replacement, known, nested, pending); },
+      surface_.is_certain()};
   SessionUpdate update;
   try {
     update.result = update_model(model_, clouds, parts, options_, execution);
   } catch (...) {
-    if (!after.empty()) surface_.replace(points_, after);
+    take_back(pending);
     throw;
   }
   if (update.result.status == UpdateStatus::ok) {
-    keep(update, std::move(after));
-  } else if (!after.empty()) {
-    surface_.replace(points_, after);
+    keep(update, std::move(pending));
+  } else {
+    take_back(pending);
   }
   return update;
 }
 
-void UpdateSession::keep(SessionUpdate& update, std::vector<PointId> positions_after) {
+void UpdateSession::keep(SessionUpdate& update, Pending pending) {
+  if (pending.surface) {
+    keep_edit(update, std::move(pending));
+  } else {
+    keep_body(update, std::move(pending.position_after));
+  }
+  if (history_.size() > max_undo_levels) history_.pop_front();
+}
+
+// The result keeps nothing by vertex, the session all of it.
+void UpdateSession::push(ReconstructResult after, std::variant<Body, MeshEdit> way) {
+  history_.push_back({std::exchange(reconstruction_, std::move(after)), std::move(way)});
+}
+
+void UpdateSession::keep_edit(SessionUpdate& update, Pending pending) {
+  UpdateResult& result = update.result;
+  const ListEdit<PointId>& points = *pending.points;
+  ListEdit<VertexId> vertices;
+  for (const PointId p : points.removed) vertices.removed.push_back(VertexId(p.value));
+  for (const PointId p : points.added) vertices.added.push_back(VertexId(p.value));
+  const std::vector<Point> updated = std::exchange(result.replacement.points, {});
+  MeshEdit edit = mesh_edit(*index_, std::move(vertices), Points(updated).last(points.added.size()),
+                            pending.surface->touched, pending.surface->triangles);
+  update.change = carry_out(edit, result.vertex_map);
+  // What can be asked of the surface is not kept.
+  reconstruction_.normals = {};
+  reconstruction_.point_of_vertex = {};
+  reconstruction_.boundary_sample = {};
+  push(result.reconstruction, std::move(edit));
+}
+
+// From one certain surface to the next one.
+MeshChange UpdateSession::carry_out(const MeshEdit& edit, IdVector<VertexId, VertexId> vertex_map) {
+  MeshChange change;
+  change.triangle_map = places_after(edit.triangles, model_.triangles.size());
+  edit_list(model_.points, edit.vertices, edit.added_points);
+  edit_triangles(model_.triangles, edit, vertex_map);
+  if (index_ && index_->can_edit()) {
+    index_->edit({edit.vertices, edit.triangles, change.triangle_map});
+  } else {
+    index_.reset();
+  }
+  change.vertex_map = std::move(vertex_map);
+  change.removed = edit.removed;
+  change.added = edit.added;
+  return change;
+}
+
+void UpdateSession::keep_body(SessionUpdate& update, std::vector<PointId> positions_after) {
   UpdateResult& result = update.result;
   update.change = mesh_change(model_, result.mesh, result.vertex_map);
   Body before;
@@ -159,19 +279,45 @@ void UpdateSession::keep(SessionUpdate& update, std::vector<PointId> positions_a
   before.next_vertex = result.vertex_map;
   before.position_after = std::move(positions_after);
   before.model = std::exchange(model_, std::exchange(result.mesh, {}));
-  before.points = std::exchange(points_, result.replacement.points);
+  before.points = std::exchange(points_, std::exchange(result.replacement.points, {}));
   before.point_of_vertex = std::exchange(point_of_vertex_, result.reconstruction.point_of_vertex);
-  before.reconstruction = std::exchange(reconstruction_, result.reconstruction);
+  before.points_are_vertices = points_are_vertices_;
+  forget_points_of_vertices();
   // Equal points were merged, so those of the new model differ.
   index_ = ModelIndex(model_, IndexBefore{*index_, before.model, update.change, true});
-  history_.push_back(std::move(before));
-  if (history_.size() > max_undo_levels) history_.pop_front();
+  push(result.reconstruction, std::move(before));
+  result.reconstruction.normals = {};
+  result.reconstruction.boundary_sample = {};
+  result.reconstruction.point_of_vertex = {};
 }
 
 MeshChange UpdateSession::undo(const Execution& execution) {
   assert(!history_.empty());
-  Body& before = history_.back();
-  surface_.replace(before.points, before.position_after, execution);
+  Step& last = history_.back();
+  MeshChange change;
+  if (const MeshEdit* edit = std::get_if<MeshEdit>(&last.way)) {
+    change = undo_edit(edit->reversed(), execution);
+  } else {
+    change = undo_to(std::get<Body>(last.way), execution);
+  }
+  reconstruction_ = std::move(last.reconstruction);
+  history_.pop_back();
+  return change;
+}
+
+MeshChange UpdateSession::undo_edit(const MeshEdit& edit, const Execution& execution) {
+  IdVector<VertexId, Point> before = model_.points;
+  edit_list(before, edit.vertices, edit.added_points);
+  ListEdit<PointId> points;
+  for (const VertexId v : edit.vertices.removed) points.removed.push_back(PointId(v.value));
+  for (const VertexId v : edit.vertices.added) points.added.push_back(PointId(v.value));
+  surface_.edit(before.span(), points, execution);
+  return carry_out(edit, places_after(edit.vertices, model_.points.size()));
+}
+
+MeshChange UpdateSession::undo_to(Body& before, const Execution& execution) {
+  surface_.replace(before.points_are_vertices ? before.model.points.span() : Points(before.points),
+                   before.position_after, execution);
   IdVector<VertexId, VertexId> vertex_map(model_.points.size());
   for (const VertexId v : before.next_vertex.ids()) {
     if (!before.next_vertex[v].is_none()) vertex_map[before.next_vertex[v]] = v;
@@ -182,16 +328,21 @@ MeshChange UpdateSession::undo(const Execution& execution) {
     index_ = ModelIndex(model_, IndexBefore{*index_, before.model, change, before.distinct_points});
   }
   points_ = std::move(before.points);
+  points_are_vertices_ = before.points_are_vertices;
   point_of_vertex_ = std::move(before.point_of_vertex);
-  reconstruction_ = std::move(before.reconstruction);
-  history_.pop_back();
   return change;
 }
 
 SessionSnapshot UpdateSession::snapshot() const {
   DynamicTightCocone::Snapshot surface;
   if (surface_.num_points() != 0) surface = surface_.snapshot();
-  return {model_, points_, point_of_vertex_, std::move(surface.triangulation),
+  IdVector<VertexId, PointId> point_of_vertex;
+  point_of_vertex.reserve(model_.points.size());
+  for (const VertexId v : model_.points.ids()) point_of_vertex.push_back(this->point_of_vertex(v));
+  return {model_,
+          {points().begin(), points().end()},
+          std::move(point_of_vertex),
+          std::move(surface.triangulation),
           std::move(surface.surface)};
 }
 

@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "cocone/dynamic_tight_cocone.h"
@@ -12,8 +13,10 @@
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
+#include "geom/list_edit.h"
 #include "geom/triangle_mesh.h"
 #include "update/mesh_change.h"
+#include "update/mesh_edit.h"
 #include "update/model_index.h"
 #include "update/update_model.h"
 
@@ -38,8 +41,11 @@ enum class SnapshotCheck { to_be_done, done };
 
 // What one update did.
 struct SessionUpdate {
-  UpdateResult result;  // without its mesh, which is the session's model()
-  MeshChange change;    // empty unless result.status is ok
+  // If its status is ok, without what the session has then: no mesh, which is its model(), no
+  // replacement.points, which are its points(), and of `reconstruction` nothing by vertex, which
+  // its reconstruction() has.
+  UpdateResult result;
+  MeshChange change;  // empty unless result.status is ok
 };
 
 // Owns a model, the triangulation of its points, and what the update asks of it.
@@ -69,9 +75,11 @@ class UpdateSession {
   UpdateSession& operator=(UpdateSession&&) = delete;
 
   const TriangleMesh& model() const { return model_; }
+  // The current points, in the order of the user.
+  Points points() const { return points_are_vertices_ ? Points(model_.points.raw()) : points_; }
   const UpdateOptions& options() const { return options_; }
-  // Of the current model, without its mesh; of a mesh that was given, empty.
-  const ReconstructResult& reconstruction() const { return reconstruction_; }
+  // Of the current model, without its mesh; of a mesh that was given, empty. Complexity: O(n).
+  ReconstructResult reconstruction() const;
 
   // Updates the model by clouds registered to it (update_model.h). Unless the status is ok, and if
   // it throws, the model stays as it is. Errors: as update_model.
@@ -89,7 +97,8 @@ class UpdateSession {
   // Complexity: O(n).
   SessionSnapshot snapshot() const;
 
-  // Updates that can be taken back; each holds a copy of the model.
+  // Updates that can be taken back; each holds what went and came, or a copy of the model if its
+  // surface was not certain.
   static constexpr std::size_t max_undo_levels = 16;
 
  private:
@@ -97,28 +106,54 @@ class UpdateSession {
   struct Body {
     TriangleMesh model;
     std::vector<Point> points;
+    bool points_are_vertices = false;
     IdVector<VertexId, PointId> point_of_vertex;
-    ReconstructResult reconstruction;
     IdVector<VertexId, VertexId> next_vertex;  // of the model, in the one after it
     std::vector<PointId> position_after;       // of each point, among those after
     bool distinct_points = false;              // see ModelIndex
   };
+  // What it takes to go back to the model before an update.
+  struct Step {
+    ReconstructResult reconstruction;
+    std::variant<Body, MeshEdit> way;  // the model, or the edit that made the next one of it
+  };
+  // What the update under way has done to surface_.
+  struct Pending {
+    bool done = false;
+    std::optional<ListEdit<PointId>> points;                 // as edit() was told
+    std::optional<DynamicTightCocone::SurfaceEdit> surface;  // and what it found
+    std::vector<PointId> position_after;                     // if edit() was not asked
+  };
 
+  const ModelIndex& index();
   void take_points_of_model();
+  PointId point_of_vertex(VertexId v) const {
+    return points_are_vertices_ ? PointId(v.value) : point_of_vertex_[v];
+  }
   ReconstructResult reconstruct(const Replacement& replacement, const KnownTriangleSource& known,
-                                const Execution& execution);
+                                const Execution& execution, Pending& pending);
+  std::optional<ListEdit<PointId>> edit_of_points(const Replacement& replacement) const;
   std::vector<PointId> old_positions(const Replacement& replacement) const;
   std::vector<PointId> positions_after(const Replacement& replacement) const;
-  void keep(SessionUpdate& update, std::vector<PointId> positions_after);
+  void take_back(const Pending& pending);
+  void keep(SessionUpdate& update, Pending pending);
+  void keep_edit(SessionUpdate& update, Pending pending);
+  void keep_body(SessionUpdate& update, std::vector<PointId> positions_after);
+  void push(ReconstructResult after, std::variant<Body, MeshEdit> way);
+  void forget_points_of_vertices();
+  MeshChange carry_out(const MeshEdit& edit, IdVector<VertexId, VertexId> vertex_map);
+  MeshChange undo_edit(const MeshEdit& edit, const Execution& execution);
+  MeshChange undo_to(Body& before, const Execution& execution);
 
   UpdateOptions options_;
   TriangleMesh model_;
-  std::vector<Point> points_;
-  IdVector<VertexId, PointId> point_of_vertex_;
-  ReconstructResult reconstruction_;
+  bool points_are_vertices_ = false;  // point i is vertex i of the model, and there are no others
+  std::vector<Point> points_;         // if not
+  IdVector<VertexId, PointId> point_of_vertex_;  // if not
+  ReconstructResult reconstruction_;  // nothing by vertex if that can be asked of surface_
   DynamicTightCocone surface_;
   std::optional<ModelIndex> index_;
-  std::deque<Body> history_;  // the latest last
+  std::deque<Step> history_;  // the latest last
 };
 
 }  // namespace cocoon

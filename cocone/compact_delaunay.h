@@ -1,0 +1,35 @@
+// A changing triangulation, and what is known of its points, without the gaps that changes leave.
+#pragma once
+
+#include "cocone/certified_surface.h"
+#include "cocone/live_candidates.h"
+#include "cocone/reconstruct.h"
+#include "cocone/surface_state.h"
+#include "delaunay/dynamic_delaunay.h"
+#include "delaunay/triangulation.h"
+#include "geom/id_vector.h"
+#include "geom/ids.h"
+
+namespace cocoon {
+
+// The live cells and vertices, in the order of their slots, finite cells first.
+struct CompactDelaunay {
+  Triangulation triangulation;
+  IdVector<VertexId, VertexId> vertex;  // by slot
+  IdVector<CellId, CellId> cell;        // by slot
+};
+
+// `vertex_of_point`: the slot of each input point. Complexity: O(slots).
+CompactDelaunay compact_delaunay(const DynamicDelaunay& delaunay,
+                                 const IdVector<PointId, VertexId>& vertex_of_point);
+
+// What the stages up to pruning found, in its numbers. Precondition: candidates.exists().
+// Complexity: O(slots).
+KnownCandidates known_candidates(const LiveCandidates& candidates, const CompactDelaunay& whole);
+
+// The same with the certified surface, as far as they exist, to be kept elsewhere. Complexity:
+// O(slots).
+SurfaceState surface_state(const LiveCandidates& candidates, const CertifiedSurface& certified,
+                           const CompactDelaunay& whole);
+
+}  // namespace cocoon
