@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "geom/large_pages.h"
+#include "geom/visit_where.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
@@ -41,11 +43,11 @@ Regions grow_one_by_one(const MeshAdjacency& adjacency, const TriangleSet& borde
 // connected model each region has one.
 class Fronts {
  public:
-  Fronts(const MeshAdjacency& adjacency, const TriangleSet& border)
-      : adjacency_(adjacency), border_(border), front_of_(border.size()) {
-    for (const TriangleId t : border.ids()) {
-      if (border[t] == 0) continue;
-      ++num_border_;
+  // `facets`: those of the border.
+  Fronts(const MeshAdjacency& adjacency, const TriangleSet& border,
+         std::span<const TriangleId> facets)
+      : adjacency_(adjacency), border_(border), facets_(facets), front_of_(border.size()) {
+    for (const TriangleId t : facets) {
       for (const TriangleId next : adjacency.neighbors[t]) {
         if (!next.is_none() && border[next] == 0 && front_of_[next] == 0) start(next);
       }
@@ -74,7 +76,7 @@ class Fronts {
   Regions regions() {
     const std::uint32_t rest = open_.empty() ? root_of(0) : open_.front();
     std::vector<Region> found(parent_.size());  // of each root
-    std::size_t facets = border_.size() - num_border_;
+    std::size_t facets = border_.size() - facets_.size();
     for (const TriangleId t : reached_) {
       Region& region = found[root_of(front_of_[t] - 1)];
       region.first = std::min(region.first, t);  // none is above all
@@ -128,9 +130,7 @@ class Fronts {
     for (const TriangleId t : reached_) {
       result.region_of_facet[t] = region_of_front[root_of(front_of_[t] - 1)];
     }
-    for (const TriangleId t : border_.ids()) {
-      if (border_[t] != 0) result.region_of_facet[t] = RegionId();
-    }
+    for (const TriangleId t : facets_) result.region_of_facet[t] = RegionId();
   }
 
   std::uint32_t root_of(std::uint32_t f) {
@@ -165,7 +165,7 @@ class Fronts {
 
   const MeshAdjacency& adjacency_;
   const TriangleSet& border_;
-  std::size_t num_border_ = 0;
+  std::span<const TriangleId> facets_;
   ZeroedArray<TriangleId, std::uint32_t> front_of_;  // 1 + its front; 0: not reached
   std::vector<TriangleId> reached_;
   std::vector<std::uint32_t> parent_;            // of each front: what it became part of, or itself
@@ -176,10 +176,12 @@ class Fronts {
 }  // namespace
 
 Regions grow_regions(const ModelIndex& model, const TriangleSet& border) {
-  const bool has_border =
-      std::any_of(border.begin(), border.end(), [](std::uint8_t flag) { return flag != 0; });
-  if (!model.is_connected() || !has_border) return grow_one_by_one(model.adjacency(), border);
-  Fronts fronts(model.adjacency(), border);
+  if (!model.is_connected()) return grow_one_by_one(model.adjacency(), border);
+  std::vector<TriangleId> facets;
+  visit_where(
+      border.size(), [&](std::size_t i) { return border[TriangleId(i)] != 0; },
+      [&](std::size_t i) { facets.push_back(TriangleId(i)); });
+  Fronts fronts(model.adjacency(), border, facets);
   if (!fronts.any()) return grow_one_by_one(model.adjacency(), border);
   fronts.grow();
   return fronts.regions();

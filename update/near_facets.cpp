@@ -45,9 +45,10 @@ std::vector<TriangleId> facets_near(const TriangleMesh& mesh, Points centers, do
   const double room = reach_with_rounding(centers, reach);
   if (!std::isfinite(room)) return all_facets(mesh);
   const ReachedCells cells(centers, room);
-  std::vector<std::uint8_t> sides;
-  sides.reserve(mesh.points.size());
-  for (const Point& p : mesh.points) sides.push_back(sides_of(cells.extent(), p));
+  std::vector<std::uint8_t> sides(mesh.points.size());
+  for (const VertexId v : mesh.points.ids()) {
+    sides[v.index()] = sides_of(cells.extent(), mesh.points[v]);
+  }
   std::vector<TriangleId> facets;
   for (const TriangleId t : mesh.triangles.ids()) {
     const auto& [a, b, c] = mesh.triangles[t];

@@ -7,6 +7,7 @@
 #include "geom/large_pages.h"
 #include "geom/list_edit.h"
 #include "geom/nearest_point.h"
+#include "geom/visit_where.h"
 #include "update/rim_index.h"
 
 namespace cocoon {
@@ -25,6 +26,7 @@ class ThinningTest {
       clouds_.push_back({NearestPointTree(clouds[c]), reach * reach});
     }
   }
+  bool is_on() const { return !clouds_.empty(); }
   bool is_thinned(const Point& p) const {
     for (const Cloud& cloud : clouds_) {
       if (cloud.points.nearest(p).squared_distance < cloud.squared_reach) return true;
@@ -39,6 +41,17 @@ class ThinningTest {
   };
   std::vector<Cloud> clouds_;
 };
+
+// None if there is none.
+RegionId largest_kept_region(const Regions& regions, const RegionChoice& choice) {
+  RegionId largest;
+  for (const RegionId r : regions.regions.ids()) {
+    if (choice.replaced[r] != 0) continue;
+    const std::size_t facets = regions.regions[r].facets;
+    if (largest.is_none() || facets > regions.regions[largest].facets) largest = r;
+  }
+  return largest;
+}
 
 // Merges equal points, keeping the first of each in place; returns the new position of every old
 // one.
@@ -115,15 +128,21 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   const IdVector<VertexId, Scanned> scanned =
       scanned_vertices(index, regions, rim_index, rims, clouds, options.scanned);
 
-  // 1. Who goes.
+  // 1. Who goes. Most vertices stay: those in the middle of the largest region that does.
+  const RegionId plain = thinning.is_on() ? RegionId() : largest_kept_region(regions, choice);
+  const auto is_plain = [&](std::size_t i) {
+    return (regions.group_of_vertex[VertexId(i)] == plain) &
+           (scanned[VertexId(i)] == Scanned::unclear);
+  };
   ListEdit<VertexId> edit;
-  for (const VertexId v : model.points.ids()) {
+  const auto decide = [&](std::size_t i) {
+    const VertexId v(i);
     const RegionId group = regions.group_of_vertex[v];
     const bool on_border = group.is_none();
     if (on_border && !index.is_used(v)) {
       ++result.unused_vertices;
       edit.removed.push_back(v);
-      continue;
+      return;
     }
     bool replaced =
         on_border ? rim_index.on_cloud_side(model.points[v]) : choice.replaced[group] != 0;
@@ -139,7 +158,9 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
       ++result.thinned;
       edit.removed.push_back(v);
     }
-  }
+  };
+  visit_where(
+      model.points.size(), [&](std::size_t i) { return plain.is_none() || !is_plain(i); }, decide);
   result.kept = edit.size_after(model.points.size());
 
   // 2. Then the clouds; equal points once.

@@ -7,6 +7,7 @@
 
 #include "geom/box_tree.h"
 #include "geom/sort_ids.h"
+#include "geom/visit_where.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
@@ -20,12 +21,14 @@ class BorderSpacing {
  public:
   BorderSpacing(const ModelIndex& model, const Regions& regions)
       : model_(model), place_(model.mesh().points.size()) {
-    for (const TriangleId t : regions.region_of_facet.ids()) {
-      if (!regions.region_of_facet[t].is_none()) continue;
-      for (const VertexId v : model.mesh().triangles[t]) {
-        if (std::exchange(place_[v], 1) == 0) vertices_.push_back(v);
-      }
-    }
+    visit_where(
+        regions.region_of_facet.size(),
+        [&](std::size_t i) { return regions.region_of_facet[TriangleId(i)].is_none(); },
+        [&](std::size_t i) {
+          for (const VertexId v : model.mesh().triangles[TriangleId(i)]) {
+            if (std::exchange(place_[v], 1) == 0) vertices_.push_back(v);
+          }
+        });
     sort_ids(vertices_);
     for (std::uint32_t i = 0; i < vertices_.size(); ++i) place_[vertices_[i]] = i + 1;
   }

@@ -1,6 +1,11 @@
 #include "update/segment_model.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
 #include "geom/large_pages.h"
+#include "geom/visit_where.h"
 #include "geom/zeroed_array.h"
 #include "update/grow_regions.h"
 
@@ -72,23 +77,30 @@ void group_vertices(const ModelIndex& model, Regions& result) {
   result.border_vertices = 0;
   for (Region& region : result.regions) region.vertices = 0;
   std::size_t others = 0;
-  for (const VertexId v : mesh.points.ids()) {
-    if (model.is_used(v)) continue;
-    result.group_of_vertex[v] = RegionId();
-    ++others;
-  }
+  visit_where(
+      mesh.points.size(), [&](std::size_t i) { return !model.is_used(VertexId(i)); },
+      [&](std::size_t i) {
+        result.group_of_vertex[VertexId(i)] = RegionId();
+        ++others;
+      });
   ZeroedArray<VertexId, std::uint8_t> seen(mesh.points.size());
-  for (const TriangleId t : result.region_of_facet.ids()) {
-    if (result.region_of_facet[t] == largest && !largest.is_none()) continue;
-    for (const VertexId v : mesh.triangles[t]) {
-      if (seen[v] != 0) continue;
-      seen[v] = 1;
-      ++others;
-      const RegionId group = group_of(model, result.region_of_facet, v);
-      result.group_of_vertex[v] = group;
-      ++(group.is_none() ? result.border_vertices : result.regions[group].vertices);
-    }
-  }
+  const auto look_at = [&](VertexId v) {
+    if (std::exchange(seen[v], 1) != 0) return;
+    ++others;
+    const RegionId group = group_of(model, result.region_of_facet, v);
+    result.group_of_vertex[v] = group;
+    ++(group.is_none() ? result.border_vertices : result.regions[group].vertices);
+  };
+  const IdVector<TriangleId, RegionId>& regions = result.region_of_facet;
+  visit_where(
+      regions.size(),
+      [&](std::size_t i) {
+        const RegionId r = regions[TriangleId(i)];
+        return r != largest || r.is_none();
+      },
+      [&](std::size_t i) {
+        for (const VertexId v : mesh.triangles[TriangleId(i)]) look_at(v);
+      });
   if (!largest.is_none()) result.regions[largest].vertices += mesh.points.size() - others;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geom/errors.h"
+#include "geom/visit_where.h"
 
 namespace cocoon {
 namespace {
@@ -157,17 +158,20 @@ std::vector<PointId> UpdateSession::positions_after(const Replacement& replaceme
 std::optional<ListEdit<PointId>> UpdateSession::edit_of_points(
     const Replacement& replacement) const {
   if (!points_are_vertices_) return {};
+  const IdVector<VertexId, PointId>& after = replacement.point_of_vertex;
   ListEdit<PointId> edit;
-  std::size_t kept = 0;
-  for (const VertexId v : replacement.point_of_vertex.ids()) {
-    const PointId p = replacement.point_of_vertex[v];
-    if (p.is_none()) {
-      edit.removed.push_back(PointId(v.value));
-    } else if (p.index() != kept++) {
-      return {};
+  visit_where(
+      after.size(), [&](std::size_t i) { return after[VertexId(i)].is_none(); },
+      [&](std::size_t i) { edit.removed.push_back(PointId(i)); });
+  const std::size_t kept = after.size() - edit.removed.size();
+  for (const KeptRun& run : kept_runs(edit, after.size())) {
+    bool in_order = true;
+    for (std::size_t k = 0; k < run.count; ++k) {
+      in_order &= after[VertexId(run.from + k)] == PointId(run.to + k);
     }
+    if (!in_order) return {};
   }
-  for (; kept < replacement.points.size(); ++kept) edit.added.push_back(PointId(kept));
+  for (std::size_t p = kept; p < replacement.points.size(); ++p) edit.added.push_back(PointId(p));
   return edit;
 }
 
