@@ -131,9 +131,9 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   // 1. Who goes. Most vertices stay: those in the middle of the largest region that does.
   const RegionId plain = thinning.is_on() ? RegionId() : largest_kept_region(regions, choice);
   const auto is_plain = [&](std::size_t i) {
-    bool result = regions.group_of_vertex[VertexId(i)] == plain;
-    result &= scanned[VertexId(i)] == Scanned::unclear;  // without a branch
-    return result;
+    bool holds = regions.group_of_vertex[VertexId(i)] == plain;
+    holds &= scanned[VertexId(i)] == Scanned::unclear;  // without a branch
+    return holds;
   };
   ListEdit<VertexId> edit;
   const auto decide = [&](std::size_t i) {
