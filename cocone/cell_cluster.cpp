@@ -8,16 +8,18 @@ namespace {
 class Cluster {
  public:
   Cluster(const Triangulation& triangulation, BallCosines& cosines,
-          const IdVector<CellId, std::uint8_t>& out, ZeroedArray<CellId, std::uint8_t>& state)
-      : triangulation_(triangulation), cosines_(cosines), out_(out), state_(state) {}
+          const IdVector<CellId, std::uint8_t>& out, ZeroedArray<CellId, ClusterSize>& known,
+          ZeroedArray<CellId, std::uint8_t>& state)
+      : triangulation_(triangulation), cosines_(cosines), out_(out), known_(known), state_(state) {}
 
   CellCluster run(CellId first, double deep_cosine, std::size_t most_cells) {
-    collect(first, deep_cosine, most_cells);
+    const bool too_large = !collect(first, deep_cosine, most_cells);
     const std::size_t core = cells_.size();
-    if (core > most_cells) {
-      for (const CellId c : cells_) state_[c] = untouched;
-      return {std::move(cells_), core, true};
+    for (const CellId c : cells_) {
+      known_[c] = too_large ? ClusterSize::too_large : ClusterSize::small;
+      if (too_large) state_[c] = untouched;
     }
+    if (too_large) return {std::move(cells_), core, true};
     find_samples();
     for (std::size_t k = 0; k < core; ++k) {
       for (int i = 0; i < 4; ++i) take_if_enclosed(triangulation_.neighbor(cells_[k], i));
@@ -32,20 +34,24 @@ class Cluster {
 
   bool on_this_side(CellId c) const { return out_[c] == out_[cells_.front()]; }
 
-  void collect(CellId first, double deep_cosine, std::size_t most_cells) {
+  // False if there are more.
+  bool collect(CellId first, double deep_cosine, std::size_t most_cells) {
     cells_.push_back(first);
     state_[first] = taken;
-    for (std::size_t next = 0; next < cells_.size() && cells_.size() <= most_cells; ++next) {
+    for (std::size_t next = 0; next < cells_.size(); ++next) {
+      if (cells_.size() > most_cells) return false;
       for (int i = 0; i < 4; ++i) {
         const FacetId f = facet_id(cells_[next], i);
         const CellId behind = cell_of(triangulation_.mirror(f));
         if (state_[behind] == taken || triangulation_.is_infinite(behind)) continue;
         if (!on_this_side(behind)) continue;
         if (cosines_.contact(f) < deep_cosine) continue;
+        if (known_[behind] == ClusterSize::too_large) return false;
         state_[behind] = taken;
         cells_.push_back(behind);
       }
     }
+    return cells_.size() <= most_cells;
   }
 
   void find_samples() {
@@ -90,6 +96,7 @@ class Cluster {
   const Triangulation& triangulation_;
   BallCosines& cosines_;
   const IdVector<CellId, std::uint8_t>& out_;
+  ZeroedArray<CellId, ClusterSize>& known_;
   ZeroedArray<CellId, std::uint8_t>& state_;
   std::vector<CellId> cells_;
   std::vector<CellId> left_;  // looked at in vain
@@ -101,8 +108,9 @@ class Cluster {
 CellCluster cell_cluster(const Triangulation& triangulation, BallCosines& cosines,
                          const IdVector<CellId, std::uint8_t>& out, CellId first,
                          double deep_cosine, std::size_t most_cells,
+                         ZeroedArray<CellId, ClusterSize>& known,
                          ZeroedArray<CellId, std::uint8_t>& scratch) {
-  return Cluster(triangulation, cosines, out, scratch).run(first, deep_cosine, most_cells);
+  return Cluster(triangulation, cosines, out, known, scratch).run(first, deep_cosine, most_cells);
 }
 
 }  // namespace cocoon

@@ -279,9 +279,17 @@ class CleanUp {
     counters_.idle_after = idle.size();
   }
 
+  // In the doubtful region and beside it, in lexicographic order.
   std::vector<VertexId> idle_samples() {
-    std::vector<VertexId> idle = unevenly_sampled(triangulation_, out_, options_.idle);
-    std::erase_if(idle, [&](VertexId v) { return region_.is_left(v) || !energy_.is_idle(v); });
+    std::vector<VertexId> idle;
+    ZeroedArray<VertexId, std::uint8_t> asked(triangulation_.num_vertices());
+    for (const CellId c : region_.cells) {
+      for (const VertexId v : triangulation_.cell(c).vertices) {
+        if (v == infinite_vertex || asked[v] != 0) continue;
+        asked[v] = 1;
+        if (!region_.is_left(v) && energy_.is_idle(v)) idle.push_back(v);
+      }
+    }
     std::sort(idle.begin(), idle.end(), [&](VertexId a, VertexId b) {
       return triangulation_.point(a) < triangulation_.point(b);
     });
@@ -289,12 +297,12 @@ class CleanUp {
   }
 
   bool flip_clusters_at(const std::vector<VertexId>& idle, double deep_cosine) {
-    ZeroedArray<CellId, Asked> asked(triangulation_.num_cells());
+    ZeroedArray<CellId, ClusterSize> known(triangulation_.num_cells());
     bool flipped = false;
     counters_.large_clusters = 0;
     for (const VertexId v : idle) {
       if (!energy_.is_idle(v)) continue;  // not any more
-      for (const CellCluster& cluster : clusters_at(v, deep_cosine, asked)) {
+      for (const CellCluster& cluster : clusters_at(v, deep_cosine, known)) {
         const std::vector<CellId>& cells = cluster.cells;
         if (!is_attached(triangulation_, out_, cells) || energy_.change(cells) >= 0) continue;
         if (side_split_.splits(cells) || energy_.leaves_out(cells)) continue;
@@ -307,23 +315,18 @@ class CleanUp {
     return flipped;
   }
 
-  enum class Asked : std::uint8_t { no = 0, yes, too_large };
-
   // Those that were not asked yet, in canonical order.
   std::vector<CellCluster> clusters_at(VertexId v, double deep_cosine,
-                                       ZeroedArray<CellId, Asked>& asked) {
+                                       ZeroedArray<CellId, ClusterSize>& known) {
     std::vector<CellCluster> clusters;
     bool too_large = false;
     for (const CellId c : stars_.star(v)) {
-      if (asked[c] == Asked::no && !triangulation_.is_infinite(c)) {
+      if (known[c] == ClusterSize::unknown && !triangulation_.is_infinite(c)) {
         CellCluster cluster = cell_cluster(triangulation_, cosines_, out_, c, deep_cosine,
-                                           options_.most_cluster_cells, scratch());
-        for (std::size_t k = 0; k < cluster.core; ++k) {
-          asked[cluster.cells[k]] = cluster.too_large ? Asked::too_large : Asked::yes;
-        }
+                                           options_.most_cluster_cells, known, scratch());
         if (!cluster.too_large) clusters.push_back(std::move(cluster));
       }
-      too_large = too_large || asked[c] == Asked::too_large;
+      too_large = too_large || known[c] == ClusterSize::too_large;
     }
     counters_.large_clusters += too_large ? 1U : 0U;
     std::sort(clusters.begin(), clusters.end(), [&](const auto& a, const auto& b) {

@@ -24,9 +24,10 @@
 //  2. Moves. At a defect or an unused sample single cells, pairs, and parts of stars change sides
 //     where that lowers E, unless they would found a new part of the body or a cavity, or what they
 //     leave would fall apart.
-//  3. Clusters. At idle samples whole clusters of cells (cell_cluster.h) change sides where that
-//     lowers E, under the same conditions, and if no sample on the surface is left out: holes of
-//     which only the rims are sampled open. Moves again.
+//  3. Clusters. At idle samples, in doubt or beside those in doubt, whole clusters of cells
+//     (cell_cluster.h) change sides where that lowers E, under the same conditions, and if no
+//     sample on the surface is left out: holes of which only the rims are sampled open. Moves
+//     again.
 //  4. Small parts of the body (small_parts.h) in the doubtful region are dropped where that lowers
 //     E. Moves again.
 //  What is undecided over a volume (most_clump_cells) is left to the peel.

@@ -96,39 +96,4 @@ bool is_idle(const Triangulation& triangulation, std::span<const CellId> star,
   return flat && narrowest >= options.ratio * options.ratio * nearest.second();
 }
 
-std::vector<VertexId> unevenly_sampled(const Triangulation& triangulation,
-                                       const IdVector<CellId, std::uint8_t>& out,
-                                       const IdleOptions& options) {
-  struct Shape {
-    double narrowest = infinity;  // squared, as the nearest
-    double nearest = infinity;
-  };
-  IdVector<VertexId, Shape> shapes(triangulation.num_vertices());
-  for (const CellId c : triangulation.finite_cells()) {
-    if (out[c] != 0) continue;
-    for (int i = 0; i < 4; ++i) {
-      if (out[triangulation.neighbor(c, i)] == 0) continue;
-      const FacetId f = facet_id(c, i);
-      const double width = size_of_facet(triangulation, f).squared_circumradius;
-      const std::array<VertexId, 3> corners = triangulation.facet_vertices(f);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const VertexId a = corners[k];
-        const VertexId b = corners[k == 2 ? 0 : k + 1];
-        const double length = squared_norm(triangulation.point(a) - triangulation.point(b));
-        shapes[a].nearest = std::min(shapes[a].nearest, length);
-        shapes[b].nearest = std::min(shapes[b].nearest, length);
-        shapes[a].narrowest = std::min(shapes[a].narrowest, width);
-      }
-    }
-  }
-  std::vector<VertexId> uneven;
-  for (const VertexId v : triangulation.vertices()) {
-    const Shape& s = shapes[v];
-    if (s.nearest < infinity && s.narrowest >= options.ratio * options.ratio * s.nearest) {
-      uneven.push_back(v);
-    }
-  }
-  return uneven;
-}
-
 }  // namespace cocoon

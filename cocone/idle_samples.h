@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "delaunay/triangulation.h"
 #include "geom/id_vector.h"
@@ -27,11 +26,5 @@ struct IdleOptions {
 bool is_idle(const Triangulation& triangulation, std::span<const CellId> star,
              const IdVector<CellId, std::uint8_t>& out, VertexId v,
              const IdleOptions& options = {});
-
-// Vertices without a well shaped facet: all idle ones are among them. Measured by the nearest
-// neighbor, from one pass over the surface. In increasing order. Complexity: O(cells).
-std::vector<VertexId> unevenly_sampled(const Triangulation& triangulation,
-                                       const IdVector<CellId, std::uint8_t>& out,
-                                       const IdleOptions& options = {});
 
 }  // namespace cocoon
