@@ -6,7 +6,8 @@
 // Stages: the composition of reconstruct.h by hand, on two scans of N points and a real one; its
 // mesh must be that of reconstruct_tight. Whole: reconstruct_tight, Cocone on CGAL's triangulation
 // (ref/cgal_cocone.h: labels and candidates only, no surface), CGAL's advancing front, on scans of
-// --rival_points. Repetitions in random alternation; medians. Memory: peak of a process of its own.
+// --rival_points; ours with all threads, too, and then by the clock. Repetitions in random
+// alternation; medians. Memory: peak of a process of its own.
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -82,12 +84,14 @@ class Times {
  public:
   void add(const std::string& name, const bench::Elapsed& elapsed) {
     if (!seconds_.contains(name)) names_.push_back(name);
-    seconds_[name].push_back(elapsed.processor);
+    seconds_[name].push_back(elapsed);
   }
   const std::vector<std::string>& names() const { return names_; }
   bool has(const std::string& name) const { return seconds_.contains(name); }
-  double median(const std::string& name) const {
-    std::vector<double> sorted = seconds_.at(name);
+  double median(const std::string& name,
+                double bench::Elapsed::*time = &bench::Elapsed::processor) const {
+    std::vector<double> sorted;
+    for (const bench::Elapsed& elapsed : seconds_.at(name)) sorted.push_back(elapsed.*time);
     std::sort(sorted.begin(), sorted.end());
     const std::size_t middle = sorted.size() / 2;
     return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
@@ -95,7 +99,7 @@ class Times {
 
  private:
   std::vector<std::string> names_;
-  std::map<std::string, std::vector<double>> seconds_;
+  std::map<std::string, std::vector<bench::Elapsed>> seconds_;
 };
 
 template <class Body>
@@ -185,19 +189,29 @@ void print_stages(const std::vector<Case>& all_cases) {
   row("all after it", [&](std::size_t i) { return after[i]; });
 }
 
+constexpr const char* all_threads = "cocoon_all_threads";
+
+// One of ours beside the rivals.
+void print_ratios(const Case& c, const std::string& ours, double bench::Elapsed::*time) {
+  std::printf("%-14s %7zu", c.name.c_str(), c.points.size());
+  for (const std::string& name : c.times.names()) {
+    if (name.starts_with("cocoon") && name != ours) continue;
+    const double seconds = c.times.median(name, time);
+    std::printf(" | %s %.0f (%.1f)", name.c_str(), 1e3 * seconds,
+                seconds / c.times.median(ours, time));
+  }
+  std::printf("\n");
+}
+
 void print_rivals(const std::vector<Case>& all_cases) {
   const std::vector<const Case*> cases = measured(all_cases, "cocoon");
   if (cases.empty()) return;
   std::printf("\nwhole: medians of processor time in ms; ratio to Cocoon\n");
-  for (const Case* c : cases) {
-    const double ours = c->times.median("cocoon");
-    std::printf("%-14s %7zu", c->name.c_str(), c->points.size());
-    for (const std::string& name : c->times.names()) {
-      const double seconds = c->times.median(name);
-      std::printf(" | %s %.0f (%.1f)", name.c_str(), 1e3 * seconds, seconds / ours);
-    }
-    std::printf("\n");
-  }
+  for (const Case* c : cases) print_ratios(*c, "cocoon", &bench::Elapsed::processor);
+  const std::vector<const Case*> threaded = measured(all_cases, all_threads);
+  if (threaded.empty()) return;
+  std::printf("by the clock, ours with all threads (%u)\n", std::thread::hardware_concurrency());
+  for (const Case* c : threaded) print_ratios(*c, all_threads, &bench::Elapsed::wall);
 }
 
 // The highest resident set of this process so far, in MB.
@@ -267,6 +281,10 @@ void register_stages(Case& input, const Execution& execution) {
 void register_rivals(Case& input, const Execution& execution) {
   register_benchmark("cocoon/" + input.name, [&](benchmark::State&) {
     timed(input.times, "cocoon", [&] { return reconstruct_tight(input.points, {}, execution); });
+  });
+  register_benchmark("cocoon_all_threads/" + input.name, [&](benchmark::State&) {
+    timed(input.times, all_threads,
+          [&] { return reconstruct_tight(input.points, {}, {.threads = 0}); });
   });
   register_benchmark("cgal_cocone/" + input.name, [&](benchmark::State&) {
     timed(input.times, "cgal_cocone", [&] { return ref::cgal_cocone(input.points); });
