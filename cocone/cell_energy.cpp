@@ -61,15 +61,18 @@ Energy CellEnergy::facet_cost(FacetId f) {
 
 double CellEnergy::stretch(FacetId f) {
   if (stretch_cost_ == 0) return 0;
-  const auto [a, b, c] = triangulation_.facet_vertices(f);
-  const Point& p = triangulation_.point(a);
-  const Point& q = triangulation_.point(b);
-  const Point& r = triangulation_.point(c);
+  const std::array<VertexId, 3> corners = triangulation_.facet_vertices(f);
+  const Point& p = triangulation_.point(corners[0]);
+  const Point& q = triangulation_.point(corners[1]);
+  const Point& r = triangulation_.point(corners[2]);
   const double longest =
       std::sqrt(std::max({squared_distance(p, q), squared_distance(q, r), squared_distance(r, p)}));
-  const double limit =
-      stretch_ratio_ * std::max({spacings_.of(a), spacings_.of(b), spacings_.of(c)});
-  return longest > limit ? stretch_cost_ * (1 - limit / longest) : 0;
+  double limit = 0;
+  for (const VertexId v : corners) {
+    limit = std::max(limit, stretch_ratio_ * spacings_.of(v));
+    if (longest <= limit) return 0;  // nearly always with the first
+  }
+  return stretch_cost_ * (1 - limit / longest);
 }
 
 bool CellEnergy::is_unused(VertexId v) const {
