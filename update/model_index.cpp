@@ -129,6 +129,29 @@ void ModelIndex::prepare_for_edits() {
   }
 }
 
+bool ModelIndex::is_really_smooth() const {
+  const auto& neighbors = adjacency_.neighbors;
+  for (const TriangleId t : neighbors.ids()) {
+    if (repeats_a_vertex(mesh_->triangles[t])) return false;
+    for (const TriangleId next : neighbors[t]) {
+      if (next.is_none()) return false;
+    }
+  }
+  // Ways around all vertices meet all corners, once each; on other meshes one may never come back.
+  const std::size_t corners = 3 * neighbors.size();
+  std::size_t met = 0;
+  for (const VertexId v : mesh_->points.ids()) {
+    const TriangleId first = triangle_at_[v];
+    if (first.is_none()) return false;
+    TriangleId t = first;
+    do {
+      t = next_around(v, t);
+    } while (++met <= corners && t != first);
+    if (met > corners) return false;
+  }
+  return met == corners && components_of(adjacency_).empty();
+}
+
 void ModelIndex::edit(const Edit& edit) {
   assert(is_smooth());
   auto& neighbors = adjacency_.neighbors;

@@ -38,6 +38,9 @@ class ModelIndex {
   // The same for a mesh that is known to be connected and closed, with one umbrella at each vertex
   // and no two equal points: its sides are linked, and no more. Complexity: O(t + v).
   static ModelIndex of_smooth(const TriangleMesh& mesh);
+  // Whether the mesh of an index by of_smooth() is connected and closed, with one umbrella at each
+  // vertex: for meshes from files. Complexity: O(t + v).
+  bool is_really_smooth() const;
   // What edit() has to know of an edit of the mesh: what went and came, in the mesh before and
   // after, and where all the others are now (places_after).
   struct Edit {
@@ -70,8 +73,7 @@ class ModelIndex {
     TriangleId t = first;
     do {
       visit(t);
-      const Triangle& corners = mesh_->triangles[t];
-      t = adjacency_.neighbors[t][corners[0] == v ? 1 : corners[1] == v ? 2 : 0];
+      t = next_around(v, t);
     } while (t != first);
   }
   // Whether a triangle has the vertex.
@@ -91,6 +93,11 @@ class ModelIndex {
  private:
   ModelIndex() = default;
   bool is_smooth() const { return !triangle_at_.empty(); }
+  // The triangle after t on the way around one of its corners.
+  TriangleId next_around(VertexId v, TriangleId t) const {
+    const Triangle& corners = mesh_->triangles[t];
+    return adjacency_.neighbors[t][corners[0] == v ? 1 : corners[1] == v ? 2 : 0];
+  }
   void link_open_sides(std::span<const TriangleId> triangles);
 
   const TriangleMesh* mesh_ = nullptr;

@@ -82,10 +82,11 @@ UpdateSession::UpdateSession(SessionSnapshot snapshot, const UpdateOptions& opti
     surface_.take(points_, {std::move(snapshot.triangulation), std::move(snapshot.surface)});
   }
   forget_points_of_vertices();
+  if (!surface_.is_certain() || !points_are_vertices_) return;
   // Updates go on from the triangles of the model.
-  require(
-      !surface_.is_certain() || !points_are_vertices_ || surface_.triangles() == model_.triangles,
-      "the model is not the surface of its points");
+  require(surface_.triangles() == model_.triangles, "the model is not the surface of its points");
+  require(index_.emplace(ModelIndex::of_smooth(model_)).is_really_smooth(),
+          "the model is not a closed surface without contacts");
 }
 
 // If they tell nothing: each point is the vertex in its place.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
-
+#include <utility>
 
 namespace cocoon {
 namespace {
@@ -82,6 +82,24 @@ TEST(ModelIndex, ABodyThatComesOrGoes) {
   const MeshChange goes = mesh_change(bridge.parts, lower, bridge.same);
   expect_equal_indexes(ModelIndex(bridge.parts, {one, lower, comes}), both);
   expect_equal_indexes(ModelIndex(lower, {both, bridge.parts, goes}), one);
+}
+
+TEST(ModelIndex, TellsWhetherAMeshIsSmooth) {
+  const Bridge bridge;
+  EXPECT_TRUE(ModelIndex::of_smooth(bridge.joined).is_really_smooth());
+  EXPECT_FALSE(ModelIndex::of_smooth(bridge.parts).is_really_smooth());  // two bodies
+  TriangleMesh open = bridge.joined;
+  open.triangles.raw().pop_back();
+  EXPECT_FALSE(ModelIndex::of_smooth(open).is_really_smooth());
+  TriangleMesh turned = bridge.joined;
+  std::swap(turned.triangles[TriangleId(2)][0], turned.triangles[TriangleId(2)][1]);
+  EXPECT_FALSE(ModelIndex::of_smooth(turned).is_really_smooth());
+  TriangleMesh pinched = bridge.parts;  // at one vertex
+  for (Triangle& t : pinched.triangles) {
+    for (VertexId& v : t) v = v == VertexId(7) ? VertexId(6) : v;
+  }
+  pinched.points.raw().pop_back();
+  EXPECT_FALSE(ModelIndex::of_smooth(pinched).is_really_smooth());
 }
 
 }  // namespace

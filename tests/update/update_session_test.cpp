@@ -285,6 +285,7 @@ TEST(UpdateSession, RefusesSnapshotsThatDoNotFit) {
     s.triangulation = delaunay(gallery::even_sphere(99)).triangulation;
   });
   error_after([](SessionSnapshot& s) { s.triangulation = {}; });
+  error_after([](SessionSnapshot& s) { s.model.triangles.raw().pop_back(); });
 }
 
 TEST(UpdateSession, RefusesSurfacesThatDoNotFit) {
