@@ -56,7 +56,7 @@ struct CleanUpOptions {
   // A facet between samples that lie far closer to others costs up to this much more. Without it
   // slivers across the empty space change sides to use samples inside a noisy layer.
   double stretch_cost = 3;
-  double stretch_ratio = 6;  // longer than so many spacings; below 4 thin plates lose holes
+  double stretch_ratio = 6;  // longer than so many spacings; below, thin walls lose samples
   // A facet costs 1 at most if the balls lie on its two sides: 2.5 overrules most surfaces. Above,
   // noisy layers get handles; below 1.5 holes of thin plates stay filled.
   double evidence_weight = 2.5;
