@@ -163,7 +163,6 @@ IdVector<TriangleId, std::array<TriangleId, 3>> neighbors_across_sides(const Tri
 }
 
 MeshAdjacency mesh_neighbors(const TriangleMesh& mesh) {
-  require_valid_triangles(mesh);
   if (std::any_of(mesh.triangles.begin(), mesh.triangles.end(), repeats_a_vertex)) {
     return mesh_adjacency(mesh);
   }
