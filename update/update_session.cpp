@@ -17,6 +17,12 @@ void require(bool condition, const char* what) {
   throw InputError(std::string("session: ") + what + "; start from the points again");
 }
 
+void drop_values_by_vertex(ReconstructResult& result) {
+  result.point_of_vertex = {};
+  result.normals = {};
+  result.boundary_sample = {};
+}
+
 }  // namespace
 
 void check_snapshot(const SessionSnapshot& snapshot, const Execution& execution) {
@@ -253,9 +259,7 @@ void UpdateSession::keep_edit(SessionUpdate& update, Pending pending) {
                             pending.surface->touched, pending.surface->triangles);
   update.change = carry_out(edit, result.vertex_map);
   // What can be asked of the surface is not kept.
-  reconstruction_.normals = {};
-  reconstruction_.point_of_vertex = {};
-  reconstruction_.boundary_sample = {};
+  drop_values_by_vertex(reconstruction_);
   push(result.reconstruction, std::move(edit));
 }
 
@@ -291,9 +295,7 @@ void UpdateSession::keep_body(SessionUpdate& update, std::vector<PointId> positi
   // Equal points were merged, so those of the new model differ.
   index_ = ModelIndex(model_, IndexBefore{*index_, before.model, update.change, true});
   push(result.reconstruction, std::move(before));
-  result.reconstruction.normals = {};
-  result.reconstruction.boundary_sample = {};
-  result.reconstruction.point_of_vertex = {};
+  drop_values_by_vertex(result.reconstruction);
 }
 
 MeshChange UpdateSession::undo(const Execution& execution) {
