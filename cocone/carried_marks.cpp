@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "delaunay/circulate.h"
+#include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {
@@ -218,9 +219,7 @@ class Carrying {
 CarriedMarks carry_marks(const Triangulation& triangulation, const LinkedFacets& surface,
                          const IdVector<VertexId, SideId>& corner_at, CellMarks& marks) {
   CarriedMarks carried = Carrying(triangulation, surface, corner_at, marks).run();
-  std::sort(carried.disputed.begin(), carried.disputed.end());
-  carried.disputed.erase(std::unique(carried.disputed.begin(), carried.disputed.end()),
-                         carried.disputed.end());
+  make_set(carried.disputed);
   return carried;
 }
 

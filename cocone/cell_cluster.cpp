@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geom/sort_ids.h"
+
 namespace cocoon {
 namespace {
 
@@ -59,8 +61,7 @@ class Cluster {
       const auto& vertices = triangulation_.cell(c).vertices;
       samples_.insert(samples_.end(), vertices.begin(), vertices.end());
     }
-    std::sort(samples_.begin(), samples_.end());
-    samples_.erase(std::unique(samples_.begin(), samples_.end()), samples_.end());
+    make_set(samples_);
   }
 
   // Infinite cells are not: infinity is no sample.

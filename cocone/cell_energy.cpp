@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "delaunay/circulate.h"
+#include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {
@@ -300,8 +301,7 @@ void CellEnergy::list_vertices(std::span<const CellId> cells) {
   for (const CellId c : cells) {
     for (const VertexId v : triangulation_.cell(c).vertices) vertices_.push_back(v);
   }
-  std::sort(vertices_.begin(), vertices_.end());
-  vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+  make_set(vertices_);
 }
 
 bool CellEnergy::is_at_surface(CellId c) const {

@@ -10,6 +10,7 @@
 #include "cocone/half_labels.h"
 #include "delaunay/circulate.h"
 #include "delaunay/star_cache.h"
+#include "geom/sort_ids.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
@@ -17,12 +18,6 @@ namespace {
 
 using Round = std::uint32_t;
 constexpr Round never = std::numeric_limits<Round>::max();
-
-template <class Id>
-void sort_unique(std::vector<Id>& ids) {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
 
 class Disputes {
  public:
@@ -55,9 +50,9 @@ class Disputes {
       }
     }
     for (Round round = 1; round <= marks_.rounds; ++round) {
-      sort_unique(suspects_[round]);
+      make_set(suspects_[round]);
       for (const VertexId v : suspects_[round]) decide(v);
-      sort_unique(cells_[round]);
+      make_set(cells_[round]);
       for (const CellId c : cells_[round]) settle(c);
     }
     for (const CellId c : changed_) marks_.labels[c] = settled_[c];

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geom/disjoint_sets.h"
+#include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {
@@ -127,8 +128,7 @@ void extend_region(const Triangulation& triangulation, StarCache& stars,
   if (region.vertices.size() == before) return;
   sort_by_place(triangulation, region.vertices);
   rank_vertices(region);
-  std::sort(region.cells.begin(), region.cells.end());
-  region.cells.erase(std::unique(region.cells.begin(), region.cells.end()), region.cells.end());
+  make_set(region.cells);
 }
 
 bool is_left(const Triangulation& triangulation, const CellMarks& marks,

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "geom/sort_ids.h"
+
 namespace cocoon {
 
 namespace {
@@ -31,11 +33,6 @@ class SmallVertexSet {
   std::array<std::uint32_t, std::size_t{1} << bits> slots_;
 };
 
-void sort_out_repeated(std::vector<VertexId>& vertices) {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-}
-
 }  // namespace
 
 void collect_neighbors(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
@@ -50,7 +47,7 @@ void collect_neighbors(const Triangulation& triangulation, std::span<const CellI
       if (!is_small || met.insert(w)) neighbors.push_back(w);
     }
   }
-  if (!is_small) sort_out_repeated(neighbors);
+  if (!is_small) make_set(neighbors);
 }
 
 double sample_spacing(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,

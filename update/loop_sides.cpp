@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "cocone/boundary_loops.h"
+#include "geom/sort_ids.h"
 
 namespace cocoon {
 
@@ -14,8 +15,7 @@ namespace {
 std::vector<TriangleId> band_facets(const LoopBorder& band) {
   std::vector<TriangleId> facets = band.facets;
   facets.insert(facets.end(), band.bridges.begin(), band.bridges.end());
-  std::sort(facets.begin(), facets.end());
-  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+  make_set(facets);
   return facets;
 }
 
@@ -36,8 +36,7 @@ TriangleMesh band_mesh(const TriangleMesh& model, const std::vector<TriangleId>&
     const Triangle& corners = model.triangles[t];
     model_vertex.insert(model_vertex.end(), corners.begin(), corners.end());
   }
-  std::sort(model_vertex.begin(), model_vertex.end());
-  model_vertex.erase(std::unique(model_vertex.begin(), model_vertex.end()), model_vertex.end());
+  make_set(model_vertex);
   auto local = [&](VertexId v) {
     const auto position = std::lower_bound(model_vertex.begin(), model_vertex.end(), v);
     return VertexId(static_cast<std::size_t>(position - model_vertex.begin()));

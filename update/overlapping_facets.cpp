@@ -10,6 +10,7 @@
 
 #include "geom/median.h"
 #include "geom/nearest_point.h"
+#include "geom/sort_ids.h"
 #include "geom/triangle_projection.h"
 #include "update/near_facets.h"
 
@@ -227,9 +228,7 @@ void gather_by_loop(const CloudRim& rim, const std::vector<RimPoint>& points,
     overlap.largest_distance =
         std::max(overlap.largest_distance, std::sqrt(location.facet.squared_distance));
   }
-  std::sort(overlap.facets.begin(), overlap.facets.end());
-  overlap.facets.erase(std::unique(overlap.facets.begin(), overlap.facets.end()),
-                       overlap.facets.end());
+  make_set(overlap.facets);
 }
 
 LoopMatch match_of(const LoopOverlap& loop, double max_share) {

@@ -10,6 +10,7 @@
 
 #include "geom/median.h"
 #include "geom/mesh_adjacency.h"
+#include "geom/sort_ids.h"
 
 namespace cocoon {
 
@@ -66,8 +67,7 @@ class LocalSpacing {
         if (w != v) found.push_back(w);
       }
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    make_set(found);
     return found;
   }
 

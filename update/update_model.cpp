@@ -9,6 +9,7 @@
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "geom/large_pages.h"
+#include "geom/sort_ids.h"
 #include "update/model_index.h"
 #include "update/ordinary_size.h"
 #include "update/update_messages.h"
@@ -319,8 +320,7 @@ class Update {
   bool split_divided_regions(const ModelIndex& index, std::vector<RegionAngles>& angles) {
     std::vector<RegionId> divided;
     for (const DividedLoop& loop : divided_loops_) divided.push_back(loop.region);
-    std::sort(divided.begin(), divided.end());
-    divided.erase(std::unique(divided.begin(), divided.end()), divided.end());
+    make_set(divided);
     RegionSplit split =
         split_regions(index, result_.regions, divided, border_rims(), clouds_, options_.split);
     result_.split = std::move(split.split);
