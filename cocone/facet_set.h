@@ -38,16 +38,22 @@ class FacetSet {
   // Number of facets (each counted once). Complexity: O(cells).
   std::size_t size() const;
   // Calls visit(f) once for each facet of the set, with its canonical (smaller) id, in order.
-  // Block by block without a branch that depends on the flags: half of the guesses would be wrong.
   template <class Visit>
   void for_each(const Triangulation& triangulation, Visit visit) const {
+    for_each(triangulation, 0, bits_.size(), visit);
+  }
+  // The same for those whose canonical id is of one of the cells begin .. end - 1.
+  // Block by block without a branch that depends on the flags: half of the guesses would be wrong.
+  template <class Visit>
+  void for_each(const Triangulation& triangulation, std::size_t begin, std::size_t end,
+                Visit visit) const {
     constexpr std::size_t cells_per_block = 256;
     std::array<CellId, cells_per_block> cells;
     std::array<FacetId, 4 * cells_per_block> facets;
-    for (std::size_t begin = 0; begin < bits_.size(); begin += cells_per_block) {
-      const std::size_t end = std::min(begin + cells_per_block, bits_.size());
+    for (std::size_t first = begin; first < end; first += cells_per_block) {
+      const std::size_t last = std::min(first + cells_per_block, end);
       std::size_t num_cells = 0;
-      for (CellId c(begin); c.index() < end; ++c) {
+      for (CellId c(first); c.index() < last; ++c) {
         cells[num_cells] = c;
         num_cells += bits_[c] != 0 ? 1U : 0U;
       }

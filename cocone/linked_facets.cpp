@@ -42,26 +42,70 @@ VertexId smallest(const Triangle& corners) {
   return std::min({corners[0], corners[1], corners[2]});
 }
 
-// Facets, mirrors and corners, by a counting sort.
-LinkedFacets by_smallest_vertex(const Triangulation& triangulation, const FacetSet& facets) {
-  std::vector<std::uint32_t> places(triangulation.num_vertices() + 1, 0);
-  std::vector<FacetId> found;
-  facets.for_each(triangulation, [&](FacetId f) {
-    found.push_back(f);
-    ++places[smallest(triangulation.facet_vertices(f)).index() + 1];
+struct FoundFacet {
+  FacetId facet;
+  VertexId smallest;
+};
+
+// The facets of the set, chunk by chunk of the cells.
+std::vector<std::vector<FoundFacet>> list_facets(const Triangulation& triangulation,
+                                                 const FacetSet& facets,
+                                                 const Execution& execution) {
+  constexpr std::size_t cells_per_chunk = 32768;
+  const std::size_t num_cells = triangulation.num_cells();
+  std::vector<std::vector<FoundFacet>> parts((num_cells + cells_per_chunk - 1) / cells_per_chunk);
+  parallel_chunks(execution, num_cells, cells_per_chunk, [&](std::size_t begin, std::size_t end) {
+    std::vector<FoundFacet>& part = parts[begin / cells_per_chunk];
+    facets.for_each(triangulation, begin, end, [&](FacetId f) {
+      part.push_back({f, smallest(triangulation.facet_vertices(f))});
+    });
   });
-  for (std::size_t v = 1; v < places.size(); ++v) places[v] += places[v - 1];
-  LinkedFacets triangles;
-  triangles.facets.resize(found.size());
-  triangles.mirrors.resize(found.size());
-  triangles.corners.resize(found.size());
-  for (const FacetId f : found) {
-    const Triangle corners = triangulation.facet_vertices(f);
-    const std::uint32_t t = places[smallest(corners).index()]++;
-    triangles.facets[t] = f;
-    triangles.mirrors[t] = triangulation.mirror(f);
-    triangles.corners[t] = corners;
+  return parts;
+}
+
+// Puts those found whose smallest vertex is one of begin .. end - 1 in their places, by a counting
+// sort.
+void place_range(const Triangulation& triangulation,
+                 const std::vector<std::vector<FoundFacet>>& parts, std::size_t begin,
+                 std::size_t end, LinkedFacets& triangles) {
+  std::vector<std::uint32_t> places(end - begin + 1, 0);
+  // Vertices below the range wrap around to beyond its end.
+  const auto is_here = [&](VertexId v) { return v.index() - begin < end - begin; };
+  for (const std::vector<FoundFacet>& part : parts) {
+    for (const FoundFacet& found : part) {
+      if (is_here(found.smallest)) ++places[found.smallest.index() - begin + 1];
+      if (found.smallest.index() < begin) ++places[0];
+    }
   }
+  for (std::size_t v = 1; v < places.size(); ++v) places[v] += places[v - 1];
+  for (const std::vector<FoundFacet>& part : parts) {
+    for (const auto& [facet, lowest] : part) {
+      if (!is_here(lowest)) continue;
+      const std::uint32_t t = places[lowest.index() - begin]++;
+      triangles.facets[t] = facet;
+      triangles.mirrors[t] = triangulation.mirror(facet);
+      triangles.corners[t] = triangulation.facet_vertices(facet);
+    }
+  }
+}
+
+// Facets, mirrors and corners.
+LinkedFacets by_smallest_vertex(const Triangulation& triangulation, const FacetSet& facets,
+                                const Execution& execution) {
+  const std::vector<std::vector<FoundFacet>> parts = list_facets(triangulation, facets, execution);
+  std::size_t count = 0;
+  for (const std::vector<FoundFacet>& part : parts) count += part.size();
+  LinkedFacets triangles;
+  triangles.facets.resize(count);
+  triangles.mirrors.resize(count);
+  triangles.corners.resize(count);
+  // Every range reads all that was found, so there are no more ranges than threads.
+  const std::size_t num_vertices = triangulation.num_vertices();
+  const auto ranges = static_cast<std::size_t>(thread_count(execution));
+  parallel_chunks(execution, num_vertices, (num_vertices + ranges - 1) / ranges,
+                  [&](std::size_t begin, std::size_t end) {
+                    place_range(triangulation, parts, begin, end, triangles);
+                  });
   return triangles;
 }
 
@@ -102,7 +146,7 @@ void link_corners(const IdVector<VertexId, Point>& points, LinkedFacets& triangl
 
 LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
                          const Execution& execution) {
-  LinkedFacets triangles = by_smallest_vertex(triangulation, facets);
+  LinkedFacets triangles = by_smallest_vertex(triangulation, facets, execution);
   link_corners(triangulation.points(), triangles, execution);
   triangles.set = std::move(facets);
   return triangles;
