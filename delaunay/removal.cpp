@@ -5,6 +5,7 @@
 
 #include "delaunay/first_cells.h"
 #include "geom/errors.h"
+#include "geom/sort_ids.h"
 
 namespace cocoon {
 
@@ -169,7 +170,9 @@ bool VertexRemover::plan(std::span<const VertexId> vertices,
 
 // --- Writing ---------------------------------------------------------------------------------
 
-// Places for the new cells: the holes' own, then free ones, then new ones.
+// Places for the new cells: the holes' own, then free ones, then new ones. In the order of memory:
+// what is inserted next takes the free places from the lowest on, and cells that are made one after
+// the other lie together.
 void VertexRemover::take_slots() {
   const std::size_t count = fill_cells_.size();
   const std::size_t reused = std::min(count, hole_cells_.size());
@@ -180,6 +183,7 @@ void VertexRemover::take_slots() {
     throw InputError("too many points: the triangulation needs more than " +
                      std::to_string(max_cells) + " tetrahedra, the most that can be numbered");
   }
+  sort_ids(hole_cells_);
   slots_.assign(hole_cells_.begin(), hole_cells_.begin() + static_cast<std::ptrdiff_t>(reused));
   for (std::size_t i = 0; i < taken; ++i) {
     slots_.push_back(pool_.free.back());
@@ -188,7 +192,7 @@ void VertexRemover::take_slots() {
   for (std::size_t i = 0; i < added; ++i) slots_.push_back(CellId(first_added + i));
   pool_.cells.resize(first_added + added);
   pool_.marks.resize(first_added + added, CellMark::untested);
-  for (std::size_t i = reused; i < hole_cells_.size(); ++i) {
+  for (std::size_t i = hole_cells_.size(); i-- > reused;) {
     pool_.cells[hole_cells_[i]].vertices[0] = VertexId();
     pool_.free.push_back(hole_cells_[i]);
   }
