@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "geom/box.h"
+#include "geom/visit_where.h"
 
 namespace cocoon {
 namespace {
@@ -51,13 +52,22 @@ std::vector<std::uint32_t> look_alikes(Points points, std::size_t distinct) {
     if (met.set(at)) met_again.set(at);
   }
   std::vector<std::uint32_t> found;
-  for (std::uint32_t i = 0; i < distinct; ++i) {
-    if (squared_distance(points[i], box) > 0) continue;
+  const auto is_near = [&](std::size_t i) {
+    const Point& p = points[i];
+    bool holds = p.x >= box.low.x;  // all without a branch
+    holds &= p.x <= box.high.x;
+    holds &= p.y >= box.low.y;
+    holds &= p.y <= box.high.y;
+    holds &= p.z >= box.low.z;
+    holds &= p.z <= box.high.z;
+    return holds;
+  };
+  visit_where(distinct, is_near, [&](std::size_t i) {
     const std::uint64_t at = place_of(points[i]);
-    if (!met.contains(at)) continue;
+    if (!met.contains(at)) return;
     met_again.set(at);
-    found.push_back(i);
-  }
+    found.push_back(static_cast<std::uint32_t>(i));
+  });
   for (std::size_t i = distinct; i < points.size(); ++i) {
     if (met_again.contains(place_of(points[i]))) found.push_back(static_cast<std::uint32_t>(i));
   }

@@ -80,6 +80,8 @@ class ModelIndex {
   bool is_used(VertexId v) const {
     return is_smooth() ? !triangle_at_[v].is_none() : !adjacency_.triangles_at(v).empty();
   }
+  // Whether it is known that each vertex has one.
+  bool uses_all_vertices() const { return is_smooth(); }
   // Unit normal, outward if the mesh is oriented; the zero vector for a facet without area.
   Vec3 normal(TriangleId t) const;
   Point centroid(TriangleId t) const;

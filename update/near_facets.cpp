@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "geom/triangle_projection.h"
+#include "geom/visit_where.h"
 #include "update/reached_cells.h"
 
 namespace cocoon {
@@ -50,11 +51,14 @@ std::vector<TriangleId> facets_near(const TriangleMesh& mesh, Points centers, do
     sides[v.index()] = sides_of(cells.extent(), mesh.points[v]);
   }
   std::vector<TriangleId> facets;
-  for (const TriangleId t : mesh.triangles.ids()) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    if ((sides[a.index()] & sides[b.index()] & sides[c.index()]) != 0) continue;
+  const auto may_meet = [&](std::size_t i) {
+    const auto& [a, b, c] = mesh.triangles[TriangleId(i)];
+    return (sides[a.index()] & sides[b.index()] & sides[c.index()]) == 0;
+  };
+  visit_where(mesh.triangles.size(), may_meet, [&](std::size_t i) {
+    const TriangleId t(i);
     if (cells.overlap(box_of(corners_of(mesh, t)))) facets.push_back(t);
-  }
+  });
   return facets;
 }
 

@@ -78,7 +78,8 @@ void group_vertices(const ModelIndex& model, Regions& result) {
   for (Region& region : result.regions) region.vertices = 0;
   std::size_t others = 0;
   visit_where(
-      mesh.points.size(), [&](std::size_t i) { return !model.is_used(VertexId(i)); },
+      model.uses_all_vertices() ? 0 : mesh.points.size(),
+      [&](std::size_t i) { return !model.is_used(VertexId(i)); },
       [&](std::size_t i) {
         result.group_of_vertex[VertexId(i)] = RegionId();
         ++others;

@@ -7,6 +7,7 @@
 #include <queue>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace cocoon {
 
@@ -190,12 +191,14 @@ Border trace_border(const ModelIndex& model, const CloudRim& rim, const Overlap&
     if (overlap.loops[l].match != LoopMatch::on_model) continue;
     LoopBorder& band = border.loops[l];
     band = trace_loop(model, overlap.loops[l], options, border);
-    for (const TriangleId t : band.facets) border.facets[t] = 1;
-    for (const TriangleId t : band.bridges) border.facets[t] = 1;
+    for (const std::vector<TriangleId>* facets : {&band.facets, &band.bridges}) {
+      for (const TriangleId t : *facets) {
+        if (std::exchange(border.facets[t], 1) == 0) ++border.num_facets;
+      }
+    }
     report_progress(execution, "trace_border",
                     static_cast<double>(l + 1) / static_cast<double>(rim.loops.size()));
   }
-  for (const std::uint8_t flag : border.facets) border.num_facets += flag;
   report_progress(execution, "trace_border", 1);
   return border;
 }

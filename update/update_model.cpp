@@ -243,13 +243,17 @@ class Update {
 
   void trace_borders(const ModelIndex& index, const Execution& execution) {
     borders_.clear();
-    border_facets_ = TriangleSet(model_.triangles.size(), 0);
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       CloudReport& report = result_.clouds[c];
       borders_.push_back(
           trace_border(index, report.surface.rim, overlaps_[c], options_.trace, execution));
-      const Border& border = borders_[c];
-      for (const TriangleId t : border.facets.ids()) border_facets_[t] |= border.facets[t];
+      Border& border = borders_[c];
+      TriangleSet facets = std::exchange(border.facets, {});
+      if (c == 0) {
+        border_facets_ = std::move(facets);
+      } else {
+        for (const TriangleId t : facets.ids()) border_facets_[t] |= facets[t];
+      }
       report.border_facets = border.num_facets;
       report.walks = border.walks;
       report.searches = border.searches;
@@ -422,11 +426,12 @@ class Update {
     result_.vertex_map.clear();
     result_.vertex_map.reserve(model_.points.size());
     prefer_large_pages(result_.vertex_map.raw());
-    for (const PointId p : result_.replacement.point_of_vertex) {
-      const bool stays = !p.is_none();
-      result_.vertex_map.push_back(!stays ? VertexId()
-                                   : same ? VertexId(p.value)
-                                          : vertex_of_point[p]);
+    result_.vertex_map.resize(model_.points.size());
+    const IdVector<VertexId, PointId>& points = result_.replacement.point_of_vertex;
+    for (const VertexId v : points.ids()) {
+      const PointId p = points[v];
+      static_assert(PointId().value == VertexId().value);  // none
+      result_.vertex_map[v] = same || p.is_none() ? VertexId(p.value) : vertex_of_point[p];
     }
   }
 

@@ -254,20 +254,21 @@ void UpdateSession::keep_edit(SessionUpdate& update, Pending pending) {
   ListEdit<VertexId> vertices;
   for (const PointId p : points.removed) vertices.removed.push_back(VertexId(p.value));
   for (const PointId p : points.added) vertices.added.push_back(VertexId(p.value));
-  const std::vector<Point> updated = std::exchange(result.replacement.points, {});
+  std::vector<Point> updated = std::exchange(result.replacement.points, {});
   MeshEdit edit = mesh_edit(*index_, std::move(vertices), Points(updated).last(points.added.size()),
                             pending.surface->touched, pending.surface->triangles);
-  update.change = carry_out(edit, result.vertex_map);
+  update.change = carry_out(edit, std::move(updated), result.vertex_map);
   // What can be asked of the surface is not kept.
   drop_values_by_vertex(reconstruction_);
   push(result.reconstruction, std::move(edit));
 }
 
-// From one certain surface to the next one.
-MeshChange UpdateSession::carry_out(const MeshEdit& edit, IdVector<VertexId, VertexId> vertex_map) {
+// From one certain surface to the next one, with these points.
+MeshChange UpdateSession::carry_out(const MeshEdit& edit, std::vector<Point> points,
+                                    IdVector<VertexId, VertexId> vertex_map) {
   MeshChange change;
   change.triangle_map = places_after(edit.triangles, model_.triangles.size());
-  edit_list(model_.points, edit.vertices, edit.added_points);
+  model_.points = IdVector<VertexId, Point>(std::move(points));
   edit_triangles(model_.triangles, edit, vertex_map);
   if (index_ && index_->can_edit()) {
     index_->edit({edit.vertices, edit.triangles, change.triangle_map});
@@ -319,7 +320,8 @@ MeshChange UpdateSession::undo_edit(const MeshEdit& edit, const Execution& execu
   for (const VertexId v : edit.vertices.removed) points.removed.push_back(PointId(v.value));
   for (const VertexId v : edit.vertices.added) points.added.push_back(PointId(v.value));
   surface_.edit(before.span(), points, execution);
-  return carry_out(edit, places_after(edit.vertices, model_.points.size()));
+  IdVector<VertexId, VertexId> vertex_map = places_after(edit.vertices, model_.points.size());
+  return carry_out(edit, std::move(before.raw()), std::move(vertex_map));
 }
 
 MeshChange UpdateSession::undo_to(Body& before, const Execution& execution) {

@@ -141,7 +141,8 @@ class UpdateSession {
   void keep_body(SessionUpdate& update, std::vector<PointId> positions_after);
   void push(ReconstructResult after, std::variant<Body, MeshEdit> way);
   void forget_points_of_vertices();
-  MeshChange carry_out(const MeshEdit& edit, IdVector<VertexId, VertexId> vertex_map);
+  MeshChange carry_out(const MeshEdit& edit, std::vector<Point> points,
+                       IdVector<VertexId, VertexId> vertex_map);
   MeshChange undo_edit(const MeshEdit& edit, const Execution& execution);
   MeshChange undo_to(Body& before, const Execution& execution);
 
