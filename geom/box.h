@@ -42,6 +42,17 @@ inline Box box_of(Points points) {
   return box;
 }
 
+// Without a branch, for passes over many points of which few lie inside.
+inline bool contains(const Box& box, const Point& p) {
+  bool holds = p.x >= box.low.x;
+  holds &= p.x <= box.high.x;
+  holds &= p.y >= box.low.y;
+  holds &= p.y <= box.high.y;
+  holds &= p.z >= box.low.z;
+  holds &= p.z <= box.high.z;
+  return holds;
+}
+
 inline bool overlap(const Box& a, const Box& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
          a.low.z <= b.high.z && b.low.z <= a.high.z;

@@ -52,16 +52,7 @@ std::vector<std::uint32_t> look_alikes(Points points, std::size_t distinct) {
     if (met.set(at)) met_again.set(at);
   }
   std::vector<std::uint32_t> found;
-  const auto is_near = [&](std::size_t i) {
-    const Point& p = points[i];
-    bool holds = p.x >= box.low.x;  // all without a branch
-    holds &= p.x <= box.high.x;
-    holds &= p.y >= box.low.y;
-    holds &= p.y <= box.high.y;
-    holds &= p.z >= box.low.z;
-    holds &= p.z <= box.high.z;
-    return holds;
-  };
+  const auto is_near = [&](std::size_t i) { return contains(box, points[i]); };
   visit_where(distinct, is_near, [&](std::size_t i) {
     const std::uint64_t at = place_of(points[i]);
     if (!met.contains(at)) return;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "geom/box.h"
 #include "geom/changed_adjacency.h"
 #include "geom/errors.h"
 #include "geom/sort_ids.h"
@@ -124,9 +125,16 @@ void ModelIndex::prepare_for_edits() {
   adjacency_.vertex_begin = {};
   adjacency_.vertex_triangles = {};
   triangle_at_.resize(mesh_->points.size());
+  longest_side_ = 0;
   for (const TriangleId t : mesh_->triangles.ids()) {
     for (const VertexId v : mesh_->triangles[t]) triangle_at_[v] = t;
+    take_in_sides(t);
   }
+}
+
+void ModelIndex::take_in_sides(TriangleId t) {
+  const Vec3 size = box_of(corners_of(*mesh_, t)).size();
+  longest_side_ = std::max({longest_side_, size.x, size.y, size.z});
 }
 
 bool ModelIndex::is_really_smooth() const {
@@ -174,6 +182,7 @@ void ModelIndex::edit(const Edit& edit) {
   link_open_sides(seam);
   const std::vector<TriangleId> none(edit.vertices.added.size());
   edit_list(triangle_at_, edit.vertices, none, [&](TriangleId t) { return edit.triangle_map[t]; });
+  for (const TriangleId t : edit.triangles.added) take_in_sides(t);
   // Whoever lost a triangle has one beside it, or new ones.
   for (const TriangleId t : seam) {
     for (const VertexId v : mesh_->triangles[t]) triangle_at_[v] = t;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -82,6 +83,8 @@ class ModelIndex {
   }
   // Whether it is known that each vertex has one.
   bool uses_all_vertices() const { return is_smooth(); }
+  // No side of a triangle is longer than this along any axis. Infinity: not known.
+  double longest_side() const { return longest_side_; }
   // Unit normal, outward if the mesh is oriented; the zero vector for a facet without area.
   Vec3 normal(TriangleId t) const;
   Point centroid(TriangleId t) const;
@@ -101,12 +104,14 @@ class ModelIndex {
     return adjacency_.neighbors[t][corners[0] == v ? 1 : corners[1] == v ? 2 : 0];
   }
   void link_open_sides(std::span<const TriangleId> triangles);
+  void take_in_sides(TriangleId t);
 
   const TriangleMesh* mesh_ = nullptr;
   MeshAdjacency adjacency_;                         // if smooth: no lists at vertices
   IdVector<VertexId, TriangleId> triangle_at_;      // if smooth: one of those at the vertex
   IdVector<TriangleId, std::uint32_t> components_;  // empty: all are of one
   bool distinct_points_ = false;
+  double longest_side_ = std::numeric_limits<double>::infinity();  // if smooth: a bound
 };
 
 }  // namespace cocoon

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
+#include "geom/sort_ids.h"
 #include "geom/triangle_projection.h"
 #include "geom/visit_where.h"
 #include "update/reached_cells.h"
@@ -41,11 +43,7 @@ std::vector<TriangleId> all_facets(const TriangleMesh& mesh) {
   return facets;
 }
 
-std::vector<TriangleId> facets_near(const TriangleMesh& mesh, Points centers, double reach) {
-  if (centers.empty()) return {};
-  const double room = reach_with_rounding(centers, reach);
-  if (!std::isfinite(room)) return all_facets(mesh);
-  const ReachedCells cells(centers, room);
+std::vector<TriangleId> facets_in(const ReachedCells& cells, const TriangleMesh& mesh) {
   std::vector<std::uint8_t> sides(mesh.points.size());
   for (const VertexId v : mesh.points.ids()) {
     sides[v.index()] = sides_of(cells.extent(), mesh.points[v]);
@@ -59,6 +57,42 @@ std::vector<TriangleId> facets_near(const TriangleMesh& mesh, Points centers, do
     const TriangleId t(i);
     if (cells.overlap(box_of(corners_of(mesh, t)))) facets.push_back(t);
   });
+  return facets;
+}
+
+std::vector<TriangleId> facets_near(const TriangleMesh& mesh, Points centers, double reach) {
+  if (centers.empty()) return {};
+  const double room = reach_with_rounding(centers, reach);
+  if (!std::isfinite(room)) return all_facets(mesh);
+  return facets_in(ReachedCells(centers, room), mesh);
+}
+
+// The corners of a triangle that reaches into a box lie no farther from it than its sides are long.
+std::vector<TriangleId> facets_near(const ModelIndex& model, Points centers, double reach) {
+  constexpr std::size_t share = 8;  // of all vertices: if more are near, a pass over facets is fast
+  const TriangleMesh& mesh = model.mesh();
+  if (centers.empty()) return {};
+  const double room = reach_with_rounding(centers, reach);
+  if (!std::isfinite(room)) return all_facets(mesh);
+  const ReachedCells cells(centers, room);
+  const double longest = model.longest_side();
+  if (!std::isfinite(longest)) return facets_in(cells, mesh);
+  Box wide = cells.extent();
+  wide.enlarge(longest + rounding_slack * std::max(longest, largest_coordinate(wide)));
+  std::vector<VertexId> vertices;
+  visit_where(
+      mesh.points.size(), [&](std::size_t i) { return contains(wide, mesh.points[VertexId(i)]); },
+      [&](std::size_t i) { vertices.push_back(VertexId(i)); });
+  if (share * vertices.size() > mesh.points.size()) return facets_in(cells, mesh);
+  std::vector<TriangleId> facets;
+  for (const VertexId v : vertices) {
+    model.for_each_triangle_at(v, [&](TriangleId t) { facets.push_back(t); });
+  }
+  make_set(facets);
+  facets.erase(
+      std::remove_if(facets.begin(), facets.end(),
+                     [&](TriangleId t) { return !cells.overlap(box_of(corners_of(mesh, t))); }),
+      facets.end());
   return facets;
 }
 
@@ -78,11 +112,14 @@ BoxTree tree_of(const TriangleMesh& mesh, const std::vector<TriangleId>& facets)
 
 }  // namespace
 
+NearFacets::NearFacets(const TriangleMesh& mesh, double reach, std::vector<TriangleId> facets)
+    : mesh_(&mesh), reach_(reach), facets_(std::move(facets)), tree_(tree_of(mesh, facets_)) {}
+
 NearFacets::NearFacets(const TriangleMesh& mesh, Points centers, double reach)
-    : mesh_(&mesh),
-      reach_(reach),
-      facets_(facets_near(mesh, centers, reach)),
-      tree_(tree_of(mesh, facets_)) {}
+    : NearFacets(mesh, reach, facets_near(mesh, centers, reach)) {}
+
+NearFacets::NearFacets(const ModelIndex& model, Points centers, double reach)
+    : NearFacets(model.mesh(), reach, facets_near(model, centers, reach)) {}
 
 void NearFacets::improve(const Point& p, TriangleId t, ClosestFacet& best) const {
   const ClosestPoint foot = closest_point_on_triangle(p, corners_of(*mesh_, t));

@@ -9,6 +9,7 @@
 #include "geom/ids.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
+#include "update/model_index.h"
 
 namespace cocoon {
 
@@ -23,6 +24,9 @@ class NearFacets {
   // Complexity: O(v + t + c + f log f) for c centers and f facets held; the first two are a few
   // operations for each vertex and facet.
   NearFacets(const TriangleMesh& mesh, Points centers, double reach);
+  // The same, by the vertices near the centers alone where the index knows how long the sides are.
+  // Complexity: then O(v + c + f log f).
+  NearFacets(const ModelIndex& model, Points centers, double reach);
 
   double reach() const { return reach_; }
 
@@ -42,6 +46,7 @@ class NearFacets {
   }
 
  private:
+  NearFacets(const TriangleMesh& mesh, double reach, std::vector<TriangleId> facets);
   void improve(const Point& p, TriangleId t, ClosestFacet& best) const;
 
   const TriangleMesh* mesh_;

@@ -274,7 +274,7 @@ std::vector<ClosestFacet> closest_facets(const ModelIndex& model, const CloudRim
   for (int round = 0; !open.empty(); ++round, reach *= farther) {
     if (round == near_rounds) reach = std::numeric_limits<double>::infinity();
     const std::vector<Point> centers = points_at(rim, points, open);
-    const NearFacets near(model.mesh(), centers, reach);
+    const NearFacets near(model, centers, reach);
     parallel_chunks(
         execution, open.size(), points_per_chunk, [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i) {
@@ -304,7 +304,7 @@ void locate_points(const ModelIndex& model, const Locator& locator,
     reach = std::max(reach, locator.max_distance(queries[k]));
   }
   if (open.empty()) return;
-  const NearFacets near(model.mesh(), centers, reach);
+  const NearFacets near(model, centers, reach);
   parallel_chunks(execution, open.size(), points_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
                     for (std::size_t i = begin; i < end; ++i) {

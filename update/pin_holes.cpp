@@ -19,7 +19,7 @@ std::vector<RimLoop> loops_on_model(const ModelIndex& model, const std::vector<R
   for (const RimLoop& loop : loops) {
     points.insert(points.end(), loop.points.begin(), loop.points.end());
   }
-  const NearFacets near(model.mesh(), points, reach);
+  const NearFacets near(model, points, reach);
   const auto is_near = [&](const Point& p) {
     return !near.closest(p, reach * reach, [](TriangleId) { return true; }).triangle.is_none();
   };

@@ -18,12 +18,26 @@ bool any_facet(TriangleId) { return true; }
 void expect_answers_of_all_facets(const TriangleMesh& mesh, const std::vector<Point>& centers,
                                   double reach) {
   const NearFacets near(mesh, centers, reach);
+  const NearFacets near_by_index(ModelIndex(mesh), centers, reach);
   const NearFacets all(mesh, centers, infinity);
   for (const Point& p : centers) {
     const ClosestFacet expected = all.closest(p, reach * reach, any_facet);
     EXPECT_EQ(near.closest(p, reach * reach, any_facet), expected);
+    EXPECT_EQ(near_by_index.closest(p, reach * reach, any_facet), expected);
     const auto odd = [](TriangleId t) { return t.value % 2 == 1; };
     EXPECT_EQ(near.closest(p, reach * reach, odd), all.closest(p, reach * reach, odd));
+  }
+}
+
+// The same by an index that knows how long the sides are.
+void expect_answers_by_sides(const TriangleMesh& mesh, const std::vector<Point>& centers,
+                             double reach) {
+  const ModelIndex index = ModelIndex::of_smooth(mesh);
+  ASSERT_LT(index.longest_side(), infinity);
+  const NearFacets near(index, centers, reach);
+  const NearFacets all(mesh, centers, infinity);
+  for (const Point& p : centers) {
+    EXPECT_EQ(near.closest(p, reach * reach, any_facet), all.closest(p, reach * reach, any_facet));
   }
 }
 
@@ -40,6 +54,13 @@ TEST(NearFacets, AnswerAsAllFacetsDo) {
       }
       expect_answers_of_all_facets(mesh, centers, reach);
       expect_answers_of_all_facets(mesh, {centers.front()}, reach);
+      expect_answers_by_sides(mesh, centers, reach);
+      expect_answers_by_sides(mesh, {centers.front()}, reach);
+      // No vertex is near, but the middle of a facet.
+      const auto& [a, b, c] =
+          mesh.triangles[TriangleId(static_cast<std::size_t>(random.below(mesh.triangles.size())))];
+      expect_answers_by_sides(mesh, {(mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3},
+                              reach);
     }
   }
 }
