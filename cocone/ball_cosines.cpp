@@ -13,6 +13,18 @@ BallCosines::BallCosines(const Triangulation& triangulation)
       cosines_(triangulation.num_cells()),
       known_(triangulation.num_cells()) {}
 
+void BallCosines::prepare(std::span<const CellId> cells, const Execution& execution) {
+  constexpr std::size_t cells_per_chunk = 4096;
+  parallel_chunks(execution, cells.size(), cells_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (const CellId c : cells.subspan(begin, end - begin)) {
+                      if (triangulation_.is_infinite(c) || known_[c] != 0) continue;
+                      cosines_[c] = compute(c);
+                      known_[c] = 1;
+                    }
+                  });
+}
+
 double BallCosines::of(FacetId f) {
   const CellId c = cell_of(f);
   if (triangulation_.is_infinite(c)) return 1;

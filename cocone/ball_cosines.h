@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
@@ -15,6 +17,9 @@ class BallCosines {
  public:
   // Keeps the reference, which must outlive the object. O(1).
   explicit BallCosines(const Triangulation& triangulation);
+
+  // Computes ahead what will be asked of these cells. Complexity: O(cells given), parallel.
+  void prepare(std::span<const CellId> cells, const Execution& execution);
 
   // For facet f seen from its cell: the cosine of the angle between the facet and the tangent plane
   // of the cell's ball at the facet's circle; 1 if the ball is a half-space beyond the facet (as

@@ -26,12 +26,13 @@ namespace {
 class CleanUp {
  public:
   CleanUp(const Triangulation& triangulation, const Poles& poles, CellMarks& marks,
-          const CleanUpOptions& options)
+          const CleanUpOptions& options, const Execution& execution)
       : triangulation_(triangulation),
         stars_(triangulation),
         poles_(poles),
         marks_(marks),
         options_(options),
+        execution_(execution),
         out_(marks.reached),
         cosines_(triangulation),
         spacings_(triangulation, stars_),
@@ -48,6 +49,8 @@ class CleanUp {
 
   CleanUpCounters run() {
     if (region_.vertices.empty()) return counters_;
+    cosines_.prepare(region_.cells, execution_);
+    spacings_.prepare(samples_at_region(), execution_);
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     count(counters_.defects_before, counters_.unused_before);
     leave_out_outliers();
@@ -107,7 +110,7 @@ class CleanUp {
 
   void set_preferences() {
     const ZeroedArray<CellId, SideEvidence> evidence =
-        side_evidence(triangulation_, cosines_, poles_, marks_, region_);
+        side_evidence(triangulation_, cosines_, poles_, marks_, region_, execution_);
     for (const CellId c : region_.undecided) {
       const double margin = static_cast<double>(evidence[c].in) - evidence[c].out;
       energy_.set_preference(c, to_energy(options_.evidence_weight * margin));
@@ -279,21 +282,47 @@ class CleanUp {
     counters_.idle_after = idle.size();
   }
 
-  // In the doubtful region and beside it, in lexicographic order.
-  std::vector<VertexId> idle_samples() {
-    std::vector<VertexId> idle;
-    ZeroedArray<VertexId, std::uint8_t> asked(triangulation_.num_vertices());
+  // Those of its cells: in the doubtful region and beside it.
+  std::vector<VertexId> samples_at_region() const {
+    std::vector<VertexId> samples;
+    ZeroedArray<VertexId, std::uint8_t> met(triangulation_.num_vertices());
     for (const CellId c : region_.cells) {
       for (const VertexId v : triangulation_.cell(c).vertices) {
-        if (v == infinite_vertex || asked[v] != 0) continue;
-        asked[v] = 1;
-        if (!region_.is_left(v) && energy_.is_idle(v)) idle.push_back(v);
+        if (v == infinite_vertex || met[v] != 0) continue;
+        met[v] = 1;
+        samples.push_back(v);
       }
     }
+    return samples;
+  }
+
+  // In lexicographic order.
+  std::vector<VertexId> idle_samples() {
+    std::vector<VertexId> idle = samples_at_region();
+    std::erase_if(idle, [&](VertexId v) { return region_.is_left(v); });
+    erase_busy(idle);
     std::sort(idle.begin(), idle.end(), [&](VertexId a, VertexId b) {
       return triangulation_.point(a) < triangulation_.point(b);
     });
     return idle;
+  }
+
+  void erase_busy(std::vector<VertexId>& samples) {
+    std::vector<std::uint8_t> is_idle(samples.size());
+    const auto ask = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) is_idle[k] = energy_.is_idle(samples[k]) ? 1 : 0;
+    };
+    constexpr std::size_t samples_per_chunk = 1024;
+    if (stars_.expect(samples.size())) {
+      parallel_chunks(execution_, samples.size(), samples_per_chunk, ask);
+    } else {
+      ask(0, samples.size());
+    }
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      if (is_idle[k] != 0) samples[kept++] = samples[k];
+    }
+    samples.resize(kept);
   }
 
   bool flip_clusters_at(const std::vector<VertexId>& idle, double deep_cosine) {
@@ -370,6 +399,7 @@ class CleanUp {
   const Poles& poles_;
   CellMarks& marks_;
   const CleanUpOptions& options_;
+  const Execution& execution_;
   IdVector<CellId, std::uint8_t> out_;
   BallCosines cosines_;
   SpacingCache spacings_;
@@ -392,7 +422,7 @@ CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Poles& 
   const bool all_good = marks.good_vertices == triangulation.num_vertices();
   if (all_good && marks.conflicts == 0) return {};  // every vertex has one disk around it
   report_progress(execution, "clean_up_cells", 0);
-  const CleanUpCounters counters = CleanUp(triangulation, poles, marks, options).run();
+  const CleanUpCounters counters = CleanUp(triangulation, poles, marks, options, execution).run();
   report_progress(execution, "clean_up_cells", 1);
   return counters;
 }

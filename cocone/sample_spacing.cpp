@@ -72,6 +72,18 @@ double sample_spacing(const Triangulation& triangulation, std::span<const CellId
   return std::sqrt(sum / static_cast<double>(shortest.size()));
 }
 
+void SpacingCache::prepare(std::span<const VertexId> vertices, const Execution& execution) {
+  if (!stars_.expect(vertices.size())) return;
+  constexpr std::size_t vertices_per_chunk = 1024;
+  parallel_chunks(
+      execution, vertices.size(), vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
+        SpacingBuffer shortest;
+        for (const VertexId v : vertices.subspan(begin, end - begin)) {
+          spacing_[v] = sample_spacing(triangulation_, stars_.star(v), v, edges, shortest);
+        }
+      });
+}
+
 double SpacingCache::of(VertexId v) {
   if (spacing_[v] == 0) {
     spacing_[v] = sample_spacing(triangulation_, stars_.star(v), v, edges, shortest_);

@@ -10,6 +10,7 @@
 
 #include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
@@ -54,6 +55,10 @@ class SpacingCache {
   // Keeps references, which must outlive the object.
   SpacingCache(const Triangulation& triangulation, StarCache& stars)
       : triangulation_(triangulation), stars_(stars), spacing_(triangulation.num_vertices()) {}
+
+  // Computes ahead what will be asked of these vertices, if they are many. Complexity: O(stars),
+  // parallel.
+  void prepare(std::span<const VertexId> vertices, const Execution& execution);
 
   // Complexity: O(star) when first asked.
   double of(VertexId v);

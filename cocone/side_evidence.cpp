@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <queue>
+#include <span>
 #include <vector>
 
 #include "cocone/cell_order.h"
@@ -39,7 +40,7 @@ struct AtVertex {
 class Propagation {
  public:
   Propagation(const Triangulation& triangulation, BallCosines& cosines, const Poles& poles,
-              const CellMarks& marks, const DoubtfulRegion& region)
+              const CellMarks& marks, const DoubtfulRegion& region, const Execution& execution)
       : triangulation_(triangulation),
         cosines_(cosines),
         poles_(poles),
@@ -49,7 +50,7 @@ class Propagation {
         state_(triangulation.num_cells()),
         at_vertices_(triangulation.num_vertices()) {
     rank();
-    find_domain();
+    find_domain(execution);
     find_poles();
     settle_known(marks);
   }
@@ -97,7 +98,7 @@ class Propagation {
   }
 
   // Undecided cells, their vertices, and all other cells at those.
-  void find_domain() {
+  void find_domain(const Execution& execution) {
     for (const CellId c : region_.undecided) {
       state_[c] = open;
       for (const VertexId v : triangulation_.cell(c).vertices) at_vertices_[v].asked = true;
@@ -108,9 +109,14 @@ class Propagation {
         if (triangulation_.is_infinite(c)) at_vertices_[v].on_hull = true;
       });
     }
-    for (const CellId c : domain_) {
-      if (!triangulation_.is_infinite(c)) centers_[c] = voronoi_vertex(triangulation_, c);
-    }
+    constexpr std::size_t cells_per_chunk = 4096;
+    parallel_chunks(execution, domain_.size(), cells_per_chunk,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (const CellId c : std::span(domain_).subspan(begin, end - begin)) {
+                        if (triangulation_.is_infinite(c)) continue;
+                        centers_[c] = voronoi_vertex(triangulation_, c);
+                      }
+                    });
   }
 
   const Point& center(CellId c) const { return centers_[c]; }
@@ -229,8 +235,9 @@ class Propagation {
 ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,
                                                 BallCosines& cosines, const Poles& poles,
                                                 const CellMarks& marks,
-                                                const DoubtfulRegion& region) {
-  return Propagation(triangulation, cosines, poles, marks, region).run();
+                                                const DoubtfulRegion& region,
+                                                const Execution& execution) {
+  return Propagation(triangulation, cosines, poles, marks, region, execution).run();
 }
 
 }  // namespace cocoon

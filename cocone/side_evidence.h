@@ -18,6 +18,7 @@
 #include "cocone/mark_cells.h"
 #include "cocone/poles.h"
 #include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
@@ -33,10 +34,12 @@ struct SideEvidence {
 // settled in the order of how clear their evidence is (power crust): |out - in| large and
 // uncontested first, and pass on their stronger side. Ties go to the lexicographically smaller
 // corners: a function of the point set. Complexity: O(d log d) for d cells at vertices of undecided
-// cells. Source: Amenta, Choi & Kolluri 2001 (the power crust, labeling of poles).
+// cells; their centers are computed on all threads. Source: Amenta, Choi & Kolluri 2001 (the power
+// crust, labeling of poles).
 ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,
                                                 BallCosines& cosines, const Poles& poles,
                                                 const CellMarks& marks,
-                                                const DoubtfulRegion& region);
+                                                const DoubtfulRegion& region,
+                                                const Execution& execution = {});
 
 }  // namespace cocoon

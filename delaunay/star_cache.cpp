@@ -18,10 +18,16 @@ std::span<const CellId> StarCache::star(VertexId v) {
   if (place_[v] == not_found) {
     place_[v] = static_cast<std::uint32_t>(stars_.size());
     stars_.push_back(collect(v));
-    if (16 * stars_.size() > triangulation_.num_vertices() + few)
-      all_ = vertex_stars(triangulation_);
+    expect(stars_.size());
   }
   return stars_[place_[v]];
+}
+
+bool StarCache::expect(std::size_t count) {
+  if (!all_.has_value() && 16 * count > triangulation_.num_vertices() + few) {
+    all_ = vertex_stars(triangulation_);
+  }
+  return all_.has_value();
 }
 
 void StarCache::find_first_cells() {

@@ -14,7 +14,8 @@
 
 namespace cocoon {
 
-// Not to be shared by threads: a question may change it. vertex_stars() lists all stars at once.
+// Not to be shared by threads, but see expect(): a question may change it. vertex_stars() lists all
+// stars at once.
 class StarCache {
  public:
   // Keeps a reference, which must outlive the object. O(1); the first question costs O(cells).
@@ -24,6 +25,11 @@ class StarCache {
   // the object. O(star log star) the first time, then O(1). When a sixteenth of all stars (and
   // some) has been asked for, all are listed: O(cells), once.
   std::span<const CellId> star(VertexId v);
+
+  // Announces that so many stars will be asked for: if it pays, all are listed now. True if they
+  // are: questions then change nothing, so threads may share the object. Complexity: O(1) or
+  // O(cells).
+  bool expect(std::size_t count);
 
  private:
   void find_first_cells();

@@ -62,8 +62,8 @@ std::size_t longer_than(const TriangleMesh& mesh, double length) {
       }));
 }
 
-// In a noisy layer (here 46 % of the spacing) many samples are not on the surface. Slivers from there
-// to another body would put them on it.
+// In a noisy layer (here 46 % of the spacing) many samples are not on the surface. Slivers from
+// there to another body would put them on it.
 TEST(CleanUpCells, FewSliversCrossEmptySpace) {
   const std::vector<Point> points =
       shapes::joined(shapes::noisy_sphere(3000, 0.03, 6),
@@ -170,6 +170,20 @@ TEST(CleanUpCells, VolumesAreLeftAlone) {
   ReconstructOptions by_share = bounded;
   by_share.clean_up.most_clump_share = 1;
   EXPECT_EQ(reconstruct_tight(volume, by_share).counters.clean_up.left_cells, 0U);
+}
+
+// What is computed ahead, on all threads, is what would be computed when asked for.
+TEST(CleanUpCells, SameResultForEveryNumberOfThreads) {
+  const std::vector<Point> points = shapes::noisy_sphere(3000, 0.02, 6);
+  const ReconstructResult one = reconstruct_tight(points);
+  ASSERT_GT(one.counters.clean_up.moves, 0U);
+  for (const int threads : {2, 5}) {
+    const ReconstructResult several = reconstruct_tight(points, {}, {.threads = threads});
+    EXPECT_EQ(several.mesh, one.mesh);
+    EXPECT_EQ(several.counters.clean_up.moves, one.counters.clean_up.moves);
+    EXPECT_EQ(several.counters.clean_up.relabeled_cells, one.counters.clean_up.relabeled_cells);
+    EXPECT_EQ(several.counters.clean_up.idle_before, one.counters.clean_up.idle_before);
+  }
 }
 
 TEST(CleanUpCells, SameResultForEveryInputOrder) {
