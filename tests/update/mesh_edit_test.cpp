@@ -88,6 +88,7 @@ TEST(MeshEdit, LeadsFromOneMeshToTheOtherAndBack) {
       }
       EXPECT_TRUE(index.has_distinct_points());
       EXPECT_TRUE(index.is_connected());
+      EXPECT_GE(index.longest_side(), ModelIndex::of_smooth(mesh).longest_side());
     };
     carry_out(edit);
     EXPECT_TRUE(mesh == change.after);
