@@ -37,7 +37,7 @@ class CleanUp {
         cosines_(triangulation),
         spacings_(triangulation, stars_),
         energy_(triangulation, cosines_, stars_, spacings_, marks.labels, options, out_),
-        region_(find_doubtful_region(triangulation, marks, most_clump_cells())),
+        region_(find_doubtful_region(triangulation, marks, stars_, most_clump_cells())),
         side_split_(triangulation, out_),
         best_move_(triangulation, stars_, out_, energy_, side_split_) {
     counters_.undecided_cells = region_.undecided.size();
@@ -50,7 +50,7 @@ class CleanUp {
   CleanUpCounters run() {
     if (region_.vertices.empty()) return counters_;
     cosines_.prepare(region_.cells, execution_);
-    spacings_.prepare(samples_at_region(), execution_);
+    spacings_.prepare(samples_of(region_.cells), execution_);
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     count(counters_.defects_before, counters_.unused_before);
     leave_out_outliers();
@@ -87,23 +87,30 @@ class CleanUp {
     return std::max(options_.most_clump_cells, static_cast<std::size_t>(share));
   }
 
+  // The vertices of some cells, each once.
+  std::vector<VertexId> samples_of(std::span<const CellId> cells) const {
+    std::vector<VertexId> samples;
+    ZeroedArray<VertexId, std::uint8_t> met(triangulation_.num_vertices());
+    for (const CellId c : cells) {
+      for (const VertexId v : triangulation_.cell(c).vertices) {
+        if (v == infinite_vertex || met[v] != 0) continue;
+        met[v] = 1;
+        samples.push_back(v);
+      }
+    }
+    return samples;
+  }
+
   // The cells that take part in the cut, in the order of memory: the undecided ones and, at a
   // price, decided ones around them.
-  std::vector<CellId> free_cells() const {
+  std::vector<CellId> free_cells() {
     std::vector<CellId> cells = region_.undecided;
     if (cells.empty()) return cells;
     for (int ring = 0; ring < options_.decided_rings; ++ring) {
-      VertexSet near(triangulation_.num_vertices(), 0);
-      for (const CellId c : cells) {
-        for (const VertexId v : triangulation_.cell(c).vertices) near[v] = 1;
-      }
-      cells.clear();
-      for (const CellId c : triangulation_.finite_cells()) {
-        const auto& vertices = triangulation_.cell(c).vertices;
-        const bool at_free =
-            std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) { return near[v] != 0; });
-        if (at_free && !is_left(triangulation_, marks_, region_, c)) cells.push_back(c);
-      }
+      cells = stars_.cells_at(samples_of(cells));
+      std::erase_if(cells, [&](CellId c) {
+        return triangulation_.is_infinite(c) || is_left(triangulation_, marks_, region_, c);
+      });
     }
     return cells;
   }
@@ -282,23 +289,9 @@ class CleanUp {
     counters_.idle_after = idle.size();
   }
 
-  // Those of its cells: in the doubtful region and beside it.
-  std::vector<VertexId> samples_at_region() const {
-    std::vector<VertexId> samples;
-    ZeroedArray<VertexId, std::uint8_t> met(triangulation_.num_vertices());
-    for (const CellId c : region_.cells) {
-      for (const VertexId v : triangulation_.cell(c).vertices) {
-        if (v == infinite_vertex || met[v] != 0) continue;
-        met[v] = 1;
-        samples.push_back(v);
-      }
-    }
-    return samples;
-  }
-
-  // In lexicographic order.
+  // In the doubtful region and beside it, in lexicographic order.
   std::vector<VertexId> idle_samples() {
-    std::vector<VertexId> idle = samples_at_region();
+    std::vector<VertexId> idle = samples_of(region_.cells);
     std::erase_if(idle, [&](VertexId v) { return region_.is_left(v); });
     erase_busy(idle);
     std::sort(idle.begin(), idle.end(), [&](VertexId a, VertexId b) {

@@ -15,12 +15,17 @@ bool is_undecided(const Triangulation& triangulation, const CellMarks& marks, Ce
                       [&](VertexId v) { return marks.good[v] != 0; });
 }
 
-std::vector<CellId> undecided_cells(const Triangulation& triangulation, const CellMarks& marks) {
-  std::vector<CellId> undecided;
-  for (const CellId c : triangulation.finite_cells()) {
-    if (is_undecided(triangulation, marks, c)) undecided.push_back(c);
+std::vector<CellId> undecided_cells(const Triangulation& triangulation, const CellMarks& marks,
+                                    StarCache& stars) {
+  std::vector<VertexId> poor;
+  for (const VertexId v : triangulation.vertices()) {
+    if (marks.good[v] == 0) poor.push_back(v);
   }
-  return undecided;
+  std::vector<CellId> cells = stars.cells_at(poor);
+  std::erase_if(cells, [&](CellId c) {
+    return triangulation.is_infinite(c) || !is_undecided(triangulation, marks, c);
+  });
+  return cells;
 }
 
 // Of each cell: how many hang together with it.
@@ -99,19 +104,14 @@ std::vector<VertexId> doubtful_vertices(const Triangulation& triangulation, cons
 }  // namespace
 
 DoubtfulRegion find_doubtful_region(const Triangulation& triangulation, const CellMarks& marks,
-                                    std::size_t most_cells) {
+                                    StarCache& stars, std::size_t most_cells) {
   DoubtfulRegion region;
-  region.undecided = undecided_cells(triangulation, marks);
+  region.undecided = undecided_cells(triangulation, marks, stars);
   if (region.undecided.size() > most_cells) leave_large_clumps(triangulation, most_cells, region);
   region.vertices = doubtful_vertices(triangulation, marks, region);
   region.rank = ZeroedArray<VertexId, std::uint32_t>(triangulation.num_vertices());
   rank_vertices(region);
-  for (const CellId c : triangulation.cells()) {
-    const auto& vertices = triangulation.cell(c).vertices;
-    const bool doubtful = std::any_of(vertices.begin(), vertices.end(),
-                                      [&](VertexId v) { return region.contains(v); });
-    if (doubtful) region.cells.push_back(c);
-  }
+  region.cells = stars.cells_at(region.vertices);
   return region;
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "delaunay/circulate.h"
+#include "geom/sort_ids.h"
 
 namespace cocoon {
 
@@ -28,6 +29,26 @@ bool StarCache::expect(std::size_t count) {
     all_ = vertex_stars(triangulation_);
   }
   return all_.has_value();
+}
+
+std::vector<CellId> StarCache::cells_at(std::span<const VertexId> vertices) {
+  std::vector<CellId> cells;
+  if (!expect(vertices.size())) {
+    for (const VertexId v : vertices) {
+      const std::span<const CellId> at_v = star(v);
+      cells.insert(cells.end(), at_v.begin(), at_v.end());
+    }
+    make_set(cells);
+    return cells;
+  }
+  IdVector<VertexId, std::uint8_t> asked(triangulation_.num_vertices(), 0);
+  for (const VertexId v : vertices) asked[v] = 1;
+  for (const CellId c : triangulation_.cells()) {
+    const auto& corners = triangulation_.cell(c).vertices;
+    const auto is_asked = [&](VertexId v) { return v != infinite_vertex && asked[v] != 0; };
+    if (std::any_of(corners.begin(), corners.end(), is_asked)) cells.push_back(c);
+  }
+  return cells;
 }
 
 void StarCache::find_first_cells() {

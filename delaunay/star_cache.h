@@ -26,6 +26,10 @@ class StarCache {
   // some) has been asked for, all are listed: O(cells), once.
   std::span<const CellId> star(VertexId v);
 
+  // All cells that have one of the vertices, increasing. Complexity: as their stars, or O(cells) if
+  // they are many.
+  std::vector<CellId> cells_at(std::span<const VertexId> vertices);
+
   // Announces that so many stars will be asked for: if it pays, all are listed now. True if they
   // are: questions then change nothing, so threads may share the object. Complexity: O(1) or
   // O(cells).

@@ -85,8 +85,9 @@ TEST(CellEnergy, PartsOfStarsAndFlawsAreThoseOfThePlainSearch) {
       const Triangulation& t = labeling.stages.triangulation;
       CellMarks marks;
       marks.good = VertexSet(t.num_vertices(), 0);
+      StarCache region_stars(t);
       const SurfaceFlaws flaws =
-          find_surface_flaws(t, find_doubtful_region(t, marks), labeling.out);
+          find_surface_flaws(t, find_doubtful_region(t, marks, region_stars), labeling.out);
       std::size_t unused = 0;
       std::size_t pinched = 0;
       for (const VertexId v : t.vertices()) {

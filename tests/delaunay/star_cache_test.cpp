@@ -31,5 +31,24 @@ TEST(StarCache, StarsAreThoseListedAtOnceWhetherAnnouncedOrNot) {
   EXPECT_TRUE(asked.expect(0));  // so many were asked for that all are listed
 }
 
+TEST(StarCache, CellsAtFewOrManyVertices) {
+  const Triangulation triangulation = delaunay(gallery::bumpy_sphere(20000)).triangulation;
+  for (const std::uint32_t every : {997U, 3U}) {
+    std::vector<VertexId> asked;
+    for (const VertexId v : triangulation.vertices()) {
+      if (v.value % every == 0) asked.push_back(v);
+    }
+    std::vector<CellId> expected;
+    for (const CellId c : triangulation.cells()) {
+      const auto& vertices = triangulation.cell(c).vertices;
+      const bool has_one = std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) {
+        return v != infinite_vertex && v.value % every == 0;
+      });
+      if (has_one) expected.push_back(c);
+    }
+    EXPECT_EQ(StarCache(triangulation).cells_at(asked), expected);
+  }
+}
+
 }  // namespace
 }  // namespace cocoon
