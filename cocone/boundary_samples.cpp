@@ -11,7 +11,7 @@
 namespace cocoon {
 namespace {
 
-constexpr std::size_t facets_per_chunk = 8192;
+constexpr std::size_t facets_per_chunk = 2048;
 
 // p is a cocone neighbor of q: p in N_q.
 struct NeighborOf {

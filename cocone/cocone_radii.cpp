@@ -16,7 +16,7 @@
 namespace cocoon {
 namespace {
 
-constexpr std::size_t facets_per_chunk = 8192;
+constexpr std::size_t facets_per_chunk = 2048;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A dual edge relative to the sample, in units of 1 / scale.

@@ -9,7 +9,7 @@
 namespace cocoon {
 namespace {
 
-constexpr std::size_t cells_per_chunk = 16384;
+constexpr std::size_t cells_per_chunk = 4096;
 
 // Carries one bit per corner from a cell to the cell before it. Seen from behind, the corners of a
 // facet run the other way round, beginning anywhere: [facet before][facet behind][turn][bits].

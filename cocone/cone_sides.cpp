@@ -7,7 +7,7 @@
 namespace cocoon {
 namespace {
 
-constexpr std::size_t cells_per_chunk = 16384;
+constexpr std::size_t cells_per_chunk = 4096;
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 namespace cocoon {
 namespace {
 
-constexpr std::size_t triangles_per_chunk = 8192;
+constexpr std::size_t triangles_per_chunk = 2048;
 
 // Which is nearly always told by x: a branch that is foreseen, and none on the answer.
 bool precedes(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a < b; }
@@ -51,7 +51,7 @@ struct FoundFacet {
 std::vector<std::vector<FoundFacet>> list_facets(const Triangulation& triangulation,
                                                  const FacetSet& facets,
                                                  const Execution& execution) {
-  constexpr std::size_t cells_per_chunk = 32768;
+  constexpr std::size_t cells_per_chunk = 8192;
   const std::size_t num_cells = triangulation.num_cells();
   std::vector<std::vector<FoundFacet>> parts((num_cells + cells_per_chunk - 1) / cells_per_chunk);
   parallel_chunks(execution, num_cells, cells_per_chunk, [&](std::size_t begin, std::size_t end) {

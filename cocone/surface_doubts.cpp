@@ -18,7 +18,7 @@
 namespace cocoon {
 namespace {
 
-constexpr std::size_t vertices_per_chunk = 8192;
+constexpr std::size_t vertices_per_chunk = 2048;
 
 // Those with the largest of a member, ties by place.
 template <class Member>

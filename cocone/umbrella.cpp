@@ -11,8 +11,8 @@
 namespace cocoon {
 namespace {
 
-constexpr std::size_t triangles_per_chunk = 8192;
-constexpr std::size_t vertices_per_chunk = 8192;
+constexpr std::size_t triangles_per_chunk = 2048;
+constexpr std::size_t vertices_per_chunk = 2048;
 
 // Drops triangles without a partner at one of their spokes; true iff some survive.
 class UmbrellaSearch {

@@ -49,8 +49,8 @@ std::size_t count_distinct(std::span<const Point> points) {
   return distinct;
 }
 
-constexpr std::size_t triangles_per_chunk = 16384;
-constexpr std::size_t vertices_per_chunk = 8192;
+constexpr std::size_t triangles_per_chunk = 4096;
+constexpr std::size_t vertices_per_chunk = 2048;
 
 // What find(i, found) appends to `found` for each i below count, in the order of i.
 template <class T, class Find>
