@@ -24,16 +24,18 @@ std::span<const CellId> StarCache::star(VertexId v) {
   return stars_[place_[v]];
 }
 
+bool StarCache::are_many(std::size_t count) const {
+  return 16 * count > triangulation_.num_vertices() + few;
+}
+
 bool StarCache::expect(std::size_t count) {
-  if (!all_.has_value() && 16 * count > triangulation_.num_vertices() + few) {
-    all_ = vertex_stars(triangulation_);
-  }
+  if (!all_.has_value() && are_many(count)) all_ = vertex_stars(triangulation_);
   return all_.has_value();
 }
 
 std::vector<CellId> StarCache::cells_at(std::span<const VertexId> vertices) {
   std::vector<CellId> cells;
-  if (!expect(vertices.size())) {
+  if (!are_many(vertices.size())) {
     for (const VertexId v : vertices) {
       const std::span<const CellId> at_v = star(v);
       cells.insert(cells.end(), at_v.begin(), at_v.end());

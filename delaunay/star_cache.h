@@ -36,6 +36,8 @@ class StarCache {
   bool expect(std::size_t count);
 
  private:
+  // So many stars that a pass over the cells is the shorter way.
+  bool are_many(std::size_t count) const;
   void find_first_cells();
   std::vector<CellId> collect(VertexId v);
 
