@@ -114,7 +114,7 @@ bool disjoint_corners_intersect(const Corners& a, const Corners& b) {
   return false;
 }
 
-Corners corners_of(const TriangleMesh& mesh, TriangleId t) {
+Corners checked_corners(const TriangleMesh& mesh, TriangleId t) {
   Corners corners;
   for (std::size_t i = 0; i < 3; ++i) {
     const VertexId v = mesh.triangles[t][i];
@@ -164,7 +164,7 @@ SelfIntersections self_intersection(const TriangleMesh& mesh,
   std::vector<Corners> corners;
   std::vector<Box> boxes;
   for (const TriangleId t : mesh.triangles.ids()) {
-    const Corners c = corners_of(mesh, t);
+    const Corners c = checked_corners(mesh, t);
     if (are_collinear(c[0], c[1], c[2])) {
       ++result.zero_area_triangles;
       continue;

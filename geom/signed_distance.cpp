@@ -13,11 +13,6 @@ namespace {
 
 constexpr std::size_t grain = 1024;
 
-TrianglePoints corners_of(const TriangleMesh& mesh, TriangleId t) {
-  const Triangle& triangle = mesh.triangles[t];
-  return {mesh.points[triangle[0]], mesh.points[triangle[1]], mesh.points[triangle[2]]};
-}
-
 // The angle-weighted normals of a mesh; they are sums and not of unit length.
 class Pseudonormals {
  public:

@@ -19,6 +19,12 @@ struct TriangleMesh {
   friend bool operator==(const TriangleMesh&, const TriangleMesh&) = default;
 };
 
+// The points of a triangle, in the order of its vertices. Precondition: they are there. O(1).
+inline std::array<Point, 3> corners_of(const TriangleMesh& mesh, TriangleId triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return {mesh.points[a], mesh.points[b], mesh.points[c]};
+}
+
 // Throws InputError if the triangle names a vertex that is not there. Complexity: O(1).
 void require_valid_triangle(const TriangleMesh& mesh, TriangleId triangle);
 

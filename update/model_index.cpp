@@ -21,11 +21,6 @@ namespace cocoon {
 
 namespace {
 
-std::array<Point, 3> corners_of(const TriangleMesh& mesh, TriangleId t) {
-  const Triangle& corners = mesh.triangles[t];
-  return {mesh.points[corners[0]], mesh.points[corners[1]], mesh.points[corners[2]]};
-}
-
 const TriangleMesh& checked(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) {
     throw InputError("update: the model has no triangles; give a closed mesh or reconstruct one");

@@ -16,11 +16,6 @@ namespace cocoon {
 
 namespace {
 
-std::array<Point, 3> corners_of(const TriangleMesh& mesh, TriangleId t) {
-  const Triangle& corners = mesh.triangles[t];
-  return {mesh.points[corners[0]], mesh.points[corners[1]], mesh.points[corners[2]]};
-}
-
 std::array<Point, 3> sorted_corners(const TriangleMesh& mesh, TriangleId t) {
   std::array<Point, 3> corners = corners_of(mesh, t);
   std::sort(corners.begin(), corners.end());
