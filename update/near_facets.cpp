@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #include "geom/sort_ids.h"
 #include "geom/triangle_projection.h"
@@ -55,13 +54,6 @@ std::vector<TriangleId> facets_in(const ReachedCells& cells, const TriangleMesh&
   return facets;
 }
 
-std::vector<TriangleId> facets_near(const TriangleMesh& mesh, Points centers, double reach) {
-  if (centers.empty()) return {};
-  const double room = reach_with_rounding(centers, reach);
-  if (!std::isfinite(room)) return all_facets(mesh);
-  return facets_in(ReachedCells(centers, room), mesh);
-}
-
 // The corners of a triangle that reaches into a box lie no farther from it than its sides are long.
 std::vector<TriangleId> facets_near(const ModelIndex& model, Points centers, double reach) {
   constexpr std::size_t share = 8;  // of all vertices: if more are near, a pass over facets is fast
@@ -84,10 +76,7 @@ std::vector<TriangleId> facets_near(const ModelIndex& model, Points centers, dou
     model.for_each_triangle_at(v, [&](TriangleId t) { facets.push_back(t); });
   }
   make_set(facets);
-  facets.erase(
-      std::remove_if(facets.begin(), facets.end(),
-                     [&](TriangleId t) { return !cells.overlap(box_of(corners_of(mesh, t))); }),
-      facets.end());
+  std::erase_if(facets, [&](TriangleId t) { return !cells.overlap(box_of(corners_of(mesh, t))); });
   return facets;
 }
 
@@ -107,14 +96,11 @@ BoxTree tree_of(const TriangleMesh& mesh, const std::vector<TriangleId>& facets)
 
 }  // namespace
 
-NearFacets::NearFacets(const TriangleMesh& mesh, double reach, std::vector<TriangleId> facets)
-    : mesh_(&mesh), reach_(reach), facets_(std::move(facets)), tree_(tree_of(mesh, facets_)) {}
-
-NearFacets::NearFacets(const TriangleMesh& mesh, Points centers, double reach)
-    : NearFacets(mesh, reach, facets_near(mesh, centers, reach)) {}
-
 NearFacets::NearFacets(const ModelIndex& model, Points centers, double reach)
-    : NearFacets(model.mesh(), reach, facets_near(model, centers, reach)) {}
+    : mesh_(&model.mesh()),
+      reach_(reach),
+      facets_(facets_near(model, centers, reach)),
+      tree_(tree_of(*mesh_, facets_)) {}
 
 void NearFacets::improve(const Point& p, TriangleId t, ClosestFacet& best) const {
   const ClosestPoint foot = closest_point_on_triangle(p, corners_of(*mesh_, t));

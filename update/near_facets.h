@@ -19,13 +19,10 @@ namespace cocoon {
 // Refers to a mesh, which must outlive it and not change. Safe to query from many threads.
 class NearFacets {
  public:
-  // Holds all facets with a point within `reach` of one of the centers; infinity: all facets.
-  // The mesh has valid indices and finite coordinates, so have the centers.
+  // Holds all facets of the model's mesh with a point within `reach` of one of the centers;
+  // infinity: all facets. The mesh and the centers have finite coordinates. The index is not kept.
   // Complexity: O(v + t + c + f log f) for c centers and f facets held; the first two are a few
-  // operations for each vertex and facet.
-  NearFacets(const TriangleMesh& mesh, Points centers, double reach);
-  // The same, by the vertices near the centers alone where the index knows how long the sides are.
-  // Complexity: then O(v + c + f log f).
+  // operations for each vertex and facet. Without t where the index knows how long the sides are.
   NearFacets(const ModelIndex& model, Points centers, double reach);
 
   double reach() const { return reach_; }
@@ -46,7 +43,6 @@ class NearFacets {
   }
 
  private:
-  NearFacets(const TriangleMesh& mesh, double reach, std::vector<TriangleId> facets);
   void improve(const Point& p, TriangleId t, ClosestFacet& best) const;
 
   const TriangleMesh* mesh_;

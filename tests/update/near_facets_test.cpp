@@ -17,13 +17,12 @@ bool any_facet(TriangleId) { return true; }
 // whichever facets are asked for.
 void expect_answers_of_all_facets(const TriangleMesh& mesh, const std::vector<Point>& centers,
                                   double reach) {
-  const NearFacets near(mesh, centers, reach);
-  const NearFacets near_by_index(ModelIndex(mesh), centers, reach);
-  const NearFacets all(mesh, centers, infinity);
+  const ModelIndex index(mesh);
+  const NearFacets near(index, centers, reach);
+  const NearFacets all(index, centers, infinity);
   for (const Point& p : centers) {
     const ClosestFacet expected = all.closest(p, reach * reach, any_facet);
     EXPECT_EQ(near.closest(p, reach * reach, any_facet), expected);
-    EXPECT_EQ(near_by_index.closest(p, reach * reach, any_facet), expected);
     const auto odd = [](TriangleId t) { return t.value % 2 == 1; };
     EXPECT_EQ(near.closest(p, reach * reach, odd), all.closest(p, reach * reach, odd));
   }
@@ -35,7 +34,7 @@ void expect_answers_by_sides(const TriangleMesh& mesh, const std::vector<Point>&
   const ModelIndex index = ModelIndex::of_smooth(mesh);
   ASSERT_LT(index.longest_side(), infinity);
   const NearFacets near(index, centers, reach);
-  const NearFacets all(mesh, centers, infinity);
+  const NearFacets all(index, centers, infinity);
   for (const Point& p : centers) {
     EXPECT_EQ(near.closest(p, reach * reach, any_facet), all.closest(p, reach * reach, any_facet));
   }
@@ -82,7 +81,7 @@ TEST(NearFacets, HoldsALargeFacetAboveItsMiddle) {
   }
   mesh.triangles.push_back({testing::vertex(0), testing::vertex(1), testing::vertex(2)});
   const std::vector<Point> centers = {{0, 0, 1}, {3, 1, 0.5}};
-  const NearFacets near(mesh, centers, 1);
+  const NearFacets near(ModelIndex(mesh), centers, 1);
   EXPECT_EQ(near.closest({0, 0, 1}, 1, any_facet).point, (Point{0, 0, 0}));
   EXPECT_TRUE(near.closest({0, 0, 1}, 0.9, any_facet).triangle.is_none());
 }
@@ -91,13 +90,14 @@ TEST(NearFacets, HoldsALargeFacetAboveItsMiddle) {
 TEST(NearFacets, LeavesOutWhatIsFarAway) {
   const TriangleMesh mesh = testing::sphere(5);
   const std::vector<Point> centers = {{0, 0, 1}};
-  const NearFacets near(mesh, centers, 0.1);
+  const NearFacets near(ModelIndex(mesh), centers, 0.1);
   EXPECT_TRUE(near.closest({0, 0, -1}, 0.5, any_facet).triangle.is_none());
   EXPECT_FALSE(near.closest({0, 0, 1}, 0.01, any_facet).triangle.is_none());
 }
 
 TEST(NearFacets, NothingIsNearNoPlace) {
-  const NearFacets near(testing::sphere(1), {}, 1);
+  const TriangleMesh mesh = testing::sphere(1);
+  const NearFacets near(ModelIndex(mesh), {}, 1);
   EXPECT_TRUE(near.closest({1, 0, 0}, 1, any_facet).triangle.is_none());
 }
 
