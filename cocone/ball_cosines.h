@@ -11,8 +11,8 @@
 
 namespace cocoon {
 
-// Computed when asked for, for the four facets of a cell at once, and remembered: 33 bytes for each
-// cell that was asked about. Not to be shared by threads.
+// Computed when asked for, or ahead, for the four facets of a cell at once, and remembered: 33
+// bytes for each cell that was asked about. Not to be shared by threads.
 class BallCosines {
  public:
   // Keeps the reference, which must outlive the object. O(1).

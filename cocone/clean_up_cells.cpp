@@ -300,17 +300,17 @@ class CleanUp {
     return idle;
   }
 
+  // Those that are not idle go. On all threads if they may share the stars.
   void erase_busy(std::vector<VertexId>& samples) {
-    std::vector<std::uint8_t> is_idle(samples.size());
-    const auto ask = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) is_idle[k] = energy_.is_idle(samples[k]) ? 1 : 0;
-    };
     constexpr std::size_t samples_per_chunk = 1024;
-    if (stars_.expect(samples.size())) {
-      parallel_chunks(execution_, samples.size(), samples_per_chunk, ask);
-    } else {
-      ask(0, samples.size());
-    }
+    std::vector<std::uint8_t> is_idle(samples.size());
+    const Execution execution = stars_.expect(samples.size()) ? execution_ : Execution{};
+    parallel_chunks(execution, samples.size(), samples_per_chunk,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t k = begin; k < end; ++k) {
+                        is_idle[k] = energy_.is_idle(samples[k]) ? 1 : 0;
+                      }
+                    });
     std::size_t kept = 0;
     for (std::size_t k = 0; k < samples.size(); ++k) {
       if (is_idle[k] != 0) samples[kept++] = samples[k];

@@ -122,10 +122,10 @@ void extend_region(const Triangulation& triangulation, StarCache& stars,
     if (region.contains(v) || region.is_left(v)) continue;
     region.vertices.push_back(v);
     region.rank[v] = 1;
-    const std::span<const CellId> star = stars.star(v);
-    region.cells.insert(region.cells.end(), star.begin(), star.end());
   }
   if (region.vertices.size() == before) return;
+  const std::vector<CellId> more = stars.cells_at(std::span(region.vertices).subspan(before));
+  region.cells.insert(region.cells.end(), more.begin(), more.end());
   sort_by_place(triangulation, region.vertices);
   rank_vertices(region);
   make_set(region.cells);

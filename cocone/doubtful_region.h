@@ -28,8 +28,9 @@ struct DoubtfulRegion {
 
 // Vertices that are not good, and those contradicted where marks conflict. Undecided cells that
 // hang together by facets are a clump. Those of more than `most_cells` cells are left alone, with
-// the vertices that no other undecided cell has. Complexity: O(vertices + d log d) for d such
-// vertices with their stars, and passes over the cells in the order of memory if they are many.
+// the vertices that no other undecided cell has. `stars`: of this triangulation. Complexity:
+// O(vertices + d log d) for d such vertices with their stars, besides what the first question to
+// `stars` costs, and passes over the cells in the order of memory if they are many.
 DoubtfulRegion find_doubtful_region(
     const Triangulation& triangulation, const CellMarks& marks, StarCache& stars,
     std::size_t most_cells = std::numeric_limits<std::size_t>::max());

@@ -47,7 +47,8 @@ bool is_outlying(double spacing, double ratio, std::span<const VertexId> neighbo
   return true;
 }
 
-// Spacings of few vertices of a triangulation, each computed once. Not to be shared by threads.
+// Spacings of some vertices of a triangulation, computed when asked for, once, or ahead. Not to be
+// shared by threads.
 class SpacingCache {
  public:
   static constexpr std::size_t edges = 3;  // that make the spacing of a sample
@@ -56,7 +57,8 @@ class SpacingCache {
   SpacingCache(const Triangulation& triangulation, StarCache& stars)
       : triangulation_(triangulation), stars_(stars), spacing_(triangulation.num_vertices()) {}
 
-  // Computes ahead what will be asked of these vertices, if they are many. Complexity: O(stars),
+  // Computes ahead what will be asked of these vertices, if they are so many that all stars are
+  // listed (StarCache::expect); few are left until they are asked for. Complexity: O(stars),
   // parallel.
   void prepare(std::span<const VertexId> vertices, const Execution& execution);
 
