@@ -1,5 +1,5 @@
-// Labels and candidates of Cocone a second time: on CGAL's triangulation, with CGAL's
-// circumcenters, written for reading. Shares no code with the stages.
+// Labels and candidates of Cocone by the papers, on CGAL's triangulation, with CGAL's
+// circumcenters: written for reading. Shares no code with the stages.
 #pragma once
 
 #include <array>
@@ -7,15 +7,16 @@
 #include <vector>
 
 #include "geom/id_vector.h"
+#include "geom/ids.h"
 #include "geom/point.h"
 
 namespace cocoon::ref {
 
 struct CgalCoconeOptions {
   double rho = 1 / 1.2;
-  double alpha_cosine = 0.86602540378443865;
-  double theta_cosine = 0.38268343236508977;
-  bool tangent_plane_radius = true;
+  double alpha_cosine = 0.86602540378443865;  // 30 degrees
+  double theta_cosine = 0.38268343236508977;  // cocone of 22.5 degrees
+  bool tangent_plane_radius = true;           // else that of the whole cocone
 };
 
 struct CgalCocone {
@@ -24,7 +25,7 @@ struct CgalCocone {
 };
 
 // Precondition: points are all different and not coplanar. Complexity: as CGAL's triangulation,
-// and the sum of squared star sizes.
+// and the sum of star sizes.
 // Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Woo & Dey 2005, sections 2 and 3.2.
 CgalCocone cgal_cocone(Points points, const CgalCoconeOptions& options = {});
 

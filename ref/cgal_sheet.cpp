@@ -192,22 +192,6 @@ class Sheet {
 
 }  // namespace
 
-std::vector<std::array<VertexHandle, 2>> link_of(const Delaunay& delaunay, VertexHandle v) {
-  std::vector<std::array<VertexHandle, 2>> link;
-  std::vector<Facet> facets;
-  delaunay.finite_incident_facets(v, std::back_inserter(facets));
-  for (const Facet& f : facets) {
-    if (!is_surface(f)) continue;
-    std::array<VertexHandle, 2> side;
-    std::size_t n = 0;
-    for (int k = 0; k < 3; ++k) {
-      if (corner(f, k) != v) side[n++] = corner(f, k);
-    }
-    link.push_back(side);
-  }
-  return link;
-}
-
 void prune_and_walk(Delaunay& delaunay) {
   Sheet sheet(delaunay);
   sheet.prune();

@@ -1,29 +1,8 @@
 #include "ref/cgal_surface.h"
 
-#include <ctime>
-#include <utility>
-
 #include "ref/cgal_triangulation.h"
 
 namespace cocoon::ref {
-
-on_cgal::Delaunay on_cgal::triangulation_of(Points points, double* processor_seconds) {
-  std::vector<std::pair<Kernel::Point_3, VertexInfo>> labeled;
-  labeled.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    VertexInfo info;
-    info.id = static_cast<std::uint32_t>(i);
-    labeled.emplace_back(Kernel::Point_3(points[i].x, points[i].y, points[i].z), info);
-  }
-  Delaunay delaunay;
-  const std::clock_t begin = std::clock();
-  delaunay.insert(labeled.begin(), labeled.end());
-  if (processor_seconds != nullptr) {
-    *processor_seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  }
-  return delaunay;
-}
-
 namespace {
 
 using namespace on_cgal;
@@ -36,7 +15,7 @@ std::array<PointId, 3> ids(const Facet& f) {
 
 }  // namespace
 
-CgalSurface cgal_open_surface(Points points, const CgalSurfaceOptions& options) {
+CgalSurface cgal_open_surface(Points points, const CgalCoconeOptions& options) {
   CgalSurface result;
   Delaunay delaunay = triangulation_of(points, &result.delaunay_seconds);
   find_candidates(delaunay, options);
@@ -47,7 +26,7 @@ CgalSurface cgal_open_surface(Points points, const CgalSurfaceOptions& options) 
   return result;
 }
 
-CgalSurface cgal_tight_surface(Points points, const CgalSurfaceOptions& options) {
+CgalSurface cgal_tight_surface(Points points, const CgalCoconeOptions& options) {
   CgalSurface result;
   Delaunay delaunay = triangulation_of(points, &result.delaunay_seconds);
   find_candidates(delaunay, options);

@@ -7,15 +7,9 @@
 
 #include "geom/ids.h"
 #include "geom/point.h"
+#include "ref/cgal_cocone.h"
 
 namespace cocoon::ref {
-
-struct CgalSurfaceOptions {
-  double rho = 1 / 1.2;
-  double alpha_cosine = 0.86602540378443865;  // 30 degrees
-  double theta_cosine = 0.38268343236508977;  // cocone of 22.5 degrees
-  bool tangent_plane_radius = true;           // else that of the whole cocone
-};
 
 struct CgalSurface {
   std::vector<std::array<PointId, 3>> triangles;
@@ -24,11 +18,11 @@ struct CgalSurface {
 
 // The open surface of a cloud: the sheet that a walk over the candidates meets, after pruning. Not
 // oriented. Precondition: points are all different, not coplanar.
-CgalSurface cgal_open_surface(Points points, const CgalSurfaceOptions& options);
+CgalSurface cgal_open_surface(Points points, const CgalCoconeOptions& options);
 
 // The watertight surface, oriented outward: marking and peeling, without the second pass.
 // Precondition as above. Complexity of both: as CGAL's triangulation, and the sum of star sizes.
 // Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Dey & Goswami 2003.
-CgalSurface cgal_tight_surface(Points points, const CgalSurfaceOptions& options = {});
+CgalSurface cgal_tight_surface(Points points, const CgalCoconeOptions& options = {});
 
 }  // namespace cocoon::ref

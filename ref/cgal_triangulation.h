@@ -1,5 +1,6 @@
-// The triangulation on which cgal_surface.cpp, its parts and cgal_noise_filter.cpp work, and what
-// they note in it. Only these include it: CGAL stays out of all other headers.
+// The triangulation on which cgal_cocone.cpp, cgal_surface.cpp with its parts, and
+// cgal_noise_filter.cpp work, and what they note in it. Only these include it: CGAL stays out of
+// all other headers.
 #pragma once
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -12,7 +13,7 @@
 #include <vector>
 
 #include "geom/point.h"
-#include "ref/cgal_surface.h"
+#include "ref/cgal_cocone.h"
 
 namespace cocoon::ref::on_cgal {
 
@@ -85,7 +86,7 @@ std::vector<std::array<VertexHandle, 2>> link_of(const Delaunay& delaunay, Verte
 
 // Poles, labels, candidate facets: sets `surface` of the cells. Boundary samples are those vertices
 // that are not `interior`.
-void find_candidates(Delaunay& delaunay, const CgalSurfaceOptions& options);
+void find_candidates(Delaunay& delaunay, const CgalCoconeOptions& options);
 
 // Takes away candidates at sharp edges, then those beside the sheet that a walk over the candidates
 // meets first.
