@@ -17,6 +17,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// What lies behind the last element that a header announces may be what the user wants most.
+void warn_of_trailing_bytes(Job& job, const std::string& path, const std::string& section,
+                            std::size_t bytes) {
+  if (bytes == 0) return;
+  job.report().set(section + "/trailing_bytes", bytes);
+  job.warn(fmt::format("{}: {} behind what its header announces", path,
+                       counted(bytes, "byte was not read,", "bytes were not read,")));
+}
+
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -93,6 +102,12 @@ std::vector<Point> read_cloud(Job& job, const std::string& path, const std::stri
         "{}: {} left out", path,
         counted(cloud.skipped, "point is not finite and was", "points are not finite and were")));
   }
+  if (cloud.announced && *cloud.announced < cloud.points.size() + cloud.skipped) {
+    job.report().set(section + "/announced_points", *cloud.announced);
+    job.warn(fmt::format("{}: announces {}, but {} follow; all of them were read", path,
+                         counted(*cloud.announced, "point"), cloud.points.size() + cloud.skipped));
+  }
+  warn_of_trailing_bytes(job, path, section, cloud.trailing_bytes);
   if (properties != nullptr) *properties = std::move(cloud.properties);
   return std::move(cloud.points);
 }
@@ -114,6 +129,7 @@ TriangleMesh read_shape(Job& job, const std::string& path, const std::string& se
     job.warn(fmt::format("{}: {} left out", path,
                          counted(left_out, "face without area was", "faces without area were")));
   }
+  warn_of_trailing_bytes(job, path, section, read.trailing_bytes);
   return mesh;
 }
 

@@ -44,6 +44,7 @@ PointCloud read_points(const std::filesystem::path& path, const PointReadOptions
     non_finite = soup.non_finite;
     cloud.points = std::move(soup.points);
     cloud.properties = std::move(soup.properties);
+    cloud.trailing_bytes = soup.trailing_bytes;
   }
   cloud.properties.rows = cloud.points.size();
   if (options.skip_non_finite) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,13 +28,14 @@ struct PointCloud {
   std::size_t skipped = 0;    // points that were not finite, with skip_non_finite
   std::string header;         // text files: the line of column names that was skipped, if any
   std::size_t columns = 0;    // text files: of the first row; columns behind the third are ignored
-  std::size_t announced = 0;  // text files: the count in a first line of its own, 0 without one
-  VertexProperties properties;  // one row per point; no column unless asked for
+  // Text files: the count in a first line of its own, if there is one. More points may follow.
+  std::optional<std::size_t> announced;
+  std::size_t trailing_bytes = 0;  // PLY and OFF: behind the last element, not read
+  VertexProperties properties;     // one row per point; no column unless asked for
 };
 
 // Text (.xyz .pts .txt .csv .npts .pwn .asc): one point a line, x y z first, see io/xyz.h. Mesh
-// files
-// (.ply .obj .off .stl) give their vertices; STL is welded exactly.
+// files (.ply .obj .off .stl) give their vertices; STL is welded exactly.
 // Throws FileError, with the line where there is one, for another extension, for what cannot be
 // read, for a coordinate that is not a finite number (see the options), and for a text without a
 // point. A file that says it holds no points (PLY, OFF, STL, a text with the count 0) gives none.

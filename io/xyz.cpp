@@ -158,9 +158,9 @@ class XyzReader {
   bool read_count(std::string_view line) {
     std::int64_t count = 0;
     Fields fields(line.substr(0, line.find('#')));
-    if (has_count_ || !fields.integer(count) || !fields.done() || count < 0) return false;
-    has_count_ = true;
+    if (cloud_.announced || !fields.integer(count) || !fields.done() || count < 0) return false;
     cloud_.announced = static_cast<std::size_t>(count);
+    count_line_ = lines_.number();
     return true;
   }
 
@@ -183,12 +183,12 @@ class XyzReader {
   }
 
   void check_number_of_rows() const {
-    if (cloud_.points.size() < cloud_.announced) {
-      throw file_error(file_.path, "announces " + std::to_string(cloud_.announced) +
-                                       " points but holds " + std::to_string(cloud_.points.size()) +
-                                       "; the file is cut off");
+    if (cloud_.announced && cloud_.points.size() < *cloud_.announced) {
+      throw file_error(file_.path, count_line_,
+                       "announces " + std::to_string(*cloud_.announced) + " points, but " +
+                           std::to_string(cloud_.points.size()) + " follow; the file is cut off");
     }
-    if (cloud_.points.empty() && !has_count_) {
+    if (cloud_.points.empty() && !cloud_.announced) {
       throw file_error(file_.path, "holds no points; expected lines 'x y z'");
     }
   }
@@ -196,7 +196,7 @@ class XyzReader {
   const FileBytes& file_;
   TextLines lines_;
   NonFinitePoints& non_finite_;
-  bool has_count_ = false;
+  std::size_t count_line_ = 0;     // of the announced count
   std::size_t comma_columns_ = 0;  // 0: not known yet
   PointCloud cloud_;
 };

@@ -132,6 +132,34 @@ TEST(BadInput, NonFinitePointsCanBeLeftOutOnDemand) {
   EXPECT_NE(run.out.find("warning"), std::string::npos);
 }
 
+// Where a file and its own counts disagree, but nothing is missing, the user is told.
+TEST(BadInput, MoreThanAFileAnnouncesIsAWarning) {
+  const TemporaryFolder folder;
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+      "property double z\n";
+  const std::string corners = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  const std::string faces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  const std::string counted = folder.write("scan.pts", "3\n" + corners);
+  const std::string behind = folder.write("scan.ply", header + "end_header\n" + corners + "1 1 1");
+  const std::string mesh = folder.write(
+      "mesh.ply", header + "element face 4\nproperty list uchar int vertex_indices\nend_header\n" +
+                      corners + faces + "3 0 1 2");
+  const auto expect_warning = [](const std::vector<std::string>& arguments,
+                                 const std::string& warning) {
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    EXPECT_NE(run.out.find("warning: " + warning + "\n"), std::string::npos) << run.out;
+  };
+  const std::string out = folder.file("out.tet");
+  expect_warning({"delaunay", counted, "-o", out},
+                 counted + ": announces 3 points, but 4 follow; all of them were read");
+  expect_warning({"delaunay", behind, "-o", out},
+                 behind + ": 5 bytes were not read, behind what its header announces");
+  expect_warning({"check", mesh},
+                 mesh + ": 7 bytes were not read, behind what its header announces");
+}
+
 TEST(BadInput, MeshWithoutTriangles) {
   const TemporaryFolder folder;
   const std::string points =

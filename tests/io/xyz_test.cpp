@@ -43,8 +43,17 @@ TEST_F(Xyz, CountsAndHeaders) {
   EXPECT_EQ(read("x,y,z,\n1,2,3,\n4,5,6,\n").points, two);  // empty last columns
   EXPECT_EQ(read("//X Y Z\n2\n1 2 3\n4 5 6\n").points, two);
   EXPECT_EQ(read("east north height\n1 2 3\n4 5 6\n").points, two);
-  EXPECT_EQ(read("1\n1 2 3\n4 5 6\n").points, two);  // more rows than announced
+  EXPECT_EQ(read("1 2 3\n4 5 6\n").announced, std::nullopt);
   EXPECT_EQ(read("0\n").points.size(), 0U);
+}
+
+TEST_F(Xyz, ReadsAllRowsWhereMoreFollowThanAnnounced) {
+  for (const char* content : {"1\n1 2 3\n4 5 6\n", "0\n1 2 3\n4 5 6\n"}) {
+    const PointCloud cloud = read(content);
+    EXPECT_EQ(cloud.points, two);
+    ASSERT_TRUE(cloud.announced);
+    EXPECT_LT(*cloud.announced, cloud.points.size());
+  }
 }
 
 TEST_F(Xyz, RefusesWhatItCannotBeSureOf) {
@@ -58,7 +67,8 @@ TEST_F(Xyz, RefusesWhatItCannotBeSureOf) {
             ":2: has 4 columns, earlier lines have 3; " + decimal_comma);
   EXPECT_EQ(message("id,x,y,z\n1,2,3,4\n"),
             ":1: the header does not name x, y, z as the first three columns; reorder the columns");
-  EXPECT_EQ(message("3\n1 2 3\n4 5 6\n"), ": announces 3 points but holds 2; the file is cut off");
+  EXPECT_EQ(message("# c\n3\n1 2 3\n4 5 6\n"),
+            ":2: announces 3 points, but 2 follow; the file is cut off");
   EXPECT_EQ(message("1 2 3\n4 5\n"), ":2: a row needs three numbers x y z, this one has 2");
   EXPECT_EQ(message("1 2 3\n7\n4 5 6\n"), ":2: a row needs three numbers x y z, this one has 1");
   EXPECT_EQ(message("2\n\nC 1 2 3\n"), ":3: column 1 is not a decimal number: 'C'");
