@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/files.h"
@@ -53,6 +54,7 @@ class Watch {
     begin();
     follow_folder();
     if (state_.pending > 0) save_whole();
+    tell_findings();
   }
 
   // Until it is time to stop.
@@ -63,6 +65,7 @@ class Watch {
         look_at(path);
         if (interrupted()) return;
       }
+      if (folder.waiting() == 0) tell_findings();
       if (arguments_.once && folder.waiting() == 0 && ++idle_polls_ > 1) return;
       if (!pause()) return;
     }
@@ -111,6 +114,7 @@ class Watch {
       TriangleMesh mesh = read_shape(job_, arguments_.model, "input");
       if (mesh.triangles.empty()) {
         begin_session(job_, arguments_.model, mesh.points.raw(), options_, state_.session);
+        findings_are_due_ = true;
       } else {
         state_.session.emplace(std::move(mesh), options_);
       }
@@ -157,6 +161,7 @@ class Watch {
     std::string note;
     std::vector<std::vector<Point>> clouds;
     SessionUpdate update;
+    const std::size_t local_before = state_.session->local_changes();
     try {
       note = note_of_cloud(path);
       if (std::find(state_.notes.begin(), state_.notes.end(), note) != state_.notes.end()) {
@@ -171,6 +176,8 @@ class Watch {
       return refuse(name, error.what());
     }
     if (update.result.status != UpdateStatus::ok) return refuse(name, update.result.message);
+    // Where the surface is certain there is nothing to find.
+    if (state_.session->local_changes() == local_before) findings_are_due_ = true;
     keep({std::move(note), std::move(clouds[0]), arguments_.parameters.rho});
     ++applied_;
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
@@ -183,6 +190,22 @@ class Watch {
       line += "; warning: " + with_cloud_names(warning, {name});
     }
     say(line);
+  }
+
+  // What is doubtful about the model, once no cloud waits for it: that takes passes over the whole.
+  void tell_findings() {
+    if (!std::exchange(findings_are_due_, false)) return;
+    ReconstructResult surface = state_.session->reconstruction();
+    surface.mesh = model();
+    MeshReport certificate;
+    const std::vector<Finding> findings = findings_of_update(
+        surface, state_.session->points(), {job_.execution().threads}, certificate);
+    for (const Finding& finding : findings) {
+      const std::vector<std::string>& told = job_.warnings();
+      if (std::find(told.begin(), told.end(), finding.message) != told.end()) continue;
+      job_.warn(finding.message);
+    }
+    flush_output();
   }
 
   void refuse(const std::string& name, const std::string& why) {
@@ -208,6 +231,7 @@ class Watch {
   std::size_t refused_ = 0;
   std::size_t known_ = 0;
   int idle_polls_ = 0;
+  bool findings_are_due_ = false;
 };
 
 }  // namespace

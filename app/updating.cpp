@@ -58,22 +58,21 @@ std::vector<std::vector<double>> deviation(Job& job, const UpdateInput& input,
 }
 
 // Adds what is doubtful about the updated surface to the report, and to the warnings what is not
-// said there already. Long edges beside short ones are no gaps here: they are at the rim of every
-// cloud that is denser than the model. Returns the certificate of the surface.
+// said there already. Returns the certificate of the surface.
 MeshReport report_doubts(Job& job, UpdateResult& result, bool parted) {
   ReconstructResult& surface = result.reconstruction;
   surface.mesh = std::move(result.mesh);
-  SurfaceDoubts doubts = surface_doubts(surface, result.replacement.points, {}, job.execution());
+  MeshReport certificate;
+  std::vector<Finding> findings =
+      findings_of_update(surface, result.replacement.points, job.execution(), certificate);
   result.mesh = std::move(surface.mesh);
   surface.mesh = {};
-  doubts.gap_samples = 0;
-  std::vector<Finding> findings = findings_of(doubts, surface.points - surface.duplicates, false);
   std::erase_if(findings, [&](const Finding& f) { return parted && f.kind == "contacts"; });
   add_findings(job.report(), findings);
   for (const Finding& finding : findings) {
     if (finding.kind != "unused") result.warnings.push_back(finding.message);
   }
-  return doubts.certificate;
+  return certificate;
 }
 
 // What the session keeps of its last update.
@@ -121,6 +120,14 @@ ReconstructResult initial_model(Job& job, const std::string& name, const std::ve
   job.report().set("initial_model/unused_points", result.unused_points);
   job.report().set("initial_model/triangles", result.mesh.triangles.size());
   return result;
+}
+
+std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points points,
+                                        const Execution& execution, MeshReport& certificate) {
+  SurfaceDoubts doubts = surface_doubts(surface, points, {}, execution);
+  certificate = doubts.certificate;
+  doubts.gap_samples = 0;
+  return findings_of(doubts, surface.points - surface.duplicates, false);
 }
 
 std::string with_cloud_names(std::string message, const std::vector<std::string>& names) {

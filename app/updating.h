@@ -6,7 +6,11 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/findings.h"
 #include "app/job.h"
+#include "cocone/reconstruct.h"
+#include "geom/execution.h"
+#include "geom/mesh_check.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 #include "io/vertex_properties.h"
@@ -34,6 +38,12 @@ struct UpdateInput {
 // "initial_model". Throws InputError if there is none.
 void begin_session(Job& job, const std::string& name, const std::vector<Point>& points,
                    const UpdateOptions& options, std::optional<UpdateSession>& session);
+
+// What is doubtful about the surface of an updated model, `surface` with its mesh, made from
+// `points`. Long edges beside short ones are no gaps here: they are at the rim of every cloud that
+// is denser than the model. `certificate` gets that of the surface. Complexity: as surface_doubts.
+std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points points,
+                                        const Execution& execution, MeshReport& certificate);
 
 // Messages of the library number the clouds ("cloud 1 of 2"); people know them by their files.
 std::string with_cloud_names(std::string message, const std::vector<std::string>& names);

@@ -37,6 +37,17 @@ inline std::string sphere_cap(std::size_t n, double reach, double bump = 0) {
 
 inline std::string whole_sphere(std::size_t n) { return sphere_cap(n, 4); }
 
+// 18 points of a sphere of radius 0.1 around (4, 0, 0): a small part beside the unit sphere.
+inline std::string crumb() {
+  std::string text;
+  for (int i = 0; i < 18; ++i) {
+    const double z = 1 - (i + 0.5) / 9;
+    const double ring = 0.1 * std::sqrt(1 - z * z);
+    text += point_line(4 + ring * std::cos(2.4 * i), ring * std::sin(2.4 * i), 0.1 * z);
+  }
+  return text;
+}
+
 // A tetrahedron as an ascii PLY file.
 inline const char* const tetrahedron_ply =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"

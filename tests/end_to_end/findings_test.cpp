@@ -91,14 +91,7 @@ TEST(Findings, AreToldOfUpdatesToo) {
   };
   const std::string sphere = whole_sphere(1500);
   EXPECT_EQ(report_of(sphere)["findings"], Json::array());
-  std::string crumb;  // 18 points of a small sphere
-  for (int i = 0; i < 18; ++i) {
-    const double z = 1 - (i + 0.5) / 9;
-    const double ring = std::sqrt(1 - z * z);
-    crumb +=
-        point_line(4 + 0.1 * ring * std::cos(2.4 * i), 0.1 * ring * std::sin(2.4 * i), 0.1 * z);
-  }
-  const Json report = report_of(sphere + crumb);
+  const Json report = report_of(sphere + crumb());
   ASSERT_FALSE(report["findings"].empty());
   const Json& finding = report["findings"][0];
   EXPECT_EQ(finding["kind"], "fragments");

@@ -15,6 +15,7 @@
 namespace {
 
 using cocoon::test::content_of;
+using cocoon::test::crumb;
 using cocoon::test::expect_error;
 using cocoon::test::ProgramRun;
 using cocoon::test::run_program;
@@ -204,6 +205,33 @@ TEST(Watch, KeepsGoingOnBadFilesAndStopsOnASignal) {
     EXPECT_EQ(content_of(watched.mesh), watched.expected({north}));
     EXPECT_TRUE(std::filesystem::exists(watched.drop + "/bad.xyz"));
   }
+}
+
+// What is doubtful is told of the model, and once of what clouds made of it.
+TEST(Watch, TellsFindings) {
+  const auto tells_of_parts = [](const std::string& text) {
+    const std::string line = "\nwarning: 1 small part beside the main surface;";
+    std::size_t count = 0;
+    for (std::size_t at = text.find(line); at != text.npos; at = text.find(line, at + 1)) ++count;
+    return count;
+  };
+  const Watched doubtful;
+  doubtful.folder.write("points.xyz", whole_sphere(2000) + crumb());
+  EXPECT_EQ(tells_of_parts(run_program(doubtful.once()).out), 1U);
+
+  const Watched watched;
+  const TemporaryFolder outputs;
+  const RunningProgram program(outputs, watched.arguments);
+  const auto out = [&] { return content_of(outputs.file("stdout")); };
+  watched.put("1.xyz", north + crumb());
+  EXPECT_TRUE(wait_for([&] { return tells_of_parts(out()) == 1; })) << out();
+  EXPECT_LT(out().find("1.xyz: "), out().find("small part")) << out();
+  watched.put("2.xyz", south);
+  EXPECT_TRUE(wait_for([&] { return out().find("2.xyz: ") != std::string::npos; })) << out();
+  program.send(SIGTERM);
+  const ProgramRun run = program.wait();
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_EQ(tells_of_parts(run.out), 1U) << run.out;
 }
 
 // A file that is written slowly is taken when it is complete, not before.
