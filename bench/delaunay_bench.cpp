@@ -10,86 +10,22 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <numbers>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bench/options.h"
+#include "bench/point_sets.h"
 #include "bench/rivals/cgal.h"
 #include "bench/rivals/tetgen.h"
 #include "bench/run_benchmarks.h"
 #include "bench/stopwatch.h"
+#include "bench/tidy_heap.h"
 #include "delaunay/delaunay.h"
-#include "geom/random.h"
 #include "ref/cell_set.h"
-#include "tests/gallery.h"
 
 namespace cocoon {
 namespace {
-
-struct Arguments {
-  std::vector<std::string> sizes{"100000"};
-  std::vector<std::string> sets{"uniform", "torus",  "bumpy_sphere", "exact_torus",
-                                "grid",    "sphere", "box"};
-  int threads = 1;
-};
-
-// Random angles on a torus of radii 1 and 0.35, as exactly as doubles allow: spheres touch the tube
-// along whole circles, so three times as many cells as on a scan, with spheres that nearly agree.
-std::vector<Point> exact_torus(std::size_t count) {
-  Random random(1);
-  std::vector<Point> points;
-  points.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double u = random.uniform(0, 2 * std::numbers::pi);
-    const double v = random.uniform(0, 2 * std::numbers::pi);
-    const double ring = 1 + 0.35 * std::cos(v);
-    points.push_back({ring * std::cos(u), ring * std::sin(u), 0.35 * std::sin(v)});
-  }
-  return points;
-}
-
-// About `count` points of the named set; empty for a name that does not exist.
-std::vector<Point> make_set(const std::string& name, std::size_t count) {
-  const auto n = static_cast<double>(count);
-  if (name == "uniform") return gallery::uniform_cube(count);
-  if (name == "torus") return gallery::displaced_torus(count);
-  if (name == "bumpy_sphere") return gallery::bumpy_sphere(count);
-  if (name == "exact_torus") return exact_torus(count);
-  if (name == "grid") return gallery::integer_grid(static_cast<int>(std::lround(std::cbrt(n))));
-  if (name == "sphere") return gallery::sphere(count);
-  if (name == "box") return gallery::box_faces(static_cast<int>(std::lround(std::sqrt(n / 52))));
-  return {};
-}
-
-std::vector<std::string> split(const std::string& list) {
-  std::vector<std::string> parts;
-  std::istringstream stream(list);
-  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
-  return parts;
-}
-
-// Takes our own arguments out of argv and leaves Google Benchmark's.
-Arguments parse_arguments(std::vector<char*>& argv) {
-  Arguments arguments;
-  std::vector<char*> rest{argv[0]};
-  for (std::size_t i = 1; i < argv.size(); ++i) {
-    const std::string name = argv[i];
-    const bool has_value = i + 1 < argv.size();
-    if (name == "--points" && has_value) {
-      arguments.sizes = split(argv[++i]);
-    } else if (name == "--sets" && has_value) {
-      arguments.sets = split(argv[++i]);
-    } else if (name == "--threads" && has_value) {
-      arguments.threads = std::atoi(argv[++i]);
-    } else {
-      rest.push_back(argv[i]);
-    }
-  }
-  argv = rest;
-  return arguments;
-}
 
 // One input, and what was measured on it.
 struct Case {
@@ -112,6 +48,7 @@ bool has_equal_cells(Case& input, const Execution& execution) {
 
 void run_ours(benchmark::State& state, Case& input, const Execution& execution) {
   for ([[maybe_unused]] auto _ : state) {
+    bench::tidy_heap();
     const bench::Stopwatch stopwatch;
     const DelaunayResult result = delaunay(input.points, {}, execution);
     const bench::Elapsed elapsed = stopwatch.elapsed();
@@ -126,6 +63,7 @@ void run_ours(benchmark::State& state, Case& input, const Execution& execution) 
 
 void run_cgal(benchmark::State& state, Case& input) {
   for ([[maybe_unused]] auto _ : state) {
+    bench::tidy_heap();
     const rivals::TimedBuild build = rivals::cgal_delaunay(input.points);
     if (build.finite_cells != input.finite_cells) state.SkipWithError("wrong number of cells");
     state.SetIterationTime(build.elapsed.wall);
@@ -136,6 +74,7 @@ void run_cgal(benchmark::State& state, Case& input) {
 
 void run_tetgen(benchmark::State& state, Case& input) {
   for ([[maybe_unused]] auto _ : state) {
+    bench::tidy_heap();
     const rivals::TimedBuild build = rivals::tetgen_delaunay(input.points);
     if (build.finite_cells != input.finite_cells && !has_ties(input)) {
       state.SkipWithError("wrong number of cells");
@@ -146,16 +85,9 @@ void run_tetgen(benchmark::State& state, Case& input) {
   state.counters["points"] = static_cast<double>(input.points.size());
 }
 
-// The median of one of the two times, in ns per point.
-double median(const std::vector<bench::Elapsed>& runs, double bench::Elapsed::*time,
-              std::size_t points) {
-  std::vector<double> values;
-  for (const bench::Elapsed& run : runs) values.push_back(run.*time);
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  const double seconds =
-      values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-  return seconds * 1e9 / static_cast<double>(points);
+double nanoseconds(const std::vector<bench::Elapsed>& runs, double bench::Elapsed::*time,
+                   std::size_t points) {
+  return bench::median(runs, time) * 1e9 / static_cast<double>(points);
 }
 
 // The widest deviation of a run of any kernel from its median, in processor time, percent.
@@ -163,7 +95,7 @@ double spread(const Case& input) {
   double widest = 0;
   for (const auto* runs : {&input.ours, &input.cgal, &input.tetgen}) {
     if (runs->empty()) continue;
-    const double middle = median(*runs, &bench::Elapsed::processor, 1) * 1e-9;
+    const double middle = bench::median(*runs, &bench::Elapsed::processor);
     for (const bench::Elapsed& run : *runs) {
       widest = std::max(widest, std::fabs(run.processor / middle - 1));
     }
@@ -183,9 +115,9 @@ void print_table(const std::vector<Case>& cases) {
     if (input.ours.empty() || input.cgal.empty() || input.tetgen.empty()) continue;
     std::printf("%-14s %9zu %9zu", input.name.c_str(), input.points.size(), input.finite_cells);
     for (const auto time : {&bench::Elapsed::wall, &bench::Elapsed::processor}) {
-      const double ours = median(input.ours, time, input.points.size());
-      const double cgal = median(input.cgal, time, input.points.size());
-      const double tetgen = median(input.tetgen, time, input.points.size());
+      const double ours = nanoseconds(input.ours, time, input.points.size());
+      const double cgal = nanoseconds(input.cgal, time, input.points.size());
+      const double tetgen = nanoseconds(input.tetgen, time, input.points.size());
       std::printf(" | %6.0f %6.0f %5.2f %7.0f %5.2f", ours, cgal, cgal / ours, tetgen,
                   tetgen / ours);
     }
@@ -194,15 +126,14 @@ void print_table(const std::vector<Case>& cases) {
 }
 
 // Makes the inputs of all sets and sizes; stops the program if the two kernels disagree.
-std::vector<Case> make_cases(const Arguments& arguments, const Execution& execution) {
+std::vector<Case> make_cases(const bench::Options& options, const std::vector<std::string>& sets,
+                             const std::vector<std::string>& sizes, const Execution& execution) {
   std::vector<Case> cases;
-  for (const std::string& set : arguments.sets) {
-    for (const std::string& size : arguments.sizes) {
-      Case input{set, make_set(set, std::strtoull(size.c_str(), nullptr, 10)), 0, {}, {}, {}};
+  for (const std::string& set : sets) {
+    for (const std::string& size : sizes) {
+      Case input{set, bench::point_set(set, options.as_number(size)), 0, {}, {}, {}};
       if (input.points.size() < 4) {
-        std::fprintf(stderr, "delaunay_bench: no set '%s' of %s points\n", set.c_str(),
-                     size.c_str());
-        std::exit(2);
+        options.fail("no set '" + set + "' of " + size + " points");
       }
       if (!has_equal_cells(input, execution)) {
         std::fprintf(stderr, "delaunay_bench: cells differ from CGAL's on %s %s\n", set.c_str(),
@@ -216,10 +147,12 @@ std::vector<Case> make_cases(const Arguments& arguments, const Execution& execut
 }
 
 int run(int argc, char** argv) {
-  std::vector<char*> arguments(argv, argv + argc);
-  const Arguments own = parse_arguments(arguments);
-  const Execution execution{.threads = own.threads};
-  std::vector<Case> cases = make_cases(own, execution);
+  bench::Options options(argc, argv);
+  const std::vector<std::string> sizes = options.list("--points", "100000");
+  const std::vector<std::string> sets =
+      options.list("--sets", "uniform,torus,bumpy_sphere,exact_torus,grid,sphere,box");
+  const Execution execution{.threads = static_cast<int>(options.number("--threads", 1))};
+  std::vector<Case> cases = make_cases(options, sets, sizes, execution);
   for (Case& input : cases) {
     const auto add = [&](const std::string& kernel, auto run_kernel) {
       const std::string name =
@@ -233,7 +166,7 @@ int run(int argc, char** argv) {
     add("cgal", [&](benchmark::State& state) { run_cgal(state, input); });
     add("tetgen", [&](benchmark::State& state) { run_tetgen(state, input); });
   }
-  if (!bench::run_benchmarks(arguments, 5)) return 2;
+  if (!bench::run_benchmarks(options, 5)) return 2;
   print_table(cases);
   return 0;
 }

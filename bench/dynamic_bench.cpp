@@ -9,17 +9,18 @@
 // Prints medians.
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "bench/options.h"
 #include "bench/rivals/cgal.h"
 #include "bench/stopwatch.h"
+#include "bench/tidy_heap.h"
 #include "delaunay/canonical_order.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
+#include "geom/median.h"
 #include "geom/random.h"
 #include "tests/gallery.h"
 
@@ -27,10 +28,10 @@ namespace cocoon {
 namespace {
 
 struct Arguments {
-  std::size_t points = 1000000;
-  std::size_t patch = 5000;
-  std::size_t repetitions = 7;
-  std::size_t cgal = 1;
+  std::size_t points;
+  std::size_t patch;
+  std::size_t repetitions;
+  std::size_t cgal;
 };
 
 // What was measured on one set, in seconds of processor time.
@@ -45,13 +46,6 @@ struct Times {
   DelaunayChange last;
   bool agrees = true;
 };
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
 
 std::vector<VertexId> live_vertices(const DynamicDelaunay& dynamic) {
   std::vector<VertexId> vertices;
@@ -109,6 +103,7 @@ void measure_patch(DynamicDelaunay& dynamic, const Point& center, const Argument
   const std::vector<Point> gone = points_of(dynamic, patch);
   if (with_cgal) all = points_of(dynamic, live_vertices(dynamic));
 
+  bench::tidy_heap();
   const bench::Stopwatch both;
   times.last = dynamic.replace(patch, others);
   times.replacement.push_back(both.elapsed().processor);
@@ -121,6 +116,7 @@ void measure_patch(DynamicDelaunay& dynamic, const Point& center, const Argument
   times.insertion.push_back(second.elapsed().processor);
 
   if (!with_cgal) return;
+  bench::tidy_heap();
   const rivals::TimedReplacement cgal = rivals::cgal_replace(all, gone, others);
   times.cgal_removal.push_back(cgal.removal.processor);
   times.cgal_insertion.push_back(cgal.insertion.processor);
@@ -167,18 +163,12 @@ bool run(const char* name, const std::vector<Point>& points, const Arguments& ar
 }
 
 int run_all(int argc, char** argv) {
-  Arguments arguments;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::size_t value = std::strtoull(argv[i + 1], nullptr, 10);
-    if (std::strcmp(argv[i], "--points") == 0) arguments.points = value;
-    if (std::strcmp(argv[i], "--patch") == 0) arguments.patch = value;
-    if (std::strcmp(argv[i], "--repetitions") == 0) arguments.repetitions = value;
-    if (std::strcmp(argv[i], "--cgal") == 0) arguments.cgal = value;
-  }
+  bench::Options options(argc, argv);
+  const Arguments arguments{options.number("--points", 1000000), options.number("--patch", 5000),
+                            options.number("--repetitions", 7), options.number("--cgal", 1)};
+  options.require_no_rest();
   if (arguments.points < 100 || arguments.patch < 2 || arguments.repetitions == 0) {
-    std::fprintf(stderr,
-                 "usage: dynamic_bench [--points N] [--patch K] [--repetitions R] [--cgal C]\n");
-    return 2;
+    options.fail("needs 100 points, patches of 2 and a repetition, or more");
   }
   std::printf("replace a patch of %zu points; processor time in ms, medians of %zu\n",
               arguments.patch, arguments.repetitions);

@@ -13,9 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <map>
 #include <numbers>
 #include <string>
 #include <tuple>
@@ -23,6 +20,8 @@
 #include <vector>
 
 #include "bench/log_plot.h"
+#include "bench/options.h"
+#include "bench/stage_times.h"
 #include "bench/stopwatch.h"
 #include "cocone/reconstruct.h"
 #include "geom/random.h"
@@ -34,11 +33,11 @@ namespace cocoon {
 namespace {
 
 struct Arguments {
-  std::size_t points = 1000000;
-  std::size_t cloud = 10000;
-  std::size_t repetitions = 3;
-  bool paper = true;
-  std::string svg;
+  std::size_t points;
+  std::size_t cloud;
+  std::size_t repetitions;
+  bool paper;
+  std::string svg;  // empty: none
 };
 
 // Distance of the surface from the origin in a direction.
@@ -70,26 +69,13 @@ std::vector<Point> scan(std::size_t n, std::size_t k, const Vec3& axis, std::uin
   return points;
 }
 
-// Processor time of the outermost steps.
-struct StepClock : Progress {
-  bool report(std::string_view stage, double fraction) override {
-    if (stage.find('/') != stage.npos) return true;
-    const double now = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    if (fraction <= 0) begin[std::string(stage)] = now;
-    if (fraction >= 1) seconds[std::string(stage)] = now - begin[std::string(stage)];
-    return true;
-  }
-  std::map<std::string, double> begin;
-  std::map<std::string, double> seconds;
-};
-
 struct Row {
   std::string name;
   std::size_t points = 0;
   std::size_t cloud = 0;
   double full = 0;  // ms
   double update = 0;
-  std::map<std::string, double> steps;  // seconds
+  bench::StageTimes steps;
   std::size_t local = 0;
   std::size_t updates = 0;
   bool ok = true;
@@ -109,29 +95,27 @@ Row measure(const std::vector<Point>& points,
   for (const std::vector<Point>& cloud : runs[0]) row.cloud += cloud.size();
   row.full = full_reconstruction(points);
   UpdateSession session(points);
-  std::vector<std::pair<double, std::map<std::string, double>>> times;
+  std::vector<std::pair<double, bench::StageTimes>> times;
   for (const std::vector<std::vector<Point>>& clouds : runs) {
-    StepClock clock;
+    bench::StageTimes clock;
     const std::size_t local = session.local_changes();
     const bench::Stopwatch stopwatch;
     const SessionUpdate update = session.apply(clouds, {1, &clock});
-    times.emplace_back(1e3 * stopwatch.elapsed().processor, clock.seconds);
+    times.emplace_back(1e3 * stopwatch.elapsed().processor, std::move(clock));
     row.ok = row.ok && update.result.status == UpdateStatus::ok;
     row.local += session.local_changes() - local;
     if (undo && times.size() < runs.size()) session.undo();
   }
   row.updates = runs.size();
-  std::sort(times.begin(), times.end());
+  std::sort(times.begin(), times.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
   std::tie(row.update, row.steps) = times[times.size() / 2];
   row.ok = row.ok && reconstruct_tight(session.snapshot().points).mesh == session.model();
   return row;
 }
 
 void print(const Row& row) {
-  const auto step = [&](const char* name) {
-    const auto found = row.steps.find(name);
-    return found == row.steps.end() ? 0 : 1e3 * found->second;
-  };
+  const auto step = [&](const char* name) { return 1e3 * row.steps.seconds(name); };
   std::printf("%-12s %8zu %8zu | %8.0f | %8.1f %7.2f %% | %7.1f %7.1f %7.1f %7.1f | %zu of %zu%s\n",
               row.name.c_str(), row.points, row.cloud, row.full, row.update,
               100 * row.update / row.full, step("boundary_detection"), step("overlapping_facets"),
@@ -166,20 +150,13 @@ void add(const Row& row, double x, bench::LogPlot& plot) {
 }
 
 int run_all(int argc, char** argv) {
-  Arguments arguments;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::size_t value = std::strtoull(argv[i + 1], nullptr, 10);
-    if (std::strcmp(argv[i], "--points") == 0) arguments.points = value;
-    if (std::strcmp(argv[i], "--cloud") == 0) arguments.cloud = value;
-    if (std::strcmp(argv[i], "--repetitions") == 0) arguments.repetitions = value;
-    if (std::strcmp(argv[i], "--paper") == 0) arguments.paper = value != 0;
-    if (std::strcmp(argv[i], "--svg") == 0) arguments.svg = argv[i + 1];
-  }
+  bench::Options options(argc, argv);
+  const Arguments arguments{options.number("--points", 1000000), options.number("--cloud", 10000),
+                            options.number("--repetitions", 3), options.number("--paper", 1) != 0,
+                            options.text("--svg", "")};
+  options.require_no_rest();
   if (arguments.points < 10000 || arguments.cloud < 500 || arguments.repetitions == 0) {
-    std::fprintf(stderr,
-                 "usage: live_bench [--points N] [--cloud K] [--repetitions R] [--paper 0] "
-                 "[--svg FILE]\n");
-    return 2;
+    options.fail("needs 10000 points, clouds of 500 and a repetition, or more");
   }
   std::printf("one thread, processor time in ms, medians of %zu\n", arguments.repetitions);
   std::printf("%-12s %8s %8s | %8s | %8s %9s | %7s %7s %7s %7s | local\n", "model", "points",

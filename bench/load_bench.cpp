@@ -3,9 +3,7 @@
 // is its own; it holds the input as well.
 //
 //   load_bench [LARGEST [THREADS]]     sizes 10^4, 10^5, ... up to LARGEST (10^6), and LARGEST
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -15,12 +13,12 @@
 #include <unistd.h>
 #include <vector>
 
+#include "bench/point_sets.h"
 #include "bench/stopwatch.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
 #include "geom/mesh_check.h"
 #include "io/mesh_file.h"
-#include "tests/gallery.h"
 #include "update/update_model.h"
 
 namespace cocoon::bench {
@@ -28,17 +26,11 @@ namespace {
 
 struct Shape {
   const char* name;
-  std::vector<Point> (*points)(std::size_t count);
+  const char* set;  // of point_sets.h
 };
 
-std::vector<Point> uniform_points(std::size_t count) { return gallery::uniform_cube(count); }
-std::vector<Point> scan_points(std::size_t count) { return gallery::bumpy_sphere(count); }
-std::vector<Point> grid_points(std::size_t count) {
-  return gallery::integer_grid(static_cast<int>(std::lround(std::cbrt(count))));
-}
-
 constexpr std::array<Shape, 3> shapes = {
-    {{"uniform", uniform_points}, {"scan", scan_points}, {"grid", grid_points}}};
+    {{"uniform", "uniform"}, {"scan", "bumpy_sphere"}, {"grid", "grid"}}};
 
 struct Measured {
   std::size_t points = 0;
@@ -94,7 +86,7 @@ Measured measure_update(const std::vector<Point>& points, int threads) {
   const TriangleMesh model = read_mesh(file);
   std::filesystem::remove(file);
   std::vector<Point> cap;
-  for (const Point& p : scan_points(points.size() + 1)) {
+  for (const Point& p : point_set("bumpy_sphere", points.size() + 1)) {
     const double height = unit(p).z - 0.9;
     if (height > 0) cap.push_back((1 + 4 * height * height) * p);
   }
@@ -124,7 +116,7 @@ bool measure(const Shape& shape, const Work& work, std::size_t count, int thread
   rusage usage = {};
   const int status = run_apart(
       [&] {
-        const Measured measured = work.measure(shape.points(count), threads);
+        const Measured measured = work.measure(point_set(shape.set, count), threads);
         return write(pipe_ends[1], &measured, sizeof measured) ==
                static_cast<ssize_t>(sizeof measured);
       },

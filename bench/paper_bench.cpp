@@ -21,12 +21,13 @@
 #include <string_view>
 #include <thread>
 #include <vector>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
+#include "bench/options.h"
+#include "bench/stage_times.h"
 #include "bench/stopwatch.h"
+#include "bench/tidy_heap.h"
 #include "cocone/reconstruct.h"
+#include "geom/median.h"
 #include "io/sample_models.h"
 #include "ref/cgal_update.h"
 #include "update/update_model.h"
@@ -38,28 +39,6 @@ constexpr std::array<const char*, 4> columns = {"boundary_detection", "overlappi
                                                 "segmentation_and_selection", "reconstruction"};
 using Columns = std::array<double, 4>;
 
-// Time between a stage's first and last report, for all stages.
-class StageTimes : public Progress {
- public:
-  explicit StageTimes(double bench::Elapsed::*time) : time_(time) {}
-  bool report(std::string_view stage, double fraction) override {
-    const double now = stopwatch_.elapsed().*time_;
-    if (fraction == 0) begin_[std::string(stage)] = now;
-    if (fraction == 1) seconds_[std::string(stage)] += now - begin_[std::string(stage)];
-    return true;
-  }
-  double seconds(const std::string& stage) const {
-    const auto found = seconds_.find(stage);
-    return found == seconds_.end() ? 0 : found->second;
-  }
-
- private:
-  bench::Stopwatch stopwatch_;
-  double bench::Elapsed::*time_;
-  std::map<std::string, double> begin_;
-  std::map<std::string, double> seconds_;
-};
-
 struct Ours {
   Columns seconds = {};
   double cloud_delaunay = 0;
@@ -69,7 +48,7 @@ struct Ours {
 
 Ours run_ours(const TriangleMesh& model, const std::vector<std::vector<Point>>& clouds,
               int threads) {
-  StageTimes clock(threads == 1 ? &bench::Elapsed::processor : &bench::Elapsed::wall);
+  bench::StageTimes clock(threads == 1 ? &bench::Elapsed::processor : &bench::Elapsed::wall);
   Ours ours;
   ours.result = update_model(model, clouds, {}, {.threads = threads, .progress = &clock});
   for (std::size_t c = 0; c < 4; ++c) ours.seconds[c] = clock.seconds(columns[c]);
@@ -94,11 +73,6 @@ std::map<std::string, Columns> papers_table() {
     }
   }
   return table;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 Columns medians(const std::vector<Columns>& runs) {
@@ -130,14 +104,6 @@ Columns beyond_delaunay(const Ours& ours) {
   const double updated = ours.model_delaunay;
   return {(ours.seconds[0] - clouds) / clouds, ours.seconds[1] / clouds, ours.seconds[2] / clouds,
           (ours.seconds[3] - updated) / updated};
-}
-
-// Neither program is to pay for tidying up what the other one has given back: CGAL's triangulations
-// are millions of small pieces.
-void tidy_heap() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
 }
 
 struct Arguments {
@@ -173,13 +139,13 @@ bool run_model(const std::string& name, const Arguments& arguments,
   Ours ours;
   ref::CgalUpdate cgal;
   for (std::size_t r = 0; r < arguments.repetitions; ++r) {
-    tidy_heap();
+    bench::tidy_heap();
     threaded_runs.push_back(run_ours(model, sample.clouds, 0).seconds);
-    tidy_heap();
+    bench::tidy_heap();
     ours = run_ours(model, sample.clouds, 1);
     our_runs.push_back(ours.seconds);
     shares.push_back(beyond_delaunay(ours));
-    tidy_heap();
+    bench::tidy_heap();
     cgal = ref::cgal_update(model, sample.clouds);
     cgal_runs.push_back(cgal.seconds);
   }
@@ -201,23 +167,22 @@ bool run_model(const std::string& name, const Arguments& arguments,
 }
 
 Arguments parse(int argc, char** argv) {
+  bench::Options options(argc, argv);
   Arguments arguments;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const auto value = [&] {
-      return static_cast<std::size_t>(i + 1 < argc ? std::atol(argv[++i]) : 0);
-    };
-    if (word == "--repetitions") {
-      arguments.repetitions = std::max<std::size_t>(1, value());
-    } else if (word == "--points") {
-      arguments.sample.points = value();
-    } else if (word == "--cloud-points") {
-      arguments.sample.cloud_points = value();
-    } else {
-      arguments.models.push_back(word);
+  arguments.repetitions = std::max<std::size_t>(1, options.number("--repetitions", 3));
+  const auto count = [&](const char* name) {
+    const std::string text = options.text(name, "");
+    return text.empty() ? std::nullopt : std::optional(options.as_number(text));
+  };
+  arguments.sample.points = count("--points");
+  arguments.sample.cloud_points = count("--cloud-points");
+  const std::vector<std::string> names = sample_model_names();
+  arguments.models = options.rest().empty() ? names : options.rest();
+  for (const std::string& name : arguments.models) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      options.fail("no model '" + name + "'");
     }
   }
-  if (arguments.models.empty()) arguments.models = sample_model_names();
   return arguments;
 }
 

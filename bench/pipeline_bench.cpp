@@ -8,11 +8,9 @@
 // (ref/cgal_cocone.h: labels and candidates only, no surface), CGAL's advancing front, on scans of
 // --rival_points; ours with all threads, too, and then by the clock. Repetitions in random
 // alternation; medians. Memory: peak of a process of its own.
-#include <algorithm>
 #include <benchmark/benchmark.h>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -22,9 +20,12 @@
 #include <utility>
 #include <vector>
 
+#include "bench/options.h"
+#include "bench/point_sets.h"
 #include "bench/rivals/cgal_surfaces.h"
 #include "bench/run_benchmarks.h"
 #include "bench/stopwatch.h"
+#include "bench/tidy_heap.h"
 #include "cocone/candidate_triangles.h"
 #include "cocone/extract_manifold.h"
 #include "cocone/mark_cells.h"
@@ -36,47 +37,21 @@
 #include "io/mesh_file.h"
 #include "io/point_file.h"
 #include "ref/cgal_cocone.h"
-#include "tests/gallery.h"
 
 namespace cocoon {
 namespace {
 
 struct Arguments {
-  std::size_t points = 1000000;
-  std::size_t rival_points = 100000;
-  int threads = 1;
-  std::string peak_of;  // internal: measure this set in a process of its own
+  std::size_t points;
+  std::size_t rival_points;
+  int threads;
+  std::string peak_of;  // internal: the peak of one stage on this set, in a process of its own
   std::string peak_stage;
 };
 
 std::vector<Point> make_set(const std::string& name, std::size_t count) {
-  if (name == "torus") return gallery::displaced_torus(count);
-  if (name == "bumpy_sphere") return gallery::bumpy_sphere(count);
-  return read_points(std::string(COCOON_TEST_DATA) + "/points/" + name + ".xyz").points;
-}
-
-// Takes our own arguments out of argv and leaves Google Benchmark's.
-Arguments parse_arguments(std::vector<char*>& argv) {
-  Arguments arguments;
-  std::vector<char*> rest{argv[0]};
-  for (std::size_t i = 1; i < argv.size(); ++i) {
-    const std::string name = argv[i];
-    const bool has_value = i + 1 < argv.size();
-    if (name == "--points" && has_value) {
-      arguments.points = std::strtoull(argv[++i], nullptr, 10);
-    } else if (name == "--rival_points" && has_value) {
-      arguments.rival_points = std::strtoull(argv[++i], nullptr, 10);
-    } else if (name == "--threads" && has_value) {
-      arguments.threads = std::atoi(argv[++i]);
-    } else if (name == "--peak" && i + 2 < argv.size()) {
-      arguments.peak_of = argv[++i];
-      arguments.peak_stage = argv[++i];
-    } else {
-      rest.push_back(argv[i]);
-    }
-  }
-  argv = rest;
-  return arguments;
+  if (name != "kitten") return bench::point_set(name, count);
+  return read_points(std::string(COCOON_TEST_DATA) + "/points/kitten.xyz").points;
 }
 
 // Medians over the repetitions of one benchmark, by what was timed.
@@ -90,11 +65,7 @@ class Times {
   bool has(const std::string& name) const { return seconds_.contains(name); }
   double median(const std::string& name,
                 double bench::Elapsed::*time = &bench::Elapsed::processor) const {
-    std::vector<double> sorted;
-    for (const bench::Elapsed& elapsed : seconds_.at(name)) sorted.push_back(elapsed.*time);
-    std::sort(sorted.begin(), sorted.end());
-    const std::size_t middle = sorted.size() / 2;
-    return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+    return bench::median(seconds_.at(name), time);
   }
 
  private:
@@ -239,9 +210,9 @@ int measure_peak(const Arguments& arguments) {
 
 double peak_of_child(const char* program, const Arguments& arguments, const std::string& set,
                      const char* stage) {
-  const std::string command = std::string(program) + " --points " +
-                              std::to_string(arguments.points) + " --threads " +
-                              std::to_string(arguments.threads) + " --peak " + set + " " + stage;
+  const std::string command =
+      std::string(program) + " --points " + std::to_string(arguments.points) + " --threads " +
+      std::to_string(arguments.threads) + " --peak_of " + set + " --peak_stage " + stage;
   FILE* pipe = popen(command.c_str(), "r");
   double megabytes = 0;
   if (pipe == nullptr || std::fscanf(pipe, "%lf", &megabytes) != 1 || pclose(pipe) != 0) {
@@ -272,6 +243,7 @@ void register_benchmark(const std::string& name, std::function<void(benchmark::S
 
 void register_stages(Case& input, const Execution& execution) {
   register_benchmark("stages/" + input.name, [&](benchmark::State& state) {
+    bench::tidy_heap();
     if (run_stages(input.points, execution, input.times).triangles.size() != input.triangles) {
       state.SkipWithError("wrong number of triangles");
     }
@@ -280,23 +252,29 @@ void register_stages(Case& input, const Execution& execution) {
 
 void register_rivals(Case& input, const Execution& execution) {
   register_benchmark("cocoon/" + input.name, [&](benchmark::State&) {
+    bench::tidy_heap();
     timed(input.times, "cocoon", [&] { return reconstruct_tight(input.points, {}, execution); });
   });
   register_benchmark("cocoon_all_threads/" + input.name, [&](benchmark::State&) {
+    bench::tidy_heap();
     timed(input.times, all_threads,
           [&] { return reconstruct_tight(input.points, {}, {.threads = 0}); });
   });
   register_benchmark("cgal_cocone/" + input.name, [&](benchmark::State&) {
+    bench::tidy_heap();
     timed(input.times, "cgal_cocone", [&] { return ref::cgal_cocone(input.points); });
   });
   register_benchmark("cgal_advancing_front/" + input.name, [&](benchmark::State&) {
+    bench::tidy_heap();
     input.times.add("cgal_advancing_front", rivals::cgal_advancing_front(input.points).elapsed);
   });
 }
 
 int run(int argc, char** argv) {
-  std::vector<char*> arguments(argv, argv + argc);
-  const Arguments own = parse_arguments(arguments);
+  bench::Options options(argc, argv);
+  const Arguments own{options.number("--points", 1000000), options.number("--rival_points", 100000),
+                      static_cast<int>(options.number("--threads", 1)),
+                      options.text("--peak_of", ""), options.text("--peak_stage", "")};
   if (!own.peak_of.empty()) return measure_peak(own);
   const Execution execution{.threads = own.threads};
   std::vector<Case> scans;
@@ -317,7 +295,7 @@ int run(int argc, char** argv) {
     register_stages(input, execution);
   }
   for (Case& input : small) register_rivals(input, execution);
-  if (!bench::run_benchmarks(arguments, 3)) return 2;
+  if (!bench::run_benchmarks(options, 3)) return 2;
   print_stages(scans);
   print_rivals(small);
   print_memory(argv[0], own);

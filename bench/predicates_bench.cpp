@@ -1,7 +1,6 @@
 // The exact predicates: what a call costs when the filter decides, and when integers must.
 #include <array>
 #include <benchmark/benchmark.h>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 

@@ -7,18 +7,19 @@
 // results, in one HTML file. Distances are in units of the mean spacing of the
 // samples.
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "bench/options.h"
 #include "bench/picture_sheet.h"
 #include "bench/quality_measures.h"
 #include "bench/quality_models.h"
 #include "bench/rivals/cgal_surfaces.h"
 #include "bench/stopwatch.h"
 #include "bench/thumbnail.h"
+#include "bench/tidy_heap.h"
 #include "cocone/reconstruct.h"
 #include "cocone/robust_cocone.h"
 #include "geom/box.h"
@@ -79,6 +80,7 @@ void measure(const QualityModel& model, PictureSheet* pictures) {
   const Box frame = box_of(model.truth.points.span());
   begin_row(pictures, model, frame);
   for (const Method& method : methods()) {
+    tidy_heap();
     const Stopwatch stopwatch;
     const TriangleMesh mesh = method.run(model.points);
     const double seconds = stopwatch.elapsed().processor;
@@ -96,8 +98,8 @@ void measure(const QualityModel& model, PictureSheet* pictures) {
 }
 
 struct Arguments {
-  std::size_t points = 5000;
-  std::string only;
+  std::size_t points;
+  std::string only;      // empty: all
   std::string pictures;  // empty: none
 };
 
@@ -107,9 +109,8 @@ std::string percent(double fraction) {
   return text;
 }
 
-// The shapes and real models that noise is added to.
-std::vector<QualityModel> noise_models(std::size_t count) {
-  std::vector<QualityModel> models = quality_models(count);
+// What noise is added to: the first two of the shapes, and real models.
+std::vector<QualityModel> noise_models(std::vector<QualityModel> models, std::size_t count) {
   models.resize(2);
   for (const char* name : {"elephant", "anchor_dense"}) {
     const std::string file = std::string(COCOON_TEST_DATA) + "/models/" + name + ".off";
@@ -126,12 +127,13 @@ void run(const Arguments& arguments) {
   PictureSheet* const pictures = arguments.pictures.empty() ? nullptr : &sheet;
   std::puts("\nShapes");
   print_header();
-  for (const QualityModel& model : quality_models(arguments.points)) {
+  const std::vector<QualityModel> shapes = quality_models(arguments.points);
+  for (const QualityModel& model : shapes) {
     if (wanted(model)) measure(model, pictures);
   }
   std::puts("\nNoise (deviation in units of the spacing) and outliers");
   print_header();
-  for (const QualityModel& model : noise_models(arguments.points)) {
+  for (const QualityModel& model : noise_models(shapes, arguments.points)) {
     for (const double noise : {0.0, 0.05, 0.1, 0.2, 0.5}) {
       QualityModel noisy = disturbed(model, noise, 0, 31);
       noisy.name += ", noise " + percent(noise);
@@ -148,14 +150,11 @@ void run(const Arguments& arguments) {
 }  // namespace cocoon::bench
 
 int main(int argc, char** argv) {
-  cocoon::bench::Arguments arguments;
+  cocoon::bench::Options options(argc, argv);
+  const cocoon::bench::Arguments arguments{
+      options.number("--points", 5000), options.text("--only", ""), options.text("--pictures", "")};
+  options.require_no_rest();
   try {
-    for (int i = 1; i + 1 < argc; i += 2) {
-      const std::string option = argv[i];
-      if (option == "--points") arguments.points = std::stoul(argv[i + 1]);
-      if (option == "--only") arguments.only = argv[i + 1];
-      if (option == "--pictures") arguments.pictures = argv[i + 1];
-    }
     cocoon::bench::run(arguments);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "quality_bench: %s\n", error.what());

@@ -3,6 +3,10 @@
 
 #include <chrono>
 #include <ctime>
+#include <utility>
+#include <vector>
+
+#include "geom/median.h"
 
 namespace cocoon::bench {
 
@@ -13,6 +17,13 @@ struct Elapsed {
   double wall = 0;  // seconds
   double processor = 0;
 };
+
+// The median of one of the two times; 0 of no runs.
+inline double median(const std::vector<Elapsed>& runs, double Elapsed::*time) {
+  std::vector<double> values;
+  for (const Elapsed& run : runs) values.push_back(run.*time);
+  return cocoon::median(std::move(values));
+}
 
 class Stopwatch {
  public:

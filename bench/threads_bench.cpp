@@ -11,53 +11,17 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "bench/options.h"
+#include "bench/point_sets.h"
 #include "bench/stopwatch.h"
 #include "delaunay/delaunay.h"
 #include "ref/cell_set.h"
-#include "tests/gallery.h"
 
 namespace cocoon {
 namespace {
-
-struct Arguments {
-  std::size_t points = 1000000;
-  std::vector<std::string> sets{"uniform", "torus", "bumpy_sphere"};
-  std::vector<std::string> threads{"1", "2", "4", "8", "16"};
-  int repetitions = 3;
-};
-
-std::vector<std::string> split(const std::string& list) {
-  std::vector<std::string> parts;
-  std::istringstream stream(list);
-  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
-  return parts;
-}
-
-Arguments parse_arguments(int argc, char** argv) {
-  Arguments arguments;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string name = argv[i];
-    const std::string value = argv[i + 1];
-    if (name == "--points") arguments.points = std::strtoull(value.c_str(), nullptr, 10);
-    if (name == "--sets") arguments.sets = split(value);
-    if (name == "--threads") arguments.threads = split(value);
-    if (name == "--repetitions") arguments.repetitions = std::max(1, std::atoi(value.c_str()));
-  }
-  return arguments;
-}
-
-// Empty for a name that does not exist.
-std::vector<Point> make_set(const std::string& name, std::size_t count) {
-  if (name == "uniform") return gallery::uniform_cube(count);
-  if (name == "torus") return gallery::displaced_torus(count);
-  if (name == "bumpy_sphere") return gallery::bumpy_sphere(count);
-  if (name == "sphere") return gallery::sphere(count);
-  return {};
-}
 
 // What was measured with one number of threads.
 struct Row {
@@ -94,20 +58,24 @@ void print(const std::string& set, std::size_t points, const std::vector<Row>& r
   }
 }
 
-int run(const Arguments& arguments) {
+int run(int argc, char** argv) {
+  bench::Options options(argc, argv);
+  const std::size_t size = options.number("--points", 1000000);
+  const std::vector<std::string> sets = options.list("--sets", "uniform,torus,bumpy_sphere");
+  const std::vector<std::string> numbers = options.list("--threads", "1,2,4,8,16");
+  const std::size_t repetitions = std::max<std::size_t>(1, options.number("--repetitions", 3));
+  options.require_no_rest();
   std::printf("%-13s %8s %7s | %15s | %16s | %15s | %6s %9s\n", "set", "points", "threads",
               "wall ns/pt  x", "processor  cost", "put off      %", "stolen", "cells + %");
-  for (const std::string& set : arguments.sets) {
-    const std::vector<Point> points = make_set(set, arguments.points);
-    if (points.size() < 4) {
-      std::fprintf(stderr, "threads_bench: no set '%s'\n", set.c_str());
-      return 2;
-    }
+  for (const std::string& set : sets) {
+    const std::vector<Point> points = bench::point_set(set, size);
+    if (points.size() < 4) options.fail("no set '" + set + "' of so many points");
     const std::uint64_t expected = ref::cell_set_hash(delaunay(points).triangulation);
     std::vector<Row> rows;
-    for (const std::string& threads : arguments.threads)
-      rows.emplace_back().threads = std::stoi(threads);
-    for (int repetition = 0; repetition < arguments.repetitions; ++repetition) {
+    for (const std::string& threads : numbers) {
+      rows.emplace_back().threads = static_cast<int>(options.as_number(threads));
+    }
+    for (std::size_t repetition = 0; repetition < repetitions; ++repetition) {
       for (Row& row : rows) measure(points, expected, row);
     }
     print(set, points.size(), rows);
@@ -118,4 +86,4 @@ int run(const Arguments& arguments) {
 }  // namespace
 }  // namespace cocoon
 
-int main(int argc, char** argv) { return cocoon::run(cocoon::parse_arguments(argc, argv)); }
+int main(int argc, char** argv) { return cocoon::run(argc, argv); }

@@ -5,7 +5,6 @@
 //   build/release/bench/update_scores_bench SEEDS [MODEL] [SIZE]   fewer seeds, one model, a share
 //                                                            of the paper's counts
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
