@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "cocone/edge_components.h"
+#include "geom/edge_components.h"
 #include "cocone/orient_surface.h"
 #include "geom/median.h"
 
@@ -194,7 +194,7 @@ BoundaryLoops boundary_loops(const TriangleMesh& open_surface, LinkedSides sides
   for (std::vector<BoundaryEdge>& edges : LoopWalk(part).run()) {
     BoundaryLoop loop;
     loop.component_triangles =
-        found.components[found.component_of[edges.front().triangle]].triangles;
+        found.components[found.component_of[edges.front().triangle.index()]].triangles;
     if (is_debris(loop.component_triangles)) {
       ++result.discarded_loops;
       continue;

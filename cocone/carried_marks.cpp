@@ -2,25 +2,36 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 
 #include "delaunay/circulate.h"
+#include "geom/edge_components.h"
+#include "geom/parallel_reduce.h"
 #include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {
 
+constexpr std::size_t elements_per_chunk = std::size_t{1} << 15;
 constexpr std::size_t ahead = 16;  // cells lie here and there in memory: fetch those that come soon
 
 class Carrying {
  public:
   Carrying(const Triangulation& triangulation, const LinkedFacets& surface,
-           const IdVector<VertexId, SideId>& corner_at, CellMarks& marks)
-      : triangulation_(triangulation), surface_(surface), corner_at_(corner_at), marks_(marks) {}
+           const IdVector<VertexId, SideId>& corner_at, CellMarks& marks,
+           const Execution& execution)
+      : triangulation_(triangulation),
+        surface_(surface),
+        corner_at_(corner_at),
+        marks_(marks),
+        execution_(execution) {}
 
   CarriedMarks run() {
     for (const CellId c : triangulation_.infinite_cells()) marks_.labels[c] = CellLabel::out;
-    if (visit_surface()) {
+    find_sheets();
+    if (see_from_hull()) {
+      visit_sheets();
       label_sides();
       result_.carried = label_others();
     }
@@ -28,20 +39,67 @@ class Carrying {
   }
 
  private:
-  // Goes over the surface from the hull, by good vertices. Of each triangle at one it learns on
-  // which side OUT is: 0, in the cell that numbers the facet, 1, in the one behind.
-  bool visit_surface() {
-    out_side_.assign(surface_.size(), CarriedMarks::unknown);
+  // The parts of the surface that hang together around good vertices: all triangles at one are in
+  // the same, since every edge there has two.
+  void find_sheets() {
+    sheets_ = edge_components(
+        surface_.links, execution_,
+        [&](SideId side) {
+          const auto [a, b] = surface_.ends(side);
+          return (marks_.good[a] | marks_.good[b]) != 0;
+        },
+        [&](SideId side, SideId across) {
+          return surface_.ends(side)[0] == surface_.ends(across)[0];
+        });
+  }
+
+  // Of each such part that the hull sees at a good vertex, on which side of its first triangle OUT
+  // is. False if one has no two sides.
+  bool see_from_hull() {
+    outside_.assign(sheets_.components.size(), CarriedMarks::unknown);
     for (const CellId c : triangulation_.infinite_cells()) {
       for (unsigned i = 0; i < 3; ++i) {
         const VertexId v = triangulation_.cell(c).vertices[i];
-        if (marks_.good[v] == 0 || marks_.visited[v] != 0) continue;
+        if (marks_.good[v] == 0 || outside_[sheet_at(v)] != CarriedMarks::unknown) continue;
+        const std::uint32_t sheet = sheet_at(v);
+        if (sheets_.components[sheet].is_contradictory) return false;
         const FacetId seen = surface_seen_from(c, v);
         const std::uint32_t t = triangle_of_facet(seen, v);
-        if (!visit_from(t, seen == surface_.facets[t] ? 0 : 1)) return false;
+        const auto side = static_cast<std::uint8_t>(seen == surface_.facets[t] ? 0 : 1);
+        outside_[sheet] = side ^ sheets_.turned[t];
       }
     }
     return true;
+  }
+
+  std::uint32_t sheet_at(VertexId good) const {
+    return sheets_.component_of[triangle_of_side(corner_at_[good])];
+  }
+
+  // Carries it to all triangles and good vertices of those parts.
+  void visit_sheets() {
+    out_side_.resize(surface_.size());
+    parallel_chunks(execution_, surface_.size(), elements_per_chunk,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t t = begin; t < end; ++t) {
+                        const std::uint8_t side = outside_[sheets_.component_of[t]];
+                        out_side_[t] = side == CarriedMarks::unknown
+                                           ? side
+                                           : static_cast<std::uint8_t>(side ^ sheets_.turned[t]);
+                      }
+                    });
+    marks_.visited_vertices = parallel_reduce(
+        execution_, triangulation_.num_vertices(), std::size_t{0},
+        [&](std::size_t begin, std::size_t end) {
+          std::size_t visited = 0;
+          for (VertexId v(begin); v.index() < end; ++v) {
+            if (marks_.good[v] == 0) continue;
+            marks_.visited[v] = outside_[sheet_at(v)] != CarriedMarks::unknown ? 1 : 0;
+            visited += marks_.visited[v];
+          }
+          return visited;
+        },
+        std::plus<>());
   }
 
   // The first facet of the surface at v met from the infinite cell c, seen from that side.
@@ -67,37 +125,6 @@ class Carrying {
       if (surface_.facets[t] == f || surface_.mirrors[t] == f) found = t;
     });
     return found;
-  }
-
-  bool visit_from(std::uint32_t first, std::uint8_t out_side) {
-    stack_.assign(1, first);
-    out_side_[first] = out_side;
-    while (!stack_.empty()) {
-      const std::uint32_t t = stack_.back();
-      stack_.pop_back();
-      const Triangle& corners = surface_.corners[t];
-      for (std::size_t i = 0; i < 3; ++i) {
-        const VertexId a = corners[next_corner(i)];
-        if ((marks_.good[a] | marks_.good[corners[previous_corner(i)]]) == 0) continue;
-        // Around a good vertex every edge has two triangles.
-        const SideId across = surface_.links[3 * t + i];
-        const bool turned = surface_.ends(across)[0] == a;
-        const auto expected = static_cast<std::uint8_t>(out_side_[t] ^ (turned ? 1U : 0U));
-        std::uint8_t& found = out_side_[triangle_of_side(across)];
-        if (found == CarriedMarks::unknown) {
-          found = expected;
-          stack_.push_back(triangle_of_side(across));
-        } else if (found != expected) {
-          return false;
-        }
-      }
-      for (const VertexId v : corners) {
-        const auto visited = static_cast<std::uint8_t>(marks_.visited[v] | marks_.good[v]);
-        marks_.visited_vertices += visited ^ marks_.visited[v];
-        marks_.visited[v] = visited;
-      }
-    }
-    return true;
   }
 
   // Every triangle whose sides are known has a visited corner: it was reached from one.
@@ -209,16 +236,19 @@ class Carrying {
   const LinkedFacets& surface_;
   const IdVector<VertexId, SideId>& corner_at_;
   CellMarks& marks_;
+  const Execution& execution_;
+  EdgeComponents sheets_;
+  std::vector<std::uint8_t> outside_;  // per sheet: as out_side_ of its first triangle
   CarriedMarks result_;
   std::vector<std::uint8_t>& out_side_ = result_.out_side;
-  std::vector<std::uint32_t> stack_;
 };
 
 }  // namespace
 
 CarriedMarks carry_marks(const Triangulation& triangulation, const LinkedFacets& surface,
-                         const IdVector<VertexId, SideId>& corner_at, CellMarks& marks) {
-  CarriedMarks carried = Carrying(triangulation, surface, corner_at, marks).run();
+                         const IdVector<VertexId, SideId>& corner_at, CellMarks& marks,
+                         const Execution& execution) {
+  CarriedMarks carried = Carrying(triangulation, surface, corner_at, marks, execution).run();
   make_set(carried.disputed);
   return carried;
 }

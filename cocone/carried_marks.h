@@ -28,9 +28,11 @@ struct CarriedMarks {
 // told: all cells of the others' stars have the label that the side carried to the vertex gives
 // them. Fills in labels and visited vertices. `corner_at`: as in GoodVertices. Precondition: labels
 // are unmarked, nobody is visited; good vertices are known. Complexity: O(cells), in the order of
-// memory. Source: spec 6.2 and section 12; the pass is ours.
+// memory; what concerns the surface alone is parallel. Source: spec 6.2 and section 12; the pass is
+// ours.
 CarriedMarks carry_marks(const Triangulation& triangulation, const LinkedFacets& surface,
-                         const IdVector<VertexId, SideId>& corner_at, CellMarks& marks);
+                         const IdVector<VertexId, SideId>& corner_at, CellMarks& marks,
+                         const Execution& execution = {});
 
 // Calls visit(t) for each triangle of the surface around a good vertex once, in rotation, beginning
 // with that of `corner`, a side opposite to the vertex. Complexity: O(triangles there).

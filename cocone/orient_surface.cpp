@@ -29,11 +29,11 @@ std::vector<std::uint8_t> choose_ways(const TriangleMesh& mesh, const EdgeCompon
   if (!has_tie) return ways;
   std::vector<TriangleId> smallest(components.size());
   for (const TriangleId t : mesh.triangles.ids()) {
-    const std::uint32_t k = found.component_of[t];
+    const std::uint32_t k = found.component_of[t.index()];
     if (2 * components[k].turned != components[k].triangles) continue;
     if (smallest[k].is_none() || sorted_points(mesh, t) < sorted_points(mesh, smallest[k])) {
       smallest[k] = t;
-      ways[k] = found.turned[t];
+      ways[k] = found.turned[t.index()];
     }
   }
   return ways;
@@ -56,8 +56,8 @@ OrientationReport orient_surface(TriangleMesh& mesh, const EdgeComponents& found
   if (!any_turned) return report;
   const std::vector<std::uint8_t> ways = choose_ways(mesh, found);
   for (const TriangleId t : mesh.triangles.ids()) {
-    const std::uint32_t k = found.component_of[t];
-    if (found.components[k].is_contradictory || found.turned[t] == ways[k]) continue;
+    const std::uint32_t k = found.component_of[t.index()];
+    if (found.components[k].is_contradictory || found.turned[t.index()] == ways[k]) continue;
     std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
     ++report.flipped;
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geom/disjoint_sets.h"
+#include "geom/edge_components.h"
 #include "geom/linked_mesh.h"
 #include "geom/orient3d.h"
 
@@ -152,43 +153,20 @@ class Checker {
     return {std::min(a, b), std::max(a, b)};
   }
 
-  static constexpr std::uint32_t none = 0xFFFFFFFFU;
-
   void find_patches() {
-    patch_.assign(mesh_.triangles.size(), none);
-    turned_.assign(mesh_.triangles.size(), 0);
-    std::vector<std::uint32_t> stack;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (patch_[t] != none) continue;
-      Patch patch{.first_triangle = mesh_.triangle_of[t]};
-      patch_[t] = static_cast<std::uint32_t>(patches_.size());
-      stack.push_back(t);
-      while (!stack.empty()) {
-        const std::uint32_t next = stack.back();
-        stack.pop_back();
-        ++patch.triangles;
-        patch.first_triangle = std::min(patch.first_triangle, mesh_.triangle_of[next]);
-        for (SideId side = 3 * next; side < 3 * next + 3; ++side) {
-          if (mesh_.is_two_sided(side) && !spread_patch(side, stack)) patch.orientable = false;
-        }
-      }
-      patches_.push_back(patch);
+    EdgeComponents found = edge_components(
+        mesh_.links, execution_, [](SideId) { return true; },
+        [&](SideId side, SideId across) { return mesh_.from(side) == mesh_.from(across); });
+    patch_ = std::move(found.component_of);
+    for (const EdgeComponent& component : found.components) {
+      patches_.push_back({.first_triangle = TriangleId(),
+                          .triangles = component.triangles,
+                          .orientable = !component.is_contradictory});
     }
-  }
-
-  // Over an edge with two triangles: one orientation follows from the other. False if it
-  // contradicts what is known.
-  bool spread_patch(SideId side, std::vector<std::uint32_t>& stack) {
-    const SideId across = mesh_.links[side];
-    const std::uint32_t here = triangle_of_side(side);
-    const std::uint32_t there = triangle_of_side(across);
-    const bool conflict = mesh_.from(side) == mesh_.from(across);
-    const auto turned = static_cast<char>(turned_[here] ^ (conflict ? 1 : 0));
-    if (patch_[there] != none) return turned_[there] == turned;
-    patch_[there] = patch_[here];
-    turned_[there] = turned;
-    stack.push_back(there);
-    return true;
+    for (std::size_t t = 0; t < patch_.size(); ++t) {
+      TriangleId& first = patches_[patch_[t]].first_triangle;
+      first = std::min(first, mesh_.triangle_of[t]);
+    }
   }
 
   // Edges with two triangles that run through it in opposite directions, and are not one triangle
@@ -443,7 +421,6 @@ class Checker {
   const Execution& execution_;
   MeshReport report_;
   std::vector<std::uint32_t> patch_;  // per triangle
-  std::vector<char> turned_;          // per triangle: against the first one of its patch
   std::vector<Patch> patches_;
   std::vector<std::uint32_t> component_of_patch_;
   std::vector<Patch> components_;

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/edge_components.h"
+#include "geom/edge_components.h"
 #include "cocone/orient_surface.h"
 #include "geom/median.h"
 

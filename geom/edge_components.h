@@ -1,0 +1,132 @@
+// The parts of a surface that hang together by edges, and how their triangles are turned.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geom/execution.h"
+#include "geom/linked_sides.h"
+#include "geom/side_links.h"
+#include "geom/triangle_mesh.h"
+#include "geom/turned_sets.h"
+
+namespace cocoon {
+
+struct EdgeComponent {
+  std::size_t triangles = 0;
+  std::size_t turned = 0;         // of them, see below
+  bool is_contradictory = false;  // no way to turn them that agrees everywhere: one-sided
+};
+
+struct EdgeComponents {
+  std::vector<EdgeComponent> components;    // in the order of their first triangles
+  std::vector<std::uint32_t> component_of;  // per triangle
+  // Per triangle: 1 if it runs against the first one of its component. Without meaning where that
+  // is contradictory.
+  std::vector<std::uint8_t> turned;
+};
+
+// Triangles are connected across edges with exactly two of them, and agree if they run through
+// these in opposite directions. Complexity: O(triangles), parallel.
+EdgeComponents edge_components(const TriangleMesh& mesh, const LinkedSides& sides,
+                               const Execution& execution = {});
+
+namespace edge_components_detail {
+
+constexpr std::size_t triangles_per_chunk = std::size_t{1} << 15;
+
+// Two triangles that hang together, turned against each other or not.
+struct Join {
+  std::uint32_t triangle;
+  std::uint32_t other;
+  std::uint32_t turned;
+};
+
+// What is known of some consecutive triangles without the others.
+struct Chunk {
+  std::vector<std::uint32_t> seeds;         // triangles without an earlier neighbor; increasing
+  std::vector<Join> to_earlier;             // to triangles of chunks before
+  std::vector<std::uint32_t> contradicted;  // seeds of what has no two sides
+};
+
+// Triangles take over the seed of their first earlier neighbor; where other neighbors have other
+// seeds, these are joined.
+class Seeds {
+ public:
+  explicit Seeds(std::size_t num_triangles);
+
+  // Joins the triangles begin .. end with those before them in this range, and notes what hangs
+  // together with earlier ones. Which of two sides comes first cannot be foreseen, so the second
+  // ones are listed without a branch on it.
+  template <class Connects, class IsTurned>
+  void sow(std::span<const SideId> links, std::size_t begin, std::size_t end, Connects connects,
+           IsTurned is_turned) {
+    Chunk& chunk = chunks_[begin / triangles_per_chunk];
+    constexpr std::size_t triangles_per_block = 64;
+    std::array<SideId, 3 * triangles_per_block> sides;
+    for (std::size_t first = begin; first < end; first += triangles_per_block) {
+      const std::size_t last = std::min(first + triangles_per_block, end);
+      std::size_t count = 0;
+      for (auto side = static_cast<SideId>(3 * first); side < 3 * last; ++side) {
+        sides[count] = side;
+        count += links[side] < side ? 1U : 0U;
+      }
+      for (std::size_t k = 0; k < count; ++k) {
+        const SideId side = sides[k];
+        const SideId across = links[side];
+        if (links[across] != side || !connects(side)) continue;
+        const Join join{triangle_of_side(side), triangle_of_side(across),
+                        is_turned(side, across) ? 1U : 0U};
+        if (join.other < begin) {
+          chunk.to_earlier.push_back(join);
+        } else {
+          take_over(join, chunk);
+        }
+      }
+      list_seeds(first, last, chunk);
+    }
+  }
+
+  EdgeComponents number(const Execution& execution);
+
+ private:
+  static constexpr std::uint32_t word_of_seed(std::uint32_t t) { return t << 1; }
+
+  void take_over(const Join& join, Chunk& chunk) {
+    const std::uint32_t told = words_[join.other] ^ join.turned;
+    const std::uint32_t word = words_[join.triangle];
+    const bool is_first = word == word_of_seed(join.triangle) && join.other != join.triangle;
+    words_[join.triangle] = is_first ? told : word;
+    if (words_[join.triangle] != told) this->join(word, told, chunk);
+  }
+
+  void join(std::uint32_t word, std::uint32_t other, Chunk& chunk);
+  void list_seeds(std::size_t begin, std::size_t end, Chunk& chunk);
+
+  TurnedSets sets_;                   // of seeds
+  std::vector<std::uint32_t> words_;  // per triangle: 2 * seed, + 1 if it is turned against it
+  std::vector<Chunk> chunks_;
+};
+
+}  // namespace edge_components_detail
+
+// The same for any triangles whose sides are linked as side_links() does: of two sides alone on an
+// edge, connects(side) tells whether their triangles are connected, and is_turned(side, across)
+// whether they disagree; both the same from both sides, and called by several threads. Fast where
+// neighbors have near numbers. Precondition: fewer than 2^31 triangles.
+template <class Connects, class IsTurned>
+EdgeComponents edge_components(std::span<const SideId> links, const Execution& execution,
+                               Connects connects, IsTurned is_turned) {
+  edge_components_detail::Seeds seeds(links.size() / 3);
+  parallel_chunks(execution, links.size() / 3, edge_components_detail::triangles_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    seeds.sow(links, begin, end, connects, is_turned);
+                  });
+  return seeds.number(execution);
+}
+
+}  // namespace cocoon
