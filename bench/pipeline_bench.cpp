@@ -109,7 +109,7 @@ TriangleMesh run_stages(Points points, const Execution& execution, Times& times)
     return peel_cells(t, surface.triangles.set, std::move(marks), {}, execution);
   });
   timed(times, "clean_up", [&] { return clean_up_cells(t, poles, marks, {}, execution); });
-  SurfaceMesh mesh = timed(times, "mesh", [&] { return surface_between(t, marks); });
+  SurfaceMesh mesh = timed(times, "mesh", [&] { return surface_between(t, marks, execution); });
   timed(times, "check", [&] { return mesh_check(mesh.mesh); });
   const auto file = std::filesystem::temp_directory_path() / "cocoon_pipeline_bench.ply";
   timed(times, "write", [&] {

@@ -1,7 +1,11 @@
 #include "cocone/linked_facets.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
+
+#include "geom/parallel_list.h"
+#include "geom/sort_by_vertex.h"
 
 namespace cocoon {
 namespace {
@@ -47,65 +51,38 @@ struct FoundFacet {
   VertexId smallest;
 };
 
-// The facets of the set, chunk by chunk of the cells.
-std::vector<std::vector<FoundFacet>> list_facets(const Triangulation& triangulation,
-                                                 const FacetSet& facets,
-                                                 const Execution& execution) {
+std::vector<FoundFacet> list_facets(const Triangulation& triangulation, const FacetSet& facets,
+                                    const Execution& execution) {
   constexpr std::size_t cells_per_chunk = 8192;
-  const std::size_t num_cells = triangulation.num_cells();
-  std::vector<std::vector<FoundFacet>> parts((num_cells + cells_per_chunk - 1) / cells_per_chunk);
-  parallel_chunks(execution, num_cells, cells_per_chunk, [&](std::size_t begin, std::size_t end) {
-    std::vector<FoundFacet>& part = parts[begin / cells_per_chunk];
-    facets.for_each(triangulation, begin, end, [&](FacetId f) {
-      part.push_back({f, smallest(triangulation.facet_vertices(f))});
-    });
-  });
-  return parts;
-}
-
-// Puts those found whose smallest vertex is one of begin .. end - 1 in their places, by a counting
-// sort.
-void place_range(const Triangulation& triangulation,
-                 const std::vector<std::vector<FoundFacet>>& parts, std::size_t begin,
-                 std::size_t end, LinkedFacets& triangles) {
-  std::vector<std::uint32_t> places(end - begin + 1, 0);
-  // Vertices below the range wrap around to beyond its end.
-  const auto is_here = [&](VertexId v) { return v.index() - begin < end - begin; };
-  for (const std::vector<FoundFacet>& part : parts) {
-    for (const FoundFacet& found : part) {
-      if (is_here(found.smallest)) ++places[found.smallest.index() - begin + 1];
-      if (found.smallest.index() < begin) ++places[0];
-    }
-  }
-  for (std::size_t v = 1; v < places.size(); ++v) places[v] += places[v - 1];
-  for (const std::vector<FoundFacet>& part : parts) {
-    for (const auto& [facet, lowest] : part) {
-      if (!is_here(lowest)) continue;
-      const std::uint32_t t = places[lowest.index() - begin]++;
-      triangles.facets[t] = facet;
-      triangles.mirrors[t] = triangulation.mirror(facet);
-      triangles.corners[t] = triangulation.facet_vertices(facet);
-    }
-  }
+  return parallel_list<FoundFacet>(
+      execution, triangulation.num_cells(), cells_per_chunk,
+      [&](std::size_t begin, std::size_t end, std::vector<FoundFacet>& found) {
+        facets.for_each(triangulation, begin, end, [&](FacetId f) {
+          found.push_back({f, smallest(triangulation.facet_vertices(f))});
+        });
+      });
 }
 
 // Facets, mirrors and corners.
 LinkedFacets by_smallest_vertex(const Triangulation& triangulation, const FacetSet& facets,
                                 const Execution& execution) {
-  const std::vector<std::vector<FoundFacet>> parts = list_facets(triangulation, facets, execution);
-  std::size_t count = 0;
-  for (const std::vector<FoundFacet>& part : parts) count += part.size();
+  const std::vector<FoundFacet> found = list_facets(triangulation, facets, execution);
   LinkedFacets triangles;
-  triangles.facets.resize(count);
-  triangles.mirrors.resize(count);
-  triangles.corners.resize(count);
-  // Every range reads all that was found, so there are no more ranges than threads.
-  const std::size_t num_vertices = triangulation.num_vertices();
-  const auto ranges = static_cast<std::size_t>(thread_count(execution));
-  parallel_chunks(execution, num_vertices, (num_vertices + ranges - 1) / ranges,
-                  [&](std::size_t begin, std::size_t end) {
-                    place_range(triangulation, parts, begin, end, triangles);
-                  });
+  const auto allocate = [&](std::size_t count) {
+    triangles.facets.resize(count);
+    triangles.mirrors.resize(count);
+    triangles.corners.resize(count);
+  };
+  const auto for_each_found = [&](std::size_t begin, std::size_t end, auto put) {
+    for (const auto& [facet, lowest] : std::span(found).subspan(begin, end - begin)) {
+      put(lowest, [&](std::uint32_t t) {
+        triangles.facets[t] = facet;
+        triangles.mirrors[t] = triangulation.mirror(facet);
+        triangles.corners[t] = triangulation.facet_vertices(facet);
+      });
+    }
+  };
+  sort_by_vertex(found.size(), triangulation.num_vertices(), execution, allocate, for_each_found);
   return triangles;
 }
 
@@ -180,19 +157,16 @@ LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
 
 std::vector<SideId> steep_edges(const LinkedFacets& triangles, double largest_cosine,
                                 const Execution& execution) {
-  std::vector<std::vector<SideId>> found(triangles.size() / triangles_per_chunk + 1);
-  parallel_chunks(execution, triangles.size(), triangles_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for_each_edge(triangles, begin, end, [&](SideId side) {
-                      const bool flat =
-                          triangles.is_two_sided(side) &&
-                          dihedral_cosine(triangles, side, triangles.links[side]) <= largest_cosine;
-                      if (!flat) found[begin / triangles_per_chunk].push_back(side);
-                    });
-                  });
-  std::vector<SideId> all;
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  return all;
+  return parallel_list<SideId>(execution, triangles.size(), triangles_per_chunk,
+                               [&](std::size_t begin, std::size_t end, std::vector<SideId>& found) {
+                                 for_each_edge(triangles, begin, end, [&](SideId side) {
+                                   const bool flat =
+                                       triangles.is_two_sided(side) &&
+                                       dihedral_cosine(triangles, side, triangles.links[side]) <=
+                                           largest_cosine;
+                                   if (!flat) found.push_back(side);
+                                 });
+                               });
 }
 
 }  // namespace cocoon

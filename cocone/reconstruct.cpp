@@ -138,7 +138,7 @@ class Reconstruction {
       if (options_.keep_cavities) {
         counters.cavities = open_cavities(triangulation_, surface, marks);
       }
-      deliver(surface_between(triangulation_, marks));
+      deliver(surface_between(triangulation_, marks, nested));
       counters.good_vertices = marks.good_vertices;
       counters.demoted_vertices = marks.demoted_vertices;
       counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;
@@ -151,10 +151,10 @@ class Reconstruction {
   }
 
   void deliver_open_surface() {
-    run_stage(execution_, "cocone", [&](const Execution&) {
-      deliver(surface_of(triangulation_, surface_.halves));
+    run_stage(execution_, "cocone", [&](const Execution& nested) {
+      deliver(surface_of(triangulation_, surface_.halves, nested));
       result_.counters.non_orientable_components = orient_surface(result_.mesh).non_orientable;
-      canonicalize_triangles(result_.mesh);
+      canonicalize_triangles(result_.mesh, nested);
     });
   }
 

@@ -4,41 +4,64 @@
 #include <array>
 #include <utility>
 
+#include "cocone/shared_flags.h"
+#include "geom/parallel_list.h"
+
 namespace cocoon {
 namespace {
 
-// Numbers the used vertices by their first input points.
-IdVector<VertexId, VertexId> number_vertices(const Triangulation& triangulation,
-                                             const VertexSet& used, SurfaceMesh& surface) {
-  const auto count = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
-  surface.mesh.points.reserve(count);
-  surface.point_of_vertex.reserve(count);
-  surface.triangulation_vertex.reserve(count);
-  IdVector<VertexId, VertexId> number(triangulation.num_vertices());
+constexpr std::size_t elements_per_chunk = std::size_t{1} << 14;
+
+// The first input point of each used vertex, increasing.
+std::vector<PointId> used_points(const Triangulation& triangulation,
+                                 const std::vector<Triangle>& triangles,
+                                 const Execution& execution) {
+  SharedFlags used(triangulation.num_vertices());
+  parallel_chunks(execution, triangles.size(), elements_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t t = begin; t < end; ++t) {
+                      for (const VertexId v : triangles[t]) used.raise(v);
+                    }
+                  });
   const IdVector<PointId, VertexId>& vertex_of_point = triangulation.vertex_of_point();
-  for (const PointId p : vertex_of_point.ids()) {
-    const VertexId v = vertex_of_point[p];
-    if (used[v] == 0 || !number[v].is_none()) continue;
-    number[v] = surface.mesh.points.push_back(triangulation.point(v));
-    surface.point_of_vertex.push_back(p);
-    surface.triangulation_vertex.push_back(v);
-  }
-  return number;
+  return parallel_list<PointId>(
+      execution, vertex_of_point.size(), elements_per_chunk,
+      [&](std::size_t begin, std::size_t end, std::vector<PointId>& found) {
+        for (PointId p(begin); p.index() < end; ++p) {
+          const VertexId v = vertex_of_point[p];
+          if (used.is_raised(v) && triangulation.point_of_vertex(v) == p) found.push_back(p);
+        }
+      });
 }
 
 // From triangles with the vertices of the triangulation, counterclockwise seen from outside.
-SurfaceMesh mesh_of(const Triangulation& triangulation, std::vector<Triangle> triangles) {
-  VertexSet used(triangulation.num_vertices(), 0);
-  for (const Triangle& triangle : triangles) {
-    for (const VertexId v : triangle) used[v] = 1;
-  }
+SurfaceMesh mesh_of(const Triangulation& triangulation, std::vector<Triangle> triangles,
+                    const Execution& execution) {
   SurfaceMesh surface;
-  const IdVector<VertexId, VertexId> number = number_vertices(triangulation, used, surface);
-  for (Triangle& triangle : triangles) {
-    for (VertexId& v : triangle) v = number[v];
-  }
+  surface.point_of_vertex =
+      IdVector<VertexId, PointId>(used_points(triangulation, triangles, execution));
+  const std::size_t num_vertices = surface.point_of_vertex.size();
+  surface.mesh.points.resize(num_vertices);
+  surface.triangulation_vertex.resize(num_vertices);
+  IdVector<VertexId, VertexId> number(triangulation.num_vertices());
+  parallel_chunks(execution, num_vertices, elements_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (VertexId to(begin); to.index() < end; ++to) {
+                      const PointId p = surface.point_of_vertex[to];
+                      const VertexId v = triangulation.vertex_of_point()[p];
+                      surface.mesh.points[to] = triangulation.point(v);
+                      surface.triangulation_vertex[to] = v;
+                      number[v] = to;
+                    }
+                  });
+  parallel_chunks(execution, triangles.size(), elements_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t t = begin; t < end; ++t) {
+                      for (VertexId& v : triangles[t]) v = number[v];
+                    }
+                  });
   surface.mesh.triangles = IdVector<TriangleId, Triangle>(std::move(triangles));
-  canonicalize_triangles(surface.mesh);
+  canonicalize_triangles(surface.mesh, execution);
   return surface;
 }
 
@@ -72,20 +95,25 @@ void list_outer_facets(const Triangulation& triangulation,
 
 }  // namespace
 
-SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const FacetId> halves) {
+SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const FacetId> halves,
+                       const Execution& execution) {
   std::vector<Triangle> triangles;
   triangles.reserve(halves.size());
   for (const FacetId f : halves) {
     const auto [a, b, c] = triangulation.facet_vertices(f);
     triangles.push_back({a, c, b});
   }
-  return mesh_of(triangulation, std::move(triangles));
+  return mesh_of(triangulation, std::move(triangles), execution);
 }
 
-SurfaceMesh surface_between(const Triangulation& triangulation, const CellMarks& marks) {
-  std::vector<Triangle> triangles;
-  list_outer_facets(triangulation, marks.reached, 0, triangulation.num_finite_cells(), triangles);
-  return mesh_of(triangulation, std::move(triangles));
+SurfaceMesh surface_between(const Triangulation& triangulation, const CellMarks& marks,
+                            const Execution& execution) {
+  std::vector<Triangle> triangles = parallel_list<Triangle>(
+      execution, triangulation.num_finite_cells(), elements_per_chunk,
+      [&](std::size_t begin, std::size_t end, std::vector<Triangle>& found) {
+        list_outer_facets(triangulation, marks.reached, begin, end, found);
+      });
+  return mesh_of(triangulation, std::move(triangles), execution);
 }
 
 }  // namespace cocoon

@@ -22,14 +22,17 @@ struct SurfaceMesh {
 };
 
 // The mesh of the facets seen from `halves` (extract_manifold.h): the normals of its triangles
-// point into cell_of(half). Complexity: O(points + triangles). Deterministic: a
+// point into cell_of(half). Complexity: O(points + triangles), parallel. Deterministic: a
 // function of the set of facets.
-SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const FacetId> halves);
+SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const FacetId> halves,
+                       const Execution& execution = {});
 
 // The boundary of the body: all facets between a cell reached by the peel and one not reached, with
 // normals away from the body. Every directed edge is balanced: as many triangles run through an
 // edge in one direction as in the other. Empty if everything was peeled. Precondition: marks come
-// from peel_cells. Complexity: O(cells) and as above. Source: Dey & Goswami 2003; spec 6.4.
-SurfaceMesh surface_between(const Triangulation& triangulation, const CellMarks& marks);
+// from peel_cells. Complexity: O(cells) and as above, parallel. Source: Dey & Goswami 2003;
+// spec 6.4.
+SurfaceMesh surface_between(const Triangulation& triangulation, const CellMarks& marks,
+                            const Execution& execution = {});
 
 }  // namespace cocoon

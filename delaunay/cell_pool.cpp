@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geom/errors.h"
+#include "geom/parallel_list.h"
 
 namespace cocoon {
 namespace {
@@ -88,15 +89,12 @@ void drop_free_cells(CellPool& pool, const Execution& execution) {
 
 // The infinite cells in increasing order.
 std::vector<CellId> infinite_cells(const CellPool& pool, const Execution& execution) {
-  std::vector<std::vector<CellId>> found(pool.cells.size() / grain + 1);
-  parallel_chunks(execution, pool.cells.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      if (pool.is_infinite(CellId(c))) found[begin / grain].push_back(CellId(c));
-    }
-  });
-  std::vector<CellId> all;
-  for (const std::vector<CellId>& part : found) all.insert(all.end(), part.begin(), part.end());
-  return all;
+  return parallel_list<CellId>(execution, pool.cells.size(), grain,
+                               [&](std::size_t begin, std::size_t end, std::vector<CellId>& found) {
+                                 for (std::size_t c = begin; c < end; ++c) {
+                                   if (pool.is_infinite(CellId(c))) found.push_back(CellId(c));
+                                 }
+                               });
 }
 
 }  // namespace

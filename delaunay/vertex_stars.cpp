@@ -1,29 +1,27 @@
 #include "delaunay/vertex_stars.h"
 
+#include "geom/sort_by_vertex.h"
+
 namespace cocoon {
 
 namespace {
 
-// Of every star the cells that lie in a range.
+// Of every star the cells that lie in a range. They are put in increasing order, so every star
+// comes out sorted.
 VertexStars stars_in_range(const Triangulation& triangulation, IdRange<CellId> range) {
-  // Counting sort of the corners by vertex. Cells are visited in increasing order both times, so
-  // every star comes out sorted.
-  const std::size_t num_vertices = triangulation.num_vertices();
-  std::vector<std::uint32_t> offsets(num_vertices + 1, 0);
-  for (const CellId c : range) {
-    for (const VertexId v : triangulation.cell(c).vertices) {
-      if (v != infinite_vertex) ++offsets[v.index() + 1];
-    }
-  }
-  for (std::size_t v = 0; v < num_vertices; ++v) offsets[v + 1] += offsets[v];
-
-  std::vector<CellId> cells(offsets.back());
-  std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
-  for (const CellId c : range) {
-    for (const VertexId v : triangulation.cell(c).vertices) {
-      if (v != infinite_vertex) cells[next[v.index()]++] = c;
-    }
-  }
+  const std::size_t first = (*range.begin()).index();
+  std::vector<CellId> cells;
+  std::vector<std::uint32_t> offsets =
+      sort_by_vertex((*range.end()).index() - first, triangulation.num_vertices(), Execution{},
+                     [&](std::size_t count) { cells.resize(count); },
+                     [&](std::size_t begin, std::size_t end, auto put) {
+                       for (CellId c(first + begin); c.index() < first + end; ++c) {
+                         for (const VertexId v : triangulation.cell(c).vertices) {
+                           if (v != infinite_vertex)
+                             put(v, [&](std::uint32_t place) { cells[place] = c; });
+                         }
+                       }
+                     });
   return VertexStars(std::move(offsets), std::move(cells));
 }
 

@@ -1,8 +1,9 @@
 #include "geom/linked_mesh.h"
 
 #include <algorithm>
-#include <numeric>
+#include <span>
 
+#include "geom/sort_by_vertex.h"
 #include "geom/spatial_order.h"
 
 namespace cocoon {
@@ -14,60 +15,65 @@ bool repeats_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || 
 IdVector<VertexId, VertexId> copy_points(const TriangleMesh& mesh, LinkedMesh& linked,
                                          const Execution& execution) {
   IdVector<VertexId, VertexId> place(mesh.points.size());
-  linked.points.reserve(mesh.points.size());
-  linked.vertex_of.reserve(mesh.points.size());
-  for (const PointId p : rough_order(mesh.points.span(), execution)) {
-    const VertexId v(p.value);
-    place[v] = linked.points.push_back(mesh.points[v]);
-    linked.vertex_of.push_back(v);
-  }
+  linked.points.resize(mesh.points.size());
+  linked.vertex_of.resize(mesh.points.size());
+  const std::vector<PointId> order = rough_order(mesh.points.span(), execution);
+  constexpr std::size_t points_per_chunk = std::size_t{1} << 14;
+  parallel_chunks(execution, order.size(), points_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (VertexId to(begin); to.index() < end; ++to) {
+                      const VertexId v(order[to.index()].value);
+                      place[v] = to;
+                      linked.points[to] = mesh.points[v];
+                      linked.vertex_of[to] = v;
+                    }
+                  });
   return place;
 }
 
-// By a counting sort.
 void copy_triangles(const TriangleMesh& mesh, const IdVector<VertexId, VertexId>& place,
-                    LinkedMesh& linked) {
-  std::vector<Triangle> proper;
-  std::vector<TriangleId> ids;
-  std::vector<std::uint32_t> places(mesh.points.size() + 1, 0);
-  const auto smallest = [](const Triangle& t) { return std::min({t[0], t[1], t[2]}).index(); };
-  proper.reserve(mesh.triangles.size());
-  ids.reserve(mesh.triangles.size());
-  for (const TriangleId t : mesh.triangles.ids()) {
+                    LinkedMesh& linked, const Execution& execution) {
+  const auto copy_of = [&](TriangleId t) {
     const auto& [a, b, c] = mesh.triangles[t];
-    const Triangle triangle{place[a], place[b], place[c]};
-    if (repeats_vertex(triangle)) {
-      linked.improper.push_back(triangle);
-      linked.improper_of.push_back(t);
-    } else {
-      proper.push_back(triangle);
-      ids.push_back(t);
-      ++places[smallest(triangle) + 1];
-    }
-  }
-  std::partial_sum(places.begin(), places.end(), places.begin());
-  linked.triangles.resize(proper.size());
-  linked.triangle_of.resize(proper.size());
-  for (std::size_t k = 0; k < proper.size(); ++k) {
-    const std::uint32_t to = places[smallest(proper[k])]++;
-    linked.triangles[to] = proper[k];
-    linked.triangle_of[to] = ids[k];
+    return Triangle{place[a], place[b], place[c]};
+  };
+  sort_by_vertex(
+      mesh.triangles.size(), mesh.points.size(), execution,
+      [&](std::size_t count) {
+        linked.triangles.resize(count);
+        linked.triangle_of.resize(count);
+      },
+      [&](std::size_t begin, std::size_t end, auto put) {
+        for (TriangleId t(begin); t.index() < end; ++t) {
+          const Triangle triangle = copy_of(t);
+          if (repeats_vertex(triangle)) continue;
+          put(std::min({triangle[0], triangle[1], triangle[2]}), [&](std::uint32_t to) {
+            linked.triangles[to] = triangle;
+            linked.triangle_of[to] = t;
+          });
+        }
+      });
+  if (linked.triangles.size() == mesh.triangles.size()) return;
+  for (const TriangleId t : mesh.triangles.ids()) {
+    if (!repeats_vertex(mesh.triangles[t])) continue;
+    linked.improper.push_back(copy_of(t));
+    linked.improper_of.push_back(t);
   }
 }
 
-void list_corners(LinkedMesh& linked) {
-  std::vector<std::uint32_t>& begin = linked.corner_begin;
-  begin.assign(linked.points.size() + 2, 0);
-  for (const Triangle& triangle : linked.triangles) {
-    for (const VertexId v : triangle) ++begin[v.index() + 2];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  linked.corners.resize(begin.back());
-  SideId side = 0;
-  for (const Triangle& triangle : linked.triangles) {
-    for (const VertexId v : triangle) linked.corners[begin[v.index() + 1]++] = side++;
-  }
-  begin.pop_back();
+void list_corners(LinkedMesh& linked, const Execution& execution) {
+  linked.corner_begin = sort_by_vertex(
+      linked.triangles.size(), linked.points.size(), execution,
+      [&](std::size_t count) { linked.corners.resize(count); },
+      [&](std::size_t begin, std::size_t end, auto put) {
+        auto side = static_cast<SideId>(3 * begin);
+        for (const Triangle& triangle : std::span(linked.triangles).subspan(begin, end - begin)) {
+          for (const VertexId v : triangle) {
+            put(v, [&](std::uint32_t to) { linked.corners[to] = side; });
+            ++side;
+          }
+        }
+      });
 }
 
 }  // namespace
@@ -75,9 +81,9 @@ void list_corners(LinkedMesh& linked) {
 LinkedMesh link_mesh(const TriangleMesh& mesh, const Execution& execution) {
   require_valid_triangles(mesh);
   LinkedMesh linked;
-  copy_triangles(mesh, copy_points(mesh, linked, execution), linked);
+  copy_triangles(mesh, copy_points(mesh, linked, execution), linked, execution);
   linked.links = side_links(linked.triangles, linked.points.size(), execution);
-  list_corners(linked);
+  list_corners(linked, execution);
   return linked;
 }
 

@@ -12,6 +12,7 @@
 #include "geom/edge_components.h"
 #include "geom/linked_mesh.h"
 #include "geom/orient3d.h"
+#include "geom/parallel_list.h"
 
 namespace cocoon {
 namespace {
@@ -57,13 +58,10 @@ constexpr std::size_t vertices_per_chunk = 2048;
 template <class T, class Find>
 std::vector<T> collect(std::size_t count, std::size_t grain, const Execution& execution,
                        Find find) {
-  std::vector<std::vector<T>> parts((count + grain - 1) / grain);
-  parallel_chunks(execution, count, grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) find(i, parts[begin / grain]);
-  });
-  std::vector<T> all;
-  for (const std::vector<T>& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
+  return parallel_list<T>(execution, count, grain,
+                          [&](std::size_t begin, std::size_t end, std::vector<T>& found) {
+                            for (std::size_t i = begin; i < end; ++i) find(i, found);
+                          });
 }
 
 // Triangles that hang together by edges with exactly two triangles. A component consists of one or

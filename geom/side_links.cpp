@@ -3,21 +3,11 @@
 #include <algorithm>
 
 #include "geom/id_vector.h"
+#include "geom/sort_by_vertex.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
 namespace {
-
-// Calls visit(side, smaller vertex, larger one) for all sides.
-template <class Visit>
-void for_each_side(std::span<const Triangle> triangles, Visit visit) {
-  SideId side = 0;
-  for (const auto& [a, b, c] : triangles) {
-    visit(side++, std::min(b, c), std::max(b, c));
-    visit(side++, std::min(c, a), std::max(c, a));
-    visit(side++, std::min(a, b), std::max(a, b));
-  }
-}
 
 // A side by the larger of its vertices; it lies in the list of the smaller one.
 struct ListedSide {
@@ -25,29 +15,32 @@ struct ListedSide {
   SideId side;
 };
 
-// Lists of the sides whose smaller vertex is one of begin .. end - 1, each ascending.
+// Of each vertex the sides of which it is the smaller one, ascending.
 struct SideLists {
-  std::vector<std::uint32_t> ends;  // of each vertex
+  std::vector<std::uint32_t> begins;  // of each vertex, and the end
   std::vector<ListedSide, OverwriteAllocator<ListedSide>> sides;
 };
 
-// By a counting sort.
-SideLists list_sides(std::span<const Triangle> triangles, std::size_t begin, std::size_t end) {
+SideLists list_sides(std::span<const Triangle> triangles, std::size_t num_vertices,
+                     const Execution& execution) {
   SideLists lists;
-  lists.ends.assign(end - begin + 1, 0);
-  std::vector<std::uint32_t>& places = lists.ends;
-  // Vertices below the range wrap around to beyond its end.
-  const auto is_listed = [&](VertexId smaller) { return smaller.index() - begin < end - begin; };
-  for_each_side(triangles, [&](SideId, VertexId smaller, VertexId) {
-    if (is_listed(smaller)) ++places[smaller.index() - begin + 1];
-  });
-  for (std::size_t v = 1; v < places.size(); ++v) places[v] += places[v - 1];
-  lists.sides.resize(places.back());
-  for_each_side(triangles, [&](SideId side, VertexId smaller, VertexId larger) {
-    if (is_listed(smaller)) lists.sides[places[smaller.index() - begin]++] = {larger, side};
-  });
-  // Placing moved the begin of each list to its end.
-  places.pop_back();
+  lists.begins = sort_by_vertex(
+      triangles.size(), num_vertices, execution,
+      [&](std::size_t count) { lists.sides.resize(count); },
+      [&](std::size_t begin, std::size_t end, auto put) {
+        for (std::size_t t = begin; t < end; ++t) {
+          const auto& [a, b, c] = triangles[t];
+          const auto first = static_cast<SideId>(3 * t);
+          const auto put_side = [&](SideId side, VertexId from, VertexId to) {
+            put(std::min(from, to), [&](std::uint32_t place) {
+              lists.sides[place] = {std::max(from, to), side};
+            });
+          };
+          put_side(first, b, c);
+          put_side(first + 1, c, a);
+          put_side(first + 2, a, b);
+        }
+      });
   return lists;
 }
 
@@ -57,15 +50,15 @@ struct LastSide {
   SideId side;
 };
 
-void link_range(std::span<const Triangle> triangles, std::size_t begin, std::size_t end,
-                std::size_t num_vertices, std::vector<SideId>& links) {
-  const SideLists lists = list_sides(triangles, begin, end);
+// The sides between each of the vertices begin .. end - 1 and larger ones.
+void link_range(const SideLists& lists, std::size_t begin, std::size_t end,
+                std::vector<SideId>& links) {
+  const std::size_t num_vertices = lists.begins.size() - 1;
   ZeroedArray<VertexId, LastSide> last_at(num_vertices);
-  std::size_t next = 0;
   for (std::size_t v = begin; v < end; ++v) {
     const auto smaller_plus_1 = static_cast<std::uint32_t>(v + 1);
-    for (; next < lists.ends[v - begin]; ++next) {
-      const auto [larger, side] = lists.sides[next];
+    for (std::size_t k = lists.begins[v]; k < lists.begins[v + 1]; ++k) {
+      const auto [larger, side] = lists.sides[k];
       links[side] = side;
       if (larger.index() == v) continue;
       // Puts the side into the ring behind the last one: no branch on whether there is one, since
@@ -84,12 +77,12 @@ void link_range(std::span<const Triangle> triangles, std::size_t begin, std::siz
 std::vector<SideId> side_links(std::span<const Triangle> triangles, std::size_t num_vertices,
                                const Execution& execution) {
   std::vector<SideId> links(3 * triangles.size());
-  // Every range of vertices reads all triangles, so there are no more ranges than threads.
+  const SideLists lists = list_sides(triangles, num_vertices, execution);
+  // Every range of vertices has an array of the last sides, so there are no more than threads.
   const auto ranges = static_cast<std::size_t>(thread_count(execution));
-  parallel_chunks(execution, num_vertices, (num_vertices + ranges - 1) / ranges,
-                  [&](std::size_t begin, std::size_t end) {
-                    link_range(triangles, begin, end, num_vertices, links);
-                  });
+  parallel_chunks(
+      execution, num_vertices, (num_vertices + ranges - 1) / ranges,
+      [&](std::size_t begin, std::size_t end) { link_range(lists, begin, end, links); });
   return links;
 }
 

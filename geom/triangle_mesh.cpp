@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "geom/errors.h"
+#include "geom/sort_by_vertex.h"
 #include "geom/triangle_order.h"
 
 namespace cocoon {
@@ -29,23 +29,25 @@ void require_valid_triangles(const TriangleMesh& mesh) {
   for (const TriangleId t : mesh.triangles.ids()) require_valid_triangle(mesh, t);
 }
 
-void canonicalize_triangles(TriangleMesh& mesh) {
-  for (Triangle& triangle : mesh.triangles) triangle = smallest_first(triangle);
+void canonicalize_triangles(TriangleMesh& mesh, const Execution& execution) {
   // A counting sort by the first vertex leaves a few triangles each to sort.
-  std::vector<std::uint32_t> ends(mesh.points.size() + 1, 0);
-  for (const Triangle& triangle : mesh.triangles) ++ends[triangle[0].index() + 1];
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  IdVector<TriangleId, Triangle> sorted(mesh.triangles.size());
-  for (const Triangle& triangle : mesh.triangles) {
-    sorted[TriangleId(ends[triangle[0].index()]++)] = triangle;
-  }
-  // Placing moved the begin of each group to its end.
-  auto begin = sorted.begin();
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    const auto end = sorted.begin() + ends[v];
-    std::sort(begin, end);
-    begin = end;
-  }
+  IdVector<TriangleId, Triangle> sorted;
+  const std::vector<std::uint32_t> begins = sort_by_vertex(
+      mesh.triangles.size(), mesh.points.size(), execution,
+      [&](std::size_t count) { sorted.resize(count); },
+      [&](std::size_t begin, std::size_t end, auto put) {
+        for (const Triangle& given : mesh.triangles.span().subspan(begin, end - begin)) {
+          const Triangle triangle = smallest_first(given);
+          put(triangle[0], [&](std::uint32_t place) { sorted[TriangleId(place)] = triangle; });
+        }
+      });
+  constexpr std::size_t vertices_per_chunk = std::size_t{1} << 14;
+  parallel_chunks(execution, mesh.points.size(), vertices_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t v = begin; v < end; ++v) {
+                      std::sort(sorted.begin() + begins[v], sorted.begin() + begins[v + 1]);
+                    }
+                  });
   mesh.triangles = std::move(sorted);
 }
 

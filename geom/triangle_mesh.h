@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/point.h"
 
@@ -34,7 +35,8 @@ void require_valid_triangles(const TriangleMesh& mesh);
 
 // Rotates every triangle so that its smallest vertex id comes first, then sorts the triangles:
 // equal surfaces become equal arrays. Orientation is kept.
-// Precondition: triangles name vertices that are there. Complexity: O(t + v) for bounded valence.
-void canonicalize_triangles(TriangleMesh& mesh);
+// Precondition: triangles name vertices that are there. Complexity: O(t + v) for bounded valence,
+// parallel.
+void canonicalize_triangles(TriangleMesh& mesh, const Execution& execution = {});
 
 }  // namespace cocoon
