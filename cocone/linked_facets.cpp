@@ -74,11 +74,11 @@ LinkedFacets by_smallest_vertex(const Triangulation& triangulation, const FacetS
     triangles.corners.resize(count);
   };
   const auto for_each_found = [&](std::size_t begin, std::size_t end, auto put) {
-    for (const auto& [facet, lowest] : std::span(found).subspan(begin, end - begin)) {
-      put(lowest, [&](std::uint32_t t) {
-        triangles.facets[t] = facet;
-        triangles.mirrors[t] = triangulation.mirror(facet);
-        triangles.corners[t] = triangulation.facet_vertices(facet);
+    for (const FoundFacet& f : std::span(found).subspan(begin, end - begin)) {
+      put(f.smallest, [&](std::uint32_t t) {
+        triangles.facets[t] = f.facet;
+        triangles.mirrors[t] = triangulation.mirror(f.facet);
+        triangles.corners[t] = triangulation.facet_vertices(f.facet);
       });
     }
   };

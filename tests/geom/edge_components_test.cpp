@@ -99,9 +99,8 @@ TriangleMesh strip(std::uint32_t n, std::uint32_t m, bool twist, double missing,
 
 TEST(EdgeComponents, RingsMoebiusStripsAndCrumbs) {
   Random random(1);
-  for (int k = 0; k < 40; ++k) {
-    const auto columns = static_cast<std::uint32_t>(5 + k % 7);
-    expect_as_flooded(strip(columns, 1 + k % 4, k % 2 == 1, 0.1 * (k % 5), random));
+  for (std::uint32_t k = 0; k < 40; ++k) {
+    expect_as_flooded(strip(5 + k % 7, 1 + k % 4, k % 2 == 1, 0.1 * (k % 5), random));
   }
 }
 

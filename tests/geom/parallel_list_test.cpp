@@ -13,7 +13,7 @@ TEST(ParallelList, InTheOrderOfTheChunks) {
     if (i % 3 == 0 || i < 500) expected.push_back(i * i);
   }
   for (const int threads : {1, 4}) {
-    for (const std::size_t grain : {1, 64, 20000}) {
+    for (const std::size_t grain : {1U, 64U, 20000U}) {
       EXPECT_EQ(parallel_list<std::size_t>(
                     Execution{.threads = threads}, 10007, grain,
                     [](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
