@@ -17,11 +17,11 @@ void BallCosines::prepare(std::span<const CellId> cells, const Execution& execut
   constexpr std::size_t cells_per_chunk = 4096;
   parallel_chunks(execution, cells.size(), cells_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
-                    for (const CellId c : cells.subspan(begin, end - begin)) {
-                      if (triangulation_.is_infinite(c) || known_[c] != 0) continue;
-                      cosines_[c] = compute(c);
-                      known_[c] = 1;
-                    }
+                    for_each_center(triangulation_, cells.subspan(begin, end - begin),
+                                    [&](CellId c, const Point& center) {
+                                      cosines_[c] = compute(c, center);
+                                      known_[c] = 1;
+                                    });
                   });
 }
 
@@ -29,7 +29,7 @@ double BallCosines::of(FacetId f) {
   const CellId c = cell_of(f);
   if (triangulation_.is_infinite(c)) return 1;
   if (known_[c] == 0) {
-    cosines_[c] = compute(c);
+    cosines_[c] = compute(c, voronoi_vertex(triangulation_, c));
     known_[c] = 1;
   }
   return cosines_[c][static_cast<std::size_t>(index_of(f))];
@@ -43,7 +43,7 @@ double BallCosines::contact(FacetId f) {
   return sines - phi * psi;
 }
 
-std::array<double, 4> BallCosines::compute(CellId c) const {
+std::array<double, 4> BallCosines::compute(CellId c, const Point& center) const {
   struct Corner {
     Point point;
     std::size_t index;
@@ -60,7 +60,6 @@ std::array<double, 4> BallCosines::compute(CellId c) const {
   order(0, 2);
   order(1, 3);
   order(1, 2);
-  const Point center = voronoi_vertex(triangulation_, c);
   const double radius = norm(center - corners[0].point);
   std::array<double, 4> cosines{};
   for (std::size_t k = 0; k < 4; ++k) {  // the facet opposite the k-th corner

@@ -32,7 +32,7 @@ class BallCosines {
   double contact(FacetId f);
 
  private:
-  std::array<double, 4> compute(CellId c) const;
+  std::array<double, 4> compute(CellId c, const Point& center) const;
 
   const Triangulation& triangulation_;
   ZeroedArray<CellId, std::array<double, 4>> cosines_;

@@ -21,16 +21,19 @@ Vec3 normal_of(const Triangulation& triangulation, FacetId f) {
   return cross(p[1] - p[0], p[2] - p[0]);
 }
 
-template <class Visit>
-void for_each_surface_facet_at(const Triangulation& triangulation, std::span<const CellId> star,
-                               const IdVector<CellId, std::uint8_t>& out, VertexId v, Visit visit) {
+// Whether holds(f) for all facets of the surface at v; asked until one fails.
+template <class Holds>
+bool all_of_surface_facets_at(const Triangulation& triangulation, std::span<const CellId> star,
+                              const IdVector<CellId, std::uint8_t>& out, VertexId v, Holds holds) {
   for (const CellId c : star) {
     if (out[c] != 0) continue;
     const int opposite = index_of_vertex(triangulation.cell(c), v);
     for (int i = 0; i < 4; ++i) {
-      if (i != opposite && out[triangulation.neighbor(c, i)] != 0) visit(facet_id(c, i));
+      if (i == opposite || out[triangulation.neighbor(c, i)] == 0) continue;
+      if (!holds(facet_id(c, i))) return false;
     }
   }
+  return true;
 }
 
 // The two nearest of the vertices it is told, each of which may come several times.
@@ -68,30 +71,28 @@ bool is_idle(const Triangulation& triangulation, std::span<const CellId> star,
   // The plane is that of the largest facet.
   Vec3 plane;
   double largest = 0;
-  bool bent = false;  // found early nearly everywhere
-  for_each_surface_facet_at(triangulation, star, out, v, [&](FacetId f) {
-    if (bent) return;
+  const bool may_be_flat = all_of_surface_facets_at(triangulation, star, out, v, [&](FacetId f) {
     const Vec3 normal = normal_of(triangulation, f);
     const double area = squared_norm(normal);
-    bent = largest > 0 && is_bent(normal, plane, options.flat_cosine);
-    if (area < largest || (area == largest && !(plane < normal))) return;
+    if (largest > 0 && is_bent(normal, plane, options.flat_cosine)) return false;
+    if (area < largest || (area == largest && !(plane < normal))) return true;
     largest = area;
     plane = normal;
+    return true;
   });
-  if (largest == 0 || bent) return false;  // 0: not on the surface
+  if (largest == 0 || !may_be_flat) return false;  // 0: not on the surface
   plane = unit(plane);
-  bool flat = true;
   double narrowest = infinity;
   TwoNearest nearest;
   const Point& p = triangulation.point(v);
-  for_each_surface_facet_at(triangulation, star, out, v, [&](FacetId f) {
-    if (!flat) return;
+  const bool flat = all_of_surface_facets_at(triangulation, star, out, v, [&](FacetId f) {
     const double cosine = dot(unit(normal_of(triangulation, f)), plane);
-    flat = std::abs(cosine) >= options.flat_cosine;
+    if (!(std::abs(cosine) >= options.flat_cosine)) return false;
     narrowest = std::min(narrowest, size_of_facet(triangulation, f).squared_circumradius);
     for (const VertexId w : triangulation.facet_vertices(f)) {
       if (w != v) nearest.add(w, squared_norm(triangulation.point(w) - p));
     }
+    return true;
   });
   return flat && narrowest >= options.ratio * options.ratio * nearest.second();
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "delaunay/circulate.h"
 #include "geom/sort_ids.h"
 
 namespace cocoon {
@@ -54,10 +55,15 @@ double sample_spacing(const Triangulation& triangulation, std::span<const CellId
                       std::size_t edges, SpacingBuffer& shortest) {
   const std::size_t count = std::max<std::size_t>(1, edges);
   shortest.clear();  // from now on in increasing order
+  const Point p = triangulation.point(v);
   for (const CellId c : star) {
-    for (const VertexId w : triangulation.cell(c).vertices) {
-      if (w == v || w == infinite_vertex) continue;
-      const double square = squared_distance(triangulation.point(v), triangulation.point(w));
+    const Cell& cell = triangulation.cell(c);
+    // Not by a branch on which vertex is v: that cannot be foreseen.
+    const int* others = facet_corners[index_of_vertex(cell, v)];
+    for (int i = 0; i < 3; ++i) {
+      const VertexId w = cell.vertices[static_cast<std::size_t>(others[i])];
+      if (w == infinite_vertex) continue;
+      const double square = squared_distance(p, triangulation.point(w));
       if (shortest.size() == count && !(square < shortest.back().square)) continue;
       const auto is_same = [&](const ShortEdge& edge) { return edge.to == w; };
       if (std::any_of(shortest.begin(), shortest.end(), is_same)) continue;

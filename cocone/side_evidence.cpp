@@ -110,13 +110,11 @@ class Propagation {
       });
     }
     constexpr std::size_t cells_per_chunk = 4096;
-    parallel_chunks(execution, domain_.size(), cells_per_chunk,
-                    [&](std::size_t begin, std::size_t end) {
-                      for (const CellId c : std::span(domain_).subspan(begin, end - begin)) {
-                        if (triangulation_.is_infinite(c)) continue;
-                        centers_[c] = voronoi_vertex(triangulation_, c);
-                      }
-                    });
+    parallel_chunks(
+        execution, domain_.size(), cells_per_chunk, [&](std::size_t begin, std::size_t end) {
+          for_each_center(triangulation_, std::span(domain_).subspan(begin, end - begin),
+                          [&](CellId c, const Point& center) { centers_[c] = center; });
+        });
   }
 
   const Point& center(CellId c) const { return centers_[c]; }

@@ -194,6 +194,13 @@ void load_cells(const Triangulation& triangulation, const Dual& dual, std::span<
   for (std::size_t k = 0; k < cells.size(); ++k) set_center(block, k, dual.centers[cells[k]]);
 }
 
+void load_cells(const Triangulation& triangulation, std::span<const CellId> cells,
+                CellBlock& block) {
+  compute_block(
+      triangulation, cells.size(), [&](std::size_t k) { return cells[k]; },
+      [&](CellId c) { return center_of_cell(triangulation, c).center; }, block);
+}
+
 Point center_of(const Triangulation& triangulation, const Dual& dual, CellId c) {
   if (!dual.is_lean()) return dual.centers[c];
   if (triangulation.is_infinite(c)) return dual.rays[c.index() - triangulation.num_finite_cells()];

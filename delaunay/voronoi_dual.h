@@ -65,6 +65,27 @@ void load_run(const Triangulation& triangulation, const Dual& dual, CellId first
               CellBlock& block);
 void load_cells(const Triangulation& triangulation, const Dual& dual, std::span<const CellId> cells,
                 CellBlock& block);
+// The same without a dual, for stages that look at few of all cells.
+void load_cells(const Triangulation& triangulation, std::span<const CellId> cells,
+                CellBlock& block);
+
+// Calls visit(c, its Voronoi vertex) for the finite ones of some cells, in their order.
+// Complexity: O(cells).
+template <class Visit>
+void for_each_center(const Triangulation& triangulation, std::span<const CellId> cells,
+                     Visit visit) {
+  CellBlock block;
+  std::array<CellId, max_block_cells> finite;
+  for (std::size_t next = 0; next < cells.size();) {
+    std::size_t count = 0;
+    for (; next < cells.size() && count < max_block_cells; ++next) {
+      if (!triangulation.is_infinite(cells[next])) finite[count++] = cells[next];
+    }
+    if (count == 0) return;
+    load_cells(triangulation, std::span(finite).first(count), block);
+    for (std::size_t k = 0; k < count; ++k) visit(finite[k], block.center(k));
+  }
+}
 
 // A lean dual is made of what a stage notes down that goes over all finite cells anyway: in parts
 // of successive cells, put together in their order.

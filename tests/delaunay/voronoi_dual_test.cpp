@@ -140,6 +140,16 @@ TEST(VoronoiDual, CellsOneByOne) {
     for (const CellId c : triangulation.cells()) {
       EXPECT_EQ(voronoi_vertex(triangulation, c), dual.centers[c]);
     }
+    // Every third cell, from the last one on: infinite ones first.
+    std::vector<CellId> some;
+    for (std::size_t c = triangulation.num_cells(); c >= 3; c -= 3) some.push_back(CellId(c - 1));
+    std::vector<CellId> met;
+    for_each_center(triangulation, some, [&](CellId c, const Point& center) {
+      met.push_back(c);
+      EXPECT_EQ(center, dual.centers[c]);
+    });
+    std::erase_if(some, [&](CellId c) { return triangulation.is_infinite(c); });
+    EXPECT_EQ(met, some);
     EXPECT_EQ(dual.not_in_doubles.size(), dual.extended_precision + dual.facet_fallbacks);
     EXPECT_TRUE(std::is_sorted(dual.not_in_doubles.begin(), dual.not_in_doubles.end()));
     for (const CellId c : dual.not_in_doubles) {
