@@ -47,6 +47,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("rim_edges", cloud.surface.rim.rim_edges);
   entry.set("gap_edges", cloud.surface.rim.gap_edges);
   entry.set("gap_loops", cloud.surface.rim.gap_loops);
+  entry.set("seamed_loops", cloud.surface.rim.seamed_loops);
   entry.set("boundary_points", cloud.boundary_points);
   entry.set("boundary_samples", cloud.surface.boundary_samples);
   entry.set("rho", cloud.surface.rho);

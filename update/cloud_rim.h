@@ -51,6 +51,7 @@ struct CloudRim {
   std::size_t pin_holes = 0;         // loops too small to be a rim, seams among them
   std::size_t small_components = 0;  // parts of the surface too small to be the patch
   std::size_t gap_loops = 0;         // taken out by mark_rim_gaps()
+  std::size_t seamed_loops = 0;      // left in by it, though they are seams for the most part
   std::size_t rim_edges = 0;         // of all loops that it looked at
   std::size_t gap_edges = 0;         // of these, edges with cloud beyond them
   std::size_t non_orientable = 0;    // one-sided parts: their normals are not reliable

@@ -79,6 +79,7 @@ Trial try_search(const Foundation& f, Points cloud, const RimSearch& search,
                   .trimmed = surface.trimmed,
                   .loops = rim.loops.size(),
                   .gap_loops = rim.gap_loops,
+                  .seamed_loops = rim.seamed_loops,
                   .pin_holes = rim.pin_holes};
   if (rim.rim_edges > 0) {
     trial.report.gap_share =

@@ -59,6 +59,7 @@ struct RimTrial {
   std::size_t trimmed = 0;
   std::size_t loops = 0;  // that are rims
   std::size_t gap_loops = 0;
+  std::size_t seamed_loops = 0;
   std::size_t pin_holes = 0;
   double gap_share = 0;  // of the rim edges of all loops
   double stretch = 1;    // median edge of the rim, over that of the surface

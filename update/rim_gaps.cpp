@@ -1,7 +1,9 @@
 #include "update/rim_gaps.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "geom/nearest_point.h"
@@ -57,6 +59,45 @@ std::size_t gap_edges(const RimLoop& loop) {
   return static_cast<std::size_t>(std::count(loop.gap.begin(), loop.gap.end(), 1));
 }
 
+bool is_gap(const RimLoop& loop, const RimGapOptions& options) {
+  return static_cast<double>(gap_edges(loop)) >
+         options.max_gap_share * static_cast<double>(loop.size());
+}
+
+// The flags of the loop with shorter stretches than that many edges between two gaps marked, too.
+std::vector<std::uint8_t> without_short_runs(const RimLoop& loop, std::size_t shortest) {
+  const std::size_t size = loop.size();
+  std::vector<std::uint8_t> gap = loop.gap;
+  const auto first = std::find(gap.begin(), gap.end(), 1);
+  if (first == gap.end()) return gap;
+  const auto start = static_cast<std::size_t>(first - gap.begin());
+  std::size_t run = 0;
+  for (std::size_t k = 1; k <= size; ++k) {  // ends at the gap where it begins
+    if (loop.gap[(start + k) % size] == 0) {
+      ++run;
+      continue;
+    }
+    for (std::size_t back = 1; run < shortest && back <= run; ++back) {
+      gap[(start + k - back) % size] = 1;
+    }
+    run = 0;
+  }
+  return gap;
+}
+
+// Finds the rim in a loop that is mostly seam. Returns whether there is one.
+bool keep_rim_of_seam(RimLoop& loop, double median_edge, const RimGapOptions& options) {
+  if (options.min_rim_run == 0) return false;
+  std::vector<std::uint8_t> gap = without_short_runs(loop, options.min_rim_run);
+  double length = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (gap[i] == 0) length += distance(loop.points[i], loop.points[loop.next(i)]);
+  }
+  if (length < options.min_rim_length * median_edge || length == 0) return false;
+  loop.gap = std::move(gap);
+  return true;
+}
+
 }  // namespace
 
 void mark_rim_gaps(Points cloud, CloudRim& rim, const RimGapOptions& options) {
@@ -77,12 +118,18 @@ void mark_rim_gaps(Points cloud, CloudRim& rim, const RimGapOptions& options) {
     rim.rim_edges += loop.size();
     rim.gap_edges += gap_edges(loop);
   }
-  const auto is_gap = [&](const RimLoop& loop) {
-    const auto edges = static_cast<double>(loop.size());
-    return static_cast<double>(gap_edges(loop)) > options.max_gap_share * edges;
-  };
-  rim.gap_loops += std::erase_if(rim.loops, is_gap);
-  std::erase_if(rim.pin_hole_loops, is_gap);
+  std::vector<RimLoop> rims;
+  for (RimLoop& loop : rim.loops) {
+    const bool seam = is_gap(loop, options);
+    if (seam && !keep_rim_of_seam(loop, rim.median_edge, options)) {
+      ++rim.gap_loops;
+      continue;
+    }
+    rim.seamed_loops += seam ? 1U : 0U;
+    rims.push_back(std::move(loop));
+  }
+  rim.loops = std::move(rims);
+  std::erase_if(rim.pin_hole_loops, [&](const RimLoop& loop) { return is_gap(loop, options); });
 }
 
 }  // namespace cocoon

@@ -77,6 +77,10 @@ std::vector<std::string> warnings_of_surface(const CloudSurface& surface) {
   };
   warn_of(surface.rim.gap_loops, "loop is a seam inside the cloud (a sharp edge?), not its rim",
           "loops are seams inside the cloud (sharp edges?), not its rim");
+  warn_of(
+      surface.rim.seamed_loops,
+      "loop of its rim runs along seams inside the cloud for the most part; look at the result",
+      "loops of its rim run along seams inside the cloud for the most part; look at the result");
   warn_of(surface.rim.small_components, "small part of its surface is not looked at",
           "small parts of its surface are not looked at");
   warn_of(surface.rim.non_orientable, "part of its surface is one-sided",

@@ -55,6 +55,66 @@ TEST(MarkRimGaps, ALoopOfSuchEdgesIsNoRim) {
   EXPECT_EQ(rim.gap_loops, 1U);
 }
 
+// A square surface in the middle of one side of its cloud: the cloud ends along x = 0, and goes on
+// beyond the other three sides.
+struct SquareAtAnEnd {
+  TriangleMesh square = testing::grid_plane(12);
+  std::vector<Point> cloud;
+  SquareAtAnEnd() {
+    for (int x = 0; x <= 15; ++x) {
+      for (int y = -3; y <= 15; ++y) {
+        cloud.push_back({static_cast<double>(x), static_cast<double>(y), 0});
+      }
+    }
+  }
+};
+
+TEST(MarkRimGaps, TheRimInALoopThatIsMostlySeamStays) {
+  const SquareAtAnEnd scene;
+  CloudRim rim = cloud_rim(scene.square);
+  ASSERT_EQ(rim.loops.size(), 1U);
+  mark_rim_gaps(scene.cloud, rim);
+  EXPECT_EQ(rim.rim_edges, 48U);
+  EXPECT_EQ(rim.gap_edges, 36U);
+  EXPECT_EQ(rim.gap_loops, 0U);
+  EXPECT_EQ(rim.seamed_loops, 1U);
+  ASSERT_EQ(rim.loops.size(), 1U);
+  const RimLoop& loop = rim.loops[0];
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const bool is_end = loop.points[i].x == 0 && loop.points[loop.next(i)].x == 0;
+    EXPECT_EQ(loop.is_gap(i), !is_end) << i;
+  }
+}
+
+TEST(MarkRimGaps, AShortEndOfALoopThatIsMostlySeamIsNoRim) {
+  const SquareAtAnEnd scene;
+  const auto loops_with = [&](const RimGapOptions& options) {
+    CloudRim rim = cloud_rim(scene.square);
+    mark_rim_gaps(scene.cloud, rim, options);
+    EXPECT_EQ(rim.loops.size() + rim.gap_loops, 1U);
+    EXPECT_EQ(rim.loops.size(), rim.seamed_loops);
+    return rim.loops.size();
+  };
+  EXPECT_EQ(loops_with({}), 1U);
+  EXPECT_EQ(loops_with({.min_rim_run = 12}), 1U);
+  EXPECT_EQ(loops_with({.min_rim_run = 13}), 0U);
+  EXPECT_EQ(loops_with({.min_rim_length = 13}), 0U);
+  EXPECT_EQ(loops_with({.min_rim_run = 0}), 0U);  // as if there were no such rule
+}
+
+// A few edges by chance without a sample in reach beyond them are none of the rim.
+TEST(MarkRimGaps, ShortStretchesBetweenSeamsAreSeams) {
+  SquareAtAnEnd scene;
+  std::erase_if(scene.cloud, [](const Point& p) { return p.x > 12 && p.y > 4 && p.y < 8; });
+  CloudRim rim = cloud_rim(scene.square);
+  mark_rim_gaps(scene.cloud, rim);
+  ASSERT_EQ(rim.loops.size(), 1U);
+  EXPECT_LT(rim.gap_edges, 36U);
+  std::size_t gaps = 0;
+  for (std::size_t i = 0; i < rim.loops[0].size(); ++i) gaps += rim.loops[0].is_gap(i) ? 1U : 0U;
+  EXPECT_EQ(gaps, 36U);
+}
+
 TEST(MarkRimGaps, AFreeRimHasNone) {
   const TriangleMesh floor = testing::grid_plane(10);
   CloudRim rim = cloud_rim(floor);
