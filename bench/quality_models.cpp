@@ -9,7 +9,7 @@
 
 #include "geom/mesh_measure.h"
 #include "geom/random.h"
-#include "geom/random_point.h"
+#include "geom/triangles_by_area.h"
 #include "io/implicit_solid.h"
 #include "io/polygonize.h"
 #include "io/surface_sampling.h"
@@ -89,23 +89,12 @@ TriangleMesh prism(const std::vector<std::array<double, 2>>& polygon, double hei
   return mesh;
 }
 
-Point random_point_on(const TriangleMesh& mesh, const std::vector<double>& area_before,
-                      Random& random) {
-  const double at = random.uniform() * area_before.back();
-  const auto found = std::upper_bound(area_before.begin() + 1, area_before.end() - 1, at);
-  const TriangleId t(static_cast<std::size_t>(found - area_before.begin() - 1));
-  const auto& [a, b, c] = mesh.triangles[t];
-  return random_point_in(mesh.points[a], mesh.points[b], mesh.points[c], random);
-}
-
 std::vector<Point> random_points_on(const TriangleMesh& mesh, std::size_t count, Random& random) {
-  std::vector<double> area_before{0};
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3 normal = cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
-    area_before.push_back(area_before.back() + norm(normal) / 2);
-  }
+  const TrianglesByArea triangles(mesh);
   std::vector<Point> points(count);
-  for (Point& p : points) p = random_point_on(mesh, area_before, random);
+  for (Point& p : points) {
+    p = random_point_in(mesh, triangles.at(random.uniform() * triangles.area()), random);
+  }
   return points;
 }
 

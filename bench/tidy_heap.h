@@ -1,7 +1,7 @@
 // Programs that run one after the other in one process, each with the heap as if it were the first.
 #pragma once
 
-#include <cstdlib>
+#include <cstdlib>  // defines __GLIBC__, if it is that
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif

@@ -10,7 +10,7 @@ namespace {
 // v times the power of two that brings its largest coordinate to [1, 2): exact but for coordinates
 // 2^1000 times smaller, and no square of it over- or underflows. The zero vector stays.
 Vec3 scaled(const Vec3& v) {
-  const double reach = std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
+  const double reach = max_norm(v);
   if (!(reach > 0) || !std::isfinite(reach)) return v;
   const int exponent = -std::ilogb(reach);
   return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};

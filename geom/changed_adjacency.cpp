@@ -1,6 +1,5 @@
 #include "geom/changed_adjacency.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -22,10 +21,6 @@ namespace {
 constexpr double error_share = 0x1p-24;
 // Edges are scaled to about 1; denominators above this are out of reach of underflow.
 constexpr double smallest_denominator = 0x1p-900;
-
-double reach_of(const Vec3& v) {
-  return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
-}
 
 // The power of two that brings `reach` to [1, 2): products of five lengths then stay in range.
 double scale_for(double reach) {
@@ -76,7 +71,7 @@ std::optional<Point> tetrahedron_in_doubles(const std::array<Point, 4>& p, doubl
   const Vec3 vw_sum = absolute_cross(v, w);
   const double denominator_sum = 2 * dot(absolute(u), vw_sum);
   const double numerator_sum =
-      reach_of(uu * vw_sum + vv * absolute_cross(w, u) + ww * absolute_cross(u, v));
+      max_norm(uu * vw_sum + vv * absolute_cross(w, u) + ww * absolute_cross(u, v));
   const double allowed = error_share * std::fabs(denominator);
   const bool certain = std::fabs(denominator) > smallest_denominator &&
                        9 * 0x1p-53 * denominator_sum <= allowed &&
@@ -101,7 +96,7 @@ std::optional<Point> triangle_in_doubles(const std::array<Point, 3>& p, double r
 
   const Vec3 n_sum = absolute_cross(u, v);
   const double numerator_sum =
-      reach_of(vv * absolute_cross(n_sum, u) + uu * absolute_cross(n_sum, v));
+      max_norm(vv * absolute_cross(n_sum, u) + uu * absolute_cross(n_sum, v));
   const double allowed = error_share * denominator;
   const bool certain = denominator > smallest_denominator &&
                        2 * 6 * 0x1p-53 * norm(n_sum) <= error_share * norm(n) &&
@@ -160,16 +155,13 @@ std::optional<Point> center_in_integers(const std::array<Point, N>& p, double re
     coordinates[3 * i + 2] = p[i].z;
   }
   const CommonGrid grid = common_grid(coordinates, reach);
-  if (grid.difference_bits <= 62) return ExactCenter<1>::of(p, grid.unit);
-  if (grid.difference_bits <= 126) return ExactCenter<2>::of(p, grid.unit);
-  if (grid.difference_bits <= 254) return ExactCenter<4>::of(p, grid.unit);
-  return ExactCenter<33>::of(p, grid.unit);
+  return in_fewest_limbs(grid, [&]<std::size_t K>() { return ExactCenter<K>::of(p, grid.unit); });
 }
 
 template <std::size_t N>
 double reach_from_first(const std::array<Point, N>& p) {
   double reach = 0;
-  for (std::size_t i = 1; i < N; ++i) reach = std::max(reach, reach_of(p[i] - p[0]));
+  for (std::size_t i = 1; i < N; ++i) reach = std::max(reach, max_norm(p[i] - p[0]));
   return reach;
 }
 

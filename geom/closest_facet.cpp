@@ -32,14 +32,6 @@ std::array<Point, 3> sorted_corners(const TriangleMesh& mesh, TriangleId t) {
 // coordinate: a few hundred times the rounding of one addition.
 constexpr double slack_per_coordinate = 0x1p-44;
 
-double largest_coordinate(const Box& box) {
-  double largest = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    largest = std::max({largest, std::abs(box.low[axis]), std::abs(box.high[axis])});
-  }
-  return largest;
-}
-
 }  // namespace
 
 ClosestFacetTree::ClosestFacetTree(const TriangleMesh& mesh) {
@@ -53,7 +45,7 @@ ClosestFacetTree::ClosestFacetTree(const TriangleMesh& mesh) {
     boxes.push_back(box_of(sorted_corners(mesh, t)));
     whole.include(boxes.back());
   }
-  const double slack = slack_per_coordinate * largest_coordinate(whole);
+  const double slack = slack_per_coordinate * std::max(max_norm(whole.low), max_norm(whole.high));
   for (Box& box : boxes) box.enlarge(slack);
   tree_ = BoxTree(boxes);
   corners_.reserve(boxes.size());

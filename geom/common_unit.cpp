@@ -1,10 +1,9 @@
 #include "geom/common_unit.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
+#include "geom/exact_integer.h"
 #include "geom/parallel_reduce.h"
 
 namespace cocoon {
@@ -14,12 +13,8 @@ constexpr int no_exponent = 2000;  // above every exponent of a double
 
 // The exponent of the lowest bit that is set in `value`.
 int lowest_bit(double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  constexpr std::uint64_t hidden = std::uint64_t{1} << 52;
-  const int biased = static_cast<int>((bits >> 52) & 0x7FFU);
-  const std::uint64_t mantissa = (bits & (hidden - 1)) | (biased == 0 ? 0 : hidden);
-  if (mantissa == 0) return no_exponent;
-  return std::max(biased, 1) - 1075 + std::countr_zero(mantissa);
+  const DyadicDouble parts = take_apart(value);
+  return parts.mantissa == 0 ? no_exponent : parts.exponent;
 }
 
 int lowest_bit(const Point& p) {

@@ -1,18 +1,12 @@
 #include "geom/compare_distance.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 
 #include "geom/exact_determinants.h"
 
 namespace cocoon {
 namespace {
-
-double reach_of(const Vec3& v) {
-  return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
-}
 
 // Squares of differences of K limbs fit 2K, see geom/exact_determinants.h; so does the difference
 // of two of them.
@@ -40,12 +34,10 @@ Sign compare_distance(const Point& p, const Point& a, const Point& b) {
     if (difference > error) return Sign::positive;
     if (difference < -error) return Sign::negative;
   }
-  const double reach = std::max(reach_of(to_a), reach_of(to_b));
+  const double reach = std::max(max_norm(to_a), max_norm(to_b));
   const CommonGrid grid = common_grid<9>({p.x, p.y, p.z, a.x, a.y, a.z, b.x, b.y, b.z}, reach);
-  if (grid.difference_bits <= 62) return exact_compare<1>(p, a, b, grid.unit);
-  if (grid.difference_bits <= 126) return exact_compare<2>(p, a, b, grid.unit);
-  if (grid.difference_bits <= 254) return exact_compare<4>(p, a, b, grid.unit);
-  return exact_compare<33>(p, a, b, grid.unit);
+  return in_fewest_limbs(grid,
+                         [&]<std::size_t K>() { return exact_compare<K>(p, a, b, grid.unit); });
 }
 
 }  // namespace cocoon

@@ -5,20 +5,11 @@
 #include <cstddef>
 
 #include "geom/box.h"
+#include "geom/point_hash.h"
 #include "geom/visit_where.h"
 
 namespace cocoon {
 namespace {
-
-std::uint64_t hash_of(const Point& p) {
-  const auto mixed = [](std::uint64_t word) {
-    word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9U;
-    word = (word ^ (word >> 27)) * 0x94D049BB133111EBU;
-    return word ^ (word >> 31);
-  };
-  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };  // -0 is 0
-  return mixed(bits(p.x) + mixed(bits(p.y) + mixed(bits(p.z))));
-}
 
 class BitTable {
  public:
@@ -44,7 +35,7 @@ std::vector<std::uint32_t> look_alikes(Points points, std::size_t distinct) {
   const std::size_t size = std::bit_ceil(std::max<std::size_t>(16 * hashed, 64));
   BitTable met(size);
   BitTable met_again(size);
-  const auto place_of = [&](const Point& p) { return hash_of(p) & (size - 1); };
+  const auto place_of = [&](const Point& p) { return point_hash(p) & (size - 1); };
   Box box;
   for (const Point& p : points.subspan(distinct)) {
     box.include(p);

@@ -7,10 +7,6 @@ namespace cocoon {
 
 namespace {
 
-double reach_of(const Vec3& v) {
-  return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
-}
-
 // The 3 x 3 determinant det[p; q; r] with all signs positive.
 double permanent_of(const Vec3& p, const Vec3& q, const Vec3& r) {
   const auto minor = [](const Vec3& s, const Vec3& t) {
@@ -42,19 +38,15 @@ FilteredDeterminant insphere_permanent(const Point& a, const Point& b, const Poi
 
 PredicateDecision insphere_on_grid(const Point& a, const Point& b, const Point& c, const Point& d,
                                    const Point& e, PredicateLevel narrowest) {
-  const double reach = std::max(std::max(reach_of(a - e), reach_of(b - e)),
-                                std::max(reach_of(c - e), reach_of(d - e)));
+  const double reach = std::max(std::max(max_norm(a - e), max_norm(b - e)),
+                                std::max(max_norm(c - e), max_norm(d - e)));
   const CommonGrid grid = common_grid<15>(
       {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z}, reach);
   const std::array<Point, 5> points = {a, b, c, d, e};
-  using enum PredicateLevel;
-  if (narrowest <= grid_64 && grid.difference_bits <= 62)
-    return {exact_insphere<1>(points, grid.unit), grid_64};
-  if (narrowest <= grid_128 && grid.difference_bits <= 126)
-    return {exact_insphere<2>(points, grid.unit), grid_128};
-  if (narrowest <= grid_256 && grid.difference_bits <= 254)
-    return {exact_insphere<4>(points, grid.unit), grid_256};
-  return {exact_insphere<33>(points, grid.unit), wide};
+  const auto decide = [&]<std::size_t K>() {
+    return PredicateDecision{exact_insphere<K>(points, grid.unit), level_of_limbs(K)};
+  };
+  return in_fewest_limbs(grid, decide, limbs_of(narrowest));
 }
 
 namespace {

@@ -9,8 +9,6 @@
 namespace cocoon {
 namespace {
 
-bool repeats_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
 // Returns what became of each vertex.
 IdVector<VertexId, VertexId> copy_points(const TriangleMesh& mesh, LinkedMesh& linked,
                                          const Execution& execution) {
@@ -46,7 +44,7 @@ void copy_triangles(const TriangleMesh& mesh, const IdVector<VertexId, VertexId>
       [&](std::size_t begin, std::size_t end, auto put) {
         for (TriangleId t(begin); t.index() < end; ++t) {
           const Triangle triangle = copy_of(t);
-          if (repeats_vertex(triangle)) continue;
+          if (repeats_a_vertex(triangle)) continue;
           put(std::min({triangle[0], triangle[1], triangle[2]}), [&](std::uint32_t to) {
             linked.triangles[to] = triangle;
             linked.triangle_of[to] = t;
@@ -55,7 +53,7 @@ void copy_triangles(const TriangleMesh& mesh, const IdVector<VertexId, VertexId>
       });
   if (linked.triangles.size() == mesh.triangles.size()) return;
   for (const TriangleId t : mesh.triangles.ids()) {
-    if (!repeats_vertex(mesh.triangles[t])) continue;
+    if (!repeats_a_vertex(mesh.triangles[t])) continue;
     linked.improper.push_back(copy_of(t));
     linked.improper_of.push_back(t);
   }

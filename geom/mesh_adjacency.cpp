@@ -2,17 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 
 #include "geom/large_pages.h"
 #include "geom/side_links.h"
 
 namespace cocoon {
 namespace {
-
-// Turns counts[k + 1] = size of list k into the begins of the lists.
-void accumulate(std::vector<std::uint32_t>& counts) {
-  for (std::size_t k = 1; k < counts.size(); ++k) counts[k] += counts[k - 1];
-}
 
 // (larger vertex, halfedge) in one word, which sorts as the pair does.
 class Side {
@@ -42,7 +38,7 @@ std::vector<Side> sorted_sides(const TriangleMesh& mesh, std::vector<std::uint32
     }
   };
   for_each_side([&](VertexId smaller, VertexId, HalfedgeId) { ++begin[smaller.index() + 1]; });
-  accumulate(begin);
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<Side> sides(begin.back());
   std::vector<std::uint32_t> next = begin;
   for_each_side([&](VertexId smaller, VertexId larger, HalfedgeId h) {
@@ -89,10 +85,6 @@ void link_neighbors(MeshAdjacency& adjacency) {
 
 }  // namespace
 
-bool repeats_a_vertex(const Triangle& triangle) {
-  return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
-}
-
 void list_triangles_at_vertices(const TriangleMesh& mesh, MeshAdjacency& adjacency) {
   // Calls visit(vertex, triangle) for each corner, equal ones of a triangle once.
   const auto for_each_corner = [&mesh](const auto& visit) {
@@ -107,7 +99,7 @@ void list_triangles_at_vertices(const TriangleMesh& mesh, MeshAdjacency& adjacen
   std::vector<std::uint32_t>& begin = adjacency.vertex_begin;
   begin.assign(mesh.points.size() + 2, 0);
   for_each_corner([&](VertexId v, TriangleId) { ++begin[v.index() + 2]; });
-  accumulate(begin);
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<TriangleId>& listed = adjacency.vertex_triangles;
   listed.clear();
   listed.reserve(begin.back());

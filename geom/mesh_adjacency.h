@@ -70,9 +70,6 @@ MeshAdjacency mesh_neighbors(const TriangleMesh& mesh);
 // The neighbors alone. Precondition: no triangle repeats a vertex. Errors: as mesh_adjacency().
 IdVector<TriangleId, std::array<TriangleId, 3>> neighbors_across_sides(const TriangleMesh& mesh);
 
-// Whether two corners are the same vertex.
-bool repeats_a_vertex(const Triangle& triangle);
-
 // Fills in the lists of triangles at vertices alone. Precondition: triangles name vertices that are
 // there. Complexity: O(t + v).
 void list_triangles_at_vertices(const TriangleMesh& mesh, MeshAdjacency& adjacency);

@@ -13,6 +13,8 @@
 #include "geom/linked_mesh.h"
 #include "geom/orient3d.h"
 #include "geom/parallel_list.h"
+#include "geom/point_hash.h"
+#include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {
@@ -20,12 +22,6 @@ namespace {
 // How many of the points are different from all before them, by an open hash table.
 std::size_t count_distinct(std::span<const Point> points) {
   std::vector<std::uint32_t> table(std::bit_ceil(2 * points.size() + 1), 0);  // place + 1
-  const auto mixed = [](std::uint64_t word) {
-    word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9U;
-    word = (word ^ (word >> 27)) * 0x94D049BB133111EBU;
-    return word ^ (word >> 31);
-  };
-  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };  // -0 is 0
   // Slots lie anywhere in memory: those of a block of points are asked for in advance.
   constexpr std::size_t points_per_block = 32;
   std::array<std::size_t, points_per_block> slots;
@@ -33,9 +29,7 @@ std::size_t count_distinct(std::span<const Point> points) {
   for (std::size_t first = 0; first < points.size(); first += points_per_block) {
     const std::size_t end = std::min(first + points_per_block, points.size());
     for (std::size_t k = first; k < end; ++k) {
-      const Point& p = points[k];
-      slots[k - first] =
-          mixed(bits(p.x) + mixed(bits(p.y) + mixed(bits(p.z)))) & (table.size() - 1);
+      slots[k - first] = point_hash(points[k]) & (table.size() - 1);
       __builtin_prefetch(&table[slots[k - first]]);
     }
     for (std::size_t k = first; k < end; ++k) {
@@ -358,8 +352,7 @@ class Checker {
   void count_boundary_curves() {
     std::vector<VertexId> ends;
     for (const VertexPair& edge : open_) ends.insert(ends.end(), edge.begin(), edge.end());
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    make_set(ends);
     const auto place = [&ends](VertexId v) {
       return static_cast<std::uint32_t>(std::lower_bound(ends.begin(), ends.end(), v) -
                                         ends.begin());

@@ -5,14 +5,6 @@
 
 namespace cocoon {
 
-namespace {
-
-double reach_of(const Vec3& v) {
-  return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
-}
-
-}  // namespace
-
 // As in orient3d_filter each product passes 8 roundings, so |error| < 8.01 u * permanent, the
 // determinant with all signs positive. The computed permanent is at least (1 - u)^8 times the true
 // one: 9 u of it is enough. Underflow is paid for by 2^-60 of the first filter's bound.
@@ -33,18 +25,14 @@ FilteredDeterminant orient3d_permanent(const Point& a, const Point& b, const Poi
 
 PredicateDecision orient3d_on_grid(const Point& a, const Point& b, const Point& c, const Point& d,
                                    PredicateLevel narrowest) {
-  const double reach = std::max(std::max(reach_of(b - a), reach_of(c - a)), reach_of(d - a));
+  const double reach = std::max(std::max(max_norm(b - a), max_norm(c - a)), max_norm(d - a));
   const CommonGrid grid =
       common_grid<12>({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z}, reach);
   const std::array<Point, 4> points = {a, b, c, d};
-  using enum PredicateLevel;
-  if (narrowest <= grid_64 && grid.difference_bits <= 62)
-    return {exact_orient3d<1>(points, grid.unit), grid_64};
-  if (narrowest <= grid_128 && grid.difference_bits <= 126)
-    return {exact_orient3d<2>(points, grid.unit), grid_128};
-  if (narrowest <= grid_256 && grid.difference_bits <= 254)
-    return {exact_orient3d<4>(points, grid.unit), grid_256};
-  return {exact_orient3d<33>(points, grid.unit), wide};
+  const auto decide = [&]<std::size_t K>() {
+    return PredicateDecision{exact_orient3d<K>(points, grid.unit), level_of_limbs(K)};
+  };
+  return in_fewest_limbs(grid, decide, limbs_of(narrowest));
 }
 
 namespace {
@@ -89,10 +77,7 @@ Sign orient2d(double ax, double ay, double bx, double by, double cx, double cy) 
                                 std::max(std::fabs(cx - ax), std::fabs(cy - ay)));
   const std::array<double, 6> xy = {ax, ay, bx, by, cx, cy};
   const CommonGrid grid = common_grid(xy, reach);
-  if (grid.difference_bits <= 62) return exact_orient2d<1>(xy, grid.unit);
-  if (grid.difference_bits <= 126) return exact_orient2d<2>(xy, grid.unit);
-  if (grid.difference_bits <= 254) return exact_orient2d<4>(xy, grid.unit);
-  return exact_orient2d<33>(xy, grid.unit);
+  return in_fewest_limbs(grid, [&]<std::size_t K>() { return exact_orient2d<K>(xy, grid.unit); });
 }
 
 bool are_collinear(const Point& a, const Point& b, const Point& c) {

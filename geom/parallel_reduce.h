@@ -9,6 +9,14 @@
 
 namespace cocoon {
 
+// The size of the chunks into which a light pass over `count` elements is cut: at most 64 chunks,
+// none of which is too small to be worth a task.
+constexpr std::size_t coarse_grain(std::size_t count) {
+  constexpr std::size_t most_chunks = 64;
+  constexpr std::size_t smallest_chunk = std::size_t{1} << 15;
+  return std::max(smallest_chunk, (count + most_chunks - 1) / most_chunks);
+}
+
 // combine(... combine(combine(identity, of_chunk(0, g)), of_chunk(g, 2 g)) ...): a value of each
 // chunk [begin, end) of [0, count), on thread_count(execution) threads, combined in the order of
 // the chunks, whose size depends on `count` alone. So the result is the same for every thread
@@ -16,9 +24,7 @@ namespace cocoon {
 template <class T, class OfChunk, class Combine>
 T parallel_reduce(const Execution& execution, std::size_t count, const T& identity,
                   const OfChunk& of_chunk, const Combine& combine) {
-  constexpr std::size_t most_chunks = 64;
-  constexpr std::size_t smallest_chunk = std::size_t{1} << 15;
-  const std::size_t grain = std::max(smallest_chunk, (count + most_chunks - 1) / most_chunks);
+  const std::size_t grain = coarse_grain(count);
   std::vector<T> parts((count + grain - 1) / grain, identity);
   parallel_chunks(execution, count, grain, [&](std::size_t begin, std::size_t end) {
     parts[begin / grain] = of_chunk(begin, end);

@@ -5,6 +5,7 @@
 // to compile. Eigen is used where there is linear algebra to do (eigenvectors, fits).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <compare>
 #include <span>
@@ -39,6 +40,10 @@ constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
 constexpr double squared_norm(const Vec3& a) { return dot(a, a); }
 inline double norm(const Vec3& a) { return std::sqrt(squared_norm(a)); }
 constexpr double squared_distance(const Point& a, const Point& b) { return squared_norm(a - b); }
+// The largest |coordinate|.
+inline double max_norm(const Vec3& a) {
+  return std::max(std::max(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
+}
 inline double distance(const Point& a, const Point& b) { return norm(a - b); }
 
 // a / |a|; the zero vector for |a| = 0 or not finite.

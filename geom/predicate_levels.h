@@ -2,6 +2,8 @@
 // want orient3d.h and insphere.h, which run these from top to bottom until one is certain.
 #pragma once
 
+#include <cstddef>
+
 #include "geom/insphere.h"
 #include "geom/orient3d.h"
 
@@ -9,13 +11,27 @@ namespace cocoon {
 
 enum class PredicateLevel {
   filter,     // floating point, bound from the extent of the points on each axis
-  permanent,  // floating point, bound from the products that occur; and all points in x, y or z =
-              // const
+  permanent,  // floating point, bound from the products that occur; and points in a plane
+              // x, y or z = const
   grid_64,    // integers, differences below 2^62 units of the common grid
   grid_128,   // integers, differences up to 2^126 units
   grid_256,   // integers, differences up to 2^254 units
   wide,       // integers as wide as the range of double
 };
+
+// Of the integer levels: how many 64-bit limbs hold a difference of coordinates.
+constexpr std::size_t limbs_of(PredicateLevel level) {
+  return level <= PredicateLevel::grid_64    ? 1
+         : level == PredicateLevel::grid_128 ? 2
+         : level == PredicateLevel::grid_256 ? 4
+                                             : 33;
+}
+constexpr PredicateLevel level_of_limbs(std::size_t limbs) {
+  return limbs == 1   ? PredicateLevel::grid_64
+         : limbs == 2 ? PredicateLevel::grid_128
+         : limbs == 4 ? PredicateLevel::grid_256
+                      : PredicateLevel::wide;
+}
 
 struct PredicateDecision {
   Sign sign = Sign::zero;

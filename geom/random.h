@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "geom/mixed_bits.h"
 #include "geom/point.h"
 
 namespace cocoon {
@@ -18,10 +19,7 @@ namespace cocoon {
 // Source: Steele, Lea & Flood, Fast splittable pseudorandom number generators (OOPSLA 2014).
 constexpr std::uint64_t splitmix64(std::uint64_t& state) {
   state += 0x9E3779B97F4A7C15ULL;
-  std::uint64_t z = state;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
-  return z ^ (z >> 31);
+  return mixed_bits(state);
 }
 
 // xoshiro256**, period 2^256 - 1, seeded through SplitMix64.

@@ -1,6 +1,5 @@
 #include "geom/signed_distance.h"
 
-#include <array>
 #include <cmath>
 
 #include "geom/closest_facet.h"

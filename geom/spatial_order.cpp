@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "geom/box.h"
 #include "geom/id_vector.h"
 #include "geom/large_pages.h"
+#include "geom/parallel_reduce.h"
+#include "geom/random.h"
 
 namespace cocoon {
 namespace {
@@ -87,8 +88,7 @@ constexpr StepTable step_table = make_step_table();
 constexpr std::array<std::uint16_t, 8> spread_bits = {0, 1, 8, 9, 64, 65, 72, 73};
 
 // Rank among the cells of the curve's first `levels` levels.
-std::uint64_t curve_rank(std::uint32_t x, std::uint32_t y, std::uint32_t z,
-                         int levels = bits_per_axis) {
+std::uint64_t curve_rank(std::uint32_t x, std::uint32_t y, std::uint32_t z, int levels) {
   std::uint64_t rank = 0;
   unsigned state = 0;
   for (int shift = bits_per_axis - levels_per_step; shift >= bits_per_axis - levels;
@@ -119,49 +119,41 @@ constexpr std::size_t digit(const KeyedPoint& item, int shift) {
   return (item.key >> shift) & (num_digits - 1);
 }
 
-// Loops over all points are cut into at most this many parts.
-constexpr std::size_t most_chunks = 64;
-constexpr std::size_t smallest_chunk = std::size_t{1} << 15;
-constexpr std::size_t grain_of(std::size_t count) {
-  return std::max(smallest_chunk, (count + most_chunks - 1) / most_chunks);
-}
-
 struct Cube {
   Point low;
   double half_side = 0;  // halved, so that the extent of huge coordinates does not overflow
 };
 
+Cube cube_of(const Box& box) {
+  const Vec3 half = 0.5 * box.high - 0.5 * box.low;
+  return {box.low, std::max({half.x, half.y, half.z})};
+}
+
 Cube bounding_cube(Points points, std::span<const KeyedPoint> items, const Execution& execution) {
-  struct Corners {
-    Point low, high;
-  };
-  const std::size_t grain = grain_of(items.size());
-  std::vector<Corners> parts((items.size() + grain - 1) / grain);
-  parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
-    Point low = points[items[begin].id.index()];
-    Point high = low;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Point& p = points[items[i].id.index()];
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  const auto box_of_chunk = [&](std::size_t begin, std::size_t end) {
+    Box box;
+    for (const KeyedPoint& item : items.subspan(begin, end - begin)) {
+      box.include(points[item.id.index()]);
     }
-    parts[begin / grain] = {low, high};
-  });
-  auto [low, high] = parts.front();
-  for (const Corners& part : parts) {
-    low = {std::min(low.x, part.low.x), std::min(low.y, part.low.y), std::min(low.z, part.low.z)};
-    high = {std::max(high.x, part.high.x), std::max(high.y, part.high.y),
-            std::max(high.z, part.high.z)};
-  }
-  const double half_side = std::max(
-      {0.5 * high.x - 0.5 * low.x, 0.5 * high.y - 0.5 * low.y, 0.5 * high.z - 0.5 * low.z});
-  return {low, half_side};
+    return box;
+  };
+  const auto joined = [](Box a, const Box& b) {
+    a.include(b);
+    return a;
+  };
+  return cube_of(parallel_reduce(execution, items.size(), Box{}, box_of_chunk, joined));
 }
 
 std::uint32_t curve_coordinate(double value, double low, double half_side) {
   constexpr double cells = 1 << bits_per_axis;
   const double fraction = (0.5 * value - 0.5 * low) / half_side;
   return static_cast<std::uint32_t>(std::clamp(fraction * cells, 0.0, cells - 1));
+}
+
+std::uint64_t curve_rank(const Point& p, const Cube& cube, int levels = bits_per_axis) {
+  return curve_rank(curve_coordinate(p.x, cube.low.x, cube.half_side),
+                    curve_coordinate(p.y, cube.low.y, cube.half_side),
+                    curve_coordinate(p.z, cube.low.z, cube.half_side), levels);
 }
 
 void sort_lexicographically(Points points, std::span<KeyedPoint> items) {
@@ -203,7 +195,7 @@ void sort_bucket(std::span<KeyedPoint> from, std::span<KeyedPoint> to) {
 // caches, are sorted one by one.
 void radix_sort(std::span<KeyedPoint> items, std::span<KeyedPoint> buffer,
                 const Execution& execution) {
-  const std::size_t grain = grain_of(items.size());
+  const std::size_t grain = coarse_grain(items.size());
   const std::size_t chunks = (items.size() + grain - 1) / grain;
   std::vector<std::uint32_t> counts(chunks * num_digits);  // by chunk, then by digit
   parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -239,7 +231,7 @@ struct Group {
 
 std::vector<Group> groups_of_equal_keys(std::span<const KeyedPoint> items,
                                         const Execution& execution) {
-  const std::size_t grain = grain_of(items.size());
+  const std::size_t grain = coarse_grain(items.size());
   std::vector<std::vector<Group>> found((items.size() + grain - 1) / grain);
   parallel_chunks(execution, items.size(), grain, [&](std::size_t first, std::size_t last) {
     // The groups that begin in this chunk.
@@ -263,13 +255,10 @@ void sort_along_curve(Points points, std::span<KeyedPoint> items, std::span<Keye
     sort_lexicographically(points, items);
     return;
   }
-  parallel_chunks(execution, items.size(), grain_of(items.size()),
+  parallel_chunks(execution, items.size(), coarse_grain(items.size()),
                   [&](std::size_t begin, std::size_t end) {
                     for (KeyedPoint& item : items.subspan(begin, end - begin)) {
-                      const Point& p = points[item.id.index()];
-                      item.key = curve_rank(curve_coordinate(p.x, cube.low.x, cube.half_side),
-                                            curve_coordinate(p.y, cube.low.y, cube.half_side),
-                                            curve_coordinate(p.z, cube.low.z, cube.half_side));
+                      item.key = curve_rank(points[item.id.index()], cube);
                     }
                   });
   radix_sort(items, buffer, execution);
@@ -290,17 +279,10 @@ void sort_along_curve(Points points, std::span<KeyedPoint> items, std::span<Keye
       });
 }
 
-std::uint64_t hash(std::uint64_t value) {  // the finalizer of splitmix64
-  value += 0x9E3779B97F4A7C15U;
-  value = (value ^ (value >> 30)) * 0xBF58476D1CE4E5B9U;
-  value = (value ^ (value >> 27)) * 0x94D049BB133111EBU;
-  return value ^ (value >> 31);
-}
-
 }  // namespace
 
 std::vector<PointId> hilbert_order(Points points, const Execution& execution) {
-  const std::size_t grain = grain_of(points.size());
+  const std::size_t grain = coarse_grain(points.size());
   KeyedPoints items(points.size());
   prefer_large_pages(items);
   parallel_chunks(execution, items.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -326,17 +308,14 @@ std::vector<PointId> rough_order(Points points, const Execution& execution) {
   for (const Point& p : points) {
     if (is_finite(p)) box.include(p);
   }
-  const Vec3 half = 0.5 * box.high - 0.5 * box.low;
-  const double half_side = std::max({half.x, half.y, half.z});
+  const Cube cube = cube_of(box);
   const auto cell_of = [&](const Point& p) {
     if (!is_finite(p)) return beyond;
-    if (!(half_side > 0)) return std::uint32_t{0};
-    return static_cast<std::uint32_t>(curve_rank(
-        curve_coordinate(p.x, box.low.x, half_side), curve_coordinate(p.y, box.low.y, half_side),
-        curve_coordinate(p.z, box.low.z, half_side), levels));
+    if (!(cube.half_side > 0)) return std::uint32_t{0};
+    return static_cast<std::uint32_t>(curve_rank(p, cube, levels));
   };
   std::vector<std::uint32_t> cells(points.size());
-  parallel_chunks(execution, points.size(), smallest_chunk,
+  parallel_chunks(execution, points.size(), coarse_grain(points.size()),
                   [&](std::size_t begin, std::size_t end) {
                     for (std::size_t i = begin; i < end; ++i) cells[i] = cell_of(points[i]);
                   });
@@ -358,15 +337,16 @@ InsertionRounds insertion_rounds(std::size_t count, std::uint64_t seed,
   for (std::size_t size = count; size > smallest_round; size >>= bits_per_round) ++rounds;
   const auto round_of = [&](std::size_t element) {
     std::size_t round = rounds - 1;
-    for (std::uint64_t bits = hash(seed * 0x2545F4914F6CDD1DU + element);
-         round > 0 && (bits & 7U) == 0; bits >>= bits_per_round) {
+    std::uint64_t state = seed * 0x2545F4914F6CDD1DU + element;
+    for (std::uint64_t bits = splitmix64(state); round > 0 && (bits & 7U) == 0;
+         bits >>= bits_per_round) {
       --round;
     }
     return round;
   };
 
   // How many elements of each chunk belong to each round, then where they go.
-  const std::size_t grain = grain_of(count);
+  const std::size_t grain = coarse_grain(count);
   const std::size_t chunks = (count + grain - 1) / grain;
   std::vector<std::size_t> offsets(chunks * rounds, 0);  // by chunk, then by round
   parallel_chunks(execution, count, grain, [&](std::size_t begin, std::size_t end) {

@@ -11,7 +11,7 @@
 #include "geom/errors.h"
 #include "geom/nearest_point.h"
 #include "geom/random.h"
-#include "geom/random_point.h"
+#include "geom/triangles_by_area.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
@@ -44,14 +44,8 @@ std::vector<Point> corners_of_triangles(const TriangleMesh& mesh) {
 // One uniform point in each of `count` equal pieces of the area.
 std::vector<Point> stratified_samples(const TriangleMesh& mesh, std::size_t count,
                                       std::uint64_t seed, const Execution& execution) {
-  std::vector<double> area_up_to;
-  double area = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Point& a = mesh.points[t[0]];
-    area += norm(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a)) / 2;
-    area_up_to.push_back(area);
-  }
-  if (count > 0 && !(area > 0)) {
+  const TrianglesByArea triangles(mesh);
+  if (count > 0 && !(triangles.area() > 0)) {
     throw InputError("mesh has no area to take samples of; compare its vertices with 0 samples");
   }
   std::vector<Point> samples(count);
@@ -60,10 +54,7 @@ std::vector<Point> stratified_samples(const TriangleMesh& mesh, std::size_t coun
       std::uint64_t state = seed + k;
       Random random(splitmix64(state));
       const double at = (static_cast<double>(k) + random.uniform()) / static_cast<double>(count);
-      const auto found = std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, at * area);
-      const Triangle& t =
-          mesh.triangles[TriangleId(static_cast<std::size_t>(found - area_up_to.begin()))];
-      samples[k] = random_point_in(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], random);
+      samples[k] = random_point_in(mesh, triangles.at(at * triangles.area()), random);
     }
   });
   return samples;
@@ -137,8 +128,7 @@ DirectedDistance unscaled(DirectedDistance distance, double scale) {
   distance.max /= scale;
   distance.mean /= scale;
   distance.rms /= scale;
-  distance.farthest = {distance.farthest.x / scale, distance.farthest.y / scale,
-                       distance.farthest.z / scale};
+  distance.farthest = distance.farthest / scale;
   return distance;
 }
 

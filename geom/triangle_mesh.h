@@ -20,6 +20,11 @@ struct TriangleMesh {
   friend bool operator==(const TriangleMesh&, const TriangleMesh&) = default;
 };
 
+// Whether two corners are the same vertex.
+constexpr bool repeats_a_vertex(const Triangle& t) {
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
 // The points of a triangle, in the order of its vertices. Precondition: they are there. O(1).
 inline std::array<Point, 3> corners_of(const TriangleMesh& mesh, TriangleId triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];

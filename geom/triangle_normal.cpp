@@ -15,18 +15,14 @@ using Corners = std::array<Point, 3>;
 
 constexpr double largest_relative_error = 1e-6;
 
-double reach_of(const Vec3& v) {
-  return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-}
-
 double reach_from_first(const Corners& p) {
-  return std::max(reach_of(p[1] - p[0]), reach_of(p[2] - p[0]));
+  return std::max(max_norm(p[1] - p[0]), max_norm(p[2] - p[0]));
 }
 
 // The edge, times the power of two that makes its longest coordinate about one: a cross product of
 // two such edges keeps its direction, and cannot overflow or vanish by underflow.
 Vec3 scaled_to_one(const Vec3& edge) {
-  const int exponent = -std::ilogb(reach_of(edge));
+  const int exponent = -std::ilogb(max_norm(edge));
   return {std::ldexp(edge.x, exponent), std::ldexp(edge.y, exponent), std::ldexp(edge.z, exponent)};
 }
 
@@ -35,8 +31,8 @@ Vec3 scaled_to_one(const Vec3& edge) {
 std::optional<Vec3> normal_in_doubles(const Corners& p) {
   const Vec3 u = p[1] - p[0];
   const Vec3 v = p[2] - p[0];
-  if (!(reach_of(u) > 0) || !(reach_of(v) > 0)) return std::nullopt;
-  if (!std::isfinite(reach_of(u)) || !std::isfinite(reach_of(v))) return std::nullopt;
+  if (!(max_norm(u) > 0) || !(max_norm(v) > 0)) return std::nullopt;
+  if (!std::isfinite(max_norm(u)) || !std::isfinite(max_norm(v))) return std::nullopt;
   const Vec3 normal = cross(scaled_to_one(u), scaled_to_one(v));
   const double length = norm(normal);
   if (!(length * largest_relative_error > 56 * 0x1p-53)) return std::nullopt;
@@ -65,10 +61,8 @@ Vec3 exact_normal(const Corners& p) {
   const CommonGrid grid =
       common_grid<9>({p[0].x, p[0].y, p[0].z, p[1].x, p[1].y, p[1].z, p[2].x, p[2].y, p[2].z},
                      reach_from_first(p));
-  if (grid.difference_bits <= 62) return normal_in_integers<1>(p, grid.unit);
-  if (grid.difference_bits <= 126) return normal_in_integers<2>(p, grid.unit);
-  if (grid.difference_bits <= 254) return normal_in_integers<4>(p, grid.unit);
-  return normal_in_integers<33>(p, grid.unit);
+  return in_fewest_limbs(grid,
+                         [&]<std::size_t K>() { return normal_in_integers<K>(p, grid.unit); });
 }
 
 // Sorts the corners; returns true if that was an odd permutation, which turns the normal over.

@@ -1,6 +1,5 @@
 #include "geom/triangle_projection.h"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace cocoon {

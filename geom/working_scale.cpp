@@ -17,7 +17,7 @@ double working_scale(Points points, const Execution& execution) {
   const auto largest_of = [&](std::size_t begin, std::size_t end) {
     double largest = 0;
     for (const Point& p : points.subspan(begin, end - begin)) {
-      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+      largest = std::max(largest, max_norm(p));
     }
     return largest;
   };

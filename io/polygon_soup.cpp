@@ -65,7 +65,7 @@ TriangleMesh triangles_of(PolygonSoup&& soup, const std::filesystem::path& path,
     if (polygon.size() > 3) ++report.polygons;
     triangulate_polygon(soup.points, polygon, triangles);
     for (const Triangle& t : triangles) {
-      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+      if (repeats_a_vertex(t)) {
         ++report.degenerate_triangles;
       } else {
         mesh.triangles.push_back(t);

@@ -4,37 +4,15 @@
 #include <cmath>
 #include <cstdint>
 #include <queue>
-#include <string>
-#include <utility>
 
 #include "geom/box_tree.h"
 #include "geom/errors.h"
-#include "geom/random_point.h"
+#include "geom/triangles_by_area.h"
 
 namespace cocoon {
 namespace {
 
 constexpr double finite_difference_step = 1e-4;  // of the box size: far above rounding
-
-double triangle_area(const TriangleMesh& mesh, const Triangle& t) {
-  const Point& a = mesh.points[t[0]];
-  return norm(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a)) / 2;
-}
-
-Point random_point_of(const TriangleMesh& mesh, const Triangle& t, Random& random) {
-  return random_point_in(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], random);
-}
-
-// The sum of areas up to each triangle.
-std::vector<double> areas_up_to(const TriangleMesh& mesh) {
-  std::vector<double> area_up_to;
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    sum += triangle_area(mesh, t);
-    area_up_to.push_back(sum);
-  }
-  return area_up_to;
-}
 
 // The neighbors of each point within `reach`: lists in the order of the search.
 struct NeighborLists {
@@ -119,21 +97,18 @@ std::vector<Point> sample_surface(const ImplicitSolid& solid, const TriangleMesh
                                   const SurfaceRegion& region, std::size_t count, Random& random) {
   constexpr std::size_t candidates_per_sample = 5;
   constexpr std::size_t tries_per_candidate = 4;
-  const std::vector<double> area_up_to = areas_up_to(mesh);
+  const TrianglesByArea triangles(mesh);
   const std::size_t wanted = candidates_per_sample * count;
   std::vector<Point> candidates;
   std::size_t tries = 0;
-  const double area = area_up_to.empty() ? 0 : area_up_to.back();
+  const double area = triangles.area();
   const double step = finite_difference_step * norm(solid.box.size());
   while (candidates.size() < wanted) {
     if (area == 0 || ++tries > tries_per_candidate * wanted) {
       throw InputError("sampled region holds too little of the surface; give a larger one");
     }
-    const auto found =
-        std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, random.uniform(0, area));
-    const TriangleId position(static_cast<std::size_t>(found - area_up_to.begin()));
-    const Triangle& triangle = mesh.triangles[position];
-    const Point p = project_to_surface(solid.value, random_point_of(mesh, triangle, random), step);
+    const TriangleId triangle = triangles.at(random.uniform(0, area));
+    const Point p = project_to_surface(solid.value, random_point_in(mesh, triangle, random), step);
     if (region(p)) candidates.push_back(p);
   }
   if (count == 0) return {};

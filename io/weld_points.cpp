@@ -1,33 +1,12 @@
 #include "io/weld_points.h"
 
-#include <bit>
+#include "geom/point_hash.h"
 
 namespace cocoon {
 
-namespace {
-
-// Mixes 64 bits well (the finalizer of MurmurHash3, Appleby).
-std::uint64_t mix(std::uint64_t bits) {
-  bits ^= bits >> 33;
-  bits *= 0xff51afd7ed558ccdULL;
-  bits ^= bits >> 33;
-  bits *= 0xc4ceb9fe1a85ec53ULL;
-  return bits ^ (bits >> 33);
-}
-
-std::size_t hash_of(const Point& point) {
-  std::uint64_t hash = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    hash = mix(hash ^ std::bit_cast<std::uint64_t>(point[axis] + 0.0));  // -0 + 0 = 0
-  }
-  return static_cast<std::size_t>(hash);
-}
-
-}  // namespace
-
 std::size_t PointWelder::slot_of(const Point& point) const {
   const std::size_t mask = table_.size() - 1;
-  std::size_t slot = hash_of(point) & mask;
+  std::size_t slot = point_hash(point) & mask;
   while (table_[slot] != empty && points_[table_[slot]] != point) slot = (slot + 1) & mask;
   return slot;
 }
