@@ -15,7 +15,7 @@ struct DelaunayOptions {
   std::uint64_t seed = 1;
 };
 
-// What the build did, beside the algorithm (architecture: counters).
+// What the build did.
 struct DelaunayCounters {
   std::size_t walk_steps = 0;      // cells visited by point location
   std::size_t conflict_tests = 0;  // cells tested against a new point's position

@@ -13,6 +13,7 @@
 #include "delaunay/insertion_order.h"
 #include "delaunay/locate.h"
 #include "geom/errors.h"
+#include "geom/sort_ids.h"
 #include "geom/spatial_order.h"
 
 namespace cocoon {
@@ -310,9 +311,7 @@ DelaunayChange DynamicDelaunay::replace(std::span<const VertexId> vertices, Poin
   }
   DelaunayChange change;
   change.removed.assign(vertices.begin(), vertices.end());
-  std::sort(change.removed.begin(), change.removed.end());
-  change.removed.erase(std::unique(change.removed.begin(), change.removed.end()),
-                       change.removed.end());
+  make_set(change.removed);
   report_progress(execution, "delaunay", 0);
   state.begin_journal();
   if (change.removed.size() == state.num_vertices) {

@@ -55,7 +55,8 @@ struct FrozenDelaunay {
 // though cells may have other numbers (not so if memory runs out).
 // Complexity: each operation costs O(k log n) expected for a change of k vertices and cells, apart
 // from the growth of arrays; nothing is proportional to the size of the triangulation.
-// Deterministic: same history, same numbers; execution.threads has no influence.
+// Deterministic: same history, same numbers; so for every execution.threads, but where all vertices
+// are replaced: then the cells are numbered as delaunay() numbers them.
 class DynamicDelaunay {
  public:
   DynamicDelaunay();

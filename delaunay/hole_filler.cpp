@@ -1,6 +1,5 @@
 #include "delaunay/hole_filler.h"
 
-#include <algorithm>
 #include <bit>
 #include <cassert>
 

@@ -8,6 +8,7 @@
 #include "delaunay/locate.h"
 #include "geom/compare_distance.h"
 #include "geom/orient3d.h"
+#include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {
@@ -131,8 +132,7 @@ std::vector<VertexId> neighbors_of_vertex(const TriangulationView& triangulation
     }
     return true;
   });
-  std::sort(neighbors.begin(), neighbors.end());
-  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  make_set(neighbors);
   return neighbors;
 }
 

@@ -1,10 +1,8 @@
 #include "delaunay/removal.h"
 
 #include <algorithm>
-#include <string>
 
 #include "delaunay/first_cells.h"
-#include "geom/errors.h"
 #include "geom/sort_ids.h"
 
 namespace cocoon {
@@ -179,10 +177,7 @@ void VertexRemover::take_slots() {
   const std::size_t taken = std::min(count - reused, pool_.free.size());
   const std::size_t added = count - reused - taken;
   const std::size_t first_added = pool_.cells.size();
-  if (first_added + added > max_cells) {
-    throw InputError("too many points: the triangulation needs more than " +
-                     std::to_string(max_cells) + " tetrahedra, the most that can be numbered");
-  }
+  require_cell_numbers(first_added + added);
   sort_ids(hole_cells_);
   slots_.assign(hole_cells_.begin(), hole_cells_.begin() + static_cast<std::ptrdiff_t>(reused));
   for (std::size_t i = 0; i < taken; ++i) {
