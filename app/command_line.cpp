@@ -7,6 +7,7 @@
 
 #include "app/check_requirements.h"
 #include "app/thresholds.h"
+#include "io/sample_models.h"
 
 namespace cocoon::app {
 
@@ -167,7 +168,7 @@ void add_demo_and_sample(CLI::App& app, Command& chosen, SharedArguments& shared
       app, "sample", "Write one of the paper's models as points", chosen, shared, sub);
   sub->add_option("NAME", sample.name, "Model")
       ->required()
-      ->check(CLI::IsMember({"block", "airbag", "golf-club", "joystick-1", "joystick-2"}));
+      ->check(CLI::IsMember(sample_model_names()));
   sub->add_option("-o,--output", sample.folder, "Folder to write to (the model's name)")
       ->type_name("DIR");
   sub->add_option("--points", sample.points, "Points of the initial model (the paper's number)")

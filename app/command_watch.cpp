@@ -2,7 +2,6 @@
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
-#include <optional>
 #include <thread>
 #include <utility>
 

@@ -1,13 +1,13 @@
 #include "app/files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "geom/counted.h"
 #include "geom/errors.h"
+#include "io/file_format.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"
 
@@ -26,15 +26,9 @@ void warn_of_trailing_bytes(Job& job, const std::string& path, const std::string
                        counted(bytes, "byte was not read,", "bytes were not read,")));
 }
 
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 void require_extension(const OutputFile& output) {
   if (output.extensions.empty()) return;
-  const std::string extension = lower_case(fs::path(output.path).extension().string());
+  const std::string extension = extension_of(output.path);
   std::string known;
   for (const std::string& candidate : output.extensions) {
     if (extension == candidate) return;

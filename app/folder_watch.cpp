@@ -1,7 +1,6 @@
 #include "app/folder_watch.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "geom/errors.h"
@@ -14,10 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 bool may_be_cloud(const fs::path& path) {
-  static const std::vector<std::string> extensions = {
-      ".xyz", ".pts", ".txt", ".csv", ".npts", ".pwn", ".asc", ".ply", ".obj", ".off", ".stl"};
-  if (path.filename().string().starts_with('.')) return false;
-  return std::find(extensions.begin(), extensions.end(), extension_of(path)) != extensions.end();
+  return !path.filename().string().starts_with('.') && format_of(path) != FileFormat::other;
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 // library.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>

@@ -1,10 +1,8 @@
 // The program `cocoon`: reads the command line, runs the command, turns errors into exit codes.
-#include <cstdio>
 #include <exception>
 #include <fmt/format.h>
 #include <new>
 #include <string>
-#include <type_traits>
 #include <variant>
 
 #include "app/commands.h"

@@ -64,7 +64,7 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("clean_up/idle_after", c.clean_up.idle_after);
 }
 
-// "the smallest ratio of radius to height is 2.1, near (1, 2, 3); --rho 0.833 allows that"
+// "the smallest ratio of radius to height is 2.1, near (1, 2, 3), and --rho is 0.833"
 std::string ratios_said(const SampleDoubts& doubts, double rho) {
   if (!std::isfinite(doubts.least_ratio)) {
     return "they do not lie between two sides, as samples of a surface do";

@@ -2,7 +2,6 @@
 
 #include <span>
 #include <string_view>
-#include <utility>
 
 #include "geom/errors.h"
 #include "io/file_bytes.h"

@@ -1,8 +1,6 @@
 // The certificate of a surface, as reports and summaries show it.
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <string>
 
 #include "app/json_report.h"

@@ -1,6 +1,5 @@
 #include "app/updating.h"
 
-#include <cmath>
 #include <fmt/format.h>
 
 #include "app/carried_properties.h"

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "io/number_text.h"
+#include "io/point_text.h"
 #include "io/text_lines.h"
 
 namespace cocoon {
@@ -96,11 +97,8 @@ void write_obj(AtomicFile& file, Points points) {
   file.write("# written by cocoon\n");
   for (const Point& point : points) {
     std::string& text = file.buffer();
-    text += 'v';
-    for (int axis = 0; axis < 3; ++axis) {
-      text += ' ';
-      append_number(text, point[axis]);
-    }
+    text += "v ";
+    append_point(text, point);
     text += '\n';
     file.flush_if_full();
   }

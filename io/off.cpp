@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "io/number_text.h"
+#include "io/point_text.h"
 #include "io/text_lines.h"
 
 namespace cocoon {
@@ -24,7 +25,7 @@ class OffReader {
     read_header();
     read_vertices();
     read_faces();
-    soup_.trailing_bytes = lines_.rest_without_blanks().size();
+    soup_.trailing_bytes = bytes_left();
     return std::move(soup_);
   }
 
@@ -49,6 +50,16 @@ class OffReader {
                      std::string("the file ends before ") + wanted + " " + std::to_string(index) +
                          " of " + std::to_string(count) +
                          "; it is cut off or its counts are wrong");
+  }
+
+  // From the next line on that holds something besides a comment.
+  std::size_t bytes_left() {
+    std::string_view line;
+    for (;;) {
+      const std::string_view rest = lines_.rest_without_blanks();
+      if (!lines_.next(line)) return 0;
+      if (!Fields(without_comment(line)).done()) return rest.size();
+    }
   }
 
   [[noreturn]] void fail(const std::string& message) const {
@@ -144,10 +155,8 @@ void write_points_and_counts(AtomicFile& file, Points points, std::size_t num_fa
   file.write("OFF\n" + std::to_string(points.size()) + " " + std::to_string(num_faces) + " 0\n");
   for (const Point& point : points) {
     std::string& text = file.buffer();
-    for (int axis = 0; axis < 3; ++axis) {
-      append_number(text, point[axis]);
-      text += axis < 2 ? ' ' : '\n';
-    }
+    append_point(text, point);
+    text += '\n';
     file.flush_if_full();
   }
 }

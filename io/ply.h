@@ -1,8 +1,6 @@
 // PLY, the polygon file format (Turk 1994), in all three encodings.
 #pragma once
 
-#include <filesystem>
-
 #include "geom/triangle_mesh.h"
 #include "io/atomic_file.h"
 #include "io/file_bytes.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "io/byte_order.h"
 #include "io/number_text.h"

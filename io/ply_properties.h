@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "io/ply_body.h"

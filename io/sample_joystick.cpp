@@ -1,6 +1,5 @@
 #include "io/sample_joystick.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace cocoon {

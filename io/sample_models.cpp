@@ -1,6 +1,5 @@
 #include "io/sample_models.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numeric>

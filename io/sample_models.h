@@ -3,7 +3,6 @@
 // (one file each, sample_block and so on); all the rest is common.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

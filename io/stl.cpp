@@ -1,12 +1,12 @@
 #include "io/stl.h"
 
 #include <cctype>
-#include <limits>
 #include <string>
 #include <string_view>
 
 #include "io/byte_order.h"
 #include "io/number_text.h"
+#include "io/point_text.h"
 #include "io/single_precision.h"
 #include "io/text_lines.h"
 #include "io/weld_points.h"
@@ -170,10 +170,8 @@ void append_floats(AtomicFile& file, const Vec3& v) {
 void append_text(AtomicFile& file, const char* keywords, const Vec3& v) {
   std::string& text = file.buffer();
   text += keywords;
-  for (int axis = 0; axis < 3; ++axis) {
-    text += ' ';
-    append_number(text, v[axis]);
-  }
+  text += ' ';
+  append_point(text, v);
   text += '\n';
 }
 

@@ -1,7 +1,6 @@
 #include "io/tetrahedra_file.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "io/file_bytes.h"
 #include "io/file_format.h"
 #include "io/number_text.h"
+#include "io/point_text.h"
 
 namespace cocoon {
 
@@ -40,10 +40,7 @@ void append_points(AtomicFile& file, const Triangulation& triangulation, const N
                    const char* line_end) {
   for (VertexId v : numbering.vertices) {
     std::string& text = file.buffer();
-    for (int axis = 0; axis < 3; ++axis) {
-      if (axis > 0) text += ' ';
-      append_number(text, triangulation.point(v)[axis]);
-    }
+    append_point(text, triangulation.point(v));
     text += line_end;
     file.flush_if_full();
   }

@@ -1,12 +1,10 @@
 #include "io/triangulation_file.h"
 
-#include <algorithm>
-#include <array>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "delaunay/cell_pool.h"
 #include "delaunay/check_delaunay.h"
 #include "geom/large_pages.h"
 #include "geom/parallel_reduce.h"
@@ -49,7 +47,6 @@ Header read_header(const std::filesystem::path& path, std::string_view bytes) {
                                ", but only version 1 can be read");
   }
   const Header header{number64(16), number64(24), number64(32), number64(40)};
-  constexpr std::size_t max_cells = std::size_t{1} << 30;
   if (number32(12) != 0 || header.vertices >= infinite_vertex.value || header.cells > max_cells ||
       header.finite_cells > header.cells || header.points >= infinite_vertex.value ||
       header.points < header.vertices) {

@@ -7,10 +7,7 @@
 //   24 n         coordinates x y z, 64-bit floating point
 //   32 m         cells: four vertices, four neighbors, 32-bit; finite cells first
 //   4 k          the vertex of each input point, 32-bit; zero bytes up to a multiple of 8
-//   8            checksum of all before, see below
-//
-// Checksum: h = 0; for each 64-bit word w: h = (h xor w) * 0x9E3779B97F4A7C15, h = h xor (h >> 32).
-// Every change of one word changes it; other damage is missed with a chance of about 2^-64.
+//   8            checksum of all before (io/summed_file.h)
 #pragma once
 
 #include <filesystem>

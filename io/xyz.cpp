@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/number_text.h"
+#include "io/point_text.h"
 #include "io/text_lines.h"
 
 namespace cocoon {
@@ -213,10 +214,8 @@ void write_xyz(AtomicFile& file, Points points, std::string_view extension) {
   if (extension == ".pts") file.write(std::to_string(points.size()) + "\n");
   for (const Point& point : points) {
     std::string& text = file.buffer();
-    for (int axis = 0; axis < 3; ++axis) {
-      append_number(text, point[axis]);
-      text += axis < 2 ? separator : '\n';
-    }
+    append_point(text, point, separator);
+    text += '\n';
     file.flush_if_full();
   }
 }

@@ -17,7 +17,8 @@ namespace cocoon {
 //     reason.
 //   - # and // start a comment where a row or a column could start; blank lines are skipped.
 //   - The first line may be a count alone (then as many rows must follow; more are read, too, and
-//     the caller can tell by PointCloud::announced) or a header: names in its first three columns. If the names x, y, z occur in it, then there.
+//     the caller can tell by PointCloud::announced) or a header: names in its first three columns.
+//     If the names x, y, z occur in it, then there.
 // Throws FileError with the line for a row that has fewer than three columns or no number where one
 // belongs (hexadecimal and Fortran's D are none), and for no rows. Rows that are not finite are
 // kept and noted.

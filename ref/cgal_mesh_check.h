@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"

@@ -2,7 +2,6 @@
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
-#include <array>
 #include <vector>
 
 #include "geom/errors.h"

@@ -1,5 +1,4 @@
 // mark_and_peel() of cgal_triangulation.h.
-#include <algorithm>
 #include <optional>
 
 #include "ref/cgal_triangulation.h"

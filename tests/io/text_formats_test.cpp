@@ -122,6 +122,16 @@ TEST_F(TextFormats, DegenerateFacesAreLeftOutAndCounted) {
   EXPECT_EQ(report.trailing_bytes, 9U);
 }
 
+TEST_F(TextFormats, CommentsBehindTheLastFaceAreNotLeftOver) {
+  const std::string tetrahedron =
+      "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  MeshReadReport report;
+  read_mesh(folder.write("a.off", tetrahedron + "# done\n\n  # really\n"), report);
+  EXPECT_EQ(report.trailing_bytes, 0U);
+  read_mesh(folder.write("a.off", tetrahedron + "# more\n3 0 1 2\n"), report);
+  EXPECT_EQ(report.trailing_bytes, 7U);
+}
+
 TEST_F(TextFormats, FilesThatAreMissingOrFoldersAreRefused) {
   const auto missing = folder / "missing.ply";
   EXPECT_EQ(message_of<FileError>(missing, [&] { read_mesh(missing); }),
