@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <functional>
 #include <utility>
 
@@ -30,11 +31,10 @@ class Carrying {
   CarriedMarks run() {
     for (const CellId c : triangulation_.infinite_cells()) marks_.labels[c] = CellLabel::out;
     find_sheets();
-    if (see_from_hull()) {
-      visit_sheets();
-      label_sides();
-      result_.carried = label_others();
-    }
+    see_from_hull();
+    visit_sheets();
+    label_sides();
+    label_others();
     return std::move(result_);
   }
 
@@ -54,22 +54,20 @@ class Carrying {
   }
 
   // Of each such part that the hull sees at a good vertex, on which side of its first triangle OUT
-  // is. False if one has no two sides.
-  bool see_from_hull() {
+  // is.
+  void see_from_hull() {
     outside_.assign(sheets_.components.size(), CarriedMarks::unknown);
     for (const CellId c : triangulation_.infinite_cells()) {
       for (unsigned i = 0; i < 3; ++i) {
         const VertexId v = triangulation_.cell(c).vertices[i];
         if (marks_.good[v] == 0 || outside_[sheet_at(v)] != CarriedMarks::unknown) continue;
         const std::uint32_t sheet = sheet_at(v);
-        if (sheets_.components[sheet].is_contradictory) return false;
         const FacetId seen = surface_seen_from(c, v);
         const std::uint32_t t = triangle_of_facet(seen, v);
         const auto side = static_cast<std::uint8_t>(seen == surface_.facets[t] ? 0 : 1);
         outside_[sheet] = side ^ sheets_.turned[t];
       }
     }
-    return true;
   }
 
   std::uint32_t sheet_at(VertexId good) const {
@@ -156,10 +154,11 @@ class Carrying {
     }
   }
 
-  // Labels pass through facets at visited vertices; in the order of memory, as often as it takes.
-  // Each cell is compared with those around it when it has its label, so that of any two the second
-  // sees the first. False if none comes to a cell.
-  bool label_others() {
+  // Labels pass through facets at visited vertices; in the order of memory, as often as it takes:
+  // in half a star there is one beside each triangle, and its cells hang together. Each cell is
+  // compared with those around it when it has its label, so that of any two the second sees the
+  // first.
+  void label_others() {
     std::vector<CellId> left;
     for (const CellId c : triangulation_.cells()) {
       if (!take_label(c) && passing_facets(c) != 0) left.push_back(c);
@@ -169,7 +168,7 @@ class Carrying {
       std::reverse(left.begin(), left.end());
       std::erase_if(left, [&](CellId c) { return take_label(c); });
     }
-    return left.empty();
+    assert(left.empty());
   }
 
   // Bit i: facet i has a vertex that has had its turn. A branch only on whether all have.

@@ -11,7 +11,6 @@ namespace cocoon {
 
 struct CarriedMarks {
   static constexpr std::uint8_t unknown = 2;
-  bool carried = false;  // false: the hull and the surface contradict each other; nothing is known
   // Of each triangle at a visited vertex, on which side OUT is: 0, in the cell that numbers the
   // facet, 1, in the one behind.
   std::vector<std::uint8_t> out_side;
@@ -24,12 +23,12 @@ struct CarriedMarks {
 // from triangle to triangle around them, labels the cells on both sides of it; cells that share a
 // facet at such a vertex, off the surface, have the same label. Labels that meet all these
 // conditions are those of the rounds: OUT is what hangs together with an infinite cell by such
-// facets, IN what lies behind. Where they do not, some label is taken, and the vertices there are
-// told: all cells of the others' stars have the label that the side carried to the vertex gives
-// them. Fills in labels and visited vertices. `corner_at`: as in GoodVertices. Precondition: labels
-// are unmarked, nobody is visited; good vertices are known. Complexity: O(cells), in the order of
-// memory; what concerns the surface alone is parallel. Source: spec 6.2 and section 12; the pass is
-// ours.
+// facets, IN what lies behind. Where they do not, as on any one-sided surface, some label is taken,
+// and the vertices there are told: all cells of the others' stars have the label that the side
+// carried to the vertex gives them. Fills in labels and visited vertices. `corner_at`: as in
+// GoodVertices. Precondition: labels are unmarked, nobody is visited; good vertices are known.
+// Complexity: O(cells), in the order of memory; what concerns the surface alone is parallel.
+// Source: spec 6.2 and section 12; the pass is ours.
 CarriedMarks carry_marks(const Triangulation& triangulation, const LinkedFacets& surface,
                          const IdVector<VertexId, SideId>& corner_at, CellMarks& marks,
                          const Execution& execution = {});

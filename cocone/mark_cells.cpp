@@ -170,10 +170,11 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
   marks.good_vertices = good.count;
   marks.demoted_vertices = good.demoted;
   clear_marks(triangulation, marks);
-  const CarriedMarks carried = carry_marks(triangulation, surface, good.corner_at, marks, execution);
-  if (carried.carried && known.empty()) {
+  const CarriedMarks carried =
+      carry_marks(triangulation, surface, good.corner_at, marks, execution);
+  if (known.empty()) {
     settle_disputes(triangulation, surface, good.corner_at, carried, marks);
-  } else if (!carried.carried || !carried.disputed.empty()) {
+  } else if (!carried.disputed.empty()) {
     clear_marks(triangulation, marks);
     // the first to have their turn: good vertices on the hull
     std::vector<VertexId> seeds;

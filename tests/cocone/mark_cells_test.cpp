@@ -58,6 +58,18 @@ TEST(MarkCells, OnePassGivesWhatTheRoundsGive) {
   }
 }
 
+// False if nobody disagreed.
+bool is_settled_as_by_the_rounds(const Marked& m) {
+  const CellMarks rounds = m.by_rounds();
+  EXPECT_EQ(m.marks.labels, rounds.labels);
+  EXPECT_EQ(m.marks.visited, rounds.visited);
+  EXPECT_EQ(m.marks.visited_vertices, rounds.visited_vertices);
+  EXPECT_EQ(m.marks.conflicts, rounds.conflicts);
+  if (m.marks.rounds == 0) return false;
+  EXPECT_EQ(m.marks.rounds, rounds.rounds);
+  return true;
+}
+
 // Where vertices disagree, only they are asked: with the same result as all rounds.
 TEST(MarkCells, DisputesAreSettledAsByTheRounds) {
   std::size_t conflicts = 0;
@@ -65,19 +77,23 @@ TEST(MarkCells, DisputesAreSettledAsByTheRounds) {
   for (const double noise : {0.01, 0.015, 0.02, 0.03, 0.05}) {
     for (const std::uint64_t seed : {1U, 5U, 9U}) {
       const Marked m(shapes::noisy_sphere(3000, noise, seed));
-      const CellMarks rounds = m.by_rounds();
-      EXPECT_EQ(m.marks.labels, rounds.labels);
-      EXPECT_EQ(m.marks.visited, rounds.visited);
-      EXPECT_EQ(m.marks.visited_vertices, rounds.visited_vertices);
-      EXPECT_EQ(m.marks.conflicts, rounds.conflicts);
-      if (m.marks.rounds == 0) continue;  // nobody disagreed
-      EXPECT_EQ(m.marks.rounds, rounds.rounds);
+      if (!is_settled_as_by_the_rounds(m)) continue;
       ++disputed;
       conflicts += m.marks.conflicts;
     }
   }
   EXPECT_GT(disputed, 5U);
   EXPECT_GT(conflicts, 20U);
+}
+
+// A surface without two sides: OUT comes to every place from both.
+TEST(MarkCells, AOneSidedSurfaceIsMarkedAsByTheRounds) {
+  for (const double jitter : {0.1, 0.3, 0.6}) {
+    const Marked m(shapes::moebius_strip(150, 13, jitter, 4));
+    EXPECT_GT(m.marks.good_vertices, 500U);
+    EXPECT_TRUE(is_settled_as_by_the_rounds(m));
+    EXPECT_GT(m.marks.conflicts, 0U);
+  }
 }
 
 // A vertex that is not contradicted has one side OUT and the other one not.

@@ -127,6 +127,26 @@ inline std::vector<Point> dome_patch(int side, double jitter, std::uint64_t seed
   return points;
 }
 
+// A Moebius strip of radius 1, points moved by `jitter` spacings in it and a tenth of that off it.
+inline std::vector<Point> moebius_strip(int columns, int rows, double jitter, std::uint64_t seed) {
+  Random random(seed);
+  const double step = 2 * std::numbers::pi / columns;
+  std::vector<Point> points;
+  for (int i = 0; i < columns; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      const double u = step * (i + random.uniform(-0.5, 0.5) * jitter);
+      const double across = step * (j - 0.5 * (rows - 1) + random.uniform(-0.5, 0.5) * jitter);
+      const double off = 0.1 * step * random.uniform(-0.5, 0.5) * jitter;
+      const Vec3 out{std::cos(u), std::sin(u), 0};
+      const Vec3 up{0, 0, 1};
+      const Vec3 along = std::cos(0.5 * u) * out + std::sin(0.5 * u) * up;
+      const Vec3 normal = std::cos(0.5 * u) * up - std::sin(0.5 * u) * out;
+      points.push_back(Point(out + across * along + off * normal));
+    }
+  }
+  return points;
+}
+
 // A plate of `layers` + 1 grid layers of side x side points each: only its surface is sampled.
 inline std::vector<Point> plate(int side, int layers) {
   std::vector<Point> points;
