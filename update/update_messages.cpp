@@ -66,6 +66,12 @@ std::string warning_of_unused_points(std::size_t unused, std::size_t updated_poi
          (unused == 1 ? " is" : " are") + " not on the surface";
 }
 
+std::string warning_of_overlooked(std::size_t vertices) {
+  return counted(vertices, "vertex of the model stays", "vertices of the model stay") +
+         " in the midst of the new samples: a part of the rim was not found, or the wrong region "
+         "chosen; sample more densely at sharp edges and thin walls, and look at the result";
+}
+
 std::vector<std::string> warnings_of_surface(const CloudSurface& surface) {
   std::vector<std::string> warnings;
   if (surface.trials.size() > 1) {

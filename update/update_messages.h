@@ -33,6 +33,7 @@ std::string reason_of_empty_surface(std::size_t updated_points);
 
 std::string warning_of_split(const SplitRegion& split);
 std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points);
+std::string warning_of_overlooked(std::size_t vertices);
 // What was unusual about the surface of a cloud.
 std::vector<std::string> warnings_of_surface(const CloudSurface& surface);
 

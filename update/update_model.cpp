@@ -90,8 +90,14 @@ class Update {
   }
 
   bool reconstruct(const ModelIndex& index, const UpdateParts& parts, const Execution& execution) {
-    result_.replacement = replace_points(index, result_.regions, result_.choice, border_rims(),
-                                         clouds_, options_.replace);
+    const std::vector<CloudRim> rims = border_rims();
+    result_.replacement =
+        replace_points(index, result_.regions, result_.choice, rims, clouds_, options_.replace);
+    result_.overlooked =
+        overlooked_vertices(index, result_.replacement, rims, clouds_, options_.overlooked);
+    if (result_.overlooked >= options_.overlooked.min_count) {
+      warn(warning_of_overlooked(result_.overlooked));
+    }
     const KnownTriangleSource known = [&] {
       return known_triangles(model_, result_.regions, result_.choice, result_.replacement);
     };
@@ -158,6 +164,8 @@ class Update {
     std::vector<CloudRim> rims(clouds_.size());
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       rims[c].spacing = result_.clouds[c].surface.rim.spacing;
+      rims[c].median_edge = result_.clouds[c].surface.rim.median_edge;
+      rims[c].gap_edges = result_.clouds[c].surface.rim.gap_edges;
     }
     for_each_border_loop([&](std::size_t c, std::size_t l) {
       rims[c].loops.push_back(result_.clouds[c].surface.rim.loops[l]);

@@ -23,6 +23,7 @@
 #include "update/loop_sides.h"
 #include "update/model_index.h"
 #include "update/overlapping_facets.h"
+#include "update/overlooked_vertices.h"
 #include "update/pin_holes.h"
 #include "update/replace_points.h"
 #include "update/rim_angles.h"
@@ -43,6 +44,7 @@ struct UpdateOptions {
   AngleOptions angles;
   ChoiceOptions choice;
   ReplaceOptions replace;
+  OverlookedOptions overlooked;
   ReconstructOptions reconstruct;  // of the updated model: the defaults for closed models
 };
 
@@ -99,7 +101,8 @@ struct UpdateResult {
 
   // Each vertex of the initial model in the updated one; none: replaced, or not on its surface.
   IdVector<VertexId, VertexId> vertex_map;
-  Replacement replacement;  // counts, and the updated points
+  Replacement replacement;     // counts, and the updated points
+  std::size_t overlooked = 0;  // see overlooked_vertices.h
   // Of the updated points, without its mesh; counts of duplicates and unused points are here.
   ReconstructResult reconstruction;
 };

@@ -1,0 +1,56 @@
+#include "update/overlooked_vertices.h"
+
+#include <algorithm>
+
+#include "geom/box.h"
+#include "geom/nearest_point.h"
+#include "update/rim_index.h"
+
+namespace cocoon {
+
+namespace {
+
+// The samples of one cloud, and how near to them a vertex has been scanned anew.
+class Scan {
+ public:
+  Scan(const std::vector<Point>& cloud, double reach) : samples_(cloud), reach_(reach) {
+    for (const Point& p : cloud) box_.include(p);
+    box_.enlarge(reach);
+  }
+  bool covers(const Point& p) const {
+    return contains(box_, p) && samples_.nearest(p).squared_distance <= reach_ * reach_;
+  }
+
+ private:
+  NearestPointTree samples_;
+  double reach_;
+  Box box_;
+};
+
+}  // namespace
+
+std::size_t overlooked_vertices(const ModelIndex& model, const Replacement& replacement,
+                                std::span<const CloudRim> rims,
+                                std::span<const std::vector<Point>> clouds,
+                                const OverlookedOptions& options) {
+  const auto is_torn = [](const CloudRim& rim) { return rim.gap_edges > 0; };
+  const RimIndex rim_index(rims);
+  if (rim_index.empty() || std::none_of(rims.begin(), rims.end(), is_torn)) return 0;
+  std::vector<Scan> scans;
+  for (std::size_t c = 0; c < clouds.size(); ++c) {
+    if (!clouds[c].empty()) scans.emplace_back(clouds[c], options.reach * rims[c].median_edge);
+  }
+  std::size_t count = 0;
+  for (const VertexId v : model.mesh().points.ids()) {
+    if (replacement.point_of_vertex[v].is_none()) continue;
+    const Point& p = model.mesh().points[v];
+    bool scanned = false;
+    for (const Scan& scan : scans) scanned = scanned || scan.covers(p);
+    if (!scanned) continue;
+    const RimSide side = rim_index.side_of(p);
+    count += side.distance > options.min_rim_distance * rims[side.rim].median_edge ? 1U : 0U;
+  }
+  return count;
+}
+
+}  // namespace cocoon
