@@ -29,10 +29,12 @@ class Carrying {
         execution_(execution) {}
 
   CarriedMarks run() {
-    for (const CellId c : triangulation_.infinite_cells()) marks_.labels[c] = CellLabel::out;
     find_sheets();
     see_from_hull();
     visit_sheets();
+    sheets_ = {};  // memory is short here
+    marks_.labels = IdVector<CellId, CellLabel>(triangulation_.num_cells(), CellLabel::unmarked);
+    for (const CellId c : triangulation_.infinite_cells()) marks_.labels[c] = CellLabel::out;
     label_sides();
     label_others();
     return std::move(result_);
@@ -86,6 +88,7 @@ class Carrying {
                                            : static_cast<std::uint8_t>(side ^ sheets_.turned[t]);
                       }
                     });
+    marks_.visited = VertexSet(triangulation_.num_vertices(), 0);
     marks_.visited_vertices = parallel_reduce(
         execution_, triangulation_.num_vertices(), std::size_t{0},
         [&](std::size_t begin, std::size_t end) {

@@ -26,7 +26,7 @@ struct CarriedMarks {
 // facets, IN what lies behind. Where they do not, as on any one-sided surface, some label is taken,
 // and the vertices there are told: all cells of the others' stars have the label that the side
 // carried to the vertex gives them. Fills in labels and visited vertices. `corner_at`: as in
-// GoodVertices. Precondition: labels are unmarked, nobody is visited; good vertices are known.
+// GoodVertices. Precondition: good vertices are known.
 // Complexity: O(cells), in the order of memory; what concerns the surface alone is parallel.
 // Source: spec 6.2 and section 12; the pass is ours.
 CarriedMarks carry_marks(const Triangulation& triangulation, const LinkedFacets& surface,

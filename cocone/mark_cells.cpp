@@ -169,7 +169,6 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
   marks.good = std::move(good.good);
   marks.good_vertices = good.count;
   marks.demoted_vertices = good.demoted;
-  clear_marks(triangulation, marks);
   const CarriedMarks carried =
       carry_marks(triangulation, surface, good.corner_at, marks, execution);
   if (known.empty()) {

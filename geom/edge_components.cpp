@@ -1,17 +1,11 @@
 #include "geom/edge_components.h"
 
-#include "geom/ids.h"
-#include "geom/zeroed_array.h"
-
 namespace cocoon {
 namespace edge_components_detail {
 
 Seeds::Seeds(std::size_t num_triangles)
     : sets_(num_triangles),
-      words_(num_triangles),
-      chunks_((num_triangles + triangles_per_chunk - 1) / triangles_per_chunk) {
-  for (std::uint32_t t = 0; t < num_triangles; ++t) words_[t] = word_of_seed(t);
-}
+      chunks_((num_triangles + triangles_per_chunk - 1) / triangles_per_chunk) {}
 
 void Seeds::join(std::uint32_t word, std::uint32_t other, Chunk& chunk) {
   if (!sets_.join(word >> 1, other >> 1, (word ^ other) & 1U)) {
@@ -21,48 +15,67 @@ void Seeds::join(std::uint32_t word, std::uint32_t other, Chunk& chunk) {
 
 void Seeds::list_seeds(std::size_t begin, std::size_t end, Chunk& chunk) {
   for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
-    if (words_[t] == word_of_seed(t)) chunk.seeds.push_back(t);
+    if (sets_.word(t) == TurnedSets::word_of_root(t)) chunk.seeds.push_back(t);
   }
 }
 
-EdgeComponents Seeds::number(const Execution& execution) {
+// Joins the chunks, and hangs every seed right under its root.
+void Seeds::flatten() {
   for (Chunk& chunk : chunks_) {
-    for (const Join& j : chunk.to_earlier)
-      join(words_[j.triangle], words_[j.other] ^ j.turned, chunk);
+    for (const Join& j : chunk.to_earlier) {
+      join(sets_.word(j.triangle), sets_.word(j.other) ^ j.turned, chunk);
+    }
   }
-  EdgeComponents result;
-  ZeroedArray<TriangleId, std::uint32_t> numbers(
-      words_.size());  // of seeds: as words_, of components
   for (const Chunk& chunk : chunks_) {
     for (const std::uint32_t seed : chunk.seeds) {
       const TurnedSets::Place place = sets_.place(seed);
-      std::uint32_t& number = numbers[TriangleId(seed)];
-      if (place.root == seed) {
-        number = static_cast<std::uint32_t>(result.components.size()) << 1;
+      sets_.hang(seed, TurnedSets::word_of_root(place.root) | place.turned);
+    }
+  }
+}
+
+EdgeComponents Seeds::number(const Execution& execution) && {
+  flatten();
+  EdgeComponents result;
+  std::vector<std::uint32_t> words = std::move(sets_).take();
+  // Of seeds from now on: 2 * component, + 1 if they are turned against its first triangle.
+  for (const Chunk& chunk : chunks_) {
+    for (const std::uint32_t seed : chunk.seeds) {
+      if (words[seed] == TurnedSets::word_of_root(seed)) {
+        words[seed] = static_cast<std::uint32_t>(result.components.size()) << 1;
         result.components.emplace_back();
       } else {
-        number = numbers[TriangleId(place.root)] ^ place.turned;
+        words[seed] = words[words[seed] >> 1] ^ (words[seed] & 1U);
       }
     }
   }
-  result.component_of.resize(words_.size());
-  result.turned.resize(words_.size());
+  result.turned.resize(words.size());
+  const auto set = [&](std::size_t t, std::uint32_t word) {
+    result.turned[t] = static_cast<std::uint8_t>(word & 1U);
+    words[t] = word >> 1;
+  };
   parallel_chunks(
-      execution, words_.size(), triangles_per_chunk, [&](std::size_t begin, std::size_t end) {
+      execution, words.size(), triangles_per_chunk, [&](std::size_t begin, std::size_t end) {
+        const std::vector<std::uint32_t>& seeds = chunks_[begin / triangles_per_chunk].seeds;
+        auto seed = seeds.begin();
         for (std::size_t t = begin; t < end; ++t) {
-          const std::uint32_t number = numbers[TriangleId(words_[t] >> 1)] ^ (words_[t] & 1U);
-          result.component_of[t] = number >> 1;
-          result.turned[t] = static_cast<std::uint8_t>(number & 1U);
+          if (seed != seeds.end() && *seed == t) {
+            ++seed;  // others ask it; its turn comes
+          } else {
+            set(t, words[words[t] >> 1] ^ (words[t] & 1U));
+          }
         }
+        for (const std::uint32_t t : seeds) set(t, words[t]);
       });
-  for (std::size_t t = 0; t < words_.size(); ++t) {
+  result.component_of = std::move(words);
+  for (std::size_t t = 0; t < result.component_of.size(); ++t) {
     EdgeComponent& component = result.components[result.component_of[t]];
     ++component.triangles;
     component.turned += result.turned[t];
   }
   for (const Chunk& chunk : chunks_) {
     for (const std::uint32_t seed : chunk.contradicted) {
-      result.components[numbers[TriangleId(seed)] >> 1].is_contradictory = true;
+      result.components[result.component_of[seed]].is_contradictory = true;
     }
   }
   return result;

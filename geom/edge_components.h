@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geom/execution.h"
@@ -51,6 +52,8 @@ struct Chunk {
   std::vector<std::uint32_t> seeds;         // triangles without an earlier neighbor; increasing
   std::vector<Join> to_earlier;             // to triangles of chunks before
   std::vector<std::uint32_t> contradicted;  // seeds of what has no two sides
+  // Words of seeds that met lately; they are joined when it is known who is a seed.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> meetings;
 };
 
 // Triangles take over the seed of their first earlier neighbor; where other neighbors have other
@@ -88,27 +91,28 @@ class Seeds {
         }
       }
       list_seeds(first, last, chunk);
+      for (const auto& [word, told] : chunk.meetings) join(word, told, chunk);
+      chunk.meetings.clear();
     }
   }
 
-  EdgeComponents number(const Execution& execution);
+  EdgeComponents number(const Execution& execution) &&;
 
  private:
-  static constexpr std::uint32_t word_of_seed(std::uint32_t t) { return t << 1; }
-
   void take_over(const Join& join, Chunk& chunk) {
-    const std::uint32_t told = words_[join.other] ^ join.turned;
-    const std::uint32_t word = words_[join.triangle];
-    const bool is_first = word == word_of_seed(join.triangle) && join.other != join.triangle;
-    words_[join.triangle] = is_first ? told : word;
-    if (words_[join.triangle] != told) this->join(word, told, chunk);
+    const std::uint32_t told = sets_.word(join.other) ^ join.turned;
+    const std::uint32_t word = sets_.word(join.triangle);
+    const bool is_first =
+        word == TurnedSets::word_of_root(join.triangle) && join.other != join.triangle;
+    sets_.hang(join.triangle, is_first ? told : word);
+    if (!is_first && word != told) chunk.meetings.emplace_back(word, told);
   }
 
   void join(std::uint32_t word, std::uint32_t other, Chunk& chunk);
   void list_seeds(std::size_t begin, std::size_t end, Chunk& chunk);
+  void flatten();
 
-  TurnedSets sets_;                   // of seeds
-  std::vector<std::uint32_t> words_;  // per triangle: 2 * seed, + 1 if it is turned against it
+  TurnedSets sets_;  // triangles hang under seeds, and these under each other
   std::vector<Chunk> chunks_;
 };
 
@@ -126,7 +130,7 @@ EdgeComponents edge_components(std::span<const SideId> links, const Execution& e
                   [&](std::size_t begin, std::size_t end) {
                     seeds.sow(links, begin, end, connects, is_turned);
                   });
-  return seeds.number(execution);
+  return std::move(seeds).number(execution);
 }
 
 }  // namespace cocoon

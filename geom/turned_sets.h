@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace cocoon {
@@ -22,8 +23,17 @@ class TurnedSets {
 
   // Precondition: count < 2^31. O(count).
   explicit TurnedSets(std::size_t count) : above_(count) {
-    for (std::uint32_t k = 0; k < count; ++k) above_[k] = k << 1;
+    for (std::uint32_t k = 0; k < count; ++k) above_[k] = word_of_root(k);
   }
+
+  // Where the member hangs: 2 * parent, + 1 if it is turned against it; the parent of a root is
+  // itself.
+  std::uint32_t word(std::uint32_t member) const { return above_[member]; }
+  static constexpr std::uint32_t word_of_root(std::uint32_t member) { return member << 1; }
+  // Hangs a member that has been in a set of its own, without others, under an earlier one.
+  void hang(std::uint32_t member, std::uint32_t word) { above_[member] = word; }
+  // All words.
+  std::vector<std::uint32_t> take() && { return std::move(above_); }
 
   // Halves the path.
   Place place(std::uint32_t member) {
@@ -49,7 +59,7 @@ class TurnedSets {
   }
 
  private:
-  std::vector<std::uint32_t> above_;  // 2 * parent, + 1 if the member is turned against it
+  std::vector<std::uint32_t> above_;
 };
 
 }  // namespace cocoon
