@@ -18,7 +18,7 @@ struct OverlookedOptions {
   double reach = 0.36;
   // It is overlooked if it stays and is farther from the rims than this many of these edges.
   double min_rim_distance = 3;
-  // Fewer of them mean nothing: a thin wall, a fold of the rim. Measured on scans of parts: 0 to 3
+  // Fewer of them mean nothing: a thin wall, a fold of the rim. Measured on scans of parts: 0 to 6
   // after updates that went right, 15 to 250 where a part of the cloud lay on a region that stayed.
   std::size_t min_count = 8;
 };
