@@ -4,8 +4,8 @@
 //   pipeline_bench [--points N] [--rival_points N] [--threads N] [--benchmark_...]
 //
 // Stages: the composition of reconstruct.h by hand, on two scans of N points and a real one; its
-// mesh must be that of reconstruct_tight. Whole: reconstruct_tight, Cocone on CGAL's triangulation
-// (ref/cgal_cocone.h: labels and candidates only, no surface), CGAL's advancing front, on scans of
+// mesh must be that of reconstruct_tight. Whole: reconstruct_tight, Tight Cocone on CGAL's
+// triangulation (ref/cgal_surface.h: without clean-up), CGAL's advancing front, on scans of
 // --rival_points; ours with all threads, too, and then by the clock. Repetitions in random
 // alternation; medians. Memory: peak of a process of its own.
 #include <benchmark/benchmark.h>
@@ -36,7 +36,7 @@
 #include "geom/mesh_check.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"
-#include "ref/cgal_cocone.h"
+#include "ref/cgal_surface.h"
 
 namespace cocoon {
 namespace {
@@ -260,9 +260,9 @@ void register_rivals(Case& input, const Execution& execution) {
     timed(input.times, all_threads,
           [&] { return reconstruct_tight(input.points, {}, {.threads = 0}); });
   });
-  register_benchmark("cgal_cocone/" + input.name, [&](benchmark::State&) {
+  register_benchmark("cgal_tight/" + input.name, [&](benchmark::State&) {
     bench::tidy_heap();
-    timed(input.times, "cgal_cocone", [&] { return ref::cgal_cocone(input.points); });
+    timed(input.times, "cgal_tight", [&] { return ref::cgal_tight_surface(input.points); });
   });
   register_benchmark("cgal_advancing_front/" + input.name, [&](benchmark::State&) {
     bench::tidy_heap();
