@@ -56,8 +56,7 @@ struct CellMarks {
 // A vertex whose star is labeled already passes on the turn and is not examined for conflicts.
 // One pass over the cells (carried_marks.h) gives the same labels where no two vertices disagree;
 // of the others those are asked, round by round, whom the disagreement touches (disputed_marks.h).
-// Complexity: O(cells). Rounds
-// read only earlier rounds: independent of order.
+// Complexity: O(cells). Rounds read only earlier rounds: independent of order.
 // Source: Dey & Goswami 2003 (Tight Cocone, marking); spec 6.1, 6.2, section 12.
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      const VertexSet& boundary, const GoodVertexOptions& options = {},
