@@ -12,8 +12,8 @@ namespace cocoon {
 
 // Disjoint sets of 0 .. count - 1, and of any two members of one set whether they are turned
 // against each other. Sets are joined under the smaller root, so a root is the smallest member of
-// its set. Threads may share the object as long as each reads and joins members of its own. Source:
-// Tarjan & van Leeuwen 1984 (path halving); disjoint sets with parity.
+// its set. Threads may share the object as long as each asks about and joins sets of its own.
+// Source: Tarjan & van Leeuwen 1984 (path halving); the parity is kept along the paths.
 class TurnedSets {
  public:
   struct Place {
@@ -30,7 +30,8 @@ class TurnedSets {
   // itself.
   std::uint32_t word(std::uint32_t member) const { return above_[member]; }
   static constexpr std::uint32_t word_of_root(std::uint32_t member) { return member << 1; }
-  // Hangs a member that has been in a set of its own, without others, under an earlier one.
+  // Hangs a member elsewhere, under an earlier one. Precondition: it has been alone, or the word
+  // says what is known already.
   void hang(std::uint32_t member, std::uint32_t word) { above_[member] = word; }
   // All words.
   std::vector<std::uint32_t> take() && { return std::move(above_); }
