@@ -1,11 +1,12 @@
 #include "geom/mesh_adjacency.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
-#include <numeric>
 
 #include "geom/large_pages.h"
 #include "geom/side_links.h"
+#include "geom/sort_by_vertex.h"
 
 namespace cocoon {
 namespace {
@@ -24,26 +25,24 @@ class Side {
   std::uint64_t word_ = 0;
 };
 
-// All sides, grouped by their smaller vertex (bucket sort), each group sorted by (larger vertex,
+// All sides, grouped by their smaller vertex, each group sorted by (larger vertex,
 // halfedge): the sides at one edge are consecutive.
 std::vector<Side> sorted_sides(const TriangleMesh& mesh, std::vector<std::uint32_t>& begin) {
-  begin.assign(mesh.points.size() + 1, 0);
-  const auto for_each_side = [&mesh](const auto& visit) {
-    for (const TriangleId t : mesh.triangles.ids()) {
-      if (repeats_a_vertex(mesh.triangles[t])) continue;
-      for (int i = 0; i < 3; ++i) {
-        const auto [from, to] = ends_of(mesh, halfedge_of(t, i));
-        visit(std::min(from, to), std::max(from, to), halfedge_of(t, i));
-      }
-    }
-  };
-  for_each_side([&](VertexId smaller, VertexId, HalfedgeId) { ++begin[smaller.index() + 1]; });
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Side> sides(begin.back());
-  std::vector<std::uint32_t> next = begin;
-  for_each_side([&](VertexId smaller, VertexId larger, HalfedgeId h) {
-    sides[next[smaller.index()]++] = Side(larger, h);
-  });
+  std::vector<Side> sides;
+  begin = sort_by_vertex(
+      mesh.triangles.size(), mesh.points.size(), Execution{},
+      [&](std::size_t count) { sides.resize(count); },
+      [&](std::size_t first, std::size_t end, auto put) {
+        for (TriangleId t(first); t.index() < end; ++t) {
+          if (repeats_a_vertex(mesh.triangles[t])) continue;
+          for (int i = 0; i < 3; ++i) {
+            const std::array<VertexId, 2> ends = ends_of(mesh, halfedge_of(t, i));
+            put(std::min(ends[0], ends[1]), [&](std::uint32_t place) {
+              sides[place] = Side(std::max(ends[0], ends[1]), halfedge_of(t, i));
+            });
+          }
+        }
+      });
   for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
     std::sort(sides.begin() + begin[v], sides.begin() + begin[v + 1]);
   }
@@ -86,27 +85,24 @@ void link_neighbors(MeshAdjacency& adjacency) {
 }  // namespace
 
 void list_triangles_at_vertices(const TriangleMesh& mesh, MeshAdjacency& adjacency) {
-  // Calls visit(vertex, triangle) for each corner, equal ones of a triangle once.
-  const auto for_each_corner = [&mesh](const auto& visit) {
-    for (const TriangleId t : mesh.triangles.ids()) {
-      const auto [a, b, c] = mesh.triangles[t];
-      visit(a, t);
-      if (b != a) visit(b, t);
-      if (c != a && c != b) visit(c, t);
-    }
-  };
-  // The begin of list v stands at place v + 1 until all triangles before it are listed.
-  std::vector<std::uint32_t>& begin = adjacency.vertex_begin;
-  begin.assign(mesh.points.size() + 2, 0);
-  for_each_corner([&](VertexId v, TriangleId) { ++begin[v.index() + 2]; });
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<TriangleId>& listed = adjacency.vertex_triangles;
-  listed.clear();
-  listed.reserve(begin.back());
-  prefer_large_pages(listed);
-  listed.resize(begin.back());
-  for_each_corner([&](VertexId v, TriangleId t) { listed[begin[v.index() + 1]++] = t; });
-  begin.pop_back();
+  adjacency.vertex_begin = sort_by_vertex(
+      mesh.triangles.size(), mesh.points.size(), Execution{},
+      [&](std::size_t count) {
+        listed.clear();
+        listed.reserve(count);
+        prefer_large_pages(listed);
+        listed.resize(count);
+      },
+      [&](std::size_t begin, std::size_t end, auto put) {
+        for (TriangleId t(begin); t.index() < end; ++t) {
+          const auto write = [&](std::uint32_t place) { listed[place] = t; };
+          const Triangle& corners = mesh.triangles[t];  // equal ones count once
+          put(corners[0], write);
+          if (corners[1] != corners[0]) put(corners[1], write);
+          if (corners[2] != corners[0] && corners[2] != corners[1]) put(corners[2], write);
+        }
+      });
 }
 
 std::span<const HalfedgeId> MeshAdjacency::halfedges_at(EdgeId edge) const {
