@@ -34,8 +34,9 @@ std::size_t overlooked_vertices(const ModelIndex& model, const Replacement& repl
                                 std::span<const std::vector<Point>> clouds,
                                 const OverlookedOptions& options) {
   const auto is_torn = [](const CloudRim& rim) { return rim.gap_edges > 0; };
+  if (std::none_of(rims.begin(), rims.end(), is_torn)) return 0;
   const RimIndex rim_index(rims);
-  if (rim_index.empty() || std::none_of(rims.begin(), rims.end(), is_torn)) return 0;
+  if (rim_index.empty()) return 0;
   std::vector<Scan> scans;
   for (std::size_t c = 0; c < clouds.size(); ++c) {
     if (!clouds[c].empty()) scans.emplace_back(clouds[c], options.reach * rims[c].median_edge);
