@@ -15,8 +15,7 @@ class TrianglesByArea {
   explicit TrianglesByArea(const TriangleMesh& mesh);
 
   double area() const { return up_to_.empty() ? 0 : up_to_.back(); }
-  // The triangle at that place of the line. Precondition: 0 <= place < area(). Complexity: O(log
-  // t).
+  // The triangle at that place of the line. Precondition: 0 <= place < area(). O(log t).
   TriangleId at(double place) const;
 
  private:

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "geom/edge_components.h"
 #include "cocone/orient_surface.h"
+#include "geom/edge_components.h"
 #include "geom/median.h"
 
 namespace cocoon {
