@@ -36,6 +36,20 @@ IdVector<VertexId, Vec3> normals_at(const std::vector<BoundaryLoop>& loops,
   return sums;
 }
 
+// The same of a loop on a one-sided part, where triangles have no common orientation: of the
+// triangles at the loop alone, which hang together like an annulus.
+void take_normals_of_edges(RimLoop& loop) {
+  const std::size_t size = loop.size();
+  std::vector<Vec3> of_edges;
+  for (std::size_t i = 0; i < size; ++i) {
+    of_edges.push_back(
+        cross(loop.points[loop.next(i)] - loop.points[i], loop.apexes[i] - loop.points[i]));
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    loop.normals[i] = unit(of_edges[i] + of_edges[i > 0 ? i - 1 : size - 1]);
+  }
+}
+
 VertexId apex_of(const TriangleMesh& mesh, const BoundaryEdge& edge) {
   for (const VertexId v : mesh.triangles[edge.triangle]) {
     if (v != edge.from && v != edge.to) return v;
@@ -44,8 +58,9 @@ VertexId apex_of(const TriangleMesh& mesh, const BoundaryEdge& edge) {
 }
 
 RimLoop make_loop(const TriangleMesh& mesh, const IdVector<VertexId, Vec3>& normals,
-                  const BoundaryLoop& boundary) {
+                  const BoundaryLoop& boundary, bool one_sided) {
   RimLoop loop;
+  loop.one_sided = one_sided;
   loop.perimeter = boundary.perimeter;
   for (const BoundaryEdge& edge : boundary.edges) {
     loop.points.push_back(mesh.points[edge.from]);
@@ -53,6 +68,7 @@ RimLoop make_loop(const TriangleMesh& mesh, const IdVector<VertexId, Vec3>& norm
     loop.normals.push_back(normals[edge.from]);
     loop.vertices.push_back(edge.from);
   }
+  if (one_sided) take_normals_of_edges(loop);
   return loop;
 }
 
@@ -74,11 +90,16 @@ CloudRim cloud_rim(const TriangleMesh& surface, const LinkedSides& sides,
                    const RimOptions& options) {
   TriangleMesh mesh = surface;
   // So that the normals around a loop agree.
-  const bool flipped = orient_surface(mesh, edge_components(mesh, sides)).flipped > 0;
+  const EdgeComponents components = edge_components(mesh, sides);
+  const bool flipped = orient_surface(mesh, components).flipped > 0;
   const BoundaryLoops boundary =
       boundary_loops(mesh, flipped ? link_sides(mesh) : sides, options.loops);
   const IdVector<VertexId, Vec3> normals = normals_at(boundary.loops, mesh);
 
+  const auto is_one_sided = [&](const BoundaryLoop& loop) {
+    const std::size_t t = loop.edges.front().triangle.index();
+    return components.components[components.component_of[t]].is_contradictory;
+  };
   CloudRim rim;
   rim.small_components = boundary.small_components;
   rim.non_orientable = boundary.non_orientable;
@@ -88,10 +109,10 @@ CloudRim cloud_rim(const TriangleMesh& surface, const LinkedSides& sides,
     const double outline = options.min_outline_share * disk_perimeter(loop, boundary.median_edge);
     if (loop.pin_hole && loop.perimeter < outline) {
       ++rim.pin_holes;
-      rim.pin_hole_loops.push_back(make_loop(mesh, normals, loop));
+      rim.pin_hole_loops.push_back(make_loop(mesh, normals, loop, is_one_sided(loop)));
       continue;
     }
-    rim.loops.push_back(make_loop(mesh, normals, loop));
+    rim.loops.push_back(make_loop(mesh, normals, loop, is_one_sided(loop)));
     for (const BoundaryEdge& edge : loop.edges) {
       edge_lengths.push_back(distance(mesh.points[edge.from], mesh.points[edge.to]));
     }

@@ -26,6 +26,9 @@ struct RimLoop {
   std::vector<Vec3> normals;
   std::vector<VertexId> vertices;  // b_i as a vertex of the cloud's surface
   double perimeter = 0;
+  // Of a one-sided part of the surface: the normals agree from edge to edge, but somewhere the
+  // surface has gone over to the other side of the body.
+  bool one_sided = false;
   // 1 where the cloud goes on beyond E_i (rim_gaps.h): not the end of the cloud, but a seam in its
   // surface. Empty: nowhere.
   std::vector<std::uint8_t> gap;

@@ -42,17 +42,31 @@ double facet_spacing(const TriangleMesh& mesh, TriangleId t) {
                  distance(mesh.points[v[2]], mesh.points[v[0]])});
 }
 
-// +1 or -1 per loop: does its surface face like the model or the other way?
+// +1 or -1 per point: does the surface at its loop face like the model or the other way? All points
+// of a loop vote; of a loop on a one-sided part those next to the point, since the surface goes
+// over to the other side of the body somewhere.
 std::vector<double> facing_signs(const ModelIndex& model, const CloudRim& rim,
-                                 const std::vector<RimPoint>& points,
-                                 const std::vector<ClosestFacet>& closest) {
-  std::vector<double> votes(rim.loops.size(), 0.0);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const RimLoop& loop = rim.loops[points[k].loop];
-    votes[points[k].loop] += dot(loop.normals[points[k].index], model.normal(closest[k].triangle));
+                                 const std::vector<ClosestFacet>& closest, std::size_t window) {
+  std::vector<double> signs;
+  std::size_t first = 0;  // point of the loop
+  for (const RimLoop& loop : rim.loops) {
+    const std::size_t size = loop.size();
+    std::vector<double> votes;
+    for (std::size_t i = 0; i < size; ++i) {
+      votes.push_back(dot(loop.normals[i], model.normal(closest[first + i].triangle)));
+    }
+    const bool all = !loop.one_sided || 2 * window + 1 >= size;
+    const double sum = std::accumulate(votes.begin(), votes.end(), 0.0);
+    for (std::size_t i = 0; i < size; ++i) {
+      double vote = all ? sum : 0;
+      for (std::size_t k = 0; !all && k <= 2 * window; ++k) {
+        vote += votes[(i + size + k - window) % size];
+      }
+      signs.push_back(vote < 0 ? -1 : 1);
+    }
+    first += size;
   }
-  for (double& vote : votes) vote = vote < 0 ? -1 : 1;
-  return votes;
+  return signs;
 }
 
 // The paper's choice: of the facets at the nearest vertex, that which contains the projection of b
@@ -322,7 +336,7 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
 
   // 1. The closest facet of all: gives the local spacing and the side the cloud is seen from.
   const std::vector<ClosestFacet> closest = closest_facets(model, rim, points, execution);
-  const std::vector<double> signs = facing_signs(model, rim, points, closest);
+  const std::vector<double> signs = facing_signs(model, rim, closest, options.one_sided_window);
 
   // 2. The overlapping facets.
   std::vector<Query> queries;
@@ -330,7 +344,7 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto [l, i] = points[k];
     const RimLoop& loop = rim.loops[l];
-    queries.push_back({loop.points[i], signs[l] * loop.normals[i],
+    queries.push_back({loop.points[i], signs[k] * loop.normals[i],
                        std::max(rim.spacing, facet_spacing(model.mesh(), closest[k].triangle)),
                        closest[k]});
     if (!loop.is_gap_point(i)) chosen.push_back(k);

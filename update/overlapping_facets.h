@@ -34,6 +34,9 @@ struct OverlapOptions {
   // How many spacings farther away than the closest facet: that is too far for a facet that merely
   // happens to face the same way, such as the next wall.
   double facing_preference = 1;
+  // Which side of its surface is that of the model, a loop on a one-sided part (RimLoop::one_sided)
+  // tells by the points no more than this many away from each.
+  std::size_t one_sided_window = 2;
   // A loop with a larger share of unmatched points does not lie on the model.
   double max_unmatched_share = 0.1;
 };
@@ -72,10 +75,10 @@ struct Overlap {
 
 // The overlapping facet of each rim point, and which loops lie on the model at all.
 // Whether the surface at a loop is oriented like the model is decided by vote: the sign of the sum
-// over its points of the cosine with the closest facet.
-// A loop lies on one connected part of the model: if all but max_unmatched_share of its points do,
-// the others look for their facets on that part, too (a speck of dust beside the surface would
-// break the band).
+// over its points of the cosine with the closest facet. Where the surface of the cloud is
+// one-sided, as at walls thinner than its spacing, the points next to each decide. A loop lies on
+// one connected part of the model: if all but max_unmatched_share of its points do, the others look
+// for their facets on that part, too (a speck of dust beside the surface would break the band).
 // Complexity: a few operations for each vertex and facet of the model, and O(rim log(model)) where
 // the rim lies on it (update/near_facets.h); O(model log(model)) for rims far away and for
 // nearest_vertex_star. Deterministic: ties by lexicographic corners.

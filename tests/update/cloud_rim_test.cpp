@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geom/random.h"
+#include "tests/mesh_gallery.h"
 #include "tests/update/hand_made_models.h"
 
 namespace cocoon {
@@ -111,6 +112,24 @@ TEST(CloudRim, SmallPatchIsNotAPinHole) {
   ASSERT_EQ(rim.loops.size(), 1U);
   EXPECT_EQ(rim.loops[0].size(), 4U);
   EXPECT_EQ(rim.pin_holes, 0U);
+}
+
+// Its triangles cannot agree, but those along its one loop do.
+TEST(CloudRim, NormalsOfAOneSidedPartAgreeFromEdgeToEdge) {
+  TriangleMesh strip = gallery::moebius_strip(40);
+  for (const bool turned : {false, true}) {  // every third triangle
+    for (const TriangleId t : strip.triangles.ids()) {
+      if (turned && t.index() % 3 == 0) std::swap(strip.triangles[t][1], strip.triangles[t][2]);
+    }
+    const CloudRim rim = cloud_rim(strip);
+    ASSERT_EQ(rim.loops.size(), 1U);
+    const RimLoop& loop = rim.loops[0];
+    EXPECT_TRUE(loop.one_sided);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      EXPECT_GT(dot(loop.normals[i], loop.normals[loop.next(i)]), 0.9) << i;
+    }
+  }
+  EXPECT_FALSE(cloud_rim(gallery::open_patch(20, 20)).loops.at(0).one_sided);
 }
 
 TEST(CloudRim, DebrisIsDiscarded) {

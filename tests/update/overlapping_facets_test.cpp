@@ -75,6 +75,24 @@ TEST(OverlappingFacets, DoesNotTakeTheFarSideOfAThinWall) {
   }
 }
 
+// A one-sided surface has gone through a thin wall somewhere: half of its rim has the normals of
+// the other side. Which side of the wall it is on, the points next to each tell.
+TEST(OverlappingFacets, ALoopOnAOneSidedPartHasItsSideFromPointToPoint) {
+  const TriangleMesh wall = testing::block(20, 20, 1);
+  RimLoop loop = circle(30, {10, 10, 1}, 6);
+  for (std::size_t i = 0; i < 13; ++i) loop.normals[i] = -1.0 * loop.normals[i];
+  loop.points[6].z = 0.4;  // noise: nearer to the far side
+  loop.points[20].z = 0.4;
+  const auto points_on_top = [&] {
+    const LoopOverlap found = overlapping_facets(wall, rim_of({loop})).loops[0];
+    return std::count_if(found.feet.begin(), found.feet.end(),
+                         [](const Point& foot) { return foot.z == 1; });
+  };
+  EXPECT_EQ(points_on_top(), 17);
+  loop.one_sided = true;
+  EXPECT_EQ(points_on_top(), 30);
+}
+
 // Where the surface of a cloud tears, its rim climbs: such a point's normal is that of a wall of
 // the new shape. Its place is the floor below it and not the outer wall of the model, farther away.
 TEST(OverlappingFacets, DoesNotTakeAnotherWallFromAfar) {
