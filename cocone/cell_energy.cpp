@@ -50,7 +50,7 @@ CellEnergy::CellEnergy(const Triangulation& triangulation, BallCosines& cosines,
       wanted_(triangulation.num_vertices(), 0),
       parts_(triangulation, stars, out),
       places_now_(triangulation.num_cells()),
-      least_now_(triangulation.num_vertices()),
+      parts_now_(triangulation.num_vertices()),
       taken_(triangulation.num_cells()),
       idle_now_(triangulation.num_vertices()),
       changed_(triangulation.num_vertices()) {}
@@ -110,37 +110,6 @@ int CellEnergy::sheets_at(CellId c, int i, int j) const {
   return changes / 2;
 }
 
-// The cell's flip changes what the surface is at its vertex i. In the link of the vertex, a sphere,
-// the cell is a triangle, whose corners are the cell's edges there. Where all cells around such an
-// edge but this one are on one side, they hang together without it; if that is so at each edge that
-// matters, the parts of the star can be told from the three facets. Else they are counted.
-Energy CellEnergy::vertex_change(CellId c, int i, const Place& place) {
-  const VertexId v = triangulation_.vertex(c, i);
-  int kept = 0;  // facets at v with the same side behind them
-  bool regular = true;
-  for (int j = 0; j < 4; ++j) {
-    if (j == i) continue;
-    const auto [k, l] = others(i, j);
-    kept += place.surface[at(j)] ? 0 : 1;
-    if (place.surface[at(k)] != place.surface[at(l)]) continue;
-    regular = regular && place.sheets[edge_number[i][j]] == (place.surface[at(k)] ? 1 : 0);
-  }
-  // One or two: the cell goes from a part that stays whole to one that it borders.
-  if (regular && (kept == 1 || kept == 2)) return 0;
-  // Three: it becomes a part of its own. None: it was one, and the others are one part.
-  if (regular) {
-    const Energy more = kept == 3 ? 1 : -1;
-    if (kept == 0) out_[c] ^= 1U;
-    const bool unused = is_unused(v);
-    if (kept == 0) out_[c] ^= 1U;
-    return unused ? more * cost_of_use(v) : more * defect_cost_;
-  }
-  const auto [before, after] = parts_.count_change(v, c);
-  const Energy more = static_cast<Energy>(extra(after, 2)) - static_cast<Energy>(extra(before, 2));
-  const Energy used = (after > 1 ? 1 : 0) - (before > 1 ? 1 : 0);
-  return more * defect_cost_ + used * cost_of_use(v);
-}
-
 // What it costs that an edge with so many sheets gets more, or less.
 Energy CellEnergy::edge_change(int sheets, int more) const {
   const int after = sheets + more;
@@ -184,24 +153,22 @@ const CellEnergy::Place& CellEnergy::place_now(CellId c) {
   return place;
 }
 
-// Without what idle samples cost.
-Energy CellEnergy::flip_change(CellId c, const Place& place) {
-  Energy total = place.change;
-  for (int i = 0; i < 4; ++i) total += vertex_change(c, i, place);
-  return total;
+// Remembers it until cells at the vertex change sides for good.
+std::size_t CellEnergy::parts_now(VertexId v) {
+  PartsNow& now = parts_now_[v];
+  if (now.parts == 0 || now.state < changed_[v]) {
+    now = {static_cast<std::uint32_t>(parts_.count(v)), state_};
+  }
+  return now.parts;
 }
 
 // A pinched or idle vertex may become regular, an unused one used.
 Energy CellEnergy::least_vertex_change(VertexId v) {
-  LeastNow& least = least_now_[v];
-  if (least.state == 0 || least.state < changed_[v]) {
-    const std::size_t parts = parts_.count(v);
-    Energy gain = parts == 1 ? std::max(Energy{0}, -cost_of_use(v))
-                             : defect_cost_ * static_cast<Energy>(extra(parts, 2));
-    if (idle_cost_ != 0 && is_idle_now(v)) gain += idle_cost_;
-    least = {-gain, state_};
-  }
-  return least.change;
+  const std::size_t parts = parts_now(v);
+  Energy gain = parts == 1 ? std::max(Energy{0}, -cost_of_use(v))
+                           : defect_cost_ * static_cast<Energy>(extra(parts, 2));
+  if (idle_cost_ != 0 && is_idle_now(v)) gain += idle_cost_;
+  return -gain;
 }
 
 Energy CellEnergy::least_change(CellId c) {
@@ -241,18 +208,23 @@ Energy CellEnergy::least_change(std::span<const CellId> cells, Energy limit) {
   list_boundary(cells);
   const Energy least_of_coming = 3 * std::min(half_handle_cost_, defect_cost_) / 2;
   const Energy most_of_going = 3 * std::max(half_handle_cost_, defect_cost_) / 2;
-  Energy total = 0;
+  Energy total = boundary_change(cells);
   Energy edges = 0;
+  for (const FacetId f : boundary_) edges += is_on_surface(f) ? -most_of_going : least_of_coming;
+  list_vertices(cells);
+  for (const VertexId v : vertices_) total += least_vertex_change(v);
+  return total + edges > limit ? total + edges : total + edge_changes();
+}
+
+// Of the cells and of the listed boundary.
+Energy CellEnergy::boundary_change(std::span<const CellId> cells) {
+  Energy total = 0;
   for (const CellId c : cells) total += out_[c] != 0 ? -preference(c) : preference(c);
   for (const FacetId f : boundary_) {
     const Energy more = facet_cost(f) - half_handle_cost_;
-    const bool goes = is_on_surface(f);
-    total += goes ? -more : more;
-    edges += goes ? -most_of_going : least_of_coming;
+    total += is_on_surface(f) ? -more : more;
   }
-  list_vertices(cells);
-  for (const VertexId v : vertices_) total += least_vertex_change(v);
-  return total + edges > limit ? total + edges : total + least_edge_changes();
+  return total;
 }
 
 void CellEnergy::list_boundary(std::span<const CellId> cells) {
@@ -266,8 +238,8 @@ void CellEnergy::list_boundary(std::span<const CellId> cells) {
   for (const CellId c : cells) taken_[c] = 0;
 }
 
-// At the edges of the boundary.
-Energy CellEnergy::least_edge_changes() {
+// At the edges of the listed boundary.
+Energy CellEnergy::edge_changes() {
   facets_at_edges_.clear();
   for (const FacetId f : boundary_) {
     const CellId c = cell_of(f);
@@ -318,25 +290,31 @@ bool CellEnergy::is_idle_now(VertexId v) {
   return known % 2 != 0;
 }
 
+// By their boundary and their vertices: the facets and edges between them stay what they are.
 Energy CellEnergy::change(std::span<const CellId> cells, Energy limit) {
-  Energy total = 0;
-  for (const CellId c : cells) {
-    // The first one's place is that of many sets.
-    total += flip_change(c, c == cells.front() ? place_now(c) : place_of(c));
-    out_[c] ^= 1U;
-  }
-  const auto undo = [&] {
-    for (const CellId c : cells) out_[c] ^= 1U;
-  };
-  undo();
-  if (idle_cost_ == 0) return total;
+  list_boundary(cells);
   list_vertices(cells);
+  Energy total = boundary_change(cells) + edge_changes();
+  for (const VertexId v : vertices_) total -= star_cost(v, parts_now(v));
+  turn(cells);
+  for (const VertexId v : vertices_) total += star_cost(v, parts_.count(v));
+  turn(cells);
+  if (idle_cost_ == 0) return total;
   for (const VertexId v : vertices_) total -= is_idle_now(v) ? idle_cost_ : 0;
   if (total > limit) return total;
-  undo();
+  turn(cells);
   for (const VertexId v : vertices_) total += is_idle(v) ? idle_cost_ : 0;
-  undo();
+  turn(cells);
   return total;
+}
+
+// What it costs at a vertex that the surface divides its star into so many parts.
+Energy CellEnergy::star_cost(VertexId v, std::size_t parts) const {
+  return defect_cost_ * static_cast<Energy>(extra(parts, 2)) + (parts > 1 ? cost_of_use(v) : 0);
+}
+
+void CellEnergy::turn(std::span<const CellId> cells) {
+  for (const CellId c : cells) out_[c] ^= 1U;
 }
 
 bool CellEnergy::leaves_out(std::span<const CellId> cells) {
@@ -354,8 +332,8 @@ bool CellEnergy::leaves_out(std::span<const CellId> cells) {
 
 void CellEnergy::flip(std::span<const CellId> cells) {
   ++state_;
+  turn(cells);
   for (const CellId c : cells) {
-    out_[c] ^= 1U;
     for (const VertexId v : triangulation_.cell(c).vertices) changed_[v] = state_;
   }
 }

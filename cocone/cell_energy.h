@@ -50,12 +50,14 @@ class CellEnergy {
   bool is_idle(VertexId v) {
     return cocoon::is_idle(triangulation_, stars_.star(v), out_, v, idle_);
   }
+  // Tells that v is on the surface, which is not pinched there: so nobody needs to look. O(1).
+  void know_flawless(VertexId v) { parts_now_[v] = {2, state_}; }
   // Surface sheets at v beyond the first: what is pinched. O(star).
   std::size_t extra_fans(VertexId v);
 
   // How much the energy (without component_cost) grows if these cells change sides; they do not.
-  // If that is more than `limit`, some number above the limit. Precondition: finite cells, all
-  // different. Complexity: O(1) for each cell where the surface is regular, O(star) elsewhere.
+  // If that is more than `limit`, some number above the limit. Told from the facets, edges and
+  // vertices of the set. Precondition: finite cells, all different. Complexity: O(stars).
   Energy change(std::span<const CellId> cells, Energy limit = std::numeric_limits<Energy>::max());
   // A bound that no change falls below, told from the facets and edges: of cell c; of c with the
   // finite cell behind its facet i, if both are on one side; of cells on one side. Vertices count
@@ -92,12 +94,14 @@ class CellEnergy {
   Place place_of(CellId c);
   const Place& place_now(CellId c);
   Energy edge_change(int sheets, int more) const;
+  std::size_t parts_now(VertexId v);
   Energy least_vertex_change(VertexId v);
   void list_boundary(std::span<const CellId> cells);
-  Energy least_edge_changes();
+  Energy boundary_change(std::span<const CellId> cells);
+  Energy edge_changes();
+  Energy star_cost(VertexId v, std::size_t parts) const;
+  void turn(std::span<const CellId> cells);
   void list_vertices(std::span<const CellId> cells);
-  Energy flip_change(CellId c, const Place& place);
-  Energy vertex_change(CellId c, int i, const Place& place);
   int sheets_at(CellId c, int i, int j) const;
   // What it costs that a vertex is on the surface rather than not: a vertex for Euler.
   Energy cost_of_use(VertexId v) const {
@@ -123,11 +127,11 @@ class CellEnergy {
   VertexSet wanted_;
   StarParts parts_;
   ZeroedArray<CellId, Place> places_now_;
-  struct LeastNow {
-    Energy change;
+  struct PartsNow {
+    std::uint32_t parts;  // of the star; 0: never counted
     std::uint32_t state;
   };
-  ZeroedArray<VertexId, LeastNow> least_now_;
+  ZeroedArray<VertexId, PartsNow> parts_now_;
   ZeroedArray<CellId, std::uint8_t> taken_;        // scratch, zero between questions
   ZeroedArray<VertexId, std::uint32_t> idle_now_;  // 2 * state + 1 if idle in that state
   std::uint32_t state_ = 1;                        // grows with every flip

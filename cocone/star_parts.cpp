@@ -77,22 +77,6 @@ std::size_t StarParts::count(VertexId v) {
   return parts;
 }
 
-StarParts::Change StarParts::count_change(VertexId v, CellId c) {
-  const std::span<const CellId> star = stars_.star(v);
-  if (star.size() <= word_size) {
-    SmallStar& known = small_star(v);
-    const Word word = outside(v);
-    const auto place = std::lower_bound(star.begin(), star.end(), c) - star.begin();
-    const std::size_t before = count_parts(known, word);
-    return {before, count_in_word(known.neighbors, word ^ Word{1} << place)};
-  }
-  const std::size_t before = count(v);
-  flipped_ = c;
-  const std::size_t after = count(v);
-  flipped_ = {};
-  return {before, after};
-}
-
 std::vector<std::vector<CellId>> StarParts::list(VertexId v) {
   std::vector<std::vector<CellId>> parts;
   for_each_part(v, [&](const std::vector<CellId>& part) { parts.push_back(part); });
@@ -116,7 +100,7 @@ void StarParts::flood(VertexId v, CellId first) {
     const int opposite = index_of_vertex(triangulation_.cell(part_[next]), v);
     for (int i = 0; i < 4; ++i) {
       const CellId behind = triangulation_.neighbor(part_[next], i);
-      if (i == opposite || stamp_[behind] == token_ || side(behind) != side(first)) continue;
+      if (i == opposite || stamp_[behind] == token_ || out_[behind] != out_[first]) continue;
       stamp_[behind] = token_;
       part_.push_back(behind);
     }

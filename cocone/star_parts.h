@@ -24,12 +24,6 @@ class StarParts {
 
   // Complexity: O(star), with the star in one machine word if it has at most 64 cells.
   std::size_t count(VertexId v);
-  // As it is, and if cell c of the star changed sides.
-  struct Change {
-    std::size_t before;
-    std::size_t after;
-  };
-  Change count_change(VertexId v, CellId c);
   // Each in no particular order. O(star).
   std::vector<std::vector<CellId>> list(VertexId v);
 
@@ -46,7 +40,6 @@ class StarParts {
   static std::size_t count_parts(SmallStar& star, Word outside);
   Word outside(VertexId v);
   static std::size_t count_in_word(const std::vector<Word>& neighbors, Word outside);
-  std::uint8_t side(CellId c) const { return c == flipped_ ? out_[c] ^ 1U : out_[c]; }
   template <class Visit>
   void for_each_part(VertexId v, Visit visit);
   void flood(VertexId v, CellId first);
@@ -60,7 +53,6 @@ class StarParts {
   ZeroedArray<CellId, std::uint32_t> stamp_;
   std::uint32_t token_ = 0;
   std::vector<CellId> part_;
-  CellId flipped_;  // a cell that is taken to be on the other side, while parts are counted
 };
 
 }  // namespace cocoon
