@@ -18,6 +18,7 @@
 #include "cocone/side_split.h"
 #include "cocone/small_parts.h"
 #include "cocone/surface_flaws.h"
+#include "delaunay/circulate.h"
 #include "delaunay/star_cache.h"
 
 namespace cocoon {
@@ -60,6 +61,7 @@ class CleanUp {
     extend_region(triangulation_, stars_, touched_, region_);
     touched_.clear();
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
+    tell_flawless();
     repair();
     flip_clusters();
     if (drop_components()) repair();
@@ -187,6 +189,16 @@ class CleanUp {
     }
   }
 
+  // Most vertices are, and are asked about by their neighbors.
+  void tell_flawless() {
+    VertexSet flawed(triangulation_.num_vertices(), 0);
+    for (const VertexId v : flaws_.unused) flawed[v] = 1;
+    for (const VertexId v : flaws_.pinched) flawed[v] = 1;
+    for (const VertexId v : region_.vertices) {
+      if (flawed[v] == 0) energy_.know_flawless(v);
+    }
+  }
+
   // At every sample that is unused or where the surface is pinched (both ends of a non-manifold
   // edge are), in lexicographic order, round by round until no move helps.
   void repair() {
@@ -305,12 +317,12 @@ class CleanUp {
     constexpr std::size_t samples_per_chunk = 1024;
     std::vector<std::uint8_t> is_idle(samples.size());
     const Execution execution = stars_.expect(samples.size()) ? execution_ : Execution{};
-    parallel_chunks(execution, samples.size(), samples_per_chunk,
-                    [&](std::size_t begin, std::size_t end) {
-                      for (std::size_t k = begin; k < end; ++k) {
-                        is_idle[k] = energy_.is_idle(samples[k]) ? 1 : 0;
-                      }
-                    });
+    const auto sample_at = [&](std::size_t k) { return samples[k]; };
+    parallel_chunks(
+        execution, samples.size(), samples_per_chunk, [&](std::size_t begin, std::size_t end) {
+          visit_stars(triangulation_, stars_, begin, end, sample_at,
+                      [&](auto k) { is_idle[k] = energy_.is_idle(samples[k]) ? 1 : 0; });
+        });
     std::size_t kept = 0;
     for (std::size_t k = 0; k < samples.size(); ++k) {
       if (is_idle[k] != 0) samples[kept++] = samples[k];

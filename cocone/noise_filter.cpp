@@ -3,11 +3,14 @@
 #include <algorithm>
 
 #include "cocone/sample_spacing.h"
+#include "delaunay/circulate.h"
 
 namespace cocoon {
 namespace {
 
 constexpr std::size_t grain = 4096;  // vertices a chunk
+
+VertexId vertex_at(std::size_t k) { return VertexId(k); }
 
 class Flood {
  public:
@@ -76,10 +79,10 @@ IdVector<VertexId, double> sample_spacing(const Triangulation& triangulation,
   IdVector<VertexId, double> spacing(triangulation.num_vertices(), 0);
   const auto measure = [&](std::size_t begin, std::size_t end) {
     SpacingBuffer shortest;
-    for (std::size_t i = begin; i < end; ++i) {
-      const VertexId v(i);
+    visit_stars(triangulation, stars, begin, end, vertex_at, [&](std::size_t k) {
+      const VertexId v(k);
       spacing[v] = sample_spacing(triangulation, stars.star(v), v, neighbors, shortest);
-    }
+    });
   };
   parallel_chunks(execution, triangulation.num_vertices(), grain, measure);
   return spacing;
@@ -91,12 +94,12 @@ VertexSet outlier_samples(const Triangulation& triangulation, const VertexStars&
   VertexSet outlier(triangulation.num_vertices(), 0);
   const auto judge = [&](std::size_t begin, std::size_t end) {
     std::vector<VertexId> around;
-    for (std::size_t i = begin; i < end; ++i) {
-      const VertexId v(i);
+    const auto spacing_of = [&](VertexId w) { return spacing[w]; };
+    visit_stars(triangulation, stars, begin, end, vertex_at, [&](std::size_t k) {
+      const VertexId v(k);
       collect_neighbors(triangulation, stars.star(v), v, around);
-      const auto spacing_of = [&](VertexId w) { return spacing[w]; };
       outlier[v] = is_outlying(spacing[v], ratio, around, spacing_of) ? 1 : 0;
-    }
+    });
   };
   parallel_chunks(execution, triangulation.num_vertices(), grain, judge);
   return outlier;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "delaunay/circulate.h"
 #include "geom/sort_ids.h"
@@ -34,6 +35,16 @@ class SmallVertexSet {
   std::array<std::uint32_t, std::size_t{1} << bits> slots_;
 };
 
+// Among the others, whose last goes, unless it is one of them: then it is met before a longer one.
+void insert_edge(const ShortEdge& edge, SpacingBuffer& shortest) {
+  auto place = shortest.begin();
+  for (; place->square <= edge.square; ++place) {
+    if (place->to == edge.to) return;
+  }
+  std::move_backward(place, shortest.end() - 1, shortest.end());
+  *place = edge;
+}
+
 }  // namespace
 
 void collect_neighbors(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
@@ -54,7 +65,8 @@ void collect_neighbors(const Triangulation& triangulation, std::span<const CellI
 double sample_spacing(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
                       std::size_t edges, SpacingBuffer& shortest) {
   const std::size_t count = std::max<std::size_t>(1, edges);
-  shortest.clear();  // from now on in increasing order
+  // In increasing order; as long as there are fewer, the rest is infinitely long.
+  shortest.assign(count, {std::numeric_limits<double>::infinity(), infinite_vertex});
   const Point p = triangulation.point(v);
   for (const CellId c : star) {
     const Cell& cell = triangulation.cell(c);
@@ -64,15 +76,10 @@ double sample_spacing(const Triangulation& triangulation, std::span<const CellId
       const VertexId w = cell.vertices[static_cast<std::size_t>(others[i])];
       if (w == infinite_vertex) continue;
       const double square = squared_distance(p, triangulation.point(w));
-      if (shortest.size() == count && !(square < shortest.back().square)) continue;
-      const auto is_same = [&](const ShortEdge& edge) { return edge.to == w; };
-      if (std::any_of(shortest.begin(), shortest.end(), is_same)) continue;
-      const auto is_longer = [&](const ShortEdge& edge) { return square < edge.square; };
-      const auto place = std::find_if(shortest.begin(), shortest.end(), is_longer);
-      shortest.insert(place, {square, w});
-      if (shortest.size() > count) shortest.pop_back();
+      if (square < shortest.back().square) insert_edge({square, w}, shortest);
     }
   }
+  while (shortest.back().to == infinite_vertex) shortest.pop_back();
   double sum = 0;
   for (const ShortEdge& edge : shortest) sum += edge.square;
   return std::sqrt(sum / static_cast<double>(shortest.size()));
@@ -81,12 +88,14 @@ double sample_spacing(const Triangulation& triangulation, std::span<const CellId
 void SpacingCache::prepare(std::span<const VertexId> vertices, const Execution& execution) {
   if (!stars_.expect(vertices.size())) return;
   constexpr std::size_t vertices_per_chunk = 1024;
+  const auto vertex_at = [&](std::size_t k) { return vertices[k]; };
   parallel_chunks(
       execution, vertices.size(), vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
         SpacingBuffer shortest;
-        for (const VertexId v : vertices.subspan(begin, end - begin)) {
+        visit_stars(triangulation_, stars_, begin, end, vertex_at, [&](std::size_t k) {
+          const VertexId v = vertices[k];
           spacing_[v] = sample_spacing(triangulation_, stars_.star(v), v, edges, shortest);
-        }
+        });
       });
 }
 

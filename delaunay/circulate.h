@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cassert>
+#include <cstddef>
 #include <span>
 
 #include "delaunay/triangulation.h"
@@ -87,6 +88,24 @@ void for_each_facet_around_vertex(const Triangulation& triangulation, const Vert
       const FacetId f = facet_id(c, i);
       if (i != opposite && triangulation.canonical(f) == f) visit(f);
     }
+  }
+}
+
+// Calls visit(k) for k = begin, ..., end - 1, which is to look at the star of vertex_at(k). The
+// cells of the stars that come next are asked for in advance: they lie anywhere in memory, and half
+// of the time would go by waiting for them. `stars`: VertexStars, or a StarCache that knows the
+// stars (StarCache::expect). Complexity: O(stars), besides the visits.
+template <class Stars, class VertexAt, class Visit>
+void visit_stars(const Triangulation& triangulation, Stars& stars, std::size_t begin,
+                 std::size_t end, VertexAt vertex_at, Visit visit) {
+  constexpr std::size_t ahead = 2;
+  for (std::size_t k = begin; k < end; ++k) {
+    if (k + ahead < end) {
+      for (const CellId c : stars.star(vertex_at(k + ahead))) {
+        __builtin_prefetch(&triangulation.cell(c));
+      }
+    }
+    visit(k);
   }
 }
 
