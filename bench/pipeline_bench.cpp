@@ -1,13 +1,14 @@
 // The whole way from points to a surface: each stage beside the Delaunay step, the whole beside
 // CGAL's, and how much memory it takes.
 //
-//   pipeline_bench [--points N] [--rival_points N] [--threads N] [--benchmark_...]
+//   pipeline_bench [--points N] [--rival_points N] [--scans FILE,...] [--threads N]
+//                  [--benchmark_...]
 //
 // Stages: the composition of reconstruct.h by hand, on two scans of N points and a real one; its
 // mesh must be that of reconstruct_tight. Whole: reconstruct_tight, Tight Cocone on CGAL's
 // triangulation (ref/cgal_surface.h: without clean-up), CGAL's advancing front, on scans of
-// --rival_points; ours with all threads, too, and then by the clock. Repetitions in random
-// alternation; medians. Memory: peak of a process of its own.
+// --rival_points and the files given; ours with all threads, too, and then by the clock.
+// Repetitions in random alternation; medians. Memory: peak of a process of its own.
 #include <benchmark/benchmark.h>
 #include <cstdio>
 #include <cstdlib>
@@ -33,6 +34,7 @@
 #include "cocone/reconstruct.h"
 #include "cocone/surface_mesh.h"
 #include "delaunay/voronoi_dual.h"
+#include "geom/equal_points.h"
 #include "geom/mesh_check.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"
@@ -52,6 +54,16 @@ struct Arguments {
 std::vector<Point> make_set(const std::string& name, std::size_t count) {
   if (name != "kitten") return bench::point_set(name, count);
   return read_points(std::string(COCOON_TEST_DATA) + "/points/kitten.xyz").points;
+}
+
+// Each point once, which is what the rivals want.
+std::vector<Point> read_scan(const std::string& file) {
+  std::vector<Point> points = read_points(file).points;
+  const std::vector<RepeatedPoint> repeated = repeated_points(points);
+  for (auto r = repeated.rbegin(); r != repeated.rend(); ++r) {
+    points.erase(points.begin() + static_cast<std::ptrdiff_t>(r->point));
+  }
+  return points;
 }
 
 // Medians over the repetitions of one benchmark, by what was timed.
@@ -294,6 +306,9 @@ int run(int argc, char** argv) {
     input.triangles = expected.triangles.size();
     register_stages(input, execution);
   }
+  for (const std::string& file : options.list("--scans", "")) {
+    small.push_back({std::filesystem::path(file).stem().string(), read_scan(file), 0, {}});
+  }
   for (Case& input : small) register_rivals(input, execution);
   if (!bench::run_benchmarks(options, 3)) return 2;
   print_stages(scans);
@@ -305,4 +320,11 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace cocoon
 
-int main(int argc, char** argv) { return cocoon::run(argc, argv); }
+int main(int argc, char** argv) {
+  try {
+    return cocoon::run(argc, argv);
+  } catch (const cocoon::FileError& error) {  // of --scans
+    std::fprintf(stderr, "pipeline_bench: %s\n", error.what());
+    return 2;
+  }
+}
