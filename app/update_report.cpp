@@ -48,6 +48,9 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("gap_edges", cloud.surface.rim.gap_edges);
   entry.set("gap_loops", cloud.surface.rim.gap_loops);
   entry.set("seamed_loops", cloud.surface.rim.seamed_loops);
+  entry.set("cut_edges", cloud.cut.cut_edges);
+  entry.set("cut_length", cloud.cut.cut_length);
+  entry.set("cut_contradicted", cloud.cut.contradicted);
   entry.set("boundary_points", cloud.boundary_points);
   entry.set("boundary_samples", cloud.surface.boundary_samples);
   entry.set("rho", cloud.surface.rho);

@@ -1,6 +1,7 @@
 #include "update/choose_regions.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "geom/errors.h"
@@ -46,6 +47,19 @@ struct RegionSum {
   std::size_t deciding_edges = 0;
 };
 
+// By how much the regions outside a cloud have larger angles than those under it, over all edges.
+double margin_of(const CloudChoice& cloud) {
+  std::array<double, 2> sums{};
+  std::array<double, 2> edges{};
+  for (const RegionVerdict& verdict : cloud.regions) {
+    const auto count = static_cast<double>(verdict.edges);
+    sums[verdict.under_cloud ? 1 : 0] += count * verdict.mean_angle;
+    edges[verdict.under_cloud ? 1 : 0] += count;
+  }
+  if (!(edges[0] > 0) || !(edges[1] > 0)) return cloud.margin;
+  return std::max(0.0, sums[0] / edges[0] - sums[1] / edges[1]);
+}
+
 void keep_the_largest_mean(RegionChoice& choice) {
   if (choice.replaced.empty()) return;
   for (const std::uint8_t flag : choice.replaced) {
@@ -70,7 +84,9 @@ bool tells_sides_apart(const RegionAngles& loop, const ChoiceOptions& options) {
 }
 
 RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num_clouds,
-                            const ChoiceOptions& options) {
+                            const ChoiceOptions& options,
+                            std::span<const IdVector<RegionId, std::uint8_t>> decided) {
+  const auto is_decided = [&](std::size_t c) { return c < decided.size() && !decided[c].empty(); };
   const std::size_t num_regions = loops.empty() ? 0 : loops.front().regions.size();
   RegionChoice choice;
   choice.replaced = IdVector<RegionId, std::uint8_t>(num_regions, 0);
@@ -87,7 +103,7 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
     const LoopRange range = loop_range(loop, options.min_edge_share);
     if (!range.decides) {
       ++choice.undecided_loops;
-    } else {
+    } else if (!is_decided(loop.cloud)) {
       double& margin = choice.clouds[loop.cloud].margin;
       margin = std::min(margin, range.margin());
       if (range.margin() < options.narrow_margin) ++choice.narrow;
@@ -109,11 +125,15 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
     for (const RegionId r : sums[c].ids()) {
       const RegionSum& sum = sums[c][r];
       if (sum.edges == 0) continue;
-      const bool under = sum.deciding_edges > 0 && sum.difference < 0;
+      const bool under =
+          is_decided(c) ? decided[c][r] != 0 : sum.deciding_edges > 0 && sum.difference < 0;
       choice.clouds[c].regions.push_back(
           {r, sum.angle / static_cast<double>(sum.edges), sum.edges, under});
       if (under) choice.replaced[r] = 1;
     }
+    if (!is_decided(c)) continue;
+    for (const RegionId r : decided[c].ids()) choice.replaced[r] |= decided[c][r];
+    choice.clouds[c].margin = margin_of(choice.clouds[c]);
   }
   keep_the_largest_mean(choice);
   if (choice.status == ChoiceStatus::ambiguous) {

@@ -100,4 +100,11 @@ LoopSides loop_sides(const TriangleMesh& model, const MeshAdjacency& adjacency,
   return result;
 }
 
+RegionId region_at(const LoopSides& sides) {
+  for (const LoopSide& side : sides.sides) {
+    if (!side.region.is_none()) return side.region;
+  }
+  return {};
+}
+
 }  // namespace cocoon

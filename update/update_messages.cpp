@@ -1,5 +1,6 @@
 #include "update/update_messages.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "geom/counted.h"
@@ -42,6 +43,14 @@ std::string reason_of_failed_split(SplitStatus status, const SplitRegion& split)
          " cloud extents away from the cloud";
 }
 
+std::string reason_of_doubtful_cut(const RegionCut& cut) {
+  return "its rim is torn, and what is left of it does not tell its sides apart: " +
+         rounded(cut.cut_length) + " median edges of cuts where it is missing, and " +
+         rounded(cut.contradicted) + " in contradiction, beside " +
+         rounded(std::min(cut.seeds_under, cut.seeds_outside)) +
+         "; sample more densely at sharp edges and thin walls, or add a cloud that closes the rim";
+}
+
 std::string reason_of_ambiguity(double margin) {
   return "the regions inside and outside a rim make angles with the cloud that differ by less "
          "than " +
@@ -59,6 +68,12 @@ std::string warning_of_split(const SplitRegion& split) {
          "inner side than to its outer one (" +
          counted(split.under_facets, "facet") + ", cut along " + counted(split.cut_edges, "edge") +
          "); look at the result";
+}
+
+std::string warning_of_cut(const RegionCut& cut) {
+  return "parts of its rim are missing between seams; the model is cut there by the shortest way "
+         "(" +
+         counted(cut.cut_edges, "edge") + "); look at the result";
 }
 
 std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points) {

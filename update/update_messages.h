@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "update/cloud_surface.h"
+#include "update/cut_regions.h"
 #include "update/split_regions.h"
 
 namespace cocoon {
@@ -26,12 +27,15 @@ std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_poi
 // Why labels do not split a region; `split`: the last part that was tried.
 std::string reason_of_failed_split(SplitStatus status, const SplitRegion& split);
 
+// Why a torn rim does not tell its sides apart.
+std::string reason_of_doubtful_cut(const RegionCut& cut);
 // Why the angles do not decide; `margin`: in degrees.
 std::string reason_of_ambiguity(double margin);
 // Why nothing is left of the updated points.
 std::string reason_of_empty_surface(std::size_t updated_points);
 
 std::string warning_of_split(const SplitRegion& split);
+std::string warning_of_cut(const RegionCut& cut);
 std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points);
 std::string warning_of_overlooked(std::size_t vertices);
 // What was unusual about the surface of a cloud.

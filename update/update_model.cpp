@@ -8,11 +8,11 @@
 
 #include "geom/counted.h"
 #include "geom/errors.h"
-#include "geom/large_pages.h"
 #include "geom/sort_ids.h"
 #include "update/model_index.h"
 #include "update/ordinary_size.h"
 #include "update/update_messages.h"
+#include "update/updated_vertices.h"
 
 namespace cocoon {
 
@@ -80,10 +80,17 @@ class Update {
       trace_borders(index, execution);
       result_.regions = segment_model(index, border_facets_, options_.segment, execution);
     }
+    std::vector<IdVector<RegionId, std::uint8_t>> decided;
+    if (!cut_torn_regions(index, decided, execution)) return false;
     std::vector<RegionAngles> angles = measure_angles(index);
     if (!check_separation(index, angles)) return false;
     if (!divided_loops_.empty() && !split_divided_regions(index, angles)) return false;
-    result_.choice = choose_regions(angles, clouds_.size(), options_.choice);
+    for (const SplitRegion& part : result_.split) {
+      for (auto& verdicts : decided) {
+        if (!verdicts.empty()) verdicts.push_back(verdicts[part.outside]);
+      }
+    }
+    result_.choice = choose_regions(angles, clouds_.size(), options_.choice, decided);
     // Regions may be without any loop (all rims covered): then there is nothing to replace.
     result_.choice.replaced.resize(result_.regions.regions.size(), 0);
     return report_choice();
@@ -110,7 +117,7 @@ class Update {
                   reason_of_empty_surface(result_.replacement.points.size()));
     }
     result_.mesh = std::exchange(result_.reconstruction.mesh, {});
-    map_vertices();
+    result_.vertex_map = updated_vertices(result_.replacement, result_.reconstruction);
     if (result_.reconstruction.unused_points > 0) {
       warn(warning_of_unused_points(result_.reconstruction.unused_points,
                                     result_.replacement.points.size()));
@@ -159,17 +166,14 @@ class Update {
     return rims;
   }
 
-  // The rims that formed the border.
+  // The rims that formed the border: of loops that are none of it only the place is left.
   std::vector<CloudRim> border_rims() const {
-    std::vector<CloudRim> rims(clouds_.size());
+    std::vector<CloudRim> rims = this->rims();
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      rims[c].spacing = result_.clouds[c].surface.rim.spacing;
-      rims[c].median_edge = result_.clouds[c].surface.rim.median_edge;
-      rims[c].gap_edges = result_.clouds[c].surface.rim.gap_edges;
+      for (std::size_t l = 0; l < rims[c].loops.size(); ++l) {
+        if (overlaps_[c].loops[l].match != LoopMatch::on_model) rims[c].loops[l] = {};
+      }
     }
-    for_each_border_loop([&](std::size_t c, std::size_t l) {
-      rims[c].loops.push_back(result_.clouds[c].surface.rim.loops[l]);
-    });
     return rims;
   }
 
@@ -307,6 +311,7 @@ class Update {
       const LoopSides sides =
           loop_sides(model_, index.adjacency(), borders_[c].loops[l], result_.regions);
       result_.clouds[c].loops[l].separation = sides.separation;
+      if (is_torn(c)) return;  // what is left of it is enough: cut_torn_regions()
       if (sides.separation == Separation::encloses_nothing) {
         warn(name_of_loop(c, l) + ": no region of the model lies inside; the cloud is added there");
       } else if (sides.separation == Separation::open_band && ok) {
@@ -320,11 +325,34 @@ class Update {
         if (tells_sides_apart(angles[e], options_.choice)) {
           warn(name_of_loop(c, l) + ": has a handle of the model across it; look at the result");
         } else {
-          divided_loops_.push_back({c, l, e, region_of(sides)});
+          divided_loops_.push_back({c, l, e, region_at(sides)});
         }
       }
     });
     return ok;
+  }
+
+  bool is_torn(std::size_t c) const { return cocoon::is_torn(result_.clouds[c].surface.rim); }
+  // Where rims are torn: takes regions that lie as a whole under each such cloud, or outside.
+  bool cut_torn_regions(const ModelIndex& index,
+                        std::vector<IdVector<RegionId, std::uint8_t>>& decided,
+                        const Execution& execution) {
+    const std::vector<CloudRim> rims = border_rims();
+    if (std::none_of(rims.begin(), rims.end(), cocoon::is_torn)) return true;
+    CutRegions cut = cut_regions(index, rims, borders_, options_.cut, options_.segment, execution);
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      if (!is_torn(c)) continue;
+      cut.cuts[c].under = {};
+      const RegionCut& of_cloud = result_.clouds[c].cut = std::move(cut.cuts[c]);
+      if (of_cloud.doubt() > options_.cut.max_doubt) {
+        return fail(UpdateStatus::non_separating,
+                    name_of_cloud(c) + ": " + reason_of_doubtful_cut(of_cloud));
+      }
+      if (of_cloud.cut_edges > 0) warn(name_of_cloud(c) + ": " + warning_of_cut(of_cloud));
+    }
+    result_.regions = std::move(cut.regions);
+    decided = std::move(cut.under);
+    return true;
   }
 
   // Splits the regions on both sides of divided loops, and measures the angles again. The split
@@ -353,13 +381,6 @@ class Update {
     }
     for (const SplitRegion& part : result_.split) warn_about_split(part);
     return true;
-  }
-
-  static RegionId region_of(const LoopSides& sides) {
-    for (const LoopSide& side : sides.sides) {
-      if (!side.region.is_none()) return side.region;
-    }
-    return {};
   }
 
   // Whether the loop sees the part under the cloud at a clearly smaller angle than the other one.
@@ -421,26 +442,6 @@ class Update {
     if (choice.status == ChoiceStatus::ok) return true;
     return fail(UpdateStatus::ambiguous,
                 reason_of_ambiguity(options_.choice.ambiguous_margin * degrees_per_radian));
-  }
-
-  void map_vertices() {
-    // If each point is a vertex, they have the same order.
-    const std::size_t num_points = result_.replacement.points.size();
-    const bool same = result_.reconstruction.unused_points == 0;
-    IdVector<PointId, VertexId> vertex_of_point(same ? 0 : num_points);
-    for (const VertexId v : result_.mesh.points.ids()) {
-      if (!same) vertex_of_point[result_.reconstruction.point_of_vertex[v]] = v;
-    }
-    result_.vertex_map.clear();
-    result_.vertex_map.reserve(model_.points.size());
-    prefer_large_pages(result_.vertex_map.raw());
-    result_.vertex_map.resize(model_.points.size());
-    const IdVector<VertexId, PointId>& points = result_.replacement.point_of_vertex;
-    for (const VertexId v : points.ids()) {
-      const PointId p = points[v];
-      static_assert(PointId().value == VertexId().value);  // none
-      result_.vertex_map[v] = same || p.is_none() ? VertexId(p.value) : vertex_of_point[p];
-    }
   }
 
   const TriangleMesh& model_;

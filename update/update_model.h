@@ -20,6 +20,7 @@
 #include "geom/triangle_mesh.h"
 #include "update/choose_regions.h"
 #include "update/cloud_surface.h"
+#include "update/cut_regions.h"
 #include "update/loop_sides.h"
 #include "update/model_index.h"
 #include "update/overlapping_facets.h"
@@ -41,6 +42,7 @@ struct UpdateOptions {
   TraceOptions trace;
   SegmentOptions segment;
   SplitOptions split;
+  CutOptions cut;  // of torn rims
   AngleOptions angles;
   ChoiceOptions choice;
   ReplaceOptions replace;
@@ -84,7 +86,8 @@ struct CloudReport {
   std::size_t breaks = 0;
   std::vector<GroupAngle> groups;         // in the order of groups
   std::vector<RegionId> replaced_groups;  // those under this cloud
-  double margin_deg = 180;                // of its least clear loop
+  double margin_deg = 180;                // of its least clear loop; of all if its rim is torn
+  RegionCut cut;                          // where its rim is torn; without the labels
 };
 
 struct UpdateResult {

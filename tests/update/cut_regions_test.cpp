@@ -1,0 +1,240 @@
+#include "update/cut_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "geom/random.h"
+#include "tests/update/hand_made_models.h"
+#include "update/choose_regions.h"
+#include "update/overlapping_facets.h"
+#include "update/rim_angles.h"
+
+namespace cocoon {
+namespace {
+
+using testing::circle;
+using testing::grid_plane;
+using testing::rim_of;
+
+const Point middle = {15.1, 15.2, 0};
+constexpr double radius = 6;
+
+// A circle of 60 edges, of which those from `first` up to `last` have cloud beyond them.
+CloudRim torn_rim(std::size_t first, std::size_t last) {
+  CloudRim rim = rim_of({circle(60, middle, radius)});
+  rim.median_edge = rim.spacing;
+  RimLoop& loop = rim.loops[0];
+  loop.gap.assign(loop.size(), 0);
+  for (std::size_t i = first; i < last; ++i) loop.gap[i] = 1;
+  rim.rim_edges = loop.size();
+  rim.gap_edges = last - first;
+  return rim;
+}
+
+struct Case {
+  Case(TriangleMesh a_mesh, CloudRim a_rim)
+      : mesh(std::move(a_mesh)),
+        model(mesh),
+        rim(std::move(a_rim)),
+        border(trace_border(model, rim, overlapping_facets(model, rim))) {}
+  RegionCut cut(const CutOptions& options = {}) const {
+    return cut_under_cloud(model, certain_border(model, rim, border.loops, options), rim, options);
+  }
+  double radius_of(TriangleId t) const { return distance(model.centroid(t), middle); }
+
+  TriangleMesh mesh;
+  ModelIndex model;
+  CloudRim rim;
+  Border border;
+};
+
+TEST(CutRegions, AWholeRimIsAllOfTheCut) {
+  const Case plane(grid_plane(30), torn_rim(0, 0));
+  const TriangleSet border = certain_border(plane.model, plane.rim, plane.border.loops);
+  EXPECT_EQ(border, plane.border.facets);
+  const RegionCut cut = plane.cut();
+  EXPECT_EQ(cut.cut_edges, 0U);
+  EXPECT_EQ(cut.contradicted, 0);
+  EXPECT_EQ(cut.doubt(), 0);
+  for (const TriangleId t : plane.mesh.triangles.ids()) {
+    if (border[t] == 0) {
+      EXPECT_EQ(cut.under[t] != 0, plane.radius_of(t) < radius);
+    }
+  }
+}
+
+// A sixth of the rim is missing: the cut is the chord, which is at most 0.8 from the arc.
+TEST(CutRegions, AMissingStretchIsCutTheShortestWay) {
+  const Case plane(grid_plane(30), torn_rim(20, 30));
+  const TriangleSet border = certain_border(plane.model, plane.rim, plane.border.loops);
+  const RegionCut cut = plane.cut();
+  EXPECT_GE(cut.cut_edges, 4U);
+  EXPECT_LE(cut.cut_length * plane.rim.median_edge, 2 * radius);
+  EXPECT_LT(cut.doubt(), 0.35);
+  std::size_t under = 0;
+  for (const TriangleId t : plane.mesh.triangles.ids()) {
+    if (border[t] != 0) continue;
+    under += cut.under[t];
+    if (plane.radius_of(t) < radius - 2.3) {
+      EXPECT_EQ(cut.under[t], 1);
+    }
+    if (plane.radius_of(t) > radius + 1) {
+      EXPECT_EQ(cut.under[t], 0);
+    }
+  }
+  EXPECT_EQ(under, cut.under_facets);
+}
+
+// Three points of the rim are where they do not belong. The mean angle of the region between the
+// way there and the way back may be anything; that it is cut off from the cloud by the rest tells.
+TEST(CutRegions, AStretchInTheWrongPlaceIsOutvoted) {
+  CloudRim rim = torn_rim(0, 1);
+  RimLoop& loop = rim.loops[0];
+  for (std::size_t i = 13; i < 16; ++i) {
+    const Vec3 out = 1.4 * (loop.points[i] - middle);
+    loop.points[i] = loop.points[i] + out;
+    loop.apexes[i] = loop.points[i] + out;  // the cloud seems to be outside there
+  }
+  loop.gap[12] = loop.gap[15] = 1;
+  const Case plane(grid_plane(30), rim);
+  const RegionCut cut = plane.cut();
+  EXPECT_GT(cut.contradicted + cut.cut_length, 0);
+  EXPECT_LT(cut.doubt(), 0.5);
+  std::size_t astray = 0;
+  for (const TriangleId t : plane.mesh.triangles.ids()) {
+    if (plane.radius_of(t) > radius + 2) astray += cut.under[t];
+    if (plane.radius_of(t) < radius - 3) {
+      EXPECT_EQ(cut.under[t], 1) << plane.radius_of(t);
+    }
+  }
+  EXPECT_LE(astray, 3U);  // between its facets
+}
+
+TEST(CutRegions, ADetourIsNoPartOfTheBorder) {
+  Case plane(grid_plane(30), torn_rim(0, 0));
+  LoopBorder& band = plane.border.loops[0];
+  // The first edge goes around the whole circle.
+  std::vector<TriangleId> detour(band.facets.rbegin(), band.facets.rend());
+  const std::vector<TriangleId> own(band.facets_of(0).begin(), band.facets_of(0).end());
+  for (const TriangleId t : plane.mesh.triangles.ids()) {
+    if (plane.radius_of(t) > 10 && plane.radius_of(t) < 11) detour.push_back(t);
+  }
+  LoopBorder longer;
+  longer.facets = detour;
+  longer.begin.assign(band.begin.size(), static_cast<std::uint32_t>(detour.size()));
+  longer.begin[0] = 0;
+  const std::vector<LoopBorder> loops = {longer};
+  const TriangleSet none = certain_border(plane.model, plane.rim, loops);
+  EXPECT_EQ(std::count(none.begin(), none.end(), 1), 0);
+  const TriangleSet all = certain_border(plane.model, plane.rim, loops, {.max_detour = 1e9});
+  EXPECT_GT(std::count(all.begin(), all.end(), 1), 100);
+}
+
+// The order of facets and scaling by a power of two change nothing.
+TEST(CutRegions, DependsOnTheShapeOnly) {
+  const Case plane(grid_plane(30), torn_rim(20, 34));
+  TriangleMesh other = plane.mesh;
+  CloudRim rim = plane.rim;
+  for (Point& p : other.points) p = 1024 * p;
+  rim.spacing *= 1024;
+  rim.median_edge *= 1024;
+  for (std::size_t i = 0; i < rim.loops[0].size(); ++i) {
+    rim.loops[0].points[i] = 1024 * rim.loops[0].points[i];
+    rim.loops[0].apexes[i] = 1024 * rim.loops[0].apexes[i];
+  }
+  Random random(5);
+  std::vector<TriangleId> order;
+  for (const TriangleId t : other.triangles.ids()) order.push_back(t);
+  for (std::size_t i = order.size(); i > 1; --i) {
+    std::swap(order[i - 1], order[random.below(i)]);
+  }
+  IdVector<TriangleId, Triangle> shuffled;
+  for (const TriangleId t : order) shuffled.push_back(plane.mesh.triangles[t]);
+  other.triangles = shuffled;
+  const RegionCut cut = plane.cut();
+  const RegionCut again = Case(other, rim).cut();
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    EXPECT_EQ(again.under[TriangleId(i)], cut.under[order[i]]);
+  }
+  EXPECT_EQ(again.cut_edges, cut.cut_edges);
+  EXPECT_EQ(again.cut_length, cut.cut_length);
+}
+
+// A rim around the tube of a torus has both sides everywhere: a cut costs as much as what it keeps.
+TEST(CutRegions, ARimThatTellsNothingIsDoubtful) {
+  constexpr double tube = 0.3;
+  constexpr std::size_t n = 40;
+  std::vector<Point> points;
+  for (std::size_t j = 0; j < n; ++j) {
+    const double v = 2 * std::numbers::pi * (static_cast<double>(j) + 0.3) / n;
+    points.push_back(testing::torus_point(0.31, v, tube));
+  }
+  std::vector<Vec3> normals;
+  for (const Point& p : points) normals.push_back(unit(p - testing::torus_point(0.31, 0, 0)));
+  CloudRim rim = rim_of({testing::loop_towards(points, normals, testing::torus_point(0.61, 0, 0))});
+  rim.median_edge = rim.spacing;
+  const Case torus(testing::torus(80, 30, tube), rim);
+  EXPECT_GT(torus.cut().doubt(), CutOptions().max_doubt);
+  EXPECT_EQ(torus.cut({.seed_reach = 0}).doubt(), 1);
+  EXPECT_EQ(torus.cut({.seed_reach = 0}).under_facets, 0U);
+}
+
+// Two clouds side by side, one with a torn rim: each region lies as a whole under each of them, or
+// outside, and what the cut says is replaced.
+TEST(CutRegions, RegionsLieAsAWholeUnderEachCloud) {
+  const TriangleMesh mesh = grid_plane(40);
+  const ModelIndex model(mesh);
+  const Point left = {10.1, 20.2, 0};
+  const Point right = {29.1, 20.3, 0};
+  std::vector<CloudRim> rims;
+  for (const Point& p : {left, right, right}) {
+    rims.push_back(rim_of({circle(60, p, 6)}));
+    rims.back().median_edge = rims.back().spacing;
+  }
+  for (const std::size_t c : {std::size_t{1}, std::size_t{2}}) {
+    rims[c].loops[0].gap.assign(60, 0);
+    for (std::size_t i = 0; i < 10; ++i) rims[c].loops[0].gap[30 * c - 20 + i] = 1;
+    rims[c].gap_edges = 10;
+  }
+  std::vector<Border> borders;
+  for (const CloudRim& rim : rims) {
+    borders.push_back(trace_border(model, rim, overlapping_facets(model, rim)));
+  }
+  const CutRegions found = cut_regions(model, rims, borders);
+  EXPECT_TRUE(found.under[0].empty());
+  std::vector<RegionAngles> angles;
+  for (std::size_t c = 0; c < rims.size(); ++c) {
+    ASSERT_TRUE(c == 0 || found.under[c].size() == found.regions.regions.size());
+    angles.push_back(mean_rim_angles(model, found.regions, rims[c].loops[0], borders[c].loops[0]));
+    angles.back().cloud = static_cast<std::uint32_t>(c);
+    for (const TriangleId t : mesh.triangles.ids()) {
+      const RegionId r = found.regions.region_of_facet[t];
+      if (c > 0 && !r.is_none()) {
+        EXPECT_EQ(found.under[c][r], found.cuts[c].under[t]);
+      }
+    }
+  }
+  const RegionChoice choice = choose_regions(angles, 3, {}, found.under);
+  EXPECT_EQ(choice.status, ChoiceStatus::ok);
+  for (const TriangleId t : mesh.triangles.ids()) {
+    const RegionId r = found.regions.region_of_facet[t];
+    if (r.is_none()) continue;
+    const Point p = model.centroid(t);
+    const double nearer = std::min(distance(p, left), distance(p, right));
+    if (nearer < 3.5) {
+      EXPECT_EQ(choice.replaced[r], 1);
+    }
+    if (nearer > 7) {
+      EXPECT_EQ(choice.replaced[r], 0);
+    }
+  }
+  for (const CloudChoice& cloud : choice.clouds) EXPECT_GT(cloud.margin, 1);
+}
+
+}  // namespace
+}  // namespace cocoon

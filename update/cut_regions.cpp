@@ -1,0 +1,215 @@
+#include "update/cut_regions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "cocone/max_flow.h"
+#include "update/rim_index.h"
+
+namespace cocoon {
+
+namespace {
+
+// Lengths as integers, in this share of the median edge.
+constexpr double steps_per_edge = 1024;
+
+// The facets of the model as nodes of a graph.
+class FacetGraph {
+ public:
+  FacetGraph(const ModelIndex& model, const TriangleSet& border, const CloudRim& rim)
+      : model_(model),
+        border_(border),
+        steps_(steps_per_edge / rim.median_edge),
+        pull_(border.size(), 0) {}
+
+  void pull_seeds(const CloudRim& rim, double reach, RegionCut& cut) {
+    const RimIndex rims(std::span(&rim, 1));
+    if (rims.empty()) return;
+    for (const TriangleId t : border_.ids()) {
+      if (border_[t] != 0) continue;
+      const Sides sides = sides_of(t);
+      if (sides.at_border == 0) continue;
+      const RimSide side = rims.side_of(model_.centroid(t));
+      if (!(side.distance <= reach * std::max(rim.spacing, sides.shortest))) continue;
+      pull_[t] = side.on_cloud_side ? sides.at_border : -sides.at_border;
+      (side.on_cloud_side ? cut.seeds_under : cut.seeds_outside) += length(sides.at_border);
+    }
+  }
+
+  void label(RegionCut& cut) const {
+    MaxFlow flow(border_.size());
+    for (const TriangleId t : border_.ids()) {
+      if (pull_[t] > 0) flow.pull_to_source(t.value, pull_[t]);
+      if (pull_[t] < 0) flow.pull_to_sink(t.value, -pull_[t]);
+    }
+    visit_edges([&](TriangleId a, TriangleId b, std::int64_t steps) {
+      flow.add_edge(a.value, b.value, steps);
+    });
+    const std::vector<std::uint8_t> source = flow.source_side();
+    cut.under = TriangleSet(border_.size(), 0);
+    for (const TriangleId t : border_.ids()) {
+      if (border_[t] != 0) continue;
+      cut.under[t] = source[t.index()];
+      cut.under_facets += source[t.index()];
+      const bool agrees = source[t.index()] != 0 ? pull_[t] >= 0 : pull_[t] <= 0;
+      if (!agrees) cut.contradicted += length(std::abs(pull_[t]));
+    }
+    visit_edges([&](TriangleId a, TriangleId b, std::int64_t steps) {
+      if (cut.under[a] == cut.under[b]) return;
+      ++cut.cut_edges;
+      cut.cut_length += length(steps);
+    });
+  }
+
+ private:
+  struct Sides {
+    std::int64_t at_border = 0;
+    double shortest = 0;
+  };
+
+  static double length(std::int64_t steps) { return static_cast<double>(steps) / steps_per_edge; }
+
+  double side_length(TriangleId t, std::size_t i) const {
+    const Triangle& v = model_.mesh().triangles[t];
+    return distance(model_.mesh().points[v[(i + 1) % 3]], model_.mesh().points[v[(i + 2) % 3]]);
+  }
+  std::int64_t in_steps(double side) const { return std::llround(side * steps_); }
+
+  Sides sides_of(TriangleId t) const {
+    const std::array<double, 3> lengths = {side_length(t, 0), side_length(t, 1), side_length(t, 2)};
+    Sides sides;
+    sides.shortest = *std::min_element(lengths.begin(), lengths.end());
+    for (std::size_t i = 0; i < 3; ++i) {
+      const TriangleId next = model_.adjacency().neighbors[t][i];
+      if (!next.is_none() && border_[next] != 0) sides.at_border += in_steps(lengths[i]);
+    }
+    return sides;
+  }
+
+  // Calls visit(a, b, length in steps) for the edges between facets off the border.
+  template <class Visit>
+  void visit_edges(const Visit& visit) const {
+    for (const TriangleId t : border_.ids()) {
+      if (border_[t] != 0) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const TriangleId next = model_.adjacency().neighbors[t][i];
+        if (next.is_none() || !(t < next) || border_[next] != 0) continue;
+        visit(t, next, in_steps(side_length(t, i)));
+      }
+    }
+  }
+
+  const ModelIndex& model_;
+  const TriangleSet& border_;
+  double steps_;                             // of one unit of length
+  IdVector<TriangleId, std::int64_t> pull_;  // > 0: under the cloud
+};
+
+double way_length(const ModelIndex& model, std::span<const TriangleId> facets) {
+  double length = 0;
+  for (std::size_t k = 1; k < facets.size(); ++k) {
+    length += distance(model.centroid(facets[k - 1]), model.centroid(facets[k]));
+  }
+  return length;
+}
+
+void mark_whole_bands(std::span<const LoopBorder> loops, TriangleSet& border) {
+  for (const LoopBorder& loop : loops) {
+    for (const TriangleId t : loop.facets) border[t] = 1;
+    for (const TriangleId t : loop.bridges) border[t] = 1;
+  }
+}
+
+// Splits the regions that are partly under the cloud, and enters who lies under it. The clouds
+// before it see the new regions as the old ones.
+void split_by_cut(const TriangleSet& under, std::size_t cloud, CutRegions& result) {
+  Regions& regions = result.regions;
+  struct Parts {
+    bool outside = false;
+    bool under = false;
+    RegionId new_region;
+  };
+  IdVector<RegionId, Parts> parts(regions.regions.size());
+  for (const TriangleId t : under.ids()) {
+    const RegionId r = regions.region_of_facet[t];
+    if (!r.is_none()) (under[t] != 0 ? parts[r].under : parts[r].outside) = true;
+  }
+  IdVector<RegionId, std::uint8_t>& verdicts = result.under[cloud];
+  for (const RegionId r : parts.ids()) verdicts.push_back(!parts[r].outside ? 1 : 0);
+  for (const RegionId r : parts.ids()) {
+    if (!parts[r].under || !parts[r].outside) continue;
+    parts[r].new_region = regions.regions.push_back({});
+    verdicts.push_back(1);
+    for (std::size_t c = 0; c < cloud; ++c) {
+      if (!result.under[c].empty()) result.under[c].push_back(result.under[c][r]);
+    }
+  }
+  for (const TriangleId t : under.ids()) {
+    RegionId& r = regions.region_of_facet[t];
+    if (r.is_none() || under[t] == 0 || parts[r].new_region.is_none()) continue;
+    r = parts[r].new_region;
+  }
+}
+
+}  // namespace
+
+double RegionCut::doubt() const {
+  const double weaker = std::min(seeds_under, seeds_outside);
+  return weaker > 0 ? (cut_length + contradicted) / weaker : 1;
+}
+
+TriangleSet certain_border(const ModelIndex& model, const CloudRim& rim,
+                           std::span<const LoopBorder> loops, const CutOptions& options) {
+  TriangleSet border(model.mesh().triangles.size(), 0);
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    const RimLoop& loop = rim.loops[l];
+    if (loops[l].begin.empty()) continue;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      if (loop.is_gap(i)) continue;
+      const std::span<const TriangleId> facets = loops[l].facets_of(i);
+      const double edge = distance(loop.points[i], loop.points[loop.next(i)]);
+      if (way_length(model, facets) > options.max_detour * (edge + rim.spacing)) continue;
+      for (const TriangleId t : facets) border[t] = 1;
+    }
+  }
+  return border;
+}
+
+RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border, const CloudRim& rim,
+                          const CutOptions& options) {
+  RegionCut cut;
+  FacetGraph graph(model, border, rim);
+  graph.pull_seeds(rim, options.seed_reach, cut);
+  graph.label(cut);
+  return cut;
+}
+
+CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
+                       std::span<const Border> borders, const CutOptions& options,
+                       const SegmentOptions& segment, const Execution& execution) {
+  CutRegions result;
+  TriangleSet all(model.mesh().triangles.size(), 0);
+  for (std::size_t c = 0; c < rims.size(); ++c) {
+    result.cuts.emplace_back();
+    result.under.emplace_back();
+    TriangleSet border(all.size(), 0);
+    if (is_torn(rims[c])) {
+      border = certain_border(model, rims[c], borders[c].loops, options);
+      result.cuts[c] = cut_under_cloud(model, border, rims[c], options);
+    } else {
+      mark_whole_bands(borders[c].loops, border);
+    }
+    for (const TriangleId t : all.ids()) all[t] |= border[t];
+  }
+  result.regions = segment_model(model, all, segment, execution);
+  for (std::size_t c = 0; c < rims.size(); ++c) {
+    if (is_torn(rims[c])) split_by_cut(result.cuts[c].under, c, result);
+  }
+  count_and_group(model, result.regions);
+  return result;
+}
+
+}  // namespace cocoon

@@ -1,0 +1,16 @@
+// Where the vertices of the model are in the updated mesh.
+#pragma once
+
+#include "cocone/reconstruct.h"
+#include "geom/id_vector.h"
+#include "geom/ids.h"
+#include "update/replace_points.h"
+
+namespace cocoon {
+
+// Each vertex of the model in the mesh reconstructed from the updated points; none: replaced, or
+// not on the surface. Complexity: O(vertices of the model + updated points).
+IdVector<VertexId, VertexId> updated_vertices(const Replacement& replacement,
+                                              const ReconstructResult& reconstruction);
+
+}  // namespace cocoon
