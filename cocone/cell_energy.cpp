@@ -162,13 +162,10 @@ std::size_t CellEnergy::parts_now(VertexId v) {
   return now.parts;
 }
 
-// A pinched or idle vertex may become regular, an unused one used.
+// A pinched or unused vertex may come to lie on one disk, which costs least; an idle one be busy.
 Energy CellEnergy::least_vertex_change(VertexId v) {
-  const std::size_t parts = parts_now(v);
-  Energy gain = parts == 1 ? std::max(Energy{0}, -cost_of_use(v))
-                           : defect_cost_ * static_cast<Energy>(extra(parts, 2));
-  if (idle_cost_ != 0 && is_idle_now(v)) gain += idle_cost_;
-  return -gain;
+  const Energy idle = idle_cost_ != 0 && is_idle_now(v) ? idle_cost_ : 0;
+  return star_cost(v, 2) - star_cost(v, parts_now(v)) - idle;
 }
 
 Energy CellEnergy::least_change(CellId c) {
