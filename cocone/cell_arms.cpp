@@ -1,7 +1,6 @@
 #include "cocone/cell_arms.h"
 
 #include <algorithm>
-#include <span>
 
 #include "cocone/double_cone.h"
 

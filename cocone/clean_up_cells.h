@@ -35,7 +35,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "cocone/idle_samples.h"
 #include "cocone/mark_cells.h"

@@ -7,7 +7,6 @@
 // is a cocone triangle.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

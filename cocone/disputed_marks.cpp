@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <deque>
 #include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 

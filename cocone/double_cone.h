@@ -6,7 +6,6 @@
 // the same nappe. Compared in squares: no root is taken.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 #include "geom/point.h"

@@ -1,6 +1,5 @@
 #include "cocone/mark_cells.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "cocone/carried_marks.h"

@@ -10,7 +10,6 @@
 // searches go on where they were, which pays since nearly all paths in graphs of cells are short.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

@@ -12,10 +12,8 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
-#include "cocone/poles.h"
+#include "cocone/facet_set.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"

@@ -1,6 +1,5 @@
 #include "cocone/peel_cells.h"
 
-#include <algorithm>
 #include <queue>
 #include <utility>
 #include <vector>

@@ -10,7 +10,6 @@
 #include "cocone/mark_cells.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
-#include "geom/triangle_mesh.h"
 
 namespace cocoon {
 

@@ -1,6 +1,7 @@
 #include "cocone/robust_cocone.h"
 
 #include <utility>
+#include <vector>
 
 #include "cocone/boundary_samples.h"
 #include "cocone/candidate_triangles.h"

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "cocone/noise_filter.h"
 #include "cocone/reconstruct.h"

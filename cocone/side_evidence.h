@@ -11,8 +11,6 @@
 // Infinity is OUT with weight 1, and so are the cells that the marking decided.
 #pragma once
 
-#include <cstddef>
-
 #include "cocone/ball_cosines.h"
 #include "cocone/doubtful_region.h"
 #include "cocone/mark_cells.h"

@@ -1,6 +1,5 @@
 #include "cocone/star_parts.h"
 
-#include <algorithm>
 #include <bit>
 
 #include "delaunay/circulate.h"

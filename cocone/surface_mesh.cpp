@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 #include "cocone/shared_flags.h"
 #include "geom/parallel_list.h"

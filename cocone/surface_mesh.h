@@ -2,11 +2,10 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
-#include "cocone/facet_set.h"
 #include "cocone/mark_cells.h"
 #include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/triangle_mesh.h"
 
