@@ -30,7 +30,7 @@ struct CellCluster {
 // Precondition: `first` is finite; what is known was found with the same cosine and most_cells.
 // `scratch` is zero for every cell, before and after. Complexity: O(k log k) for k cells, at most
 // most_cells and those at the facets of the cluster included. Deterministic as a set: a function of
-// the point set, the sides and the first cell.
+// the point set, the sides and the first cell. Source: ours, docs/stages/clean_up_cells.md.
 CellCluster cell_cluster(const Triangulation& triangulation, BallCosines& cosines,
                          const IdVector<CellId, std::uint8_t>& out, CellId first,
                          double deep_cosine, std::size_t most_cells,

@@ -19,7 +19,7 @@
 // with a third facet of S, against 3. S holds all vertices, so no second walk begins. A closed
 // connected surface in the 3-sphere has two sides, so marking, from any vertex, finds one OUT and
 // one IN; every vertex is good, so no cell is poor, the peel reaches what is OUT, and nothing is
-// left to clean up.
+// left to clean up. Source: ours, docs/stages/live_update.md.
 #pragma once
 
 #include <array>

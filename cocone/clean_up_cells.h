@@ -7,7 +7,7 @@
 //      + evidence_weight  * sum over undecided cells of max(0, contrary - own evidence)
 //      + mark_weight      * (decided cells that have left their label)
 //      + defect_cost      * (non-manifold edges + pinched vertices, with multiplicity)
-//      + idle_cost    * (samples that do nothing for the surface: idle_samples.h)
+//      + idle_cost        * (samples that do nothing for the surface: idle_samples.h)
 //      + unused_cost      * (samples of undecided cells that are not on the surface, no outliers)
 //      - handle_cost / 2  * (Euler characteristic of the surface)
 //      + component_cost   * (parts of the body)

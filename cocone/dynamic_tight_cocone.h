@@ -44,8 +44,8 @@ class DynamicTightCocone {
 
   const ReconstructOptions& options() const;
   std::size_t num_points() const;
-  // Calls of replace() that looked at the surface only where the points changed; the others ran all
-  // stages over the whole triangulation.
+  // Calls of replace() and edit() that looked at the surface only where the points changed; the
+  // others ran all stages over the whole triangulation.
   std::size_t local_changes() const;
 
   // Takes these points, in this order, instead of those so far.
@@ -68,7 +68,7 @@ class DynamicTightCocone {
     std::vector<Triangle> triangles;
   };
   struct Edited {
-    // If there is an edit: without mesh and all that it has of each vertex, see result().
+    // If there is an edit: without mesh and all that it has of each vertex, see complete().
     ReconstructResult result;
     std::optional<SurfaceEdit> edit;
   };

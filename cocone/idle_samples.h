@@ -22,7 +22,8 @@ struct IdleOptions {
 // Is v on the surface between cells with out = 1 and out = 0, all its facets lie in one plane, and
 // none of them is well shaped? Curves that are sampled more densely than the faces beside them are
 // features: where they bound nothing, the surface has missed something. `star`: the cells at v.
-// Complexity: O(star). Deterministic: a function of the points at v and the facets.
+// Complexity: O(star). Deterministic: a function of the points at v and the facets. Source: ours,
+// docs/stages/clean_up_cells.md.
 bool is_idle(const Triangulation& triangulation, std::span<const CellId> star,
              const IdVector<CellId, std::uint8_t>& out, VertexId v,
              const IdleOptions& options = {});

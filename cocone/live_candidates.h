@@ -16,7 +16,7 @@
 //                              another way than before makes the part grow, until all agree
 //
 // Each is computed by the stage itself, on a part of the triangulation (local_patch.h) or of the
-// candidates (local_facets.h).
+// candidates (local_facets.h). Source: ours, docs/stages/live_update.md.
 #pragma once
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 //   opposite poles differ: the two poles c, d of a sample s lie on different sides, weight
 //                         -cos(angle c s d)
 //
-// Infinity is OUT with weight 1, and so are the cells that the marking decided.
+// Infinity is OUT and cells with a good vertex have the side of their label, both with weight 1.
 #pragma once
 
 #include "cocone/ball_cosines.h"
@@ -28,12 +28,12 @@ struct SideEvidence {
 };
 
 // Evidence for the undecided cells of the region (all others: zero); `marks.labels` of the others
-// are taken for granted. The weight of a chain is the product of its rules' weights. Cells are
-// settled in the order of how clear their evidence is (power crust): |out - in| large and
-// uncontested first, and pass on their stronger side. Ties go to the lexicographically smaller
-// corners: a function of the point set. Complexity: O(d log d) for d cells at vertices of undecided
-// cells; their centers are computed on all threads. Source: Amenta, Choi & Kolluri 2001 (the power
-// crust, labeling of poles).
+// are taken for granted, and what has none for IN. The weight of a chain is the product of its
+// rules' weights. Cells are settled in the order of how clear their evidence is (power crust):
+// uncontested ones and large |out - in| first, and pass on their stronger side. Ties go to the
+// lexicographically smaller corners: a function of the point set. Complexity: O(d log d) for d
+// cells at vertices of undecided cells; their centers are computed on all threads. Source: Amenta,
+// Choi & Kolluri 2001 (the power crust, labeling of poles).
 ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,
                                                 BallCosines& cosines, const Poles& poles,
                                                 const CellMarks& marks,

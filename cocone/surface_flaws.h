@@ -19,7 +19,7 @@ struct SurfaceFlaws {
 // surface lies between. Complexity: O(cells of the region + their surface facets and what is met
 // on turns about their edges). A vertex is on one disk iff a walk around it, from surface facet to
 // surface facet through one side, meets all of them and no edge twice: a simple closed curve in the
-// link of the vertex, a sphere, which it divides in two.
+// link of the vertex, a sphere, which it divides in two. Source: ours.
 SurfaceFlaws find_surface_flaws(const Triangulation& triangulation, const DoubtfulRegion& region,
                                 const IdVector<CellId, std::uint8_t>& out);
 

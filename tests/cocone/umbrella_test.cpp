@@ -159,8 +159,8 @@ TEST(Umbrella, BoundarySamplesAtCreasesAreDemoted) {
   EXPECT_EQ(good_vertices(fans, boundary, {.fold_cosine = -0.5}).demoted, 6U);
 }
 
-TEST(PruneSharpEdges, AStandingFlapGoesTheSurfaceStays) {
-  // Three inner facets hang into the octahedron from the hull. At (1,0,0)-(0,1,0) the flap makes an
+TEST(PruneSharpEdges, AFlapStaysWhereItsFreeEdgesHaveNoUmbrella) {
+  // An inner facet hangs into the octahedron from the hull. At (1,0,0)-(0,1,0) the flap makes an
   // edge with three candidates; its other edges, with one candidate, end at the center, which has
   // no umbrella: pruning does not touch it.
   const Octahedron o;
