@@ -4,9 +4,10 @@
 #include <array>
 #include <cassert>
 #include <functional>
+#include <span>
 #include <utility>
 
-#include "delaunay/circulate.h"
+#include "cocone/half_star.h"
 #include "geom/edge_components.h"
 #include "geom/parallel_reduce.h"
 #include "geom/sort_ids.h"
@@ -59,12 +60,13 @@ class Carrying {
   // is.
   void see_from_hull() {
     outside_.assign(sheets_.components.size(), CarriedMarks::unknown);
+    HalfStar half(triangulation_, surface_.set);
     for (const CellId c : triangulation_.infinite_cells()) {
       for (unsigned i = 0; i < 3; ++i) {
         const VertexId v = triangulation_.cell(c).vertices[i];
         if (marks_.good[v] == 0 || outside_[sheet_at(v)] != CarriedMarks::unknown) continue;
         const std::uint32_t sheet = sheet_at(v);
-        const FacetId seen = surface_seen_from(c, v);
+        const FacetId seen = first_surface_facet(half.flood(v, c), v);
         const std::uint32_t t = triangle_of_facet(seen, v);
         const auto side = static_cast<std::uint8_t>(seen == surface_.facets[t] ? 0 : 1);
         outside_[sheet] = side ^ sheets_.turned[t];
@@ -103,20 +105,15 @@ class Carrying {
         std::plus<>());
   }
 
-  // The first facet of the surface at v met from the infinite cell c, seen from that side.
-  // Precondition: v is good.
-  FacetId surface_seen_from(CellId c, VertexId v) const {
-    std::vector<CellId> half{c};
-    for (std::size_t next = 0;; ++next) {
-      const int opposite_facet = index_of_vertex(triangulation_.cell(half[next]), v);
+  // Of half the star of a good vertex, a facet of the surface at it, seen from that side.
+  FacetId first_surface_facet(std::span<const CellId> half, VertexId v) const {
+    for (const CellId c : half) {
       for (int i = 0; i < 4; ++i) {
-        if (i == opposite_facet) continue;
-        const FacetId f = facet_id(half[next], i);
-        if (surface_.set.contains(f)) return f;
-        const CellId behind = cell_of(triangulation_.mirror(f));
-        if (std::find(half.begin(), half.end(), behind) == half.end()) half.push_back(behind);
+        const FacetId f = facet_id(c, i);
+        if (triangulation_.vertex(c, i) != v && surface_.set.contains(f)) return f;
       }
     }
+    return {};  // not so: the disk at v has this half on one side
   }
 
   // The position of a facet of the surface at the good vertex v.

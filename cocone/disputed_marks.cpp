@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <deque>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "cocone/half_labels.h"
-#include "delaunay/circulate.h"
+#include "cocone/half_star.h"
 #include "delaunay/star_cache.h"
 #include "geom/sort_ids.h"
 #include "geom/zeroed_array.h"
@@ -29,6 +30,7 @@ class Disputes {
         carried_(carried),
         marks_(marks),
         stars_(triangulation),
+        half_star_(triangulation, surface.set),
         turn_(triangulation.num_vertices(), 0),
         half_of_(triangulation.num_vertices()),
         decisions_(triangulation.num_vertices()),
@@ -102,17 +104,10 @@ class Disputes {
   void find_half(VertexId v) {
     const std::uint32_t t = triangle_of_side(corner_at_[v]);
     const bool here = carried_.out_side[t] == 0;
-    std::vector<CellId> half{cell_of(here ? surface_.facets[t] : surface_.mirrors[t])};
-    for (std::size_t next = 0; next < half.size(); ++next) {
-      const int opposite = index_of_vertex(triangulation_.cell(half[next]), v);
-      for (int i = 0; i < 4; ++i) {
-        if (i == opposite || surface_.set.contains(facet_id(half[next], i))) continue;
-        const CellId behind = triangulation_.neighbor(half[next], i);
-        if (std::find(half.begin(), half.end(), behind) == half.end()) half.push_back(behind);
-      }
-    }
-    std::sort(half.begin(), half.end());
-    halves_.push_back(std::move(half));
+    const std::span<const CellId> half =
+        half_star_.flood(v, cell_of(here ? surface_.facets[t] : surface_.mirrors[t]));
+    halves_.emplace_back(half.begin(), half.end());
+    std::sort(halves_.back().begin(), halves_.back().end());
     half_of_[v] = static_cast<std::uint32_t>(halves_.size());
   }
 
@@ -185,6 +180,7 @@ class Disputes {
   const CarriedMarks& carried_;
   CellMarks& marks_;  // its labels stay those carried to the end
   StarCache stars_;
+  HalfStar half_star_;
   IdVector<VertexId, Round> turn_;                // 0: never
   ZeroedArray<VertexId, std::uint32_t> half_of_;  // of disputed vertices: 1 + position in halves_
   std::deque<std::vector<CellId>> halves_;        // sorted

@@ -44,7 +44,8 @@ MarkingRounds::MarkingRounds(const Triangulation& triangulation, const FacetSet&
       stars_(triangulation),
       surface_(surface),
       marks_(marks),
-      scratch_(triangulation.num_cells()) {}
+      half_(triangulation, surface),
+      told_(triangulation.num_cells()) {}
 
 void MarkingRounds::run(std::span<const VertexId> seeds, std::vector<CellId>& out_cells) {
   std::vector<VertexId> frontier;
@@ -75,49 +76,31 @@ void MarkingRounds::decide(VertexId v) {
   bool complete = true;
   for (const CellId c : star) complete &= marks_.labels[c] != CellLabel::unmarked;
   if (complete) return;
-  flood_half(v, star.front());
+  half_.flood(v, star.front());
   LabelCount flooded;
   LabelCount rest;
-  for (const CellId c : star) (scratch_[c] != 0 ? flooded : rest).add(marks_.labels[c]);
+  for (const CellId c : star) (half_.contains(c) ? flooded : rest).add(marks_.labels[c]);
   const HalfLabels labels = label_halves(flooded, rest);
   marks_.conflicts += labels.conflict ? 1U : 0U;
   propose(v, labels.first, labels.second);
-  for (const CellId c : half_) scratch_[c] = 0;
 }
 
-// Collects the cells of star(v) on one side of the surface's disk at v.
-void MarkingRounds::flood_half(VertexId v, CellId first) {
-  half_.assign(1, first);
-  scratch_[first] = 1;
-  for (std::size_t next = 0; next < half_.size(); ++next) {
-    const CellId c = half_[next];
-    const int opposite_facet = index_of_vertex(triangulation_.cell(c), v);
-    for (int i = 0; i < 4; ++i) {
-      const FacetId f = facet_id(c, i);
-      if (i == opposite_facet || surface_.contains(f)) continue;
-      const CellId behind = cell_of(triangulation_.mirror(f));
-      if (scratch_[behind] != 0) continue;
-      scratch_[behind] = 1;
-      half_.push_back(behind);
-    }
-  }
-}
-
+// What the halves of star(v) are to be: that flooded last, and the rest.
 void MarkingRounds::propose(VertexId v, CellLabel flooded, CellLabel rest) {
   for (const CellId c : stars_.star(v)) {
     if (marks_.labels[c] != CellLabel::unmarked) continue;
-    proposals_.push_back({c, scratch_[c] != 0 ? flooded : rest});
+    proposals_.push_back({c, half_.contains(c) ? flooded : rest});
   }
 }
 
 void MarkingRounds::apply(std::vector<CellId>& out_cells) {
   constexpr std::uint8_t both = 3;
   for (const Proposal& p : proposals_) {
-    scratch_[p.cell] =
-        static_cast<std::uint8_t>(scratch_[p.cell] | (p.label == CellLabel::out ? 1U : 2U));
+    told_[p.cell] =
+        static_cast<std::uint8_t>(told_[p.cell] | (p.label == CellLabel::out ? 1U : 2U));
   }
   for (const Proposal& p : proposals_) {
-    std::uint8_t& told = scratch_[p.cell];
+    std::uint8_t& told = told_[p.cell];
     if (told == 0) continue;  // done: cells are proposed several times
     marks_.conflicts += told == both;
     marks_.labels[p.cell] = (told & 1U) != 0 ? CellLabel::out : CellLabel::in;

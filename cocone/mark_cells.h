@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cocone/facet_set.h"
+#include "cocone/half_star.h"
 #include "cocone/linked_facets.h"
 #include "cocone/umbrella.h"
 #include "delaunay/star_cache.h"
@@ -94,7 +95,6 @@ class MarkingRounds {
   };
   bool visit(VertexId v);
   void decide(VertexId v);
-  void flood_half(VertexId v, CellId first);
   void propose(VertexId v, CellLabel flooded, CellLabel rest);
   void apply(std::vector<CellId>& out_cells);
   void append_neighbors(VertexId v, std::vector<VertexId>& frontier);
@@ -103,10 +103,8 @@ class MarkingRounds {
   StarCache stars_;
   const FacetSet& surface_;
   CellMarks& marks_;
-  // Scratch per cell, zero between uses: membership in the flooded half of a star, then what the
-  // round proposes for the cell.
-  ZeroedArray<CellId, std::uint8_t> scratch_;
-  std::vector<CellId> half_;
+  HalfStar half_;
+  ZeroedArray<CellId, std::uint8_t> told_;  // scratch, zero between uses: what a round proposes
   std::vector<Proposal> proposals_;
 };
 
