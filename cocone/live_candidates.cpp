@@ -5,7 +5,7 @@
 
 #include "cocone/candidate_triangles.h"
 #include "cocone/cocones.h"
-#include "cocone/prune_part.h"
+#include "cocone/prune_sharp_edges.h"
 #include "cocone/umbrella.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/circumsphere.h"

@@ -13,8 +13,11 @@ namespace {
 
 class Pruning {
  public:
-  Pruning(const LinkedFacets& triangles, const VertexSet& umbrella, const PruneOptions& options)
+  // `core`: only edges with a vertex of it are looked at; null: all.
+  Pruning(const LinkedFacets& triangles, const VertexSet* core, const VertexSet& umbrella,
+          const PruneOptions& options)
       : triangles_(triangles),
+        core_(core),
         umbrella_(umbrella),
         options_(options),
         removed_(triangles.size(), 0) {}
@@ -22,7 +25,7 @@ class Pruning {
   // From the steep edges on. Returns one flag per triangle: pruned.
   std::vector<std::uint8_t> run(std::span<const SideId> steep) {
     std::copy_if(steep.begin(), steep.end(), std::back_inserter(work_),
-                 [&](SideId side) { return is_guarded(side); });
+                 [&](SideId side) { return may_prune_at(side); });
     while (!work_.empty()) {
       const SideId side = work_.back();
       work_.pop_back();
@@ -36,10 +39,16 @@ class Pruning {
   }
 
  private:
-  // Between two vertices with an umbrella.
-  bool is_guarded(SideId side) const {
+  bool is_looked_at(SideId side) const {
+    if (core_ == nullptr) return true;
     const auto [a, b] = triangles_.ends(side);
-    return umbrella_[a] != 0 && umbrella_[b] != 0;
+    return (*core_)[a] != 0 || (*core_)[b] != 0;
+  }
+
+  // Between two vertices with an umbrella.
+  bool may_prune_at(SideId side) const {
+    const auto [a, b] = triangles_.ends(side);
+    return umbrella_[a] != 0 && umbrella_[b] != 0 && is_looked_at(side);
   }
 
   void collect_present(SideId side) {
@@ -63,7 +72,7 @@ class Pruning {
   // Was the triangle, before anything went, one of two that lay nearly flat at some edge?
   bool is_kept(std::uint32_t triangle) const {
     for (SideId side = 3 * triangle; side < 3 * triangle + 3; ++side) {
-      if (triangles_.is_two_sided(side) &&
+      if (triangles_.is_two_sided(side) && is_looked_at(side) &&
           dihedral_cosine(triangles_, side, triangles_.links[side]) <= options_.keep_cosine) {
         return true;
       }
@@ -74,11 +83,12 @@ class Pruning {
   void remove(std::uint32_t triangle) {
     removed_[triangle] = 1;
     for (SideId side = 3 * triangle; side < 3 * triangle + 3; ++side) {
-      if (is_guarded(side)) work_.push_back(side);
+      if (may_prune_at(side)) work_.push_back(side);
     }
   }
 
   const LinkedFacets& triangles_;
+  const VertexSet* core_;
   const VertexSet& umbrella_;
   const PruneOptions& options_;
   std::vector<std::uint8_t> removed_;
@@ -98,7 +108,8 @@ PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet 
   result.umbrella = vertices_with_umbrella(triangles, steep, triangulation.num_vertices(),
                                            options.sharp_cosine, execution);
   report_progress(execution, "prune_sharp_edges", 0.7);
-  const std::vector<std::uint8_t> removed = Pruning(triangles, result.umbrella, options).run(steep);
+  const std::vector<std::uint8_t> removed =
+      Pruning(triangles, nullptr, result.umbrella, options).run(steep);
   result.candidates = triangles.size();
   result.pruned = static_cast<std::size_t>(std::count(removed.begin(), removed.end(), 1));
   result.umbrellas =
@@ -106,6 +117,12 @@ PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet 
   result.left = without(triangulation, std::move(triangles), removed);
   report_progress(execution, "prune_sharp_edges", 1);
   return result;
+}
+
+std::vector<std::uint8_t> prune_part(const LinkedFacets& triangles, const VertexSet& core,
+                                     const VertexSet& umbrella, const PruneOptions& options) {
+  const std::vector<SideId> steep = steep_edges(triangles, options.sharp_cosine);
+  return Pruning(triangles, &core, umbrella, options).run(steep);
 }
 
 }  // namespace cocoon
