@@ -1,4 +1,4 @@
-// The canonical order of cells: by their corners as points, never by their numbers.
+// The canonical order of cells and facets: by their corners as points, never by their numbers.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,18 @@
 
 namespace cocoon {
 
-// Lexicographically. Precondition: a finite cell. O(1).
+// Lexicographically; of a Triangulation or of a TriangulationView. Precondition: a finite facet.
+// O(1).
+template <class AnyTriangulation>
+std::array<Point, 3> sorted_corners(const AnyTriangulation& triangulation, FacetId f) {
+  const auto [a, b, c] = triangulation.facet_vertices(f);
+  std::array<Point, 3> corners{triangulation.point(a), triangulation.point(b),
+                               triangulation.point(c)};
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+// Likewise. Precondition: a finite cell. O(1).
 inline std::array<Point, 4> sorted_corners(const Triangulation& triangulation, CellId c) {
   std::array<Point, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) {

@@ -3,21 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "cocone/cell_order.h"
 #include "delaunay/circulate.h"
 #include "geom/disjoint_sets.h"
 #include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {
-
-using Corners = std::array<Point, 3>;
-
-Corners sorted_corners(const TriangulationView& view, FacetId f) {
-  const auto [a, b, c] = view.facet_vertices(f);
-  Corners corners{view.point(a), view.point(b), view.point(c)};
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
 
 // Every vertex an interior sample with an umbrella.
 bool is_regular_everywhere(const LiveCandidates& candidates) {

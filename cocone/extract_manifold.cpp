@@ -5,12 +5,11 @@
 #include <cstdint>
 #include <utility>
 
+#include "cocone/cell_order.h"
 #include "delaunay/circulate.h"
 
 namespace cocoon {
 namespace {
-
-using Corners = std::array<Point, 3>;
 
 // What is known of a candidate, from one of its sides.
 enum class HalfState : std::uint8_t { open, proposed, kept, kept_from_back, dropped };
@@ -117,7 +116,8 @@ class Walk {
     for (const Half h : halves) starts.push_back({lowest_corner(h), h});
     const auto earlier = [&](const Start& a, const Start& b) {
       if (a.lowest != b.lowest) return a.lowest < b.lowest;
-      return sorted_corners(a.half) < sorted_corners(b.half);
+      return sorted_corners(triangulation_, facet_of(a.half)) <
+             sorted_corners(triangulation_, facet_of(b.half));
     };
     // Nearly always the first walk covers all: sort only what it leaves.
     walk(std::min_element(starts.begin(), starts.end(), earlier)->half);
@@ -262,13 +262,6 @@ class Walk {
   Point lowest_corner(Half h) const {
     const auto [a, b, c] = corners(h);
     return std::min({triangulation_.point(a), triangulation_.point(b), triangulation_.point(c)});
-  }
-
-  Corners sorted_corners(Half h) const {
-    const auto [a, b, c] = corners(h);
-    Corners sorted{triangulation_.point(a), triangulation_.point(b), triangulation_.point(c)};
-    std::sort(sorted.begin(), sorted.end());
-    return sorted;
   }
 
   // Does the half-facet lie on the side to which the normal of its sorted corners points?

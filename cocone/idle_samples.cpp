@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cocone/cell_order.h"
 #include "cocone/facet_size.h"
 #include "delaunay/circulate.h"
 
@@ -15,9 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Of a facet, unoriented: the same bits from both sides. Its length is twice the area.
 Vec3 normal_of(const Triangulation& triangulation, FacetId f) {
-  const auto [a, b, c] = triangulation.facet_vertices(f);
-  std::array<Point, 3> p{triangulation.point(a), triangulation.point(b), triangulation.point(c)};
-  std::sort(p.begin(), p.end());
+  const std::array<Point, 3> p = sorted_corners(triangulation, f);
   return cross(p[1] - p[0], p[2] - p[0]);
 }
 

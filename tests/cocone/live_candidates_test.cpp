@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cocone/cell_order.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
 #include "geom/random.h"
@@ -32,13 +33,6 @@ struct Knowledge {
   std::map<Point, Sample> samples;
   std::set<Corners> left;
 };
-
-Corners sorted_corners(const TriangulationView& view, FacetId f) {
-  const auto [a, b, c] = view.facet_vertices(f);
-  Corners corners{view.point(a), view.point(b), view.point(c)};
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
 
 Knowledge knowledge_of(const DynamicDelaunay& delaunay, const LiveCandidates& live) {
   Knowledge known;

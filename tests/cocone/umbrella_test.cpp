@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "cocone/cell_order.h"
 #include "cocone/prune_sharp_edges.h"
 #include "geom/random.h"
 #include "tests/cocone/sample_shapes.h"
@@ -207,13 +208,8 @@ TEST(PruneSharpEdges, DoesNotDependOnInputOrder) {
     EXPECT_GT(pruned.pruned, 20U);
     EXPECT_EQ(pruned.candidates - pruned.pruned, pruned.left.size());
     std::multiset<std::array<Point, 3>> left;
-    pruned.left.set.for_each(s.triangulation, [&](FacetId f) {
-      std::array<Point, 3> corners;
-      const auto v = s.triangulation.facet_vertices(f);
-      for (std::size_t k = 0; k < 3; ++k) corners[k] = s.triangulation.point(v[k]);
-      std::sort(corners.begin(), corners.end());
-      left.insert(corners);
-    });
+    pruned.left.set.for_each(s.triangulation,
+                             [&](FacetId f) { left.insert(sorted_corners(s.triangulation, f)); });
     return left;
   };
   EXPECT_EQ(pruned_points(points), pruned_points(shapes::shuffled(points, 5)));
