@@ -143,6 +143,7 @@ void MaxFlow::adopt_orphans(Tree& tree) {
   }
   bring_back(tree);
 }
+
 // Of the node's arcs from `next` on the first to a node of that level from which it can hang.
 std::uint32_t MaxFlow::first_arc_to_level(const Tree& tree, std::uint32_t node,
                                           std::int32_t level) const {

@@ -26,7 +26,7 @@ struct SampleDoubts {
 
 // What keeps these samples from being well sampled, by the options of the reconstruction that found
 // no surface: it triangulates them again. Ties go to the lexicographically smaller sample.
-// Errors: InputError as reconstruct_tight(). Complexity: O(n log n) expected. Deterministic: a
+// Errors: InputError as delaunay(). Complexity: O(n log n) expected. Deterministic: a
 // function of the set of points. Source: ours, docs/stages/surface_doubts.md.
 SampleDoubts sample_doubts(Points points, const ReconstructOptions& options = {},
                            const SurfaceDoubtOptions& doubts = {}, const Execution& execution = {});
