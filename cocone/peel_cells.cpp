@@ -11,7 +11,7 @@ namespace {
 
 struct DeferredSeed {
   FacetSize size;
-  FacetId facet;  // seen from the undecided cell
+  FacetId facet;  // seen from the unvisited cell
 
   // For a max-heap: larger circle first, then lexicographically smaller corners.
   friend bool operator<(const DeferredSeed& a, const DeferredSeed& b) {
@@ -145,14 +145,15 @@ class Peeling {
         if (marks_.reached[behind] != 0) continue;
         if (may_cross(facet_id(c, i), behind)) {
           reach(behind);
-        } else if (is_undecided(behind) && !surface_.contains(mirror)) {
-          undecided_.push_back(mirror);
+        } else if (is_unvisited(behind) && !surface_.contains(mirror)) {
+          unvisited_.push_back(mirror);
         }
       }
     }
   }
 
-  bool is_undecided(CellId c) const {
+  // With good vertices that had no turn.
+  bool is_unvisited(CellId c) const {
     return marks_.reached[c] == 0 && marks_.labels[c] == CellLabel::unmarked && poor_[c] == 0;
   }
 
@@ -193,16 +194,16 @@ class Peeling {
     return !inner.empty();
   }
 
-  // False if no undecided cell lies next to a reached one.
+  // False if no unvisited cell lies next to a reached one.
   bool plant_deferred_seed() {
-    for (const FacetId f : undecided_) {
-      if (is_undecided(cell_of(f))) heap_.push({size_of_facet(triangulation_, f), f});
+    for (const FacetId f : unvisited_) {
+      if (is_unvisited(cell_of(f))) heap_.push({size_of_facet(triangulation_, f), f});
     }
-    undecided_.clear();
+    unvisited_.clear();
     while (!heap_.empty()) {
       const CellId c = cell_of(heap_.top().facet);
       heap_.pop();
-      if (!is_undecided(c)) continue;
+      if (!is_unvisited(c)) continue;
       ++marks_.deferred_seeds;
       reach(c);
       return true;
@@ -232,7 +233,7 @@ class Peeling {
   FacetSet stops_;
   std::vector<CellId> stack_;
   std::vector<VertexId> seeds_;
-  std::vector<FacetId> undecided_;  // seen from the undecided cell
+  std::vector<FacetId> unvisited_;  // seen from the unvisited cell
   std::priority_queue<DeferredSeed> heap_;
 };
 

@@ -15,7 +15,7 @@ namespace cocoon {
 
 struct PeelOptions {
   // What happens to good vertices that the marking did not reach, for instance on a surface that
-  // outliers shield from the hull. True: the undecided cell behind the largest facet (not on the
+  // outliers shield from the hull. True: the unvisited cell behind the largest facet (not on the
   // surface) next to a reached cell is taken as OUT, marked from its good vertices, and the peel
   // goes on; one at a time. False, as in the paper: they are demoted to poor and peeled.
   bool deferred_seeding = true;
@@ -32,7 +32,7 @@ struct CavityCounters {
 // circumradius, ties go to the lexicographically smaller corners, as for stop facets.
 // `marks.rounds` tells whether the labels are those of the one pass of mark_cells, which lead from
 // every OUT cell to infinity: then there is nothing to flood but what is not labeled.
-// Complexity: O(cells + d log d) for d undecided facets. Independent of order.
+// Complexity: O(cells + d log d) for d facets of unvisited cells. Independent of order.
 // Source: Dey & Goswami 2003 (Tight Cocone, peeling); spec 6.3, 6.6, section 12.
 CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface, CellMarks marks,
                      const PeelOptions& options = {}, const Execution& execution = {});
