@@ -34,7 +34,7 @@ class Peeling {
 
   void run(const PeelOptions& options) {
     marks_.reached = IdVector<CellId, std::uint8_t>(triangulation_.num_cells(), 0);
-    find_poor_cells();
+    marks_.poor_cells += find_poor_cells();
     if (marks_.rounds == 0) {
       reach_marked_cells();
     } else {
@@ -57,7 +57,7 @@ class Peeling {
         marks_.labels[c] = CellLabel::in;
       }
     }
-    find_poor_cells();
+    find_poor_cells();  // the peel has counted them
     while (mark_from_inside()) close();
   }
 
@@ -69,12 +69,14 @@ class Peeling {
     return true;
   }
 
-  // Cells with a label have a vertex that gave it, or were poor before.
-  void find_poor_cells() {
+  // Returns how many more there are. Cells with a label have a vertex that gave it, or were poor
+  // before.
+  std::size_t find_poor_cells() {
+    std::size_t found = 0;
     for (const CellId c : triangulation_.finite_cells()) {
       if (marks_.labels[c] != CellLabel::unmarked || poor_[c] != 0 || !is_poor(c)) continue;
       poor_[c] = 1;
-      ++marks_.poor_cells;
+      ++found;
       FacetId smallest = facet_id(c, 0);
       FacetSize size = size_of_facet(triangulation_, smallest);
       for (int i = 1; i < 4; ++i) {
@@ -85,6 +87,7 @@ class Peeling {
       }
       stops_.insert(triangulation_, smallest);
     }
+    return found;
   }
 
   void reach(CellId c) {
@@ -214,7 +217,7 @@ class Peeling {
   // The paper's second pass: surface that the marking did not reach is treated as rubble.
   void demote_unvisited() {
     for (const VertexId v : triangulation_.vertices()) marks_.good[v] &= marks_.visited[v];
-    find_poor_cells();
+    marks_.poor_cells += find_poor_cells();
     // look again into every poor cell next to a reached one
     for (const CellId c : triangulation_.finite_cells()) {
       if (marks_.reached[c] != 0 || poor_[c] == 0) continue;

@@ -161,6 +161,15 @@ TEST(ReconstructTight, WithoutCavitiesTheOptionChangesNothing) {
   }
 }
 
+TEST(ReconstructTight, PoorCellsAreCountedOnce) {
+  for (const std::vector<Point>& points :
+       {shapes::cube_grid(8), shapes::noisy_sphere(2000, 0.02, 3)}) {
+    const std::size_t poor = reconstruct_tight(points).counters.poor_cells;
+    EXPECT_GT(poor, 0U);
+    EXPECT_EQ(hollow(points).counters.poor_cells, poor);
+  }
+}
+
 TEST(ReconstructTight, BodiesSideBySide) {
   const std::vector<Point> one = shapes::sphere(3000, 6);
   expect_closed(reconstruct_tight(shapes::joined(one, shapes::moved(one, {3, 0, 0}))),
