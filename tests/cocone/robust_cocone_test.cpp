@@ -28,7 +28,7 @@ std::vector<Point> scattered(std::size_t count, double size, std::uint64_t seed)
   return points;
 }
 
-// Four samples on a line far apart from a fifth: distances 1, 1, 2, 3 at the first of the line.
+// The others lie 1, 1, 2 and 9 from the origin.
 TEST(NoiseFilter, SpacingIsTheRootMeanSquareOfShortEdges) {
   const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2}, {-9, 0, 0}};
   const Triangulation triangulation = delaunay(points).triangulation;

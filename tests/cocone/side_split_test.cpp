@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "cocone/doubtful_region.h"
 #include "delaunay/delaunay.h"
-#include "tests/cocone/sample_shapes.h"
 #include "tests/gallery.h"
 
 namespace cocoon {
@@ -67,63 +65,6 @@ TEST(SideSplit, SaysWhatAPlainSearchSays) {
   }
   EXPECT_GT(apart, 50U);
   EXPECT_GT(together, 50U);
-}
-
-// Whether the cells are found by the stars of few vertices or in a pass over all.
-TEST(DoubtfulRegion, HasTheCellsAtItsVertices) {
-  const Triangulation t = delaunay(gallery::bumpy_sphere(5000)).triangulation;
-  for (const std::uint32_t every : {1000U, 40U, 2U}) {
-    CellMarks marks;
-    marks.good = VertexSet(t.num_vertices(), 1);
-    std::vector<CellId> cells;
-    std::vector<CellId> undecided;
-    // Stretches of vertices along the curve, so that there are cells among them.
-    for (const VertexId v : t.vertices()) {
-      if (v.value % (20 * every) < 20) marks.good[v] = 0;
-    }
-    for (const CellId c : t.cells()) {
-      const auto& vertices = t.cell(c).vertices;
-      const auto is_poor = [&](VertexId v) { return v != infinite_vertex && marks.good[v] == 0; };
-      if (std::any_of(vertices.begin(), vertices.end(), is_poor)) cells.push_back(c);
-      if (std::all_of(vertices.begin(), vertices.end(), is_poor)) undecided.push_back(c);
-    }
-    ASSERT_FALSE(undecided.empty());
-    StarCache stars(t);
-    const DoubtfulRegion region = find_doubtful_region(t, marks, stars);
-    EXPECT_EQ(region.cells, cells);
-    EXPECT_EQ(region.undecided, undecided);
-  }
-}
-
-// Where nobody is good, all cells are undecided.
-TEST(DoubtfulRegion, LeavesLargeClumpsOnly) {
-  std::vector<Point> points = gallery::uniform_cube(300, 1);
-  const Triangulation t = delaunay(points).triangulation;
-  CellMarks marks;
-  marks.good = VertexSet(t.num_vertices(), 0);
-  StarCache stars(t);
-  const std::size_t all = t.num_finite_cells();
-  const DoubtfulRegion asked = find_doubtful_region(t, marks, stars, all);
-  EXPECT_EQ(asked.undecided.size(), all);
-  EXPECT_EQ(asked.left_cells, 0U);
-  EXPECT_EQ(asked.vertices.size(), t.num_vertices());
-  const DoubtfulRegion left = find_doubtful_region(t, marks, stars, all - 1);
-  EXPECT_TRUE(left.undecided.empty());
-  EXPECT_EQ(left.left_cells, all);
-  EXPECT_TRUE(left.vertices.empty());
-  EXPECT_TRUE(left.cells.empty());
-  // A good vertex every now and then parts the cells.
-  for (const VertexId v : t.vertices()) {
-    marks.good[v] = t.point(v).x > 0.3 && t.point(v).x < 0.6 ? 1 : 0;
-  }
-  const DoubtfulRegion small = find_doubtful_region(t, marks, stars);
-  const DoubtfulRegion some = find_doubtful_region(t, marks, stars, small.undecided.size() / 2);
-  EXPECT_GT(some.left_cells, small.undecided.size() / 2);
-  EXPECT_GT(some.undecided.size(), 0U);
-  EXPECT_EQ(some.left_cells + some.undecided.size(), small.undecided.size());
-  for (const CellId c : some.undecided) {
-    for (const VertexId v : t.cell(c).vertices) EXPECT_TRUE(some.contains(v));
-  }
 }
 
 }  // namespace

@@ -61,5 +61,16 @@ TEST(SurfaceDoubts, EmptyResultsHaveNone) {
   EXPECT_EQ(surface_doubts(ReconstructResult(), points).spacing, 0);
 }
 
+TEST(SurfaceDoubts, TheLargestSpotsAreKeptTiesByPlace) {
+  const std::vector<DoubtfulSpot> spots = {
+      {{2, 0, 0}, 1, 5}, {{1, 0, 0}, 1, 5}, {{0, 0, 0}, 1, 4}, {{3, 0, 0}, 1, 7}};
+  std::vector<DoubtfulSpot> kept = spots;
+  keep_largest(kept, 2);
+  EXPECT_EQ(kept, (std::vector<DoubtfulSpot>{spots[3], spots[1]}));
+  kept = spots;
+  keep_largest(kept, 9);
+  EXPECT_EQ(kept, (std::vector<DoubtfulSpot>{spots[3], spots[1], spots[0], spots[2]}));
+}
+
 }  // namespace
 }  // namespace cocoon

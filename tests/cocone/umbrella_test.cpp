@@ -215,5 +215,52 @@ TEST(PruneSharpEdges, DoesNotDependOnInputOrder) {
   EXPECT_EQ(pruned_points(points), pruned_points(shapes::shuffled(points, 5)));
 }
 
+// Whether each triangle of `all` is pruned.
+std::vector<std::uint8_t> pruned_flags(const LinkedFacets& all, const FacetSet& left) {
+  std::vector<std::uint8_t> flags;
+  for (const FacetId f : all.facets) flags.push_back(left.contains(f) ? 0 : 1);
+  return flags;
+}
+
+// A part is pruned as the whole is, once no triangle at its rim ends in another way.
+TEST(PruneSharpEdges, APartEndsAsTheWhole) {
+  const Stages s(shapes::noisy_sphere(3000, 0.01, 2));
+  const Triangulation& t = s.triangulation;
+  const FacetSet candidates = candidate_triangles(t, s.cocones, s.labels().boundary);
+  const LinkedFacets triangles = link_facets(t, candidates);
+  const PrunedCandidates whole = prune_sharp_edges(t, candidates);
+  const std::vector<std::uint8_t> expected = pruned_flags(triangles, whole.left.set);
+  EXPECT_EQ(prune_part(triangles, VertexSet(t.num_vertices(), 1), whole.umbrella), expected);
+  EXPECT_EQ(prune_part(triangles, VertexSet(t.num_vertices(), 0), whole.umbrella),
+            std::vector<std::uint8_t>(triangles.size(), 0));
+
+  VertexSet core(t.num_vertices(), 0);
+  for (const VertexId v : t.vertices()) core[v] = t.point(v).x > 0.3 ? 1 : 0;
+  const auto corners_in_core = [&](std::uint32_t k) {
+    int count = 0;
+    for (const VertexId v : triangles.corners[k]) count += core[v];
+    return count;
+  };
+  std::vector<std::uint8_t> removed;
+  for (bool grows = true; grows;) {
+    removed = prune_part(triangles, core, whole.umbrella);
+    std::vector<VertexId> more;
+    for (std::uint32_t k = 0; k < removed.size(); ++k) {
+      if (removed[k] == expected[k] || corners_in_core(k) != 1) continue;
+      more.insert(more.end(), triangles.corners[k].begin(), triangles.corners[k].end());
+    }
+    for (const VertexId v : more) core[v] = 1;
+    grows = !more.empty();
+  }
+  EXPECT_LT(2 * std::count(core.begin(), core.end(), 1), std::ptrdiff_t(t.num_vertices()));
+  std::size_t pruned = 0;
+  for (std::uint32_t k = 0; k < removed.size(); ++k) {
+    if (corners_in_core(k) == 0) continue;
+    EXPECT_EQ(removed[k], expected[k]);
+    pruned += removed[k];
+  }
+  EXPECT_GT(pruned, 5U);
+}
+
 }  // namespace
 }  // namespace cocoon
