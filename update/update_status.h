@@ -12,11 +12,10 @@ enum class UpdateStatus {
   no_cloud_surface,  // a cloud gives no surface: too few or too noisy samples
   cloud_closed,      // a cloud has no rim: it is a body of its own, not a patch
   no_overlap,        // a cloud's rim does not lie on the model
-  non_separating,  // a cloud's rim does not cut the model in two, nor do labels (split_regions) or
-                   // a cut (cut_regions)
-  ambiguous,       // the angles do not tell which region lies under a cloud
-  empty_surface,   // nothing is left of the updated points' reconstruction
-  refuted,         // its verification failed (ReconstructOptions::verify)
+  non_separating,    // a cloud's rim does not cut the model in two, nor do labels or a cut
+  ambiguous,         // the angles do not tell which region lies under a cloud
+  empty_surface,     // nothing is left of the updated points' reconstruction
+  refuted,           // its verification failed (ReconstructOptions::verify)
 };
 
 // "ok", "no_overlap", ...: the names of the enumerators.
