@@ -47,7 +47,7 @@ std::vector<std::uint32_t> sort_by_vertex(std::size_t num_sources, std::size_t n
     counts = Counts(num_vertices);
     for_each(begin, end, [&](VertexId v, const auto&) { ++counts[v]; });
   });
-  const std::vector<std::uint32_t> begins = places_of_groups(parts, num_vertices, execution);
+  std::vector<std::uint32_t> begins = places_of_groups(parts, num_vertices, execution);
   allocate(std::size_t{begins.back()});
   parallel_chunks(execution, num_sources, grain, [&](std::size_t begin, std::size_t end) {
     Counts& places = parts[begin / grain];
