@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "geom/random.h"
 #include "tests/update/hand_made_models.h"
 #include "update/choose_regions.h"
 #include "update/overlapping_facets.h"
@@ -138,26 +137,10 @@ TEST(CutRegions, ADetourIsNoPartOfTheBorder) {
 // The order of facets and scaling by a power of two change nothing.
 TEST(CutRegions, DependsOnTheShapeOnly) {
   const Case plane(grid_plane(30), torn_rim(20, 34));
-  TriangleMesh other = plane.mesh;
-  CloudRim rim = plane.rim;
+  auto [other, order] = testing::shuffled(plane.mesh);
   for (Point& p : other.points) p = 1024 * p;
-  rim.spacing *= 1024;
-  rim.median_edge *= 1024;
-  for (std::size_t i = 0; i < rim.loops[0].size(); ++i) {
-    rim.loops[0].points[i] = 1024 * rim.loops[0].points[i];
-    rim.loops[0].apexes[i] = 1024 * rim.loops[0].apexes[i];
-  }
-  Random random(5);
-  std::vector<TriangleId> order;
-  for (const TriangleId t : other.triangles.ids()) order.push_back(t);
-  for (std::size_t i = order.size(); i > 1; --i) {
-    std::swap(order[i - 1], order[random.below(i)]);
-  }
-  IdVector<TriangleId, Triangle> shuffled;
-  for (const TriangleId t : order) shuffled.push_back(plane.mesh.triangles[t]);
-  other.triangles = shuffled;
   const RegionCut cut = plane.cut();
-  const RegionCut again = Case(other, rim).cut();
+  const RegionCut again = Case(other, testing::scaled(plane.rim, 1024)).cut();
   for (std::size_t i = 0; i < order.size(); ++i) {
     EXPECT_EQ(again.under[TriangleId(i)], cut.under[order[i]]);
   }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "geom/random.h"
 #include "geom/triangle_mesh.h"
 #include "update/cloud_rim.h"
 
@@ -34,6 +35,33 @@ inline TriangleMesh grid_plane(std::size_t n) {
     }
   }
   return mesh;
+}
+
+// A rim `factor` times as large; a power of two leaves every ratio as it is.
+inline CloudRim scaled(CloudRim rim, double factor) {
+  rim.spacing *= factor;
+  rim.median_edge *= factor;
+  for (RimLoop& loop : rim.loops) {
+    for (Point& p : loop.points) p = factor * p;
+    for (Point& p : loop.apexes) p = factor * p;
+  }
+  return rim;
+}
+
+// The triangles of a mesh in another order, and which of them came to each place.
+struct ShuffledMesh {
+  TriangleMesh mesh;
+  std::vector<TriangleId> order;
+};
+inline ShuffledMesh shuffled(const TriangleMesh& mesh) {
+  ShuffledMesh result{{mesh.points, {}}, {}};
+  for (const TriangleId t : mesh.triangles.ids()) result.order.push_back(t);
+  Random random(5);
+  for (std::size_t i = result.order.size(); i > 1; --i) {
+    std::swap(result.order[i - 1], result.order[random.below(i)]);
+  }
+  for (const TriangleId t : result.order) result.mesh.triangles.push_back(mesh.triangles[t]);
+  return result;
 }
 
 // The surface of a box of nx * ny * nz unit cells, all on integer coordinates from 0, closed,

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "geom/random.h"
 #include "tests/update/hand_made_models.h"
 #include "update/loop_sides.h"
 #include "update/overlapping_facets.h"
@@ -153,27 +152,11 @@ TEST(SplitRegions, DependsOnTheShapeOnly) {
   const Case plane(plane_with_handles(), plane_rim(), disk());
   const RegionSplit split = plane.split();
 
-  TriangleMesh other = plane.mesh;
+  auto [other, order] = testing::shuffled(plane.mesh);
   for (Point& p : other.points) p = 1024 * p;
-  CloudRim rim = plane_rim();
-  rim.spacing *= 1024;
-  for (std::size_t i = 0; i < rim.loops[0].size(); ++i) {
-    rim.loops[0].points[i] = 1024 * rim.loops[0].points[i];
-    rim.loops[0].apexes[i] = 1024 * rim.loops[0].apexes[i];
-  }
   std::vector<Point> cloud = disk();
   for (Point& p : cloud) p = 1024 * p;
-  Random random(5);
-  std::vector<TriangleId> order;
-  for (const TriangleId t : other.triangles.ids()) order.push_back(t);
-  for (std::size_t i = order.size(); i > 1; --i) {
-    std::swap(order[i - 1], order[random.below(i)]);
-  }
-  IdVector<TriangleId, Triangle> shuffled;
-  for (const TriangleId t : order) shuffled.push_back(plane.mesh.triangles[t]);
-  other.triangles = shuffled;
-
-  const Case moved(std::move(other), std::move(rim), std::move(cloud));
+  const Case moved(std::move(other), testing::scaled(plane_rim(), 1024), std::move(cloud));
   const RegionSplit again = moved.split();
   ASSERT_EQ(again.status, SplitStatus::ok);
   for (std::size_t i = 0; i < order.size(); ++i) {
