@@ -8,13 +8,6 @@
 namespace cocoon {
 namespace {
 
-// Precondition: a finite cell.
-bool is_undecided(const Triangulation& triangulation, const CellMarks& marks, CellId c) {
-  const auto& vertices = triangulation.cell(c).vertices;
-  return std::none_of(vertices.begin(), vertices.end(),
-                      [&](VertexId v) { return marks.good[v] != 0; });
-}
-
 std::vector<CellId> undecided_cells(const Triangulation& triangulation, const CellMarks& marks,
                                     StarCache& stars) {
   std::vector<VertexId> poor;
@@ -23,7 +16,7 @@ std::vector<CellId> undecided_cells(const Triangulation& triangulation, const Ce
   }
   std::vector<CellId> cells = stars.cells_at(poor);
   std::erase_if(cells, [&](CellId c) {
-    return triangulation.is_infinite(c) || !is_undecided(triangulation, marks, c);
+    return triangulation.is_infinite(c) || !is_poor(triangulation, marks, c);
   });
   return cells;
 }
@@ -133,7 +126,7 @@ void extend_region(const Triangulation& triangulation, StarCache& stars,
 
 bool is_left(const Triangulation& triangulation, const CellMarks& marks,
              const DoubtfulRegion& region, CellId c) {
-  return region.left_cells != 0 && is_undecided(triangulation, marks, c) &&
+  return region.left_cells != 0 && is_poor(triangulation, marks, c) &&
          !std::binary_search(region.undecided.begin(), region.undecided.end(), c);
 }
 

@@ -49,6 +49,12 @@ struct CellMarks {
   std::size_t poor_cells = 0;      // of peel_cells: cells without a good vertex
 };
 
+// Whether no vertex of a finite cell is good: none can tell on which side the cell is. O(1).
+inline bool is_poor(const Triangulation& triangulation, const CellMarks& marks, CellId c) {
+  const auto& [v0, v1, v2, v3] = triangulation.cell(c).vertices;
+  return (marks.good[v0] | marks.good[v1] | marks.good[v2] | marks.good[v3]) == 0;
+}
+
 // Labels all infinite cells OUT and runs rounds: the good vertices on triangles of the last round's
 // vertices (at first: of infinite cells) are all decided from the labels of earlier rounds, then
 // their stars are labeled. A half that holds OUT cells and no IN cells is outside, and the other

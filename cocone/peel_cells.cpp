@@ -62,19 +62,13 @@ class Peeling {
   }
 
  private:
-  bool is_poor(CellId c) const {
-    for (const VertexId v : triangulation_.cell(c).vertices) {
-      if (marks_.good[v] != 0) return false;
-    }
-    return true;
-  }
-
   // Returns how many more there are. Cells with a label have a vertex that gave it, or were poor
   // before.
   std::size_t find_poor_cells() {
     std::size_t found = 0;
     for (const CellId c : triangulation_.finite_cells()) {
-      if (marks_.labels[c] != CellLabel::unmarked || poor_[c] != 0 || !is_poor(c)) continue;
+      if (marks_.labels[c] != CellLabel::unmarked || poor_[c] != 0) continue;
+      if (!is_poor(triangulation_, marks_, c)) continue;
       poor_[c] = 1;
       ++found;
       FacetId smallest = facet_id(c, 0);

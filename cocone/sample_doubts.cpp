@@ -7,6 +7,7 @@
 #include "cocone/cocones.h"
 #include "cocone/noise_filter.h"
 #include "cocone/poles.h"
+#include "cocone/sample_spacing.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
@@ -15,8 +16,6 @@
 
 namespace cocoon {
 namespace {
-
-constexpr std::size_t edges_of_spacing = 3;
 
 void find_sparse(const Triangulation& triangulation, const IdVector<VertexId, double>& spacing,
                  std::size_t most, SampleDoubts& doubts) {
@@ -60,7 +59,7 @@ SampleDoubts sample_doubts(Points points, const ReconstructOptions& options,
   for (Point& p : scaled) p = scale * p;
   const Triangulation triangulation = delaunay(scaled, effective.delaunay, execution).triangulation;
   const IdVector<VertexId, double> spacing =
-      sample_spacing(triangulation, vertex_stars(triangulation), edges_of_spacing, execution);
+      sample_spacing(triangulation, vertex_stars(triangulation), SpacingCache::edges, execution);
   SampleDoubts result;
   find_sparse(triangulation, spacing, doubts.max_spots, result);
   find_ratios(triangulation, spacing, effective, execution, result);
