@@ -1,7 +1,6 @@
 #include "update/cut_regions.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -45,8 +44,8 @@ class FacetGraph {
       if (pull_[t] > 0) flow.pull_to_source(t.value, pull_[t]);
       if (pull_[t] < 0) flow.pull_to_sink(t.value, -pull_[t]);
     }
-    visit_edges([&](TriangleId a, TriangleId b, std::int64_t steps) {
-      flow.add_edge(a.value, b.value, steps);
+    visit_edges([&](TriangleId a, std::size_t i, TriangleId b) {
+      flow.add_edge(a.value, b.value, in_steps(side_length(a, i)));
     });
     const std::vector<std::uint8_t> source = flow.source_side();
     cut.under = TriangleSet(border_.size(), 0);
@@ -57,10 +56,10 @@ class FacetGraph {
       const bool agrees = source[t.index()] != 0 ? pull_[t] >= 0 : pull_[t] <= 0;
       if (!agrees) cut.contradicted += length(std::abs(pull_[t]));
     }
-    visit_edges([&](TriangleId a, TriangleId b, std::int64_t steps) {
+    visit_edges([&](TriangleId a, std::size_t i, TriangleId b) {
       if (cut.under[a] == cut.under[b]) return;
       ++cut.cut_edges;
-      cut.cut_length += length(steps);
+      cut.cut_length += length(in_steps(side_length(a, i)));
     });
   }
 
@@ -78,18 +77,19 @@ class FacetGraph {
   }
   std::int64_t in_steps(double side) const { return std::llround(side * steps_); }
 
+  // All zero away from the border, where most facets are.
   Sides sides_of(TriangleId t) const {
-    const std::array<double, 3> lengths = {side_length(t, 0), side_length(t, 1), side_length(t, 2)};
     Sides sides;
-    sides.shortest = *std::min_element(lengths.begin(), lengths.end());
     for (std::size_t i = 0; i < 3; ++i) {
       const TriangleId next = model_.adjacency().neighbors[t][i];
-      if (!next.is_none() && border_[next] != 0) sides.at_border += in_steps(lengths[i]);
+      if (!next.is_none() && border_[next] != 0) sides.at_border += in_steps(side_length(t, i));
     }
+    if (sides.at_border == 0) return sides;
+    sides.shortest = std::min({side_length(t, 0), side_length(t, 1), side_length(t, 2)});
     return sides;
   }
 
-  // Calls visit(a, b, length in steps) for the edges between facets off the border.
+  // Calls visit(a, i, b) for the edges between facets off the border: the i-th side of a.
   template <class Visit>
   void visit_edges(const Visit& visit) const {
     for (const TriangleId t : border_.ids()) {
@@ -97,7 +97,7 @@ class FacetGraph {
       for (std::size_t i = 0; i < 3; ++i) {
         const TriangleId next = model_.adjacency().neighbors[t][i];
         if (next.is_none() || !(t < next) || border_[next] != 0) continue;
-        visit(t, next, in_steps(side_length(t, i)));
+        visit(t, i, next);
       }
     }
   }
