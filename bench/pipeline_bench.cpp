@@ -58,12 +58,18 @@ std::vector<Point> make_set(const std::string& name, std::size_t count) {
 
 // Each point once, which is what the rivals want.
 std::vector<Point> read_scan(const std::string& file) {
-  std::vector<Point> points = read_points(file).points;
+  const std::vector<Point> points = read_points(file).points;
   const std::vector<RepeatedPoint> repeated = repeated_points(points);
-  for (auto r = repeated.rbegin(); r != repeated.rend(); ++r) {
-    points.erase(points.begin() + static_cast<std::ptrdiff_t>(r->point));
+  std::vector<Point> distinct;
+  auto next = repeated.begin();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (next != repeated.end() && next->point == i) {
+      ++next;
+    } else {
+      distinct.push_back(points[i]);
+    }
   }
-  return points;
+  return distinct;
 }
 
 // Medians over the repetitions of one benchmark, by what was timed.
@@ -323,7 +329,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return cocoon::run(argc, argv);
-  } catch (const cocoon::FileError& error) {  // of --scans
+  } catch (const cocoon::Error& error) {  // of --scans
     std::fprintf(stderr, "pipeline_bench: %s\n", error.what());
     return 2;
   }
