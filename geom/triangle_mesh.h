@@ -2,7 +2,9 @@
 // files of this folder; nothing is cached in it.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "geom/execution.h"
 #include "geom/id_vector.h"
@@ -29,6 +31,17 @@ constexpr bool repeats_a_vertex(const Triangle& t) {
 inline std::array<Point, 3> corners_of(const TriangleMesh& mesh, TriangleId triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];
   return {mesh.points[a], mesh.points[b], mesh.points[c]};
+}
+
+// The length of side i of a triangle, opposite its corner i, in units of the coordinates; and that
+// of its shortest side. Precondition: as corners_of. O(1).
+inline double side_length(const TriangleMesh& mesh, TriangleId triangle, std::size_t i) {
+  const Triangle& corners = mesh.triangles[triangle];
+  return distance(mesh.points[corners[(i + 1) % 3]], mesh.points[corners[(i + 2) % 3]]);
+}
+inline double shortest_side(const TriangleMesh& mesh, TriangleId triangle) {
+  return std::min({side_length(mesh, triangle, 0), side_length(mesh, triangle, 1),
+                   side_length(mesh, triangle, 2)});
 }
 
 // Throws InputError if the triangle names a vertex that is not there. Complexity: O(1).

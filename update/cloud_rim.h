@@ -58,6 +58,9 @@ struct CloudRim {
   std::size_t rim_edges = 0;         // of all loops that it looked at
   std::size_t gap_edges = 0;         // of these, edges with cloud beyond them
   std::size_t non_orientable = 0;    // one-sided parts: their normals are not reliable
+
+  // Whether the surface of the cloud broke up somewhere inside it.
+  bool is_torn() const { return gap_edges > 0; }
 };
 
 struct RimOptions {

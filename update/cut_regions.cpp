@@ -45,7 +45,7 @@ class FacetGraph {
       if (pull_[t] < 0) flow.pull_to_sink(t.value, -pull_[t]);
     }
     visit_edges([&](TriangleId a, std::size_t i, TriangleId b) {
-      flow.add_edge(a.value, b.value, in_steps(side_length(a, i)));
+      flow.add_edge(a.value, b.value, in_steps(side_length(model_.mesh(), a, i)));
     });
     const std::vector<std::uint8_t> source = flow.source_side();
     cut.under = TriangleSet(border_.size(), 0);
@@ -59,7 +59,7 @@ class FacetGraph {
     visit_edges([&](TriangleId a, std::size_t i, TriangleId b) {
       if (cut.under[a] == cut.under[b]) return;
       ++cut.cut_edges;
-      cut.cut_length += length(in_steps(side_length(a, i)));
+      cut.cut_length += length(in_steps(side_length(model_.mesh(), a, i)));
     });
   }
 
@@ -71,10 +71,6 @@ class FacetGraph {
 
   static double length(std::int64_t steps) { return static_cast<double>(steps) / steps_per_edge; }
 
-  double side_length(TriangleId t, std::size_t i) const {
-    const Triangle& v = model_.mesh().triangles[t];
-    return distance(model_.mesh().points[v[(i + 1) % 3]], model_.mesh().points[v[(i + 2) % 3]]);
-  }
   std::int64_t in_steps(double side) const { return std::llround(side * steps_); }
 
   // All zero away from the border, where most facets are.
@@ -82,10 +78,10 @@ class FacetGraph {
     Sides sides;
     for (std::size_t i = 0; i < 3; ++i) {
       const TriangleId next = model_.adjacency().neighbors[t][i];
-      if (!next.is_none() && border_[next] != 0) sides.at_border += in_steps(side_length(t, i));
+      if (next.is_none() || border_[next] == 0) continue;
+      sides.at_border += in_steps(side_length(model_.mesh(), t, i));
     }
-    if (sides.at_border == 0) return sides;
-    sides.shortest = std::min({side_length(t, 0), side_length(t, 1), side_length(t, 2)});
+    if (sides.at_border > 0) sides.shortest = shortest_side(model_.mesh(), t);
     return sides;
   }
 
@@ -114,13 +110,6 @@ double way_length(const ModelIndex& model, std::span<const TriangleId> facets) {
     length += distance(model.centroid(facets[k - 1]), model.centroid(facets[k]));
   }
   return length;
-}
-
-void mark_whole_bands(std::span<const LoopBorder> loops, TriangleSet& border) {
-  for (const LoopBorder& loop : loops) {
-    for (const TriangleId t : loop.facets) border[t] = 1;
-    for (const TriangleId t : loop.bridges) border[t] = 1;
-  }
 }
 
 // Splits the regions that are partly under the cloud, and enters who lies under it. The clouds
@@ -195,20 +184,22 @@ CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
   for (std::size_t c = 0; c < rims.size(); ++c) {
     result.cuts.emplace_back();
     result.under.emplace_back();
-    TriangleSet border(all.size(), 0);
-    if (is_torn(rims[c])) {
-      border = certain_border(model, rims[c], borders[c].loops, options);
+    if (rims[c].is_torn()) {
+      const TriangleSet border = certain_border(model, rims[c], borders[c].loops, options);
       result.cuts[c] = cut_under_cloud(model, border, rims[c], options);
+      for (const TriangleId t : all.ids()) all[t] |= border[t];
     } else {
-      mark_whole_bands(borders[c].loops, border);
+      for (const LoopBorder& band : borders[c].loops) {
+        band.for_each_facet([&](TriangleId t) { all[t] = 1; });
+      }
     }
-    for (const TriangleId t : all.ids()) all[t] |= border[t];
   }
   result.regions = segment_model(model, all, segment, execution);
+  const std::size_t whole = result.regions.regions.size();
   for (std::size_t c = 0; c < rims.size(); ++c) {
-    if (is_torn(rims[c])) split_by_cut(result.cuts[c].under, c, result);
+    if (rims[c].is_torn()) split_by_cut(result.cuts[c].under, c, result);
   }
-  count_and_group(model, result.regions);
+  if (result.regions.regions.size() > whole) count_and_group(model, result.regions);
   return result;
 }
 

@@ -83,7 +83,4 @@ CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
                        std::span<const Border> borders, const CutOptions& options = {},
                        const SegmentOptions& segment = {}, const Execution& execution = {});
 
-// Whether the surface of the cloud broke up somewhere inside it.
-inline bool is_torn(const CloudRim& rim) { return rim.gap_edges > 0; }
-
 }  // namespace cocoon

@@ -13,8 +13,8 @@ namespace {
 
 // The facets of the band, each once.
 std::vector<TriangleId> band_facets(const LoopBorder& band) {
-  std::vector<TriangleId> facets = band.facets;
-  facets.insert(facets.end(), band.bridges.begin(), band.bridges.end());
+  std::vector<TriangleId> facets;
+  band.for_each_facet([&](TriangleId t) { facets.push_back(t); });
   make_set(facets);
   return facets;
 }

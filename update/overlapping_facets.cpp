@@ -36,10 +36,7 @@ std::vector<RimPoint> all_points(const CloudRim& rim) {
 
 // The median edge of a facet: the spacing of the model there.
 double facet_spacing(const TriangleMesh& mesh, TriangleId t) {
-  const Triangle& v = mesh.triangles[t];
-  return median({distance(mesh.points[v[0]], mesh.points[v[1]]),
-                 distance(mesh.points[v[1]], mesh.points[v[2]]),
-                 distance(mesh.points[v[2]], mesh.points[v[0]])});
+  return median({side_length(mesh, t, 0), side_length(mesh, t, 1), side_length(mesh, t, 2)});
 }
 
 // +1 or -1 per point: does the surface at its loop face like the model or the other way? All points

@@ -39,7 +39,8 @@ class Labeling {
     for (const TriangleId t : labels_.ids()) {
       if (regions_.region_of_facet[t] != region_ || !is_beside_border(t)) continue;
       const RimSide side = rims.side_of(model_.centroid(t));
-      if (!(side.distance <= reach * std::max(spacings[side.rim], shortest_edge(t)))) continue;
+      if (!(side.distance <= reach * std::max(spacings[side.rim], shortest_side(model_.mesh(), t))))
+        continue;
       labels_[t] = {0, side.on_cloud_side ? Label::under : Label::outside};
       ++(side.on_cloud_side ? counts.under_seeds : counts.outside_seeds);
       queue_.push({labels_[t], t});
@@ -72,13 +73,6 @@ class Labeling {
       if (!next.is_none() && regions_.region_of_facet[next].is_none()) return true;
     }
     return false;
-  }
-
-  double shortest_edge(TriangleId t) const {
-    const auto& [a, b, c] = model_.mesh().triangles[t];
-    const auto& points = model_.mesh().points;
-    return std::min({distance(points[a], points[b]), distance(points[b], points[c]),
-                     distance(points[c], points[a])});
   }
 
   struct Entry {

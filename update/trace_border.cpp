@@ -191,11 +191,9 @@ Border trace_border(const ModelIndex& model, const CloudRim& rim, const Overlap&
     if (overlap.loops[l].match != LoopMatch::on_model) continue;
     LoopBorder& band = border.loops[l];
     band = trace_loop(model, overlap.loops[l], options, border);
-    for (const std::vector<TriangleId>* facets : {&band.facets, &band.bridges}) {
-      for (const TriangleId t : *facets) {
-        if (std::exchange(border.facets[t], 1) == 0) ++border.num_facets;
-      }
-    }
+    band.for_each_facet([&](TriangleId t) {
+      if (std::exchange(border.facets[t], 1) == 0) ++border.num_facets;
+    });
     report_progress(execution, "trace_border",
                     static_cast<double>(l + 1) / static_cast<double>(rim.loops.size()));
   }

@@ -32,6 +32,12 @@ struct LoopBorder {
   std::span<const TriangleId> facets_of(std::size_t i) const {
     return std::span(facets).subspan(begin[i], begin[i + 1] - begin[i]);
   }
+  // Calls visit(TriangleId) for all of the band, as often as the walks met them.
+  template <class Visit>
+  void for_each_facet(Visit visit) const {
+    for (const TriangleId t : facets) visit(t);
+    for (const TriangleId t : bridges) visit(t);
+  }
   std::vector<std::uint32_t> begin;  // edges + 1
   std::vector<TriangleId> facets;
   std::vector<TriangleId> bridges;  // under stretches of points without a facet

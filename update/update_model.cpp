@@ -75,22 +75,17 @@ class Update {
   }
 
   bool segment_and_choose(const ModelIndex& index, const Execution& execution) {
-    result_.regions = segment_model(index, border_facets_, options_.segment, execution);
-    if (close_pin_holes(index)) {
-      trace_borders(index, execution);
-      result_.regions = segment_model(index, border_facets_, options_.segment, execution);
-    }
-    std::vector<IdVector<RegionId, std::uint8_t>> decided;
-    if (!cut_torn_regions(index, decided, execution)) return false;
+    if (close_pin_holes(index, execution)) trace_borders(index, execution);
+    if (!segment(index, execution)) return false;
     std::vector<RegionAngles> angles = measure_angles(index);
     if (!check_separation(index, angles)) return false;
     if (!divided_loops_.empty() && !split_divided_regions(index, angles)) return false;
     for (const SplitRegion& part : result_.split) {
-      for (auto& verdicts : decided) {
+      for (auto& verdicts : decided_) {
         if (!verdicts.empty()) verdicts.push_back(verdicts[part.outside]);
       }
     }
-    result_.choice = choose_regions(angles, clouds_.size(), options_.choice, decided);
+    result_.choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
     // Regions may be without any loop (all rims covered): then there is nothing to replace.
     result_.choice.replaced.resize(result_.regions.regions.size(), 0);
     return report_choice();
@@ -236,12 +231,13 @@ class Update {
 
   // A pin-hole that does not cut the model in two, by itself or with other loops, is none of the
   // border. Returns whether there was one.
-  bool close_pin_holes(const ModelIndex& index) {
+  bool close_pin_holes(const ModelIndex& index, const Execution& execution) {
+    std::optional<Regions> regions;
     bool closed = false;
     for_each_border_loop([&](std::size_t c, std::size_t l) {
       if (!result_.clouds[c].loops[l].pin_hole) return;
-      const LoopSides sides =
-          loop_sides(model_, index.adjacency(), borders_[c].loops[l], result_.regions);
+      if (!regions) regions = segment_model(index, border_facets_, options_.segment, execution);
+      const LoopSides sides = loop_sides(model_, index.adjacency(), borders_[c].loops[l], *regions);
       if (sides.separation == Separation::separates) {
         return warn(
             name_of_loop(c, l) +
@@ -311,7 +307,7 @@ class Update {
       const LoopSides sides =
           loop_sides(model_, index.adjacency(), borders_[c].loops[l], result_.regions);
       result_.clouds[c].loops[l].separation = sides.separation;
-      if (is_torn(c)) return;  // what is left of it is enough: cut_torn_regions()
+      if (is_torn(c)) return;  // what is left of it is enough: segment()
       if (sides.separation == Separation::encloses_nothing) {
         warn(name_of_loop(c, l) + ": no region of the model lies inside; the cloud is added there");
       } else if (sides.separation == Separation::open_band && ok) {
@@ -332,26 +328,29 @@ class Update {
     return ok;
   }
 
-  bool is_torn(std::size_t c) const { return cocoon::is_torn(result_.clouds[c].surface.rim); }
+  bool is_torn(std::size_t c) const { return result_.clouds[c].surface.rim.is_torn(); }
   // Where rims are torn: takes regions that lie as a whole under each such cloud, or outside.
-  bool cut_torn_regions(const ModelIndex& index,
-                        std::vector<IdVector<RegionId, std::uint8_t>>& decided,
-                        const Execution& execution) {
-    const std::vector<CloudRim> rims = border_rims();
-    if (std::none_of(rims.begin(), rims.end(), cocoon::is_torn)) return true;
-    CutRegions cut = cut_regions(index, rims, borders_, options_.cut, options_.segment, execution);
+  bool segment(const ModelIndex& index, const Execution& execution) {
+    const auto is_whole = [](const CloudReport& cloud) { return !cloud.surface.rim.is_torn(); };
+    if (std::all_of(result_.clouds.begin(), result_.clouds.end(), is_whole)) {
+      result_.regions = segment_model(index, border_facets_, options_.segment, execution);
+      return true;
+    }
+    CutRegions cut =
+        cut_regions(index, border_rims(), borders_, options_.cut, options_.segment, execution);
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       if (!is_torn(c)) continue;
       cut.cuts[c].under = {};
       const RegionCut& of_cloud = result_.clouds[c].cut = std::move(cut.cuts[c]);
       if (of_cloud.doubt() > options_.cut.max_doubt) {
+        result_.regions = segment_model(index, border_facets_, options_.segment, execution);
         return fail(UpdateStatus::non_separating,
                     name_of_cloud(c) + ": " + reason_of_doubtful_cut(of_cloud));
       }
       if (of_cloud.cut_edges > 0) warn(name_of_cloud(c) + ": " + warning_of_cut(of_cloud));
     }
     result_.regions = std::move(cut.regions);
-    decided = std::move(cut.under);
+    decided_ = std::move(cut.under);
     return true;
   }
 
@@ -451,6 +450,7 @@ class Update {
   std::vector<Overlap> overlaps_;
   std::vector<Border> borders_;
   TriangleSet border_facets_;
+  std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under
   std::vector<DividedLoop> divided_loops_;
   UpdateResult result_;
 };
