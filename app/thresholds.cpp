@@ -25,7 +25,7 @@ constexpr std::array<Threshold, 3> of_marking{{
      angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
 }};
 
-constexpr std::array<Threshold, 18> of_clean_up{{
+constexpr std::array<Threshold, 20> of_clean_up{{
     {"most-clump-cells", "Clean-up: more undecided cells together are left as they are", 0, 4e9,
      whole, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_cells; }},
     {"most-clump-share", "Clean-up: but not if they are at most this share of all cells", 0, 1,
@@ -60,6 +60,10 @@ constexpr std::array<Threshold, 18> of_clean_up{{
      tight, [](Options& o) -> Field { return &o.surface.clean_up.deeper_cosine; }},
     {"most-cluster-cells", "Clean-up: larger clusters are not asked", 0, 4e9, whole, tight,
      [](Options& o) -> Field { return &o.surface.clean_up.most_cluster_cells; }},
+    {"max-rise", "Clean-up: what the first of several moves may cost; 0: single moves only", 0, 1e6,
+     number, tight, [](Options& o) -> Field { return &o.surface.clean_up.max_rise; }},
+    {"max-openings", "Clean-up: so many first moves are tried at a sample", 1, 1e6, whole, tight,
+     [](Options& o) -> Field { return &o.surface.clean_up.max_openings; }},
     {"component-cost", "Clean-up: a part of the body; cheaper parts are dropped", 0, 1e6, number,
      tight, [](Options& o) -> Field { return &o.surface.clean_up.component_cost; }},
 }};

@@ -32,22 +32,46 @@ BestMove::BestMove(const Triangulation& triangulation, StarCache& stars,
 std::vector<CellId> BestMove::find(VertexId v) {
   best_change_ = 0;
   best_.clear();
-  list_candidates(v);
+  list_candidates(v, -1);
   std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& a, const Candidate& b) { return a.least < b.least; });
   for (const Candidate& candidate : candidates_) {
     if (candidate.least > best_change_) break;
     consider(std::span(candidate.cells).first(candidate.size));
   }
-  consider_parts(v);
+  for (const std::vector<CellId>& part : large_parts(v)) {
+    if (energy_.least_change(part, best_change_) <= best_change_) consider(part);
+  }
   return std::exchange(best_, {});
 }
 
-// The single cells and the pairs that could lower the energy.
-void BestMove::list_candidates(VertexId v) {
+std::vector<BestMove::Opening> BestMove::openings(VertexId v, Energy max_rise) {
+  std::vector<Opening> openings;
+  const Energy cost = energy_.vertex_cost(v);
+  const auto add = [&](std::span<const CellId> cells) {
+    if (energy_.vertex_cost_after(v, cells) >= cost) return;
+    const Energy change = energy_.change(cells, max_rise);
+    if (change > max_rise || side_split_.splits(cells)) return;
+    openings.push_back({change, {cells.begin(), cells.end()}});
+  };
+  list_candidates(v, max_rise);
+  for (const Candidate& candidate : candidates_) {
+    add(std::span(candidate.cells).first(candidate.size));
+  }
+  for (const std::vector<CellId>& part : large_parts(v)) {
+    if (energy_.least_change(part, max_rise) <= max_rise) add(part);
+  }
+  std::sort(openings.begin(), openings.end(), [&](const Opening& a, const Opening& b) {
+    return a.change != b.change ? a.change < b.change : precedes(triangulation_, a.cells, b.cells);
+  });
+  return openings;
+}
+
+// The single cells and the pairs that could change the energy by at most the limit.
+void BestMove::list_candidates(VertexId v, Energy limit) {
   candidates_.clear();
   const auto add = [&](Energy least, CellId c, CellId d, std::size_t size) {
-    if (least < 0) candidates_.push_back({least, {c, d}, size});
+    if (least <= limit) candidates_.push_back({least, {c, d}, size});
   };
   for (const CellId c : stars_.star(v)) {
     if (triangulation_.is_infinite(c)) continue;
@@ -62,14 +86,16 @@ void BestMove::list_candidates(VertexId v) {
   }
 }
 
-// The parts into which the surface divides the star of v.
-void BestMove::consider_parts(VertexId v) {
-  for (const std::vector<CellId>& part : energy_.parts_of_star(v)) {
-    const bool finite = std::none_of(part.begin(), part.end(),
-                                     [&](CellId c) { return triangulation_.is_infinite(c); });
-    if (!finite || part.size() <= 2 || !is_attached(triangulation_, out_, part)) continue;
-    if (energy_.least_change(part, best_change_) <= best_change_) consider(part);
-  }
+// The parts into which the surface divides the star of v, but for infinite ones and those that are
+// no more than a pair of cells.
+std::vector<std::vector<CellId>> BestMove::large_parts(VertexId v) {
+  std::vector<std::vector<CellId>> parts = energy_.parts_of_star(v);
+  std::erase_if(parts, [&](const std::vector<CellId>& part) {
+    const bool infinite = std::any_of(part.begin(), part.end(),
+                                      [&](CellId c) { return triangulation_.is_infinite(c); });
+    return infinite || part.size() <= 2 || !is_attached(triangulation_, out_, part);
+  });
+  return parts;
 }
 
 void BestMove::consider(std::span<const CellId> cells) {

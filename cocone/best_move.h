@@ -34,15 +34,24 @@ class BestMove {
   // evaluation. Source: ours, docs/stages/clean_up_cells.md.
   std::vector<CellId> find(VertexId v);
 
+  // A set that may change sides, and by how much the energy grows then.
+  struct Opening {
+    Energy change;
+    std::vector<CellId> cells;
+  };
+  // Of the same sets all whose flip lowers the cost of v and raises the energy by at most
+  // `max_rise`; by their change, ties by cell_order.h. Complexity: O(star) evaluations.
+  std::vector<Opening> openings(VertexId v, Energy max_rise);
+
  private:
   struct Candidate {
     Energy least;  // its change is no less
     std::array<CellId, 2> cells;
     std::size_t size;
   };
-  void list_candidates(VertexId v);
+  void list_candidates(VertexId v, Energy limit);
+  std::vector<std::vector<CellId>> large_parts(VertexId v);
   void consider(std::span<const CellId> cells);
-  void consider_parts(VertexId v);
 
   const Triangulation& triangulation_;
   StarCache& stars_;

@@ -91,6 +91,13 @@ Energy CellEnergy::vertex_cost(VertexId v) {
   return defect_cost_ * static_cast<Energy>(extra_fans(v));
 }
 
+Energy CellEnergy::vertex_cost_after(VertexId v, std::span<const CellId> cells) {
+  turn(cells);
+  const Energy cost = vertex_cost(v);
+  turn(cells);
+  return cost;
+}
+
 // Surface sheets at the edge of vertices i and j of the cell. O(degree).
 int CellEnergy::sheets_at(CellId c, int i, int j) const {
   const VertexId a = triangulation_.vertex(c, i);

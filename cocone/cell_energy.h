@@ -44,6 +44,8 @@ class CellEnergy {
   Energy facet_cost(FacetId f);
   // The cost of defects at a vertex, apart from its edges. O(star).
   Energy vertex_cost(VertexId v);
+  // The same if these cells changed sides; they do not. O(star + cells).
+  Energy vertex_cost_after(VertexId v, std::span<const CellId> cells);
   bool is_unused(VertexId v) const;
   // Would a sample on the surface not be there if these cells changed sides?
   bool leaves_out(std::span<const CellId> cells);

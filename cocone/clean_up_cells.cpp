@@ -10,6 +10,7 @@
 #include "cocone/cell_cluster.h"
 #include "cocone/cell_energy.h"
 #include "cocone/cell_order.h"
+#include "cocone/compound_move.h"
 #include "cocone/doubtful_region.h"
 #include "cocone/idle_samples.h"
 #include "cocone/max_flow.h"
@@ -40,7 +41,8 @@ class CleanUp {
         energy_(triangulation, cosines_, stars_, spacings_, marks.labels, options, out_),
         region_(find_doubtful_region(triangulation, marks, stars_, most_clump_cells())),
         side_split_(triangulation, out_),
-        best_move_(triangulation, stars_, out_, energy_, side_split_) {
+        best_move_(triangulation, stars_, out_, energy_, side_split_),
+        compound_move_(triangulation, region_, energy_, best_move_, options) {
     counters_.undecided_cells = region_.undecided.size();
     counters_.left_cells = region_.left_cells;
     for (const CellId c : region_.undecided) {
@@ -65,6 +67,7 @@ class CleanUp {
     repair();
     flip_clusters();
     if (drop_components()) repair();
+    if (make_compound_moves()) repair();
     update_flaws();
     count(counters_.defects_after, counters_.unused_after);
     for (const CellId c : triangulation_.finite_cells()) {
@@ -235,6 +238,25 @@ class CleanUp {
       turns = std::move(later);
       extend_region(triangulation_, stars_, turns, region_);
     }
+  }
+
+  // At what single moves did not mend, once each.
+  bool make_compound_moves() {
+    if (options_.max_rise == 0) return false;
+    bool changed = false;
+    for (const VertexId v : flawed_vertices()) {
+      while (energy_.vertex_cost(v) != 0) {
+        const std::vector<std::vector<CellId>> moves = compound_move_.find(v);
+        if (moves.empty()) break;
+        for (const std::vector<CellId>& cells : moves) {
+          flip(cells);
+          counters_.compound_cells += cells.size();
+        }
+        ++counters_.compound_moves;
+        changed = true;
+      }
+    }
+    return changed;
   }
 
   void flip(const std::vector<CellId>& cells) {
@@ -416,6 +438,7 @@ class CleanUp {
   std::vector<VertexId> touched_;  // vertices of cells that have changed sides since
   ZeroedArray<CellId, std::uint8_t> scratch_;
   BestMove best_move_;
+  CompoundMove compound_move_;
 };
 
 }  // namespace

@@ -30,8 +30,12 @@
 //     again.
 //  4. Small parts of the body (small_parts.h) in the doubtful region are dropped where that lowers
 //     E. Moves again.
+//  5. Compound moves. At what is still a defect or an unused sample, moves that mend it, but raise
+//  E
+//     by up to max_rise, are tried (the cheapest max_openings) with all moves that then lower it
+//     (compound_move.h), and taken with them where that lowers E in all. Moves again.
 //  What is undecided over a volume (most_clump_cells) is left to the peel.
-//  E falls strictly in 2 to 4, and there are finitely many labelings, so this ends.
+//  E falls strictly in 2 to 5, and there are finitely many labelings, so this ends.
 #pragma once
 
 #include <cstddef>
@@ -76,7 +80,11 @@ struct CleanUpOptions {
   // Larger clusters are not asked: the inner cells of a body are one, too. Nor are larger parts of
   // the body dropped.
   std::size_t most_cluster_cells = 10000;
-  double component_cost = 100;  // a part is dropped if it uses few samples: fewer than about 12
+  // Of the first of several moves. Nearly all that help begin with less; below 20, half of them are
+  // not found.
+  double max_rise = 100;
+  std::size_t max_openings = 10;  // tried at a vertex, cheapest first: further ones do not help
+  double component_cost = 100;    // a part is dropped if it uses few samples: fewer than about 12
 };
 
 struct CleanUpCounters {
@@ -90,6 +98,8 @@ struct CleanUpCounters {
   std::size_t cluster_cells = 0;
   std::size_t large_clusters = 0;  // idle samples with a cluster beyond most_cluster_cells
   std::size_t dropped_components = 0;
+  std::size_t compound_moves = 0;
+  std::size_t compound_cells = 0;
   std::size_t changed_cells = 0;  // that have another side now than after the peel
   // After the peel and at the end: non-manifold edges and pinched vertices; unused samples.
   std::size_t defects_before = 0;

@@ -66,5 +66,54 @@ TEST(BestMove, IsTheBestOfAll) {
   for (const std::size_t count : found) EXPECT_GT(count, 0U);
 }
 
+// All sets that mend v and cost little enough, by evaluating all, in canonical order.
+std::vector<BestMove::Opening> plain_openings(Labeling& labeling, SideSplit& split, VertexId v,
+                                              Energy max_rise) {
+  const Triangulation& t = labeling.stages.triangulation;
+  std::vector<BestMove::Opening> openings;
+  for (std::vector<CellId>& cells : all_moves(labeling, v)) {
+    std::sort(cells.begin(), cells.end());
+    const Energy change = labeling.energy.change(cells);
+    if (change > max_rise || !is_attached(t, labeling.out, cells) || split.splits(cells)) continue;
+    const Energy cost = labeling.energy.vertex_cost(v);
+    labeling.energy.flip(cells);
+    const bool mends = labeling.energy.vertex_cost(v) < cost;
+    labeling.energy.flip(cells);
+    if (mends) openings.push_back({change, std::move(cells)});
+  }
+  std::sort(openings.begin(), openings.end(), [&](const auto& a, const auto& b) {
+    return a.change != b.change ? a.change < b.change : precedes(t, a.cells, b.cells);
+  });
+  const auto same = [](const auto& a, const auto& b) { return a.cells == b.cells; };
+  openings.erase(std::unique(openings.begin(), openings.end(), same), openings.end());
+  return openings;
+}
+
+TEST(BestMove, OpeningsAreAllThatMendTheVertex) {
+  std::array<std::size_t, 4> found{};  // by the number of cells
+  const Energy max_rise = to_energy(60);
+  for (const double bias : {0.2, 0.5, 0.9}) {
+    for (const auto& points : {shapes::random_cube(60, 3), lattice(4), ball(4)}) {
+      Labeling labeling(points, 12, bias);
+      const Triangulation& t = labeling.stages.triangulation;
+      SideSplit split(t, labeling.out);
+      BestMove best_move(t, labeling.stars, labeling.out, labeling.energy, split);
+      for (const VertexId v : t.vertices()) {
+        const auto expected = plain_openings(labeling, split, v, max_rise);
+        auto openings = best_move.openings(v, max_rise);
+        ASSERT_EQ(openings.size(), expected.size());
+        for (std::size_t k = 0; k < openings.size(); ++k) {
+          std::sort(openings[k].cells.begin(), openings[k].cells.end());
+          EXPECT_EQ(openings[k].cells, expected[k].cells);
+          EXPECT_EQ(openings[k].change, expected[k].change);
+          ++found[std::min<std::size_t>(openings[k].cells.size(), 3)];
+        }
+        if (!openings.empty()) labeling.energy.flip(openings.front().cells);
+      }
+    }
+  }
+  for (std::size_t k = 1; k < found.size(); ++k) EXPECT_GT(found[k], 0U);
+}
+
 }  // namespace
 }  // namespace cocoon

@@ -52,6 +52,24 @@ TEST(CleanUpCells, NoiseLosesItsDefects) {
   EXPECT_EQ(counters.unused_after, result.unused_points);
 }
 
+// What single moves cannot mend, since each of them breaks something else, several together can.
+TEST(CleanUpCells, CompoundMovesMendWhatSingleMovesLeave) {
+  std::size_t flaws = 0;
+  std::size_t flaws_of_single_moves = 0;
+  ReconstructOptions single;
+  single.clean_up.max_rise = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const std::vector<Point> points = shapes::noisy_sphere(1500, 0.04, seed);
+    const CleanUpCounters counters = reconstruct_tight(points).counters.clean_up;
+    flaws += counters.defects_after + counters.unused_after;
+    EXPECT_GE(counters.compound_cells, 2 * counters.compound_moves);
+    const CleanUpCounters of_single = reconstruct_tight(points, single).counters.clean_up;
+    flaws_of_single_moves += of_single.defects_after + of_single.unused_after;
+    EXPECT_EQ(of_single.compound_moves, 0U);
+  }
+  EXPECT_LT(flaws, flaws_of_single_moves);
+}
+
 std::size_t longer_than(const TriangleMesh& mesh, double length) {
   return static_cast<std::size_t>(
       std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {

@@ -81,10 +81,12 @@ TEST(Thresholds, DeferredSeedingIsAnOption) {
   const Json marked = reconstructed(folder, {}, cloud);
   EXPECT_EQ(marked["counters"]["deferred_seeds"], 1);
   EXPECT_EQ(marked["surface"]["unused_points"], 12);
+  EXPECT_EQ(marked["counters"]["clean_up"]["undecided_cells"], 0);
   EXPECT_EQ(marked["parameters"]["deferred_seeding"], true);
   const Json peeled = reconstructed(folder, {"--no-deferred-seeding"}, cloud);
   EXPECT_EQ(peeled["counters"]["deferred_seeds"], 0);
-  EXPECT_GT(peeled["surface"]["unused_points"], 12);
+  EXPECT_GT(peeled["counters"]["clean_up"]["undecided_cells"], 800);
+  EXPECT_NE(peeled["surface"]["unused_points"], 12);  // the clean-up alone has found some surface
   EXPECT_EQ(peeled["parameters"]["deferred_seeding"], false);
 }
 
