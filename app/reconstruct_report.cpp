@@ -115,6 +115,9 @@ void add_noise(JsonReport& report, const NoiseCounters& noise) {
   report.set("noise/outlier_rounds", noise.outlier_rounds);
   report.set("noise/large_cells", noise.large_cells);
   report.set("noise/outer_cells", noise.outer_cells);
+  report.set("noise/inner_cells", noise.inner_cells);
+  report.set("noise/leaked_cells", noise.leaked_cells);
+  report.set("noise/held", noise.held);
   report.set("noise/skin_samples", noise.skin_samples);
   report.set("noise/good_samples", noise.good_samples);
   report.set("noise/layer_samples", noise.layer_samples);

@@ -68,7 +68,7 @@ constexpr std::array<Threshold, 20> of_clean_up{{
      tight, [](Options& o) -> Field { return &o.surface.clean_up.component_cost; }},
 }};
 
-constexpr std::array<Threshold, 10> of_clouds_and_findings{{
+constexpr std::array<Threshold, 11> of_clouds_and_findings{{
     {"noise-neighbors", "Noise filter: edges that make the spacing of a sample", 1, 1000, whole,
      noise, [](Options& o) -> Field { return &o.noise.neighbors; }},
     {"noise-outlier-ratio", "Noise filter: spacing of outliers, in spacings of their neighbors", 1,
@@ -77,6 +77,8 @@ constexpr std::array<Threshold, 10> of_clouds_and_findings{{
      number, noise, [](Options& o) -> Field { return &o.noise.large_ratio; }},
     {"noise-deep-angle", "Noise filter: large balls on one side meet at this angle at most", 0, 180,
      angle, noise, [](Options& o) -> Field { return &o.noise.deep_cosine; }},
+    {"noise-max-leak", "Noise filter: share of inner balls that infinity may reach; 1: all", 0, 1,
+     number, noise, [](Options& o) -> Field { return &o.noise.max_leak; }},
     {"min-part-share", "Loops: parts with a smaller share of the triangles are debris", 0, 1,
      number, loops, [](Options& o) -> Field { return &o.loops.min_component_share; }},
     {"min-loop-edges", "Loops: those with fewer edges are pin-holes", 0, 4e9, whole, loops,

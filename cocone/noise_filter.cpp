@@ -18,13 +18,16 @@ class Flood {
         const IdVector<VertexId, double>& spacing, const NoiseOptions& options)
       : triangulation_(triangulation), dual_(dual), spacing_(spacing), options_(options) {}
 
-  OuterSkin run() {
+  // Into cells where may_enter(c).
+  template <typename MayEnter>
+  OuterSkin run(const MayEnter& may_enter) {
     OuterSkin skin;
     skin.touched = VertexSet(triangulation_.num_vertices(), 0);
-    IdVector<CellId, std::uint8_t> large(triangulation_.num_cells(), 0);
+    skin.balls = IdVector<CellId, BallSize>(triangulation_.num_cells(), BallSize::small);
     for (const CellId c : triangulation_.finite_cells()) {
-      large[c] = is_large(c) ? 1 : 0;
-      skin.large_cells += large[c];
+      if (!is_large(c)) continue;
+      skin.balls[c] = BallSize::large;
+      ++skin.large_cells;
     }
     std::vector<CellId> outer;
     for (const CellId c : triangulation_.infinite_cells()) outer.push_back(c);
@@ -35,8 +38,9 @@ class Flood {
       }
       for (int i = 0; i < 4; ++i) {
         const CellId behind = triangulation_.neighbor(c, i);
-        if (large[behind] == 0 || !intersect_deeply(facet_id(c, i), behind)) continue;
-        large[behind] = 0;  // visited
+        if (skin.balls[behind] != BallSize::large || !may_enter(behind)) continue;
+        if (!intersect_deeply(facet_id(c, i), behind)) continue;
+        skin.balls[behind] = BallSize::outer;
         outer.push_back(behind);
         ++skin.outer_cells;
       }
@@ -107,7 +111,15 @@ VertexSet outlier_samples(const Triangulation& triangulation, const VertexStars&
 
 OuterSkin outer_skin(const Triangulation& triangulation, const Dual& dual,
                      const IdVector<VertexId, double>& spacing, const NoiseOptions& options) {
-  return Flood(triangulation, dual, spacing, options).run();
+  return Flood(triangulation, dual, spacing, options).run([](CellId) { return true; });
+}
+
+OuterSkin outer_skin(const Triangulation& triangulation, const Dual& dual,
+                     const IdVector<VertexId, double>& spacing, const NoiseOptions& options,
+                     const IdVector<CellId, std::uint8_t>& outside) {
+  return Flood(triangulation, dual, spacing, options).run([&](CellId c) {
+    return outside[c] != 0;
+  });
 }
 
 }  // namespace cocoon

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "cocone/facet_set.h"
 #include "delaunay/triangulation.h"
@@ -29,8 +30,13 @@ struct NoiseOptions {
   double large_ratio = 1.7;     // larger: thinner skin, smoother, but narrow gaps close
   double deep_cosine = 0.7071;  // cosine of deep_angle, 45 degrees
   // Samples that the Cocone surface of the layer surrounds by one disk stay, on the skin or not: so
-  // clean parts of a cloud are left as they are. False: the published filter.
+  // clean parts of a cloud are left as they are. False, and max_leak = 1: the published filter.
   bool keep_good = true;
+  // Infinity gets into the body through holes of the data, and then the skin is on both sides of
+  // the layer. So if it reaches more than this share of the large balls that the surface of all
+  // samples has inside, it is held outside that surface. Without such holes the share is 0, but in
+  // strong noise (0.2 to 0.4 at half the spacing); with them 0.9 or more. 1: never held.
+  double max_leak = 0.5;
 };
 
 // Per vertex, in units of the coordinates. Complexity: O(cells), parallel. Deterministic: sums run
@@ -45,15 +51,23 @@ VertexSet outlier_samples(const Triangulation& triangulation, const VertexStars&
                           const IdVector<VertexId, double>& spacing, double ratio,
                           const Execution& execution = {});
 
+enum class BallSize : std::uint8_t { small, large, outer };
+
 struct OuterSkin {
-  VertexSet touched;            // 1 = a vertex of an outer cell
-  std::size_t large_cells = 0;  // finite ones
-  std::size_t outer_cells = 0;  // finite ones, reached from infinity
+  VertexSet touched;                 // 1 = a vertex of an outer cell
+  IdVector<CellId, BallSize> balls;  // of finite cells; outer: large, and reached from infinity
+  std::size_t large_cells = 0;       // finite ones
+  std::size_t outer_cells = 0;       // finite ones, reached from infinity
 };
 
 // An infinite cell counts as a ball that is a half-space. Every hull vertex is touched.
 // Complexity: O(cells). Deterministic: a closure. Source: Dey & Goswami 2006.
 OuterSkin outer_skin(const Triangulation& triangulation, const Dual& dual,
                      const IdVector<VertexId, double>& spacing, const NoiseOptions& options = {});
+
+// The same, with infinity held to cells with outside[c] = 1.
+OuterSkin outer_skin(const Triangulation& triangulation, const Dual& dual,
+                     const IdVector<VertexId, double>& spacing, const NoiseOptions& options,
+                     const IdVector<CellId, std::uint8_t>& outside);
 
 }  // namespace cocoon

@@ -1,34 +1,49 @@
 #include "cocone/robust_cocone.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "cocone/boundary_samples.h"
 #include "cocone/candidate_triangles.h"
+#include "cocone/clean_up_cells.h"
 #include "cocone/cocones.h"
 #include "cocone/extract_manifold.h"
+#include "cocone/mark_cells.h"
+#include "cocone/outlier_rounds.h"
+#include "cocone/peel_cells.h"
 #include "cocone/prune_sharp_edges.h"
-#include "cocone/umbrella.h"
 #include "delaunay/delaunay.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
 
-// Samples with one disk of the Cocone surface around them.
-VertexSet good_samples(const Triangulation& triangulation, const Dual& dual,
-                       const ReconstructOptions& options, const Execution& execution) {
+// Of all samples, the layer included.
+struct RoughSurface {
+  VertexSet good;                          // one disk of the Cocone surface around them
+  IdVector<CellId, std::uint8_t> outside;  // 1 = outside the closed surface; empty if there is none
+};
+
+RoughSurface rough_surface(const Triangulation& triangulation, const Dual& dual,
+                           const ReconstructOptions& options, const Execution& execution) {
   ConeSides sides;
   const Poles poles = compute_poles(triangulation, dual, options.cocone.cosine, sides, execution);
   const Cocones cocones = intersect_cocones(triangulation, std::move(sides), execution);
   const BoundarySamples labels =
       boundary_samples(triangulation, dual, poles, cocones, options.boundary, execution);
+  if (labels.interior() == 0) return {VertexSet(triangulation.num_vertices(), 0), {}};
   PrunedCandidates pruned = prune_sharp_edges(
       triangulation, candidate_triangles(triangulation, cocones, labels.boundary, execution),
       options.prune, execution);
   const ManifoldSurface surface =
       extract_manifold(triangulation, std::move(pruned.left), pruned.umbrella, execution);
-  return good_vertices(surface.triangles, labels.boundary, options.good_vertices, execution).good;
+  CellMarks marks = mark_cells(triangulation, surface.triangles, labels.boundary,
+                               options.good_vertices, execution);
+  marks =
+      peel_cells(triangulation, surface.triangles.set, std::move(marks), options.peel, execution);
+  clean_up_cells(triangulation, poles, marks, options.clean_up, execution);
+  return {std::move(marks.good), std::move(marks.reached)};
 }
 
 // The points still in, and what becomes of them.
@@ -36,7 +51,7 @@ class Filter {
  public:
   Filter(Points points, const NoiseOptions& noise, const ReconstructOptions& options,
          const Execution& execution)
-      : noise_(noise), options_(options), execution_(execution) {
+      : noise_(noise), options_(effective_options(options)), execution_(execution) {
     const double scale = working_scale(points);
     points_.reserve(points.size());
     for (const Point& p : points) points_.push_back(scale * p);
@@ -47,32 +62,38 @@ class Filter {
   RobustSamples run() {
     triangulate();
     result_.distinct = triangulation_.num_vertices();
-    while (leave_out(
-        outlier_samples(triangulation_, stars_, spacing_, noise_.outlier_ratio, execution_),
-        result_.counters.outliers)) {
-      triangulate();
-    }
+    leave_out_outliers();
     judge_layer();
     return std::move(result_);
   }
 
  private:
   void triangulate() {
-    ++result_.counters.outlier_rounds;
     triangulation_ = delaunay(points_, options_.delaunay, execution_).triangulation;
     stars_ = vertex_stars(triangulation_);
     spacing_ = sample_spacing(triangulation_, stars_, noise_.neighbors, execution_);
   }
 
-  // False if the set is empty.
-  bool leave_out(const VertexSet& out, std::size_t& count) {
-    const std::size_t before = count;
-    for (const std::uint8_t flag : out) count += flag;
-    if (count == before) return false;
+  void leave_out_outliers() {
+    NoiseCounters& counters = result_.counters;
+    counters.outlier_rounds = 1;
+    VertexSet first =
+        outlier_samples(triangulation_, stars_, spacing_, noise_.outlier_ratio, execution_);
+    if (std::find(first.begin(), first.end(), 1) == first.end()) return;
+    const IdVector<PointId, VertexId> vertex_of_point = triangulation_.vertex_of_point();
+    const OutlierRounds outliers = outlier_rounds(std::move(triangulation_), std::move(spacing_),
+                                                  std::move(first), noise_, execution_);
+    counters.outliers = outliers.count;
+    counters.outlier_rounds = outliers.rounds;
+    leave_out(outliers.out, vertex_of_point);
+    triangulate();
+  }
+
+  void leave_out(const VertexSet& out, const IdVector<PointId, VertexId>& vertex_of_point) {
     std::vector<Point> points;
     std::vector<PointId> inputs;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (out[triangulation_.vertex_of_point()[PointId(i)]] != 0) {
+      if (out[vertex_of_point[PointId(i)]] != 0) {
         result_.kept[inputs_[i]] = 0;
       } else {
         points.push_back(points_[i]);
@@ -81,16 +102,15 @@ class Filter {
     }
     points_ = std::move(points);
     inputs_ = std::move(inputs);
-    return true;
   }
 
   void judge_layer() {
     const Dual dual = voronoi_dual(triangulation_, execution_);
-    const OuterSkin skin = outer_skin(triangulation_, dual, spacing_, noise_);
-    VertexSet good(triangulation_.num_vertices(), 0);
-    if (noise_.keep_good) {
-      good = good_samples(triangulation_, dual, options_, execution_);
+    RoughSurface rough;
+    if (noise_.keep_good || noise_.max_leak < 1) {
+      rough = rough_surface(triangulation_, dual, options_, execution_);
     }
+    const OuterSkin skin = held_skin(dual, rough.outside);
     NoiseCounters& counters = result_.counters;
     counters.large_cells = skin.large_cells;
     counters.outer_cells = skin.outer_cells;
@@ -98,17 +118,33 @@ class Filter {
     for (const VertexId v : triangulation_.vertices()) {
       if (skin.touched[v] != 0) {
         ++counters.skin_samples;
-      } else if (good[v] != 0) {
+      } else if (noise_.keep_good && rough.good[v] != 0) {
         ++counters.good_samples;
       } else {
         out[v] = 1;
+        ++counters.layer_samples;
       }
     }
-    leave_out(out, counters.layer_samples);
+    leave_out(out, triangulation_.vertex_of_point());
+  }
+
+  OuterSkin held_skin(const Dual& dual, const IdVector<CellId, std::uint8_t>& outside) {
+    OuterSkin skin = outer_skin(triangulation_, dual, spacing_, noise_);
+    if (outside.empty()) return skin;
+    NoiseCounters& counters = result_.counters;
+    for (const CellId c : triangulation_.finite_cells()) {
+      if (outside[c] != 0 || skin.balls[c] == BallSize::small) continue;
+      ++counters.inner_cells;
+      counters.leaked_cells += skin.balls[c] == BallSize::outer ? 1U : 0U;
+    }
+    counters.held = static_cast<double>(counters.leaked_cells) >
+                    noise_.max_leak * static_cast<double>(counters.inner_cells);
+    if (counters.held) skin = outer_skin(triangulation_, dual, spacing_, noise_, outside);
+    return skin;
   }
 
   const NoiseOptions& noise_;
-  const ReconstructOptions& options_;
+  const ReconstructOptions options_;
   const Execution& execution_;
   std::vector<Point> points_;
   std::vector<PointId> inputs_;

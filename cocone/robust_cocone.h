@@ -14,9 +14,12 @@ namespace cocoon {
 
 struct NoiseCounters {
   std::size_t outliers = 0;        // different points left out as outliers
-  std::size_t outlier_rounds = 0;  // triangulations until there were no more
+  std::size_t outlier_rounds = 0;  // until there were no more
   std::size_t large_cells = 0;
   std::size_t outer_cells = 0;
+  std::size_t inner_cells = 0;    // large ones inside the surface of all samples
+  std::size_t leaked_cells = 0;   // of these, reached from infinity if nothing holds it
+  bool held = false;              // more than max_leak: held outside the surface of all samples
   std::size_t skin_samples = 0;   // touched by outer balls
   std::size_t good_samples = 0;   // not on the skin, kept since the surface surrounds them
   std::size_t layer_samples = 0;  // different points left out inside the layer
@@ -29,12 +32,14 @@ struct RobustSamples {
 };
 
 // Leaves outliers out, in rounds until there are none; then keeps the outer skin of the rest, and
-// with noise.keep_good the samples with one disk around them on the Cocone surface of the rest
-// (`options` are for it). Everything stays if nothing is noisy.
+// with noise.keep_good the samples with one disk around them on the Cocone surface of the rest.
+// Where infinity gets into the body (noise.max_leak), the skin is that outside the closed surface
+// of the rest. `options` are for these surfaces. Everything stays if nothing is noisy.
 // Progress: "noise/...". Errors: InputError as delaunay(); also if all but coplanar points were
-// outliers. Complexity: O(n log n) expected for each round, few rounds.
+// outliers. Complexity: O(n log n) expected, besides the rounds (outlier_rounds.h).
 // Deterministic: a function of the set of points.
-// Source: Dey & Goswami 2006; outliers and good samples are ours (docs/stages/noise_filter.md).
+// Source: Dey & Goswami 2006; outliers, good samples and leaks are ours
+// (docs/stages/noise_filter.md).
 RobustSamples robust_samples(Points points, const NoiseOptions& noise = {},
                              const ReconstructOptions& options = {},
                              const Execution& execution = {});

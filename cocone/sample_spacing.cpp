@@ -47,8 +47,8 @@ void insert_edge(const ShortEdge& edge, SpacingBuffer& shortest) {
 
 }  // namespace
 
-void collect_neighbors(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
-                       std::vector<VertexId>& neighbors) {
+void collect_neighbors(const TriangulationView& triangulation, std::span<const CellId> star,
+                       VertexId v, std::vector<VertexId>& neighbors) {
   neighbors.clear();
   // The link of v is a sphere: it has two vertices more than half its triangles.
   const bool is_small = star.size() / 2 + 2 <= SmallVertexSet::most;
@@ -62,8 +62,8 @@ void collect_neighbors(const Triangulation& triangulation, std::span<const CellI
   if (!is_small) make_set(neighbors);
 }
 
-double sample_spacing(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
-                      std::size_t edges, SpacingBuffer& shortest) {
+double sample_spacing(const TriangulationView& triangulation, std::span<const CellId> star,
+                      VertexId v, std::size_t edges, SpacingBuffer& shortest) {
   const std::size_t count = std::max<std::size_t>(1, edges);
   // In increasing order; as long as there are fewer, the rest is infinitely long.
   shortest.assign(count, {std::numeric_limits<double>::infinity(), infinite_vertex});

@@ -10,6 +10,7 @@
 
 #include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
+#include "delaunay/triangulation_view.h"
 #include "geom/execution.h"
 #include "geom/zeroed_array.h"
 
@@ -17,8 +18,8 @@ namespace cocoon {
 
 // The finite Delaunay neighbors of v, each once, in no particular order; `star`: the cells at v.
 // Complexity: O(star) expected.
-void collect_neighbors(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
-                       std::vector<VertexId>& neighbors);
+void collect_neighbors(const TriangulationView& triangulation, std::span<const CellId> star,
+                       VertexId v, std::vector<VertexId>& neighbors);
 
 // Room for the work at one sample, to be used for the next.
 struct ShortEdge {
@@ -29,8 +30,8 @@ using SpacingBuffer = std::vector<ShortEdge>;
 
 // Of v, from the lengths of that many shortest edges (at least one). In units of the coordinates;
 // sums run in increasing order. Complexity: O(star), for few edges.
-double sample_spacing(const Triangulation& triangulation, std::span<const CellId> star, VertexId v,
-                      std::size_t edges, SpacingBuffer& shortest);
+double sample_spacing(const TriangulationView& triangulation, std::span<const CellId> star,
+                      VertexId v, std::size_t edges, SpacingBuffer& shortest);
 
 // Whether a spacing exceeds `ratio` times the median of the neighbors' spacings, the upper one of
 // two: whether at least half of them are too small. `spacing_of(w)` is asked for until that is

@@ -95,10 +95,40 @@ TEST(RobustCocone, LayersOfNoiseBecomeClosedSurfacesOfTheRightKind) {
   }
 }
 
+// Two scans of a ball without its top, with noise of 40 % of the spacing. Through the hole infinity
+// gets into the body; then both sides of the layer seem to be the outer one, and little goes.
+TEST(RobustCocone, HolesOfTheDataDoNotLetTheOutsideIn) {
+  const auto handles = [](const RobustResult& result) {
+    const MeshReport report = mesh_check(result.surface.mesh);
+    EXPECT_TRUE(report.balanced);
+    EXPECT_EQ(report.components, 1U);
+    return 2 - report.euler;
+  };
+  std::ptrdiff_t handles_held = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const std::vector<Point> points =
+        shapes::joined(shaken(shapes::cut_sphere(2500, 0.6, seed), 0.02, seed + 10),
+                       shaken(shapes::cut_sphere(2500, 0.6, seed + 20), 0.02, seed + 30));
+    const RobustResult held = reconstruct_robust(points);
+    EXPECT_TRUE(held.noise.held);
+    EXPECT_GT(10 * held.noise.leaked_cells, 9 * held.noise.inner_cells);
+    handles_held += handles(held);
+    const RobustResult leaked = reconstruct_robust(points, {.max_leak = 1});
+    EXPECT_FALSE(leaked.noise.held);
+    EXPECT_GE(handles(leaked), 10);
+    EXPECT_GT(held.noise.layer_samples, 2 * leaked.noise.layer_samples);
+  }
+  EXPECT_LE(handles_held, 4);
+}
+
 TEST(RobustCocone, PublishedFilterKeepsTheSkinAlone) {
-  const std::vector<Point> points = shaken(shapes::sphere(2000, 5), 0.01, 6);
+  const std::vector<Point> points = shaken(shapes::torus(80, 40, 0.4, 0.3, 5), 0.01, 6);
   const RobustSamples ours = robust_samples(points);
-  const RobustSamples published = robust_samples(points, {.keep_good = false});
+  const RobustSamples published = robust_samples(points, {.keep_good = false, .max_leak = 1});
+  EXPECT_FALSE(ours.counters.held);
+  EXPECT_EQ(ours.counters.leaked_cells, 0U);
+  EXPECT_GT(ours.counters.inner_cells, 0U);
+  EXPECT_EQ(published.counters.inner_cells, 0U);  // nobody has looked
   EXPECT_EQ(published.counters.good_samples, 0U);
   EXPECT_GT(ours.counters.good_samples, 0U);
   EXPECT_GT(published.counters.layer_samples, ours.counters.layer_samples);
@@ -118,12 +148,13 @@ TEST(RobustCocone, ChoosesAsTheTwinOnCgal) {
       {"outliers", shapes::joined(shapes::sphere(1500, 11), scattered(40, 3, 12)), 0},
       {"open", shaken(shapes::cut_sphere(1500, 0.5, 13), 0.02, 14), 0},
       {"volume", shapes::random_cube(1200, 15), 0}};
-  const std::vector<NoiseOptions> choices{{.keep_good = false},
+  const std::vector<NoiseOptions> choices{{.keep_good = false, .max_leak = 1},
                                           {.neighbors = 6,
                                            .outlier_ratio = 2,
                                            .large_ratio = 2.5,
                                            .deep_cosine = 0.9,
-                                           .keep_good = false}};
+                                           .keep_good = false,
+                                           .max_leak = 1}};
   for (const Noisy& set : sets) {
     for (NoiseOptions noise : choices) {
       const RobustSamples skin = robust_samples(set.points, noise);

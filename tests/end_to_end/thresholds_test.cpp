@@ -109,6 +109,9 @@ TEST(Thresholds, OfTheNoiseFilterReachIt) {
             usual["noise"]["large_cells"]);
   EXPECT_LT(noise({"--noise-deep-angle", "15"})["noise"]["outer_cells"],
             usual["noise"]["outer_cells"]);
+  EXPECT_EQ(usual["noise"]["held"], false);
+  EXPECT_GT(usual["noise"]["inner_cells"], 0);
+  EXPECT_EQ(noise({"--noise-max-leak", "1", "--noise-skin-only"})["noise"]["inner_cells"], 0);
   const Json skin = noise({"--noise-skin-only"});
   EXPECT_EQ(skin["noise"]["good_samples"], 0);
   EXPECT_EQ(skin["parameters"]["noise_keep_good"], false);

@@ -1,0 +1,29 @@
+// Outliers in rounds: when some are gone, others stand alone.
+#pragma once
+
+#include <cstddef>
+
+#include "cocone/noise_filter.h"
+#include "delaunay/triangulation.h"
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+
+namespace cocoon {
+
+struct OutlierRounds {
+  VertexSet out;           // 1 = left out in one of the rounds
+  std::size_t count = 0;   // of these
+  std::size_t rounds = 0;  // until there were no more, the last one included
+};
+
+// Leaves out the first outliers (outlier_samples), then those of the triangulation of the rest, and
+// so on until there are none. The triangulation is used up; `spacing` (sample_spacing by
+// options.neighbors) is its own. Asked again are only those that have new neighbors, or neighbors
+// with another spacing. Complexity: O(cells) once, if there are outliers; then for each round
+// O(k log n) expected for k cells that it replaces, with the stars of their vertices.
+// Errors: InputError if what is left does not span space. Deterministic: a function of the points.
+OutlierRounds outlier_rounds(Triangulation triangulation, IdVector<VertexId, double> spacing,
+                             VertexSet first, const NoiseOptions& options,
+                             const Execution& execution = {});
+
+}  // namespace cocoon
