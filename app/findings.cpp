@@ -19,14 +19,16 @@ std::string sparse_samples(const SurfaceDoubts& d) {
   return fmt::format("{} ({} beside gaps)", samples, counted(d.gap_samples, "more is", "more are"));
 }
 
-Finding sparse_finding(const SurfaceDoubts& d) {
+// `many`: so many samples fail that scans may overlap without agreeing.
+Finding sparse_finding(const SurfaceDoubts& d, bool many, bool noise_filtered) {
   return {
       "sparse",
       fmt::format("samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
                   "there is {:.3g} ({:.1f} times the median), near {}; scan such places more "
-                  "densely",
+                  "densely{}",
                   sparse_samples(d), d.sparse[0].size, d.sparse[0].size / d.spacing,
-                  place(d.sparse[0].at)),
+                  place(d.sparse[0].at),
+                  many && !noise_filtered ? ", or try --noise robust if scans overlap there" : ""),
       d.boundary_samples + d.gap_samples, d.sparse};
 }
 
@@ -90,7 +92,9 @@ std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, boo
   if (d.spacing == 0) return findings;
   const bool many =
       static_cast<double>(d.boundary_samples) > sparse_share * static_cast<double>(points);
-  if (many || d.gap_samples > 0) findings.push_back(sparse_finding(d));
+  if (many || d.gap_samples > 0) {
+    findings.push_back(sparse_finding(d, many, noise_filtered));
+  }
   if (noise_of(d.roughness) > noise_limit) findings.push_back(noise_finding(d, noise_filtered));
   if (d.fragments > 0) findings.push_back(fragments_finding(d));
   if (!d.unused.empty()) findings.push_back(unused_finding(d, points, noise_filtered));

@@ -55,6 +55,21 @@ TEST(Findings, SparseSamplesAreCountedWithThoseBesideGaps) {
   EXPECT_EQ(said(doubts, ";"), "samples are too sparse, or edges too sharp, at 3 samples");
 }
 
+TEST(Findings, ManyFailingSamplesMayBeOverlappingScans) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.sparse = one_spot;
+  doubts.boundary_samples = 6;
+  const auto names_filter = [&](std::size_t points, bool noise_filtered) {
+    const std::vector<Finding> findings = findings_of(doubts, points, noise_filtered);
+    return findings.at(0).message.find("--noise robust") != std::string::npos;
+  };
+  EXPECT_TRUE(names_filter(100, false));
+  EXPECT_FALSE(names_filter(100, true));
+  doubts.gap_samples = 1;
+  EXPECT_FALSE(names_filter(1000, false));
+}
+
 TEST(Findings, UnusedPointsAreOneOrMany) {
   SurfaceDoubts doubts;
   doubts.spacing = 0.1;
