@@ -46,11 +46,13 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("opened_pin_holes", opened_pin_holes(cloud));
   entry.set("rim_edges", cloud.surface.rim.rim_edges);
   entry.set("gap_edges", cloud.surface.rim.gap_edges);
+  entry.set("shared_edges", cloud.surface.rim.shared_edges);
   entry.set("gap_loops", cloud.surface.rim.gap_loops);
   entry.set("seamed_loops", cloud.surface.rim.seamed_loops);
   entry.set("cut_edges", cloud.cut.cut_edges);
   entry.set("cut_length", cloud.cut.cut_length);
   entry.set("cut_contradicted", cloud.cut.contradicted);
+  entry.set("scan_ends", cloud.cut.scan_ends);
   entry.set("boundary_points", cloud.boundary_points);
   entry.set("boundary_samples", cloud.surface.boundary_samples);
   entry.set("rho", cloud.surface.rho);

@@ -30,7 +30,7 @@ struct RimLoop {
   // surface has gone over to the other side of the body.
   bool one_sided = false;
   // 1 where the cloud goes on beyond E_i (rim_gaps.h): not the end of the cloud, but a seam in its
-  // surface. Empty: nowhere.
+  // surface; and where another cloud does (shared_edges.h). Empty: nowhere.
   std::vector<std::uint8_t> gap;
 
   bool is_gap(std::size_t i) const { return !gap.empty() && gap[i] != 0; }
@@ -59,8 +59,11 @@ struct CloudRim {
   std::size_t gap_edges = 0;         // of these, edges with cloud beyond them
   std::size_t non_orientable = 0;    // one-sided parts: their normals are not reliable
 
-  // Whether the surface of the cloud broke up somewhere inside it.
-  bool is_torn() const { return gap_edges > 0; }
+  std::size_t shared_edges = 0;  // marked by mark_shared_edges()
+
+  // Whether parts of it are no end of what was scanned: the surface of the cloud broke up somewhere
+  // inside it, or another cloud goes on beyond it.
+  bool is_partial() const { return gap_edges > 0 || shared_edges > 0; }
 };
 
 struct RimOptions {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "cocone/max_flow.h"
@@ -18,27 +19,49 @@ constexpr double steps_per_edge = 1024;
 // The facets of the model as nodes of a graph.
 class FacetGraph {
  public:
-  FacetGraph(const ModelIndex& model, const TriangleSet& border, const CloudRim& rim)
+  FacetGraph(const ModelIndex& model, const TriangleSet& border, double median_edge)
       : model_(model),
         border_(border),
-        steps_(steps_per_edge / rim.median_edge),
-        pull_(border.size(), 0) {}
+        steps_(steps_per_edge / median_edge),
+        pull_(border.size(), 0),
+        is_end_(border.size(), 0) {}
 
-  void pull_seeds(const CloudRim& rim, double reach, RegionCut& cut) {
-    const RimIndex rims(std::span(&rim, 1));
+  void pull_seeds(std::span<const CloudRim> all_rims, double reach, RegionCut& cut) {
+    const RimIndex rims(all_rims);
     if (rims.empty()) return;
     for (const TriangleId t : border_.ids()) {
       if (border_[t] != 0) continue;
       const Sides sides = sides_of(t);
       if (sides.at_border == 0) continue;
       const RimSide side = rims.side_of(model_.centroid(t));
-      if (!(side.distance <= reach * std::max(rim.spacing, sides.shortest))) continue;
+      const double spacing = all_rims[side.rim].spacing;
+      if (!(side.distance <= reach * std::max(spacing, sides.shortest))) continue;
       pull_[t] = side.on_cloud_side ? sides.at_border : -sides.at_border;
       (side.on_cloud_side ? cut.seeds_under : cut.seeds_outside) += length(sides.at_border);
     }
   }
 
+  // Facets that the labels have under the cloud although the scan ended before them. Half of their
+  // sides: more than a cut between them and the scanned ones costs, less than one around each.
+  // Returns whether there are new ones.
+  bool pull_outside(const std::vector<TriangleId>& facets, RegionCut& cut) {
+    const std::size_t before = cut.scan_ends;
+    for (const TriangleId t : facets) {
+      if (std::exchange(is_end_[t], 1) != 0) continue;
+      ++cut.scan_ends;
+      std::int64_t half = 0;
+      for (std::size_t i = 0; i < 3; ++i) half += in_steps(side_length(model_.mesh(), t, i));
+      half /= 2;
+      pull_[t] -= half;
+      cut.seeds_outside += length(half);
+    }
+    return cut.scan_ends > before;
+  }
+
+  // Anew with each call.
   void label(RegionCut& cut) const {
+    cut.under_facets = cut.cut_edges = 0;
+    cut.cut_length = cut.contradicted = 0;
     MaxFlow flow(border_.size());
     for (const TriangleId t : border_.ids()) {
       if (pull_[t] > 0) flow.pull_to_source(t.value, pull_[t]);
@@ -57,7 +80,7 @@ class FacetGraph {
       if (!agrees) cut.contradicted += length(std::abs(pull_[t]));
     }
     visit_edges([&](TriangleId a, std::size_t i, TriangleId b) {
-      if (cut.under[a] == cut.under[b]) return;
+      if (cut.under[a] == cut.under[b] || is_end_[a] != 0 || is_end_[b] != 0) return;
       ++cut.cut_edges;
       cut.cut_length += length(in_steps(side_length(model_.mesh(), a, i)));
     });
@@ -102,6 +125,7 @@ class FacetGraph {
   const TriangleSet& border_;
   double steps_;                             // of one unit of length
   IdVector<TriangleId, std::int64_t> pull_;  // > 0: under the cloud
+  TriangleSet is_end_;                       // 1: by pull_outside()
 };
 
 double way_length(const ModelIndex& model, std::span<const TriangleId> facets) {
@@ -150,9 +174,8 @@ double RegionCut::doubt() const {
   return weaker > 0 ? (cut_length + contradicted) / weaker : 1;
 }
 
-TriangleSet certain_border(const ModelIndex& model, const CloudRim& rim,
-                           std::span<const LoopBorder> loops, const CutOptions& options) {
-  TriangleSet border(model.mesh().triangles.size(), 0);
+void certain_border(const ModelIndex& model, const CloudRim& rim, std::span<const LoopBorder> loops,
+                    const CutOptions& options, TriangleSet& border) {
   for (std::size_t l = 0; l < loops.size(); ++l) {
     const RimLoop& loop = rim.loops[l];
     if (loops[l].begin.empty()) continue;
@@ -164,40 +187,68 @@ TriangleSet certain_border(const ModelIndex& model, const CloudRim& rim,
       for (const TriangleId t : facets) border[t] = 1;
     }
   }
-  return border;
 }
 
-RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border, const CloudRim& rim,
+RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
+                          std::span<const CloudRim> rims, std::span<const Scan> scans,
                           const CutOptions& options) {
+  double median_edge = rims.front().median_edge;
+  for (const CloudRim& rim : rims) median_edge = std::min(median_edge, rim.median_edge);
   RegionCut cut;
-  FacetGraph graph(model, border, rim);
-  graph.pull_seeds(rim, options.seed_reach, cut);
+  FacetGraph graph(model, border, median_edge);
+  graph.pull_seeds(rims, options.seed_reach, cut);
   graph.label(cut);
+  while (graph.pull_outside(scan_ends(model, cut.under, scans, options.ends), cut)) {
+    graph.label(cut);
+  }
+  return cut;
+}
+
+std::vector<std::uint8_t> clouds_to_cut(std::span<const CloudRim> rims,
+                                        std::span<const std::size_t> joined) {
+  std::vector<std::uint8_t> cut(rims.size(), 0);
+  for (std::size_t c = 0; c < rims.size(); ++c) {
+    if (rims[c].is_partial()) cut[joined[c]] = 1;
+  }
+  for (std::size_t c = 0; c < rims.size(); ++c) cut[c] = cut[joined[c]];
   return cut;
 }
 
 CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
-                       std::span<const Border> borders, const CutOptions& options,
-                       const SegmentOptions& segment, const Execution& execution) {
+                       std::span<const Border> borders, std::span<const std::vector<Point>> clouds,
+                       std::span<const std::size_t> joined, std::span<const std::uint8_t> is_cut,
+                       const CutOptions& options, const SegmentOptions& segment,
+                       const Execution& execution) {
   CutRegions result;
+  result.cuts.resize(rims.size());
+  result.under.resize(rims.size());
   TriangleSet all(model.mesh().triangles.size(), 0);
-  for (std::size_t c = 0; c < rims.size(); ++c) {
-    result.cuts.emplace_back();
-    result.under.emplace_back();
-    if (rims[c].is_torn()) {
-      const TriangleSet border = certain_border(model, rims[c], borders[c].loops, options);
-      result.cuts[c] = cut_under_cloud(model, border, rims[c], options);
-      for (const TriangleId t : all.ids()) all[t] |= border[t];
-    } else {
-      for (const LoopBorder& band : borders[c].loops) {
+  for (std::size_t first = 0; first < rims.size(); ++first) {
+    if (is_cut[first] == 0) {
+      for (const LoopBorder& band : borders[first].loops) {
         band.for_each_facet([&](TriangleId t) { all[t] = 1; });
       }
     }
+    if (is_cut[first] == 0 || joined[first] != first) continue;
+    TriangleSet border(all.size(), 0);
+    std::vector<CloudRim> cut_rims;
+    std::vector<Scan> scans;
+    for (std::size_t c = first; c < rims.size(); ++c) {
+      if (joined[c] != first) continue;
+      certain_border(model, rims[c], borders[c].loops, options, border);
+      cut_rims.push_back(rims[c]);
+      if (!clouds[c].empty()) scans.push_back({clouds[c], rims[c].median_edge});
+    }
+    result.cuts[first] = cut_under_cloud(model, border, cut_rims, scans, options);
+    for (const TriangleId t : all.ids()) all[t] |= border[t];
   }
   result.regions = segment_model(model, all, segment, execution);
   const std::size_t whole = result.regions.regions.size();
   for (std::size_t c = 0; c < rims.size(); ++c) {
-    if (rims[c].is_torn()) split_by_cut(result.cuts[c].under, c, result);
+    if (is_cut[c] != 0 && joined[c] == c) split_by_cut(result.cuts[c].under, c, result);
+  }
+  for (std::size_t c = 0; c < rims.size(); ++c) {
+    if (is_cut[c] != 0) result.under[c] = result.under[joined[c]];
   }
   if (result.regions.regions.size() > whole) count_and_group(model, result.regions);
   return result;

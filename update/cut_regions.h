@@ -1,5 +1,5 @@
-// Where the rim of a cloud is torn: the model is cut by what is left of it, and by the shortest
-// lines between its stretches.
+// Where the rim of a cloud is partial, torn or shared with other clouds: the model is cut by what
+// is left of it, and by the shortest lines between its stretches.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,7 @@
 #include "geom/ids.h"
 #include "update/cloud_rim.h"
 #include "update/model_index.h"
+#include "update/scan_ends.h"
 #include "update/segment_model.h"
 #include "update/trace_border.h"
 #include "update/triangle_set.h"
@@ -30,23 +31,26 @@ struct CutOptions {
   // The rim does not tell its sides apart if the cut costs more than this share of what the facets
   // on its weaker side say.
   double max_doubt = 0.7;
+  ScanEndOptions ends = {};
 };
 
-// The facets under the rim edges that are known: those with both ends on the model and no cloud
-// beyond them, straight ways only. loops[l] belongs to rim.loops[l].
-// Complexity: O(facets of the model + facets of the border).
-TriangleSet certain_border(const ModelIndex& model, const CloudRim& rim,
-                           std::span<const LoopBorder> loops, const CutOptions& options = {});
+// Adds the facets under the rim edges that are known to `border`: those with both ends on the model
+// and no cloud beyond them, straight ways only. loops[l] belongs to rim.loops[l].
+// Complexity: O(facets of the border).
+void certain_border(const ModelIndex& model, const CloudRim& rim, std::span<const LoopBorder> loops,
+                    const CutOptions& options, TriangleSet& border);
 
 // All lengths are in median edges of the cloud's surface.
 struct RegionCut {
   TriangleSet under;  // 1: the facet lies under the cloud
   std::size_t under_facets = 0;
-  std::size_t cut_edges = 0;  // between facets of both sides, off the border
-  double cut_length = 0;      // of these
-  double seeds_under = 0;     // the border's sides beside facets that say so
+  // Between facets of both sides, off the border, where nothing tells that it should be there.
+  std::size_t cut_edges = 0;
+  double cut_length = 0;   // of these
+  double seeds_under = 0;  // the border's sides beside facets that say so
   double seeds_outside = 0;
-  double contradicted = 0;  // of both, with the other label
+  double contradicted = 0;    // of both, with the other label
+  std::size_t scan_ends = 0;  // facets that say "outside" by ScanEndOptions
 
   // What the cut costs as a share of what the weaker side says; 1 if it says nothing.
   double doubt() const;
@@ -57,30 +61,44 @@ struct RegionCut {
 // edges at the border are long; a cut between two facets costs the length of their edge. The labels
 // are those that cost least in all, of several the ones with the fewest facets under the cloud. So
 // a whole rim is all of the cut; where a stretch of it is missing the shortest way over the model
-// replaces it, and where one is in a wrong place the others outvote it. A facet of the border is
-// under no cloud.
+// replaces it, and where one is in a wrong place the others outvote it. Where the labels would have
+// the model go on under the cloud although the scans end on it (scan_ends.h), facets there say
+// "outside", too. A facet of the border is under no cloud.
+// `rims`: of one cloud, or of several that overlap each other and are cut as one. `scans`: their
+// samples; without them nothing is known of where they end.
 // Why: a border that is closed by walks over its gaps leads astray where the gap is long, and one
 // region is then partly under the cloud and partly not; the mean angle along it decides for all.
 // Complexity: that of a minimum cut of n facets, near linear. Deterministic: lengths are compared
 // as integers, and the labels are unique.
 // Source: ours; Woo & Dey 2005, section 3.4 presumes rims that are closed.
-RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border, const CloudRim& rim,
+RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
+                          std::span<const CloudRim> rims, std::span<const Scan> scans = {},
                           const CutOptions& options = {});
 
-// The regions of an update with torn rims.
+// The regions of an update with partial rims.
 struct CutRegions {
   Regions regions;
-  std::vector<RegionCut> cuts;  // one for each cloud; without labels where the rim is not torn
-  // Of each cloud with a torn rim: 1 for the regions under it. Empty for the others.
+  // One for each cloud that is cut, alone or as the first of joined ones.
+  std::vector<RegionCut> cuts;
+  // Of each cloud that is cut: 1 for the regions under it, or under those it is joined to. Empty
+  // for the others.
   std::vector<IdVector<RegionId, std::uint8_t>> under;
 };
 
+// For each cloud whether it is cut: its rim is partial, or one of those it is joined to.
+// joined[c]: the first of the clouds that c is joined to (joined_clouds()).
+std::vector<std::uint8_t> clouds_to_cut(std::span<const CloudRim> rims,
+                                        std::span<const std::size_t> joined);
+
 // The components of the model without the borders of all clouds, split so that each lies as a whole
-// under each cloud with a torn rim, or outside: parts of regions under a cloud are new ones behind
-// the others. Of torn rims the border is certain_border(), of others all of it.
-// rims[c] and borders[c] belong together. Complexity: as cut_under_cloud() for each torn rim.
+// under each cloud that is cut, or outside: parts of regions under a cloud are new ones behind the
+// others. Of such clouds the border is certain_border(), of others all of it.
+// is_cut: as clouds_to_cut(), or more. rims[c], borders[c], clouds[c], joined[c] and is_cut[c]
+// belong together. Complexity: as cut_under_cloud() for each group of joined clouds.
 CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
-                       std::span<const Border> borders, const CutOptions& options = {},
-                       const SegmentOptions& segment = {}, const Execution& execution = {});
+                       std::span<const Border> borders, std::span<const std::vector<Point>> clouds,
+                       std::span<const std::size_t> joined, std::span<const std::uint8_t> is_cut,
+                       const CutOptions& options = {}, const SegmentOptions& segment = {},
+                       const Execution& execution = {});
 
 }  // namespace cocoon

@@ -33,8 +33,8 @@ std::size_t overlooked_vertices(const ModelIndex& model, const Replacement& repl
                                 std::span<const CloudRim> rims,
                                 std::span<const std::vector<Point>> clouds,
                                 const OverlookedOptions& options) {
-  const auto is_torn = [](const CloudRim& rim) { return rim.is_torn(); };
-  if (std::none_of(rims.begin(), rims.end(), is_torn)) return 0;
+  const auto is_partial = [](const CloudRim& rim) { return rim.is_partial(); };
+  if (std::none_of(rims.begin(), rims.end(), is_partial)) return 0;
   const RimIndex rim_index(rims);
   if (rim_index.empty()) return 0;
   std::vector<Scan> scans;

@@ -26,8 +26,8 @@ struct OverlookedOptions {
 // How many vertices of the model stay although they have been scanned anew far from the rim. Where
 // a cloud lies on the model as it was, both have the same surface, and the old samples of it go; so
 // there are none unless a part of the rim is missing, or the wrong region was chosen. They show
-// regions that stay wrongly, not those that go wrongly. Looked for where the surface of a cloud is
-// torn (CloudRim::is_torn): else its rim is whole, and the result is 0.
+// regions that stay wrongly, not those that go wrongly. Looked for where a rim is partial
+// (CloudRim::is_partial): else all are whole, and the result is 0.
 // rims[i] belongs to clouds[i]; those that formed the border.
 // Complexity: O(v + n log n) for v vertices and n samples. Deterministic. Source: ours.
 std::size_t overlooked_vertices(const ModelIndex& model, const Replacement& replacement,

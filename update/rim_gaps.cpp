@@ -20,11 +20,6 @@ Vec3 outward(const RimLoop& loop, std::size_t i) {
   return unit(dot(apex, along) * along - apex);
 }
 
-// Where cloud beyond edge i would lie.
-Point place_beyond(const RimLoop& loop, std::size_t i, double spacing) {
-  return 0.5 * (loop.points[i] + loop.points[loop.next(i)]) + spacing * outward(loop, i);
-}
-
 // The samples near the places beyond the edges of all loops: few of the cloud.
 std::vector<Point> samples_beyond(Points cloud, const CloudRim& rim, double reach) {
   std::vector<Point> places;
@@ -99,6 +94,10 @@ bool keep_rim_of_seam(RimLoop& loop, double median_edge, const RimGapOptions& op
 }
 
 }  // namespace
+
+Point place_beyond(const RimLoop& loop, std::size_t i, double spacing) {
+  return 0.5 * (loop.points[i] + loop.points[loop.next(i)]) + spacing * outward(loop, i);
+}
 
 void mark_rim_gaps(Points cloud, CloudRim& rim, const RimGapOptions& options) {
   const std::vector<Point> samples = samples_beyond(cloud, rim, options.reach);

@@ -36,4 +36,8 @@ struct RimGapOptions {
 // Source: ours; Woo & Dey 2005, section 3.2 takes every loop of boundary edges.
 void mark_rim_gaps(Points cloud, CloudRim& rim, const RimGapOptions& options = {});
 
+// Where cloud beyond edge i would lie: one spacing outward from its middle, in the plane of its
+// triangle.
+Point place_beyond(const RimLoop& loop, std::size_t i, double spacing);
+
 }  // namespace cocoon

@@ -37,6 +37,12 @@ std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_poi
          "); register it to the model or let it reach onto unchanged surface";
 }
 
+std::string reason_of_open_band(std::size_t max_search_facets) {
+  return "jumps between parts of the model that are not connected, or only by a way over more "
+         "than " +
+         std::to_string(max_search_facets) + " facets; update each part by a cloud of its own";
+}
+
 std::string reason_of_failed_split(SplitStatus status, const SplitRegion& split) {
   if (status == SplitStatus::one_sided) return "the model near the rim lies on one side of it";
   return "what is nearest to its inner side reaches " + rounded(split.reach) +
@@ -70,10 +76,19 @@ std::string warning_of_split(const SplitRegion& split) {
          "); look at the result";
 }
 
-std::string warning_of_cut(const RegionCut& cut) {
-  return "parts of its rim are missing between seams; the model is cut there by the shortest way "
-         "(" +
-         counted(cut.cut_edges, "edge") + "); look at the result";
+std::vector<std::string> warnings_of_cut(const RegionCut& cut) {
+  std::vector<std::string> warnings;
+  if (cut.cut_edges > 0) {
+    warnings.push_back(
+        "parts of its rim are missing; the model is cut there by the shortest way "
+        "(" +
+        counted(cut.cut_edges, "edge") + "); look at the result");
+  }
+  if (cut.scan_ends > 0) {
+    warnings.push_back("the samples end on the model where no rim was found (" +
+                       counted(cut.scan_ends, "facet") + "); what is beyond stays");
+  }
+  return warnings;
 }
 
 std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points) {

@@ -24,6 +24,8 @@ std::string reason_of_closed_cloud(const CloudRim& rim);
 // Why the rim is not on the model; `boundary_points`: of all its loops.
 std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_points,
                                  double max_distance, double rim_spacing);
+// Why a loop does not lie on one part of the model.
+std::string reason_of_open_band(std::size_t max_search_facets);
 // Why labels do not split a region; `split`: the last part that was tried.
 std::string reason_of_failed_split(SplitStatus status, const SplitRegion& split);
 
@@ -35,7 +37,7 @@ std::string reason_of_ambiguity(double margin);
 std::string reason_of_empty_surface(std::size_t updated_points);
 
 std::string warning_of_split(const SplitRegion& split);
-std::string warning_of_cut(const RegionCut& cut);
+std::vector<std::string> warnings_of_cut(const RegionCut& cut);
 std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points);
 std::string warning_of_overlooked(std::size_t vertices);
 // What was unusual about the surface of a cloud.

@@ -58,8 +58,9 @@ class Update {
 
   bool find_overlapping_facets(const ModelIndex& index, const Execution& execution) {
     overlaps_.resize(clouds_.size());
+    shared_with_.resize(clouds_.size());
     for (std::size_t c = 0; c < clouds_.size(); ++c) locate_rim(c, index, execution);
-    excuse_covered_points(rims(), clouds_, overlaps_, options_.overlap);
+    excuse_covered_points(rims_of(result_.clouds), clouds_, overlaps_, options_.overlap);
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       if (overlaps_[c].status == OverlapStatus::no_overlap) try_others(c, index, execution);
       for (const std::string& warning : warnings_of_surface(result_.clouds[c].surface)) {
@@ -76,8 +77,18 @@ class Update {
 
   bool segment_and_choose(const ModelIndex& index, const Execution& execution) {
     if (close_pin_holes(index, execution)) trace_borders(index, execution);
+    is_cut_ = clouds_to_cut(rims_of(result_.clouds), joined_clouds(shared_with_));
     if (!segment(index, execution)) return false;
     std::vector<RegionAngles> angles = measure_angles(index);
+    if (cut_where_scans_end(index, angles)) {
+      if (!segment(index, execution)) return false;
+      angles = measure_angles(index);
+    }
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      for (const std::string& warning : warnings_of_cut(result_.clouds[c].cut)) {
+        warn(name_of_cloud(c) + ": " + warning);
+      }
+    }
     if (!check_separation(index, angles)) return false;
     if (!divided_loops_.empty() && !split_divided_regions(index, angles)) return false;
     for (const SplitRegion& part : result_.split) {
@@ -92,7 +103,7 @@ class Update {
   }
 
   bool reconstruct(const ModelIndex& index, const UpdateParts& parts, const Execution& execution) {
-    const std::vector<CloudRim> rims = border_rims();
+    const std::vector<CloudRim> rims = border_rims_of(result_.clouds);
     result_.replacement =
         replace_points(index, result_.regions, result_.choice, rims, clouds_, options_.replace);
     result_.overlooked =
@@ -154,24 +165,6 @@ class Update {
     }
   }
 
-  std::vector<CloudRim> rims() const {
-    std::vector<CloudRim> rims;
-    rims.reserve(result_.clouds.size());
-    for (const CloudReport& report : result_.clouds) rims.push_back(report.surface.rim);
-    return rims;
-  }
-
-  // The rims that formed the border: of loops that are none of it only the place is left.
-  std::vector<CloudRim> border_rims() const {
-    std::vector<CloudRim> rims = this->rims();
-    for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      for (std::size_t l = 0; l < rims[c].loops.size(); ++l) {
-        if (overlaps_[c].loops[l].match != LoopMatch::on_model) rims[c].loops[l] = {};
-      }
-    }
-    return rims;
-  }
-
   // One entry for each loop of the border.
   std::vector<RegionAngles> measure_angles(const ModelIndex& index) const {
     std::vector<RegionAngles> angles;
@@ -211,22 +204,32 @@ class Update {
       report_loop(c, loop, true);
       rim.loops.push_back(std::move(loop));
     }
+    mark_shared(c);
     overlaps_[c] = overlapping_facets(index, rim, options_.overlap, execution);
+  }
+
+  void mark_shared(std::size_t c) {
+    if (clouds_.size() < 2) return;
+    std::vector<CloudRim> rims = rims_of(result_.clouds);
+    shared_with_[c] = mark_shared_edges(c, clouds_, rims, options_.shared);
+    result_.clouds[c].surface.rim = std::move(rims[c]);
   }
 
   // The rim that looked best is not on the model: takes the best one that is, if there is one.
   void try_others(std::size_t c, const ModelIndex& index, const Execution& execution) {
     const CloudReport report = result_.clouds[c];
     const Overlap overlap = overlaps_[c];
+    const std::vector<std::size_t> shared_with = shared_with_[c];
     for (CloudSurface& other : other_surfaces_[c]) {
       if (other.status != CloudStatus::ok) continue;
       take_surface(c, std::move(other));
       locate_rim(c, index, execution);
-      excuse_covered_points(rims(), clouds_, overlaps_, options_.overlap);
+      excuse_covered_points(rims_of(result_.clouds), clouds_, overlaps_, options_.overlap);
       if (overlaps_[c].status == OverlapStatus::ok) return;
     }
     result_.clouds[c] = report;
     overlaps_[c] = overlap;
+    shared_with_[c] = shared_with;
   }
 
   // A pin-hole that does not cut the model in two, by itself or with other loops, is none of the
@@ -262,26 +265,14 @@ class Update {
       } else {
         for (const TriangleId t : facets.ids()) border_facets_[t] |= facets[t];
       }
-      report.border_facets = border.num_facets;
-      report.walks = border.walks;
-      report.searches = border.searches;
-      report.breaks = border.breaks;
+      enter_border(border, report);
     }
   }
 
   void report_overlap(std::size_t c) {
     const Overlap& overlap = overlaps_[c];
-    CloudReport& report = result_.clouds[c];
-    report.overlapping_facets = overlap.facets;
-    report.star_misses = overlap.star_misses;
-    report.facing_away = overlap.facing_away;
-    report.steep = overlap.steep;
-    report.relocated = overlap.relocated;
-    report.largest_distance = overlap.largest_distance;
+    enter_overlap(overlap, result_.clouds[c]);
     for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
-      report.loops[l].match = overlap.loops[l].match;
-      report.loops[l].unmatched = overlap.loops[l].unmatched;
-      report.loops[l].covered = overlap.loops[l].covered;
       if (overlap.loops[l].match == LoopMatch::on_model) continue;
       warn(name_of_loop(c, l) + (overlap.loops[l].match == LoopMatch::covered
                                      ? ": lies on other clouds and is no border"
@@ -307,16 +298,13 @@ class Update {
       const LoopSides sides =
           loop_sides(model_, index.adjacency(), borders_[c].loops[l], result_.regions);
       result_.clouds[c].loops[l].separation = sides.separation;
-      if (is_torn(c)) return;  // what is left of it is enough: segment()
+      if (is_cut_[c] != 0) return;  // what is left of it is enough: segment()
       if (sides.separation == Separation::encloses_nothing) {
         warn(name_of_loop(c, l) + ": no region of the model lies inside; the cloud is added there");
       } else if (sides.separation == Separation::open_band && ok) {
-        ok = fail(UpdateStatus::non_separating,
-                  name_of_loop(c, l) +
-                      ": jumps between parts of the model that are not connected, or only by a way "
-                      "over more than " +
-                      std::to_string(options_.trace.max_search_facets) +
-                      " facets; update each part by a cloud of its own");
+        ok =
+            fail(UpdateStatus::non_separating,
+                 name_of_loop(c, l) + ": " + reason_of_open_band(options_.trace.max_search_facets));
       } else if (sides.separation == Separation::non_separating && ok) {
         if (tells_sides_apart(angles[e], options_.choice)) {
           warn(name_of_loop(c, l) + ": has a handle of the model across it; look at the result");
@@ -328,18 +316,17 @@ class Update {
     return ok;
   }
 
-  bool is_torn(std::size_t c) const { return result_.clouds[c].surface.rim.is_torn(); }
-  // Where rims are torn: takes regions that lie as a whole under each such cloud, or outside.
+  // Where rims are partial: takes regions that lie as a whole under each such cloud, or outside.
   bool segment(const ModelIndex& index, const Execution& execution) {
-    const auto is_whole = [](const CloudReport& cloud) { return !cloud.surface.rim.is_torn(); };
-    if (std::all_of(result_.clouds.begin(), result_.clouds.end(), is_whole)) {
+    const std::vector<std::size_t> joined = joined_clouds(shared_with_);
+    if (std::count(is_cut_.begin(), is_cut_.end(), 0) == std::ssize(is_cut_)) {
       result_.regions = segment_model(index, border_facets_, options_.segment, execution);
       return true;
     }
-    CutRegions cut =
-        cut_regions(index, border_rims(), borders_, options_.cut, options_.segment, execution);
+    CutRegions cut = cut_regions(index, border_rims_of(result_.clouds), borders_, clouds_, joined,
+                                 is_cut_, options_.cut, options_.segment, execution);
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      if (!is_torn(c)) continue;
+      if (is_cut_[c] == 0 || joined[c] != c) continue;
       cut.cuts[c].under = {};
       const RegionCut& of_cloud = result_.clouds[c].cut = std::move(cut.cuts[c]);
       if (of_cloud.doubt() > options_.cut.max_doubt) {
@@ -347,11 +334,27 @@ class Update {
         return fail(UpdateStatus::non_separating,
                     name_of_cloud(c) + ": " + reason_of_doubtful_cut(of_cloud));
       }
-      if (of_cloud.cut_edges > 0) warn(name_of_cloud(c) + ": " + warning_of_cut(of_cloud));
     }
     result_.regions = std::move(cut.regions);
     decided_ = std::move(cut.under);
     return true;
+  }
+
+  // Whether a scan ends on the model in regions that would go: then its rim is not all there, and
+  // the cloud is to be cut.
+  bool cut_where_scans_end(const ModelIndex& index, std::span<const RegionAngles> angles) {
+    const RegionChoice choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
+    bool found = false;
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      if (is_cut_[c] != 0) continue;
+      const Scan scan = {clouds_[c], result_.clouds[c].surface.rim.median_edge};
+      if (!scan_ends_under(index, result_.regions, choice.clouds[c], scan, options_.cut.ends)) {
+        continue;
+      }
+      is_cut_[c] = 1;
+      found = true;
+    }
+    return found;
   }
 
   // Splits the regions on both sides of divided loops, and measures the angles again. The split
@@ -360,8 +363,8 @@ class Update {
     std::vector<RegionId> divided;
     for (const DividedLoop& loop : divided_loops_) divided.push_back(loop.region);
     make_set(divided);
-    RegionSplit split =
-        split_regions(index, result_.regions, divided, border_rims(), clouds_, options_.split);
+    RegionSplit split = split_regions(index, result_.regions, divided,
+                                      border_rims_of(result_.clouds), clouds_, options_.split);
     result_.split = std::move(split.split);
     if (split.status != SplitStatus::ok) {
       const RegionId failed = result_.split.back().outside;
@@ -415,13 +418,9 @@ class Update {
     std::vector<std::size_t> clouds_over(choice.replaced.size(), 0);
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       CloudReport& report = result_.clouds[c];
-      report.margin_deg = choice.clouds[c].margin * degrees_per_radian;
-      for (const RegionVerdict& verdict : choice.clouds[c].regions) {
-        report.groups.push_back({verdict.region, verdict.mean_angle * degrees_per_radian,
-                                 verdict.edges, verdict.under_cloud});
-        if (!verdict.under_cloud) continue;
-        report.replaced_groups.push_back(verdict.region);
-        if (++clouds_over[verdict.region.index()] == 2) ++seen_by_several;
+      enter_choice(choice.clouds[c], report);
+      for (const RegionId r : report.replaced_groups) {
+        if (++clouds_over[r.index()] == 2) ++seen_by_several;
       }
       if (choice.clouds[c].margin < options_.choice.narrow_margin) {
         warn(name_of_cloud(c) + ": its regions differ by only " + rounded(report.margin_deg) +
@@ -448,6 +447,8 @@ class Update {
   const UpdateOptions& options_;
   std::vector<std::vector<CloudSurface>> other_surfaces_;  // of each cloud, the best one first
   std::vector<Overlap> overlaps_;
+  std::vector<std::vector<std::size_t>> shared_with_;  // of each cloud, by mark_shared_edges()
+  std::vector<std::uint8_t> is_cut_;                   // clouds_to_cut()
   std::vector<Border> borders_;
   TriangleSet border_facets_;
   std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under

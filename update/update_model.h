@@ -19,6 +19,7 @@
 #include "geom/id_vector.h"
 #include "geom/triangle_mesh.h"
 #include "update/choose_regions.h"
+#include "update/cloud_report.h"
 #include "update/cloud_surface.h"
 #include "update/cut_regions.h"
 #include "update/loop_sides.h"
@@ -29,6 +30,7 @@
 #include "update/replace_points.h"
 #include "update/rim_angles.h"
 #include "update/segment_model.h"
+#include "update/shared_edges.h"
 #include "update/split_regions.h"
 #include "update/trace_border.h"
 #include "update/update_status.h"
@@ -42,52 +44,13 @@ struct UpdateOptions {
   TraceOptions trace;
   SegmentOptions segment;
   SplitOptions split;
-  CutOptions cut;  // of torn rims
+  SharedEdgeOptions shared;
+  CutOptions cut;  // of partial rims
   AngleOptions angles;
   ChoiceOptions choice;
   ReplaceOptions replace;
   OverlookedOptions overlooked;
   ReconstructOptions reconstruct;  // of the updated model: the defaults for closed models
-};
-
-// One boundary loop of a cloud.
-struct LoopReport {
-  std::size_t edges = 0;
-  double perimeter = 0;
-  bool pin_hole = false;  // opened, since the model goes on through it (open_pin_holes)
-  LoopMatch match = LoopMatch::off_model;
-  std::size_t unmatched = 0;  // rim points too far from the model
-  std::size_t covered = 0;    // of these, points on another cloud
-  // Of its band alone, without split_regions(); meaningful if on_model.
-  Separation separation = Separation::separates;
-};
-
-// How one cloud saw one region of the model.
-struct GroupAngle {
-  RegionId group;
-  double mean_angle_deg = 0;
-  std::size_t edges = 0;  // rim edges that counted
-  bool under_cloud = false;
-};
-
-struct CloudReport {
-  CloudSurface surface;                        // with rim, rho and trials
-  std::vector<LoopReport> loops;               // as in surface.rim
-  std::size_t boundary_points = 0;             // rim points
-  std::vector<TriangleId> overlapping_facets;  // facets of the model with a rim point on them
-  std::size_t star_misses = 0;                 // see Overlap
-  std::size_t facing_away = 0;
-  std::size_t steep = 0;
-  std::size_t relocated = 0;
-  double largest_distance = 0;
-  std::size_t border_facets = 0;  // with those traced between rim points
-  std::size_t walks = 0;          // see Border
-  std::size_t searches = 0;
-  std::size_t breaks = 0;
-  std::vector<GroupAngle> groups;         // in the order of groups
-  std::vector<RegionId> replaced_groups;  // those under this cloud
-  double margin_deg = 180;                // of its least clear loop; of all if its rim is torn
-  RegionCut cut;                          // where its rim is torn; without the labels
 };
 
 struct UpdateResult {

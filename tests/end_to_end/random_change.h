@@ -2,10 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -14,6 +12,7 @@
 #include "geom/random_point.h"
 #include "geom/triangle_mesh.h"
 #include "tests/end_to_end/local_update.h"
+#include "tests/end_to_end/spread_points.h"
 
 namespace cocoon::testing {
 
@@ -83,25 +82,7 @@ inline std::vector<Point> scan_of(const TriangleMesh& mesh, const RandomChange& 
   for (const TriangleId t : change.place) {
     areas.push_back((areas.empty() ? 0 : areas.back()) + norm(area_vector(mesh, t)));
   }
-  const double least = 0.75 * spacing;
-  std::map<std::array<std::int64_t, 3>, std::vector<Point>> grid;
-  const auto cell_of = [&](const Point& p) {
-    return std::array{static_cast<std::int64_t>(std::floor(p.x / least)),
-                      static_cast<std::int64_t>(std::floor(p.y / least)),
-                      static_cast<std::int64_t>(std::floor(p.z / least))};
-  };
-  const auto is_free = [&](const Point& p) {
-    const auto [x, y, z] = cell_of(p);
-    for (std::int64_t i = 0; i < 27; ++i) {
-      const auto cell = grid.find({x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1});
-      if (cell == grid.end()) continue;
-      for (const Point& q : cell->second) {
-        if (distance(p, q) < least) return false;
-      }
-    }
-    return true;
-  };
-  std::vector<Point> scan;
+  SpreadPoints scan(0.75 * spacing);
   const double darts = 60 * areas.back() / (spacing * spacing);
   for (double thrown = 0; thrown < darts; ++thrown) {
     const auto at = std::lower_bound(areas.begin(), areas.end(), random.uniform() * areas.back());
@@ -109,12 +90,9 @@ inline std::vector<Point> scan_of(const TriangleMesh& mesh, const RandomChange& 
         mesh.triangles[change.place[static_cast<std::size_t>(at - areas.begin())]];
     const Point p = random_point_in(mesh.points[a], mesh.points[b], mesh.points[c], random);
     if (distance(p, change.center) > 1.3 * change.radius) continue;
-    const Point q = change.moved(p);
-    if (!is_free(q)) continue;
-    grid[cell_of(q)].push_back(q);
-    scan.push_back(q);
+    scan.add(change.moved(p));
   }
-  return scan;
+  return scan.points();
 }
 
 }  // namespace cocoon::testing

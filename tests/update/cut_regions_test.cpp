@@ -5,6 +5,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -42,7 +43,12 @@ struct Case {
         rim(std::move(a_rim)),
         border(trace_border(model, rim, overlapping_facets(model, rim))) {}
   RegionCut cut(const CutOptions& options = {}) const {
-    return cut_under_cloud(model, certain_border(model, rim, border.loops, options), rim, options);
+    return cut_under_cloud(model, certain(options), std::span(&rim, 1), scans, options);
+  }
+  TriangleSet certain(const CutOptions& options = {}) const {
+    TriangleSet facets(mesh.triangles.size(), 0);
+    certain_border(model, rim, border.loops, options, facets);
+    return facets;
   }
   double radius_of(TriangleId t) const { return distance(model.centroid(t), middle); }
 
@@ -50,11 +56,12 @@ struct Case {
   ModelIndex model;
   CloudRim rim;
   Border border;
+  std::vector<Scan> scans;
 };
 
 TEST(CutRegions, AWholeRimIsAllOfTheCut) {
   const Case plane(grid_plane(30), torn_rim(0, 0));
-  const TriangleSet border = certain_border(plane.model, plane.rim, plane.border.loops);
+  const TriangleSet border = plane.certain();
   EXPECT_EQ(border, plane.border.facets);
   const RegionCut cut = plane.cut();
   EXPECT_EQ(cut.cut_edges, 0U);
@@ -70,7 +77,7 @@ TEST(CutRegions, AWholeRimIsAllOfTheCut) {
 // A sixth of the rim is missing: the cut is the chord, which is at most 0.8 from the arc.
 TEST(CutRegions, AMissingStretchIsCutTheShortestWay) {
   const Case plane(grid_plane(30), torn_rim(20, 30));
-  const TriangleSet border = certain_border(plane.model, plane.rim, plane.border.loops);
+  const TriangleSet border = plane.certain();
   const RegionCut cut = plane.cut();
   EXPECT_GE(cut.cut_edges, 4U);
   EXPECT_LE(cut.cut_length * plane.rim.median_edge, 2 * radius);
@@ -127,10 +134,10 @@ TEST(CutRegions, ADetourIsNoPartOfTheBorder) {
   longer.facets = detour;
   longer.begin.assign(band.begin.size(), static_cast<std::uint32_t>(detour.size()));
   longer.begin[0] = 0;
-  const std::vector<LoopBorder> loops = {longer};
-  const TriangleSet none = certain_border(plane.model, plane.rim, loops);
+  plane.border.loops = {longer};
+  const TriangleSet none = plane.certain();
   EXPECT_EQ(std::count(none.begin(), none.end(), 1), 0);
-  const TriangleSet all = certain_border(plane.model, plane.rim, loops, {.max_detour = 1e9});
+  const TriangleSet all = plane.certain({.max_detour = 1e9});
   EXPECT_GT(std::count(all.begin(), all.end(), 1), 100);
 }
 
@@ -167,6 +174,76 @@ TEST(CutRegions, ARimThatTellsNothingIsDoubtful) {
   EXPECT_EQ(torus.cut({.seed_reach = 0}).under_facets, 0U);
 }
 
+// Of a belt around a ball one rim is known. Nothing keeps the other half of the ball from lying
+// under it, too, but the samples of the belt, which end on it.
+TEST(CutRegions, SamplesTellWhereARimIsMissing) {
+  const Vec3 south = {0, 0, -1};
+  CloudRim rim = rim_of({testing::cap_rim(100, south, std::numbers::pi - 1)});
+  rim.median_edge = rim.spacing;
+  Case ball(testing::sphere(5), rim);
+  std::vector<Point> belt;
+  for (double polar = 1; polar < 2.1; polar += 0.05) {
+    const double raised = 1 + std::max(0.0, 0.3 - std::abs(polar - 1.5));
+    for (int k = 0; k < 120; ++k) {
+      const double angle = 2 * std::numbers::pi * k / 120;
+      belt.push_back(raised * Point{std::sin(polar) * std::cos(angle),
+                                    std::sin(polar) * std::sin(angle), std::cos(polar)});
+    }
+  }
+  ball.scans = {{belt, 0.05}};
+  const RegionCut cut = ball.cut();
+  EXPECT_GT(cut.scan_ends, 50U);
+  EXPECT_LT(cut.doubt(), CutOptions().max_doubt);
+  const auto polar_of = [&](TriangleId t) { return std::acos(unit(ball.model.centroid(t)).z); };
+  for (const TriangleId t : ball.mesh.triangles.ids()) {
+    if (polar_of(t) > 1.1 && polar_of(t) < 2) {
+      EXPECT_EQ(cut.under[t], 1) << polar_of(t);
+    }
+    if (polar_of(t) < 0.9 || polar_of(t) > 2.3) {
+      EXPECT_EQ(cut.under[t], 0) << polar_of(t);
+    }
+  }
+  ball.scans.clear();
+  const RegionCut without = ball.cut();
+  EXPECT_EQ(without.cut_edges, 0U);
+  EXPECT_GT(without.under_facets, cut.under_facets + 1000);
+}
+
+// Two halves of a disk: each has its rim in the midst of the other, which is marked as shared.
+TEST(CutRegions, JoinedCloudsAreCutAsOne) {
+  const TriangleMesh mesh = grid_plane(30);
+  const ModelIndex model(mesh);
+  std::vector<CloudRim> rims(2, torn_rim(0, 0));
+  for (std::size_t i = 0; i < 60; ++i) {
+    rims[0].loops[0].gap[i] = i >= 28 ? 1 : 0;
+    rims[1].loops[0].gap[i] = i < 32 && i > 2 ? 1 : 0;
+  }
+  for (CloudRim& rim : rims) {
+    rim.gap_edges = 0;
+    rim.shared_edges = 30;
+  }
+  std::vector<Border> borders;
+  for (const CloudRim& rim : rims) {
+    borders.push_back(trace_border(model, rim, overlapping_facets(model, rim)));
+  }
+  const std::vector<std::vector<Point>> clouds(2);
+  const std::vector<std::uint8_t> both = {1, 1};
+  const CutRegions joined =
+      cut_regions(model, rims, borders, clouds, std::vector<std::size_t>{0, 0}, both);
+  EXPECT_EQ(joined.under[0], joined.under[1]);
+  EXPECT_LE(joined.cuts[0].cut_edges, 2U);
+  for (const TriangleId t : mesh.triangles.ids()) {
+    const RegionId r = joined.regions.region_of_facet[t];
+    if (r.is_none()) continue;
+    EXPECT_EQ(joined.under[0][r] != 0, distance(model.centroid(t), middle) < radius);
+  }
+  // Alone each is cut across.
+  const CutRegions alone =
+      cut_regions(model, rims, borders, clouds, std::vector<std::size_t>{0, 1}, both);
+  EXPECT_GT(alone.cuts[0].cut_edges, 5U);
+  EXPECT_GT(alone.cuts[1].cut_edges, 5U);
+}
+
 // Two clouds side by side, one with a torn rim: each region lies as a whole under each of them, or
 // outside, and what the cut says is replaced.
 TEST(CutRegions, RegionsLieAsAWholeUnderEachCloud) {
@@ -188,7 +265,11 @@ TEST(CutRegions, RegionsLieAsAWholeUnderEachCloud) {
   for (const CloudRim& rim : rims) {
     borders.push_back(trace_border(model, rim, overlapping_facets(model, rim)));
   }
-  const CutRegions found = cut_regions(model, rims, borders);
+  const std::vector<std::vector<Point>> clouds(3);  // where they end is not known
+  const std::vector<std::size_t> alone = {0, 1, 2};
+  const std::vector<std::uint8_t> is_cut = clouds_to_cut(rims, alone);
+  EXPECT_EQ(is_cut, (std::vector<std::uint8_t>{0, 1, 1}));
+  const CutRegions found = cut_regions(model, rims, borders, clouds, alone, is_cut);
   EXPECT_TRUE(found.under[0].empty());
   std::vector<RegionAngles> angles;
   for (std::size_t c = 0; c < rims.size(); ++c) {

@@ -1,0 +1,55 @@
+#include "update/cloud_report.h"
+
+#include <numbers>
+
+namespace cocoon {
+
+std::vector<CloudRim> rims_of(std::span<const CloudReport> clouds) {
+  std::vector<CloudRim> rims;
+  rims.reserve(clouds.size());
+  for (const CloudReport& cloud : clouds) rims.push_back(cloud.surface.rim);
+  return rims;
+}
+
+std::vector<CloudRim> border_rims_of(std::span<const CloudReport> clouds) {
+  std::vector<CloudRim> rims = rims_of(clouds);
+  for (std::size_t c = 0; c < clouds.size(); ++c) {
+    for (std::size_t l = 0; l < rims[c].loops.size(); ++l) {
+      if (clouds[c].loops[l].match != LoopMatch::on_model) rims[c].loops[l] = {};
+    }
+  }
+  return rims;
+}
+
+void enter_overlap(const Overlap& overlap, CloudReport& report) {
+  report.overlapping_facets = overlap.facets;
+  report.star_misses = overlap.star_misses;
+  report.facing_away = overlap.facing_away;
+  report.steep = overlap.steep;
+  report.relocated = overlap.relocated;
+  report.largest_distance = overlap.largest_distance;
+  for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
+    report.loops[l].match = overlap.loops[l].match;
+    report.loops[l].unmatched = overlap.loops[l].unmatched;
+    report.loops[l].covered = overlap.loops[l].covered;
+  }
+}
+
+void enter_border(const Border& border, CloudReport& report) {
+  report.border_facets = border.num_facets;
+  report.walks = border.walks;
+  report.searches = border.searches;
+  report.breaks = border.breaks;
+}
+
+void enter_choice(const CloudChoice& choice, CloudReport& report) {
+  constexpr double degrees_per_radian = 180 / std::numbers::pi;
+  report.margin_deg = choice.margin * degrees_per_radian;
+  for (const RegionVerdict& verdict : choice.regions) {
+    report.groups.push_back({verdict.region, verdict.mean_angle * degrees_per_radian, verdict.edges,
+                             verdict.under_cloud});
+    if (verdict.under_cloud) report.replaced_groups.push_back(verdict.region);
+  }
+}
+
+}  // namespace cocoon

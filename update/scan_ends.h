@@ -1,0 +1,46 @@
+// Where scans end on the model, by their samples alone.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geom/ids.h"
+#include "geom/point.h"
+#include "update/choose_regions.h"
+#include "update/model_index.h"
+#include "update/segment_model.h"
+#include "update/triangle_set.h"
+
+namespace cocoon {
+
+struct ScanEndOptions {
+  // A facet was scanned if its centroid is no farther from a sample than this many spacings.
+  double scanned = 2;
+  // A sample farther from the model than this many spacings shows that it was changed there.
+  double off_model = 0.5;
+  // Facets with such a sample within this many spacings are where the scanned surface leaves the
+  // model, not where the scan ends.
+  double change_reach = 4;
+};
+
+// A cloud and the spacing of its samples.
+struct Scan {
+  Points samples;
+  double spacing = 0;
+};
+
+// The facets of `among` that were not scanned, but have a neighbor that was, with all samples
+// around on the model: there the scans end and the model goes on, as at a rim, whether or not their
+// surfaces show one. Where material went or came, the samples leave the model.
+// In the order of ids. Complexity: O(n log n) for the samples and the facets of `among`, and a few
+// operations for each facet of the model. Deterministic. Source: ours.
+std::vector<TriangleId> scan_ends(const ModelIndex& model, const TriangleSet& among,
+                                  std::span<const Scan> scans, const ScanEndOptions& options = {});
+
+// Whether the scan ends on the model in the regions that are to go under it, if these reach beyond
+// the box of its samples. (Else nothing is lost that was not scanned around, and nothing is looked
+// at.) Complexity: O(samples + facets), as scan_ends() where they reach beyond.
+bool scan_ends_under(const ModelIndex& model, const Regions& regions, const CloudChoice& choice,
+                     const Scan& scan, const ScanEndOptions& options = {});
+
+}  // namespace cocoon

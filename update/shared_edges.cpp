@@ -1,0 +1,96 @@
+#include "update/shared_edges.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "geom/box.h"
+#include "geom/nearest_point.h"
+#include "update/reached_cells.h"
+#include "update/rim_gaps.h"
+
+namespace cocoon {
+
+namespace {
+
+// An edge of a loop and where another cloud beyond it would have samples.
+struct PlaceBeyond {
+  std::size_t loop;
+  std::size_t edge;
+  Point place;
+};
+
+std::vector<PlaceBeyond> places_in(const Box& box, const CloudRim& rim, double step) {
+  std::vector<PlaceBeyond> found;
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    for (std::size_t i = 0; i < rim.loops[l].size(); ++i) {
+      const Point place = place_beyond(rim.loops[l], i, step);
+      if (contains(box, place)) found.push_back({l, i, place});
+    }
+  }
+  return found;
+}
+
+std::vector<Point> samples_near(Points cloud, const std::vector<PlaceBeyond>& places,
+                                double reach) {
+  std::vector<Point> centers;
+  centers.reserve(places.size());
+  for (const PlaceBeyond& p : places) centers.push_back(p.place);
+  const ReachedCells near(centers, reach_with_rounding(centers, reach));
+  std::vector<Point> samples;
+  for (const Point& p : cloud) {
+    if (near.overlap(Box{p, p})) samples.push_back(p);
+  }
+  return samples;
+}
+
+}  // namespace
+
+std::vector<std::size_t> mark_shared_edges(std::size_t c,
+                                           std::span<const std::vector<Point>> clouds,
+                                           std::span<CloudRim> rims,
+                                           const SharedEdgeOptions& options) {
+  std::vector<std::size_t> others;
+  CloudRim& rim = rims[c];
+  for (std::size_t other = 0; other < clouds.size(); ++other) {
+    if (other == c || clouds[other].empty()) continue;
+    const double step = std::max(rim.spacing, rims[other].median_edge);
+    const double reach = options.reach * step;
+    Box box = box_of(clouds[other]);
+    box.enlarge(reach);
+    const std::vector<PlaceBeyond> places = places_in(box, rim, step);
+    if (places.empty()) continue;
+    const std::vector<Point> samples = samples_near(clouds[other], places, reach);
+    if (samples.empty()) continue;
+    const NearestPointTree tree(samples);
+    bool shares = false;
+    for (const PlaceBeyond& p : places) {
+      if (tree.nearest(p.place).squared_distance > reach * reach) continue;
+      shares = true;
+      RimLoop& loop = rim.loops[p.loop];
+      if (loop.is_gap(p.edge)) continue;
+      loop.gap.resize(loop.size(), 0);
+      loop.gap[p.edge] = 1;
+      ++rim.shared_edges;
+    }
+    if (shares) others.push_back(other);
+  }
+  return others;
+}
+
+std::vector<std::size_t> joined_clouds(std::span<const std::vector<std::size_t>> others) {
+  std::vector<std::size_t> lowest(others.size());
+  std::iota(lowest.begin(), lowest.end(), std::size_t{0});
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t c = 0; c < others.size(); ++c) {
+      for (const std::size_t other : others[c]) {
+        const std::size_t least = std::min(lowest[c], lowest[other]);
+        changed = changed || lowest[c] != least || lowest[other] != least;
+        lowest[c] = lowest[other] = least;
+      }
+    }
+  }
+  return lowest;
+}
+
+}  // namespace cocoon

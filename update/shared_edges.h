@@ -1,0 +1,37 @@
+// Where clouds overlap each other: which parts of a rim another cloud goes on beyond.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geom/point.h"
+#include "update/cloud_rim.h"
+
+namespace cocoon {
+
+struct SharedEdgeOptions {
+  // A rim edge is shared with another cloud that has a sample within `reach` spacings of the point
+  // one spacing outward from its midpoint, as in RimGapOptions. The spacing is the larger one of
+  // the rim's and the other cloud's.
+  double reach = 0.85;
+};
+
+// Marks the edges of rims[c] that are shared as gaps (RimLoop::gap) and counts those that were none
+// (CloudRim::shared_edges). Returns the other clouds with such samples, in increasing order.
+// Why: what several scans that overlap each other show ends where all of them end. The rim of one
+// in the midst of another tells nothing about the model, whether it is near it or far away.
+// clouds[i] belongs to rims[i]. Complexity: O(samples + m log m) for the m rim edges and samples
+// in the boxes of each other. Deterministic. Source: ours; clouds that overlap each other do not
+// occur in Woo & Dey 2005.
+std::vector<std::size_t> mark_shared_edges(std::size_t c,
+                                           std::span<const std::vector<Point>> clouds,
+                                           std::span<CloudRim> rims,
+                                           const SharedEdgeOptions& options = {});
+
+// The lowest cloud among those that hang together with each; others[c]: clouds that c shares edges
+// with.
+std::vector<std::size_t> joined_clouds(std::span<const std::vector<std::size_t>> others);
+
+}  // namespace cocoon
