@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/max_flow.h"
+#include "geom/sort_ids.h"
+#include "geom/visit_where.h"
+#include "update/facet_cut.h"
 #include "update/rim_index.h"
 
 namespace cocoon {
@@ -16,74 +18,63 @@ namespace {
 // Lengths as integers, in this share of the median edge.
 constexpr double steps_per_edge = 1024;
 
-// The facets of the model as nodes of a graph.
-class FacetGraph {
- public:
-  FacetGraph(const ModelIndex& model, const TriangleSet& border, double median_edge)
-      : model_(model),
-        border_(border),
-        steps_(steps_per_edge / median_edge),
-        pull_(border.size(), 0),
-        is_end_(border.size(), 0) {}
+double length_of(std::int64_t steps) { return static_cast<double>(steps) / steps_per_edge; }
 
-  void pull_seeds(std::span<const CloudRim> all_rims, double reach, RegionCut& cut) {
+// The facets that say on which side they are, and what they cost.
+class CutSeeds {
+ public:
+  CutSeeds(const ModelIndex& model, const TriangleSet& border, double median_edge)
+      : model_(model), border_(border), steps_(steps_per_edge / median_edge) {}
+
+  // By the rims: those beside the border.
+  void pull_by_rims(std::span<const CloudRim> all_rims, double reach, RegionCut& cut) {
     const RimIndex rims(all_rims);
     if (rims.empty()) return;
-    for (const TriangleId t : border_.ids()) {
-      if (border_[t] != 0) continue;
+    for (const TriangleId t : beside_border()) {
       const Sides sides = sides_of(t);
-      if (sides.at_border == 0) continue;
       const RimSide side = rims.side_of(model_.centroid(t));
       const double spacing = all_rims[side.rim].spacing;
       if (!(side.distance <= reach * std::max(spacing, sides.shortest))) continue;
-      pull_[t] = side.on_cloud_side ? sides.at_border : -sides.at_border;
-      (side.on_cloud_side ? cut.seeds_under : cut.seeds_outside) += length(sides.at_border);
+      pulls_.push_back({t, side.on_cloud_side ? sides.at_border : -sides.at_border});
+      (side.on_cloud_side ? cut.seeds_under : cut.seeds_outside) += length_of(sides.at_border);
     }
   }
 
-  // Facets that the labels have under the cloud although the scan ended before them. Half of their
-  // sides: more than a cut between them and the scanned ones costs, less than one around each.
-  // Returns whether there are new ones.
-  bool pull_outside(const std::vector<TriangleId>& facets, RegionCut& cut) {
-    const std::size_t before = cut.scan_ends;
-    for (const TriangleId t : facets) {
-      if (std::exchange(is_end_[t], 1) != 0) continue;
-      ++cut.scan_ends;
+  // By the samples: those that the labels have under the cloud although the scan ended before them.
+  // Half of their sides: more than a cut between them and the scanned ones costs, less than one
+  // around each.
+  void pull_outside(const std::vector<TriangleId>& ends, RegionCut& cut) {
+    for (const TriangleId t : ends) {
       std::int64_t half = 0;
-      for (std::size_t i = 0; i < 3; ++i) half += in_steps(side_length(model_.mesh(), t, i));
+      for (std::size_t i = 0; i < 3; ++i) half += side_in_steps(model_, t, i, steps_);
       half /= 2;
-      pull_[t] -= half;
-      cut.seeds_outside += length(half);
+      cut.seeds_outside += length_of(half);
+      const auto at = std::find_if(pulls_.begin(), pulls_.end(),
+                                   [&](const FacetPull& p) { return p.facet == t; });
+      at == pulls_.end() ? pulls_.push_back({t, -half}) : void(at->pull -= half);
     }
-    return cut.scan_ends > before;
+    ends_ = ends;
+    cut.scan_ends = ends.size();
   }
 
   // Anew with each call.
   void label(RegionCut& cut) const {
-    cut.under_facets = cut.cut_edges = 0;
+    FacetCut found = facet_cut(model_, border_, pulls_, steps_);
+    cut.under = std::move(found.source);
+    cut.under_facets = found.source_facets;
+    cut.cut_edges = 0;
     cut.cut_length = cut.contradicted = 0;
-    MaxFlow flow(border_.size());
-    for (const TriangleId t : border_.ids()) {
-      if (pull_[t] > 0) flow.pull_to_source(t.value, pull_[t]);
-      if (pull_[t] < 0) flow.pull_to_sink(t.value, -pull_[t]);
+    for (const FacetPull& p : pulls_) {
+      const bool agrees = cut.under[p.facet] != 0 ? p.pull >= 0 : p.pull <= 0;
+      if (!agrees) cut.contradicted += length_of(std::abs(p.pull));
     }
-    visit_edges([&](TriangleId a, std::size_t i, TriangleId b) {
-      flow.add_edge(a.value, b.value, in_steps(side_length(model_.mesh(), a, i)));
-    });
-    const std::vector<std::uint8_t> source = flow.source_side();
-    cut.under = TriangleSet(border_.size(), 0);
-    for (const TriangleId t : border_.ids()) {
-      if (border_[t] != 0) continue;
-      cut.under[t] = source[t.index()];
-      cut.under_facets += source[t.index()];
-      const bool agrees = source[t.index()] != 0 ? pull_[t] >= 0 : pull_[t] <= 0;
-      if (!agrees) cut.contradicted += length(std::abs(pull_[t]));
-    }
-    visit_edges([&](TriangleId a, std::size_t i, TriangleId b) {
-      if (cut.under[a] == cut.under[b] || is_end_[a] != 0 || is_end_[b] != 0) return;
+    for (const HalfedgeId side : found.sides) {
+      const TriangleId t = triangle_of(side);
+      const auto i = static_cast<std::size_t>(corner_of(side));
+      if (is_end(t) || is_end(model_.adjacency().neighbors[t][i])) continue;
       ++cut.cut_edges;
-      cut.cut_length += length(in_steps(side_length(model_.mesh(), a, i)));
-    });
+      cut.cut_length += length_of(side_in_steps(model_, t, i, steps_));
+    }
   }
 
  private:
@@ -92,40 +83,38 @@ class FacetGraph {
     double shortest = 0;
   };
 
-  static double length(std::int64_t steps) { return static_cast<double>(steps) / steps_per_edge; }
+  bool is_end(TriangleId t) const { return std::binary_search(ends_.begin(), ends_.end(), t); }
 
-  std::int64_t in_steps(double side) const { return std::llround(side * steps_); }
+  // In the order of ids.
+  std::vector<TriangleId> beside_border() const {
+    std::vector<TriangleId> facets;
+    visit_where(
+        border_.size(), [&](std::size_t i) { return border_[TriangleId(i)] != 0; },
+        [&](std::size_t i) {
+          for (const TriangleId next : model_.adjacency().neighbors[TriangleId(i)]) {
+            if (!next.is_none() && border_[next] == 0) facets.push_back(next);
+          }
+        });
+    make_set(facets);
+    return facets;
+  }
 
-  // All zero away from the border, where most facets are.
   Sides sides_of(TriangleId t) const {
     Sides sides;
     for (std::size_t i = 0; i < 3; ++i) {
       const TriangleId next = model_.adjacency().neighbors[t][i];
       if (next.is_none() || border_[next] == 0) continue;
-      sides.at_border += in_steps(side_length(model_.mesh(), t, i));
+      sides.at_border += side_in_steps(model_, t, i, steps_);
     }
-    if (sides.at_border > 0) sides.shortest = shortest_side(model_.mesh(), t);
+    sides.shortest = shortest_side(model_.mesh(), t);
     return sides;
-  }
-
-  // Calls visit(a, i, b) for the edges between facets off the border: the i-th side of a.
-  template <class Visit>
-  void visit_edges(const Visit& visit) const {
-    for (const TriangleId t : border_.ids()) {
-      if (border_[t] != 0) continue;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const TriangleId next = model_.adjacency().neighbors[t][i];
-        if (next.is_none() || !(t < next) || border_[next] != 0) continue;
-        visit(t, i, next);
-      }
-    }
   }
 
   const ModelIndex& model_;
   const TriangleSet& border_;
-  double steps_;                             // of one unit of length
-  IdVector<TriangleId, std::int64_t> pull_;  // > 0: under the cloud
-  TriangleSet is_end_;                       // 1: by pull_outside()
+  double steps_;  // of one unit of length
+  std::vector<FacetPull> pulls_;
+  std::vector<TriangleId> ends_;  // in the order of ids
 };
 
 double way_length(const ModelIndex& model, std::span<const TriangleId> facets) {
@@ -195,12 +184,22 @@ RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
   double median_edge = rims.front().median_edge;
   for (const CloudRim& rim : rims) median_edge = std::min(median_edge, rim.median_edge);
   RegionCut cut;
-  FacetGraph graph(model, border, median_edge);
-  graph.pull_seeds(rims, options.seed_reach, cut);
-  graph.label(cut);
-  while (graph.pull_outside(scan_ends(model, cut.under, scans, options.ends), cut)) {
-    graph.label(cut);
+  CutSeeds seeds(model, border, median_edge);
+  seeds.pull_by_rims(rims, options.seed_reach, cut);
+  seeds.label(cut);
+  const auto is_clear = [&](const CloudRim& rim) {
+    return static_cast<double>(rim.gap_edges) <=
+           options.clear_gap_share * static_cast<double>(rim.rim_edges);
+  };
+  if (std::all_of(rims.begin(), rims.end(), is_clear) &&
+      !reaches_beyond(model, cut.under, scans, options.ends)) {
+    return cut;
   }
+  const std::vector<TriangleId> ends = scan_ends(model, cut.under, scans, options.ends);
+  if (ends.empty()) return cut;
+  // Fewer facets are under the cloud then: none that was not looked at.
+  seeds.pull_outside(ends, cut);
+  seeds.label(cut);
   return cut;
 }
 

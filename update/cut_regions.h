@@ -31,6 +31,9 @@ struct CutOptions {
   // The rim does not tell its sides apart if the cut costs more than this share of what the facets
   // on its weaker side say.
   double max_doubt = 0.7;
+  // Of rims with no larger share of seams no loop is lost (as CloudSurfaceOptions::max_gap_share):
+  // where scans end is looked for only if what would go reaches beyond the box of the samples.
+  double clear_gap_share = 0.05;
   ScanEndOptions ends = {};
 };
 

@@ -2,25 +2,45 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 
 #include "geom/box.h"
 #include "geom/nearest_point.h"
+#include "geom/visit_where.h"
+#include "geom/zeroed_array.h"
 #include "update/near_facets.h"
+#include "update/reached_cells.h"
 
 namespace cocoon {
 
 namespace {
 
-// How near the scans come to facets, in spacings of each.
-class Nearness {
+std::vector<Point> centroids(const ModelIndex& model, const std::vector<TriangleId>& facets) {
+  std::vector<Point> points;
+  points.reserve(facets.size());
+  for (const TriangleId t : facets) points.push_back(model.centroid(t));
+  return points;
+}
+
+// All samples within `reach` of a place, and some that are not much farther.
+std::vector<Point> samples_near(const Scan& scan, Points places, double reach) {
+  const ReachedCells cells(places, reach_with_rounding(places, reach));
+  std::vector<Point> near;
+  for (const Point& p : scan.samples) {
+    if (cells.overlap(Box{p, p})) near.push_back(p);
+  }
+  return near;
+}
+
+// Whether facets were scanned.
+class Coverage {
  public:
-  Nearness(const ModelIndex& model, std::span<const Scan> scans, double reach)
-      : model_(model), scans_(scans), reach_(reach), known_(model.mesh().triangles.size(), 0) {
+  // `places`: all that will be asked about, and their neighbors.
+  Coverage(const ModelIndex& model, std::span<const Scan> scans, Points places, double reach)
+      : model_(model), known_(model.mesh().triangles.size()) {
     for (const Scan& scan : scans) {
-      trees_.emplace_back(scan.samples);
-      boxes_.push_back(box_of(scan.samples));
-      boxes_.back().enlarge(reach * scan.spacing);
+      const double distance = reach * scan.spacing;
+      const std::vector<Point> near = samples_near(scan, places, distance);
+      if (!near.empty()) scans_.push_back({NearestPointTree(near), distance});
     }
   }
 
@@ -29,92 +49,86 @@ class Nearness {
     return known_[t] == 1;
   }
 
-  // The largest spacing of those scans that are nearest to p.
-  double spacing_at(const Point& p) const {
-    double least = std::numeric_limits<double>::infinity();
-    double spacing = 0;
-    for (std::size_t s = 0; s < scans_.size(); ++s) {
-      const double distance = trees_[s].nearest(p).squared_distance;
-      if (distance > least || (distance == least && scans_[s].spacing <= spacing)) continue;
-      least = distance;
-      spacing = scans_[s].spacing;
-    }
-    return spacing;
-  }
-
  private:
+  struct NearScan {
+    NearestPointTree samples;
+    double reach;
+  };
+
   bool is_near(const Point& p) const {
-    for (std::size_t s = 0; s < scans_.size(); ++s) {
-      const double reach = reach_ * scans_[s].spacing;
-      if (!contains(boxes_[s], p)) continue;
-      if (trees_[s].nearest(p).squared_distance <= reach * reach) return true;
-    }
-    return false;
+    return std::any_of(scans_.begin(), scans_.end(), [&](const NearScan& scan) {
+      return scan.samples.nearest(p).squared_distance <= scan.reach * scan.reach;
+    });
   }
 
   const ModelIndex& model_;
-  std::span<const Scan> scans_;
-  double reach_;
-  IdVector<TriangleId, std::uint8_t> known_;  // 1: scanned, 2: not scanned
-  std::vector<NearestPointTree> trees_;
-  std::vector<Box> boxes_;
+  ZeroedArray<TriangleId, std::uint8_t> known_;  // 1: scanned, 2: not scanned
+  std::vector<NearScan> scans_;
 };
 
-// The samples near the places that lie farther from the model than off_model spacings.
-std::vector<Point> samples_off_model(const ModelIndex& model, std::span<const Scan> scans,
-                                     const std::vector<Point>& places,
-                                     const ScanEndOptions& options) {
-  const NearestPointTree near_place(places);
-  Box extent = box_of(places);
-  double largest = 0;
-  for (const Scan& scan : scans) largest = std::max(largest, scan.spacing);
-  extent.enlarge(options.change_reach * largest);
+// Takes out the places with a sample of the scan near them that is not on the model.
+void leave_out_changes(const ModelIndex& model, const Scan& scan, const ScanEndOptions& options,
+                       std::vector<TriangleId>& ends) {
+  if (ends.empty()) return;
+  const double around = options.change_reach * scan.spacing;
+  const double off_model = options.off_model * scan.spacing;
+  const std::vector<Point> asked = samples_near(scan, centroids(model, ends), around);
+  if (asked.empty()) return;
+  const NearFacets near(model, asked, off_model);
   std::vector<Point> off;
-  for (const Scan& scan : scans) {
-    const double around = options.change_reach * scan.spacing;
-    std::vector<Point> asked;
-    for (const Point& p : scan.samples) {
-      if (!contains(extent, p)) continue;
-      if (near_place.nearest(p).squared_distance <= around * around) asked.push_back(p);
-    }
-    if (asked.empty()) continue;
-    const double reach = options.off_model * scan.spacing;
-    const NearFacets near(model, asked, reach);
-    for (const Point& p : asked) {
-      const auto any = [](TriangleId) { return true; };
-      if (near.closest(p, reach * reach, any).triangle.is_none()) off.push_back(p);
-    }
+  for (const Point& p : asked) {
+    const auto any = [](TriangleId) { return true; };
+    if (near.closest(p, off_model * off_model, any).triangle.is_none()) off.push_back(p);
   }
-  return off;
+  if (off.empty()) return;
+  const NearestPointTree changed(off);
+  std::erase_if(ends, [&](TriangleId t) {
+    return changed.nearest(model.centroid(t)).squared_distance <= around * around;
+  });
 }
 
 }  // namespace
 
+bool reaches_beyond(const ModelIndex& model, const TriangleSet& among, std::span<const Scan> scans,
+                    const ScanEndOptions& options) {
+  if (scans.empty()) return false;
+  Box box;
+  for (const Scan& scan : scans) {
+    Box around = box_of(scan.samples);
+    around.enlarge(options.scanned * scan.spacing);
+    box.include(around);
+  }
+  bool found = false;
+  visit_where(
+      among.size(), [&](std::size_t i) { return among[TriangleId(i)] != 0; },
+      [&](std::size_t i) { found = found || !contains(box, model.centroid(TriangleId(i))); });
+  return found;
+}
+
 std::vector<TriangleId> scan_ends(const ModelIndex& model, const TriangleSet& among,
                                   std::span<const Scan> scans, const ScanEndOptions& options) {
-  if (scans.empty()) return {};
-  Nearness nearness(model, scans, options.scanned);
+  std::vector<TriangleId> asked;
+  visit_where(
+      among.size(), [&](std::size_t i) { return among[TriangleId(i)] != 0; },
+      [&](std::size_t i) { asked.push_back(TriangleId(i)); });
+  if (scans.empty() || asked.empty()) return {};
+  std::vector<TriangleId> around = asked;
+  for (const TriangleId t : asked) {
+    for (const TriangleId next : model.adjacency().neighbors[t]) {
+      if (!next.is_none() && among[next] == 0) around.push_back(next);
+    }
+  }
+  Coverage coverage(model, scans, centroids(model, around), options.scanned);
   std::vector<TriangleId> ends;
-  std::vector<Point> places;
-  for (const TriangleId t : among.ids()) {
-    if (among[t] == 0 || nearness.is_scanned(t)) continue;
+  for (const TriangleId t : asked) {
+    if (coverage.is_scanned(t)) continue;
     const auto& neighbors = model.adjacency().neighbors[t];
     const bool at_scan = std::any_of(neighbors.begin(), neighbors.end(), [&](TriangleId next) {
-      return !next.is_none() && nearness.is_scanned(next);
+      return !next.is_none() && coverage.is_scanned(next);
     });
-    if (!at_scan) continue;
-    ends.push_back(t);
-    places.push_back(model.centroid(t));
+    if (at_scan) ends.push_back(t);
   }
-  if (ends.empty()) return {};
-  const std::vector<Point> off = samples_off_model(model, scans, places, options);
-  if (off.empty()) return ends;
-  const NearestPointTree changed(off);
-  std::erase_if(ends, [&](TriangleId t) {
-    const Point p = model.centroid(t);
-    const double reach = options.change_reach * nearness.spacing_at(p);
-    return changed.nearest(p).squared_distance <= reach * reach;
-  });
+  for (const Scan& scan : scans) leave_out_changes(model, scan, options, ends);
   return ends;
 }
 
@@ -122,17 +136,14 @@ bool scan_ends_under(const ModelIndex& model, const Regions& regions, const Clou
                      const Scan& scan, const ScanEndOptions& options) {
   IdVector<RegionId, std::uint8_t> goes(regions.regions.size(), 0);
   for (const RegionVerdict& verdict : choice.regions) goes[verdict.region] = verdict.under_cloud;
-  Box box = box_of(scan.samples);
-  box.enlarge(options.scanned * scan.spacing);
   TriangleSet among(regions.region_of_facet.size(), 0);
-  bool reaches_beyond = false;
   for (const TriangleId t : among.ids()) {
     const RegionId r = regions.region_of_facet[t];
-    if (r.is_none() || goes[r] == 0) continue;
-    among[t] = 1;
-    reaches_beyond = reaches_beyond || !contains(box, model.centroid(t));
+    among[t] = !r.is_none() && goes[r] != 0 ? 1 : 0;
   }
-  return reaches_beyond && !scan_ends(model, among, std::span(&scan, 1), options).empty();
+  const std::span scans(&scan, 1);
+  return reaches_beyond(model, among, scans, options) &&
+         !scan_ends(model, among, scans, options).empty();
 }
 
 }  // namespace cocoon

@@ -18,8 +18,8 @@ struct ScanEndOptions {
   double scanned = 2;
   // A sample farther from the model than this many spacings shows that it was changed there.
   double off_model = 0.5;
-  // Facets with such a sample within this many spacings are where the scanned surface leaves the
-  // model, not where the scan ends.
+  // Facets with such a sample within this many spacings of its scan are where the scanned surface
+  // leaves the model, not where the scan ends.
   double change_reach = 4;
 };
 
@@ -32,10 +32,15 @@ struct Scan {
 // The facets of `among` that were not scanned, but have a neighbor that was, with all samples
 // around on the model: there the scans end and the model goes on, as at a rim, whether or not their
 // surfaces show one. Where material went or came, the samples leave the model.
-// In the order of ids. Complexity: O(n log n) for the samples and the facets of `among`, and a few
-// operations for each facet of the model. Deterministic. Source: ours.
+// In the order of ids. Complexity: O(n log n) for the facets of `among` and the samples near them,
+// and a few operations for each facet of the model and each sample. Deterministic. Source: ours.
 std::vector<TriangleId> scan_ends(const ModelIndex& model, const TriangleSet& among,
                                   std::span<const Scan> scans, const ScanEndOptions& options = {});
+
+// Whether a facet of `among` lies outside of the box of all samples, enlarged by as much as may lie
+// between a scanned facet and the nearest sample. Complexity: O(samples + facets).
+bool reaches_beyond(const ModelIndex& model, const TriangleSet& among, std::span<const Scan> scans,
+                    const ScanEndOptions& options = {});
 
 // Whether the scan ends on the model in the regions that are to go under it, if these reach beyond
 // the box of its samples. (Else nothing is lost that was not scanned around, and nothing is looked
