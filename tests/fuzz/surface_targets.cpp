@@ -8,6 +8,7 @@
 
 #include "cocone/boundary_loops.h"
 #include "cocone/reconstruct.h"
+#include "cocone/robust_cocone.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
 #include "geom/mesh_measure.h"
@@ -55,9 +56,15 @@ void reconstruct_target(Bytes bytes) {
   const std::uint8_t choice = reader.byte();
   options.mode = choice % 2 == 0 ? Mode::robust : Mode::paper;
   options.keep_cavities = choice / 2 % 2 != 0;
+  const bool noisy = choice / 4 % 2 != 0;
+  NoiseOptions noise;
+  noise.keep_good = choice / 8 % 2 == 0;
+  noise.outlier_ratio = choice / 16 % 2 == 0 ? 3 : 1.2;
+  noise.max_leak = choice / 32 % 4 / 2.0;
   const std::vector<Point> points = take_points(reader, most_points);
   try {
-    const ReconstructResult tight = reconstruct_tight(points, options);
+    const ReconstructResult tight = noisy ? reconstruct_robust(points, noise, options).surface
+                                          : reconstruct_tight(points, options);
     require_input_points(tight, points);
     require((tight.status == SurfaceStatus::ok) == !tight.mesh.triangles.empty(), "status tells");
     if (tight.status == SurfaceStatus::ok) {
