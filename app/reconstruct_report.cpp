@@ -46,6 +46,7 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("cavity_cells", c.cavities.cells);
   set("clean_up/undecided_cells", c.clean_up.undecided_cells);
   set("clean_up/left_cells", c.clean_up.left_cells);
+  set("clean_up/flat_cells", c.clean_up.flat_cells);
   set("clean_up/relabeled_cells", c.clean_up.relabeled_cells);
   set("clean_up/filled_cells", c.clean_up.filled_cells);
   set("clean_up/moves", c.clean_up.moves);

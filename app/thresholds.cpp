@@ -25,11 +25,13 @@ constexpr std::array<Threshold, 3> of_marking{{
      angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
 }};
 
-constexpr std::array<Threshold, 20> of_clean_up{{
+constexpr std::array<Threshold, 21> of_clean_up{{
     {"most-clump-cells", "Clean-up: more undecided cells together are left as they are", 0, 4e9,
      whole, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_cells; }},
     {"most-clump-share", "Clean-up: but not if they are at most this share of all cells", 0, 1,
      number, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_share; }},
+    {"flat-ratio", "Clean-up: cells flatter than this share of their size are looked through", 0, 1,
+     number, tight, [](Options& o) -> Field { return &o.surface.clean_up.flat_ratio; }},
     {"decided-rings", "Clean-up: rings of decided cells that the cut may label anew", 0, 100, whole,
      tight, [](Options& o) -> Field { return &o.surface.clean_up.decided_rings; }},
     {"evidence-weight", "Clean-up: evidence of the poles against a cell's label", 0, 1000, number,

@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
+#include "cocone/cell_order.h"
+#include "cocone/facet_normal.h"
 #include "delaunay/voronoi_dual.h"
 
 namespace cocoon {
 
-BallCosines::BallCosines(const Triangulation& triangulation)
+BallCosines::BallCosines(const Triangulation& triangulation, double flat_ratio)
     : triangulation_(triangulation),
+      flat_ratio_(flat_ratio),
       cosines_(triangulation.num_cells()),
       known_(triangulation.num_cells()) {}
 
@@ -18,20 +22,19 @@ void BallCosines::prepare(std::span<const CellId> cells, const Execution& execut
   parallel_chunks(execution, cells.size(), cells_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
                     for_each_center(triangulation_, cells.subspan(begin, end - begin),
-                                    [&](CellId c, const Point& center) {
-                                      cosines_[c] = compute(c, center);
-                                      known_[c] = 1;
-                                    });
+                                    [&](CellId c, const Point& center) { compute(c, center); });
                   });
+}
+
+BallCosines::Known BallCosines::known(CellId c) {
+  if (known_[c] == Known::nothing) compute(c, voronoi_vertex(triangulation_, c));
+  return known_[c];
 }
 
 double BallCosines::of(FacetId f) {
   const CellId c = cell_of(f);
   if (triangulation_.is_infinite(c)) return 1;
-  if (known_[c] == 0) {
-    cosines_[c] = compute(c, voronoi_vertex(triangulation_, c));
-    known_[c] = 1;
-  }
+  if (known(c) == Known::flat) look_through(c);
   return cosines_[c][static_cast<std::size_t>(index_of(f))];
 }
 
@@ -43,7 +46,7 @@ double BallCosines::contact(FacetId f) {
   return sines - phi * psi;
 }
 
-std::array<double, 4> BallCosines::compute(CellId c, const Point& center) const {
+void BallCosines::compute(CellId c, const Point& center) {
   struct Corner {
     Point point;
     std::size_t index;
@@ -61,17 +64,91 @@ std::array<double, 4> BallCosines::compute(CellId c, const Point& center) const 
   order(1, 3);
   order(1, 2);
   const double radius = norm(center - corners[0].point);
-  std::array<double, 4> cosines{};
+  std::array<double, 4>& cosines = cosines_[c];
+  double largest = 0;                    // twice the area of a facet
+  double volume = 0;                     // six times that of the cell
   for (std::size_t k = 0; k < 4; ++k) {  // the facet opposite the k-th corner
     const Point& p = corners[k < 1 ? 1 : 0].point;
     const Vec3 normal = cross(corners[k < 2 ? 2 : 1].point - p, corners[k < 3 ? 3 : 2].point - p);
-    const double lengths = norm(normal) * radius;
+    const double area = norm(normal);
+    const double height = dot(normal, corners[k].point - p);
+    if (area > largest) {
+      largest = area;
+      volume = std::abs(height);
+    }
+    const double lengths = area * radius;
     if (!(lengths > 0) || !std::isfinite(lengths)) continue;
     const double cosine = dot(normal, center - p) / lengths;
-    const bool apex_above = dot(normal, corners[k].point - p) > 0;
-    cosines[corners[k].index] = std::clamp(apex_above ? cosine : -cosine, -1.0, 1.0);
+    cosines[corners[k].index] = std::clamp(height > 0 ? cosine : -cosine, -1.0, 1.0);
   }
-  return cosines;
+  const bool flat = flat_ratio_ > 0 && volume <= flat_ratio_ * largest * std::sqrt(largest);
+  known_[c] = flat ? Known::flat : Known::cosines;
+}
+
+CellId BallCosines::beyond(FacetId f) {
+  const FacetId behind = triangulation_.mirror(f);
+  return is_flat(cell_of(behind)) ? through(behind) : cell_of(behind);
+}
+
+// For whom enters the flat cell of f by f.
+CellId BallCosines::through(FacetId f) {
+  for (int passed = 0; passed < max_flat_cells; ++passed) {
+    const CellId c = cell_of(f);
+    if (!is_flat(c)) return c;
+    f = triangulation_.mirror(facet_id(c, far_side(f)));
+  }
+  return {};
+}
+
+// Of the facets of a flat cell that face the other way than f the largest; ties by the vertex that
+// it does not have. If f alone is so degenerate that none faces the other way: of all others.
+int BallCosines::far_side(FacetId f) const {
+  const CellId c = cell_of(f);
+  const Vec3 entered = outward_normal(triangulation_, f);
+  const auto size = [&](int i) {
+    const Vec3 normal = outward_normal(triangulation_, facet_id(c, i));
+    return std::tuple(dot(normal, entered) < 0, squared_norm(normal),
+                      triangulation_.point(triangulation_.vertex(c, i)));
+  };
+  int best = index_of(f) == 0 ? 1 : 0;
+  for (int i = best + 1; i < 4; ++i) {
+    if (i != index_of(f) && size(i) > size(best)) best = i;
+  }
+  return best;
+}
+
+std::array<CellId, 2> BallCosines::sides_of_flat(CellId c) {
+  const auto size = [&](int i) {
+    return std::tuple(squared_norm(outward_normal(triangulation_, facet_id(c, i))),
+                      triangulation_.point(triangulation_.vertex(c, i)));
+  };
+  int largest = 0;
+  for (int i = 1; i < 4; ++i) {
+    if (size(i) > size(largest)) largest = i;
+  }
+  const FacetId f = facet_id(c, largest);
+  return {through(f), beyond(f)};
+}
+
+void BallCosines::look_through(CellId c) {
+  for (int i = 0; i < 4; ++i) {
+    cosines_[c][static_cast<std::size_t>(i)] = cosine_through(facet_id(c, i));
+  }
+  known_[c] = Known::seen_through;
+}
+
+// For facet f of a flat cell, the ball of the cell that is seen through it.
+double BallCosines::cosine_through(FacetId f) {
+  const CellId seen = through(f);
+  if (seen.is_none()) return 0;
+  if (triangulation_.is_infinite(seen)) return 1;
+  const Vec3 normal = outward_normal(triangulation_, f);
+  const Point center = voronoi_vertex(triangulation_, seen);
+  const Point corner = sorted_corners(triangulation_, f)[0];
+  const double radius = norm(center - sorted_corners(triangulation_, seen)[0]);
+  const double lengths = norm(normal) * radius;
+  if (!(lengths > 0) || !std::isfinite(lengths)) return 0;
+  return std::clamp(-dot(normal, center - corner) / lengths, -1.0, 1.0);
 }
 
 }  // namespace cocoon

@@ -1,4 +1,10 @@
 // The angles between facets and the circumballs of the cells on their two sides.
+//
+// Some cells have no height: their four samples lie in one plane but for the rounding of their
+// coordinates, as on the faces of machine parts that do not lie along the axes. If they lie on a
+// circle, too, as around a hole, the center of their ball is anywhere on its axis: a pile of such
+// cells leads from the outside into the body by balls each of which meets the next deeply. So balls
+// of flat cells are not asked: one looks through them, at the cell beyond.
 #pragma once
 
 #include <array>
@@ -15,28 +21,50 @@ namespace cocoon {
 // bytes for each cell that was asked about. Not to be shared by threads.
 class BallCosines {
  public:
-  // Keeps the reference, which must outlive the object. O(1).
-  explicit BallCosines(const Triangulation& triangulation);
+  // Keeps the reference, which must outlive the object. O(1). A cell is flat if its height over its
+  // largest facet is at most `flat_ratio` times the size of that facet, the root of twice its area.
+  explicit BallCosines(const Triangulation& triangulation, double flat_ratio = 0);
 
   // Computes ahead what will be asked of these cells. Complexity: O(cells given), parallel.
   void prepare(std::span<const CellId> cells, const Execution& execution);
 
   // For facet f seen from its cell: the cosine of the angle between the facet and the tangent plane
   // of the cell's ball at the facet's circle; 1 if the ball is a half-space beyond the facet (as
-  // for an infinite cell), -1 if it is one on the other side; 0 where it cannot be computed.
-  // A function of the corners and the center, not of their order. O(1).
+  // for an infinite cell), -1 if it is one on the other side; 0 where it cannot be computed. Of a
+  // flat cell: with the ball that is seen through it. A function of the corners and the center, not
+  // of their order. O(1).
   double of(FacetId f);
 
   // The cosine of the angle at which the balls of the two cells of a facet meet: 1 for equal balls,
   // 0 if their surfaces cross at right angles, -1 if they touch. The same from both sides. O(1).
   double contact(FacetId f);
 
+  // Infinite cells are not.
+  bool is_flat(CellId c) {
+    return flat_ratio_ > 0 && !triangulation_.is_infinite(c) && known(c) >= Known::flat;
+  }
+  // The cell behind facet f, through flat ones, each of which is left by the largest facet that
+  // faces the other way than the one by which it was entered; none if that leads through more than
+  // max_flat_cells. O(1) but for those.
+  CellId beyond(FacetId f);
+  // Both sides of a flat cell: the cells beyond its largest facet, from within and from outside.
+  std::array<CellId, 2> sides_of_flat(CellId c);
+
  private:
-  std::array<double, 4> compute(CellId c, const Point& center) const;
+  static constexpr int max_flat_cells = 64;
+  // seen_through: a flat cell whose cosines are those of the balls seen through it.
+  enum class Known : std::uint8_t { nothing = 0, cosines, flat, seen_through };
+  Known known(CellId c);
+  void compute(CellId c, const Point& center);
+  void look_through(CellId c);
+  double cosine_through(FacetId f);
+  CellId through(FacetId f);
+  int far_side(FacetId f) const;
 
   const Triangulation& triangulation_;
+  double flat_ratio_;
   ZeroedArray<CellId, std::array<double, 4>> cosines_;
-  ZeroedArray<CellId, std::uint8_t> known_;
+  ZeroedArray<CellId, Known> known_;
 };
 
 }  // namespace cocoon

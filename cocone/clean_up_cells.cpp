@@ -36,7 +36,7 @@ class CleanUp {
         options_(options),
         execution_(execution),
         out_(marks.reached),
-        cosines_(triangulation),
+        cosines_(triangulation, options.flat_ratio),
         spacings_(triangulation, stars_),
         energy_(triangulation, cosines_, stars_, spacings_, marks.labels, options, out_),
         region_(find_doubtful_region(triangulation, marks, stars_, most_clump_cells())),
@@ -57,6 +57,7 @@ class CleanUp {
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     count(counters_.defects_before, counters_.unused_before);
     leave_out_outliers();
+    counters_.outliers = outliers_.size();
     set_preferences();
     cut();
     fill_cavities();
@@ -64,6 +65,7 @@ class CleanUp {
     touched_.clear();
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     tell_flawless();
+    keep_used();
     repair();
     flip_clusters();
     if (drop_components()) repair();
@@ -82,7 +84,7 @@ class CleanUp {
     for (const VertexId v : flaws_.unused) {
       if (!energy_.is_wanted(v) || !spacings_.is_outlier(v, options_.outlier_ratio)) continue;
       energy_.leave_out(v);
-      ++counters_.outliers;
+      outliers_.push_back(v);
     }
   }
 
@@ -129,9 +131,39 @@ class CleanUp {
     }
   }
 
-  // Labels the undecided cells; those decided stay as the marking, not the peel, has them.
+  // Labels the undecided cells; those decided stay as the marking, not the peel, has them. Flat
+  // cells are no nodes: what meets through them is joined, and they follow.
   void cut() {
-    const std::vector<CellId> cells = free_cells();
+    std::vector<CellId> cells = free_cells();
+    const auto first_flat = std::stable_partition(cells.begin(), cells.end(),
+                                                  [&](CellId c) { return !cosines_.is_flat(c); });
+    const std::vector<CellId> flat_cells(first_flat, cells.end());
+    cells.erase(first_flat, cells.end());
+    counters_.flat_cells = flat_cells.size();
+    const std::vector<std::uint8_t> side = flow_of(cells).source_side();
+    for (const CellId c : triangulation_.finite_cells()) {
+      out_[c] = marks_.labels[c] == CellLabel::out ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < cells.size(); ++k) relabel(cells[k], side[k]);
+    for (const CellId c : flat_cells) {
+      const auto sides = cosines_.sides_of_flat(c);
+      relabel(c, std::any_of(sides.begin(), sides.end(),
+                             [&](CellId s) { return !s.is_none() && out_[s] != 0; })
+                     ? 1
+                     : 0);
+    }
+    for (const CellId c : triangulation_.finite_cells()) {
+      counters_.relabeled_cells += out_[c] != marks_.reached[c];
+    }
+  }
+
+  void relabel(CellId c, std::uint8_t side) {
+    if (marks_.labels[c] != CellLabel::unmarked && side != out_[c]) touch(c);
+    out_[c] = side;
+  }
+
+  // Its nodes are these cells; the others have the label of the marking.
+  MaxFlow flow_of(const std::vector<CellId>& cells) {
     ZeroedArray<CellId, std::uint32_t> place(triangulation_.num_cells());  // 1 + that in `cells`
     for (std::uint32_t k = 0; k < cells.size(); ++k) place[cells[k]] = k + 1;
     MaxFlow flow(cells.size());
@@ -142,28 +174,21 @@ class CleanUp {
       if (cost_of_out > 0) flow.pull_to_sink(node, cost_of_out);
       for (int i = 0; i < 4; ++i) {
         const FacetId f = facet_id(c, i);
-        const CellId behind = triangulation_.neighbor(c, i);
-        if (place[behind] != 0) {
-          if (c < behind) flow.add_edge(node, place[behind] - 1, energy_.facet_cost(f));
-        } else if (marks_.labels[behind] == CellLabel::out) {
-          flow.pull_to_source(node, energy_.facet_cost(f));
-        } else {
-          flow.pull_to_sink(node, energy_.facet_cost(f));
+        const CellId behind = cosines_.beyond(f);
+        if (behind.is_none() || behind == c) continue;
+        const bool adjacent = behind == triangulation_.neighbor(c, i);
+        const Energy cost = energy_.facet_cost(f);
+        if (place[behind] == 0) {
+          const bool out = marks_.labels[behind] == CellLabel::out;
+          out ? flow.pull_to_source(node, cost) : flow.pull_to_sink(node, cost);
+        } else if (!adjacent) {
+          flow.add_edge(node, place[behind] - 1, cost / 2);  // both have facets to the flat cells
+        } else if (c < behind) {
+          flow.add_edge(node, place[behind] - 1, cost);
         }
       }
     }
-    const std::vector<std::uint8_t> side = flow.source_side();
-    for (const CellId c : triangulation_.finite_cells()) {
-      out_[c] = marks_.labels[c] == CellLabel::out ? 1 : 0;
-    }
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      const CellId c = cells[k];
-      if (marks_.labels[c] != CellLabel::unmarked && side[k] != out_[c]) touch(c);
-      out_[c] = side[k];
-    }
-    for (const CellId c : triangulation_.finite_cells()) {
-      counters_.relabeled_cells += out_[c] != marks_.reached[c];
-    }
+    return flow;
   }
 
   void fill_cavities() {
@@ -190,6 +215,16 @@ class CleanUp {
       out_[c] = reached[c];
       touch(c);
     }
+  }
+
+  // From now on it is a loss, too, if a sample of decided cells leaves the surface; outliers may.
+  void keep_used() {
+    VertexSet unused(triangulation_.num_vertices(), 0);
+    for (const VertexId v : flaws_.unused) unused[v] = 1;
+    for (const VertexId v : region_.vertices) {
+      if (unused[v] == 0) energy_.want(v);
+    }
+    for (const VertexId v : outliers_) energy_.leave_out(v);
   }
 
   // Most vertices are, and are asked about by their neighbors.
@@ -377,7 +412,7 @@ class CleanUp {
     std::vector<CellCluster> clusters;
     bool too_large = false;
     for (const CellId c : stars_.star(v)) {
-      if (known[c] == ClusterSize::unknown && !triangulation_.is_infinite(c)) {
+      if (known[c] == ClusterSize::unknown && is_body(c)) {
         CellCluster cluster = cell_cluster(triangulation_, cosines_, out_, c, deep_cosine,
                                            options_.most_cluster_cells, known, scratch());
         if (!cluster.too_large) clusters.push_back(std::move(cluster));
@@ -390,6 +425,9 @@ class CleanUp {
     });
     return clusters;
   }
+
+  // Flat cells come along with others: alone they change no shape, only who is idle.
+  bool is_body(CellId c) { return !triangulation_.is_infinite(c) && !cosines_.is_flat(c); }
 
   bool has_left_vertex(CellId c) const {
     const auto& vertices = triangulation_.cell(c).vertices;
@@ -434,6 +472,7 @@ class CleanUp {
   CleanUpCounters counters_;
   DoubtfulRegion region_;
   SideSplit side_split_;
+  std::vector<VertexId> outliers_;
   SurfaceFlaws flaws_;             // of the region, before what is touched_ changed
   std::vector<VertexId> touched_;  // vertices of cells that have changed sides since
   ZeroedArray<CellId, std::uint8_t> scratch_;

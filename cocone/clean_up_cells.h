@@ -19,7 +19,8 @@
 //
 //  1. Cut. The first four terms are minimized over all labelings of the undecided cells and of the
 //     decided ones within decided_rings of them, the others held fixed: a minimum cut, so a global
-//     optimum; of several the one with most IN cells. OUT cells that infinity cannot reach through
+//     optimum; of several the one with most IN cells. Flat cells (ball_cosines.h) are looked
+//     through, and are OUT if one of their sides is. OUT cells that infinity cannot reach through
 //     OUT cells are then filled, as in the peel.
 //  2. Moves. At a defect or an unused sample single cells, pairs, and parts of stars change sides
 //     where that lowers E, unless they would found a new part of the body or a cavity, or what they
@@ -65,6 +66,10 @@ struct CleanUpOptions {
   double evidence_weight = 2.5;
   // Below 0.4 well sampled thin parts shrink; above 1 wrong marks of bad samples stay.
   double mark_weight = 0.5;
+  // Cells are flat whose height is at most this much of the size of their largest facet: four
+  // samples in one plane, up to the rounding of single precision. Their balls say nothing
+  // (ball_cosines.h).
+  double flat_ratio = 2e-6;
   int decided_rings = 1;  // 0: decided cells are not relabeled by the cut
   double defect_cost = 16;
   double unused_cost = 8;  // a tent over one triangle costs less than 6
@@ -90,6 +95,7 @@ struct CleanUpOptions {
 struct CleanUpCounters {
   std::size_t undecided_cells = 0;
   std::size_t left_cells = 0;       // undecided, too, but in clumps that are too large
+  std::size_t flat_cells = 0;       // among those that the cut labels
   std::size_t relabeled_cells = 0;  // by the cut, against the peel
   std::size_t filled_cells = 0;     // OUT cells shut off from infinity, now IN
   std::size_t moves = 0;

@@ -136,8 +136,9 @@ class Propagation {
       for_asked_vertices(c, [&](VertexId v) { at_vertices_[v].reach = 0; });
     for_finite_corners([&](CellId c, VertexId v, const Vec3& arm) {
       AtVertex& here = at_vertices_[v];
-      const Vec3 normal =
-          here.on_hull ? poles_.normals[v] : center(here.positive) - triangulation_.point(v);
+      const Vec3 normal = here.positive.is_none()
+                              ? poles_.normals[v]  // on the hull, or among flat cells alone
+                              : center(here.positive) - triangulation_.point(v);
       if (dot(arm, normal) < 0) raise_pole(here.negative, here.reach, c, arm);
     });
   }
@@ -145,7 +146,7 @@ class Propagation {
   template <class Visit>
   void for_finite_corners(Visit visit) {
     for (const CellId c : domain_) {
-      if (triangulation_.is_infinite(c)) continue;
+      if (triangulation_.is_infinite(c) || cosines_.is_flat(c)) continue;
       for_asked_vertices(c, [&](VertexId v) { visit(c, v, center(c) - triangulation_.point(v)); });
     }
   }
@@ -165,7 +166,8 @@ class Propagation {
 
   void settle_known(const CellMarks& marks) {
     for (const CellId c : domain_) {
-      if (state_[c] == settled) pass_on(c, marks.labels[c] == CellLabel::out, 1);
+      if (state_[c] == settled && !cosines_.is_flat(c))
+        pass_on(c, marks.labels[c] == CellLabel::out, 1);
     }
   }
 
@@ -191,8 +193,8 @@ class Propagation {
   void pass_on_to_deep_balls(CellId c, bool out, double weight) {
     for (int i = 0; i < 4; ++i) {
       const FacetId f = facet_id(c, i);
-      const CellId behind = cell_of(triangulation_.mirror(f));
-      if (state_[behind] == settled) continue;
+      const CellId behind = cosines_.beyond(f);
+      if (behind.is_none() || state_[behind] == settled) continue;
       raise(behind, out, weight * cosines_.contact(f));
     }
   }

@@ -8,6 +8,7 @@
 //   opposite poles differ: the two poles c, d of a sample s lie on different sides, weight
 //                         -cos(angle c s d)
 //
+// Flat cells (ball_cosines.h) have no say and are no poles; balls meet through them.
 // Infinity is OUT and cells with a good vertex have the side of their label, both with weight 1.
 #pragma once
 

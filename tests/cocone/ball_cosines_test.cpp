@@ -1,6 +1,9 @@
 #include "cocone/ball_cosines.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <map>
+#include <numbers>
 #include <vector>
 
 #include "delaunay/delaunay.h"
@@ -69,6 +72,76 @@ TEST(BallCosines, PreparedOrNotTheyAreTheSame) {
   ahead.prepare(cells, {.threads = 4});
   BallCosines asked(t);
   for_each_finite_facet(t, [&](FacetId f) { EXPECT_EQ(ahead.of(f), asked.of(f)); });
+}
+
+// Samples on a circle, in one plane but for rounding, and one apex on each side: balls of radius
+// 1.25 with centers 0.75 above and below, and a pile of cells without height between.
+struct Disk {
+  explicit Disk(int count) {
+    const Vec3 u = unit(Vec3{1, 2, 3});
+    const Vec3 v = unit(cross(u, Vec3{0.3, -1, 0.2}));
+    axis = cross(u, v);
+    for (int k = 0; k < count; ++k) {
+      const double angle = 2 * std::numbers::pi * k / count;
+      points.push_back(std::cos(angle) * u + std::sin(angle) * v);
+    }
+    points.push_back(2 * axis);
+    points.push_back(-2 * axis);
+    t = delaunay(points).triangulation;
+    for (const CellId c : t.finite_cells()) {
+      ends[c] = 0;
+      for (const VertexId w : t.cell(c).vertices) {
+        const double height = dot(t.point(w), axis);
+        if (std::abs(height) > 1) ends[c] = height > 0 ? 1 : -1;
+      }
+    }
+  }
+  Vec3 axis;
+  std::vector<Point> points;
+  Triangulation t;
+  std::map<CellId, int> ends;  // 1, -1: has the apex above or below; 0: neither, so it is flat
+};
+
+TEST(BallCosines, FlatCellsAreThoseWithoutHeight) {
+  const Disk disk(24);
+  BallCosines cosines(disk.t, 1e-6);
+  BallCosines without(disk.t);
+  std::size_t flat = 0;
+  for (const auto& [c, end] : disk.ends) {
+    EXPECT_EQ(cosines.is_flat(c), end == 0);
+    EXPECT_FALSE(without.is_flat(c));
+    flat += end == 0 ? 1U : 0U;
+  }
+  EXPECT_GT(flat, 5U);
+  for (const CellId c : disk.t.infinite_cells()) EXPECT_FALSE(cosines.is_flat(c));
+}
+
+TEST(BallCosines, BallsMeetThroughFlatCells) {
+  const Disk disk(24);
+  const Triangulation& t = disk.t;
+  BallCosines cosines(t, 1e-6);
+  std::size_t met = 0;
+  for_each_finite_facet(t, [&](FacetId f) {
+    const int here = disk.ends.at(cell_of(f));
+    if (here == 0) return;
+    const CellId beyond = cosines.beyond(f);
+    ASSERT_FALSE(beyond.is_none());
+    const CellId behind = t.neighbor(cell_of(f), index_of(f));
+    if (t.is_infinite(behind) || disk.ends.at(behind) != 0) {
+      EXPECT_EQ(beyond, behind);
+    }
+    if (t.is_infinite(beyond) || disk.ends.at(beyond) == here) return;
+    EXPECT_EQ(disk.ends.at(beyond), -here);
+    EXPECT_NEAR(cosines.contact(f), (1 - 0.75 * 0.75) / (1.25 * 1.25), 1e-6);
+    EXPECT_EQ(cosines.contact(f), cosines.contact(t.mirror(f)));
+    ++met;
+  });
+  EXPECT_GE(met, 44U);  // 22 triangles on each side
+  for (const auto& [c, end] : disk.ends) {
+    if (end != 0) continue;
+    const auto [one, other] = cosines.sides_of_flat(c);
+    EXPECT_EQ(disk.ends.at(one) * disk.ends.at(other), -1);
+  }
 }
 
 }  // namespace
