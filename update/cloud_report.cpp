@@ -11,6 +11,16 @@ std::vector<CloudRim> rims_of(std::span<const CloudReport> clouds) {
   return rims;
 }
 
+std::vector<Scan> scans_of(std::span<const std::vector<Point>> clouds,
+                           std::span<const CloudReport> reports) {
+  std::vector<Scan> scans;
+  scans.reserve(clouds.size());
+  for (std::size_t c = 0; c < clouds.size(); ++c) {
+    scans.push_back({clouds[c], reports[c].surface.rim.median_edge});
+  }
+  return scans;
+}
+
 std::vector<CloudRim> border_rims_of(std::span<const CloudReport> clouds) {
   std::vector<CloudRim> rims = rims_of(clouds);
   for (std::size_t c = 0; c < clouds.size(); ++c) {

@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "geom/ids.h"
+#include "geom/point.h"
 #include "update/choose_regions.h"
 #include "update/cloud_surface.h"
 #include "update/cut_regions.h"
 #include "update/loop_sides.h"
 #include "update/overlapping_facets.h"
+#include "update/scan.h"
 #include "update/segment_model.h"
 #include "update/trace_border.h"
 
@@ -52,11 +54,16 @@ struct CloudReport {
   std::size_t breaks = 0;
   std::vector<GroupAngle> groups;         // in the order of groups
   std::vector<RegionId> replaced_groups;  // those under this cloud
-  double margin_deg = 180;                // of its least clear loop; of all if its rim is torn
-  RegionCut cut;                          // where its rim is torn; without the labels
+  double margin_deg = 180;                // of its least clear loop; of all if it was cut
+  // If its rim was partial and it was cut, alone or as the first of joined ones; without the
+  // labels.
+  RegionCut cut;
 };
 
 std::vector<CloudRim> rims_of(std::span<const CloudReport> clouds);
+// clouds[c] belongs to reports[c].
+std::vector<Scan> scans_of(std::span<const std::vector<Point>> clouds,
+                           std::span<const CloudReport> reports);
 // The rims that form the border: of loops that are none of it only the place is left.
 std::vector<CloudRim> border_rims_of(std::span<const CloudReport> clouds);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -42,16 +43,23 @@ class CutSeeds {
 
   // By the samples: those that the labels have under the cloud although the scan ended before them.
   // Half of their sides: more than a cut between them and the scanned ones costs, less than one
-  // around each.
+  // around each. `ends`: in the order of ids; after pull_by_rims().
   void pull_outside(const std::vector<TriangleId>& ends, RegionCut& cut) {
+    const std::size_t by_rims = pulls_.size();
     for (const TriangleId t : ends) {
       std::int64_t half = 0;
       for (std::size_t i = 0; i < 3; ++i) half += side_in_steps(model_, t, i, steps_);
       half /= 2;
       cut.seeds_outside += length_of(half);
-      const auto at = std::find_if(pulls_.begin(), pulls_.end(),
-                                   [&](const FacetPull& p) { return p.facet == t; });
-      at == pulls_.end() ? pulls_.push_back({t, -half}) : void(at->pull -= half);
+      const auto end = pulls_.begin() + static_cast<std::ptrdiff_t>(by_rims);
+      const auto at =
+          std::lower_bound(pulls_.begin(), end, t,
+                           [](const FacetPull& p, TriangleId facet) { return p.facet < facet; });
+      if (at != end && at->facet == t) {
+        at->pull -= half;
+      } else {
+        pulls_.push_back({t, -half});
+      }
     }
     ends_ = ends;
     cut.scan_ends = ends.size();
@@ -112,8 +120,8 @@ class CutSeeds {
 
   const ModelIndex& model_;
   const TriangleSet& border_;
-  double steps_;  // of one unit of length
-  std::vector<FacetPull> pulls_;
+  double steps_;                  // of one unit of length
+  std::vector<FacetPull> pulls_;  // those by the rims first, in the order of ids
   std::vector<TriangleId> ends_;  // in the order of ids
 };
 

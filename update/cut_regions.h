@@ -12,6 +12,7 @@
 #include "geom/ids.h"
 #include "update/cloud_rim.h"
 #include "update/model_index.h"
+#include "update/scan.h"
 #include "update/scan_ends.h"
 #include "update/segment_model.h"
 #include "update/trace_border.h"

@@ -42,8 +42,9 @@ std::int64_t side_in_steps(const ModelIndex& model, TriangleId t, std::size_t i,
 // The cut among the facets near those that pull is the cut of all, if each connected rest lies
 // beside one label only: then the rest has that label at no cost, and no labels cost less among the
 // near ones alone.
-// Complexity: a pass over the facets, and that of a minimum cut of the facets near those that pull,
-// near linear; of all facets where a cut is not near any. Deterministic: the labels are unique.
+// Complexity: for each doubling of the steps a pass over the facets and a minimum cut of those near
+// the ones that pull, near linear; at last of all facets where a cut is near none. Deterministic:
+// the labels are unique.
 FacetCut facet_cut(const ModelIndex& model, const TriangleSet& border,
                    std::span<const FacetPull> pulls, double steps_per_unit,
                    const FacetCutOptions& options = {});

@@ -11,9 +11,9 @@ namespace cocoon {
 namespace {
 
 // The samples of one cloud, and how near to them a vertex has been scanned anew.
-class Scan {
+class ScannedPlaces {
  public:
-  Scan(const std::vector<Point>& cloud, double reach) : samples_(cloud), reach_(reach) {
+  ScannedPlaces(const std::vector<Point>& cloud, double reach) : samples_(cloud), reach_(reach) {
     for (const Point& p : cloud) box_.include(p);
     box_.enlarge(reach);
   }
@@ -37,7 +37,7 @@ std::size_t overlooked_vertices(const ModelIndex& model, const Replacement& repl
   if (std::none_of(rims.begin(), rims.end(), is_partial)) return 0;
   const RimIndex rim_index(rims);
   if (rim_index.empty()) return 0;
-  std::vector<Scan> scans;
+  std::vector<ScannedPlaces> scans;
   for (std::size_t c = 0; c < clouds.size(); ++c) {
     if (!clouds[c].empty()) scans.emplace_back(clouds[c], options.reach * rims[c].median_edge);
   }
@@ -46,7 +46,7 @@ std::size_t overlooked_vertices(const ModelIndex& model, const Replacement& repl
     if (replacement.point_of_vertex[v].is_none()) continue;
     const Point& p = model.mesh().points[v];
     bool scanned = false;
-    for (const Scan& scan : scans) scanned = scanned || scan.covers(p);
+    for (const ScannedPlaces& scan : scans) scanned = scanned || scan.covers(p);
     if (!scanned) continue;
     const RimSide side = rim_index.side_of(p);
     count += side.distance > options.min_rim_distance * rims[side.rim].median_edge ? 1U : 0U;

@@ -43,4 +43,14 @@ ReachedCells::ReachedCells(Points centers, double reach) : extent_(box_of(center
   }
 }
 
+std::vector<Point> points_near(Points points, Points centers, double reach) {
+  std::vector<Point> near;
+  if (centers.empty()) return near;
+  const ReachedCells cells(centers, reach_with_rounding(centers, reach));
+  for (const Point& p : points) {
+    if (cells.overlap(Box{p, p})) near.push_back(p);
+  }
+  return near;
+}
+
 }  // namespace cocoon

@@ -72,4 +72,9 @@ class ReachedCells {
   std::vector<std::uint8_t> reached_;
 };
 
+// All points within `reach` of a center, and some that are not much farther: few of many, so that a
+// search tree over them alone answers for all. In their order. Finite points and centers, a finite
+// reach that is not negative. Complexity: O(points + centers).
+std::vector<Point> points_near(Points points, Points centers, double reach);
+
 }  // namespace cocoon

@@ -32,14 +32,7 @@ std::vector<Point> samples_beyond(Points cloud, const CloudRim& rim, double reac
   };
   list(rim.loops, rim.spacing);
   list(rim.pin_hole_loops, rim.median_edge);
-  if (places.empty()) return {};
-  const double farthest = reach * std::max(rim.spacing, rim.median_edge);
-  const ReachedCells near(places, reach_with_rounding(places, farthest));
-  std::vector<Point> samples;
-  for (const Point& p : cloud) {
-    if (near.overlap(Box{p, p})) samples.push_back(p);
-  }
-  return samples;
+  return points_near(cloud, places, reach * std::max(rim.spacing, rim.median_edge));
 }
 
 bool has_cloud_beyond(const NearestPointTree& tree, Points samples, const RimLoop& loop,

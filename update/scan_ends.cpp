@@ -21,16 +21,6 @@ std::vector<Point> centroids(const ModelIndex& model, const std::vector<Triangle
   return points;
 }
 
-// All samples within `reach` of a place, and some that are not much farther.
-std::vector<Point> samples_near(const Scan& scan, Points places, double reach) {
-  const ReachedCells cells(places, reach_with_rounding(places, reach));
-  std::vector<Point> near;
-  for (const Point& p : scan.samples) {
-    if (cells.overlap(Box{p, p})) near.push_back(p);
-  }
-  return near;
-}
-
 // Whether facets were scanned.
 class Coverage {
  public:
@@ -39,7 +29,7 @@ class Coverage {
       : model_(model), known_(model.mesh().triangles.size()) {
     for (const Scan& scan : scans) {
       const double distance = reach * scan.spacing;
-      const std::vector<Point> near = samples_near(scan, places, distance);
+      const std::vector<Point> near = points_near(scan.samples, places, distance);
       if (!near.empty()) scans_.push_back({NearestPointTree(near), distance});
     }
   }
@@ -72,7 +62,7 @@ void leave_out_changes(const ModelIndex& model, const Scan& scan, const ScanEndO
   if (ends.empty()) return;
   const double around = options.change_reach * scan.spacing;
   const double off_model = options.off_model * scan.spacing;
-  const std::vector<Point> asked = samples_near(scan, centroids(model, ends), around);
+  const std::vector<Point> asked = points_near(scan.samples, centroids(model, ends), around);
   if (asked.empty()) return;
   const NearFacets near(model, asked, off_model);
   std::vector<Point> off;

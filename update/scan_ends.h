@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "geom/ids.h"
-#include "geom/point.h"
 #include "update/choose_regions.h"
 #include "update/model_index.h"
+#include "update/scan.h"
 #include "update/segment_model.h"
 #include "update/triangle_set.h"
 
@@ -21,12 +21,6 @@ struct ScanEndOptions {
   // Facets with such a sample within this many spacings of its scan are where the scanned surface
   // leaves the model, not where the scan ends.
   double change_reach = 4;
-};
-
-// A cloud and the spacing of its samples.
-struct Scan {
-  Points samples;
-  double spacing = 0;
 };
 
 // The facets of `among` that were not scanned, but have a neighbor that was, with all samples

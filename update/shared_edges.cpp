@@ -35,31 +35,24 @@ std::vector<Point> samples_near(Points cloud, const std::vector<PlaceBeyond>& pl
   std::vector<Point> centers;
   centers.reserve(places.size());
   for (const PlaceBeyond& p : places) centers.push_back(p.place);
-  const ReachedCells near(centers, reach_with_rounding(centers, reach));
-  std::vector<Point> samples;
-  for (const Point& p : cloud) {
-    if (near.overlap(Box{p, p})) samples.push_back(p);
-  }
-  return samples;
+  return points_near(cloud, centers, reach);
 }
 
 }  // namespace
 
-std::vector<std::size_t> mark_shared_edges(std::size_t c,
-                                           std::span<const std::vector<Point>> clouds,
-                                           std::span<CloudRim> rims,
-                                           const SharedEdgeOptions& options) {
+std::vector<std::size_t> mark_shared_edges(std::size_t c, std::span<const Scan> scans,
+                                           CloudRim& rim, const SharedEdgeOptions& options) {
   std::vector<std::size_t> others;
-  CloudRim& rim = rims[c];
-  for (std::size_t other = 0; other < clouds.size(); ++other) {
-    if (other == c || clouds[other].empty()) continue;
-    const double step = std::max(rim.spacing, rims[other].median_edge);
+  for (std::size_t other = 0; other < scans.size(); ++other) {
+    const Scan& scan = scans[other];
+    if (other == c || scan.samples.empty()) continue;
+    const double step = std::max(rim.spacing, scan.spacing);
     const double reach = options.reach * step;
-    Box box = box_of(clouds[other]);
+    Box box = box_of(scan.samples);
     box.enlarge(reach);
     const std::vector<PlaceBeyond> places = places_in(box, rim, step);
     if (places.empty()) continue;
-    const std::vector<Point> samples = samples_near(clouds[other], places, reach);
+    const std::vector<Point> samples = samples_near(scan.samples, places, reach);
     if (samples.empty()) continue;
     const NearestPointTree tree(samples);
     bool shares = false;

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "geom/point.h"
 #include "update/cloud_rim.h"
+#include "update/scan.h"
 
 namespace cocoon {
 
@@ -18,20 +18,19 @@ struct SharedEdgeOptions {
   double reach = 0.85;
 };
 
-// Marks the edges of rims[c] that are shared as gaps (RimLoop::gap) and counts those that were none
-// (CloudRim::shared_edges). Returns the other clouds with such samples, in increasing order.
+// Marks the edges of `rim`, that of scans[c], that are shared as gaps (RimLoop::gap) and counts
+// those that were none (CloudRim::shared_edges). Returns the other clouds with such samples, in
+// increasing order.
 // Why: what several scans that overlap each other show ends where all of them end. The rim of one
 // in the midst of another tells nothing about the model, whether it is near it or far away.
-// clouds[i] belongs to rims[i]. Complexity: O(samples + m log m) for the m rim edges and samples
-// in the boxes of each other. Deterministic. Source: ours; clouds that overlap each other do not
-// occur in Woo & Dey 2005.
-std::vector<std::size_t> mark_shared_edges(std::size_t c,
-                                           std::span<const std::vector<Point>> clouds,
-                                           std::span<CloudRim> rims,
-                                           const SharedEdgeOptions& options = {});
+// Complexity: O(samples + clouds * rim edges + m log m) for the m rim edges and samples near each
+// other. Deterministic. Source: ours; clouds that overlap each other do not occur in Woo & Dey
+// 2005.
+std::vector<std::size_t> mark_shared_edges(std::size_t c, std::span<const Scan> scans,
+                                           CloudRim& rim, const SharedEdgeOptions& options = {});
 
 // The lowest cloud among those that hang together with each; others[c]: clouds that c shares edges
-// with.
+// with. Complexity: O(clouds * entries), in chains of clouds; O(entries) else.
 std::vector<std::size_t> joined_clouds(std::span<const std::vector<std::size_t>> others);
 
 }  // namespace cocoon

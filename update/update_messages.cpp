@@ -50,7 +50,7 @@ std::string reason_of_failed_split(SplitStatus status, const SplitRegion& split)
 }
 
 std::string reason_of_doubtful_cut(const RegionCut& cut) {
-  return "its rim is torn, and what is left of it does not tell its sides apart: " +
+  return "parts of its rim are missing, and what is left of it does not tell its sides apart: " +
          rounded(cut.cut_length) + " median edges of cuts where it is missing, and " +
          rounded(cut.contradicted) + " in contradiction, beside " +
          rounded(std::min(cut.seeds_under, cut.seeds_outside)) +

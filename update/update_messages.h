@@ -29,7 +29,7 @@ std::string reason_of_open_band(std::size_t max_search_facets);
 // Why labels do not split a region; `split`: the last part that was tried.
 std::string reason_of_failed_split(SplitStatus status, const SplitRegion& split);
 
-// Why a torn rim does not tell its sides apart.
+// Why what is left of a partial rim does not tell its sides apart.
 std::string reason_of_doubtful_cut(const RegionCut& cut);
 // Why the angles do not decide; `margin`: in degrees.
 std::string reason_of_ambiguity(double margin);

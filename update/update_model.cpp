@@ -210,9 +210,9 @@ class Update {
 
   void mark_shared(std::size_t c) {
     if (clouds_.size() < 2) return;
-    std::vector<CloudRim> rims = rims_of(result_.clouds);
-    shared_with_[c] = mark_shared_edges(c, clouds_, rims, options_.shared);
-    result_.clouds[c].surface.rim = std::move(rims[c]);
+    const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
+    CloudRim& rim = result_.clouds[c].surface.rim;
+    shared_with_[c] = mark_shared_edges(c, scans, rim, options_.shared);
   }
 
   // The rim that looked best is not on the model: takes the best one that is, if there is one.
@@ -344,11 +344,11 @@ class Update {
   // the cloud is to be cut.
   bool cut_where_scans_end(const ModelIndex& index, std::span<const RegionAngles> angles) {
     const RegionChoice choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
+    const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
     bool found = false;
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       if (is_cut_[c] != 0) continue;
-      const Scan scan = {clouds_[c], result_.clouds[c].surface.rim.median_edge};
-      if (!scan_ends_under(index, result_.regions, choice.clouds[c], scan, options_.cut.ends)) {
+      if (!scan_ends_under(index, result_.regions, choice.clouds[c], scans[c], options_.cut.ends)) {
         continue;
       }
       is_cut_[c] = 1;

@@ -13,6 +13,14 @@ struct Squares {
   std::vector<CloudRim> rims;
   std::vector<std::vector<Point>> clouds;
 
+  std::vector<std::size_t> mark(std::size_t c) {
+    std::vector<Scan> scans;
+    for (std::size_t i = 0; i < rims.size(); ++i) {
+      scans.push_back({clouds[i], rims[i].median_edge});
+    }
+    return mark_shared_edges(c, scans, rims[c]);
+  }
+
   void add(const Vec3& at) {
     TriangleMesh mesh = testing::grid_plane(10);
     for (Point& p : mesh.points) p = p + at;
@@ -27,9 +35,9 @@ TEST(SharedEdges, AreThoseThatAnotherCloudGoesOnBeyond) {
   squares.add({0, 0, 0});
   squares.add({6.4, 0.3, 0.2});
   squares.add({40, 0, 0});
-  EXPECT_EQ(mark_shared_edges(0, squares.clouds, squares.rims), (std::vector<std::size_t>{1}));
-  EXPECT_EQ(mark_shared_edges(1, squares.clouds, squares.rims), (std::vector<std::size_t>{0}));
-  EXPECT_TRUE(mark_shared_edges(2, squares.clouds, squares.rims).empty());
+  EXPECT_EQ(squares.mark(0), (std::vector<std::size_t>{1}));
+  EXPECT_EQ(squares.mark(1), (std::vector<std::size_t>{0}));
+  EXPECT_TRUE(squares.mark(2).empty());
   const RimLoop& loop = squares.rims[0].loops.at(0);
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Point& a = loop.points[i];
@@ -58,7 +66,7 @@ TEST(SharedEdges, AreAllOfARimInTheMidstOfAnotherCloud) {
   squares.rims.push_back({});
   squares.rims[1].spacing = squares.rims[1].median_edge = 1;
   squares.clouds.push_back(wide);
-  EXPECT_EQ(mark_shared_edges(0, squares.clouds, squares.rims), (std::vector<std::size_t>{1}));
+  EXPECT_EQ(squares.mark(0), (std::vector<std::size_t>{1}));
   EXPECT_EQ(squares.rims[0].shared_edges, 40U);
 }
 
@@ -67,7 +75,7 @@ TEST(SharedEdges, SeamsAreNotCountedAgain) {
   squares.add({0, 0, 0});
   squares.add({6.4, 0.3, 0.2});
   squares.rims[0].loops[0].gap.assign(40, 1);
-  EXPECT_EQ(mark_shared_edges(0, squares.clouds, squares.rims), (std::vector<std::size_t>{1}));
+  EXPECT_EQ(squares.mark(0), (std::vector<std::size_t>{1}));
   EXPECT_EQ(squares.rims[0].shared_edges, 0U);
 }
 

@@ -1,0 +1,13 @@
+// The samples of a cloud, and how far apart they lie.
+#pragma once
+
+#include "geom/point.h"
+
+namespace cocoon {
+
+struct Scan {
+  Points samples;
+  double spacing = 0;  // of the samples: the median edge of their surface
+};
+
+}  // namespace cocoon
