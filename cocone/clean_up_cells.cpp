@@ -64,8 +64,7 @@ class CleanUp {
     extend_region(triangulation_, stars_, touched_, region_);
     touched_.clear();
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
-    tell_flawless();
-    keep_used();
+    tell_flaws();
     repair();
     flip_clusters();
     if (drop_components()) repair();
@@ -217,24 +216,18 @@ class CleanUp {
     }
   }
 
-  // From now on it is a loss, too, if a sample of decided cells leaves the surface; outliers may.
-  void keep_used() {
-    VertexSet unused(triangulation_.num_vertices(), 0);
-    for (const VertexId v : flaws_.unused) unused[v] = 1;
+  // Most vertices are flawless, and are asked about by their neighbors. From now on it is a loss,
+  // too, if a sample of decided cells leaves the surface; outliers may.
+  void tell_flaws() {
+    enum Flaw : std::uint8_t { none = 0, unused, pinched };
+    VertexSet flaw(triangulation_.num_vertices(), none);
+    for (const VertexId v : flaws_.unused) flaw[v] = unused;
+    for (const VertexId v : flaws_.pinched) flaw[v] = pinched;
     for (const VertexId v : region_.vertices) {
-      if (unused[v] == 0) energy_.want(v);
+      if (flaw[v] == none) energy_.know_flawless(v);
+      if (flaw[v] != unused) energy_.want(v);
     }
     for (const VertexId v : outliers_) energy_.leave_out(v);
-  }
-
-  // Most vertices are, and are asked about by their neighbors.
-  void tell_flawless() {
-    VertexSet flawed(triangulation_.num_vertices(), 0);
-    for (const VertexId v : flaws_.unused) flawed[v] = 1;
-    for (const VertexId v : flaws_.pinched) flawed[v] = 1;
-    for (const VertexId v : region_.vertices) {
-      if (flawed[v] == 0) energy_.know_flawless(v);
-    }
   }
 
   // At every sample that is unused or where the surface is pinched (both ends of a non-manifold
