@@ -93,6 +93,13 @@ void add_stages(JsonReport& report, const ReconstructArguments& arguments,
   report.set("parameters/clean_up", effective.clean_up.enabled);
 }
 
+// Sessions and open surfaces have none (require_possible_noise_filter).
+NoiseFilter noise_filter_of(const ReconstructArguments& arguments) {
+  if (arguments.noise == "robust") return NoiseFilter::used;
+  const bool possible = arguments.surface == "tight" && arguments.session.empty();
+  return possible ? NoiseFilter::not_used : NoiseFilter::no_option;
+}
+
 ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
                                 const StageOptions& options) {
   RobustResult result = reconstruct_robust(points, options.noise, options.surface, job.execution());
@@ -156,7 +163,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
           result.duplicates, result.unused_points, result.tetrahedra);
   job.say("{} -> {}", surface_summary(certificate), arguments.mesh);
   std::vector<Finding> findings =
-      findings_of(doubts, result.points - result.duplicates, arguments.noise == "robust");
+      findings_of(doubts, result.points - result.duplicates, noise_filter_of(arguments));
   const bool parted = certificate.edge_manifold && certificate.vertex_manifold;
   std::erase_if(findings, [&](const Finding& f) { return parted && f.kind == "contacts"; });
   report_findings(job, findings);

@@ -20,23 +20,25 @@ std::string sparse_samples(const SurfaceDoubts& d) {
 }
 
 // `many`: so many samples fail that scans may overlap without agreeing.
-Finding sparse_finding(const SurfaceDoubts& d, bool many, bool noise_filtered) {
+Finding sparse_finding(const SurfaceDoubts& d, bool many, NoiseFilter filter) {
   return {
       "sparse",
-      fmt::format("samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
-                  "there is {:.3g} ({:.1f} times the median), near {}; scan such places more "
-                  "densely{}",
-                  sparse_samples(d), d.sparse[0].size, d.sparse[0].size / d.spacing,
-                  place(d.sparse[0].at),
-                  many && !noise_filtered ? ", or try --noise robust if scans overlap there" : ""),
+      fmt::format(
+          "samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
+          "there is {:.3g} ({:.1f} times the median), near {}; scan such places more "
+          "densely{}",
+          sparse_samples(d), d.sparse[0].size, d.sparse[0].size / d.spacing, place(d.sparse[0].at),
+          many && filter == NoiseFilter::not_used ? ", or try --noise robust if scans overlap there"
+                                                  : ""),
       d.boundary_samples + d.gap_samples, d.sparse};
 }
 
-Finding noise_finding(const SurfaceDoubts& d, bool noise_filtered) {
+Finding noise_finding(const SurfaceDoubts& d, NoiseFilter filter) {
   return {"noise",
           fmt::format("noise is about {:.0f} % of the spacing {:.3g}; {}",
                       100 * noise_of(d.roughness), d.spacing,
-                      noise_filtered ? "smooth or thin out the points" : "try --noise robust"),
+                      filter == NoiseFilter::not_used ? "try --noise robust"
+                                                      : "smooth or thin out the points"),
           0,
           {}};
 }
@@ -50,18 +52,29 @@ Finding fragments_finding(const SurfaceDoubts& d) {
           d.fragments, d.dust};
 }
 
-Finding unused_finding(const SurfaceDoubts& d, std::size_t points, bool noise_filtered) {
-  return {"unused",
-          fmt::format("{} of {} points {} not on the surface; {} is {:.3g} ({:.1f} times the "
-                      "spacing) off, at {}; {}",
-                      d.unused_points, points, d.unused_points == 1 ? "is" : "are",
-                      d.unused_points == 1 ? "it" : "the farthest", d.unused[0].size,
-                      d.unused[0].size / d.spacing, place(d.unused[0].at),
-                      noise_filtered ? "such count as noise or outliers"
-                                     : "outliers (--noise robust finds more of them), inner "
-                                       "surfaces (--cavities keeps them), or samples too sparse "
-                                       "there"),
-          d.unused_points, d.unused};
+const char* reason_of_unused(NoiseFilter filter) {
+  switch (filter) {
+    case NoiseFilter::used:
+      return "such count as noise or outliers";
+    case NoiseFilter::not_used:
+      return "outliers (--noise robust finds more of them), inner surfaces (--cavities keeps "
+             "them), "
+             "or samples too sparse there";
+    case NoiseFilter::no_option:
+      break;
+  }
+  return "outliers, inner surfaces, or samples too sparse there";
+}
+
+Finding unused_finding(const SurfaceDoubts& d, std::size_t points, NoiseFilter filter) {
+  return {
+      "unused",
+      fmt::format("{} of {} points {} not on the surface; {} is {:.3g} ({:.1f} times the "
+                  "spacing) off, at {}; {}",
+                  d.unused_points, points, d.unused_points == 1 ? "is" : "are",
+                  d.unused_points == 1 ? "it" : "the farthest", d.unused[0].size,
+                  d.unused[0].size / d.spacing, place(d.unused[0].at), reason_of_unused(filter)),
+      d.unused_points, d.unused};
 }
 
 // "3 edges and 1 vertex"; only what there is
@@ -85,7 +98,7 @@ std::string place(const Point& at) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", at.x, at.y, at.z);
 }
 
-std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, bool noise_filtered) {
+std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, NoiseFilter filter) {
   constexpr double noise_limit = 0.2;    // where reconstructions through all points begin to fail
   constexpr double sparse_share = 0.05;  // of the points
   std::vector<Finding> findings;
@@ -93,11 +106,11 @@ std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, boo
   const bool many =
       static_cast<double>(d.boundary_samples) > sparse_share * static_cast<double>(points);
   if (many || d.gap_samples > 0) {
-    findings.push_back(sparse_finding(d, many, noise_filtered));
+    findings.push_back(sparse_finding(d, many, filter));
   }
-  if (noise_of(d.roughness) > noise_limit) findings.push_back(noise_finding(d, noise_filtered));
+  if (noise_of(d.roughness) > noise_limit) findings.push_back(noise_finding(d, filter));
   if (d.fragments > 0) findings.push_back(fragments_finding(d));
-  if (!d.unused.empty()) findings.push_back(unused_finding(d, points, noise_filtered));
+  if (!d.unused.empty()) findings.push_back(unused_finding(d, points, filter));
   if (!d.contacts.empty()) findings.push_back(contacts_finding(d));
   return findings;
 }

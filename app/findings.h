@@ -20,10 +20,12 @@ struct Finding {
   std::vector<DoubtfulSpot> spots;  // worst first
 };
 
-// Nothing for a surface that is what it should be. `points`: how many there were, duplicates apart;
-// `noise_filtered`: whether --noise robust was used.
+// Whether the user may filter noise (--noise robust), and has.
+enum class NoiseFilter { no_option, not_used, used };
+
+// Nothing for a surface that is what it should be. `points`: how many there were, duplicates apart.
 std::vector<Finding> findings_of(const SurfaceDoubts& doubts, std::size_t points,
-                                 bool noise_filtered);
+                                 NoiseFilter filter);
 
 // As the array "findings" of the report, which is empty if there are none: kind, message, count,
 // spots (at, count, size).

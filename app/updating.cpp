@@ -126,7 +126,7 @@ std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points
   SurfaceDoubts doubts = surface_doubts(surface, points, {}, execution);
   certificate = doubts.certificate;
   doubts.gap_samples = 0;
-  return findings_of(doubts, surface.points - surface.duplicates, false);
+  return findings_of(doubts, surface.points - surface.duplicates, NoiseFilter::no_option);
 }
 
 std::string with_cloud_names(std::string message, const std::vector<std::string>& names) {

@@ -17,8 +17,9 @@
 
 namespace cocoon {
 
-// Computed when asked for, or ahead, for the four facets of a cell at once, and remembered: 33
-// bytes for each cell that was asked about. Not to be shared by threads.
+// Computed when asked for, or ahead (but for flat cells), for the four facets of a cell at once,
+// and remembered: 33 bytes for each cell that was asked about. Every question may write: not to be
+// shared by threads.
 class BallCosines {
  public:
   // Keeps the reference, which must outlive the object. O(1). A cell is flat if its height over its
@@ -47,7 +48,8 @@ class BallCosines {
   // faces the other way than the one by which it was entered; none if that leads through more than
   // max_flat_cells. O(1) but for those.
   CellId beyond(FacetId f);
-  // Both sides of a flat cell: the cells beyond its largest facet, from within and from outside.
+  // Both sides of a flat cell: the cells beyond its largest facet, from within and from outside;
+  // none as beyond() says.
   std::array<CellId, 2> sides_of_flat(CellId c);
 
  private:

@@ -45,26 +45,34 @@ std::vector<CellId> BestMove::find(VertexId v) {
   return std::exchange(best_, {});
 }
 
-std::vector<BestMove::Opening> BestMove::openings(VertexId v, Energy max_rise) {
-  std::vector<Opening> openings;
-  const Energy cost = energy_.vertex_cost(v);
-  const auto add = [&](std::span<const CellId> cells) {
-    if (energy_.vertex_cost_after(v, cells) >= cost) return;
-    const Energy change = energy_.change(cells, max_rise);
-    if (change > max_rise || side_split_.splits(cells)) return;
-    openings.push_back({change, {cells.begin(), cells.end()}});
-  };
+std::vector<BestMove::Opening> BestMove::openings(VertexId v, Energy max_rise, std::size_t most) {
+  std::vector<Opening> sets;  // with their bounds
   list_candidates(v, max_rise);
   for (const Candidate& candidate : candidates_) {
-    add(std::span(candidate.cells).first(candidate.size));
+    const auto cells = std::span(candidate.cells).first(candidate.size);
+    sets.push_back({candidate.least, {cells.begin(), cells.end()}});
   }
-  for (const std::vector<CellId>& part : large_parts(v)) {
-    if (energy_.least_change(part, max_rise) <= max_rise) add(part);
+  for (std::vector<CellId>& part : large_parts(v)) {
+    const Energy least = energy_.least_change(part, max_rise);
+    if (least <= max_rise) sets.push_back({least, std::move(part)});
   }
-  std::sort(openings.begin(), openings.end(), [&](const Opening& a, const Opening& b) {
+  keep_least(sets, asked_per_opening * most);
+  const Energy cost = energy_.vertex_cost(v);
+  std::erase_if(sets, [&](Opening& set) {
+    if (energy_.vertex_cost_after(v, set.cells) >= cost) return true;
+    set.change = energy_.change(set.cells, max_rise);
+    return set.change > max_rise || side_split_.splits(set.cells);
+  });
+  keep_least(sets, most);
+  return sets;
+}
+
+// In order, and no more than so many.
+void BestMove::keep_least(std::vector<Opening>& sets, std::size_t most) const {
+  std::sort(sets.begin(), sets.end(), [&](const Opening& a, const Opening& b) {
     return a.change != b.change ? a.change < b.change : precedes(triangulation_, a.cells, b.cells);
   });
-  return openings;
+  if (sets.size() > most) sets.resize(most);
 }
 
 // The single cells and the pairs that could change the energy by at most the limit.

@@ -39,9 +39,13 @@ class BestMove {
     Energy change;
     std::vector<CellId> cells;
   };
-  // Of the same sets all whose flip lowers the cost of v and raises the energy by at most
-  // `max_rise`; by their change, ties by cell_order.h. Complexity: O(star) evaluations.
-  std::vector<Opening> openings(VertexId v, Energy max_rise);
+  // Of the same sets those whose flip lowers the cost of v and raises the energy by at most
+  // `max_rise`, the `most` with the least change; by their change, ties by cell_order.h. Evaluated
+  // are only those that promise most, asked_per_opening for each that is wanted, since a star may
+  // have as many sets as there are samples. Complexity: O(star log star) bounds, and O(stars) for
+  // each evaluation.
+  static constexpr std::size_t asked_per_opening = 10;
+  std::vector<Opening> openings(VertexId v, Energy max_rise, std::size_t most);
 
  private:
   struct Candidate {
@@ -52,6 +56,7 @@ class BestMove {
   void list_candidates(VertexId v, Energy limit);
   std::vector<std::vector<CellId>> large_parts(VertexId v);
   void consider(std::span<const CellId> cells);
+  void keep_least(std::vector<Opening>& sets, std::size_t most) const;
 
   const Triangulation& triangulation_;
   StarCache& stars_;

@@ -181,7 +181,7 @@ class CleanUp {
           const bool out = marks_.labels[behind] == CellLabel::out;
           out ? flow.pull_to_source(node, cost) : flow.pull_to_sink(node, cost);
         } else if (!adjacent) {
-          flow.add_edge(node, place[behind] - 1, cost / 2);  // both have facets to the flat cells
+          flow.add_edge(node, place[behind] - 1, cost / 2);  // seen from both sides, mostly
         } else if (c < behind) {
           flow.add_edge(node, place[behind] - 1, cost);
         }

@@ -31,10 +31,10 @@
 //     again.
 //  4. Small parts of the body (small_parts.h) in the doubtful region are dropped where that lowers
 //     E. Moves again.
-//  5. Compound moves. At what is still a defect or an unused sample, moves that mend it, but raise
-//  E
-//     by up to max_rise, are tried (the cheapest max_openings) with all moves that then lower it
-//     (compound_move.h), and taken with them where that lowers E in all. Moves again.
+//  5. Compound moves. At what is still a defect or an unused sample, moves after which it costs
+//  less,
+//     though E rises by up to max_rise, are tried (the cheapest max_openings) with all moves that
+//     then lower E (compound_move.h), and taken with them where E falls in all. Moves again.
 //  What is undecided over a volume (most_clump_cells) is left to the peel.
 //  E falls strictly in 2 to 5, and there are finitely many labelings, so this ends.
 #pragma once

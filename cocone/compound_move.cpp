@@ -17,9 +17,7 @@ CompoundMove::CompoundMove(const Triangulation& triangulation, const DoubtfulReg
 std::vector<std::vector<CellId>> CompoundMove::find(VertexId v) {
   Energy best_change = 0;
   std::vector<std::vector<CellId>> best;
-  std::vector<BestMove::Opening> openings = best_move_.openings(v, max_rise_);
-  if (openings.size() > max_openings_) openings.resize(max_openings_);
-  for (BestMove::Opening& opening : openings) {
+  for (BestMove::Opening& opening : best_move_.openings(v, max_rise_, max_openings_)) {
     std::vector<std::vector<CellId>> moves{std::move(opening.cells)};
     const Energy change = opening.change + follow(moves);
     for (std::size_t k = moves.size(); k > 0; --k) energy_.flip(moves[k - 1]);

@@ -19,11 +19,12 @@ class CompoundMove {
                BestMove& best_move, const CleanUpOptions& options);
 
   // Sets of finite cells that change sides one after the other, such that the energy falls in all;
-  // empty if there are none. The first max_openings openings (BestMove::openings) at
-  // v are tried: best moves follow at its vertices that cost something, then at theirs, while they
-  // lower the energy. Of these trials the best, ties by the rank of the opening. The labeling is as
-  // before. Complexity: O(1 + moves that follow) best moves for each opening.
-  // Source: ours, after Kernighan & Lin 1970 (a gain may need a loss before it).
+  // empty if there are none. The first max_openings openings (BestMove::openings) at v are tried:
+  // best moves follow at its vertices that cost something, then at theirs, while they lower the
+  // energy, but at none that is left alone (DoubtfulRegion::is_left). Of these trials the best,
+  // ties by the rank of the opening. The labeling is as before. Complexity: for each opening a best
+  // move (BestMove::find) at each vertex that it and the moves after it touch, if that costs
+  // something. Source: ours, after Kernighan & Lin 1970 (a gain may need a loss before it).
   std::vector<std::vector<CellId>> find(VertexId v);
 
  private:

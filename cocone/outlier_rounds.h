@@ -20,8 +20,9 @@ struct OutlierRounds {
 // so on until there are none. The triangulation is used up; `spacing` (sample_spacing by
 // options.neighbors) is its own. Asked again are only those that have new neighbors, or neighbors
 // with another spacing. Complexity: O(cells) once, if there are outliers; then for each round
-// O(k log n) expected for k cells that it replaces, with the stars of their vertices.
-// Errors: InputError if what is left does not span space. Deterministic: a function of the points.
+// O(k log n) expected for k cells that it replaces, with the stars of their vertices, on one
+// thread. Errors: InputError if what is left does not span space. Deterministic: a function of the
+// points.
 OutlierRounds outlier_rounds(Triangulation triangulation, IdVector<VertexId, double> spacing,
                              VertexSet first, const NoiseOptions& options,
                              const Execution& execution = {});

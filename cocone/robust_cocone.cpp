@@ -19,13 +19,13 @@
 namespace cocoon {
 namespace {
 
-// Of all samples, the layer included.
+// Of all samples, the layer included; closed only if asked for.
 struct RoughSurface {
   VertexSet good;                          // one disk of the Cocone surface around them
   IdVector<CellId, std::uint8_t> outside;  // 1 = outside the closed surface; empty if there is none
 };
 
-RoughSurface rough_surface(const Triangulation& triangulation, const Dual& dual,
+RoughSurface rough_surface(const Triangulation& triangulation, const Dual& dual, bool closed,
                            const ReconstructOptions& options, const Execution& execution) {
   ConeSides sides;
   const Poles poles = compute_poles(triangulation, dual, options.cocone.cosine, sides, execution);
@@ -40,6 +40,7 @@ RoughSurface rough_surface(const Triangulation& triangulation, const Dual& dual,
       extract_manifold(triangulation, std::move(pruned.left), pruned.umbrella, execution);
   CellMarks marks = mark_cells(triangulation, surface.triangles, labels.boundary,
                                options.good_vertices, execution);
+  if (!closed) return {std::move(marks.good), {}};
   marks =
       peel_cells(triangulation, surface.triangles.set, std::move(marks), options.peel, execution);
   clean_up_cells(triangulation, poles, marks, options.clean_up, execution);
@@ -107,8 +108,9 @@ class Filter {
   void judge_layer() {
     const Dual dual = voronoi_dual(triangulation_, execution_);
     RoughSurface rough;
-    if (noise_.keep_good || noise_.max_leak < 1) {
-      rough = rough_surface(triangulation_, dual, options_, execution_);
+    const bool may_hold = noise_.max_leak < 1;
+    if (noise_.keep_good || may_hold) {
+      rough = rough_surface(triangulation_, dual, may_hold, options_, execution_);
     }
     const OuterSkin skin = held_skin(dual, rough.outside);
     NoiseCounters& counters = result_.counters;

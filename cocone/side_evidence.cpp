@@ -136,9 +136,8 @@ class Propagation {
       for_asked_vertices(c, [&](VertexId v) { at_vertices_[v].reach = 0; });
     for_finite_corners([&](CellId c, VertexId v, const Vec3& arm) {
       AtVertex& here = at_vertices_[v];
-      const Vec3 normal = here.positive.is_none()
-                              ? poles_.normals[v]  // on the hull, or among flat cells alone
-                              : center(here.positive) - triangulation_.point(v);
+      const Vec3 normal =
+          here.on_hull ? poles_.normals[v] : center(here.positive) - triangulation_.point(v);
       if (dot(arm, normal) < 0) raise_pole(here.negative, here.reach, c, arm);
     });
   }

@@ -8,7 +8,7 @@ namespace {
 
 // The message of the only finding, without its numbers' tail.
 std::string said(const SurfaceDoubts& doubts, const std::string& until) {
-  const std::vector<Finding> findings = findings_of(doubts, 10, false);
+  const std::vector<Finding> findings = findings_of(doubts, 10, NoiseFilter::not_used);
   EXPECT_EQ(findings.size(), 1U);
   if (findings.size() != 1) return "";
   return findings[0].message.substr(0, findings[0].message.find(until));
@@ -60,14 +60,31 @@ TEST(Findings, ManyFailingSamplesMayBeOverlappingScans) {
   doubts.spacing = 0.1;
   doubts.sparse = one_spot;
   doubts.boundary_samples = 6;
-  const auto names_filter = [&](std::size_t points, bool noise_filtered) {
-    const std::vector<Finding> findings = findings_of(doubts, points, noise_filtered);
+  const auto names_filter = [&](std::size_t points, NoiseFilter filter) {
+    const std::vector<Finding> findings = findings_of(doubts, points, filter);
     return findings.at(0).message.find("--noise robust") != std::string::npos;
   };
-  EXPECT_TRUE(names_filter(100, false));
-  EXPECT_FALSE(names_filter(100, true));
+  EXPECT_TRUE(names_filter(100, NoiseFilter::not_used));
+  EXPECT_FALSE(names_filter(100, NoiseFilter::used));
+  EXPECT_FALSE(names_filter(100, NoiseFilter::no_option));
   doubts.gap_samples = 1;
-  EXPECT_FALSE(names_filter(1000, false));
+  EXPECT_FALSE(names_filter(1000, NoiseFilter::not_used));
+}
+
+// No advice names an option that the command does not have.
+TEST(Findings, UpdatesHaveNoNoiseFilter) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.sparse = one_spot;
+  doubts.boundary_samples = 6;
+  doubts.roughness = 1;
+  doubts.unused = one_spot;
+  doubts.unused_points = 1;
+  const std::vector<Finding> findings = findings_of(doubts, 100, NoiseFilter::no_option);
+  EXPECT_EQ(findings.size(), 3U);
+  for (const Finding& finding : findings) {
+    EXPECT_EQ(finding.message.find("--"), std::string::npos) << finding.message;
+  }
 }
 
 TEST(Findings, UnusedPointsAreOneOrMany) {

@@ -1,6 +1,7 @@
 #include "cocone/clean_up_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
 #include <string>
 
@@ -135,24 +136,29 @@ TEST(CleanUpCells, HolesSampledAtTheirRimsOnlyAreOpen) {
   EXPECT_EQ(mesh_check(reconstruct_tight(points, filled).mesh).euler, 2);
 }
 
+// The plate in a position of its own, its coordinates rounded.
+std::vector<Point> turned_plate(std::uint64_t seed, bool single_precision) {
+  Random random(seed);
+  const Vec3 u = random.on_unit_sphere();
+  const Vec3 v = unit(cross(u, random.on_unit_sphere()));
+  const Vec3 w = cross(u, v);
+  std::vector<Point> points;
+  for (const Point& p : vertices_of_model("plate_holes.stl")) {
+    Point q{dot(u, p), dot(v, p), dot(w, p)};
+    if (single_precision) {
+      q = {double(static_cast<float>(q.x)), double(static_cast<float>(q.y)),
+           double(static_cast<float>(q.z))};
+    }
+    points.push_back(q);
+  }
+  return points;
+}
+
 // The faces of a turned part are planes but for rounding, with flat cells on them and across the
 // holes. In files, coordinates often have single precision.
 TEST(CleanUpCells, FlatCellsAreLookedThrough) {
-  const std::vector<Point> part = vertices_of_model("plate_holes.stl");
-  Random random(3);
-  for (int turn = 0; turn < 4; ++turn) {
-    const Vec3 u = random.on_unit_sphere();
-    const Vec3 v = unit(cross(u, random.on_unit_sphere()));
-    const Vec3 w = cross(u, v);
-    std::vector<Point> points;
-    for (const Point& p : part) {
-      Point q{dot(u, p), dot(v, p), dot(w, p)};
-      if (turn % 2 != 0) {
-        q = {double(static_cast<float>(q.x)), double(static_cast<float>(q.y)),
-             double(static_cast<float>(q.z))};
-      }
-      points.push_back(q);
-    }
+  for (std::uint64_t turn = 0; turn < 4; ++turn) {
+    const std::vector<Point> points = turned_plate(turn + 3, turn % 2 != 0);
     const ReconstructResult result = reconstruct_tight(points);
     const MeshReport report = mesh_check(result.mesh);
     EXPECT_TRUE(report.is_closed_manifold());
@@ -237,16 +243,38 @@ TEST(CleanUpCells, SameResultForEveryNumberOfThreads) {
   }
 }
 
-TEST(CleanUpCells, SameResultForEveryInputOrder) {
-  const std::vector<Point> points = vertices_of_model("elephant.off");
-  const ReconstructResult expected = reconstruct_tight(points);
-  ASSERT_GT(expected.counters.clean_up.changed_cells, 0U);
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const ReconstructResult other = reconstruct_tight(shapes::shuffled(points, seed));
-    EXPECT_EQ(other.mesh.triangles.size(), expected.mesh.triangles.size());
-    EXPECT_EQ(other.counters.clean_up.changed_cells, expected.counters.clean_up.changed_cells);
-    EXPECT_EQ(other.counters.clean_up.moves, expected.counters.clean_up.moves);
+// Each triangle from its smallest corner on.
+std::vector<std::array<Point, 3>> in_space(const TriangleMesh& mesh) {
+  std::vector<std::array<Point, 3>> triangles;
+  for (const Triangle& t : mesh.triangles) {
+    std::array<Point, 3> corners{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    triangles.push_back(corners);
   }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+TEST(CleanUpCells, SameResultForEveryInputOrder) {
+  std::size_t compound = 0;
+  std::size_t flat = 0;
+  for (const std::vector<Point>& points :
+       {vertices_of_model("elephant.off"), shapes::noisy_sphere(1500, 0.04, 2),
+        shapes::noisy_sphere(1500, 0.04, 5), turned_plate(3, false), turned_plate(4, true)}) {
+    const ReconstructResult expected = reconstruct_tight(points);
+    ASSERT_GT(expected.counters.clean_up.changed_cells, 0U);
+    compound += expected.counters.clean_up.compound_moves;
+    flat += expected.counters.clean_up.flat_cells;
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      const ReconstructResult other = reconstruct_tight(shapes::shuffled(points, seed), {},
+                                                        {.threads = static_cast<int>(seed)});
+      EXPECT_EQ(in_space(other.mesh), in_space(expected.mesh));
+      EXPECT_EQ(other.counters.clean_up.changed_cells, expected.counters.clean_up.changed_cells);
+      EXPECT_EQ(other.counters.clean_up.moves, expected.counters.clean_up.moves);
+    }
+  }
+  EXPECT_GT(compound, 0U);
+  EXPECT_GT(flat, 0U);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "cocone/noise_filter.h"
 #include "delaunay/delaunay.h"
+#include "delaunay/voronoi_dual.h"
 #include "geom/mesh_check.h"
 #include "geom/random.h"
 #include "ref/cgal_noise_filter.h"
@@ -119,6 +120,27 @@ TEST(RobustCocone, HolesOfTheDataDoNotLetTheOutsideIn) {
     EXPECT_GT(held.noise.layer_samples, 2 * leaked.noise.layer_samples);
   }
   EXPECT_LE(handles_held, 4);
+}
+
+TEST(NoiseFilter, TheSkinStaysWhereItMayBe) {
+  const std::vector<Point> points = shaken(shapes::torus(60, 30, 0.4, 0.3, 5), 0.02, 6);
+  const Triangulation t = delaunay(points).triangulation;
+  const Dual dual = voronoi_dual(t);
+  const auto spacing = sample_spacing(t, vertex_stars(t), NoiseOptions().neighbors);
+  const OuterSkin plain = outer_skin(t, dual, spacing);
+  IdVector<CellId, std::uint8_t> outside(t.num_cells(), 1);
+  const OuterSkin everywhere = outer_skin(t, dual, spacing, {}, outside);
+  EXPECT_TRUE(everywhere.balls == plain.balls);
+  EXPECT_TRUE(everywhere.touched == plain.touched);
+  for (const CellId c : t.finite_cells()) {
+    if (dual.centers[c].x > 0) outside[c] = 0;
+  }
+  const OuterSkin held = outer_skin(t, dual, spacing, {}, outside);
+  EXPECT_LT(held.outer_cells, plain.outer_cells);
+  EXPECT_EQ(held.large_cells, plain.large_cells);
+  for (const CellId c : t.finite_cells()) {
+    EXPECT_FALSE(held.balls[c] == BallSize::outer && outside[c] == 0);
+  }
 }
 
 TEST(RobustCocone, PublishedFilterKeepsTheSkinAlone) {

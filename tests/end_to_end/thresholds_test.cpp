@@ -86,7 +86,6 @@ TEST(Thresholds, DeferredSeedingIsAnOption) {
   const Json peeled = reconstructed(folder, {"--no-deferred-seeding"}, cloud);
   EXPECT_EQ(peeled["counters"]["deferred_seeds"], 0);
   EXPECT_GT(peeled["counters"]["clean_up"]["undecided_cells"], 800);
-  EXPECT_NE(peeled["surface"]["unused_points"], 12);  // the clean-up alone has found some surface
   EXPECT_EQ(peeled["parameters"]["deferred_seeding"], false);
 }
 
