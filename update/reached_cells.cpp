@@ -28,8 +28,10 @@ ReachedCells::ReachedCells(Points centers, double reach) : extent_(box_of(center
     const auto i = static_cast<std::size_t>(axis);
     const double cells =
         size[axis] > reach ? std::clamp(std::floor(size[axis] / reach), 1.0, max_cells) : 1;
-    counts_[i] = static_cast<std::size_t>(cells);
-    per_length_[i] = size[axis] > 0 ? cells / size[axis] : 0;
+    const double per_length = cells / size[axis];
+    const bool has_width = size[axis] > 0 && std::isfinite(per_length);  // not but for subnormals
+    counts_[i] = has_width ? static_cast<std::size_t>(cells) : 1;
+    per_length_[i] = has_width ? per_length : 0;
   }
   reached_.assign(counts_[0] * counts_[1] * counts_[2], 0);
   for (const Point& p : centers) {

@@ -1,6 +1,7 @@
 #include "update/reached_cells.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <vector>
 
 #include "geom/random.h"
@@ -48,6 +49,14 @@ TEST(PointsNear, AtTheReachItselfAndAtNone) {
   EXPECT_EQ(points_near(points, center, 0), (std::vector<Point>{{0, 0, 0}}));
   EXPECT_TRUE(points_near(points, {}, 1).empty());
   EXPECT_TRUE(points_near({}, center, 1).empty());
+}
+
+// A number of cells over such a width is no double.
+TEST(PointsNear, CentersMayBeAsCloseAsNumbersCan) {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  const std::vector<Point> centers = {{0, 0, 0}, {0, 0, least}};
+  EXPECT_EQ(points_near(centers, centers, 0), centers);
+  EXPECT_TRUE(points_near(std::vector<Point>{{0, 0, 1}}, centers, 0).empty());
 }
 
 }  // namespace
