@@ -105,9 +105,7 @@ std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, Noi
   if (d.spacing == 0) return findings;
   const bool many =
       static_cast<double>(d.boundary_samples) > sparse_share * static_cast<double>(points);
-  if (many || d.gap_samples > 0) {
-    findings.push_back(sparse_finding(d, many, filter));
-  }
+  if (many || d.gap_samples > 0) findings.push_back(sparse_finding(d, many, filter));
   if (noise_of(d.roughness) > noise_limit) findings.push_back(noise_finding(d, filter));
   if (d.fragments > 0) findings.push_back(fragments_finding(d));
   if (!d.unused.empty()) findings.push_back(unused_finding(d, points, filter));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "cocone/cell_order.h"
@@ -100,15 +99,20 @@ CellId BallCosines::through(FacetId f) {
   return {};
 }
 
-// Of the facets of a flat cell that face the other way than f the largest; ties by the vertex that
-// it does not have. If f alone is so degenerate that none faces the other way: of all others.
+// By which the facets of a cell compare: the area; ties by the vertex that they do not have.
+std::pair<double, Point> BallCosines::size_in_cell(FacetId f) const {
+  return {squared_norm(outward_normal(triangulation_, f)),
+          triangulation_.point(triangulation_.vertex(cell_of(f), index_of(f)))};
+}
+
+// Of the facets of a flat cell that face the other way than f the largest. If f alone is so
+// degenerate that none faces the other way: of all others.
 int BallCosines::far_side(FacetId f) const {
   const CellId c = cell_of(f);
   const Vec3 entered = outward_normal(triangulation_, f);
   const auto size = [&](int i) {
-    const Vec3 normal = outward_normal(triangulation_, facet_id(c, i));
-    return std::tuple(dot(normal, entered) < 0, squared_norm(normal),
-                      triangulation_.point(triangulation_.vertex(c, i)));
+    const FacetId g = facet_id(c, i);
+    return std::pair(dot(outward_normal(triangulation_, g), entered) < 0, size_in_cell(g));
   };
   int best = index_of(f) == 0 ? 1 : 0;
   for (int i = best + 1; i < 4; ++i) {
@@ -118,16 +122,11 @@ int BallCosines::far_side(FacetId f) const {
 }
 
 std::array<CellId, 2> BallCosines::sides_of_flat(CellId c) {
-  const auto size = [&](int i) {
-    return std::tuple(squared_norm(outward_normal(triangulation_, facet_id(c, i))),
-                      triangulation_.point(triangulation_.vertex(c, i)));
-  };
-  int largest = 0;
+  FacetId largest = facet_id(c, 0);
   for (int i = 1; i < 4; ++i) {
-    if (size(i) > size(largest)) largest = i;
+    if (size_in_cell(facet_id(c, i)) > size_in_cell(largest)) largest = facet_id(c, i);
   }
-  const FacetId f = facet_id(c, largest);
-  return {through(f), beyond(f)};
+  return {through(largest), beyond(largest)};
 }
 
 void BallCosines::look_through(CellId c) {

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
@@ -61,6 +62,7 @@ class BallCosines {
   void look_through(CellId c);
   double cosine_through(FacetId f);
   CellId through(FacetId f);
+  std::pair<double, Point> size_in_cell(FacetId f) const;
   int far_side(FacetId f) const;
 
   const Triangulation& triangulation_;

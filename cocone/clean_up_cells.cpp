@@ -57,7 +57,6 @@ class CleanUp {
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     count(counters_.defects_before, counters_.unused_before);
     leave_out_outliers();
-    counters_.outliers = outliers_.size();
     set_preferences();
     cut();
     fill_cavities();
@@ -85,6 +84,7 @@ class CleanUp {
       energy_.leave_out(v);
       outliers_.push_back(v);
     }
+    counters_.outliers = outliers_.size();
   }
 
   std::size_t most_clump_cells() const {
@@ -144,12 +144,10 @@ class CleanUp {
       out_[c] = marks_.labels[c] == CellLabel::out ? 1 : 0;
     }
     for (std::size_t k = 0; k < cells.size(); ++k) relabel(cells[k], side[k]);
+    const auto is_out = [&](CellId c) { return !c.is_none() && out_[c] != 0; };
     for (const CellId c : flat_cells) {
-      const auto sides = cosines_.sides_of_flat(c);
-      relabel(c, std::any_of(sides.begin(), sides.end(),
-                             [&](CellId s) { return !s.is_none() && out_[s] != 0; })
-                     ? 1
-                     : 0);
+      const auto [one, other] = cosines_.sides_of_flat(c);
+      relabel(c, is_out(one) || is_out(other) ? 1 : 0);
     }
     for (const CellId c : triangulation_.finite_cells()) {
       counters_.relabeled_cells += out_[c] != marks_.reached[c];
@@ -177,9 +175,10 @@ class CleanUp {
         if (behind.is_none() || behind == c) continue;
         const bool adjacent = behind == triangulation_.neighbor(c, i);
         const Energy cost = energy_.facet_cost(f);
-        if (place[behind] == 0) {
-          const bool out = marks_.labels[behind] == CellLabel::out;
-          out ? flow.pull_to_source(node, cost) : flow.pull_to_sink(node, cost);
+        if (place[behind] == 0 && marks_.labels[behind] == CellLabel::out) {
+          flow.pull_to_source(node, cost);
+        } else if (place[behind] == 0) {
+          flow.pull_to_sink(node, cost);
         } else if (!adjacent) {
           flow.add_edge(node, place[behind] - 1, cost / 2);  // seen from both sides, mostly
         } else if (c < behind) {

@@ -19,9 +19,10 @@
 //
 //  1. Cut. The first four terms are minimized over all labelings of the undecided cells and of the
 //     decided ones within decided_rings of them, the others held fixed: a minimum cut, so a global
-//     optimum; of several the one with most IN cells. Flat cells (ball_cosines.h) are looked
-//     through, and are OUT if one of their sides is. OUT cells that infinity cannot reach through
-//     OUT cells are then filled, as in the peel.
+//     optimum; of several the one with most IN cells. Flat cells (ball_cosines.h) are no part of
+//     that: other cells meet through them, each of their facets counting half, and they are OUT if
+//     one of their sides is. OUT cells that infinity cannot reach through OUT cells are then
+//     filled, as in the peel.
 //  2. Moves. At a defect or an unused sample single cells, pairs, and parts of stars change sides
 //     where that lowers E, unless they would found a new part of the body or a cavity, or what they
 //     leave would fall apart.
@@ -31,8 +32,7 @@
 //     again.
 //  4. Small parts of the body (small_parts.h) in the doubtful region are dropped where that lowers
 //     E. Moves again.
-//  5. Compound moves. At what is still a defect or an unused sample, moves after which it costs
-//  less,
+//  5. Compound moves. At what is still a defect or an unused sample, moves that make it cost less,
 //     though E rises by up to max_rise, are tried (the cheapest max_openings) with all moves that
 //     then lower E (compound_move.h), and taken with them where E falls in all. Moves again.
 //  What is undecided over a volume (most_clump_cells) is left to the peel.

@@ -165,8 +165,8 @@ class Propagation {
 
   void settle_known(const CellMarks& marks) {
     for (const CellId c : domain_) {
-      if (state_[c] == settled && !cosines_.is_flat(c))
-        pass_on(c, marks.labels[c] == CellLabel::out, 1);
+      if (state_[c] != settled || cosines_.is_flat(c)) continue;
+      pass_on(c, marks.labels[c] == CellLabel::out, 1);
     }
   }
 

@@ -11,6 +11,12 @@ std::vector<CloudRim> rims_of(std::span<const CloudReport> clouds) {
   return rims;
 }
 
+std::vector<std::uint8_t> partial_rims(std::span<const CloudReport> clouds) {
+  std::vector<std::uint8_t> partial;
+  for (const CloudReport& cloud : clouds) partial.push_back(cloud.surface.rim.is_partial() ? 1 : 0);
+  return partial;
+}
+
 std::vector<Scan> scans_of(std::span<const std::vector<Point>> clouds,
                            std::span<const CloudReport> reports) {
   std::vector<Scan> scans;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -61,6 +62,8 @@ struct CloudReport {
 };
 
 std::vector<CloudRim> rims_of(std::span<const CloudReport> clouds);
+// Of each cloud whether its rim is partial.
+std::vector<std::uint8_t> partial_rims(std::span<const CloudReport> clouds);
 // clouds[c] belongs to reports[c].
 std::vector<Scan> scans_of(std::span<const std::vector<Point>> clouds,
                            std::span<const CloudReport> reports);

@@ -211,18 +211,18 @@ RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
   return cut;
 }
 
-std::vector<std::uint8_t> clouds_to_cut(std::span<const CloudRim> rims,
+std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
                                         std::span<const std::size_t> joined) {
-  std::vector<std::uint8_t> cut(rims.size(), 0);
-  for (std::size_t c = 0; c < rims.size(); ++c) {
-    if (rims[c].is_partial()) cut[joined[c]] = 1;
+  std::vector<std::uint8_t> cut(partial.size(), 0);
+  for (std::size_t c = 0; c < cut.size(); ++c) {
+    if (partial[c] != 0) cut[joined[c]] = 1;
   }
-  for (std::size_t c = 0; c < rims.size(); ++c) cut[c] = cut[joined[c]];
+  for (std::size_t c = 0; c < cut.size(); ++c) cut[c] = cut[joined[c]];
   return cut;
 }
 
 CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
-                       std::span<const Border> borders, std::span<const std::vector<Point>> clouds,
+                       std::span<const Border> borders, std::span<const Scan> scans,
                        std::span<const std::size_t> joined, std::span<const std::uint8_t> is_cut,
                        const CutOptions& options, const SegmentOptions& segment,
                        const Execution& execution) {
@@ -239,14 +239,14 @@ CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
     if (is_cut[first] == 0 || joined[first] != first) continue;
     TriangleSet border(all.size(), 0);
     std::vector<CloudRim> cut_rims;
-    std::vector<Scan> scans;
+    std::vector<Scan> cut_scans;
     for (std::size_t c = first; c < rims.size(); ++c) {
       if (joined[c] != first) continue;
       certain_border(model, rims[c], borders[c].loops, options, border);
       cut_rims.push_back(rims[c]);
-      if (!clouds[c].empty()) scans.push_back({clouds[c], rims[c].median_edge});
+      if (!scans[c].samples.empty()) cut_scans.push_back(scans[c]);
     }
-    result.cuts[first] = cut_under_cloud(model, border, cut_rims, scans, options);
+    result.cuts[first] = cut_under_cloud(model, border, cut_rims, cut_scans, options);
     for (const TriangleId t : all.ids()) all[t] |= border[t];
   }
   result.regions = segment_model(model, all, segment, execution);

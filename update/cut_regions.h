@@ -89,18 +89,19 @@ struct CutRegions {
   std::vector<IdVector<RegionId, std::uint8_t>> under;
 };
 
-// For each cloud whether it is cut: its rim is partial, or one of those it is joined to.
-// joined[c]: the first of the clouds that c is joined to (joined_clouds()).
-std::vector<std::uint8_t> clouds_to_cut(std::span<const CloudRim> rims,
+// For each cloud whether it is cut: its rim is partial (CloudRim::is_partial), or one of those it
+// is joined to. joined[c]: the first of the clouds that c is joined to (joined_clouds()).
+std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
                                         std::span<const std::size_t> joined);
 
 // The components of the model without the borders of all clouds, split so that each lies as a whole
 // under each cloud that is cut, or outside: parts of regions under a cloud are new ones behind the
 // others. Of such clouds the border is certain_border(), of others all of it.
-// is_cut: as clouds_to_cut(), or more. rims[c], borders[c], clouds[c], joined[c] and is_cut[c]
-// belong together. Complexity: as cut_under_cloud() for each group of joined clouds.
+// is_cut: as clouds_to_cut(), or more. rims[c], borders[c], scans[c], joined[c] and is_cut[c]
+// belong together; where a scan without samples ends is not known. Complexity: as cut_under_cloud()
+// for each group of joined clouds.
 CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
-                       std::span<const Border> borders, std::span<const std::vector<Point>> clouds,
+                       std::span<const Border> borders, std::span<const Scan> scans,
                        std::span<const std::size_t> joined, std::span<const std::uint8_t> is_cut,
                        const CutOptions& options = {}, const SegmentOptions& segment = {},
                        const Execution& execution = {});

@@ -89,6 +89,22 @@ IdVector<RegionId, std::uint8_t> labels_beside(const Regions& rest, const Zone& 
   return labels;
 }
 
+// Of the facets on the source side, in order. None lies between zone and rest, which agree.
+std::vector<HalfedgeId> sides_between(const ModelIndex& model, const TriangleSet& border,
+                                      const Zone& zone, const TriangleSet& source) {
+  std::vector<HalfedgeId> sides;
+  for (const TriangleId t : zone.facets()) {
+    if (source[t] == 0) continue;
+    for (int i = 0; i < 3; ++i) {
+      const TriangleId next = model.adjacency().neighbors[t][static_cast<std::size_t>(i)];
+      if (next.is_none() || border[next] != 0 || source[next] != 0) continue;
+      sides.push_back(halfedge_of(t, i));
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
 FacetCut label_all(const TriangleSet& border, const Zone& zone,
                    const std::vector<std::uint8_t>& source, const Regions& rest,
                    const IdVector<RegionId, std::uint8_t>& labels) {
@@ -125,17 +141,7 @@ FacetCut facet_cut(const ModelIndex& model, const TriangleSet& border,
     const IdVector<RegionId, std::uint8_t> labels = labels_beside(rest, zone, source);
     if (std::count(labels.begin(), labels.end(), 3) > 0) continue;
     FacetCut cut = label_all(border, zone, source, rest, labels);
-    zone.visit_sides([&](TriangleId t, std::size_t i, TriangleId next) {
-      if (cut.source[t] == cut.source[next]) return;
-      if (cut.source[t] != 0) {
-        cut.sides.push_back(halfedge_of(t, static_cast<int>(i)));
-        return;
-      }
-      const auto& around = model.adjacency().neighbors[next];
-      const auto back = std::find(around.begin(), around.end(), t) - around.begin();
-      cut.sides.push_back(halfedge_of(next, static_cast<int>(back)));
-    });
-    std::sort(cut.sides.begin(), cut.sides.end());
+    cut.sides = sides_between(model, border, zone, cut.source);
     return cut;
   }
 }

@@ -29,7 +29,7 @@ ReachedCells::ReachedCells(Points centers, double reach) : extent_(box_of(center
     const double cells =
         size[axis] > reach ? std::clamp(std::floor(size[axis] / reach), 1.0, max_cells) : 1;
     const double per_length = cells / size[axis];
-    const bool has_width = size[axis] > 0 && std::isfinite(per_length);  // not but for subnormals
+    const bool has_width = size[axis] > 0 && std::isfinite(per_length);  // infinite: subnormal
     counts_[i] = has_width ? static_cast<std::size_t>(cells) : 1;
     per_length_[i] = has_width ? per_length : 0;
   }

@@ -1,9 +1,10 @@
 #include "update/shared_edges.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cstdint>
 
 #include "geom/box.h"
+#include "geom/disjoint_sets.h"
 #include "geom/nearest_point.h"
 #include "update/reached_cells.h"
 #include "update/rim_gaps.h"
@@ -71,18 +72,12 @@ std::vector<std::size_t> mark_shared_edges(std::size_t c, std::span<const Scan> 
 }
 
 std::vector<std::size_t> joined_clouds(std::span<const std::vector<std::size_t>> others) {
-  std::vector<std::size_t> lowest(others.size());
-  std::iota(lowest.begin(), lowest.end(), std::size_t{0});
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (std::size_t c = 0; c < others.size(); ++c) {
-      for (const std::size_t other : others[c]) {
-        const std::size_t least = std::min(lowest[c], lowest[other]);
-        changed = changed || lowest[c] != least || lowest[other] != least;
-        lowest[c] = lowest[other] = least;
-      }
-    }
+  DisjointSets sets(others.size());
+  for (std::uint32_t c = 0; c < others.size(); ++c) {
+    for (const std::size_t other : others[c]) sets.join(c, static_cast<std::uint32_t>(other));
   }
+  std::vector<std::size_t> lowest;
+  for (std::uint32_t c = 0; c < others.size(); ++c) lowest.push_back(sets.root(c));
   return lowest;
 }
 

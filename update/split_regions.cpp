@@ -39,8 +39,8 @@ class Labeling {
     for (const TriangleId t : labels_.ids()) {
       if (regions_.region_of_facet[t] != region_ || !is_beside_border(t)) continue;
       const RimSide side = rims.side_of(model_.centroid(t));
-      if (!(side.distance <= reach * std::max(spacings[side.rim], shortest_side(model_.mesh(), t))))
-        continue;
+      const double spacing = std::max(spacings[side.rim], shortest_side(model_.mesh(), t));
+      if (!(side.distance <= reach * spacing)) continue;
       labels_[t] = {0, side.on_cloud_side ? Label::under : Label::outside};
       ++(side.on_cloud_side ? counts.under_seeds : counts.outside_seeds);
       queue_.push({labels_[t], t});

@@ -80,8 +80,7 @@ std::vector<std::string> warnings_of_cut(const RegionCut& cut) {
   std::vector<std::string> warnings;
   if (cut.cut_edges > 0) {
     warnings.push_back(
-        "parts of its rim are missing; the model is cut there by the shortest way "
-        "(" +
+        "parts of its rim are missing; the model is cut there by the shortest way (" +
         counted(cut.cut_edges, "edge") + "); look at the result");
   }
   if (cut.scan_ends > 0) {

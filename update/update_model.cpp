@@ -63,9 +63,7 @@ class Update {
     excuse_covered_points(rims_of(result_.clouds), clouds_, overlaps_, options_.overlap);
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       if (overlaps_[c].status == OverlapStatus::no_overlap) try_others(c, index, execution);
-      for (const std::string& warning : warnings_of_surface(result_.clouds[c].surface)) {
-        warn(name_of_cloud(c) + ": " + warning);
-      }
+      warn_of_cloud(c, warnings_of_surface(result_.clouds[c].surface));
     }
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       report_overlap(c);
@@ -77,17 +75,16 @@ class Update {
 
   bool segment_and_choose(const ModelIndex& index, const Execution& execution) {
     if (close_pin_holes(index, execution)) trace_borders(index, execution);
-    is_cut_ = clouds_to_cut(rims_of(result_.clouds), joined_clouds(shared_with_));
-    if (!segment(index, execution)) return false;
+    const std::vector<std::size_t> joined = joined_clouds(shared_with_);
+    is_cut_ = clouds_to_cut(partial_rims(result_.clouds), joined);
+    if (!segment(index, joined, execution)) return false;
     std::vector<RegionAngles> angles = measure_angles(index);
     if (cut_where_scans_end(index, angles)) {
-      if (!segment(index, execution)) return false;
+      if (!segment(index, joined, execution)) return false;
       angles = measure_angles(index);
     }
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      for (const std::string& warning : warnings_of_cut(result_.clouds[c].cut)) {
-        warn(name_of_cloud(c) + ": " + warning);
-      }
+      warn_of_cloud(c, warnings_of_cut(result_.clouds[c].cut));
     }
     if (!check_separation(index, angles)) return false;
     if (!divided_loops_.empty() && !split_divided_regions(index, angles)) return false;
@@ -154,6 +151,9 @@ class Update {
     return false;
   }
   void warn(std::string message) { result_.warnings.push_back(std::move(message)); }
+  void warn_of_cloud(std::size_t c, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) warn(name_of_cloud(c) + ": " + warning);
+  }
 
   // Calls visit(cloud, loop) for the loops that take part in the border.
   template <class Visit>
@@ -210,9 +210,8 @@ class Update {
 
   void mark_shared(std::size_t c) {
     if (clouds_.size() < 2) return;
-    const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
     CloudRim& rim = result_.clouds[c].surface.rim;
-    shared_with_[c] = mark_shared_edges(c, scans, rim, options_.shared);
+    shared_with_[c] = mark_shared_edges(c, scans_of(clouds_, result_.clouds), rim, options_.shared);
   }
 
   // The rim that looked best is not on the model: takes the best one that is, if there is one.
@@ -317,14 +316,15 @@ class Update {
   }
 
   // Where rims are partial: takes regions that lie as a whole under each such cloud, or outside.
-  bool segment(const ModelIndex& index, const Execution& execution) {
-    const std::vector<std::size_t> joined = joined_clouds(shared_with_);
-    if (std::count(is_cut_.begin(), is_cut_.end(), 0) == std::ssize(is_cut_)) {
+  bool segment(const ModelIndex& index, const std::vector<std::size_t>& joined,
+               const Execution& execution) {
+    if (std::count(is_cut_.begin(), is_cut_.end(), 1) == 0) {
       result_.regions = segment_model(index, border_facets_, options_.segment, execution);
       return true;
     }
-    CutRegions cut = cut_regions(index, border_rims_of(result_.clouds), borders_, clouds_, joined,
-                                 is_cut_, options_.cut, options_.segment, execution);
+    CutRegions cut = cut_regions(index, border_rims_of(result_.clouds), borders_,
+                                 scans_of(clouds_, result_.clouds), joined, is_cut_, options_.cut,
+                                 options_.segment, execution);
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       if (is_cut_[c] == 0 || joined[c] != c) continue;
       cut.cuts[c].under = {};

@@ -44,25 +44,31 @@ std::vector<CellId> plain_best(Labeling& labeling, SideSplit& split, VertexId v)
   return best;
 }
 
-TEST(BestMove, IsTheBestOfAll) {
-  std::array<std::size_t, 4> found{};  // by the number of cells
-  for (const double bias : {0.1, 0.5, 0.97}) {
+// Calls visit(labeling, split, best_move, v) for all vertices of small triangulations.
+template <class Visit>
+void for_each_vertex(std::array<double, 3> biases, std::uint64_t seed, const Visit& visit) {
+  for (const double bias : biases) {
     for (const auto& points : {shapes::random_cube(60, 3), lattice(4), ball(4)}) {
-      Labeling labeling(points, 11, bias);
+      Labeling labeling(points, seed, bias);
       const Triangulation& t = labeling.stages.triangulation;
       SideSplit split(t, labeling.out);
       BestMove best_move(t, labeling.stars, labeling.out, labeling.energy, split);
-      for (const VertexId v : t.vertices()) {
-        std::vector<CellId> expected = plain_best(labeling, split, v);
-        std::vector<CellId> move = best_move.find(v);
-        std::sort(expected.begin(), expected.end());
-        std::sort(move.begin(), move.end());
-        EXPECT_EQ(move, expected);
-        ++found[std::min<std::size_t>(move.size(), 3)];
-        if (!move.empty()) labeling.energy.flip(move);
-      }
+      for (const VertexId v : t.vertices()) visit(labeling, split, best_move, v);
     }
   }
+}
+
+TEST(BestMove, IsTheBestOfAll) {
+  std::array<std::size_t, 4> found{};  // by the number of cells
+  for_each_vertex({0.1, 0.5, 0.97}, 11, [&](auto& labeling, auto& split, auto& best_move, auto v) {
+    std::vector<CellId> expected = plain_best(labeling, split, v);
+    std::vector<CellId> move = best_move.find(v);
+    std::sort(expected.begin(), expected.end());
+    std::sort(move.begin(), move.end());
+    EXPECT_EQ(move, expected);
+    ++found[std::min<std::size_t>(move.size(), 3)];
+    if (!move.empty()) labeling.energy.flip(move);
+  });
   for (const std::size_t count : found) EXPECT_GT(count, 0U);
 }
 
@@ -92,27 +98,19 @@ std::vector<BestMove::Opening> plain_openings(Labeling& labeling, SideSplit& spl
 TEST(BestMove, OpeningsAreAllThatMendTheVertex) {
   std::array<std::size_t, 4> found{};  // by the number of cells
   const Energy max_rise = to_energy(60);
-  for (const double bias : {0.2, 0.5, 0.9}) {
-    for (const auto& points : {shapes::random_cube(60, 3), lattice(4), ball(4)}) {
-      Labeling labeling(points, 12, bias);
-      const Triangulation& t = labeling.stages.triangulation;
-      SideSplit split(t, labeling.out);
-      BestMove best_move(t, labeling.stars, labeling.out, labeling.energy, split);
-      for (const VertexId v : t.vertices()) {
-        const auto expected = plain_openings(labeling, split, v, max_rise);
-        auto openings = best_move.openings(v, max_rise, 1000);
-        ASSERT_EQ(openings.size(), expected.size());
-        EXPECT_LE(best_move.openings(v, max_rise, 2).size(), 2U);
-        for (std::size_t k = 0; k < openings.size(); ++k) {
-          std::sort(openings[k].cells.begin(), openings[k].cells.end());
-          EXPECT_EQ(openings[k].cells, expected[k].cells);
-          EXPECT_EQ(openings[k].change, expected[k].change);
-          ++found[std::min<std::size_t>(openings[k].cells.size(), 3)];
-        }
-        if (!openings.empty()) labeling.energy.flip(openings.front().cells);
-      }
+  for_each_vertex({0.2, 0.5, 0.9}, 12, [&](auto& labeling, auto& split, auto& best_move, auto v) {
+    const auto expected = plain_openings(labeling, split, v, max_rise);
+    auto openings = best_move.openings(v, max_rise, 1000);
+    ASSERT_EQ(openings.size(), expected.size());
+    EXPECT_LE(best_move.openings(v, max_rise, 2).size(), 2U);
+    for (std::size_t k = 0; k < openings.size(); ++k) {
+      std::sort(openings[k].cells.begin(), openings[k].cells.end());
+      EXPECT_EQ(openings[k].cells, expected[k].cells);
+      EXPECT_EQ(openings[k].change, expected[k].change);
+      ++found[std::min<std::size_t>(openings[k].cells.size(), 3)];
     }
-  }
+    if (!openings.empty()) labeling.energy.flip(openings.front().cells);
+  });
   for (std::size_t k = 1; k < found.size(); ++k) EXPECT_GT(found[k], 0U);
 }
 

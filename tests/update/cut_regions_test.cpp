@@ -226,10 +226,10 @@ TEST(CutRegions, JoinedCloudsAreCutAsOne) {
   for (const CloudRim& rim : rims) {
     borders.push_back(trace_border(model, rim, overlapping_facets(model, rim)));
   }
-  const std::vector<std::vector<Point>> clouds(2);
+  const std::vector<Scan> scans(2);  // where they end is not known
   const std::vector<std::uint8_t> both = {1, 1};
   const CutRegions joined =
-      cut_regions(model, rims, borders, clouds, std::vector<std::size_t>{0, 0}, both);
+      cut_regions(model, rims, borders, scans, std::vector<std::size_t>{0, 0}, both);
   EXPECT_EQ(joined.under[0], joined.under[1]);
   EXPECT_LE(joined.cuts[0].cut_edges, 2U);
   for (const TriangleId t : mesh.triangles.ids()) {
@@ -239,7 +239,7 @@ TEST(CutRegions, JoinedCloudsAreCutAsOne) {
   }
   // Alone each is cut across.
   const CutRegions alone =
-      cut_regions(model, rims, borders, clouds, std::vector<std::size_t>{0, 1}, both);
+      cut_regions(model, rims, borders, scans, std::vector<std::size_t>{0, 1}, both);
   EXPECT_GT(alone.cuts[0].cut_edges, 5U);
   EXPECT_GT(alone.cuts[1].cut_edges, 5U);
 }
@@ -265,11 +265,13 @@ TEST(CutRegions, RegionsLieAsAWholeUnderEachCloud) {
   for (const CloudRim& rim : rims) {
     borders.push_back(trace_border(model, rim, overlapping_facets(model, rim)));
   }
-  const std::vector<std::vector<Point>> clouds(3);  // where they end is not known
+  const std::vector<Scan> scans(3);  // where they end is not known
   const std::vector<std::size_t> alone = {0, 1, 2};
-  const std::vector<std::uint8_t> is_cut = clouds_to_cut(rims, alone);
+  std::vector<std::uint8_t> partial;
+  for (const CloudRim& rim : rims) partial.push_back(rim.is_partial() ? 1 : 0);
+  const std::vector<std::uint8_t> is_cut = clouds_to_cut(partial, alone);
   EXPECT_EQ(is_cut, (std::vector<std::uint8_t>{0, 1, 1}));
-  const CutRegions found = cut_regions(model, rims, borders, clouds, alone, is_cut);
+  const CutRegions found = cut_regions(model, rims, borders, scans, alone, is_cut);
   EXPECT_TRUE(found.under[0].empty());
   std::vector<RegionAngles> angles;
   for (std::size_t c = 0; c < rims.size(); ++c) {
