@@ -175,8 +175,12 @@ class Watch {
       return refuse(name, error.what());
     }
     if (update.result.status != UpdateStatus::ok) return refuse(name, update.result.message);
-    // Where the surface is certain there is nothing to find.
-    if (state_.session->local_changes() == local_before) findings_are_due_ = true;
+    // Where the surface is certain, and of all samples, there is nothing to find.
+    const ReconstructResult& surface = update.result.reconstruction;
+    if (state_.session->local_changes() == local_before || surface.unused_points > 0 ||
+        surface.counters.boundary_samples > 0) {
+      findings_are_due_ = true;
+    }
     keep({std::move(note), std::move(clouds[0]), arguments_.parameters.rho});
     ++applied_;
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;

@@ -13,7 +13,7 @@ namespace cocoon::app {
 namespace {
 
 constexpr std::string_view magic = "COCOONUS";
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version = 3;
 constexpr std::size_t header_size = 88;
 
 enum Bits : std::uint32_t {
@@ -42,9 +42,9 @@ struct Header {
 };
 
 std::size_t surface_size(const Header& header, const Triangulation& triangulation) {
-  const std::size_t bytes_of_a_cell = (header.bits & certified) != 0 ? 3 : 2;
-  return round_up_to_8(30 * triangulation.num_vertices() +
-                       bytes_of_a_cell * triangulation.num_cells());
+  const std::size_t if_certified = (header.bits & certified) != 0 ? 1 : 0;
+  return round_up_to_8((30 + if_certified) * triangulation.num_vertices() +
+                       (2 + if_certified) * triangulation.num_cells());
 }
 
 Header header_of(const SavedSession& session) {
@@ -117,6 +117,7 @@ void append_surface(SummedFile& file, const SurfaceState& surface) {
   file.append_numbers<std::uint8_t>(candidates.cell_flags.span());
   file.append_numbers<std::uint8_t>(candidates.pruned.span());
   file.append_numbers<std::uint8_t>(surface.sides.span());
+  file.append_numbers<std::uint8_t>(surface.sheets.span());
   file.fill_word();
 }
 
@@ -139,7 +140,9 @@ SurfaceState read_surface(const std::string& path, std::string_view bytes, const
   cursor.fill<std::uint8_t>(candidates.samples, vertices);
   cursor.fill<std::uint8_t>(candidates.cell_flags, cells);
   cursor.fill<std::uint8_t>(candidates.pruned, cells);
-  if ((header.bits & certified) != 0) cursor.fill<std::uint8_t>(surface.sides, cells);
+  if ((header.bits & certified) == 0) return surface;
+  cursor.fill<std::uint8_t>(surface.sides, cells);
+  cursor.fill<std::uint8_t>(surface.sheets, vertices);
   return surface;
 }
 
@@ -151,7 +154,8 @@ Header read_header(const std::string& path, std::string_view content) {
   Cursor cursor(content.substr(magic.size()));
   if (const auto found = cursor.next<std::uint32_t>(); found != version) {
     throw file_error(path, "session file of version " + std::to_string(found) +
-                               ", but only version 2 can be read; make the session again");
+                               ", but only version " + std::to_string(version) +
+                               " can be read; make the session again");
   }
   Header header;
   header.bits = cursor.next<std::uint32_t>();

@@ -2,7 +2,7 @@
 //
 //   bytes          content (all numbers little-endian)
 //   8              "COCOONUS"
-//   4, 4           version (2); bits: 1 = paper mode, 2, 4, 8 = the following angles were given,
+//   4, 4           version (3); bits: 1 = paper mode, 2, 4, 8 = the following angles were given,
 //                  16 = the surface is certified (cocone/certified_surface.h)
 //   8, 8, 8        alpha, cocone angle, sharp angle in degrees, 64-bit floating point
 //   8, 8, 8        numbers of model vertices n, triangles t, points k
@@ -15,7 +15,7 @@
 //                  the surface (cocone/surface_state.h), or nothing; with v vertices and c cells:
 //   24 v, 4 v      normals, steps
 //   v, v, c, c     flags of vertices, samples, flags of cells, pruned candidates
-//   c              sides, if certified; zero bytes up to a multiple of 8
+//   c, v           sides and sheets, if certified; zero bytes up to a multiple of 8
 //   8              checksum (io/summed_file.h)
 #pragma once
 

@@ -11,11 +11,6 @@
 namespace cocoon {
 namespace {
 
-// Every vertex an interior sample with an umbrella.
-bool is_regular_everywhere(const LiveCandidates& candidates) {
-  return candidates.num_boundary() == 0 && candidates.num_umbrellas() == candidates.num_vertices();
-}
-
 // Turns about the edge of f opposite `third`, from f's side, to the first candidate: the half of it
 // that is met; none if there is no other.
 FacetId first_met(const TriangulationView& view, const LiveCandidates& candidates, FacetId f,
@@ -32,10 +27,16 @@ FacetId first_met(const TriangulationView& view, const LiveCandidates& candidate
   }
 }
 
-// Joins the vertices of a triangle; returns how many parts there are fewer for that.
-std::size_t join_corners(DisjointSets& parts, const std::array<VertexId, 3>& v) {
-  return (parts.join(v[0].value, v[1].value) ? 1U : 0U) +
-         (parts.join(v[0].value, v[2].value) ? 1U : 0U);
+// Joins those of the three vertices that are good; returns how many parts there are fewer for that.
+template <class IsGood>
+std::size_t join_good(DisjointSets& parts, const std::array<VertexId, 3>& v, IsGood is_good) {
+  std::size_t fewer = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const VertexId a = v[i];
+    const VertexId b = v[(i + 1) % 3];
+    if (is_good(a) && is_good(b) && parts.join(a.value, b.value)) ++fewer;
+  }
+  return fewer;
 }
 
 }  // namespace
@@ -43,44 +44,55 @@ std::size_t join_corners(DisjointSets& parts, const std::array<VertexId, 3>& v) 
 void CertifiedSurface::clear() { *this = CertifiedSurface(options_); }
 
 bool CertifiedSurface::certify(const DynamicDelaunay& delaunay, const LiveCandidates& candidates,
-                               std::span<const FacetId> halves) {
+                               const CoconeSurface& surface) {
   clear();
-  if (!is_regular_everywhere(candidates)) return false;
   const TriangulationView view = delaunay.view();
   sides_.resize(view.cell_records().size(), 0);
-  for (const FacetId f : halves) insert(view, f);
-  for (const FacetId f : halves) {
+  sheets_.resize(delaunay.num_vertex_slots(), SheetAt::none);
+  for (const FacetId f : surface.halves) {
+    insert(view, f);
     for (const VertexId v : view.facet_vertices(f)) {
-      const FacetId met = first_met(view, candidates, f, v);
-      if (!met.is_none() && is(side_flag::outer, met)) continue;
-      clear();
-      return false;
+      set_sheet(v, surface.good[v] != 0 ? SheetAt::good : SheetAt::folded);
     }
   }
-  num_vertices_ = delaunay.num_vertices();
-  exists_ = true;
-  return true;
+  exists_ = num_vertices() == surface.umbrellas;
+  for (const FacetId f : surface.halves) {
+    for (const VertexId v : view.facet_vertices(f)) {
+      const FacetId met = first_met(view, candidates, f, v);
+      exists_ =
+          exists_ && !met.is_none() && is(side_flag::outer, met) && candidates.has_umbrella(v);
+    }
+  }
+  std::vector<VertexId> off_surface;
+  for (const VertexId v : sheets_.ids()) {
+    if (delaunay.contains(v) && !has(v)) off_surface.push_back(v);
+  }
+  off_surface_ = off_surface.size();
+  exists_ = exists_ && leaves_no_candidate(delaunay, candidates, off_surface);
+  if (!exists_) clear();
+  return exists_;
 }
 
-void CertifiedSurface::resume(const DynamicDelaunay& delaunay,
-                              IdVector<CellId, std::uint8_t> sides) {
+void CertifiedSurface::resume(const DynamicDelaunay& delaunay, IdVector<CellId, std::uint8_t> sides,
+                              IdVector<VertexId, SheetAt> sheets) {
   clear();
   sides_ = std::move(sides);
-  for (const std::uint8_t s : sides_) {
-    outer_halves_ += num_flags(s & 15U);
+  sheets_ = std::move(sheets);
+  for (const std::uint8_t s : sides_) outer_halves_ += num_flags(s & 15U);
+  for (const SheetAt sheet : sheets_) {
+    good_ += sheet == SheetAt::good ? 1U : 0U;
+    folded_ += sheet == SheetAt::folded ? 1U : 0U;
   }
-  num_vertices_ = delaunay.num_vertices();
+  off_surface_ = delaunay.num_vertices() - num_vertices();
   exists_ = true;
 }
 
 bool CertifiedSurface::update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
                               const LiveCandidates& candidates) {
   exists_ = false;
-  if (!is_regular_everywhere(candidates)) {
-    clear();
-    return false;
-  }
+  lost_good_ = false;
   sides_.resize(delaunay.view().cell_records().size(), 0);
+  sheets_.resize(delaunay.num_vertex_slots(), SheetAt::none);
   is_touched_.resize(delaunay.num_vertex_slots(), 0);
   forget(change);
   adopt_new_cells(delaunay.view(), change);
@@ -88,7 +100,7 @@ bool CertifiedSurface::update(const DynamicDelaunay& delaunay, const DelaunayCha
   for (const VertexId v : touched_) is_touched_[v] = 1;
   exists_ = update_at_touched(delaunay, change, candidates);
   for (const VertexId v : touched_) is_touched_[v] = 0;
-  num_vertices_ = delaunay.num_vertices();
+  off_surface_ = delaunay.num_vertices() - num_vertices();
   if (!exists_) clear();
   return exists_;
 }
@@ -111,10 +123,13 @@ bool CertifiedSurface::update_at_touched(const DynamicDelaunay& delaunay,
   for (const FacetId f : halves) facets.push_back(view.canonical(f));
   const LocalFacets surface = collector_.link(delaunay, std::move(facets));
   around.insert(around.end(), touched_.begin(), touched_.end());
-  if (!holds_at(surface, around)) return false;
+  if (!find_sheets(candidates, surface, around)) return false;
   list_triangles(view, surface);
-  return holds_first_hull_candidate(view, change, candidates, touched) &&
-         is_connected(delaunay, surface);
+  return candidates.num_boundary() < candidates.num_vertices() &&
+         decides_cells(delaunay, change, around) &&
+         leaves_no_candidate(delaunay, candidates, around) &&
+         holds_first_hull_candidate(view, change, candidates, touched) &&
+         is_connected(view, surface);
 }
 
 // --- The facets of S -------------------------------------------------------------------------
@@ -123,6 +138,14 @@ void CertifiedSurface::set_sides(CellId c, unsigned sides) {
   outer_halves_ -= num_flags(sides_[c] & 15U);
   sides_[c] = static_cast<std::uint8_t>(sides);
   outer_halves_ += num_flags(sides_[c] & 15U);
+}
+
+void CertifiedSurface::set_sheet(VertexId v, SheetAt sheet) {
+  good_ -= is_good(v) ? 1U : 0U;
+  folded_ -= sheets_[v] == SheetAt::folded ? 1U : 0U;
+  sheets_[v] = sheet;
+  good_ += is_good(v) ? 1U : 0U;
+  folded_ += sheet == SheetAt::folded ? 1U : 0U;
 }
 
 void CertifiedSurface::insert(const TriangulationView& view, FacetId half) {
@@ -149,6 +172,7 @@ void CertifiedSurface::forget(const DelaunayChange& change) {
     set_sides(c, 0);
     if (c == first_hull_) first_hull_ = CellId();
   }
+  for (const VertexId v : change.removed) set_sheet(v, SheetAt::none);
 }
 
 // Facets that have got another cell on one side are what they were.
@@ -224,15 +248,69 @@ bool CertifiedSurface::grow(const TriangulationView& view, const LiveCandidates&
 
 // --- What holds ------------------------------------------------------------------------------
 
-// One umbrella, not folded, at each of these vertices.
-bool CertifiedSurface::holds_at(const LocalFacets& surface,
-                                std::span<const VertexId> vertices) const {
-  const VertexSet no_boundary(surface.num_vertices(), 0);
-  const GoodVertices good = good_vertices(surface.triangles, no_boundary, options_);
-  return std::all_of(vertices.begin(), vertices.end(), [&](VertexId v) {
+// What the surface is at these vertices; false if it is something that cannot be.
+bool CertifiedSurface::find_sheets(const LiveCandidates& candidates, const LocalFacets& surface,
+                                   std::span<const VertexId> vertices) {
+  VertexSet boundary(surface.num_vertices(), 0);
+  for (const VertexId local : boundary.ids()) {
+    boundary[local] = candidates.is_boundary(surface.vertex_in_whole[local]) ? 1 : 0;
+  }
+  const GoodVertices found = good_vertices(surface.triangles, boundary, options_.good_vertices);
+  VertexSet closed;  // folded ones, too
+  if (found.demoted > 0) {
+    closed =
+        good_vertices(surface.triangles, boundary, {.fold_cosine = 2, .crease_cosine = 2}).good;
+  }
+  for (const VertexId v : vertices) {
     const VertexId local = surface.local(v);
-    return !local.is_none() && good.good[local] != 0;
-  });
+    SheetAt sheet = SheetAt::none;
+    if (!local.is_none()) {
+      const bool is_good = found.good[local] != 0;
+      const bool is_folded = !is_good && !closed.empty() && closed[local] != 0;
+      if ((!is_good && !is_folded) || !candidates.has_umbrella(v)) return false;
+      sheet = is_good ? SheetAt::good : SheetAt::folded;
+    }
+    lost_good_ = lost_good_ || (is_good(v) && sheet != SheetAt::good);
+    set_sheet(v, sheet);
+  }
+  return true;
+}
+
+// Whether new cells, and those at vertices at hand that are not good, have a good vertex.
+bool CertifiedSurface::decides_cells(const DynamicDelaunay& delaunay, const DelaunayChange& change,
+                                     std::span<const VertexId> vertices) {
+  const TriangulationView view = delaunay.view();
+  const auto is_decided = [&](CellId c) {
+    const auto& [a, b, d, e] = view.cell(c).vertices;
+    return e == infinite_vertex || is_good(a) || is_good(b) || is_good(d) || is_good(e);
+  };
+  std::vector<VertexId> not_good;
+  for (const VertexId v : vertices) {
+    if (!is_good(v)) not_good.push_back(v);
+  }
+  const std::span<const CellId> cells = stars_.stars(delaunay, not_good);
+  return std::all_of(change.created.begin(), change.created.end(), is_decided) &&
+         std::all_of(cells.begin(), cells.end(), is_decided);
+}
+
+// Whether each candidate at those of the vertices that are off the surface has a corner on it.
+bool CertifiedSurface::leaves_no_candidate(const DynamicDelaunay& delaunay,
+                                           const LiveCandidates& candidates,
+                                           std::span<const VertexId> vertices) {
+  const TriangulationView view = delaunay.view();
+  std::vector<VertexId> off_surface;
+  for (const VertexId v : vertices) {
+    if (!has(v)) off_surface.push_back(v);
+  }
+  for (const CellId c : stars_.stars(delaunay, off_surface)) {
+    const unsigned left = candidates.left(c);
+    for (int i = 0; (left >> i) != 0; ++i) {
+      if (((left >> i) & 1U) == 0) continue;
+      const auto [a, b, d] = view.facet_vertices(facet_id(c, i));
+      if (!has(a) && !has(b) && !has(d)) return false;
+    }
+  }
+  return true;
 }
 
 std::vector<std::array<VertexId, 3>> CertifiedSurface::triangles(
@@ -263,7 +341,9 @@ bool CertifiedSurface::holds_first_hull_candidate(const TriangulationView& view,
                                                   const LiveCandidates& candidates,
                                                   std::span<const FacetId> touched) {
   const auto is_hull_candidate = [&](CellId c) {
-    return candidates.is_infinite(c) && (candidates.left(c) & 8U) != 0;
+    if (!candidates.is_infinite(c) || (candidates.left(c) & 8U) == 0) return false;
+    const auto [a, b, d] = view.facet_vertices(facet_id(c, 3));
+    return candidates.has_umbrella(a) && candidates.has_umbrella(b) && candidates.has_umbrella(d);
   };
   const auto consider = [&](CellId c) {
     if (!is_hull_candidate(c)) return;
@@ -282,26 +362,31 @@ bool CertifiedSurface::holds_first_hull_candidate(const TriangulationView& view,
       consider(cell_of(view.mirror(f)));
     }
   }
-  return !first_hull_.is_none() && is(side_flag::outer, facet_id(first_hull_, 3));
+  if (first_hull_.is_none() || !is(side_flag::outer, facet_id(first_hull_, 3))) return false;
+  const auto [a, b, d] = view.facet_vertices(facet_id(first_hull_, 3));
+  return is_good(a) || is_good(b) || is_good(d);
 }
 
-// The surface was connected before, and what is left of it falls into parts that each reach one of
-// the places looked at: it is connected now if these hang together; else all triangles are looked
-// at.
-bool CertifiedSurface::is_connected(const DynamicDelaunay& delaunay,
+// Whether the good vertices hang together. They did before, and what is left of them falls into
+// parts that each reach a good vertex at hand, if those that were good still are: then it is enough
+// that these hang together. Else all triangles are looked at.
+bool CertifiedSurface::is_connected(const TriangulationView& view,
                                     const LocalFacets& surface) const {
-  DisjointSets local(surface.num_vertices());
-  std::size_t parts = surface.num_vertices();
-  for (const Triangle& t : surface.triangles.corners) parts -= join_corners(local, t);
-  if (parts <= 1) return true;
-
-  const TriangulationView view = delaunay.view();
-  DisjointSets whole(delaunay.num_vertex_slots());
-  parts = delaunay.num_vertices();
+  if (!lost_good_) {
+    DisjointSets local(surface.num_vertices());
+    const auto is_good_here = [&](VertexId v) { return is_good(surface.vertex_in_whole[v]); };
+    std::size_t parts = 0;
+    for (const VertexId v : surface.vertex_in_whole) parts += is_good(v) ? 1U : 0U;
+    for (const Triangle& t : surface.triangles.corners) parts -= join_good(local, t, is_good_here);
+    if (parts <= 1) return true;
+  }
+  DisjointSets whole(sheets_.size());
+  std::size_t parts = good_;
   for (const CellId c : sides_.ids()) {
     for (int i = 0; (sides_[c] & 15U) != 0 && i < 4; ++i) {
       const FacetId f = facet_id(c, i);
-      if (is(side_flag::outer, f)) parts -= join_corners(whole, view.facet_vertices(f));
+      if (!is(side_flag::outer, f)) continue;
+      parts -= join_good(whole, view.facet_vertices(f), [&](VertexId v) { return is_good(v); });
     }
   }
   return parts == 1;
@@ -310,7 +395,11 @@ bool CertifiedSurface::is_connected(const DynamicDelaunay& delaunay,
 void CertifiedSurface::count(ReconstructCounters& counters) const {
   counters.surface_triangles = outer_halves_;
   counters.surface_walks = 1;
-  counters.good_vertices = num_vertices_;
+  counters.good_vertices = good_;
+  counters.demoted_vertices = folded_;
+  const bool cleaned_up = options_.clean_up.enabled && folded_ + off_surface_ > 0;
+  counters.clean_up.unused_before = cleaned_up ? off_surface_ : 0;
+  counters.clean_up.unused_after = counters.clean_up.unused_before;
 }
 
 }  // namespace cocoon

@@ -1,25 +1,30 @@
 // The surface of a changing triangulation where it can only be one: known without walking, marking
 // and peeling, and kept up to date where something changes.
 //
-// A certificate for a set S of facets with a chosen side (the outer one). At every vertex v:
+// A certificate for a set S of facets with a chosen side (the outer one). At every vertex v of S:
 //
-//   1. v is an interior sample (boundary_samples.h).
-//   2. v has an umbrella of candidates (prune_sharp_edges.h).
-//   3. S is one closed umbrella at v, and not folded: v is good (umbrella.h).
-//   4. Whoever stands on the outer side of a facet of S at v and turns about one of its edges first
+//   1. v has an umbrella of candidates (prune_sharp_edges.h).
+//   2. S is one closed umbrella at v. It may be folded, so that v is not good (umbrella.h).
+//   3. Whoever stands on the outer side of a facet of S at v and turns about one of its edges first
 //      meets the next facet of S, from its outer side.
 //
-// And once for all: S is connected, and the lexicographically smallest candidate on the hull is in
-// S, its outer side towards infinity.
+// Besides:
 //
-// Then S is the result of all later stages. No sample is boundary, so candidates are the facets
-// whose dual edge meets the cocones of all three corners. extract_manifold begins at that hull
-// candidate and, by 4, walks over S alone, from the outer side, whatever the order of its rounds: a
-// facet off S would have to be met first somewhere, and one of S can only be dropped at an edge
-// with a third facet of S, against 3. S holds all vertices, so no second walk begins. A closed
-// connected surface in the 3-sphere has two sides, so marking, from any vertex, finds one OUT and
-// one IN; every vertex is good, so no cell is poor, the peel reaches what is OUT, and nothing is
-// left to clean up. Source: ours, docs/stages/live_update.md.
+//   4. A candidate off S has a corner on S: samples that S leaves out have no surface of their own.
+//   5. Every finite cell has a good vertex.
+//   6. The good vertices hang together by edges of S, and so does S.
+//   7. Of the hull candidates whose corners have umbrellas the lexicographically smallest is in S,
+//      its outer side towards infinity, with a good corner.
+//
+// Then S is the result of all later stages. extract_manifold begins at that hull candidate and, by
+// 3, walks over S alone, from the outer side, whatever the order of its rounds: a facet off S would
+// have to be met first somewhere, and one of S can only be dropped at an edge with a third facet of
+// S, against 2. By 4 no second walk begins, and nothing else is kept. A closed connected surface in
+// the 3-sphere has two sides. So marking, which by 6 and 7 comes to all good vertices, finds one
+// OUT and one IN, without conflict; by 5 each cell is told its side, none is poor, and the peel
+// reaches just what is OUT. The clean-up has no undecided cell, and S is pinched nowhere: it has
+// nothing to do. Samples off S are not missed, since all their cells are decided.
+// Source: ours, docs/stages/live_update.md.
 #pragma once
 
 #include <array>
@@ -30,9 +35,9 @@
 
 #include "cocone/live_candidates.h"
 #include "cocone/local_facets.h"
+#include "cocone/reconstruct.h"
 #include "cocone/star_finder.h"
 #include "cocone/surface_state.h"
-#include "cocone/umbrella.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/id_vector.h"
 
@@ -40,23 +45,24 @@ namespace cocoon {
 
 class CertifiedSurface {
  public:
-  explicit CertifiedSurface(const GoodVertexOptions& options = {}) : options_(options) {}
+  // `options` as the stages get them.
+  explicit CertifiedSurface(const ReconstructOptions& options = {}) : options_(options) {}
 
   // Whether a surface is known.
   bool exists() const { return exists_; }
   // Forgets everything.
   void clear();
 
-  // Looks for the certificate in the whole triangulation, where the surface is known to have one
-  // closed umbrella at every vertex, not folded, to be connected, and to hold the smallest hull
-  // candidate: condition 4 is left to be seen. `halves`: its facets, seen from outside. Returns
-  // exists(). Complexity: O(n).
+  // Looks for the certificate in the whole triangulation, for a surface that the stages found in
+  // one walk, with no poor cell, no good vertex unvisited, and no rounds of marks. Returns
+  // exists(). Complexity: O(n), and the stars of vertices off the surface.
   bool certify(const DynamicDelaunay& delaunay, const LiveCandidates& candidates,
-               std::span<const FacetId> halves);
+               const CoconeSurface& surface);
 
-  // Begins with the sides() of another one whose triangulation and candidates were the same, in the
-  // same slots. Complexity: O(n).
-  void resume(const DynamicDelaunay& delaunay, IdVector<CellId, std::uint8_t> sides);
+  // Begins with the sides() and sheets() of another one whose triangulation and candidates were the
+  // same, in the same slots. Complexity: O(n).
+  void resume(const DynamicDelaunay& delaunay, IdVector<CellId, std::uint8_t> sides,
+              IdVector<VertexId, SheetAt> sheets);
 
   // Goes on after a change of the triangulation and of the candidates; false (and nothing is known)
   // if the certificate does not hold any more. Precondition: exists() before the change.
@@ -76,6 +82,10 @@ class CertifiedSurface {
   // The whole surface by slot of the cell, as side_flag (surface_state.h) has it; 0 where no cell
   // is.
   const IdVector<CellId, std::uint8_t>& sides() const { return sides_; }
+  // What it is at each vertex, by slot; none where no vertex is.
+  const IdVector<VertexId, SheetAt>& sheets() const { return sheets_; }
+  bool has(VertexId v) const { return sheets_[v] != SheetAt::none; }
+  std::size_t num_vertices() const { return good_ + folded_; }
   // All its triangles, counterclockwise seen from outside. Complexity: O(cells).
   std::vector<std::array<VertexId, 3>> triangles(const TriangulationView& view) const;
   // What the stages would have counted.
@@ -85,7 +95,9 @@ class CertifiedSurface {
   bool is(unsigned side, FacetId f) const {
     return (sides_[cell_of(f)] & (side << index_of(f))) != 0;
   }
+  bool is_good(VertexId v) const { return sheets_[v] == SheetAt::good; }
   void set_sides(CellId c, unsigned sides);
+  void set_sheet(VertexId v, SheetAt sheet);
   void insert(const TriangulationView& view, FacetId half);
   void erase(const TriangulationView& view, FacetId f);
   bool has_touched_vertex(const TriangulationView& view, FacetId f) const;
@@ -101,21 +113,30 @@ class CertifiedSurface {
   std::vector<FacetId> halves_at(const DynamicDelaunay& delaunay, std::span<const VertexId> at);
   bool grow(const TriangulationView& view, const LiveCandidates& candidates,
             std::vector<FacetId> open);
-  bool holds_at(const LocalFacets& surface, std::span<const VertexId> vertices) const;
+  bool find_sheets(const LiveCandidates& candidates, const LocalFacets& surface,
+                   std::span<const VertexId> vertices);
+  bool decides_cells(const DynamicDelaunay& delaunay, const DelaunayChange& change,
+                     std::span<const VertexId> vertices);
+  bool leaves_no_candidate(const DynamicDelaunay& delaunay, const LiveCandidates& candidates,
+                           std::span<const VertexId> vertices);
   void list_triangles(const TriangulationView& view, const LocalFacets& surface);
   bool holds_first_hull_candidate(const TriangulationView& view, const DelaunayChange& change,
                                   const LiveCandidates& candidates,
                                   std::span<const FacetId> touched);
-  bool is_connected(const DynamicDelaunay& delaunay, const LocalFacets& surface) const;
+  bool is_connected(const TriangulationView& view, const LocalFacets& surface) const;
 
-  GoodVertexOptions options_;
+  ReconstructOptions options_;
   bool exists_ = false;
   FacetCollector collector_;
   StarFinder stars_;
   IdVector<CellId, std::uint8_t> sides_;
+  IdVector<VertexId, SheetAt> sheets_;
   CellId first_hull_;  // the infinite cell at the first hull candidate; none: to be looked for
   std::size_t outer_halves_ = 0;
-  std::size_t num_vertices_ = 0;
+  std::size_t good_ = 0;
+  std::size_t folded_ = 0;
+  std::size_t off_surface_ = 0;  // vertices of the triangulation
+  bool lost_good_ = false;       // during an update: a vertex at hand that was good is not any more
 
   std::vector<VertexId> touched_;
   VertexSet is_touched_;  // during an update; else 0

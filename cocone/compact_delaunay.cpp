@@ -87,7 +87,9 @@ SurfaceState surface_state(const LiveCandidates& candidates, const CertifiedSurf
   here.steps = by_number(known.steps, whole.vertex, vertices);
   here.cell_flags = by_number(known.cell_flags, whole.cell, cells);
   here.pruned = by_number(known.pruned, whole.cell, cells);
-  if (certified.exists()) state.sides = by_number(certified.sides(), whole.cell, cells);
+  if (!certified.exists()) return state;
+  state.sides = by_number(certified.sides(), whole.cell, cells);
+  state.sheets = by_number(certified.sheets(), whole.vertex, vertices);
   return state;
 }
 

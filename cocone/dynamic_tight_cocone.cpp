@@ -32,6 +32,22 @@ std::vector<PointId> old_positions(const ListEdit<PointId>& change, std::size_t 
   return positions;
 }
 
+// A surface of the compact triangulation, as one of the changing triangulation.
+CoconeSurface by_slot(CoconeSurface surface, const CompactDelaunay& whole) {
+  IdVector<CellId, CellId> slot(whole.cell.size());
+  for (const CellId c : whole.cell.ids()) {
+    if (!whole.cell[c].is_none()) slot[whole.cell[c]] = c;
+  }
+  for (FacetId& f : surface.halves) f = facet_id(slot[cell_of(f)], index_of(f));
+  if (surface.good.empty()) return surface;
+  VertexSet good(whole.vertex.size(), 0);
+  for (const VertexId v : whole.vertex.ids()) {
+    if (!whole.vertex[v].is_none()) good[v] = surface.good[whole.vertex[v]];
+  }
+  surface.good = std::move(good);
+  return surface;
+}
+
 // Whether the working scale of the points is 1, as that of those they were made of, by some that
 // came. Complexity: O(inserted), as a rule.
 bool keeps_scale(Points points, Points inserted) {
@@ -57,7 +73,7 @@ struct DynamicTightCocone::State {
   void take(std::size_t count, Triangulation triangulation);
   void take(const ReconstructResult& result, ReconstructStages stages);
   void resume(SurfaceState surface);
-  void look_for_certificate(const ReconstructResult& result, std::span<const FacetId> halves);
+  void look_for_certificate(const ReconstructResult& result, const CoconeSurface& surface);
   ReconstructResult run_later_stages(Points points, std::span<const KnownTriangle> known,
                                      const Execution& execution);
   void clear(std::size_t count);
@@ -79,7 +95,8 @@ struct DynamicTightCocone::State {
                                const Execution& execution);
   // Whether so many points are the vertices of a certain surface, each its own.
   bool is_certain(std::size_t points) const {
-    return certified.exists() && !options.verify && points == delaunay.num_vertices();
+    return certified.exists() && !options.verify && points == delaunay.num_vertices() &&
+           points == certified.num_vertices();
   }
   DelaunayChange carry_out(Step& step, const Execution& execution);
   ReconstructResult finish(Points points, Step step, const DelaunayChange& change,
@@ -102,17 +119,17 @@ void DynamicTightCocone::State::take(std::size_t count, Triangulation triangulat
 void DynamicTightCocone::State::take(const ReconstructResult& result, ReconstructStages stages) {
   take(result.points, std::move(stages.triangulation));
   candidates.start(delaunay, stages);
-  look_for_certificate(result, stages.halves);
+  look_for_certificate(result, stages.surface);
 }
 
 // Where the counts leave hope.
 void DynamicTightCocone::State::look_for_certificate(const ReconstructResult& result,
-                                                     std::span<const FacetId> halves) {
+                                                     const CoconeSurface& surface) {
   const ReconstructCounters& counters = result.counters;
-  const bool hopeful = result.status == SurfaceStatus::ok && result.unused_points == 0 &&
-                       counters.surface_walks == 1 && counters.back_contacts == 0 &&
-                       counters.good_vertices == result.vertices;
-  if (hopeful) certified.certify(delaunay, candidates, halves);
+  const bool hopeful = result.status == SurfaceStatus::ok && counters.surface_walks == 1 &&
+                       counters.back_contacts == 0 && counters.poor_cells == 0 &&
+                       counters.unvisited_vertices == 0 && counters.marking_rounds == 0;
+  if (hopeful) certified.certify(delaunay, candidates, surface);
 }
 
 void DynamicTightCocone::State::clear(std::size_t count) {
@@ -257,7 +274,7 @@ void DynamicTightCocone::State::resume(SurfaceState surface) {
   if (surface.empty()) return;
   candidates.resume(delaunay, std::move(surface.candidates));
   if (surface.sides.empty()) return;
-  certified.resume(delaunay, std::move(surface.sides));
+  certified.resume(delaunay, std::move(surface.sides), std::move(surface.sheets));
 }
 
 // Those from the extraction on, of the candidates that are known.
@@ -266,15 +283,10 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
                                                               const Execution& execution) {
   CompactDelaunay whole = compact_delaunay(delaunay, vertex_of_point);
   KnownCandidates found = known_candidates(candidates, whole);
-  std::vector<FacetId> halves;
+  CoconeSurface surface;
   ReconstructResult result = reconstruct_tight_from(
-      std::move(whole.triangulation), std::move(found), points, known, options, execution, halves);
-  IdVector<CellId, CellId> slot(whole.cell.size());
-  for (const CellId c : whole.cell.ids()) {
-    if (!whole.cell[c].is_none()) slot[whole.cell[c]] = c;
-  }
-  for (FacetId& f : halves) f = facet_id(slot[cell_of(f)], index_of(f));
-  look_for_certificate(result, halves);
+      std::move(whole.triangulation), std::move(found), points, known, options, execution, surface);
+  look_for_certificate(result, by_slot(std::move(surface), whole));
   return result;
 }
 
@@ -287,15 +299,16 @@ ReconstructResult DynamicTightCocone::State::counts(std::size_t points) const {
   result.tetrahedra = candidates.num_finite_cells();
   candidates.count(result.counters);
   certified.count(result.counters);
+  result.unused_points = result.vertices - certified.num_vertices();
   return result;
 }
 
-// What is certified by mesh vertices, in canonical order; it has all vertices.
+// What is certified by mesh vertices, in canonical order.
 IdVector<TriangleId, Triangle> DynamicTightCocone::State::numbered_triangles() const {
   IdVector<VertexId, VertexId> number(delaunay.num_vertex_slots());
   std::size_t count = 0;
   for (const VertexId v : vertex_of_point) {
-    if (number[v].is_none()) number[v] = VertexId(count++);
+    if (number[v].is_none() && certified.has(v)) number[v] = VertexId(count++);
   }
   TriangleMesh mesh;
   mesh.points.resize(count);
@@ -312,14 +325,14 @@ ReconstructResult DynamicTightCocone::State::assemble(Points points) const {
   VertexSet listed(delaunay.num_vertex_slots(), 0);
   for (const PointId p : vertex_of_point.ids()) {
     const VertexId v = vertex_of_point[p];
-    if (listed[v] != 0) continue;
+    if (listed[v] != 0 || !certified.has(v)) continue;
     listed[v] = 1;
     result.mesh.points.push_back(points[p.index()]);
     result.point_of_vertex.push_back(p);
     result.normals.push_back(candidates.normal(v));
+    result.boundary_sample.push_back(candidates.is_boundary(v) ? 1 : 0);
   }
   result.mesh.triangles = numbered_triangles();
-  result.boundary_sample.resize(result.vertices, 0);
   return result;
 }
 
@@ -362,7 +375,7 @@ DynamicTightCocone::SurfaceEdit DynamicTightCocone::State::surface_edit(
 DynamicTightCocone::DynamicTightCocone(const ReconstructOptions& options)
     : state_(std::make_unique<State>()) {
   state_->options = options;
-  state_->certified = CertifiedSurface(effective_options(options).good_vertices);
+  state_->certified = CertifiedSurface(effective_options(options));
   state_->candidates = LiveCandidates(effective_options(options));
 }
 DynamicTightCocone::~DynamicTightCocone() = default;

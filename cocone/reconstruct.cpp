@@ -147,6 +147,7 @@ class Reconstruction {
       counters.known_cells = marks.known_cells;
       counters.poor_cells = marks.poor_cells;
       counters.deferred_seeds = marks.deferred_seeds;
+      good_ = std::move(marks.good);
     });
   }
 
@@ -171,14 +172,17 @@ class Reconstruction {
 
   // From now on what is found is kept for `stages`.
   void keep_stages(ReconstructStages& stages) { stages_ = &stages; }
-  std::vector<FacetId> take_halves() { return std::move(surface_.halves); }
+  CoconeSurface take_surface() {
+    return {std::move(surface_.halves), std::move(good_),
+            result_.counters.good_vertices + result_.counters.demoted_vertices};
+  }
   ReconstructResult take_result() {
     if (stages_ != nullptr) {
       stages_->triangulation = std::move(triangulation_);
       stages_->not_in_doubles = std::move(dual_.not_in_doubles);
       stages_->poles = std::move(poles_);
       stages_->boundary = std::move(boundary_);
-      stages_->halves = std::move(surface_.halves);
+      stages_->surface = take_surface();
     }
     return std::move(result_);
   }
@@ -232,6 +236,7 @@ class Reconstruction {
   ConeSides sides_;
   BoundarySamples boundary_;
   ManifoldSurface surface_;
+  VertexSet good_;                                     // as the marks had them
   IdVector<VertexId, VertexId> triangulation_vertex_;  // of each vertex of the result
   double scale_ = 1;
   ReconstructResult result_;
@@ -297,13 +302,13 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
 ReconstructResult reconstruct_tight_from(Triangulation triangulation, KnownCandidates candidates,
                                          Points points, std::span<const KnownTriangle> known,
                                          const ReconstructOptions& options,
-                                         const Execution& execution, std::vector<FacetId>& halves) {
+                                         const Execution& execution, CoconeSurface& surface) {
   Reconstruction reconstruction(points, options, execution);
   reconstruction.take(std::move(triangulation));
   reconstruction.extract_from(std::move(candidates));
   reconstruction.close_surface(known);
   reconstruction.verify(true);
-  halves = reconstruction.take_halves();
+  surface = reconstruction.take_surface();
   return reconstruction.take_result();
 }
 

@@ -142,6 +142,13 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
                                           const ReconstructOptions& options = {},
                                           const Execution& execution = {});
 
+// The Cocone surface as the marking had it.
+struct CoconeSurface {
+  std::vector<FacetId> halves;  // its facets, seen from the side of the walk
+  VertexSet good;               // see umbrella.h; empty if nothing was marked
+  std::size_t umbrellas = 0;    // vertices that it has one closed umbrella at, good or not
+};
+
 // What the stages found on the way, for those who go on from it.
 struct ReconstructStages {
   Triangulation triangulation;
@@ -151,7 +158,7 @@ struct ReconstructStages {
   FacetSet candidates;  // before pruning
   FacetSet left;        // after it
   VertexSet umbrella;
-  std::vector<FacetId> halves;  // of the Cocone surface, seen from the side of the walk
+  CoconeSurface surface;
 };
 
 // As the one before, and fills in `stages`.
@@ -169,12 +176,11 @@ struct KnownCandidates {
   ReconstructCounters counters;  // of these stages
 };
 
-// As reconstruct_tight_again of the triangulation, without these stages. `halves` gets the facets
-// of the Cocone surface, seen from outside.
+// As reconstruct_tight_again of the triangulation, without these stages; fills in `surface`.
 ReconstructResult reconstruct_tight_from(Triangulation triangulation, KnownCandidates candidates,
                                          Points points, std::span<const KnownTriangle> known,
                                          const ReconstructOptions& options,
-                                         const Execution& execution, std::vector<FacetId>& halves);
+                                         const Execution& execution, CoconeSurface& surface);
 
 // The Cocone surface with its boundary: open where the cloud is. As above without "tight".
 // Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Woo & Dey 2005, sections 2.1, 3.2.

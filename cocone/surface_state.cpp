@@ -68,6 +68,23 @@ bool has_possible_sides(const Triangulation& triangulation, const SurfaceState& 
   return possible;
 }
 
+// The vertices of the surface, and no others, have a sheet.
+void check_sheets(const Triangulation& triangulation, const SurfaceState& state) {
+  require_all(
+      state.sheets, [](SheetAt sheet) { return sheet <= SheetAt::good; }, "a sheet");
+  VertexSet on_surface(triangulation.num_vertices(), 0);
+  for (const CellId c : state.sides.ids()) {
+    const unsigned outer = state.sides[c] & 15U;
+    for (int i = 0; (outer >> i) != 0; ++i) {
+      if (((outer >> i) & 1U) == 0) continue;
+      for (const VertexId v : triangulation.facet_vertices(facet_id(c, i))) on_surface[v] = 1;
+    }
+  }
+  for (const VertexId v : state.sheets.ids()) {
+    require((state.sheets[v] != SheetAt::none) == (on_surface[v] != 0), "a vertex of the surface");
+  }
+}
+
 }  // namespace
 
 void check_surface_state(const Triangulation& triangulation, const SurfaceState& state,
@@ -79,7 +96,8 @@ void check_surface_state(const Triangulation& triangulation, const SurfaceState&
   require(candidates.normals.size() == vertices && candidates.vertex_flags.size() == vertices &&
               candidates.samples.size() == vertices && candidates.steps.size() == vertices &&
               candidates.cell_flags.size() == cells && candidates.pruned.size() == cells &&
-              (state.sides.empty() || state.sides.size() == cells),
+              (state.sides.empty() || state.sides.size() == cells) &&
+              state.sheets.size() == (state.sides.empty() ? 0 : vertices),
           "other numbers of vertices or cells");
   require_all(
       candidates.normals, [](const Vec3& n) { return is_finite(n); }, "a normal");
@@ -92,6 +110,7 @@ void check_surface_state(const Triangulation& triangulation, const SurfaceState&
   if (state.sides.empty()) return;
   require_at_cells(execution, cells, "a side of cell ",
                    [&](CellId c) { return has_possible_sides(triangulation, state, c); });
+  check_sheets(triangulation, state);
 }
 
 }  // namespace cocoon

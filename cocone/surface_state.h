@@ -36,6 +36,10 @@ inline constexpr unsigned outer = 1;
 inline constexpr unsigned inner = 16;
 }  // namespace side_flag
 
+// What the surface is at a vertex. `good` and `folded`: one closed umbrella; folded ones do not
+// tell inside from outside (umbrella.h).
+enum class SheetAt : std::uint8_t { none = 0, folded, good };
+
 // How many of the flags of four facets are set. Complexity: O(1); std::popcount would be a call,
 // since builds are for any x86-64 processor.
 constexpr std::size_t num_flags(unsigned four) {
@@ -61,15 +65,17 @@ inline constexpr std::uint32_t not_taken_in = 0xFFFFFFFFU;
 // Empty: nothing is known.
 struct SurfaceState {
   CandidateState candidates;
-  IdVector<CellId, std::uint8_t> sides;  // empty if the surface is not certified
+  // Of the certified surface; empty if there is none.
+  IdVector<CellId, std::uint8_t> sides;
+  IdVector<VertexId, SheetAt> sheets;
 
   bool empty() const { return candidates.cell_flags.empty(); }
   friend bool operator==(const SurfaceState&, const SurfaceState&) = default;
 };
 
 // Throws InputError, one line, unless sizes are those of the triangulation, every value is one that
-// can be, and both sides of each facet say the same. Whether all this is what the stages would find
-// is not looked at. Complexity: O(cells).
+// can be, both sides of each facet say the same, and the surface has the vertices that it should.
+// Whether all this is what the stages would find is not looked at. Complexity: O(cells).
 void check_surface_state(const Triangulation& triangulation, const SurfaceState& state,
                          const Execution& execution = {});
 

@@ -315,6 +315,9 @@ TEST(UpdateSession, RefusesSurfacesThatDoNotFit) {
   error_after([&](SurfaceState& s) { s.candidates.cell_flags[outer] &= 0xF0; });
   error_after([&](SurfaceState& s) { s.candidates.pruned[outer] = s.sides[outer] & 15U; });
   error_after([&](SurfaceState& s) { s.sides[outer] = 0; });
+  error_after([](SurfaceState& s) { s.sheets.raw().pop_back(); });
+  error_after([](SurfaceState& s) { s.sheets[VertexId(3)] = SheetAt(3); });
+  error_after([](SurfaceState& s) { s.sheets[VertexId(3)] = SheetAt::none; });
   error_after(
       [&](SurfaceState& s) { s.sides[outer] = static_cast<std::uint8_t>(s.sides[outer] << 4); });
 }

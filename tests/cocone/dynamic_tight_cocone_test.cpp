@@ -1,0 +1,189 @@
+// What a changing set of points keeps of its surface is what starting over gives, and where the
+// surface is certain the stages do not run over the whole.
+#include "cocone/dynamic_tight_cocone.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "geom/random.h"
+#include "tests/cocone/equal_reconstructions.h"
+#include "tests/gallery.h"
+#include "tests/long_tests.h"
+
+namespace cocoon {
+namespace {
+
+// Points that come and go.
+struct ChangingPoints {
+  std::vector<Point> points;
+  std::vector<PointId> old_position;  // of each before the last change; none: new
+
+  explicit ChangingPoints(std::vector<Point> start) : points(std::move(start)) {}
+
+  template <class Goes>
+  void change(Goes goes, const std::vector<Point>& added) {
+    std::vector<Point> next;
+    old_position.clear();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (goes(points[i])) continue;
+      next.push_back(points[i]);
+      old_position.push_back(PointId(i));
+    }
+    next.insert(next.end(), added.begin(), added.end());
+    old_position.resize(next.size());
+    points = std::move(next);
+  }
+};
+
+// Carries the change out, and compares with a reconstruction of the points. Was it local?
+bool is_local_and_equal(DynamicTightCocone& cocone, const ChangingPoints& changing,
+                        ReconstructResult& expected) {
+  const std::size_t before = cocone.local_changes();
+  const ReconstructResult actual = cocone.replace(changing.points, changing.old_position);
+  expected = reconstruct_tight(changing.points, cocone.options());
+  expect_equal_reconstruction(actual, expected);
+  return cocone.local_changes() > before;
+}
+
+double spacing_on_sphere(std::size_t n) {
+  return std::sqrt(4 * std::numbers::pi / static_cast<double>(n));
+}
+
+// A sample of a sphere with noise, in units of the spacing.
+Point rough_sample(std::size_t n, double noise, Random& random) {
+  return random.on_unit_sphere() + noise * spacing_on_sphere(n) * random.on_unit_sphere();
+}
+
+// How many changes were local, and how many of these with samples of each kind.
+struct LocalChanges {
+  std::size_t all = 0;
+  std::size_t with_boundary = 0;
+  std::size_t with_unused = 0;
+  std::size_t with_folds = 0;
+};
+
+// Within some spacings of random samples half of the points go, others come.
+LocalChanges change_here_and_there(std::vector<Point> points, double noise, std::uint64_t seed) {
+  const std::size_t n = points.size();
+  Random random(seed);
+  ChangingPoints changing(std::move(points));
+  DynamicTightCocone cocone;
+  cocone.reconstruct(changing.points);
+  LocalChanges local;
+  const std::size_t steps = 40 * test::long_factor();
+  for (std::size_t step = 0; step < steps; ++step) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", step " + std::to_string(step));
+    const Point center = changing.points[random.below(changing.points.size())];
+    const double reach = spacing_on_sphere(n) * (1 + 2 * random.uniform());
+    std::vector<Point> added;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point p = rough_sample(n, noise, random);
+      if (distance(p, center) < reach && random.below(2) == 0) added.push_back(p);
+    }
+    changing.change(
+        [&](const Point& p) { return distance(p, center) < reach && random.below(2) == 0; }, added);
+    ReconstructResult expected;
+    const bool is_local = is_local_and_equal(cocone, changing, expected);
+    if (::testing::Test::HasFailure()) return local;
+    if (!is_local) continue;
+    ++local.all;
+    local.with_boundary += expected.counters.boundary_samples > 0 ? 1U : 0U;
+    local.with_unused += expected.unused_points > 0 ? 1U : 0U;
+    local.with_folds += expected.counters.demoted_vertices > 0 ? 1U : 0U;
+  }
+  return local;
+}
+
+LocalChanges operator+(const LocalChanges& a, const LocalChanges& b) {
+  return {a.all + b.all, a.with_boundary + b.with_boundary, a.with_unused + b.with_unused,
+          a.with_folds + b.with_folds};
+}
+
+// Boundary samples, samples off the surface and folds are no reason to look at the whole.
+TEST(DynamicTightCocone, RoughSpheresChangeLocally) {
+  LocalChanges local;
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+    Random random(seed);
+    std::vector<Point> points(300);
+    for (Point& p : points) p = rough_sample(points.size(), 0.1, random);
+    local = local + change_here_and_there(std::move(points), 0.1, seed);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(local.all, 60U);
+  EXPECT_GT(local.with_boundary, 60U);
+  EXPECT_GT(local.with_unused, 20U);
+  EXPECT_GT(local.with_folds, 20U);
+}
+
+// One of the changes with seed 48 leaves a cell without a good vertex, and nothing else that tells.
+TEST(DynamicTightCocone, EvenSpheresChangeLocally) {
+  LocalChanges local;
+  for (const std::uint64_t seed : {1U, 2U, 48U}) {
+    local = local + change_here_and_there(gallery::even_sphere(100), 0.15, seed);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(local.all, 50U);
+}
+
+// The samples of another body have a surface of their own.
+TEST(DynamicTightCocone, AnotherBodyComesAndGoes) {
+  ChangingPoints changing(gallery::even_sphere(500));
+  DynamicTightCocone cocone;
+  cocone.reconstruct(changing.points);
+  std::vector<Point> other = gallery::even_sphere(200);
+  for (Point& p : other) p = 0.5 * p + Vec3{3, 0, 0};
+  ReconstructResult expected;
+  changing.change([](const Point&) { return false; }, other);
+  EXPECT_FALSE(is_local_and_equal(cocone, changing, expected));
+  EXPECT_EQ(expected.counters.surface_walks, 2U);
+  changing.change([](const Point& p) { return p.x > 2; }, {});
+  EXPECT_FALSE(is_local_and_equal(cocone, changing, expected));
+  changing.change([](const Point& p) { return p.x > 0.99; }, {{1, 0, 0}});
+  EXPECT_TRUE(is_local_and_equal(cocone, changing, expected));
+}
+
+// Two balls joined by a neck; the surface is closed on both sides where the neck was.
+TEST(DynamicTightCocone, ABodyFallsApart) {
+  const auto ball = [](double x) {
+    std::vector<Point> points = gallery::even_sphere(1200);
+    for (Point& p : points) p.x += x;
+    return points;
+  };
+  const double neck = 0.4;
+  const auto is_in_neck = [&](const Point& p) { return std::hypot(p.y, p.z) < neck; };
+  ChangingPoints apart(ball(-1.3));
+  apart.change([](const Point&) { return false; }, ball(1.3));
+  std::vector<Point> caps;
+  ChangingPoints joined = apart;
+  joined.change(
+      [&](const Point& p) {
+        const bool goes = is_in_neck(p) && std::abs(p.x) < 1;
+        if (goes) caps.push_back(p);
+        return goes;
+      },
+      {});
+  std::vector<Point> tube;
+  for (double x = -0.35; x < 0.36; x += 0.07) {
+    for (int k = 0; k < 25; ++k) {
+      const double t = 2 * std::numbers::pi * (k + 3 * x) / 25;
+      tube.push_back({x, neck * std::cos(t), neck * std::sin(t)});
+    }
+  }
+  joined.change([](const Point&) { return false; }, tube);
+
+  DynamicTightCocone cocone;
+  const ReconstructResult before = cocone.reconstruct(joined.points);
+  ASSERT_EQ(before.counters.surface_walks, 1U);
+  ASSERT_TRUE(cocone.is_certain());
+  joined.change([](const Point& p) { return std::abs(p.x) < 0.36; }, caps);
+  ReconstructResult expected;
+  EXPECT_FALSE(is_local_and_equal(cocone, joined, expected));
+  EXPECT_EQ(expected.counters.surface_walks, 2U);
+}
+
+}  // namespace
+}  // namespace cocoon
