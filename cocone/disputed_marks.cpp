@@ -23,11 +23,12 @@ class Disputes {
  public:
   Disputes(const Triangulation& triangulation, const LinkedFacets& surface,
            const IdVector<VertexId, SideId>& corner_at, const CarriedMarks& carried,
-           CellMarks& marks)
+           const IdVector<CellId, CellLabel>& known, CellMarks& marks)
       : triangulation_(triangulation),
         surface_(surface),
         corner_at_(corner_at),
         carried_(carried),
+        known_(known),
         marks_(marks),
         stars_(triangulation),
         half_star_(triangulation, surface.set),
@@ -36,15 +37,16 @@ class Disputes {
         decisions_(triangulation.num_vertices()),
         settled_(triangulation.num_cells()) {}
 
-  void run() {
-    find_turns();
+  void run(std::span<const VertexId> seeds) {
+    find_turns(seeds);
     suspects_.resize(marks_.rounds + 1);
     cells_.resize(marks_.rounds + 1);
     for (const VertexId v : carried_.disputed) find_half(v);
+    take_known_labels();
     for (const VertexId v : carried_.disputed) {
       for (const CellId c : stars_.star(v)) {
-        if (triangulation_.is_infinite(c)) {
-          suspect_vertices(c);  // they are OUT before all rounds
+        if (turn_of(c) == 0) {
+          suspect_vertices(c);
         } else {
           cells_[turn_of(c)].push_back(c);
         }
@@ -67,16 +69,14 @@ class Disputes {
   };
 
   // The round in which each visited vertex has its turn.
-  void find_turns() {
+  void find_turns(std::span<const VertexId> seeds) {
     std::vector<VertexId> frontier;
     const auto visit = [&](VertexId v, Round round, std::vector<VertexId>& to) {
       if (marks_.good[v] == 0 || turn_[v] != 0) return;
       turn_[v] = round;
       to.push_back(v);
     };
-    for (const CellId c : triangulation_.infinite_cells()) {
-      for (int i = 0; i < 3; ++i) visit(triangulation_.vertex(c, i), 1, frontier);
-    }
+    for (const VertexId v : seeds) visit(v, 1, frontier);
     std::vector<VertexId> next;
     for (Round round = 1; !frontier.empty(); ++round) {
       marks_.rounds = round;
@@ -90,9 +90,19 @@ class Disputes {
     }
   }
 
+  void take_known_labels() {
+    for (const CellId c : known_.ids()) {
+      if (known_[c] == CellLabel::unmarked || known_[c] == marks_.labels[c]) continue;
+      settled_[c] = known_[c];
+      changed_.push_back(c);
+      suspect_vertices(c);
+    }
+  }
+
   // The round in which a cell gets its label; 0: before all rounds.
   Round turn_of(CellId c) const {
     if (triangulation_.is_infinite(c)) return 0;
+    if (!known_.empty() && known_[c] != CellLabel::unmarked) return 0;
     Round first = never;
     for (const VertexId v : triangulation_.cell(c).vertices) {
       if (turn_[v] != 0) first = std::min(first, turn_[v]);
@@ -178,6 +188,7 @@ class Disputes {
   const LinkedFacets& surface_;
   const IdVector<VertexId, SideId>& corner_at_;
   const CarriedMarks& carried_;
+  const IdVector<CellId, CellLabel>& known_;
   CellMarks& marks_;  // its labels stay those carried to the end
   StarCache stars_;
   HalfStar half_star_;
@@ -195,9 +206,9 @@ class Disputes {
 
 void settle_disputes(const Triangulation& triangulation, const LinkedFacets& surface,
                      const IdVector<VertexId, SideId>& corner_at, const CarriedMarks& carried,
+                     std::span<const VertexId> seeds, const IdVector<CellId, CellLabel>& known,
                      CellMarks& marks) {
-  if (carried.disputed.empty()) return;
-  Disputes(triangulation, surface, corner_at, carried, marks).run();
+  Disputes(triangulation, surface, corner_at, carried, known, marks).run(seeds);
 }
 
 }  // namespace cocoon

@@ -1,6 +1,8 @@
 // The rounds of mark_cells, run only where vertices disagree.
 #pragma once
 
+#include <span>
+
 #include "cocone/carried_marks.h"
 #include "cocone/linked_facets.h"
 #include "cocone/mark_cells.h"
@@ -10,12 +12,15 @@ namespace cocoon {
 // Makes of carried marks those of the rounds: the same labels, conflicts and number of rounds. A
 // vertex whose cells were all labeled before its turn as the side carried to it wants decides as
 // that side wants; so it need not be asked. The others are, round by round: first those at disputed
-// cells, then those at cells that came out otherwise than carried. Nothing is done if nobody
-// disagrees. Precondition: marks come from carry_marks.
+// cells and at known ones that were carried otherwise, then those at cells that came out otherwise
+// than carried. `seeds`: the good ones of these have their turn first. `known`: labels that finite
+// cells have before the rounds; may be empty. Precondition: marks come from carry_marks, good seeds
+// are visited, and good vertices on the hull and of known cells are seeds.
 // Complexity: O(vertices) for the rounds in which they have their turns, O(star) for each vertex
 // that is asked. Independent of order. Source: spec 6.1, 6.2, section 12; the shortcut is ours.
 void settle_disputes(const Triangulation& triangulation, const LinkedFacets& surface,
                      const IdVector<VertexId, SideId>& corner_at, const CarriedMarks& carried,
+                     std::span<const VertexId> seeds, const IdVector<CellId, CellLabel>& known,
                      CellMarks& marks);
 
 }  // namespace cocoon

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "geom/sort_by_vertex.h"
+
 namespace cocoon {
 namespace {
 
@@ -15,6 +17,37 @@ Corners canonical(Corners corners) {
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   return corners;
 }
+
+// Triangles by their smallest corner.
+class TriangleTable {
+ public:
+  TriangleTable(const Triangulation& triangulation, std::span<const KnownTriangle> triangles) {
+    begins_ = sort_by_vertex(
+        triangles.size(), triangulation.num_vertices(), {},
+        [&](std::size_t count) { others_.resize(count); },
+        [&](std::size_t begin, std::size_t end, const auto& put) {
+          for (std::size_t t = begin; t < end; ++t) {
+            Corners corners;
+            std::transform(triangles[t].begin(), triangles[t].end(), corners.begin(),
+                           [&](PointId p) { return triangulation.vertex_of_point()[p]; });
+            const auto [a, b, c] = canonical(corners);
+            put(a, [&, b = b, c = c](std::size_t place) { others_[place] = {b, c}; });
+          }
+        });
+  }
+
+  bool has(const Corners& corners) const {
+    const auto [a, b, c] = canonical(corners);
+    const std::array<VertexId, 2> wanted = {b, c};
+    const auto first = others_.begin() + begins_[a.index()];
+    const auto last = others_.begin() + begins_[a.index() + 1];
+    return std::find(first, last, wanted) != last;
+  }
+
+ private:
+  std::vector<std::uint32_t> begins_;
+  std::vector<std::array<VertexId, 2>> others_;
+};
 
 // What the triangles tell the cells beside them, and which vertices are their corners.
 struct Told {
@@ -27,18 +60,12 @@ Told tell(const Triangulation& triangulation, const LinkedFacets& surface,
           std::span<const KnownTriangle> triangles) {
   Told told = {IdVector<CellId, std::uint8_t>(triangulation.num_cells(), 0),
                VertexSet(triangulation.num_vertices(), 0)};
-  std::vector<Corners> known;
   for (const KnownTriangle& t : triangles) {
-    Corners corners;
-    std::transform(t.begin(), t.end(), corners.begin(),
-                   [&](PointId p) { return triangulation.vertex_of_point()[p]; });
-    for (const VertexId v : corners) told.corners[v] = 1;
-    known.push_back(canonical(corners));
+    for (const PointId p : t) told.corners[triangulation.vertex_of_point()[p]] = 1;
   }
-  std::sort(known.begin(), known.end());
+  const TriangleTable known(triangulation, triangles);
   const auto say = [&](FacetId behind) {
-    const Corners corners = canonical(triangulation.facet_vertices(behind));
-    if (!std::binary_search(known.begin(), known.end(), corners)) return;
+    if (!known.has(triangulation.facet_vertices(behind))) return;
     const CellId front = cell_of(triangulation.mirror(behind));
     told.cells[cell_of(behind)] |= Told::in;
     told.cells[front] |= Told::out;

@@ -1,6 +1,8 @@
 #include "cocone/mark_cells.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "cocone/carried_marks.h"
 #include "cocone/disputed_marks.h"
@@ -11,29 +13,58 @@
 namespace cocoon {
 namespace {
 
-void clear_marks(const Triangulation& triangulation, CellMarks& marks) {
-  marks.labels = IdVector<CellId, CellLabel>(triangulation.num_cells(), CellLabel::unmarked);
-  marks.visited = VertexSet(triangulation.num_vertices(), 0);
-  marks.visited_vertices = 0;
-}
-
-// Gives the cells their known labels, if they touch a good vertex: others are left to the peel.
-// Their good vertices are among the first to have their turn.
-void take_known_sides(const Triangulation& triangulation, const LinkedFacets& surface,
-                      std::span<const KnownTriangle> triangles, CellMarks& marks,
-                      std::vector<VertexId>& seeds) {
-  if (triangles.empty()) return;
-  const KnownSides known = known_sides(triangulation, surface, triangles);
+// The known labels of cells that touch a good vertex: others are left to the peel.
+IdVector<CellId, CellLabel> labels_before_the_rounds(const Triangulation& triangulation,
+                                                     const LinkedFacets& surface,
+                                                     std::span<const KnownTriangle> triangles,
+                                                     CellMarks& marks) {
+  if (triangles.empty()) return {};
+  KnownSides known = known_sides(triangulation, surface, triangles);
   for (const CellId c : triangulation.finite_cells()) {
     if (known.labels[c] == CellLabel::unmarked) continue;
-    for (const VertexId v : triangulation.cell(c).vertices) {
-      if (marks.good[v] == 0) continue;
-      seeds.push_back(v);
-      if (marks.labels[c] != CellLabel::unmarked) continue;
-      marks.labels[c] = known.labels[c];
+    if (is_poor(triangulation, marks, c)) {
+      known.labels[c] = CellLabel::unmarked;
+    } else {
       ++marks.known_cells;
     }
   }
+  return std::move(known.labels);
+}
+
+// The first to have their turn: the good ones of these, on the hull and at known cells.
+std::vector<VertexId> vertices_of_known_cells(const Triangulation& triangulation,
+                                              const IdVector<CellId, CellLabel>& known) {
+  std::vector<VertexId> seeds;
+  for (const CellId c : triangulation.infinite_cells()) {
+    for (int i = 0; i < 3; ++i) seeds.push_back(triangulation.vertex(c, i));
+  }
+  for (const CellId c : known.ids()) {
+    if (known[c] == CellLabel::unmarked) continue;
+    const auto& vertices = triangulation.cell(c).vertices;
+    seeds.insert(seeds.end(), vertices.begin(), vertices.end());
+  }
+  return seeds;
+}
+
+// Where vertices disagree.
+void settle(const Triangulation& triangulation, const LinkedFacets& surface,
+            const IdVector<VertexId, SideId>& corner_at, const CarriedMarks& carried,
+            std::span<const KnownTriangle> triangles, CellMarks& marks) {
+  IdVector<CellId, CellLabel> known =
+      labels_before_the_rounds(triangulation, surface, triangles, marks);
+  const std::vector<VertexId> seeds = vertices_of_known_cells(triangulation, known);
+  const bool all_carried = std::all_of(seeds.begin(), seeds.end(), [&](VertexId v) {
+    return marks.good[v] == 0 || marks.visited[v] != 0;
+  });
+  if (all_carried) {
+    settle_disputes(triangulation, surface, corner_at, carried, seeds, known, marks);
+    return;
+  }
+  // The known cells tell of parts of the surface that the hull does not see.
+  marks.labels = std::move(known);
+  marks.visited = VertexSet(triangulation.num_vertices(), 0);
+  marks.visited_vertices = 0;
+  mark_in_rounds(triangulation, surface.set, seeds, marks);
 }
 
 }  // namespace
@@ -153,17 +184,8 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
   marks.demoted_vertices = good.demoted;
   const CarriedMarks carried =
       carry_marks(triangulation, surface, good.corner_at, marks, execution);
-  if (known.empty()) {
-    settle_disputes(triangulation, surface, good.corner_at, carried, marks);
-  } else if (!carried.disputed.empty()) {
-    clear_marks(triangulation, marks);
-    // the first to have their turn: good vertices on the hull
-    std::vector<VertexId> seeds;
-    for (const CellId c : triangulation.infinite_cells()) {
-      for (int i = 0; i < 3; ++i) seeds.push_back(triangulation.vertex(c, i));
-    }
-    take_known_sides(triangulation, surface, known, marks, seeds);
-    mark_in_rounds(triangulation, surface.set, seeds, marks);
+  if (!carried.disputed.empty()) {
+    settle(triangulation, surface, good.corner_at, carried, known, marks);
   }
   report_progress(execution, "mark_cells", 1);
   return marks;

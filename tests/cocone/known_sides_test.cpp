@@ -9,6 +9,7 @@
 #include "cocone/prune_sharp_edges.h"
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
+#include "geom/random.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 
@@ -99,6 +100,51 @@ TEST(KnownSides, AreOnlyUsedWhereMarksContradictEachOther) {
   const ReconstructResult again = reconstruct_tight_again(points, turned);
   EXPECT_EQ(again.mesh, plain.mesh);
   EXPECT_EQ(again.counters.known_cells, 0U);
+}
+
+// Where vertices disagree, only they are asked: with the same result as all rounds, also if what is
+// known is partly wrong.
+TEST(KnownSides, DisputesAreSettledAsByTheRounds) {
+  std::size_t disputed = 0;
+  for (const std::uint64_t seed : {1U, 5U, 9U, 13U}) {
+    const std::vector<Point> points = shapes::noisy_sphere(3000, 0.02, seed);
+    const Stages s(points);
+    std::vector<KnownTriangle> triangles = triangles_of(reconstruct_tight(points));
+    Random random(seed);
+    for (KnownTriangle& t : triangles) {
+      if (random.below(50) == 0) std::swap(t[0], t[1]);
+    }
+    std::erase_if(triangles, [&](const KnownTriangle&) { return random.below(4) == 0; });
+    const BoundarySamples labels = s.labels();
+    PrunedCandidates pruned = prune_sharp_edges(
+        s.triangulation, candidate_triangles(s.triangulation, s.cocones, labels.boundary));
+    const LinkedFacets surface =
+        extract_manifold(s.triangulation, std::move(pruned.left), pruned.umbrella).triangles;
+    const CellMarks marks = mark_cells(s.triangulation, surface, labels.boundary, triangles);
+    if (marks.rounds == 0) continue;
+    ++disputed;
+
+    CellMarks rounds;
+    rounds.good = marks.good;
+    rounds.visited = VertexSet(s.triangulation.num_vertices(), 0);
+    rounds.labels = known_sides(s.triangulation, surface, triangles).labels;
+    std::vector<VertexId> seeds;
+    for (const CellId c : s.triangulation.cells()) {
+      const bool is_known = rounds.labels[c] != CellLabel::unmarked;
+      if (is_known && is_poor(s.triangulation, marks, c)) rounds.labels[c] = CellLabel::unmarked;
+      if (!is_known && !s.triangulation.is_infinite(c)) continue;
+      for (const VertexId v : s.triangulation.cell(c).vertices) {
+        if (v != infinite_vertex) seeds.push_back(v);
+      }
+    }
+    mark_in_rounds(s.triangulation, surface.set, seeds, rounds);
+    EXPECT_EQ(marks.labels, rounds.labels);
+    EXPECT_EQ(marks.visited, rounds.visited);
+    EXPECT_EQ(marks.rounds, rounds.rounds);
+    EXPECT_EQ(marks.conflicts, rounds.conflicts);
+    EXPECT_GT(marks.conflicts, 0U);
+  }
+  EXPECT_GT(disputed, 2U);
 }
 
 // Noise makes marks contradict each other. With the triangles of the result so far their number
