@@ -152,7 +152,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   });
   if (session) {
     timed(job.execution(), "write", [&] {
-      save_session(arguments.session, {session->snapshot(), arguments.parameters, {}},
+      save_session(arguments.session, {std::move(*session).release(), arguments.parameters, {}},
                    job.outputs());
     });
   }

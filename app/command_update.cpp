@@ -61,8 +61,8 @@ void update_session(const UpdateArguments& arguments, Job& job) {
       {arguments.mesh, arguments.map, arguments.html, arguments.ascii, arguments.manifold},
       &session);
   timed(job.execution(), "write", [&] {
-    save_session(arguments.session, {session.snapshot(), resumed.parameters, resumed.notes},
-                 job.outputs());
+    save_session(arguments.session,
+                 {std::move(session).release(), resumed.parameters, resumed.notes}, job.outputs());
   });
   job.finish();
   remove_pending_clouds(arguments.session);

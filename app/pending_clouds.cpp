@@ -32,39 +32,38 @@ std::uint64_t history_of(std::span<const std::string> notes) {
 }
 
 PendingCloud load_pending_cloud(const fs::path& path, std::span<const std::string> notes) {
-  const FileBytes file = read_file(path);
-  const std::string_view content = summed_content(file, magic, "cloud of a session");
-  const auto number = [&](std::size_t at) {
-    return load_number<std::uint64_t>(content.data() + at, std::endian::little);
-  };
+  SummedReader file(path, magic, "cloud of a session");
   const auto damaged = [&] {
     return file_error(path,
                       "the numbers in the header do not fit the file; remove it, and put its "
                       "cloud into the folder again");
   };
-  if (content.size() < header_size) throw damaged();
-  const auto found = load_number<std::uint32_t>(content.data() + 8, std::endian::little);
-  if (found != version) {
+  if (magic.size() + file.left() < header_size) throw damaged();
+  if (const auto found = file.next<std::uint32_t>(); found != version) {
     throw file_error(path, fmt::format("cloud of a session of version {}, but only version {} can "
                                        "be read; finish it with the program that wrote it",
                                        found, version));
   }
-  if (number(24) != history_of(notes)) {
-    throw file_error(path, "follows another session than the one beside it; remove one of them");
-  }
-  const std::uint64_t note_bytes = number(32);
-  const std::uint64_t points = number(40);
-  if (note_bytes > content.size() || points > content.size() ||
-      header_size + 24 * points + round_up_to_8(note_bytes) != content.size()) {
+  const bool has_rho = file.next<std::uint32_t>() != 0;
+  const auto rho = file.next<double>();
+  const auto history = file.next<std::uint64_t>();
+  const auto note_bytes = file.next<std::uint64_t>();
+  const auto points = file.next<std::uint64_t>();
+  if (note_bytes > file.left() || points > file.left() ||
+      24 * points + round_up_to_8(note_bytes) != file.left()) {
+    file.finish();  // knows better, as a rule
     throw damaged();
   }
   PendingCloud cloud;
-  if (load_number<std::uint32_t>(content.data() + 12, std::endian::little) != 0) {
-    cloud.rho = load_number<double>(content.data() + 16, std::endian::little);
-  }
+  if (has_rho) cloud.rho = rho;
   cloud.points.resize(points);
-  load_numbers<double>(content.data() + header_size, std::endian::little, std::span(cloud.points));
-  cloud.note = content.substr(header_size + 24 * points, note_bytes);
+  file.fill<double>(std::span(cloud.points));
+  cloud.note = file.take(note_bytes);
+  file.skip_to_word();
+  file.finish();
+  if (history != history_of(notes)) {
+    throw file_error(path, "follows another session than the one beside it; remove one of them");
+  }
   return cloud;
 }
 

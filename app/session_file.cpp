@@ -41,10 +41,9 @@ struct Header {
   }
 };
 
-std::size_t surface_size(const Header& header, const Triangulation& triangulation) {
+std::size_t surface_size(const Header& header, std::size_t vertices, std::size_t cells) {
   const std::size_t if_certified = (header.bits & certified) != 0 ? 1 : 0;
-  return round_up_to_8((30 + if_certified) * triangulation.num_vertices() +
-                       (2 + if_certified) * triangulation.num_cells());
+  return round_up_to_8((30 + if_certified) * vertices + (2 + if_certified) * cells);
 }
 
 Header header_of(const SavedSession& session) {
@@ -67,7 +66,10 @@ Header header_of(const SavedSession& session) {
     header.triangulation_bytes = triangulation_block_size(triangulation);
   }
   if (!snapshot.surface.sides.empty()) header.bits |= certified;
-  if (!snapshot.surface.empty()) header.surface_bytes = surface_size(header, triangulation);
+  if (!snapshot.surface.empty()) {
+    header.surface_bytes =
+        surface_size(header, triangulation.num_vertices(), triangulation.num_cells());
+  }
   return header;
 }
 
@@ -79,34 +81,6 @@ SurfaceArguments parameters_of(const Header& header) {
   if ((header.bits & has_sharp) != 0) parameters.sharp_angle_deg = header.angles[2];
   return parameters;
 }
-
-// Reads numbers one after the other. Precondition: the bytes are there.
-class Cursor {
- public:
-  explicit Cursor(std::string_view bytes) : at_(bytes.data()) {}
-  template <class T>
-  T next() {
-    const T value = load_number<T>(at_, std::endian::little);
-    at_ += sizeof(T);
-    return value;
-  }
-  // The next `count` records, made of numbers of type T.
-  template <class T, class Container>
-  void fill(Container& records, std::size_t count) {
-    records.resize(count);
-    const std::span all(records.begin(), records.end());
-    load_numbers<T>(at_, std::endian::little, all);
-    at_ += all.size_bytes();
-  }
-  std::string_view take(std::size_t size) {
-    const std::string_view bytes(at_, size);
-    at_ += size;
-    return bytes;
-  }
-
- private:
-  const char* at_;
-};
 
 void append_surface(SummedFile& file, const SurfaceState& surface) {
   const CandidateState& candidates = surface.candidates;
@@ -121,57 +95,66 @@ void append_surface(SummedFile& file, const SurfaceState& surface) {
   file.fill_word();
 }
 
-SurfaceState read_surface(const std::string& path, std::string_view bytes, const Header& header,
-                          const Triangulation& triangulation) {
+// The next `count` records, made of numbers of type T.
+template <class T, class Container>
+void fill(SummedReader& file, Container& records, std::size_t count) {
+  records.resize(count);
+  file.fill<T>(std::span(records.begin(), records.end()));
+}
+
+SurfaceState read_surface(SummedReader& file, const Header& header,
+                          const TriangulationArrays& triangulation) {
   SurfaceState surface;
-  if (bytes.empty()) return surface;
-  if (bytes.size() != surface_size(header, triangulation)) {
-    throw file_error(path,
+  if (header.surface_bytes == 0) return surface;
+  const std::size_t vertices = triangulation.points.size();
+  const std::size_t cells = triangulation.cells.size();
+  if (header.surface_bytes != surface_size(header, vertices, cells)) {
+    throw file_error(file.path(),
                      "what is known of the surface does not fit the triangulation; make the "
                      "session again");
   }
-  const std::size_t vertices = triangulation.num_vertices();
-  const std::size_t cells = triangulation.num_cells();
-  Cursor cursor(bytes);
   CandidateState& candidates = surface.candidates;
-  cursor.fill<double>(candidates.normals, vertices);
-  cursor.fill<std::uint32_t>(candidates.steps, vertices);
-  cursor.fill<std::uint8_t>(candidates.vertex_flags, vertices);
-  cursor.fill<std::uint8_t>(candidates.samples, vertices);
-  cursor.fill<std::uint8_t>(candidates.cell_flags, cells);
-  cursor.fill<std::uint8_t>(candidates.pruned, cells);
-  if ((header.bits & certified) == 0) return surface;
-  cursor.fill<std::uint8_t>(surface.sides, cells);
-  cursor.fill<std::uint8_t>(surface.sheets, vertices);
+  fill<double>(file, candidates.normals, vertices);
+  fill<std::uint32_t>(file, candidates.steps, vertices);
+  fill<std::uint8_t>(file, candidates.vertex_flags, vertices);
+  fill<std::uint8_t>(file, candidates.samples, vertices);
+  fill<std::uint8_t>(file, candidates.cell_flags, cells);
+  fill<std::uint8_t>(file, candidates.pruned, cells);
+  if ((header.bits & certified) != 0) {
+    fill<std::uint8_t>(file, surface.sides, cells);
+    fill<std::uint8_t>(file, surface.sheets, vertices);
+  }
+  file.skip_to_word();
   return surface;
 }
 
-Header read_header(const std::string& path, std::string_view content) {
-  if (content.size() < header_size) {
-    throw file_error(path,
+Header read_header(SummedReader& file) {
+  const std::size_t content = magic.size() + file.left();
+  if (content < header_size) {
+    throw file_error(file.path(),
                      "the file ends inside its header: it was cut off; make the session again");
   }
-  Cursor cursor(content.substr(magic.size()));
-  if (const auto found = cursor.next<std::uint32_t>(); found != version) {
-    throw file_error(path, "session file of version " + std::to_string(found) +
-                               ", but only version " + std::to_string(version) +
-                               " can be read; make the session again");
+  if (const auto found = file.next<std::uint32_t>(); found != version) {
+    throw file_error(file.path(), "session file of version " + std::to_string(found) +
+                                      ", but only version " + std::to_string(version) +
+                                      " can be read; make the session again");
   }
   Header header;
-  header.bits = cursor.next<std::uint32_t>();
+  header.bits = file.next<std::uint32_t>();
   bool plausible = header.bits < 32;
   for (double& angle : header.angles) {
-    angle = cursor.next<double>();
+    angle = file.next<double>();
     plausible = plausible && angle >= 0 && angle <= 180;
   }
   for (std::size_t* number :
        {&header.vertices, &header.triangles, &header.points, &header.note_bytes,
         &header.triangulation_bytes, &header.surface_bytes}) {
-    *number = cursor.next<std::uint64_t>();
-    plausible = plausible && *number <= content.size();
+    *number = file.next<std::uint64_t>();
+    plausible = plausible && *number <= content;
   }
-  if (!plausible || header.content_size() != content.size()) {
-    throw file_error(path,
+  if (!plausible || header.content_size() != content) {
+    file.finish();  // knows better, as a rule
+    throw file_error(file.path(),
                      "the numbers in the header do not fit the length of the file: it is "
                      "damaged; make the session again");
   }
@@ -220,27 +203,25 @@ void save_session(const std::string& path, const SavedSession& session, FileBatc
 }
 
 SavedSession load_session(const std::string& path, const Execution& execution) {
-  const FileBytes file = read_file(path);
-  const std::string_view content = summed_content(file, magic, "session file");
-  const Header header = read_header(path, content);
+  SummedReader file(path, magic, "session file");
+  const Header header = read_header(file);
   SavedSession session;
   session.parameters = parameters_of(header);
   SessionSnapshot& snapshot = session.snapshot;
-  Cursor cursor(content.substr(header_size));
-  cursor.fill<double>(snapshot.model.points, header.vertices);
-  cursor.fill<double>(snapshot.points, header.points);
-  cursor.fill<std::uint32_t>(snapshot.point_of_vertex, header.vertices);
-  cursor.fill<std::uint32_t>(snapshot.model.triangles, header.triangles);
-  const std::size_t ids = 4 * header.vertices + 12 * header.triangles;
-  cursor.take(round_up_to_8(ids) - ids);
-  session.notes = lines_of(cursor.take(header.note_bytes));
-  cursor.take(round_up_to_8(header.note_bytes) - header.note_bytes);
+  fill<double>(file, snapshot.model.points, header.vertices);
+  fill<double>(file, snapshot.points, header.points);
+  fill<std::uint32_t>(file, snapshot.point_of_vertex, header.vertices);
+  fill<std::uint32_t>(file, snapshot.model.triangles, header.triangles);
+  file.skip_to_word();
+  session.notes = lines_of(file.take(header.note_bytes));
+  file.skip_to_word();
+  UncheckedTriangulation triangulation;
   if (header.triangulation_bytes > 0) {
-    snapshot.triangulation =
-        parse_triangulation(path, cursor.take(header.triangulation_bytes), execution);
+    triangulation = read_triangulation(file, header.triangulation_bytes);
   }
-  snapshot.surface =
-      read_surface(path, cursor.take(header.surface_bytes), header, snapshot.triangulation);
+  snapshot.surface = read_surface(file, header, triangulation.arrays);
+  file.finish();
+  snapshot.triangulation = checked_triangulation(path, std::move(triangulation), execution);
   try {
     check_snapshot(snapshot, execution);
   } catch (const InputError& error) {

@@ -19,8 +19,11 @@ struct CompactDelaunay {
   IdVector<CellId, CellId> cell;        // by slot
 };
 
-// `vertex_of_point`: the slot of each input point. Complexity: O(slots).
+// `vertex_of_point`: the slot of each input point. Complexity: O(slots). The second one makes it of
+// the arrays that are there.
 CompactDelaunay compact_delaunay(const DynamicDelaunay& delaunay,
+                                 const IdVector<PointId, VertexId>& vertex_of_point);
+CompactDelaunay compact_delaunay(DynamicDelaunay&& delaunay,
                                  const IdVector<PointId, VertexId>& vertex_of_point);
 
 // What the stages up to pruning found, in its numbers. Precondition: candidates.exists().

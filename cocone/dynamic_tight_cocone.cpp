@@ -402,6 +402,14 @@ DynamicTightCocone::Snapshot DynamicTightCocone::snapshot() const {
   return {std::move(whole.triangulation), std::move(surface)};
 }
 
+DynamicTightCocone::Snapshot DynamicTightCocone::release() && {
+  State& state = *state_;
+  CompactDelaunay whole = compact_delaunay(std::move(state.delaunay), state.vertex_of_point);
+  SurfaceState surface = surface_state(state.candidates, state.certified, whole);
+  state.clear(0);
+  return {std::move(whole.triangulation), std::move(surface)};
+}
+
 ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution& execution,
                                                   const KnownTriangleSource& known) {
   if (working_scale(points) != 1) {

@@ -93,6 +93,8 @@ class DynamicTightCocone {
   void take(Points points, Snapshot snapshot);
   // Vertices and cells in the order of memory. Complexity: O(n).
   Snapshot snapshot() const;
+  // The same of the arrays that are there; it is empty then.
+  Snapshot release() &&;
 
  private:
   struct State;

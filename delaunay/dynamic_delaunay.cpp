@@ -363,6 +363,12 @@ const Point& DynamicDelaunay::point(VertexId v) const { return state_->points[v]
 CellId DynamicDelaunay::cell_at(VertexId v) const { return state_->cell_at[v]; }
 TriangulationView DynamicDelaunay::view() const { return {state_->points, state_->pool.cells}; }
 
+DynamicDelaunay::Elements DynamicDelaunay::release() && {
+  Elements elements{std::move(state_->points), std::move(state_->pool.cells)};
+  *this = DynamicDelaunay();
+  return elements;
+}
+
 FrozenDelaunay DynamicDelaunay::freeze() const {
   const State& state = *state_;
   std::vector<VertexId> live;

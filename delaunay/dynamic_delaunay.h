@@ -87,6 +87,13 @@ class DynamicDelaunay {
   // Complexity: O(n).
   FrozenDelaunay freeze() const;
 
+  // Gives up what view() shows, with its gaps. Complexity: O(1).
+  struct Elements {
+    IdVector<VertexId, Point> points;
+    IdVector<CellId, Cell> cells;
+  };
+  Elements release() &&;
+
  private:
   struct State;
   std::unique_ptr<State> state_;

@@ -1,13 +1,10 @@
 #include "io/file_bytes.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "geom/large_pages.h"
+#include "io/input_file.h"
 
 namespace cocoon {
 
@@ -15,41 +12,14 @@ namespace {
 
 constexpr std::size_t growth_step = std::size_t{1} << 20;  // for files whose size is not known
 
-class InputDescriptor {
- public:
-  explicit InputDescriptor(const std::filesystem::path& path)
-      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
-  ~InputDescriptor() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  InputDescriptor(const InputDescriptor&) = delete;
-  InputDescriptor& operator=(const InputDescriptor&) = delete;
-  int get() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
-
-[[noreturn]] void throw_unreadable(const std::filesystem::path& path, const std::string& reason) {
-  throw file_error(path, "cannot be read (" + reason + "); check the name and the permissions");
-}
-
 }  // namespace
 
 FileBytes read_file(const std::filesystem::path& path) {
-  const InputDescriptor input(path);
-  struct stat status = {};
-  if (input.get() < 0 || ::fstat(input.get(), &status) != 0) {
-    throw_unreadable(path, std::strerror(errno));
-  }
-  if (S_ISDIR(status.st_mode)) throw_unreadable(path, "it is a folder");
-
+  InputFile input(path);
   FileBytes file;
   file.path = path;
   // One byte more than announced, so that the read that finds the end needs no new room.
-  std::size_t capacity = S_ISREG(status.st_mode) && status.st_size > 0
-                             ? static_cast<std::size_t>(status.st_size) + 1
-                             : growth_step;
+  std::size_t capacity = input.size().value_or(0) > 0 ? *input.size() + 1 : growth_step;
   file.data.reset(new char[capacity]);
   prefer_large_pages(file.data.get(), capacity);
   while (true) {
@@ -59,11 +29,8 @@ FileBytes read_file(const std::filesystem::path& path) {
       std::memcpy(larger.get(), file.data.get(), file.size);
       file.data = std::move(larger);
     }
-    const ssize_t got = ::read(input.get(), file.data.get() + file.size, capacity - file.size);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw_unreadable(path, std::strerror(errno));
-    if (got == 0) return file;
-    file.size += static_cast<std::size_t>(got);
+    file.size += input.read(file.data.get() + file.size, capacity - file.size);
+    if (file.size < capacity) return file;
   }
 }
 

@@ -1,13 +1,30 @@
 #include "io/summed_file.h"
 
+#include <utility>
+
 namespace cocoon {
 
+void Checksum::add_word(const char* word) {
+  hash_ ^= load_number<std::uint64_t>(word, std::endian::little);
+  hash_ *= 0x9E3779B97F4A7C15U;
+  hash_ ^= hash_ >> 32;
+}
+
 void Checksum::add(std::string_view bytes) {
-  for (std::size_t i = 0; i < bytes.size(); i += 8) {
-    hash_ ^= load_number<std::uint64_t>(bytes.data() + i, std::endian::little);
-    hash_ *= 0x9E3779B97F4A7C15U;
-    hash_ ^= hash_ >> 32;
+  if (num_begun_ > 0) {
+    const std::size_t taken = std::min(bytes.size(), begun_.size() - num_begun_);
+    std::copy_n(bytes.begin(), taken, begun_.begin() + static_cast<std::ptrdiff_t>(num_begun_));
+    num_begun_ += taken;
+    bytes.remove_prefix(taken);
+    if (num_begun_ < begun_.size()) return;
+    add_word(begun_.data());
+    num_begun_ = 0;
   }
+  const std::size_t whole = bytes.size() / 8 * 8;
+  for (std::size_t i = 0; i < whole; i += 8) add_word(bytes.data() + i);
+  bytes.remove_prefix(whole);
+  std::copy(bytes.begin(), bytes.end(), begun_.begin());
+  num_begun_ = bytes.size();
 }
 
 std::uint64_t checksum_of(std::string text) {
@@ -38,27 +55,71 @@ void SummedFile::commit(FileBatch* batch) {
   file_.commit(batch);
 }
 
-std::string_view summed_content(const FileBytes& file, std::string_view magic,
-                                std::string_view kind) {
-  const std::string_view bytes = file.view();
-  if (bytes.substr(0, magic.size()) != magic) {
-    throw file_error(file.path, "this is no " + std::string(kind) + ": it does not begin with " +
-                                    std::string(magic));
+namespace {
+
+FileError wrong_magic(const std::filesystem::path& path, std::string_view magic,
+                      std::string_view kind) {
+  return file_error(
+      path, "this is no " + std::string(kind) + ": it does not begin with " + std::string(magic));
+}
+
+void require_whole_words(const std::filesystem::path& path, std::size_t size,
+                         std::string_view magic) {
+  if (size % 8 == 0 && size >= magic.size() + checksum_size) return;
+  throw file_error(path, "the file has " + std::to_string(size) +
+                             " bytes, which is no whole number of words: it was cut off; write it "
+                             "again");
+}
+
+}  // namespace
+
+SummedReader::SummedReader(const std::filesystem::path& path, std::string_view magic,
+                           std::string_view kind)
+    : file_(path) {
+  if (!file_.size()) whole_ = read_file(path);
+  const std::size_t size = whole_ ? whole_->size : *file_.size();
+  if (size < magic.size()) throw wrong_magic(path, magic, kind);
+  left_ = size;
+  if (take(magic.size()) != magic) throw wrong_magic(path, magic, kind);
+  require_whole_words(path, size, magic);
+  left_ -= checksum_size;
+}
+
+std::string SummedReader::take(std::size_t size) {
+  std::string text(size, '\0');
+  read(std::span(text));
+  return text;
+}
+
+void SummedReader::read(std::span<char> bytes) {
+  constexpr std::size_t piece = std::size_t{1} << 18;  // is in the cache still when it is summed up
+  left_ -= bytes.size();
+  while (!bytes.empty()) {
+    const std::span<char> next = bytes.first(std::min(piece, bytes.size()));
+    read_unsummed(next.data(), next.size());
+    checksum_.add({next.data(), next.size()});
+    bytes = bytes.subspan(next.size());
   }
-  if (bytes.size() % 8 != 0 || bytes.size() < magic.size() + checksum_size) {
-    throw file_error(file.path, "the file has " + std::to_string(bytes.size()) +
-                                    " bytes, which is no whole number of words: it was cut off; "
-                                    "write it again");
+}
+
+void SummedReader::read_unsummed(char* to, std::size_t size) {
+  if (whole_) {
+    std::copy_n(whole_->data.get() + at_, size, to);
+    at_ += size;
+  } else if (file_.read(to, size) < size) {
+    throw file_error(file_.path(), "the file became shorter while it was read; write it again");
   }
-  const std::string_view content = bytes.substr(0, bytes.size() - checksum_size);
-  Checksum checksum;
-  checksum.add(content);
-  if (checksum.value() !=
-      load_number<std::uint64_t>(bytes.data() + content.size(), std::endian::little)) {
-    throw file_error(file.path,
+}
+
+void SummedReader::finish() {
+  constexpr std::size_t piece = std::size_t{1} << 16;
+  while (left_ > 0) take(std::min(piece, left_));
+  std::array<char, checksum_size> sum{};
+  read_unsummed(sum.data(), sum.size());
+  if (checksum_.value() != load_number<std::uint64_t>(sum.data(), std::endian::little)) {
+    throw file_error(file_.path(),
                      "the checksum is wrong: the file was cut off or damaged; write it again");
   }
-  return content;
 }
 
 }  // namespace cocoon

@@ -6,9 +6,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +20,7 @@
 #include "io/atomic_file.h"
 #include "io/byte_order.h"
 #include "io/file_bytes.h"
+#include "io/input_file.h"
 
 namespace cocoon {
 
@@ -26,12 +30,16 @@ constexpr std::size_t round_up_to_8(std::size_t size) { return (size + 7) / 8 * 
 
 class Checksum {
  public:
-  // The size must be a multiple of 8.
   void add(std::string_view bytes);
+  // Precondition: the bytes so far are whole words.
   std::uint64_t value() const { return hash_; }
 
  private:
+  void add_word(const char* word);
+
   std::uint64_t hash_ = 0;
+  std::array<char, 8> begun_{};  // of the next word, the first bytes
+  std::size_t num_begun_ = 0;
 };
 
 // Of a text, with zero bytes up to a multiple of 8. Complexity: O(bytes).
@@ -79,10 +87,50 @@ class SummedFile {
   std::string bytes_;
 };
 
-// What stands before the checksum, which is right. Throws FileError, with `kind` ("session file")
-// in its message, for a file that does not begin with `magic`, is not made of whole words, or is
-// damaged.
-std::string_view summed_content(const FileBytes& file, std::string_view magic,
-                                std::string_view kind);
+// Reads such a file piece by piece, right to where its numbers belong, and sums up on the way. What
+// it gives may be damaged until finish() has returned.
+class SummedReader {
+ public:
+  // Throws FileError, with `kind` ("session file") in its message, for a file that cannot be read,
+  // does not begin with `magic`, or is not made of whole words.
+  SummedReader(const std::filesystem::path& path, std::string_view magic, std::string_view kind);
+
+  const std::filesystem::path& path() const { return file_.path(); }
+  // Bytes that are left before the checksum.
+  std::size_t left() const { return left_; }
+  // The next number, the next records made of numbers of type T, the next text. Throw FileError if
+  // the file cannot be read on. Precondition: so many bytes are left.
+  template <class T>
+  T next() {
+    T value;
+    fill<T>(std::span<T>(&value, 1));
+    return value;
+  }
+  template <class T, class Record>
+  void fill(std::span<Record> records) {
+    static_assert(std::is_arithmetic_v<T> && std::is_trivially_copyable_v<Record> &&
+                  sizeof(Record) % sizeof(T) == 0);
+    if (records.empty()) return;
+    const std::span<char> bytes(reinterpret_cast<char*>(records.data()), records.size_bytes());
+    read(bytes);
+    if (std::endian::native != std::endian::little) reverse_each(bytes, sizeof(T));
+  }
+  std::string take(std::size_t size);
+  // Passes over zero bytes up to a multiple of 8.
+  void skip_to_word() { take(left_ % 8); }
+
+  // Passes over what is left. Throws FileError if the checksum is wrong.
+  void finish();
+
+ private:
+  void read(std::span<char> bytes);
+  void read_unsummed(char* to, std::size_t size);
+
+  InputFile file_;
+  std::optional<FileBytes> whole_;  // of what is no regular file
+  std::size_t at_ = 0;              // in it
+  std::size_t left_ = 0;
+  Checksum checksum_;
+};
 
 }  // namespace cocoon

@@ -2,8 +2,8 @@
 // files may contain.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
-#include <string_view>
 
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
@@ -16,9 +16,19 @@ void append_triangulation(SummedFile& file, const Triangulation& triangulation);
 
 std::size_t triangulation_block_size(const Triangulation& triangulation);
 
-// `bytes` are a block as a whole. All checks of load_triangulation but that of the checksum.
-// `path`: for messages. Errors: FileError.
-Triangulation parse_triangulation(const std::filesystem::path& path, std::string_view bytes,
-                                  const Execution& execution = {});
+// A block as it was read.
+struct UncheckedTriangulation {
+  TriangulationArrays arrays;
+  std::size_t finite_cells = 0;
+};
+
+// The next `size` bytes are a block. Looks only at its header. Errors: FileError.
+UncheckedTriangulation read_triangulation(SummedReader& file, std::size_t size);
+
+// All other checks of load_triangulation, to be made when the checksum is known to be right.
+// `path`: for messages. Errors: FileError. Complexity: O(cells), parallel.
+Triangulation checked_triangulation(const std::filesystem::path& path,
+                                    UncheckedTriangulation triangulation,
+                                    const Execution& execution = {});
 
 }  // namespace cocoon

@@ -1,5 +1,6 @@
 #include "io/triangulation_file.h"
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,48 +35,51 @@ struct Header {
   }
 };
 
-// `bytes` begin with a header.
-Header read_header(const std::filesystem::path& path, std::string_view bytes) {
-  const auto number32 = [&](std::size_t at) {
-    return load_number<std::uint32_t>(bytes.data() + at, std::endian::little);
-  };
-  const auto number64 = [&](std::size_t at) {
-    return load_number<std::uint64_t>(bytes.data() + at, std::endian::little);
-  };
-  if (number32(8) != version) {
-    throw file_error(path, "triangulation file of version " + std::to_string(number32(8)) +
-                               ", but only version 1 can be read");
+// The magic has been read. The block has `size` bytes with it.
+Header read_header(SummedReader& file, std::size_t size) {
+  if (size < header_size) {
+    throw file_error(file.path(),
+                     "the file ends inside its header: it was cut off; write it again");
   }
-  const Header header{number64(16), number64(24), number64(32), number64(40)};
-  if (number32(12) != 0 || header.vertices >= infinite_vertex.value || header.cells > max_cells ||
+  if (const auto found = file.next<std::uint32_t>(); found != version) {
+    throw file_error(file.path(), "triangulation file of version " + std::to_string(found) +
+                                      ", but only version 1 can be read");
+  }
+  const auto zero = file.next<std::uint32_t>();
+  Header header;
+  for (std::size_t* number :
+       {&header.vertices, &header.cells, &header.finite_cells, &header.points}) {
+    *number = file.next<std::uint64_t>();
+  }
+  if (zero != 0 || header.vertices >= infinite_vertex.value || header.cells > max_cells ||
       header.finite_cells > header.cells || header.points >= infinite_vertex.value ||
       header.points < header.vertices) {
-    throw file_error(path, "the numbers in the header cannot be true: the file is damaged");
+    throw file_error(file.path(), "the numbers in the header cannot be true: the file is damaged");
   }
-  if (header.file_size() != bytes.size() + checksum_size) {
-    throw file_error(path, "the file has " + std::to_string(bytes.size() + checksum_size) +
-                               " bytes, but its header promises " +
-                               std::to_string(header.file_size()) + ": it was cut off or damaged");
+  if (header.file_size() != size + checksum_size) {
+    throw file_error(file.path(), "the file has " + std::to_string(size + checksum_size) +
+                                      " bytes, but its header promises " +
+                                      std::to_string(header.file_size()) +
+                                      ": it was cut off or damaged");
   }
   return header;
 }
 
-TriangulationArrays read_arrays(std::string_view bytes, const Header& header) {
-  const char* at = bytes.data() + header_size;
-  const auto take = [&at]<class T, class Record>(T, std::span<Record> records) {
-    load_numbers<T>(at, std::endian::little, records);
-    at += records.size_bytes();
-  };
+UncheckedTriangulation read_rest(SummedReader& file, std::size_t size) {
+  const Header header = read_header(file, size);
   TriangulationArrays arrays;
   arrays.points.resize(header.vertices);
-  take(double{}, arrays.points.span());
+  file.fill<double>(arrays.points.span());
   arrays.cells.resize_for_overwrite(header.cells);
   prefer_large_pages(arrays.cells.raw());
-  take(std::uint32_t{}, arrays.cells.span());
+  file.fill<std::uint32_t>(arrays.cells.span());
   arrays.vertex_of_point.resize(header.points);
-  take(std::uint32_t{}, arrays.vertex_of_point.span());
-  return arrays;
+  file.fill<std::uint32_t>(arrays.vertex_of_point.span());
+  file.skip_to_word();
+  return {std::move(arrays), header.finite_cells};
 }
+
+// --- Checks ----------------------------------------------------------------------------------
 
 bool is_well_formed(const Cell& cell, bool must_be_infinite, std::size_t vertices) {
   const auto& [a, b, c, d] = cell.vertices;
@@ -97,17 +101,47 @@ bool are_one_facet(const Cell& cell, int i, const Cell& other, int k) {
   return shared == 3;
 }
 
-bool has_mutual_neighbors(const IdVector<CellId, Cell>& cells, CellId c) {
+enum class Facets { all, first_of_pairs };
+
+// Whether the facets behind those of a cell are there, name them, and are the same triangles. Of
+// the first of pairs: looks at the cells behind only from the facets with the smaller ids.
+bool has_mutual_neighbors(const IdVector<CellId, Cell>& cells, CellId c, Facets facets) {
   for (int i = 0; i < 4; ++i) {
     const FacetId here = facet_id(c, i);
     const FacetId behind = cells[c].neighbors[static_cast<std::size_t>(i)];
     if (cell_of(behind).index() >= cells.size() || cell_of(behind) == c) return false;
+    if (facets == Facets::first_of_pairs && behind < here) continue;
     const Cell& other = cells[cell_of(behind)];
     if (other.neighbors[static_cast<std::size_t>(index_of(behind))] != here) return false;
-    // Each pair of cells once.
-    if (here < behind && !are_one_facet(cells[c], i, other, index_of(behind))) return false;
+    if (!are_one_facet(cells[c], i, other, index_of(behind))) return false;
   }
   return true;
+}
+
+// Facets that name one with a larger id. If each of these is named back there are at least as many
+// others; and just as many only if these, too, are named back.
+std::size_t num_first_of_pairs(const IdVector<CellId, Cell>& cells, const Execution& execution) {
+  return parallel_reduce(
+      execution, cells.size(), std::size_t{0},
+      [&](std::size_t begin, std::size_t end) {
+        std::size_t count = 0;
+        for (CellId c(begin); c.index() < end; ++c) {
+          for (int i = 0; i < 4; ++i) {
+            count += facet_id(c, i) < cells[c].neighbors[static_cast<std::size_t>(i)] ? 1U : 0U;
+          }
+        }
+        return count;
+      },
+      std::plus<>());
+}
+
+// Neighbors lie here and there in memory: those of a cell that is looked at soon.
+void ask_for_neighbors(const IdVector<CellId, Cell>& cells, CellId c) {
+  constexpr std::size_t ahead = 12;
+  if (c.index() + ahead >= cells.size()) return;
+  for (const FacetId f : cells[CellId(c.index() + ahead)].neighbors) {
+    if (c < cell_of(f) && cell_of(f).index() < cells.size()) __builtin_prefetch(&cells[cell_of(f)]);
+  }
 }
 
 // Throws for the first of `count` elements for which holds(id) is false.
@@ -122,25 +156,34 @@ void require_all(const std::filesystem::path& path, const Execution& execution, 
 }
 
 // The checksum was right, so whatever is wrong here was written so.
-void validate(const std::filesystem::path& path, const Header& header,
-              const TriangulationArrays& arrays, const Execution& execution) {
-  require_all<VertexId>(path, execution, header.vertices, "vertex",
-                        "has a coordinate that is not finite",
+void validate(const std::filesystem::path& path, const UncheckedTriangulation& triangulation,
+              const Execution& execution) {
+  const TriangulationArrays& arrays = triangulation.arrays;
+  const std::size_t vertices = arrays.points.size();
+  const std::size_t points = arrays.vertex_of_point.size();
+  require_all<VertexId>(path, execution, vertices, "vertex", "has a coordinate that is not finite",
                         [&](VertexId v) { return is_finite(arrays.points[v]); });
-  require_all<CellId>(path, execution, header.cells, "cell",
+  require_all<CellId>(path, execution, arrays.cells.size(), "cell",
                       "has a vertex out of range or out of place", [&](CellId c) {
-                        return is_well_formed(arrays.cells[c], c.index() >= header.finite_cells,
-                                              header.vertices);
+                        const bool infinite = c.index() >= triangulation.finite_cells;
+                        return is_well_formed(arrays.cells[c], infinite, vertices);
                       });
-  require_all<CellId>(path, execution, header.cells, "cell",
-                      "and one of its neighbors do not name each other",
-                      [&](CellId c) { return has_mutual_neighbors(arrays.cells, c); });
-  require_all<PointId>(
-      path, execution, header.points, "point", "has a vertex out of range",
-      [&](PointId p) { return arrays.vertex_of_point[p].index() < header.vertices; });
-  IdVector<VertexId, std::uint8_t> has_point(header.vertices, 0);
+  const auto require_mutual_neighbors = [&](Facets facets) {
+    require_all<CellId>(path, execution, arrays.cells.size(), "cell",
+                        "and one of its neighbors do not name each other", [&](CellId c) {
+                          ask_for_neighbors(arrays.cells, c);
+                          return has_mutual_neighbors(arrays.cells, c, facets);
+                        });
+  };
+  require_mutual_neighbors(Facets::first_of_pairs);
+  if (num_first_of_pairs(arrays.cells, execution) != 2 * arrays.cells.size()) {
+    require_mutual_neighbors(Facets::all);
+  }
+  require_all<PointId>(path, execution, points, "point", "has a vertex out of range",
+                       [&](PointId p) { return arrays.vertex_of_point[p].index() < vertices; });
+  IdVector<VertexId, std::uint8_t> has_point(vertices, 0);
   for (const VertexId v : arrays.vertex_of_point) has_point[v] = 1;
-  require_all<VertexId>(path, execution, header.vertices, "vertex", "has no input point",
+  require_all<VertexId>(path, execution, vertices, "vertex", "has no input point",
                         [&](VertexId v) { return has_point[v] != 0; });
 }
 
@@ -166,18 +209,18 @@ std::size_t triangulation_block_size(const Triangulation& triangulation) {
   return header.file_size() - checksum_size;
 }
 
-Triangulation parse_triangulation(const std::filesystem::path& path, std::string_view bytes,
-                                  const Execution& execution) {
-  if (bytes.substr(0, magic.size()) != magic) {
-    throw file_error(path, "this is no triangulation file: it does not begin with COCOONDT");
+UncheckedTriangulation read_triangulation(SummedReader& file, std::size_t size) {
+  if (size < magic.size() || file.take(magic.size()) != magic) {
+    throw file_error(file.path(), "this is no triangulation file: it does not begin with COCOONDT");
   }
-  if (bytes.size() < header_size) {
-    throw file_error(path, "the file ends inside its header: it was cut off; write it again");
-  }
-  const Header header = read_header(path, bytes);
-  TriangulationArrays arrays = read_arrays(bytes, header);
-  validate(path, header, arrays, execution);
-  return Triangulation(std::move(arrays), header.finite_cells);
+  return read_rest(file, size);
+}
+
+Triangulation checked_triangulation(const std::filesystem::path& path,
+                                    UncheckedTriangulation triangulation,
+                                    const Execution& execution) {
+  validate(path, triangulation, execution);
+  return Triangulation(std::move(triangulation.arrays), triangulation.finite_cells);
 }
 
 void save_triangulation(const std::filesystem::path& path, const Triangulation& triangulation) {
@@ -190,16 +233,10 @@ Triangulation load_triangulation(const std::filesystem::path& path,
                                  const LoadTriangulationOptions& options,
                                  const Execution& execution) {
   report_progress(execution, "load_triangulation", 0);
-  Triangulation triangulation;
-  {
-    const FileBytes file = read_file(path);
-    // The header knows better than the checksum what is wrong with the length.
-    if (file.size >= header_size + checksum_size && file.view().substr(0, magic.size()) == magic) {
-      read_header(path, file.view().substr(0, file.size - checksum_size));
-    }
-    triangulation =
-        parse_triangulation(path, summed_content(file, magic, "triangulation file"), execution);
-  }
+  SummedReader file(path, magic, "triangulation file");
+  UncheckedTriangulation unchecked = read_rest(file, magic.size() + file.left());
+  file.finish();
+  Triangulation triangulation = checked_triangulation(path, std::move(unchecked), execution);
   if (options.certify) {
     const DelaunayReport report = check_delaunay(triangulation, {}, execution);
     if (!report.ok()) {

@@ -1,8 +1,10 @@
 #include "update/update_session.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cassert>
-#include <cstring>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -15,6 +17,11 @@ namespace {
 void require(bool condition, const char* what) {
   if (condition) return;
   throw InputError(std::string("session: ") + what + "; start from the points again");
+}
+
+// Zeros may differ in their signs.
+std::array<std::uint64_t, 3> bits_of(const Point& p) {
+  return std::bit_cast<std::array<std::uint64_t, 3>>(p);
 }
 
 void drop_values_by_vertex(ReconstructResult& result) {
@@ -100,8 +107,8 @@ void UpdateSession::forget_points_of_vertices() {
   points_are_vertices_ = points_.size() == model_.points.size();
   for (std::size_t i = 0; points_are_vertices_ && i < points_.size(); ++i) {
     const VertexId v(i);
-    points_are_vertices_ = point_of_vertex_[v] == PointId(i) &&
-                           std::memcmp(&points_[i], &model_.points[v], sizeof(Point)) == 0;
+    points_are_vertices_ =
+        point_of_vertex_[v] == PointId(i) && bits_of(points_[i]) == bits_of(model_.points[v]);
   }
   if (!points_are_vertices_) return;
   points_ = {};
@@ -342,17 +349,33 @@ MeshChange UpdateSession::undo_to(Body& before, const Execution& execution) {
   return change;
 }
 
+IdVector<VertexId, PointId> UpdateSession::points_of_vertices() const {
+  IdVector<VertexId, PointId> points;
+  points.reserve(model_.points.size());
+  for (const VertexId v : model_.points.ids()) points.push_back(point_of_vertex(v));
+  return points;
+}
+
 SessionSnapshot UpdateSession::snapshot() const {
   DynamicTightCocone::Snapshot surface;
   if (surface_.num_points() != 0) surface = surface_.snapshot();
-  IdVector<VertexId, PointId> point_of_vertex;
-  point_of_vertex.reserve(model_.points.size());
-  for (const VertexId v : model_.points.ids()) point_of_vertex.push_back(this->point_of_vertex(v));
   return {model_,
           {points().begin(), points().end()},
-          std::move(point_of_vertex),
+          points_of_vertices(),
           std::move(surface.triangulation),
           std::move(surface.surface)};
+}
+
+SessionSnapshot UpdateSession::release() && {
+  history_.clear();
+  index_.reset();
+  DynamicTightCocone::Snapshot surface;
+  if (surface_.num_points() != 0) surface = std::move(surface_).release();
+  IdVector<VertexId, PointId> points_of_vertices = this->points_of_vertices();
+  std::vector<Point> points = points_are_vertices_ ? model_.points.raw() : std::move(points_);
+  reconstruction_ = {};
+  return {std::exchange(model_, {}), std::move(points), std::move(points_of_vertices),
+          std::move(surface.triangulation), std::move(surface.surface)};
 }
 
 }  // namespace cocoon

@@ -96,6 +96,8 @@ class UpdateSession {
 
   // Complexity: O(n).
   SessionSnapshot snapshot() const;
+  // The same of the arrays that are there; the session has no model then.
+  SessionSnapshot release() &&;
 
   // Updates that can be taken back; each holds what went and came, or a copy of the model if its
   // surface was not certain.
@@ -130,6 +132,7 @@ class UpdateSession {
   PointId point_of_vertex(VertexId v) const {
     return points_are_vertices_ ? PointId(v.value) : point_of_vertex_[v];
   }
+  IdVector<VertexId, PointId> points_of_vertices() const;
   ReconstructResult reconstruct(const Replacement& replacement, const KnownTriangleSource& known,
                                 const Execution& execution, Pending& pending);
   std::optional<ListEdit<PointId>> edit_of_points(const Replacement& replacement) const;

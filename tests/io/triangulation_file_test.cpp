@@ -7,6 +7,8 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <sys/stat.h>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -54,6 +56,18 @@ TEST(TriangulationFile, ComesBackAsItWas) {
     expect_equal(load_triangulation(folder / "t.dt", {.certify = true}), original);
     EXPECT_EQ(folder.num_files(), 1U);
   }
+}
+
+// What has no size that is known beforehand.
+TEST(TriangulationFile, ComesThroughAPipe) {
+  const TemporaryFolder folder;
+  const Triangulation original = delaunay(gallery::uniform_cube(3000)).triangulation;
+  save_triangulation(folder / "t.dt", original);
+  const std::string bytes = bytes_of(folder / "t.dt");
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(folder / "pipe", std::ios::binary) << bytes; });
+  expect_equal(load_triangulation(folder / "pipe"), original);
+  writer.join();
 }
 
 TEST(TriangulationFile, HoldsAnEmptyTriangulation) {

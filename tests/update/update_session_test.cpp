@@ -144,6 +144,38 @@ TEST(UpdateSession, GoesOnFromASnapshot) {
   }
 }
 
+void expect_equal_snapshots(const SessionSnapshot& actual, const SessionSnapshot& expected) {
+  EXPECT_TRUE(actual.model == expected.model);
+  EXPECT_TRUE(actual.points == expected.points);
+  EXPECT_TRUE(actual.point_of_vertex == expected.point_of_vertex);
+  EXPECT_TRUE(actual.triangulation.points() == expected.triangulation.points());
+  EXPECT_TRUE(actual.triangulation.cell_records() == expected.triangulation.cell_records());
+  EXPECT_TRUE(actual.triangulation.vertex_of_point() == expected.triangulation.vertex_of_point());
+  EXPECT_EQ(actual.triangulation.num_finite_cells(), expected.triangulation.num_finite_cells());
+  EXPECT_TRUE(actual.surface == expected.surface);
+}
+
+// What a session gives up is its snapshot: after updates that left gaps among vertices and cells,
+// of certain surfaces and others, and before there is a triangulation.
+TEST(UpdateSession, GivesUpWhatItsSnapshotShows) {
+  const TriangleMesh part = read_mesh(std::string(COCOON_TEST_DATA) + "/models/anchor_dense.off");
+  for (const std::vector<Point>& points : {gallery::even_sphere(600), part.points.raw()}) {
+    Random random(12);
+    UpdateSession session(points);
+    for (int step = 0; step < 4; ++step) {
+      session.apply(random_scans(session.model(), random, 0.1));
+    }
+    EXPECT_GT(session.undo_levels(), 0U);
+    const SessionSnapshot expected = session.snapshot();
+    expect_equal_snapshots(std::move(session).release(), expected);
+    EXPECT_TRUE(session.model().triangles.empty());
+  }
+  UpdateSession untouched(part);
+  const SessionSnapshot expected = untouched.snapshot();
+  EXPECT_EQ(expected.triangulation.num_cells(), 0U);
+  expect_equal_snapshots(std::move(untouched).release(), expected);
+}
+
 // Each step in a session made of the snapshot of the one before: what that knew of its surface is
 // not looked for again.
 std::size_t local_steps_from_snapshots(Points points, int steps) {

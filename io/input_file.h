@@ -1,0 +1,30 @@
+// A file that is read from its beginning to its end.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+
+namespace cocoon {
+
+class InputFile {
+ public:
+  // Throws FileError if it cannot be opened, or if it is a folder.
+  explicit InputFile(const std::filesystem::path& path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  // In bytes; none for pipes and devices.
+  std::optional<std::size_t> size() const { return size_; }
+  // Reads the next bytes, up to `most`; returns how many, less only at the end. Throws FileError.
+  std::size_t read(char* to, std::size_t most);
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::optional<std::size_t> size_;
+};
+
+}  // namespace cocoon
