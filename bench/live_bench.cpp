@@ -4,12 +4,13 @@
 //   live_bench [--points N] [--cloud K] [--repetitions R] [--paper 0] [--svg FILE]
 //
 // A smooth closed surface and scans of patches of about K points, each with a gentle hill: models
-// of 10^4 points to N at fixed K, and clouds of K / 10 to 3 K at N points. Each row has the
+// of 10^4 points to N at fixed K, and clouds of K / 10 to 3 K at N points; then models of random
+// samples of the same surface, which always have some boundary samples. Each row has the
 // reconstruction of the model, and the median of R updates by UpdateSession, with its four steps;
 // one thread, processor time. Then the models after Woo & Dey 2005 with all their clouds; undone
-// after each. The last model of each session is compared with a reconstruction of its points; if
-// they differ the program stops with exit code 1. --paper 0 leaves these models out. FILE: the two
-// curves.
+// after each. The last model of each session is compared with an update of the one before from
+// scratch; if they differ the program stops with exit code 1. --paper 0 leaves these models out.
+// FILE: the two curves.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -56,11 +57,25 @@ std::vector<Point> evenly_on_surface(std::size_t n, std::uint64_t seed) {
   return points;
 }
 
+// As dense on average, but each sample for itself.
+std::vector<Point> randomly_on_surface(std::size_t n, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Point> points(n);
+  for (Point& p : points) {
+    const Vec3 u = random.on_unit_sphere();
+    p = radius(u) * u;
+  }
+  return points;
+}
+
+using Samples = std::vector<Point> (*)(std::size_t n, std::uint64_t seed);
+
 // About k of n points: those around an axis, raised in the middle.
-std::vector<Point> scan(std::size_t n, std::size_t k, const Vec3& axis, std::uint64_t seed) {
+std::vector<Point> scan(Samples samples, std::size_t n, std::size_t k, const Vec3& axis,
+                        std::uint64_t seed) {
   const double depth = 2 * static_cast<double>(k) / static_cast<double>(n);
   std::vector<Point> points;
-  for (const Point& p : evenly_on_surface(n, seed)) {
+  for (const Point& p : samples(n, seed)) {
     const double t = (1 - dot(unit(p), axis)) / depth;
     if (t >= 1) continue;
     const double rise = t < 0.6 ? (1 - t / 0.6) * (1 - t / 0.6) : 0;
@@ -96,7 +111,9 @@ Row measure(const std::vector<Point>& points,
   row.full = full_reconstruction(points);
   UpdateSession session(points);
   std::vector<std::pair<double, bench::StageTimes>> times;
+  TriangleMesh before;
   for (const std::vector<std::vector<Point>>& clouds : runs) {
+    if (&clouds == &runs.back()) before = session.model();
     bench::StageTimes clock;
     const std::size_t local = session.local_changes();
     const bench::Stopwatch stopwatch;
@@ -110,7 +127,7 @@ Row measure(const std::vector<Point>& points,
   std::sort(times.begin(), times.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
   std::tie(row.update, row.steps) = times[times.size() / 2];
-  row.ok = row.ok && reconstruct_tight(session.snapshot().points).mesh == session.model();
+  row.ok = row.ok && update_model(before, runs.back()).mesh == session.model();
   return row;
 }
 
@@ -124,16 +141,21 @@ void print(const Row& row) {
   std::fflush(stdout);
 }
 
-Row measure_smooth(std::size_t n, std::size_t k, std::size_t repetitions) {
+Row measure_surface(const std::string& name, Samples samples, std::size_t n, std::size_t k,
+                    std::size_t repetitions) {
   Random random(3);
   std::vector<std::vector<std::vector<Point>>> runs;
   for (std::size_t r = 0; r < repetitions; ++r) {
-    runs.push_back({scan(n, k, random.on_unit_sphere(), 7 + r)});
+    runs.push_back({scan(samples, n, k, random.on_unit_sphere(), 7 + r)});
   }
-  Row row = measure(evenly_on_surface(n, 1), runs, false);
-  row.name = "smooth";
+  Row row = measure(samples(n, 1), runs, false);
+  row.name = name;
   print(row);
   return row;
+}
+
+Row measure_smooth(std::size_t n, std::size_t k, std::size_t repetitions) {
+  return measure_surface("smooth", evenly_on_surface, n, k, repetitions);
 }
 
 Row measure_paper(const std::string& name, std::size_t repetitions) {
@@ -179,6 +201,12 @@ int run_all(int argc, char** argv) {
     const Row row = measure_smooth(arguments.points, k, arguments.repetitions);
     add(row, static_cast<double>(row.cloud), by_cloud);
     ok = ok && row.ok;
+  }
+  for (double n = 1e4; n <= 1.01 * static_cast<double>(arguments.points); n *= 10) {
+    ok = measure_surface("random", randomly_on_surface, static_cast<std::size_t>(std::lround(n)),
+                         fixed, arguments.repetitions)
+             .ok &&
+         ok;
   }
   for (const std::string& name :
        arguments.paper ? sample_model_names() : std::vector<std::string>()) {
