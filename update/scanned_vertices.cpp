@@ -73,11 +73,26 @@ class BorderSpacing {
   std::vector<VertexId> vertices_;
 };
 
-// A vertex that may have been scanned, and how close a sample must be.
+// A vertex that may have been scanned.
 struct Candidate {
   VertexId vertex;
-  double squared_reach;
+  double spacing;  // of the model
+  double depth;    // beyond the rim, on the side of the cloud, in spacings; negative: before it
 };
+
+// How close to each candidate a sample of a cloud must be, squared; negative: none is close enough.
+std::vector<double> squared_reaches(std::span<const Candidate> candidates, double cloud_spacing,
+                                    const ScannedOptions& options) {
+  std::vector<double> squared;
+  squared.reserve(candidates.size());
+  for (const Candidate& candidate : candidates) {
+    const double at_rim =
+        std::max(options.sample_reach * candidate.spacing, options.cloud_reach * cloud_spacing);
+    const double reach = at_rim * (1 + options.depth_weight * candidate.depth);
+    squared.push_back(reach > 0 ? reach * reach : -1);
+  }
+  return squared;
+}
 
 }  // namespace
 
@@ -95,7 +110,6 @@ IdVector<VertexId, Scanned> scanned_vertices(const ModelIndex& index, const Regi
   const std::vector<double> spacings = border.compute();
   std::vector<Candidate> candidates;
   std::vector<Box> boxes;
-  double largest = 0;
   for (std::size_t i = 0; i < spacings.size(); ++i) {
     const VertexId v = border.vertices()[i];
     const double spacing = spacings[i];
@@ -104,20 +118,23 @@ IdVector<VertexId, Scanned> scanned_vertices(const ModelIndex& index, const Regi
     const double largest_spacing = std::max(rims[side.rim].spacing, spacing);
     if (!(side.distance <= options.rim_zone * largest_spacing)) continue;
     result[v] = Scanned::no;
-    const double reach = options.sample_reach * spacing;
-    candidates.push_back({v, reach * reach});
+    const double depth = (side.on_cloud_side ? side.distance : -side.distance) / spacing;
+    candidates.push_back({v, spacing, depth});
     boxes.push_back(box_of({&model.points[v], 1}));
-    largest = std::max(largest, reach * reach);
   }
 
   // 2. Which of them have a sample close by.
+  if (candidates.empty()) return result;
   const BoxTree tree(boxes);
-  for (const std::vector<Point>& cloud : clouds) {
-    for (const Point& p : cloud) {
+  for (std::size_t c = 0; c < clouds.size(); ++c) {
+    const std::vector<double> reaches = squared_reaches(candidates, rims[c].median_edge, options);
+    const double largest = *std::max_element(reaches.begin(), reaches.end());
+    if (largest < 0) continue;
+    for (const Point& p : clouds[c]) {
       tree.visit_near(p, largest, [&](std::uint32_t slot) {
-        const Candidate& candidate = candidates[tree.items()[slot]];
-        const double squared = squared_distance(p, model.points[candidate.vertex]);
-        if (squared <= candidate.squared_reach) result[candidate.vertex] = Scanned::yes;
+        const std::uint32_t item = tree.items()[slot];
+        const VertexId v = candidates[item].vertex;
+        if (squared_distance(p, model.points[v]) <= reaches[item]) result[v] = Scanned::yes;
         return largest;
       });
     }

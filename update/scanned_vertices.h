@@ -20,8 +20,15 @@ struct ScannedOptions {
   // whichever is larger, lies so near to it that samples tell more than the rim does. 0 = off. The
   // spacing of the model is its mean edge around the vertex and its neighbors at the border.
   double rim_zone = 0.27;
-  // There it has been scanned anew iff a sample is as close as this share of the model's spacing.
-  double sample_reach = 0.36;
+  // There it has been scanned anew iff a sample is close enough. At the rim: as close as this share
+  // of the model's spacing,
+  double sample_reach = 0.35;
+  // or of the median edge of the cloud's surface, if that is more: the samples of a coarse cloud
+  // are far from most of what was scanned.
+  double cloud_reach = 0.62;
+  // On the cloud's side of the rim a sample may be farther away, before it it must be closer: by
+  // this share of that for each spacing of the model between vertex and rim.
+  double depth_weight = 1.3;
 };
 
 enum class Scanned : std::uint8_t {

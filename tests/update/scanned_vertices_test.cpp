@@ -43,8 +43,40 @@ TEST(ScannedVertices, ASampleCloseByTells) {
 TEST(ScannedVertices, TheReachIsAShareOfTheMeanEdge) {
   Scene scene;
   scene.clouds[0] = {near_rim + Vec3{0.5, 0, 0}};
-  EXPECT_EQ(scene.at(near_rim, {.sample_reach = 0.5 / 1.13}), Scanned::yes);
-  EXPECT_EQ(scene.at(near_rim, {.sample_reach = 0.5 / 1.15}), Scanned::no);
+  EXPECT_EQ(scene.at(near_rim, {.sample_reach = 0.5 / 1.13, .depth_weight = 0}), Scanned::yes);
+  EXPECT_EQ(scene.at(near_rim, {.sample_reach = 0.5 / 1.15, .depth_weight = 0}), Scanned::no);
+}
+
+// Of samples farther apart than the vertices of the model most vertices are far.
+TEST(ScannedVertices, TheReachIsAShareOfTheEdgesOfACoarseCloud) {
+  Scene scene;
+  scene.clouds[0] = {near_rim + Vec3{0.9, 0, 0}};
+  EXPECT_EQ(scene.at(near_rim), Scanned::no);
+  scene.rims[0].median_edge = 2;
+  EXPECT_EQ(scene.at(near_rim), Scanned::yes);
+  EXPECT_EQ(scene.at(near_rim, {.cloud_reach = 0.4}), Scanned::no);
+  scene.rims.push_back(scene.rims[0]);  // each cloud by its own edges
+  scene.rims[0].median_edge = 0.5;
+  EXPECT_EQ(scene.at(near_rim), Scanned::no);
+  scene.clouds.insert(scene.clouds.begin(), std::vector<Point>());
+  EXPECT_EQ(scene.at(near_rim), Scanned::yes);
+}
+
+// A sample as far from a vertex on either side of the rim: only the one on the cloud's side has
+// been scanned.
+TEST(ScannedVertices, TheSideOfTheRimWeighsWithTheSamples) {
+  constexpr Point outside = {14, 15, 0};  // by 0.1
+  constexpr Point inside = {16, 10, 0};   // by 0.3
+  Scene scene;
+  for (const double height : {0.38, 0.48}) {
+    scene.clouds[0] = {outside + Vec3{0, 0, height}, inside + Vec3{0, 0, height}};
+    EXPECT_EQ(scene.at(inside), Scanned::yes) << height;
+    EXPECT_EQ(scene.at(outside), Scanned::no) << height;
+  }
+  const ScannedOptions samples_alone{.depth_weight = 0};
+  EXPECT_EQ(scene.at(inside, samples_alone), Scanned::no);
+  // Before the rim by so much that no sample is close enough.
+  EXPECT_EQ(scene.at(outside, {.depth_weight = 20}), Scanned::no);
 }
 
 TEST(ScannedVertices, AwayFromTheRimNothingIsSaid) {
