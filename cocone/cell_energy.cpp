@@ -171,7 +171,7 @@ std::size_t CellEnergy::parts_now(VertexId v) {
 
 // A pinched or unused vertex may come to lie on one disk, which costs least; an idle one be busy.
 Energy CellEnergy::least_vertex_change(VertexId v) {
-  const Energy idle = idle_cost_ != 0 && is_idle_now(v) ? idle_cost_ : 0;
+  const Energy idle = idle_cost_ != 0 && is_idle(v) ? idle_cost_ : 0;
   return star_cost(v, 2) - star_cost(v, parts_now(v)) - idle;
 }
 
@@ -288,9 +288,9 @@ bool CellEnergy::is_at_surface(CellId c) const {
 }
 
 // Remembers it until cells at the vertex change sides for good.
-bool CellEnergy::is_idle_now(VertexId v) {
+bool CellEnergy::is_idle(VertexId v) {
   std::uint32_t& known = idle_now_[v];
-  if (known == 0 || known / 2 < changed_[v]) known = 2 * state_ + (is_idle(v) ? 1 : 0);
+  if (known == 0 || known / 2 < changed_[v]) known = 2 * state_ + (would_be_idle(v) ? 1 : 0);
   return known % 2 != 0;
 }
 
@@ -304,10 +304,10 @@ Energy CellEnergy::change(std::span<const CellId> cells, Energy limit) {
   for (const VertexId v : vertices_) total += star_cost(v, parts_.count(v));
   turn(cells);
   if (idle_cost_ == 0) return total;
-  for (const VertexId v : vertices_) total -= is_idle_now(v) ? idle_cost_ : 0;
+  for (const VertexId v : vertices_) total -= is_idle(v) ? idle_cost_ : 0;
   if (total > limit) return total;
   turn(cells);
-  for (const VertexId v : vertices_) total += is_idle(v) ? idle_cost_ : 0;
+  for (const VertexId v : vertices_) total += would_be_idle(v) ? idle_cost_ : 0;
   turn(cells);
   return total;
 }

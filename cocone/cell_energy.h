@@ -49,9 +49,9 @@ class CellEnergy {
   bool is_unused(VertexId v) const;
   // Would a sample on the surface not be there if these cells changed sides?
   bool leaves_out(std::span<const CellId> cells);
-  bool is_idle(VertexId v) {
-    return cocoon::is_idle(triangulation_, stars_.star(v), out_, v, idle_);
-  }
+  // Is the sample idle (idle_samples.h)? O(star) the first time since the last flip at it, then
+  // O(1). Threads may ask about different samples if they may share the stars.
+  bool is_idle(VertexId v);
   // Tells that v is on the surface, which is not pinched there: so nobody needs to look. O(1).
   void know_flawless(VertexId v) { parts_now_[v] = {2, state_}; }
   // Surface sheets at v beyond the first: what is pinched. O(star).
@@ -109,7 +109,9 @@ class CellEnergy {
   Energy cost_of_use(VertexId v) const {
     return -half_handle_cost_ - (wanted_[v] != 0 ? unused_cost_ : 0);
   }
-  bool is_idle_now(VertexId v);
+  bool would_be_idle(VertexId v) {
+    return cocoon::is_idle(triangulation_, stars_.star(v), out_, v, idle_);
+  }
 
   const Triangulation& triangulation_;
   BallCosines& cosines_;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <queue>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cocone/best_move.h"
@@ -13,6 +14,7 @@
 #include "cocone/compound_move.h"
 #include "cocone/doubtful_region.h"
 #include "cocone/idle_samples.h"
+#include "cocone/kept_reach.h"
 #include "cocone/max_flow.h"
 #include "cocone/sample_spacing.h"
 #include "cocone/side_evidence.h"
@@ -52,13 +54,16 @@ class CleanUp {
 
   CleanUpCounters run() {
     if (region_.vertices.empty()) return counters_;
-    cosines_.prepare(region_.cells, execution_);
-    spacings_.prepare(samples_of(region_.cells), execution_);
+    std::vector<CellId> free = free_cells();
+    if (!free.empty()) {  // else hardly anything will be asked
+      cosines_.prepare(region_.cells, execution_);
+      spacings_.prepare(samples_of(free), execution_);
+    }
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     count(counters_.defects_before, counters_.unused_before);
     leave_out_outliers();
     set_preferences();
-    cut();
+    cut(std::move(free));
     fill_cavities();
     extend_region(triangulation_, stars_, touched_, region_);
     touched_.clear();
@@ -132,8 +137,7 @@ class CleanUp {
 
   // Labels the undecided cells; those decided stay as the marking, not the peel, has them. Flat
   // cells are no nodes: what meets through them is joined, and they follow.
-  void cut() {
-    std::vector<CellId> cells = free_cells();
+  void cut(std::vector<CellId> cells) {
     const auto first_flat = std::stable_partition(cells.begin(), cells.end(),
                                                   [&](CellId c) { return !cosines_.is_flat(c); });
     const std::vector<CellId> flat_cells(first_flat, cells.end());
@@ -150,8 +154,9 @@ class CleanUp {
       relabel(c, is_out(one) || is_out(other) ? 1 : 0);
     }
     for (const CellId c : triangulation_.finite_cells()) {
-      counters_.relabeled_cells += out_[c] != marks_.reached[c];
+      if (out_[c] != marks_.reached[c]) relabeled_.push_back(c);
     }
+    counters_.relabeled_cells = relabeled_.size();
   }
 
   void relabel(CellId c, std::uint8_t side) {
@@ -190,7 +195,8 @@ class CleanUp {
   }
 
   void fill_cavities() {
-    if (counters_.relabeled_cells == 0) return;  // as the peel left it: all reached from infinity
+    // As the peel left them all were reached from infinity.
+    if (is_reach_kept(triangulation_, out_, relabeled_)) return;
     IdVector<CellId, std::uint8_t> reached(triangulation_.num_cells(), 0);
     std::vector<CellId> stack;
     for (const CellId c : triangulation_.infinite_cells()) {
@@ -464,6 +470,7 @@ class CleanUp {
   CleanUpCounters counters_;
   DoubtfulRegion region_;
   SideSplit side_split_;
+  std::vector<CellId> relabeled_;  // by the cut
   std::vector<VertexId> outliers_;
   SurfaceFlaws flaws_;             // of the region, before what is touched_ changed
   std::vector<VertexId> touched_;  // vertices of cells that have changed sides since
