@@ -135,8 +135,19 @@ void add_stages_of_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
   app.add_flag("!--noise-skin-only", arguments.noise_keep_good,
                "Leave out all samples off the outer skin, as published: good ones, too")
       ->group(noise);
-  add_thresholds_of(app, ThresholdUse::noise, arguments.thresholds, noise);
+  for (const ThresholdUse use : {ThresholdUse::outliers, ThresholdUse::noise}) {
+    add_thresholds_of(app, use, arguments.thresholds, noise);
+  }
   add_thresholds_of(app, ThresholdUse::findings, arguments.thresholds, "Findings");
+}
+
+void add_cloud_filter(CLI::App& app, CloudFilterArguments& arguments) {
+  app.add_option("--noise", arguments.noise,
+                 "robust: leave stray points and small clumps of them out of each new scan first; "
+                 "none (default): every sample counts")
+      ->check(CLI::IsMember({"none", "robust"}));
+  add_thresholds_of(app, ThresholdUse::outliers, arguments.thresholds,
+                    "Noise filter (with --noise robust)");
 }
 
 void add_stages_of_boundary(CLI::App& app, BoundaryArguments& arguments) {
@@ -226,6 +237,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
       ->type_name("FILE");
   add_manifold_option(*sub, update.manifold);
   add_surface_options(*sub, update.parameters);
+  add_cloud_filter(*sub, update.filter);
 }
 
 void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) {
@@ -251,6 +263,7 @@ void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) 
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
   sub->add_flag("--once", watch.once, "Stop when all clouds that are there have been looked at");
   add_surface_options(*sub, watch.parameters);
+  add_cloud_filter(*sub, watch.filter);
 }
 
 // Of the positional arguments the first is the model, unless a session has it.

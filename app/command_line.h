@@ -34,6 +34,12 @@ struct SurfaceArguments {
   bool verify = false;                     // certify triangulation and surface before writing
 };
 
+// --noise robust of the commands that update: holds for the clouds of this call.
+struct CloudFilterArguments {
+  std::string noise = "none";                // "none" or "robust"
+  std::map<std::string, double> thresholds;  // those given, by name (thresholds.h)
+};
+
 struct DemoArguments {
   std::string folder = "demo-output";
 };
@@ -83,6 +89,7 @@ struct UpdateArguments {
   bool ascii = false;
   bool manifold = false;
   SurfaceArguments parameters;
+  CloudFilterArguments filter;
 };
 
 struct WatchArguments {
@@ -96,6 +103,7 @@ struct WatchArguments {
   std::size_t save_every = 32;  // clouds, until the whole session is written again
   bool ascii = false;
   SurfaceArguments parameters;
+  CloudFilterArguments filter;
 };
 
 struct DelaunayArguments {

@@ -29,7 +29,10 @@ namespace {
 // for.
 void require_possible_noise_filter(const ReconstructArguments& arguments) {
   if (arguments.noise == "none") {
-    std::vector<std::string> given = given_thresholds(ThresholdUse::noise, arguments.thresholds);
+    std::vector<std::string> given = given_thresholds(ThresholdUse::outliers, arguments.thresholds);
+    const std::vector<std::string> more =
+        given_thresholds(ThresholdUse::noise, arguments.thresholds);
+    given.insert(given.end(), more.begin(), more.end());
     if (!arguments.noise_keep_good) given.insert(given.begin(), "--noise-skin-only");
     if (given.empty()) return;
     throw UsageError(fmt::format("{} needs --noise robust", given.front()));
@@ -82,6 +85,7 @@ void add_stages(JsonReport& report, const ReconstructArguments& arguments,
   add_thresholds(report, ThresholdUse::cocone, options);
   add_thresholds(report, ThresholdUse::findings, options);
   if (arguments.noise == "robust") {
+    add_thresholds(report, ThresholdUse::outliers, options);
     add_thresholds(report, ThresholdUse::noise, options);
     report.set("parameters/noise_keep_good", options.noise.keep_good);
   }

@@ -1,6 +1,8 @@
+#include <optional>
 #include <utility>
 
 #include "app/carried_properties.h"
+#include "app/cloud_filter.h"
 #include "app/commands.h"
 #include "app/files.h"
 #include "app/pending_clouds.h"
@@ -41,7 +43,8 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
 }
 
 // Reads the session, updates it, and writes it back together with the mesh.
-void update_session(const UpdateArguments& arguments, Job& job) {
+void update_session(const UpdateArguments& arguments, const std::optional<StrayOptions>& filter,
+                    Job& job) {
   const Execution quiet{job.execution().threads};
   ResumedSession resumed;
   timed(job.execution(), "read", [&] {
@@ -56,6 +59,7 @@ void update_session(const UpdateArguments& arguments, Job& job) {
     input.cloud_names.push_back(cloud);
     input.clouds.push_back(read_cloud(job, cloud, "input"));
   }
+  filter_clouds(job, filter, input);
   update_and_write(
       job, input, session.options(),
       {arguments.mesh, arguments.map, arguments.html, arguments.ascii, arguments.manifold},
@@ -75,12 +79,14 @@ void run_update(const UpdateArguments& arguments, Job& job) {
                         {arguments.map, {}},
                         {arguments.html, {}},
                         {arguments.session, {}}});
+  const std::optional<StrayOptions> filter = cloud_filter(arguments.filter);
   if (!arguments.session.empty()) {
-    update_session(arguments, job);
+    update_session(arguments, filter, job);
     return;
   }
   const UpdateOptions options = update_options(arguments.parameters);
-  const UpdateInput input = read_input(arguments, options, job);
+  UpdateInput input = read_input(arguments, options, job);
+  filter_clouds(job, filter, input);
   update_and_write(
       job, input, options,
       {arguments.mesh, arguments.map, arguments.html, arguments.ascii, arguments.manifold});

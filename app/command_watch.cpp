@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/cloud_filter.h"
 #include "app/commands.h"
 #include "app/files.h"
 #include "app/folder_watch.h"
@@ -42,7 +43,8 @@ class Watch {
       : arguments_(arguments),
         job_(job),
         session_file_(arguments.session.empty() ? arguments.mesh + ".session" : arguments.session),
-        options_(update_options(arguments.parameters)) {
+        options_(update_options(arguments.parameters)),
+        filter_(cloud_filter(arguments.filter)) {
     require_outputs(job, {{arguments.mesh, mesh_extensions}, {session_file_, {}}});
     if (!fs::is_directory(arguments.folder)) {
       throw FileError(arguments.folder + ": there is no such folder; make it first");
@@ -159,6 +161,7 @@ class Watch {
     const auto start = std::chrono::steady_clock::now();
     std::string note;
     std::vector<std::vector<Point>> clouds;
+    StraySamples strays;
     SessionUpdate update;
     const std::size_t local_before = state_.session->local_changes();
     try {
@@ -168,6 +171,9 @@ class Watch {
         return;
       }
       clouds.push_back(read_cloud(job_, path.string(), "input"));
+      if (filter_) {
+        strays = leave_out_strays(name, clouds[0], *filter_, {job_.execution().threads});
+      }
       update = state_.session->apply(clouds, job_.execution());
     } catch (const Cancelled&) {
       return;  // the interrupt; the session is as it was
@@ -189,6 +195,7 @@ class Watch {
                     update.result.reconstruction.points - update.result.replacement.kept,
                     update.result.replacement.replaced, update.change.added.size(),
                     update.change.removed.size(), time.count());
+    if (filter_) line += fmt::format("; {} left out as noise", told_strays(strays));
     for (const std::string& warning : update.result.warnings) {
       line += "; warning: " + with_cloud_names(warning, {name});
     }
@@ -202,7 +209,8 @@ class Watch {
     surface.mesh = model();
     MeshReport certificate;
     const std::vector<Finding> findings = findings_of_update(
-        surface, state_.session->points(), {job_.execution().threads}, certificate);
+        surface, state_.session->points(), noise_filter_of_update(filter_.has_value()),
+        {job_.execution().threads}, certificate);
     for (const Finding& finding : findings) {
       const std::vector<std::string>& told = job_.warnings();
       if (std::find(told.begin(), told.end(), finding.message) != told.end()) continue;
@@ -229,6 +237,7 @@ class Watch {
   Job& job_;
   std::string session_file_;
   UpdateOptions options_;
+  std::optional<StrayOptions> filter_;
   ResumedSession state_;
   std::size_t applied_ = 0;
   std::size_t refused_ = 0;

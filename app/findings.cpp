@@ -43,12 +43,13 @@ Finding noise_finding(const SurfaceDoubts& d, NoiseFilter filter) {
           {}};
 }
 
-Finding fragments_finding(const SurfaceDoubts& d) {
+Finding fragments_finding(const SurfaceDoubts& d, NoiseFilter filter) {
   return {"fragments",
           fmt::format("{} beside the main surface; {} has {} and is {:.3g} across, near {}; add "
-                      "samples there or remove stray ones",
+                      "samples there or remove stray ones{}",
                       counted(d.fragments, "small part"), d.fragments == 1 ? "it" : "the largest",
-                      counted(d.dust[0].count, "triangle"), d.dust[0].size, place(d.dust[0].at)),
+                      counted(d.dust[0].count, "triangle"), d.dust[0].size, place(d.dust[0].at),
+                      filter == NoiseFilter::of_strays ? " (as --noise robust does)" : ""),
           d.fragments, d.dust};
 }
 
@@ -60,6 +61,9 @@ const char* reason_of_unused(NoiseFilter filter) {
       return "outliers (--noise robust finds more of them), inner surfaces (--cavities keeps "
              "them), "
              "or samples too sparse there";
+    case NoiseFilter::of_strays:
+      return "outliers (--noise robust finds more of them), inner surfaces, or samples too sparse "
+             "there";
     case NoiseFilter::no_option:
       break;
   }
@@ -107,7 +111,7 @@ std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, Noi
       static_cast<double>(d.boundary_samples) > sparse_share * static_cast<double>(points);
   if (many || d.gap_samples > 0) findings.push_back(sparse_finding(d, many, filter));
   if (noise_of(d.roughness) > noise_limit) findings.push_back(noise_finding(d, filter));
-  if (d.fragments > 0) findings.push_back(fragments_finding(d));
+  if (d.fragments > 0) findings.push_back(fragments_finding(d, filter));
   if (!d.unused.empty()) findings.push_back(unused_finding(d, points, filter));
   if (!d.contacts.empty()) findings.push_back(contacts_finding(d));
   return findings;

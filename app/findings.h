@@ -21,7 +21,12 @@ struct Finding {
 };
 
 // Whether the user may filter noise (--noise robust), and has.
-enum class NoiseFilter { no_option, not_used, used };
+enum class NoiseFilter {
+  no_option,  // or nothing is left for it to do
+  not_used,
+  used,
+  of_strays,  // not used; it would leave out stray samples only
+};
 
 // Nothing for a surface that is what it should be. `points`: how many there were, duplicates apart.
 std::vector<Finding> findings_of(const SurfaceDoubts& doubts, std::size_t points,

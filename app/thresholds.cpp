@@ -72,9 +72,9 @@ constexpr std::array<Threshold, 21> of_clean_up{{
 
 constexpr std::array<Threshold, 11> of_clouds_and_findings{{
     {"noise-neighbors", "Noise filter: edges that make the spacing of a sample", 1, 1000, whole,
-     noise, [](Options& o) -> Field { return &o.noise.neighbors; }},
+     outliers, [](Options& o) -> Field { return &o.noise.neighbors; }},
     {"noise-outlier-ratio", "Noise filter: spacing of outliers, in spacings of their neighbors", 1,
-     1e6, number, noise, [](Options& o) -> Field { return &o.noise.outlier_ratio; }},
+     1e6, number, outliers, [](Options& o) -> Field { return &o.noise.outlier_ratio; }},
     {"noise-large-ratio", "Noise filter: large balls have larger radii, in spacings", 0, 1e6,
      number, noise, [](Options& o) -> Field { return &o.noise.large_ratio; }},
     {"noise-deep-angle", "Noise filter: large balls on one side meet at this angle at most", 0, 180,

@@ -29,7 +29,8 @@ struct StageOptions {
 enum class ThresholdUse {
   cocone,    // every surface
   tight,     // watertight ones
-  noise,     // the filter before them
+  outliers,  // left out before them, by --noise robust; of the clouds of updates, too
+  noise,     // the rest of that filter
   loops,     // the command boundary
   findings,  // what is said of the result
 };

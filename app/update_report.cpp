@@ -129,7 +129,10 @@ void add_update(JsonReport& report, const UpdateRecord& record) {
   report.set("input/triangles", record.model.triangles.size());
   report.set("input/duplicates", result.replacement.duplicates);
   std::vector<std::size_t> cloud_sizes;
-  for (const auto& cloud : record.clouds) cloud_sizes.push_back(cloud.size());
+  for (std::size_t c = 0; c < record.clouds.size(); ++c) {  // as they were read
+    cloud_sizes.push_back(record.strays.empty() ? record.clouds[c].size()
+                                                : record.strays[c].kept.size());
+  }
   report.set("input/clouds", cloud_sizes);
   report.set("delaunay/points", result.reconstruction.vertices);
   report.set("delaunay/tetrahedra", result.reconstruction.tetrahedra);

@@ -1,6 +1,7 @@
 // An update as the JSON report and the HTML page show it.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "geom/mesh_check.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
+#include "update/stray_samples.h"
 #include "update/update_model.h"
 
 namespace cocoon::app {
@@ -25,6 +27,8 @@ struct UpdateRecord {
   // For the page: the signed distances (signed_distance.h) from the model of the points of each
   // cloud, then of the vertices that --manifold added to the updated mesh.
   std::vector<std::vector<double>> deviation = {};
+  // What was left out of each cloud before; empty: they were not filtered.
+  std::span<const StraySamples> strays = {};
 };
 
 // The sections "input", "delaunay", "surface" and "update".

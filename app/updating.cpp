@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/carried_properties.h"
+#include "app/cloud_filter.h"
 #include "app/files.h"
 #include "app/findings.h"
 #include "app/html_report.h"
@@ -58,12 +59,12 @@ std::vector<std::vector<double>> deviation(Job& job, const UpdateInput& input,
 
 // Adds what is doubtful about the updated surface to the report, and to the warnings what is not
 // said there already. Returns the certificate of the surface.
-MeshReport report_doubts(Job& job, UpdateResult& result, bool parted) {
+MeshReport report_doubts(Job& job, UpdateResult& result, NoiseFilter filter, bool parted) {
   ReconstructResult& surface = result.reconstruction;
   surface.mesh = std::move(result.mesh);
   MeshReport certificate;
   std::vector<Finding> findings =
-      findings_of_update(surface, result.replacement.points, job.execution(), certificate);
+      findings_of_update(surface, result.replacement.points, filter, job.execution(), certificate);
   result.mesh = std::move(surface.mesh);
   surface.mesh = {};
   std::erase_if(findings, [&](const Finding& f) { return parted && f.kind == "contacts"; });
@@ -122,11 +123,38 @@ ReconstructResult initial_model(Job& job, const std::string& name, const std::ve
 }
 
 std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points points,
-                                        const Execution& execution, MeshReport& certificate) {
+                                        NoiseFilter filter, const Execution& execution,
+                                        MeshReport& certificate) {
   SurfaceDoubts doubts = surface_doubts(surface, points, {}, execution);
   certificate = doubts.certificate;
   doubts.gap_samples = 0;
-  return findings_of(doubts, surface.points - surface.duplicates, NoiseFilter::no_option);
+  return findings_of(doubts, surface.points - surface.duplicates, filter);
+}
+
+NoiseFilter noise_filter_of_update(bool filtered) {
+  return filtered ? NoiseFilter::no_option : NoiseFilter::of_strays;
+}
+
+void filter_clouds(Job& job, const std::optional<StrayOptions>& filter, UpdateInput& input) {
+  if (!filter) return;
+  add_cloud_filter(job.report(), *filter);
+  for (std::size_t c = 0; c < input.clouds.size(); ++c) {
+    const std::string& name = input.cloud_names[c];
+    const StraySamples& strays = input.strays.emplace_back(
+        leave_out_strays(name, input.clouds[c], *filter, job.execution()));
+    JsonReport entry;
+    entry.set("outliers", strays.outliers);
+    entry.set("small_parts", strays.small_parts);
+    entry.set("small_part_samples", strays.in_small_parts);
+    entry.set("kept_points", input.clouds[c].size());
+    job.report().append("noise/clouds", entry);
+    job.say("noise: {}: {} left out", name, told_strays(strays));
+    if (input.properties.empty()) continue;
+    VertexProperties& properties = input.properties[1 + c];
+    std::vector<std::string> left_out = std::move(properties.left_out);
+    properties = select_properties(properties, strays.kept.raw());
+    properties.left_out = std::move(left_out);
+  }
 }
 
 std::string with_cloud_names(std::string message, const std::vector<std::string>& names) {
@@ -173,8 +201,10 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   for (std::string& warning : result.warnings) {
     warning = with_cloud_names(warning, input.cloud_names);
   }
-  MeshReport certificate =
-      timed(job.execution(), "check", [&] { return report_doubts(job, result, output.manifold); });
+  const NoiseFilter filter = noise_filter_of_update(!input.strays.empty());
+  MeshReport certificate = timed(job.execution(), "check", [&] {
+    return report_doubts(job, result, filter, output.manifold);
+  });
   VertexProperties properties = properties_of_update(job, input, result);
   if (output.manifold) {
     make_manifold(job, output.mesh, result.mesh, properties);
@@ -183,6 +213,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   }
   UpdateRecord record{input.model_name, input.model, input.cloud_names,
                       input.clouds,     result,      certificate};
+  record.strays = input.strays;
   add_update(job.report(), record);
   add_parameters(job.report(), options.cloud.reconstruct);
   say_update(job, record);

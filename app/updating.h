@@ -14,6 +14,7 @@
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 #include "io/vertex_properties.h"
+#include "update/stray_samples.h"
 #include "update/update_model.h"
 #include "update/update_session.h"
 
@@ -32,6 +33,8 @@ struct UpdateInput {
   std::vector<std::vector<Point>> clouds;
   // Of the model and of each cloud, to be carried to the output; empty: nothing is carried.
   std::vector<VertexProperties> properties;
+  // What was left out of each cloud; empty: they were not filtered.
+  std::vector<StraySamples> strays = {};
 };
 
 // Makes a session that begins with the closed surface of a model given as points, as stage
@@ -43,7 +46,11 @@ void begin_session(Job& job, const std::string& name, const std::vector<Point>& 
 // `points`. Long edges beside short ones are no gaps here: they are at the rim of every cloud that
 // is denser than the model. `certificate` gets that of the surface. Complexity: as surface_doubts.
 std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points points,
-                                        const Execution& execution, MeshReport& certificate);
+                                        NoiseFilter filter, const Execution& execution,
+                                        MeshReport& certificate);
+
+// What the findings of an update are to say of its filter.
+NoiseFilter noise_filter_of_update(bool filtered);
 
 // Messages of the library number the clouds ("cloud 1 of 2"); people know them by their files.
 std::string with_cloud_names(std::string message, const std::vector<std::string>& names);
@@ -56,6 +63,10 @@ struct UpdateOutput {
   bool ascii = false;
   bool manifold = false;
 };
+
+// Takes stray samples out of the clouds, and their properties, if there is a filter; counts go to
+// the report, section "noise", and to the summary.
+void filter_clouds(Job& job, const std::optional<StrayOptions>& filter, UpdateInput& input);
 
 // The closed surface of a model given as points, as stage "initial_model"; its counts go to the
 // section "initial_model" of the report. Throws InputError if there is none.

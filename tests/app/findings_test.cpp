@@ -87,6 +87,25 @@ TEST(Findings, UpdatesHaveNoNoiseFilter) {
   }
 }
 
+// The filter of update leaves out stray samples; it is advised for them and not for noise.
+TEST(Findings, UpdatesAdviseTheirFilterForStraysOnly) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.sparse = doubts.unused = doubts.dust = one_spot;
+  doubts.boundary_samples = 6;
+  doubts.roughness = 1;
+  doubts.unused_points = 1;
+  doubts.fragments = 1;
+  const std::vector<Finding> findings = findings_of(doubts, 100, NoiseFilter::of_strays);
+  EXPECT_EQ(findings.size(), 4U);
+  for (const Finding& finding : findings) {
+    const bool advised = finding.kind == "fragments" || finding.kind == "unused";
+    EXPECT_EQ(finding.message.find("--noise robust") != std::string::npos, advised)
+        << finding.message;
+    EXPECT_EQ(finding.message.find("--cavities"), std::string::npos) << finding.message;
+  }
+}
+
 TEST(Findings, UnusedPointsAreOneOrMany) {
   SurfaceDoubts doubts;
   doubts.spacing = 0.1;

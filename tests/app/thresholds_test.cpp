@@ -13,8 +13,9 @@ namespace {
 
 nlohmann::json parameters(const StageOptions& options) {
   JsonReport report;
-  for (const ThresholdUse use : {ThresholdUse::cocone, ThresholdUse::tight, ThresholdUse::noise,
-                                 ThresholdUse::loops, ThresholdUse::findings}) {
+  for (const ThresholdUse use :
+       {ThresholdUse::cocone, ThresholdUse::tight, ThresholdUse::outliers, ThresholdUse::noise,
+        ThresholdUse::loops, ThresholdUse::findings}) {
     add_thresholds(report, use, options);
   }
   return nlohmann::json::parse(report.text())["parameters"];

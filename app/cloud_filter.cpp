@@ -1,0 +1,66 @@
+#include "app/cloud_filter.h"
+
+#include <fmt/format.h>
+#include <utility>
+
+#include "app/files.h"
+#include "app/thresholds.h"
+#include "geom/counted.h"
+
+namespace cocoon::app {
+
+namespace {
+
+StageOptions stages_of(const StrayOptions& options) {
+  StageOptions stages;
+  stages.noise.neighbors = options.neighbors;
+  stages.noise.outlier_ratio = options.outlier_ratio;
+  return stages;
+}
+
+}  // namespace
+
+std::optional<StrayOptions> cloud_filter(const CloudFilterArguments& arguments) {
+  if (arguments.noise == "none") {
+    const std::vector<std::string> given =
+        given_thresholds(ThresholdUse::outliers, arguments.thresholds);
+    if (!given.empty()) throw UsageError(fmt::format("{} needs --noise robust", given.front()));
+    return std::nullopt;
+  }
+  StrayOptions options;
+  StageOptions stages = stages_of(options);
+  set_thresholds(stages, arguments.thresholds);
+  options.neighbors = stages.noise.neighbors;
+  options.outlier_ratio = stages.noise.outlier_ratio;
+  return options;
+}
+
+void add_cloud_filter(JsonReport& report, const StrayOptions& options) {
+  add_thresholds(report, ThresholdUse::outliers, stages_of(options));
+}
+
+std::string told_strays(const StraySamples& strays) {
+  std::string told;
+  if (strays.outliers > 0) told = counted(strays.outliers, "outlier");
+  if (strays.small_parts > 0) {
+    if (!told.empty()) told += ", and ";
+    told += fmt::format("{} in {}", counted(strays.in_small_parts, "point"),
+                        counted(strays.small_parts, "small part"));
+  }
+  return told.empty() ? "nothing" : told;
+}
+
+StraySamples leave_out_strays(const std::string& name, std::vector<Point>& cloud,
+                              const StrayOptions& options, const Execution& execution) {
+  StraySamples strays =
+      naming_input(name, [&] { return stray_samples(cloud, options, {}, execution); });
+  std::vector<Point> kept;
+  kept.reserve(cloud.size());
+  for (const PointId p : strays.kept.ids()) {
+    if (strays.kept[p] != 0) kept.push_back(cloud[p.index()]);
+  }
+  cloud = std::move(kept);
+  return strays;
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,29 @@
+// --noise robust of `update` and `watch`: clouds without stray samples.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/job.h"
+#include "geom/point.h"
+#include "update/stray_samples.h"
+
+namespace cocoon::app {
+
+// The options of the filter; none: it is off. Throws UsageError if some are given and it is off.
+std::optional<StrayOptions> cloud_filter(const CloudFilterArguments& arguments);
+
+// As "parameters/noise_*" of the report.
+void add_cloud_filter(JsonReport& report, const StrayOptions& options);
+
+// "2 outliers, and 14 points in 3 small parts"; only what there is, "nothing" if there is nothing.
+std::string told_strays(const StraySamples& strays);
+
+// Takes them out of the cloud read from `name`. Throws InputError, which names the file, as
+// stray_samples().
+StraySamples leave_out_strays(const std::string& name, std::vector<Point>& cloud,
+                              const StrayOptions& options, const Execution& execution);
+
+}  // namespace cocoon::app
