@@ -36,6 +36,7 @@ TEST(ScannedVertices, ASampleCloseByTells) {
   scene.clouds[0] = {{10, 10, 0}, {15, 14.7, 0}};
   EXPECT_EQ(scene.at(near_rim), Scanned::no);
   scene.clouds.push_back({{15.1, 14, -0.3}});  // of whatever cloud
+  scene.rims.push_back(scene.rims[0]);
   EXPECT_EQ(scene.at(near_rim), Scanned::yes);
 }
 
