@@ -10,6 +10,8 @@
 namespace cocoon::app {
 
 bool ProgressLine::report(std::string_view stage, double fraction) {
+  // First: whoever reads that a stage is done must not read that it was cancelled.
+  if (interrupted()) return false;
   const bool finished = fraction >= 1;
   if (style_ == Style::log && finished) {
     print_error(fmt::format("{}: done\n", stage));
@@ -22,7 +24,7 @@ bool ProgressLine::report(std::string_view stage, double fraction) {
       last_shown_ = now;
     }
   }
-  return !interrupted();
+  return true;
 }
 
 void ProgressLine::clear() {
