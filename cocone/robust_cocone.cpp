@@ -1,6 +1,5 @@
 #include "cocone/robust_cocone.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -10,11 +9,10 @@
 #include "cocone/cocones.h"
 #include "cocone/extract_manifold.h"
 #include "cocone/mark_cells.h"
-#include "cocone/outlier_rounds.h"
 #include "cocone/peel_cells.h"
 #include "cocone/prune_sharp_edges.h"
-#include "delaunay/delaunay.h"
-#include "geom/working_scale.h"
+#include "cocone/remaining_samples.h"
+#include "delaunay/voronoi_dual.h"
 
 namespace cocoon {
 namespace {
@@ -47,77 +45,41 @@ RoughSurface rough_surface(const Triangulation& triangulation, const Dual& dual,
   return {std::move(marks.good), std::move(marks.reached)};
 }
 
-// The points still in, and what becomes of them.
+// What is left out, and what it is counted as.
 class Filter {
  public:
   Filter(Points points, const NoiseOptions& noise, const ReconstructOptions& options,
          const Execution& execution)
-      : noise_(noise), options_(effective_options(options)), execution_(execution) {
-    const double scale = working_scale(points);
-    points_.reserve(points.size());
-    for (const Point& p : points) points_.push_back(scale * p);
-    for (std::size_t i = 0; i < points.size(); ++i) inputs_.push_back(PointId(i));
-    result_.kept = IdVector<PointId, std::uint8_t>(points.size(), 1);
-  }
+      : noise_(noise),
+        options_(effective_options(options)),
+        execution_(execution),
+        samples_(points, noise, options_.delaunay, execution) {}
 
   RobustSamples run() {
-    triangulate();
-    result_.distinct = triangulation_.num_vertices();
-    leave_out_outliers();
+    result_.distinct = samples_.triangulation().num_vertices();
+    const RemainingSamples::Outliers outliers = samples_.leave_out_outliers();
+    result_.counters.outliers = outliers.count;
+    result_.counters.outlier_rounds = outliers.rounds;
     judge_layer();
+    result_.kept = samples_.kept();
     return std::move(result_);
   }
 
  private:
-  void triangulate() {
-    triangulation_ = delaunay(points_, options_.delaunay, execution_).triangulation;
-    stars_ = vertex_stars(triangulation_);
-    spacing_ = sample_spacing(triangulation_, stars_, noise_.neighbors, execution_);
-  }
-
-  void leave_out_outliers() {
-    NoiseCounters& counters = result_.counters;
-    counters.outlier_rounds = 1;
-    VertexSet first =
-        outlier_samples(triangulation_, stars_, spacing_, noise_.outlier_ratio, execution_);
-    if (std::find(first.begin(), first.end(), 1) == first.end()) return;
-    const IdVector<PointId, VertexId> vertex_of_point = triangulation_.vertex_of_point();
-    const OutlierRounds outliers = outlier_rounds(std::move(triangulation_), std::move(spacing_),
-                                                  std::move(first), noise_, execution_);
-    counters.outliers = outliers.count;
-    counters.outlier_rounds = outliers.rounds;
-    leave_out(outliers.out, vertex_of_point);
-    triangulate();
-  }
-
-  void leave_out(const VertexSet& out, const IdVector<PointId, VertexId>& vertex_of_point) {
-    std::vector<Point> points;
-    std::vector<PointId> inputs;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (out[vertex_of_point[PointId(i)]] != 0) {
-        result_.kept[inputs_[i]] = 0;
-      } else {
-        points.push_back(points_[i]);
-        inputs.push_back(inputs_[i]);
-      }
-    }
-    points_ = std::move(points);
-    inputs_ = std::move(inputs);
-  }
-
   void judge_layer() {
-    const Dual dual = voronoi_dual(triangulation_, execution_);
+    const Triangulation& triangulation = samples_.triangulation();
+    const Dual dual = voronoi_dual(triangulation, execution_);
     RoughSurface rough;
     const bool may_hold = noise_.max_leak < 1;
     if (noise_.keep_good || may_hold) {
-      rough = rough_surface(triangulation_, dual, may_hold, options_, execution_);
+      rough = rough_surface(triangulation, dual, may_hold, options_, execution_);
     }
     const OuterSkin skin = held_skin(dual, rough.outside);
     NoiseCounters& counters = result_.counters;
     counters.large_cells = skin.large_cells;
     counters.outer_cells = skin.outer_cells;
-    VertexSet out(triangulation_.num_vertices(), 0);
-    for (const VertexId v : triangulation_.vertices()) {
+    VertexSet out(triangulation.num_vertices(), 0);
+    for (const VertexId v : triangulation.vertices()) {
       if (skin.touched[v] != 0) {
         ++counters.skin_samples;
       } else if (noise_.keep_good && rough.good[v] != 0) {
@@ -127,32 +89,31 @@ class Filter {
         ++counters.layer_samples;
       }
     }
-    leave_out(out, triangulation_.vertex_of_point());
+    samples_.leave_out(out);
   }
 
   OuterSkin held_skin(const Dual& dual, const IdVector<CellId, std::uint8_t>& outside) {
-    OuterSkin skin = outer_skin(triangulation_, dual, spacing_, noise_);
+    const Triangulation& triangulation = samples_.triangulation();
+    OuterSkin skin = outer_skin(triangulation, dual, samples_.spacing(), noise_);
     if (outside.empty()) return skin;
     NoiseCounters& counters = result_.counters;
-    for (const CellId c : triangulation_.finite_cells()) {
+    for (const CellId c : triangulation.finite_cells()) {
       if (outside[c] != 0 || skin.balls[c] == BallSize::small) continue;
       ++counters.inner_cells;
       counters.leaked_cells += skin.balls[c] == BallSize::outer ? 1U : 0U;
     }
     counters.held = static_cast<double>(counters.leaked_cells) >
                     noise_.max_leak * static_cast<double>(counters.inner_cells);
-    if (counters.held) skin = outer_skin(triangulation_, dual, spacing_, noise_, outside);
+    if (counters.held) {
+      skin = outer_skin(triangulation, dual, samples_.spacing(), noise_, outside);
+    }
     return skin;
   }
 
   const NoiseOptions& noise_;
   const ReconstructOptions options_;
   const Execution& execution_;
-  std::vector<Point> points_;
-  std::vector<PointId> inputs_;
-  Triangulation triangulation_;
-  VertexStars stars_;
-  IdVector<VertexId, double> spacing_;
+  RemainingSamples samples_;
   RobustSamples result_;
 };
 

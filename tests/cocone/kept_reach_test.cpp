@@ -43,6 +43,10 @@ Labels random_labels(const Triangulation& t, double share, Random& random) {
   return reached(t, out);
 }
 
+void flip(const std::vector<CellId>& cells, Labels& out) {
+  for (const CellId c : cells) out[c] = out[c] != 0 ? 0 : 1;
+}
+
 // Up to so many cells that hang together.
 std::vector<CellId> random_set(const Triangulation& t, std::size_t size, Random& random) {
   std::vector<CellId> cells{CellId(random.below(t.num_finite_cells()))};
@@ -65,7 +69,7 @@ TEST(KeptReach, OneSetOfChanges) {
   for (int trial = 0; trial < 1000; ++trial) {
     Labels out = random_labels(t, 0.3 + 0.4 * random.uniform(), random);
     const std::vector<CellId> changed = random_set(t, 1 + random.below(12), random);
-    for (const CellId c : changed) out[c] = out[c] != 0 ? 0 : 1;
+    flip(changed, out);
     const bool expected = reached(t, out) == out;
     EXPECT_EQ(is_reach_kept(t, out, changed, std::numeric_limits<std::size_t>::max()), expected);
     (expected ? kept : shut_off) += 1;
@@ -89,7 +93,7 @@ TEST(KeptReach, SeveralSetsOfChanges) {
       changed.insert(changed.end(), more.begin(), more.end());
     }
     make_set(changed);
-    for (const CellId c : changed) out[c] = out[c] != 0 ? 0 : 1;
+    flip(changed, out);
     if (!is_reach_kept(t, out, changed, std::size_t{10} << random.below(10))) {
       ++shut_off;
       continue;

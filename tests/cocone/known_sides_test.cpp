@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/extract_manifold.h"
-#include "cocone/prune_sharp_edges.h"
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
 #include "geom/random.h"
@@ -76,10 +74,7 @@ TEST(KnownSides, AgreeWithTheMarksOfTheSurface) {
   const Stages s(points);
   const std::vector<KnownTriangle> triangles = triangles_of(reconstruct_tight(points));
   const BoundarySamples labels = s.labels();
-  PrunedCandidates pruned = prune_sharp_edges(
-      s.triangulation, candidate_triangles(s.triangulation, s.cocones, labels.boundary));
-  const LinkedFacets surface =
-      extract_manifold(s.triangulation, std::move(pruned.left), pruned.umbrella).triangles;
+  const LinkedFacets surface = s.surface(labels);
   const CellMarks marks = mark_cells(s.triangulation, surface, labels.boundary);
   const KnownSides known = known_sides(s.triangulation, surface, triangles);
   EXPECT_EQ(known.contradictions, 0U);
@@ -116,10 +111,7 @@ TEST(KnownSides, DisputesAreSettledAsByTheRounds) {
     }
     std::erase_if(triangles, [&](const KnownTriangle&) { return random.below(4) == 0; });
     const BoundarySamples labels = s.labels();
-    PrunedCandidates pruned = prune_sharp_edges(
-        s.triangulation, candidate_triangles(s.triangulation, s.cocones, labels.boundary));
-    const LinkedFacets surface =
-        extract_manifold(s.triangulation, std::move(pruned.left), pruned.umbrella).triangles;
+    const LinkedFacets surface = s.surface(labels);
     const CellMarks marks = mark_cells(s.triangulation, surface, labels.boundary, triangles);
     if (marks.rounds == 0) continue;
     ++disputed;

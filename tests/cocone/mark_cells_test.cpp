@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cocone/extract_manifold.h"
 #include "cocone/peel_cells.h"
-#include "cocone/prune_sharp_edges.h"
 #include "cocone/surface_mesh.h"
 #include "delaunay/circulate.h"
 #include "tests/cocone/sample_shapes.h"
@@ -15,10 +13,7 @@ namespace {
 
 struct Marked {
   explicit Marked(const std::vector<Point>& points) : s(points), labels(s.labels()) {
-    PrunedCandidates pruned = prune_sharp_edges(
-        s.triangulation, candidate_triangles(s.triangulation, s.cocones, labels.boundary));
-    const LinkedFacets triangles =
-        extract_manifold(s.triangulation, std::move(pruned.left), pruned.umbrella).triangles;
+    const LinkedFacets triangles = s.surface(labels);
     marks = mark_cells(s.triangulation, triangles, labels.boundary);
     surface = triangles.set;
   }

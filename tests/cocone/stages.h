@@ -1,12 +1,15 @@
 // The first stages run on a point set, for tests that look between them.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "cocone/boundary_samples.h"
 #include "cocone/candidate_triangles.h"
 #include "cocone/cocones.h"
+#include "cocone/extract_manifold.h"
 #include "cocone/poles.h"
+#include "cocone/prune_sharp_edges.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
@@ -24,6 +27,13 @@ struct Stages {
 
   BoundarySamples labels(const BoundaryOptions& options = {}) const {
     return boundary_samples(triangulation, dual, poles, cocones, options);
+  }
+
+  // The Cocone surface of samples with these labels.
+  LinkedFacets surface(const BoundarySamples& labels_of_samples) const {
+    PrunedCandidates pruned = prune_sharp_edges(
+        triangulation, candidate_triangles(triangulation, cocones, labels_of_samples.boundary));
+    return extract_manifold(triangulation, std::move(pruned.left), pruned.umbrella).triangles;
   }
 
   Triangulation triangulation;

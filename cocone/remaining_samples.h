@@ -1,0 +1,60 @@
+// Samples of a set of points that filters leave out step by step.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "cocone/noise_filter.h"
+#include "delaunay/delaunay.h"
+#include "delaunay/vertex_stars.h"
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+#include "geom/point.h"
+
+namespace cocoon {
+
+class RemainingSamples {
+ public:
+  // Of `noise` counts what tells outliers: neighbors and outlier_ratio. Triangulates all points,
+  // times their working scale. Errors: InputError as delaunay().
+  RemainingSamples(Points points, const NoiseOptions& noise, const DelaunayOptions& options,
+                   const Execution& execution);
+
+  // Of the samples that remained when they were last triangulated, with the cells at each and its
+  // spacing (sample_spacing by noise.neighbors).
+  const Triangulation& triangulation() const { return triangulation_; }
+  const VertexStars& stars() const { return stars_; }
+  const IdVector<VertexId, double>& spacing() const { return spacing_; }
+  // 1 = the point remains; equal points share their fate.
+  const IdVector<PointId, std::uint8_t>& kept() const { return kept_; }
+
+  // Leaves out the points at these vertices; before anything else is left out, triangulate().
+  // Complexity: O(points).
+  void leave_out(const VertexSet& out);
+  // Triangulates what remains. Errors: InputError if that does not span space.
+  void triangulate();
+
+  struct Outliers {
+    std::size_t count = 0;
+    std::size_t rounds = 1;
+  };
+  // Leaves out outliers until there are none (outlier_rounds.h), and triangulates again if there
+  // were any. Errors: InputError if what is left does not span space.
+  Outliers leave_out_outliers();
+
+ private:
+  void leave_out(const VertexSet& out, const IdVector<PointId, VertexId>& vertex_of_point);
+
+  NoiseOptions noise_;
+  DelaunayOptions options_;
+  Execution execution_;
+  std::vector<Point> points_;    // that remain
+  std::vector<PointId> inputs_;  // where each was given
+  IdVector<PointId, std::uint8_t> kept_;
+  Triangulation triangulation_;
+  VertexStars stars_;
+  IdVector<VertexId, double> spacing_;
+};
+
+}  // namespace cocoon
