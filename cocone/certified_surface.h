@@ -68,7 +68,7 @@ class CertifiedSurface {
   // if the certificate does not hold any more. Precondition: exists() before the change.
   // Complexity: O(c) for c cells at the vertices at most one edge of the surface away from a
   // changed() one, and one pass over a byte per cell if the first hull candidate went, over the
-  // triangles if the changed places do not hang together.
+  // triangles if the changed places do not hang together or a vertex there is no longer good.
   bool update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
               const LiveCandidates& candidates);
 
