@@ -1,6 +1,7 @@
 #include "cocone/best_move.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "cocone/cell_order.h"
@@ -33,11 +34,13 @@ std::vector<CellId> BestMove::find(VertexId v) {
   best_change_ = 0;
   best_.clear();
   list_candidates(v, -1);
-  std::sort(candidates_.begin(), candidates_.end(),
-            [](const Candidate& a, const Candidate& b) { return a.least < b.least; });
-  for (const Candidate& candidate : candidates_) {
-    if (candidate.least > best_change_) break;
-    consider(std::span(candidate.cells).first(candidate.size));
+  // Few are asked: so they are no more than a heap.
+  const auto later = [](const Candidate& a, const Candidate& b) { return a.least > b.least; };
+  std::make_heap(candidates_.begin(), candidates_.end(), later);
+  while (!candidates_.empty() && candidates_.front().least <= best_change_) {
+    std::pop_heap(candidates_.begin(), candidates_.end(), later);
+    consider(std::span(candidates_.back().cells).first(candidates_.back().size));
+    candidates_.pop_back();
   }
   for (const std::vector<CellId>& part : large_parts(v)) {
     if (energy_.least_change(part, best_change_) <= best_change_) consider(part);
@@ -83,13 +86,17 @@ void BestMove::list_candidates(VertexId v, Energy limit) {
   };
   for (const CellId c : stars_.star(v)) {
     if (triangulation_.is_infinite(c)) continue;
+    const int opposite = index_of_vertex(triangulation_.cell(c), v);
     const bool at_surface = energy_.is_at_surface(c);
-    if (at_surface) add(energy_.least_change(c), c, {}, 1);
+    std::optional<CellEnergy::BoundsOfCell> bounds;
+    if (at_surface) add(bounds.emplace(energy_, c).alone(), c, {}, 1);
     for (int i = 0; i < 4; ++i) {
       const CellId d = triangulation_.neighbor(c, i);
+      if (i != opposite && d < c) continue;  // asked from there
       if (out_[c] != out_[d] || triangulation_.is_infinite(d)) continue;
-      if (has_vertex(triangulation_.cell(d), v) && d < c) continue;  // asked from there
-      if (at_surface || energy_.is_at_surface(d)) add(energy_.least_change_with(c, i), c, d, 2);
+      if (!at_surface && !energy_.is_at_surface(d)) continue;
+      if (!bounds.has_value()) bounds.emplace(energy_, c);
+      add(bounds->with(i), c, d, 2);
     }
   }
 }

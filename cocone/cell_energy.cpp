@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "delaunay/circulate.h"
-#include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {
@@ -27,7 +26,13 @@ std::array<int, 2> others(int i, int j) {
 
 }  // namespace
 
-Energy to_energy(double units) { return std::llround(units * 0x1p+20); }
+// Rounded to the nearest integer, halves away from zero. The difference is exact.
+Energy to_energy(double units) {
+  const double scaled = units * 0x1p+20;
+  const auto whole = static_cast<Energy>(scaled);
+  const double rest = scaled - static_cast<double>(whole);
+  return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
+}
 
 CellEnergy::CellEnergy(const Triangulation& triangulation, BallCosines& cosines, StarCache& stars,
                        SpacingCache& spacings, const IdVector<CellId, CellLabel>& labels,
@@ -49,15 +54,22 @@ CellEnergy::CellEnergy(const Triangulation& triangulation, BallCosines& cosines,
       own_preference_(triangulation.num_cells()),
       wanted_(triangulation.num_vertices(), 0),
       parts_(triangulation, stars, out),
+      facet_costs_(4 * triangulation.num_cells()),
       places_now_(triangulation.num_cells()),
-      parts_now_(triangulation.num_vertices()),
+      at_(triangulation.num_vertices()),
       taken_(triangulation.num_cells()),
-      idle_now_(triangulation.num_vertices()),
-      changed_(triangulation.num_vertices()) {}
+      listed_(triangulation.num_vertices()) {}
 
-Energy CellEnergy::facet_cost(FacetId f) {
-  const double cosine = std::min(cosines_.of(f), cosines_.of(triangulation_.mirror(f)));
-  return to_energy(1 - cosine + stretch(f));
+// A cost is the same from both sides, and never changes. Those beyond 2^32, with a stretch_cost of
+// thousands, are computed each time.
+Energy CellEnergy::ask_facet_cost(FacetId f) {
+  const FacetId mirror = triangulation_.mirror(f);
+  const double cosine = std::min(cosines_.of(f), cosines_.of(mirror));
+  const Energy cost = to_energy(1 - cosine + stretch(f));
+  if (cost < std::numeric_limits<std::uint32_t>::max()) {
+    facet_costs_[f] = facet_costs_[mirror] = static_cast<std::uint32_t>(cost + 1);
+  }
+  return cost;
 }
 
 double CellEnergy::stretch(FacetId f) {
@@ -66,12 +78,15 @@ double CellEnergy::stretch(FacetId f) {
   const Point& p = triangulation_.point(corners[0]);
   const Point& q = triangulation_.point(corners[1]);
   const Point& r = triangulation_.point(corners[2]);
-  const double longest =
-      std::sqrt(std::max({squared_distance(p, q), squared_distance(q, r), squared_distance(r, p)}));
-  double limit = 0;
+  const double square =
+      std::max({squared_distance(p, q), squared_distance(q, r), squared_distance(r, p)});
+  double limit = stretch_ratio_ * spacings_.of(corners[0]);
+  if (square < 0.5 * (limit * limit)) return 0;  // nearly always; with room for rounding
+  const double longest = std::sqrt(square);
+  limit = 0;
   for (const VertexId v : corners) {
     limit = std::max(limit, stretch_ratio_ * spacings_.of(v));
-    if (longest <= limit) return 0;  // nearly always with the first
+    if (longest <= limit) return 0;
   }
   return stretch_cost_ * (1 - limit / longest);
 }
@@ -98,8 +113,9 @@ Energy CellEnergy::vertex_cost_after(VertexId v, std::span<const CellId> cells) 
   return cost;
 }
 
-// Surface sheets at the edge of vertices i and j of the cell. O(degree).
-int CellEnergy::sheets_at(CellId c, int i, int j) const {
+// Surface sheets at the edge of vertices i and j of the cell, of which there are at most so many.
+// O(degree).
+int CellEnergy::sheets_at(CellId c, int i, int j, int most) const {
   const VertexId a = triangulation_.vertex(c, i);
   const VertexId b = triangulation_.vertex(c, j);
   int off = 0;  // a facet at the edge is opposite another vertex
@@ -113,8 +129,8 @@ int CellEnergy::sheets_at(CellId c, int i, int j) const {
     const std::uint8_t here = out_[cell_of(f)];
     changes += here != before ? 1 : 0;
     before = here;
-  } while (f != first);
-  return changes / 2;
+  } while (f != first && changes < 2 * most - 1);  // they come in pairs
+  return (changes + 1) / 2;
 }
 
 // What it costs that an edge with so many sheets gets more, or less.
@@ -125,10 +141,15 @@ Energy CellEnergy::edge_change(int sheets, int more) const {
   return defect_cost_ * extra_sheets + half_handle_cost_ * edges;
 }
 
+// An edge with n sheets divides the stars of its ends into at least n + 1 parts (the link of a
+// vertex is a sphere, on which the surface draws a graph): so mostly there is none, or one that is
+// seen.
 CellEnergy::Place CellEnergy::place_of(CellId c) {
   Place place{};
   place.change = out_[c] != 0 ? -preference(c) : preference(c);
+  std::array<std::size_t, 4> parts;
   for (int i = 0; i < 4; ++i) {
+    parts[at(i)] = parts_now(triangulation_.vertex(c, i));
     place.surface[at(i)] = out_[triangulation_.neighbor(c, i)] != out_[c];
     const Energy more = facet_cost(facet_id(c, i)) - half_handle_cost_;
     place.change += place.surface[at(i)] ? -more : more;
@@ -136,7 +157,10 @@ CellEnergy::Place CellEnergy::place_of(CellId c) {
   for (int i = 0; i < 4; ++i) {
     for (int j = i + 1; j < 4; ++j) {
       const auto [k, l] = others(i, j);
-      const int sheets = sheets_at(c, i, j);
+      const bool on_surface = place.surface[at(k)] || place.surface[at(l)];
+      const int most = static_cast<int>(std::min(parts[at(i)], parts[at(j)])) - 1;
+      const bool is_known = most == 0 || (most == 1 && on_surface);
+      const int sheets = is_known ? most : sheets_at(c, i, j, most);
       place.sheets[edge_number[i][j]] = sheets;
       if (place.surface[at(k)] != place.surface[at(l)]) continue;  // the surface only turns there
       place.change += edge_change(sheets, place.surface[at(k)] ? -1 : 1);
@@ -151,7 +175,7 @@ const CellEnergy::Place& CellEnergy::place_now(CellId c) {
   Place& place = places_now_[c];
   int changed = 0;
   for (const VertexId v : triangulation_.cell(c).vertices) {
-    changed += changed_[v] > place.state ? 1 : 0;
+    changed += at_[v].changed > place.state ? 1 : 0;
   }
   if (place.state == 0 || changed > 1) {
     place = place_of(c);
@@ -162,38 +186,35 @@ const CellEnergy::Place& CellEnergy::place_now(CellId c) {
 
 // Remembers it until cells at the vertex change sides for good.
 std::size_t CellEnergy::parts_now(VertexId v) {
-  PartsNow& now = parts_now_[v];
-  if (now.parts == 0 || now.state < changed_[v]) {
-    now = {static_cast<std::uint32_t>(parts_.count(v)), state_};
+  AtVertex& here = at_[v];
+  if (here.parts_state == 0 || here.parts_state < here.changed) {
+    here.parts = static_cast<std::uint32_t>(parts_.count(v));
+    here.parts_state = state_;
   }
-  return now.parts;
+  return here.parts;
 }
 
 // A pinched or unused vertex may come to lie on one disk, which costs least; an idle one be busy.
-Energy CellEnergy::least_vertex_change(VertexId v) {
+Energy CellEnergy::ask_least_vertex_change(VertexId v) {
   const Energy idle = idle_cost_ != 0 && is_idle(v) ? idle_cost_ : 0;
-  return star_cost(v, 2) - star_cost(v, parts_now(v)) - idle;
+  AtVertex& here = at_[v];
+  here.least = star_cost(v, 2) - star_cost(v, parts_now(v)) - idle;
+  here.least_state = state_;
+  return here.least;
 }
 
-Energy CellEnergy::least_change(CellId c) {
-  Energy total = place_now(c).change;
-  for (const VertexId v : triangulation_.cell(c).vertices) total += least_vertex_change(v);
-  return total;
-}
-
-// The two flips in turn, but for the facet between them, which appears and goes again, and for its
+// Without the vertices, of the cell of f and the one behind it, the first of which lies like that:
+// the two flips in turn, but for the facet between them, which appears and goes again, and for its
 // edges: there the second adds one sheet less than it would alone.
-Energy CellEnergy::least_change_with(CellId c, int i) {
-  const FacetId f = facet_id(c, i);
-  const FacetId mirror = triangulation_.mirror(f);
-  const CellId d = cell_of(mirror);
-  const Place& first = place_now(c);
+Energy CellEnergy::change_together(const Place& first, FacetId f) {
+  const CellId c = cell_of(f);
+  const CellId d = cell_of(triangulation_.mirror(f));
   const Place& second = place_now(d);
   Energy total = first.change + second.change - 2 * (facet_cost(f) - half_handle_cost_);
   for (int r = 0; r < 4; ++r) {
-    if (r == i) continue;
+    if (r == index_of(f)) continue;
     // The edge of the facet that is not at the corner r.
-    const auto [p, q] = others(i, r);
+    const auto [p, q] = others(index_of(f), r);
     const int there = index_of_vertex(triangulation_.cell(d), triangulation_.vertex(c, r));
     const int sheets = first.sheets[edge_number[p][q]];
     const int by_first = first.surface[at(r)] ? 0 : 1;
@@ -201,8 +222,7 @@ Energy CellEnergy::least_change_with(CellId c, int i) {
     total += edge_change(sheets, by_first + by_second - 1) - edge_change(sheets, by_first) -
              edge_change(sheets, by_second);
   }
-  for (const VertexId v : triangulation_.cell(c).vertices) total += least_vertex_change(v);
-  return total + least_vertex_change(triangulation_.vertex(d, index_of(mirror)));
+  return total;
 }
 
 // What the facets between these cells and others cost once they appear or go. Each takes half a
@@ -272,12 +292,17 @@ Energy CellEnergy::edge_changes() {
   return total;
 }
 
+// Each once, in no particular order.
 void CellEnergy::list_vertices(std::span<const CellId> cells) {
   vertices_.clear();
   for (const CellId c : cells) {
-    for (const VertexId v : triangulation_.cell(c).vertices) vertices_.push_back(v);
+    for (const VertexId v : triangulation_.cell(c).vertices) {
+      if (listed_[v] != 0) continue;
+      listed_[v] = 1;
+      vertices_.push_back(v);
+    }
   }
-  make_set(vertices_);
+  for (const VertexId v : vertices_) listed_[v] = 0;
 }
 
 bool CellEnergy::is_at_surface(CellId c) const {
@@ -289,8 +314,8 @@ bool CellEnergy::is_at_surface(CellId c) const {
 
 // Remembers it until cells at the vertex change sides for good.
 bool CellEnergy::is_idle(VertexId v) {
-  std::uint32_t& known = idle_now_[v];
-  if (known == 0 || known / 2 < changed_[v]) known = 2 * state_ + (would_be_idle(v) ? 1 : 0);
+  std::uint32_t& known = at_[v].idle;
+  if (!knows_idle(v)) known = 2 * state_ + (would_be_idle(v) ? 1 : 0);
   return known % 2 != 0;
 }
 
@@ -338,7 +363,7 @@ void CellEnergy::flip(std::span<const CellId> cells) {
   ++state_;
   turn(cells);
   for (const CellId c : cells) {
-    for (const VertexId v : triangulation_.cell(c).vertices) changed_[v] = state_;
+    for (const VertexId v : triangulation_.cell(c).vertices) at_[v].changed = state_;
   }
 }
 

@@ -34,14 +34,17 @@ class CellEnergy {
     own_preference_[c] = cost_of_out - preference_by_label(c);
   }
   // Only of these samples is it a loss that they are not on the surface.
-  void want(VertexId v) { wanted_[v] = 1; }
-  void leave_out(VertexId v) { wanted_[v] = 0; }
+  void want(VertexId v) { set_wanted(v, 1); }
+  void leave_out(VertexId v) { set_wanted(v, 0); }
   bool is_wanted(VertexId v) const { return wanted_[v] != 0; }
   Energy preference(CellId c) const { return preference_by_label(c) + own_preference_[c]; }
 
   // The cost of a facet, if its cells are on different sides. Precondition: a finite facet. O(1),
-  // but for spacings that were never asked for.
-  Energy facet_cost(FacetId f);
+  // but for spacings that were never asked for; remembered, for both sides.
+  Energy facet_cost(FacetId f) {
+    const std::uint32_t known = facet_costs_[f];
+    return known != 0 ? known - 1 : ask_facet_cost(f);
+  }
   // The cost of defects at a vertex, apart from its edges. O(star).
   Energy vertex_cost(VertexId v);
   // The same if these cells changed sides; they do not. O(star + cells).
@@ -52,8 +55,16 @@ class CellEnergy {
   // Is the sample idle (idle_samples.h)? O(star) the first time since the last flip at it, then
   // O(1). Threads may ask about different samples if they may share the stars.
   bool is_idle(VertexId v);
+  // Is that known, so that is_idle() is O(1)?
+  bool knows_idle(VertexId v) const {
+    return at_[v].idle != 0 && at_[v].idle / 2 >= at_[v].changed;
+  }
   // Tells that v is on the surface, which is not pinched there: so nobody needs to look. O(1).
-  void know_flawless(VertexId v) { parts_now_[v] = {2, state_}; }
+  void know_flawless(VertexId v) {
+    at_[v].parts = 2;
+    at_[v].parts_state = state_;
+    at_[v].least_state = 0;
+  }
   // Surface sheets at v beyond the first: what is pinched. O(star).
   std::size_t extra_fans(VertexId v);
 
@@ -70,6 +81,8 @@ class CellEnergy {
   Energy least_change_with(CellId c, int i);
   Energy least_change(std::span<const CellId> cells,
                       Energy limit = std::numeric_limits<Energy>::max());
+  // The first two for one cell and all its neighbors, which have much in common.
+  class BoundsOfCell;
   // Is a facet of the cell on the surface? O(1).
   bool is_at_surface(CellId c) const;
   void flip(std::span<const CellId> cells);
@@ -84,27 +97,47 @@ class CellEnergy {
   // but for what happens at its vertices.
   struct Place {
     Energy change;
-    std::array<bool, 4> surface;  // facets
-    std::array<int, 6> sheets;    // at its edges (edge_number)
+    std::array<int, 6> sheets;  // at its edges (edge_number)
     std::uint32_t state;
+    std::array<bool, 4> surface;  // facets
   };
+  // What is remembered of a vertex: each until cells at it change sides for good.
+  struct AtVertex {
+    std::uint32_t changed;      // the state since the last flip at the vertex
+    std::uint32_t parts;        // of the star
+    std::uint32_t parts_state;  // 0: never counted
+    std::uint32_t idle;         // 2 * state + 1 if idle in that state
+    Energy least;               // the least by which its cost can change
+    std::uint32_t least_state;  // 0: not known
+  };
+  void set_wanted(VertexId v, std::uint8_t wanted) {
+    wanted_[v] = wanted;
+    at_[v].least_state = 0;
+  }
+  Energy ask_facet_cost(FacetId f);
   // What a facet costs for being longer than the samples at it lie apart, in units.
   double stretch(FacetId f);
   Energy preference_by_label(CellId c) const {
     return labels_[c] == CellLabel::out ? -mark_weight_ : mark_weight_;
   }
+  Energy change_together(const Place& first, FacetId f);
   Place place_of(CellId c);
   const Place& place_now(CellId c);
   Energy edge_change(int sheets, int more) const;
   std::size_t parts_now(VertexId v);
-  Energy least_vertex_change(VertexId v);
+  Energy least_vertex_change(VertexId v) {
+    const AtVertex& here = at_[v];
+    if (here.least_state != 0 && here.least_state >= here.changed) return here.least;
+    return ask_least_vertex_change(v);
+  }
+  Energy ask_least_vertex_change(VertexId v);
   void list_boundary(std::span<const CellId> cells);
   Energy boundary_change(std::span<const CellId> cells);
   Energy edge_changes();
   Energy star_cost(VertexId v, std::size_t parts) const;
   void turn(std::span<const CellId> cells);
   void list_vertices(std::span<const CellId> cells);
-  int sheets_at(CellId c, int i, int j) const;
+  int sheets_at(CellId c, int i, int j, int most) const;
   // What it costs that a vertex is on the surface rather than not: a vertex for Euler.
   Energy cost_of_use(VertexId v) const {
     return -half_handle_cost_ - (wanted_[v] != 0 ? unused_cost_ : 0);
@@ -130,16 +163,12 @@ class CellEnergy {
   ZeroedArray<CellId, Energy> own_preference_;  // beyond that by the label
   VertexSet wanted_;
   StarParts parts_;
+  ZeroedArray<FacetId, std::uint32_t> facet_costs_;  // 1 + that; 0: not known
   ZeroedArray<CellId, Place> places_now_;
-  struct PartsNow {
-    std::uint32_t parts;  // of the star; 0: never counted
-    std::uint32_t state;
-  };
-  ZeroedArray<VertexId, PartsNow> parts_now_;
-  ZeroedArray<CellId, std::uint8_t> taken_;        // scratch, zero between questions
-  ZeroedArray<VertexId, std::uint32_t> idle_now_;  // 2 * state + 1 if idle in that state
-  std::uint32_t state_ = 1;                        // grows with every flip
-  ZeroedArray<VertexId, std::uint32_t> changed_;   // the state since the last flip at a vertex
+  ZeroedArray<VertexId, AtVertex> at_;
+  ZeroedArray<CellId, std::uint8_t> taken_;     // scratch, zero between questions
+  ZeroedArray<VertexId, std::uint8_t> listed_;  // likewise
+  std::uint32_t state_ = 1;                     // grows with every flip
   std::vector<VertexId> vertices_;
   // A facet that appears (1) or goes (-1) at an edge, where there are so many sheets now.
   struct FacetAtEdge {
@@ -150,5 +179,34 @@ class CellEnergy {
   std::vector<FacetAtEdge> facets_at_edges_;
   std::vector<FacetId> boundary_;  // of a set of cells, as seen from these
 };
+
+// Valid until the next flip.
+class CellEnergy::BoundsOfCell {
+ public:
+  BoundsOfCell(CellEnergy& energy, CellId c)
+      : energy_(energy), cell_(c), place_(energy.place_now(c)), at_vertices_(0) {
+    for (const VertexId v : energy.triangulation_.cell(c).vertices) {
+      at_vertices_ += energy.least_vertex_change(v);
+    }
+  }
+  Energy alone() const { return place_.change + at_vertices_; }
+  Energy with(int i) const {
+    const FacetId f = facet_id(cell_, i);
+    const VertexId beyond =
+        energy_.triangulation_.opposite_vertex(energy_.triangulation_.mirror(f));
+    return energy_.change_together(place_, f) + at_vertices_ + energy_.least_vertex_change(beyond);
+  }
+
+ private:
+  CellEnergy& energy_;
+  CellId cell_;
+  const Place& place_;
+  Energy at_vertices_;
+};
+
+inline Energy CellEnergy::least_change(CellId c) { return BoundsOfCell(*this, c).alone(); }
+inline Energy CellEnergy::least_change_with(CellId c, int i) {
+  return BoundsOfCell(*this, c).with(i);
+}
 
 }  // namespace cocoon
