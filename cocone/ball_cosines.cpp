@@ -25,16 +25,9 @@ void BallCosines::prepare(std::span<const CellId> cells, const Execution& execut
                   });
 }
 
-BallCosines::Known BallCosines::known(CellId c) {
-  if (known_[c] == Known::nothing) compute(c, voronoi_vertex(triangulation_, c));
+BallCosines::Known BallCosines::ask(CellId c) {
+  compute(c, voronoi_vertex(triangulation_, c));
   return known_[c];
-}
-
-double BallCosines::of(FacetId f) {
-  const CellId c = cell_of(f);
-  if (triangulation_.is_infinite(c)) return 1;
-  if (known(c) == Known::flat) look_through(c);
-  return cosines_[c][static_cast<std::size_t>(index_of(f))];
 }
 
 double BallCosines::contact(FacetId f) {
@@ -82,11 +75,6 @@ void BallCosines::compute(CellId c, const Point& center) {
   }
   const bool flat = flat_ratio_ > 0 && volume <= flat_ratio_ * largest * std::sqrt(largest);
   known_[c] = flat ? Known::flat : Known::cosines;
-}
-
-CellId BallCosines::beyond(FacetId f) {
-  const FacetId behind = triangulation_.mirror(f);
-  return is_flat(cell_of(behind)) ? through(behind) : cell_of(behind);
 }
 
 // For whom enters the flat cell of f by f.

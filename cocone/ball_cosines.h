@@ -35,7 +35,12 @@ class BallCosines {
   // for an infinite cell), -1 if it is one on the other side; 0 where it cannot be computed. Of a
   // flat cell: with the ball that is seen through it. A function of the corners and the center, not
   // of their order. O(1).
-  double of(FacetId f);
+  double of(FacetId f) {
+    const CellId c = cell_of(f);
+    if (triangulation_.is_infinite(c)) return 1;
+    if (known(c) == Known::flat) look_through(c);
+    return cosines_[c][static_cast<std::size_t>(index_of(f))];
+  }
 
   // The cosine of the angle at which the balls of the two cells of a facet meet: 1 for equal balls,
   // 0 if their surfaces cross at right angles, -1 if they touch. The same from both sides. O(1).
@@ -48,7 +53,10 @@ class BallCosines {
   // The cell behind facet f, through flat ones, each of which is left by the largest facet that
   // faces the other way than the one by which it was entered; none if that leads through more than
   // max_flat_cells. O(1) but for those.
-  CellId beyond(FacetId f);
+  CellId beyond(FacetId f) {
+    const FacetId behind = triangulation_.mirror(f);
+    return is_flat(cell_of(behind)) ? through(behind) : cell_of(behind);
+  }
   // Both sides of a flat cell: the cells beyond its largest facet, from within and from outside;
   // none as beyond() says.
   std::array<CellId, 2> sides_of_flat(CellId c);
@@ -57,7 +65,11 @@ class BallCosines {
   static constexpr int max_flat_cells = 64;
   // seen_through: a flat cell whose cosines are those of the balls seen through it.
   enum class Known : std::uint8_t { nothing = 0, cosines, flat, seen_through };
-  Known known(CellId c);
+  Known known(CellId c) {
+    const Known now = known_[c];
+    return now != Known::nothing ? now : ask(c);
+  }
+  Known ask(CellId c);
   void compute(CellId c, const Point& center);
   void look_through(CellId c);
   double cosine_through(FacetId f);

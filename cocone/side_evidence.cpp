@@ -72,23 +72,34 @@ class Propagation {
   // settled: not asked about. open, closed: undecided cells before and after their turn.
   enum State : std::uint8_t { settled = 0, open, closed };
 
+  // The canonical order of the undecided cells: by the ranks of their corners. First by the lowest,
+  // by counting; few cells have the same.
   void rank() {
     struct Key {
       std::array<std::uint32_t, 4> corners;
       CellId cell;
     };
-    std::vector<Key> order;
-    order.reserve(region_.undecided.size());
+    std::vector<Key> keys;
+    keys.reserve(region_.undecided.size());
+    std::vector<std::uint32_t> place(region_.vertices.size() + 2, 0);
     for (const CellId c : region_.undecided) {
       Key key{{}, c};
       for (std::size_t i = 0; i < 4; ++i) {
         key.corners[i] = region_.rank[triangulation_.cell(c).vertices[i]];
       }
       std::sort(key.corners.begin(), key.corners.end());
-      order.push_back(key);
+      ++place[key.corners[0] + 1];
+      keys.push_back(key);
     }
-    std::sort(order.begin(), order.end(),
-              [](const Key& a, const Key& b) { return a.corners < b.corners; });
+    for (std::size_t k = 1; k < place.size(); ++k) place[k] += place[k - 1];
+    std::vector<Key> order(keys.size());
+    for (const Key& key : keys) order[place[key.corners[0]]++] = key;
+    std::uint32_t begin = 0;  // of the cells with one lowest rank
+    for (const std::uint32_t end : place) {
+      std::sort(order.begin() + begin, order.begin() + end,
+                [](const Key& a, const Key& b) { return a.corners < b.corners; });
+      begin = end;
+    }
     ranks_ = ZeroedArray<CellId, std::uint32_t>(triangulation_.num_cells());
     order_.reserve(order.size());
     for (const Key& key : order) {
