@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "geom/disjoint_sets.h"
-#include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {
@@ -60,19 +59,23 @@ void leave_large_clumps(const Triangulation& triangulation, std::size_t most_cel
   region.undecided = std::move(kept);
 }
 
-// In lexicographic order.
-void sort_by_place(const Triangulation& triangulation, std::vector<VertexId>& vertices) {
+// In lexicographic order, from the first of these on; those before it are.
+void sort_by_place(const Triangulation& triangulation, std::size_t first,
+                   std::vector<VertexId>& vertices) {
   struct Place {
     double x;  // decides nearly always
     VertexId vertex;
   };
+  const auto precedes = [&](const Place& a, const Place& b) {
+    if (a.x != b.x) return a.x < b.x;
+    return triangulation.point(a.vertex) < triangulation.point(b.vertex);
+  };
   std::vector<Place> places;
   places.reserve(vertices.size());
   for (const VertexId v : vertices) places.push_back({triangulation.point(v).x, v});
-  std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
-    if (a.x != b.x) return a.x < b.x;
-    return triangulation.point(a.vertex) < triangulation.point(b.vertex);
-  });
+  const auto middle = places.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(middle, places.end(), precedes);
+  std::inplace_merge(places.begin(), middle, places.end(), precedes);
   for (std::size_t k = 0; k < places.size(); ++k) vertices[k] = places[k].vertex;
 }
 
@@ -90,7 +93,7 @@ std::vector<VertexId> doubtful_vertices(const Triangulation& triangulation, cons
         marks.good[v] == 0 || (marks.conflicts != 0 && marks.contradicted[v] != 0);
     if (doubtful && !region.is_left(v)) vertices.push_back(v);
   }
-  sort_by_place(triangulation, vertices);
+  sort_by_place(triangulation, 0, vertices);
   return vertices;
 }
 
@@ -118,10 +121,12 @@ void extend_region(const Triangulation& triangulation, StarCache& stars,
   }
   if (region.vertices.size() == before) return;
   const std::vector<CellId> more = stars.cells_at(std::span(region.vertices).subspan(before));
+  const auto middle = static_cast<std::ptrdiff_t>(region.cells.size());
   region.cells.insert(region.cells.end(), more.begin(), more.end());
-  sort_by_place(triangulation, region.vertices);
+  std::inplace_merge(region.cells.begin(), region.cells.begin() + middle, region.cells.end());
+  region.cells.erase(std::unique(region.cells.begin(), region.cells.end()), region.cells.end());
+  sort_by_place(triangulation, before, region.vertices);
   rank_vertices(region);
-  make_set(region.cells);
 }
 
 bool is_left(const Triangulation& triangulation, const CellMarks& marks,

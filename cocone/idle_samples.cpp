@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "cocone/cell_order.h"
 #include "cocone/facet_size.h"
@@ -20,16 +22,40 @@ Vec3 normal_of(const Triangulation& triangulation, FacetId f) {
   return cross(p[1] - p[0], p[2] - p[0]);
 }
 
-// Whether holds(f) for all facets of the surface at v; asked until one fails.
-template <class Holds>
-bool all_of_surface_facets_at(const Triangulation& triangulation, std::span<const CellId> star,
-                              const IdVector<CellId, std::uint8_t>& out, VertexId v, Holds holds) {
+// A list whose first elements need no memory of their own.
+class FacetList {
+ public:
+  void add(FacetId f) {
+    if (count_ < few_.size()) {
+      few_[count_++] = f;
+      return;
+    }
+    if (many_.empty()) many_.assign(few_.begin(), few_.end());
+    many_.push_back(f);
+  }
+  std::span<const FacetId> all() const {
+    return many_.empty() ? std::span(few_).first(count_) : std::span(many_);
+  }
+
+ private:
+  std::array<FacetId, 32> few_;
+  std::size_t count_ = 0;
+  std::vector<FacetId> many_;  // all, if they are more
+};
+
+// The facets of the surface at v, each seen from its cell with out = 0; asked about until
+// visit(f) is false. Whether it never was.
+template <class Visit>
+bool list_surface_facets(const Triangulation& triangulation, std::span<const CellId> star,
+                         const IdVector<CellId, std::uint8_t>& out, VertexId v, FacetList& facets,
+                         Visit visit) {
   for (const CellId c : star) {
     if (out[c] != 0) continue;
     const int opposite = index_of_vertex(triangulation.cell(c), v);
     for (int i = 0; i < 4; ++i) {
       if (i == opposite || out[triangulation.neighbor(c, i)] == 0) continue;
-      if (!holds(facet_id(c, i))) return false;
+      if (!visit(facet_id(c, i))) return false;
+      facets.add(facet_id(c, i));
     }
   }
   return true;
@@ -67,10 +93,11 @@ bool is_bent(const Vec3& a, const Vec3& b, double flat_cosine) {
 
 bool is_idle(const Triangulation& triangulation, std::span<const CellId> star,
              const IdVector<CellId, std::uint8_t>& out, VertexId v, const IdleOptions& options) {
-  // The plane is that of the largest facet.
+  // The plane is that of the largest facet. Most samples are not flat, told by their first facets.
   Vec3 plane;
   double largest = 0;
-  const bool may_be_flat = all_of_surface_facets_at(triangulation, star, out, v, [&](FacetId f) {
+  FacetList list;
+  const auto may_be_flat = [&](FacetId f) {
     const Vec3 normal = normal_of(triangulation, f);
     const double area = squared_norm(normal);
     if (largest > 0 && is_bent(normal, plane, options.flat_cosine)) return false;
@@ -78,22 +105,27 @@ bool is_idle(const Triangulation& triangulation, std::span<const CellId> star,
     largest = area;
     plane = normal;
     return true;
-  });
-  if (largest == 0 || !may_be_flat) return false;  // 0: not on the surface
-  plane = unit(plane);
-  double narrowest = infinity;
+  };
+  if (!list_surface_facets(triangulation, star, out, v, list, may_be_flat)) return false;
+  if (largest == 0) return false;  // not on the surface
+  const std::span<const FacetId> facets = list.all();
   TwoNearest nearest;
   const Point& p = triangulation.point(v);
-  const bool flat = all_of_surface_facets_at(triangulation, star, out, v, [&](FacetId f) {
-    const double cosine = dot(unit(normal_of(triangulation, f)), plane);
-    if (!(std::abs(cosine) >= options.flat_cosine)) return false;
-    narrowest = std::min(narrowest, size_of_facet(triangulation, f).squared_circumradius);
+  for (const FacetId f : facets) {
     for (const VertexId w : triangulation.facet_vertices(f)) {
       if (w != v) nearest.add(w, squared_norm(triangulation.point(w) - p));
     }
-    return true;
+  }
+  // Most flat ones have a facet that is well shaped.
+  const double too_wide = options.ratio * options.ratio * nearest.second();
+  for (const FacetId f : facets) {
+    if (size_of_facet(triangulation, f).squared_circumradius < too_wide) return false;
+  }
+  plane = unit(plane);
+  return std::all_of(facets.begin(), facets.end(), [&](FacetId f) {
+    const double cosine = dot(unit(normal_of(triangulation, f)), plane);
+    return std::abs(cosine) >= options.flat_cosine;
   });
-  return flat && narrowest >= options.ratio * options.ratio * nearest.second();
 }
 
 }  // namespace cocoon
