@@ -9,13 +9,13 @@
 
 #include "cocone/best_move.h"
 #include "cocone/cell_cluster.h"
+#include "cocone/cell_cut.h"
 #include "cocone/cell_energy.h"
 #include "cocone/cell_order.h"
 #include "cocone/compound_move.h"
 #include "cocone/doubtful_region.h"
 #include "cocone/idle_samples.h"
 #include "cocone/kept_reach.h"
-#include "cocone/max_flow.h"
 #include "cocone/sample_spacing.h"
 #include "cocone/side_evidence.h"
 #include "cocone/side_split.h"
@@ -143,7 +143,8 @@ class CleanUp {
     const std::vector<CellId> flat_cells(first_flat, cells.end());
     cells.erase(first_flat, cells.end());
     counters_.flat_cells = flat_cells.size();
-    const std::vector<std::uint8_t> side = flow_of(cells).source_side();
+    const std::vector<std::uint8_t> side =
+        cut_cells(triangulation_, cosines_, energy_, marks_.labels, cells);
     for (const CellId c : triangulation_.finite_cells()) {
       out_[c] = marks_.labels[c] == CellLabel::out ? 1 : 0;
     }
@@ -162,36 +163,6 @@ class CleanUp {
   void relabel(CellId c, std::uint8_t side) {
     if (marks_.labels[c] != CellLabel::unmarked && side != out_[c]) touch(c);
     out_[c] = side;
-  }
-
-  // Its nodes are these cells; the others have the label of the marking.
-  MaxFlow flow_of(const std::vector<CellId>& cells) {
-    ZeroedArray<CellId, std::uint32_t> place(triangulation_.num_cells());  // 1 + that in `cells`
-    for (std::uint32_t k = 0; k < cells.size(); ++k) place[cells[k]] = k + 1;
-    MaxFlow flow(cells.size());
-    for (std::uint32_t node = 0; node < cells.size(); ++node) {
-      const CellId c = cells[node];
-      const Energy cost_of_out = energy_.preference(c);
-      if (cost_of_out < 0) flow.pull_to_source(node, -cost_of_out);
-      if (cost_of_out > 0) flow.pull_to_sink(node, cost_of_out);
-      for (int i = 0; i < 4; ++i) {
-        const FacetId f = facet_id(c, i);
-        const CellId behind = cosines_.beyond(f);
-        if (behind.is_none() || behind == c) continue;
-        const bool adjacent = behind == triangulation_.neighbor(c, i);
-        const Energy cost = energy_.facet_cost(f);
-        if (place[behind] == 0 && marks_.labels[behind] == CellLabel::out) {
-          flow.pull_to_source(node, cost);
-        } else if (place[behind] == 0) {
-          flow.pull_to_sink(node, cost);
-        } else if (!adjacent) {
-          flow.add_edge(node, place[behind] - 1, cost / 2);  // seen from both sides, mostly
-        } else if (c < behind) {
-          flow.add_edge(node, place[behind] - 1, cost);
-        }
-      }
-    }
-    return flow;
   }
 
   void fill_cavities() {
@@ -358,31 +329,36 @@ class CleanUp {
 
   // In the doubtful region and beside it, in lexicographic order.
   std::vector<VertexId> idle_samples() {
-    std::vector<VertexId> idle = samples_of(region_.cells);
-    std::erase_if(idle, [&](VertexId v) { return region_.is_left(v); });
-    erase_busy(idle);
+    if (cells_with_samples_ != region_.cells.size()) {  // it only grows
+      samples_ = samples_of(region_.cells);
+      std::erase_if(samples_, [&](VertexId v) { return region_.is_left(v); });
+      cells_with_samples_ = region_.cells.size();
+    }
+    find_idle(samples_);
+    std::vector<VertexId> idle;
+    for (const VertexId v : samples_) {
+      if (energy_.is_idle(v)) idle.push_back(v);
+    }
     std::sort(idle.begin(), idle.end(), [&](VertexId a, VertexId b) {
       return triangulation_.point(a) < triangulation_.point(b);
     });
     return idle;
   }
 
-  // Those that are not idle go. On all threads if they may share the stars.
-  void erase_busy(std::vector<VertexId>& samples) {
+  // Asks ahead about those of which it is not known. On all threads if they may share the stars.
+  void find_idle(const std::vector<VertexId>& samples) {
     constexpr std::size_t samples_per_chunk = 1024;
-    std::vector<std::uint8_t> is_idle(samples.size());
-    const Execution execution = stars_.expect(samples.size()) ? execution_ : Execution{};
-    const auto sample_at = [&](std::size_t k) { return samples[k]; };
-    parallel_chunks(
-        execution, samples.size(), samples_per_chunk, [&](std::size_t begin, std::size_t end) {
-          visit_stars(triangulation_, stars_, begin, end, sample_at,
-                      [&](auto k) { is_idle[k] = energy_.is_idle(samples[k]) ? 1 : 0; });
-        });
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      if (is_idle[k] != 0) samples[kept++] = samples[k];
+    std::vector<VertexId> asked;
+    for (const VertexId v : samples) {
+      if (!energy_.knows_idle(v)) asked.push_back(v);
     }
-    samples.resize(kept);
+    const Execution execution = stars_.expect(asked.size()) ? execution_ : Execution{};
+    const auto sample_at = [&](std::size_t k) { return asked[k]; };
+    parallel_chunks(execution, asked.size(), samples_per_chunk,
+                    [&](std::size_t begin, std::size_t end) {
+                      visit_stars(triangulation_, stars_, begin, end, sample_at,
+                                  [&](std::size_t k) { energy_.is_idle(asked[k]); });
+                    });
   }
 
   bool flip_clusters_at(const std::vector<VertexId>& idle, double deep_cosine) {
@@ -472,6 +448,8 @@ class CleanUp {
   SideSplit side_split_;
   std::vector<CellId> relabeled_;  // by the cut
   std::vector<VertexId> outliers_;
+  std::vector<VertexId> samples_;  // of the region when it had so many cells, but for those left
+  std::size_t cells_with_samples_ = 0;
   SurfaceFlaws flaws_;             // of the region, before what is touched_ changed
   std::vector<VertexId> touched_;  // vertices of cells that have changed sides since
   ZeroedArray<CellId, std::uint8_t> scratch_;
