@@ -16,13 +16,19 @@ BallCosines::BallCosines(const Triangulation& triangulation, double flat_ratio)
       cosines_(triangulation.num_cells()),
       known_(triangulation.num_cells()) {}
 
-void BallCosines::prepare(std::span<const CellId> cells, const Execution& execution) {
+ZeroedArray<CellId, Point> BallCosines::prepare(std::span<const CellId> cells,
+                                                const Execution& execution) {
   constexpr std::size_t cells_per_chunk = 4096;
+  ZeroedArray<CellId, Point> centers(triangulation_.num_cells());
   parallel_chunks(execution, cells.size(), cells_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
                     for_each_center(triangulation_, cells.subspan(begin, end - begin),
-                                    [&](CellId c, const Point& center) { compute(c, center); });
+                                    [&](CellId c, const Point& center) {
+                                      centers[c] = center;
+                                      compute(c, center);
+                                    });
                   });
+  return centers;
 }
 
 BallCosines::Known BallCosines::ask(CellId c) {

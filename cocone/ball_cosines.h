@@ -27,8 +27,9 @@ class BallCosines {
   // largest facet is at most `flat_ratio` times the size of that facet, the root of twice its area.
   explicit BallCosines(const Triangulation& triangulation, double flat_ratio = 0);
 
-  // Computes ahead what will be asked of these cells. Complexity: O(cells given), parallel.
-  void prepare(std::span<const CellId> cells, const Execution& execution);
+  // Computes ahead what will be asked of these cells; returns the centers of the finite ones, which
+  // take part in that. Complexity: O(cells given), parallel.
+  ZeroedArray<CellId, Point> prepare(std::span<const CellId> cells, const Execution& execution);
 
   // For facet f seen from its cell: the cosine of the angle between the facet and the tangent plane
   // of the cell's ball at the facet's circle; 1 if the ball is a half-space beyond the facet (as

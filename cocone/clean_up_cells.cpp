@@ -55,14 +55,15 @@ class CleanUp {
   CleanUpCounters run() {
     if (region_.vertices.empty()) return counters_;
     std::vector<CellId> free = free_cells();
+    ZeroedArray<CellId, Point> centers;
     if (!free.empty()) {  // else hardly anything will be asked
-      cosines_.prepare(region_.cells, execution_);
+      centers = cosines_.prepare(region_.cells, execution_);
       spacings_.prepare(samples_of(free), execution_);
     }
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     count(counters_.defects_before, counters_.unused_before);
     leave_out_outliers();
-    set_preferences();
+    set_preferences(std::move(centers));
     cut(std::move(free));
     fill_cavities();
     extend_region(triangulation_, stars_, touched_, region_);
@@ -126,9 +127,9 @@ class CleanUp {
     return cells;
   }
 
-  void set_preferences() {
+  void set_preferences(ZeroedArray<CellId, Point> centers) {
     const ZeroedArray<CellId, SideEvidence> evidence =
-        side_evidence(triangulation_, cosines_, poles_, marks_, region_, execution_);
+        side_evidence(triangulation_, cosines_, centers, poles_, marks_, region_);
     for (const CellId c : region_.undecided) {
       const double margin = static_cast<double>(evidence[c].in) - evidence[c].out;
       energy_.set_preference(c, to_energy(options_.evidence_weight * margin));

@@ -11,7 +11,6 @@
 
 #include "cocone/cell_order.h"
 #include "delaunay/circulate.h"
-#include "delaunay/voronoi_dual.h"
 
 namespace cocoon {
 namespace {
@@ -32,27 +31,30 @@ std::uint32_t rank_of(Turn turn) { return ~static_cast<std::uint32_t>(turn); }
 struct AtVertex {
   CellId positive;
   CellId negative;
-  double reach;  // squared, of the pole that is looked for
-  bool asked;    // a vertex of an undecided cell
+  double reach_of_positive;  // squared
+  double reach_of_negative;
   bool on_hull;
 };
 
 class Propagation {
  public:
-  Propagation(const Triangulation& triangulation, BallCosines& cosines, const Poles& poles,
-              const CellMarks& marks, const DoubtfulRegion& region, const Execution& execution)
+  Propagation(const Triangulation& triangulation, BallCosines& cosines,
+              const ZeroedArray<CellId, Point>& centers, const Poles& poles, const CellMarks& marks,
+              const DoubtfulRegion& region)
       : triangulation_(triangulation),
         cosines_(cosines),
         poles_(poles),
         region_(region),
-        centers_(triangulation.num_cells()),
+        centers_(centers),
+        labels_(marks.labels),
         evidence_(triangulation.num_cells()),
         state_(triangulation.num_cells()),
+        asked_(triangulation.num_vertices(), 0),
         at_vertices_(triangulation.num_vertices()) {
     rank();
-    find_domain(execution);
+    find_domain();
     find_poles();
-    settle_known(marks);
+    settle_known();
   }
 
   ZeroedArray<CellId, SideEvidence> run() {
@@ -109,10 +111,10 @@ class Propagation {
   }
 
   // Undecided cells, their vertices, and all other cells at those.
-  void find_domain(const Execution& execution) {
+  void find_domain() {
     for (const CellId c : region_.undecided) {
       state_[c] = open;
-      for (const VertexId v : triangulation_.cell(c).vertices) at_vertices_[v].asked = true;
+      for (const VertexId v : triangulation_.cell(c).vertices) asked_[v] = 1;
     }
     for (const CellId c : region_.cells) {
       for_asked_vertices(c, [&](VertexId v) {
@@ -120,12 +122,6 @@ class Propagation {
         if (triangulation_.is_infinite(c)) at_vertices_[v].on_hull = true;
       });
     }
-    constexpr std::size_t cells_per_chunk = 4096;
-    parallel_chunks(
-        execution, domain_.size(), cells_per_chunk, [&](std::size_t begin, std::size_t end) {
-          for_each_center(triangulation_, std::span(domain_).subspan(begin, end - begin),
-                          [&](CellId c, const Point& center) { centers_[c] = center; });
-        });
   }
 
   const Point& center(CellId c) const { return centers_[c]; }
@@ -133,7 +129,7 @@ class Propagation {
   template <class Visit>
   void for_asked_vertices(CellId c, Visit visit) {
     for (const VertexId v : triangulation_.cell(c).vertices) {
-      if (v != infinite_vertex && at_vertices_[v].asked) visit(v);
+      if (v != infinite_vertex && asked_[v] != 0) visit(v);
     }
   }
 
@@ -141,15 +137,13 @@ class Propagation {
   void find_poles() {
     for_finite_corners([&](CellId c, VertexId v, const Vec3& arm) {
       AtVertex& here = at_vertices_[v];
-      if (!here.on_hull) raise_pole(here.positive, here.reach, c, arm);
+      if (!here.on_hull) raise_pole(here.positive, here.reach_of_positive, c, arm);
     });
-    for (const CellId c : domain_)
-      for_asked_vertices(c, [&](VertexId v) { at_vertices_[v].reach = 0; });
     for_finite_corners([&](CellId c, VertexId v, const Vec3& arm) {
       AtVertex& here = at_vertices_[v];
       const Vec3 normal =
           here.on_hull ? poles_.normals[v] : center(here.positive) - triangulation_.point(v);
-      if (dot(arm, normal) < 0) raise_pole(here.negative, here.reach, c, arm);
+      if (dot(arm, normal) < 0) raise_pole(here.negative, here.reach_of_negative, c, arm);
     });
   }
 
@@ -174,11 +168,63 @@ class Propagation {
     return sorted_corners(triangulation_, a) < sorted_corners(triangulation_, b);
   }
 
-  void settle_known(const CellMarks& marks) {
-    for (const CellId c : domain_) {
-      if (state_[c] != settled || cosines_.is_flat(c)) continue;
-      pass_on(c, marks.labels[c] == CellLabel::out, 1);
+  bool is_out(CellId c) const { return labels_[c] == CellLabel::out; }
+  // A cell of the domain that is not undecided, and no flat one.
+  bool is_known(CellId c) { return state_[c] == settled && !cosines_.is_flat(c); }
+
+  // What the known cells tell the undecided ones, these being asked: few of the others are beside
+  // one, or are opposite poles.
+  void settle_known() {
+    for (const VertexId v : asked_.ids()) {
+      if (asked_[v] == 0) continue;
+      for (const CellId pole : {at_vertices_[v].positive, at_vertices_[v].negative}) {
+        if (!pole.is_none() && is_known(pole)) {
+          pass_on_to_opposite_pole(pole, v, is_out(pole), 1);
+        }
+      }
     }
+    for (auto c = domain_.rbegin(); c != domain_.rend() && triangulation_.is_infinite(*c); ++c) {
+      for_asked_vertices(*c, [&](VertexId v) { pass_on_to_opposite_pole(*c, v, is_out(*c), 1); });
+    }
+    for (const CellId c : region_.undecided) {
+      for (int i = 0; i < 4; ++i) {
+        const FacetId behind = triangulation_.mirror(facet_id(c, i));
+        if (state_[cell_of(behind)] == settled) hear_from(behind);
+      }
+    }
+    for (const CellId c : flat_cells_beside_undecided()) {
+      for (int i = 0; i < 4; ++i) {
+        const FacetId behind = triangulation_.mirror(facet_id(c, i));
+        bool in_domain = false;
+        for_asked_vertices(cell_of(behind), [&](VertexId) { in_domain = true; });
+        if (in_domain && state_[cell_of(behind)] == settled) hear_from(behind);
+      }
+    }
+  }
+
+  // What its settled cell has to say across a facet.
+  void hear_from(FacetId f) {
+    const CellId c = cell_of(f);
+    if (triangulation_.is_infinite(c) || cosines_.is_flat(c)) return;
+    pass_on_to_deep_ball(f, is_out(c), 1);
+  }
+
+  // Through which others may be seen from undecided ones.
+  std::vector<CellId> flat_cells_beside_undecided() {
+    std::vector<CellId> found;
+    ZeroedArray<CellId, std::uint8_t> met(triangulation_.num_cells());
+    const auto meet = [&](CellId c) {
+      if (!cosines_.is_flat(c) || met[c] != 0) return;
+      met[c] = 1;
+      found.push_back(c);
+    };
+    for (const CellId c : region_.undecided) {
+      for (int i = 0; i < 4; ++i) meet(triangulation_.neighbor(c, i));
+    }
+    for (std::size_t next = 0; next < found.size(); ++next) {
+      for (int i = 0; i < 4; ++i) meet(triangulation_.neighbor(found[next], i));
+    }
+    return found;
   }
 
   float clarity(CellId c) const {
@@ -201,12 +247,13 @@ class Propagation {
   }
 
   void pass_on_to_deep_balls(CellId c, bool out, double weight) {
-    for (int i = 0; i < 4; ++i) {
-      const FacetId f = facet_id(c, i);
-      const CellId behind = cosines_.beyond(f);
-      if (behind.is_none() || state_[behind] == settled) continue;
-      raise(behind, out, weight * cosines_.contact(f));
-    }
+    for (int i = 0; i < 4; ++i) pass_on_to_deep_ball(facet_id(c, i), out, weight);
+  }
+
+  void pass_on_to_deep_ball(FacetId f, bool out, double weight) {
+    const CellId behind = cosines_.beyond(f);
+    if (behind.is_none() || state_[behind] == settled) return;
+    raise(behind, out, weight * cosines_.contact(f));
   }
 
   void pass_on_to_opposite_pole(CellId c, VertexId v, bool out, double weight) {
@@ -230,11 +277,13 @@ class Propagation {
   BallCosines& cosines_;
   const Poles& poles_;
   const DoubtfulRegion& region_;
-  ZeroedArray<CellId, Point> centers_;  // of the finite cells of the domain
+  const ZeroedArray<CellId, Point>& centers_;  // of the finite cells of the domain
+  const IdVector<CellId, CellLabel>& labels_;
   ZeroedArray<CellId, SideEvidence> evidence_;
   ZeroedArray<CellId, State> state_;
   std::vector<CellId> order_;  // undecided cells in canonical order
   ZeroedArray<CellId, std::uint32_t> ranks_;
+  VertexSet asked_;  // 1: a vertex of an undecided cell
   IdVector<VertexId, AtVertex> at_vertices_;
   std::vector<CellId> domain_;  // at vertices of undecided cells
   std::priority_queue<Turn> turns_;
@@ -243,11 +292,14 @@ class Propagation {
 }  // namespace
 
 ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,
-                                                BallCosines& cosines, const Poles& poles,
-                                                const CellMarks& marks,
-                                                const DoubtfulRegion& region,
-                                                const Execution& execution) {
-  return Propagation(triangulation, cosines, poles, marks, region, execution).run();
+                                                BallCosines& cosines,
+                                                const ZeroedArray<CellId, Point>& centers,
+                                                const Poles& poles, const CellMarks& marks,
+                                                const DoubtfulRegion& region) {
+  if (region.undecided.empty()) {
+    return ZeroedArray<CellId, SideEvidence>(triangulation.num_cells());
+  }
+  return Propagation(triangulation, cosines, centers, poles, marks, region).run();
 }
 
 }  // namespace cocoon
