@@ -188,7 +188,8 @@ const CellEnergy::Place& CellEnergy::place_now(CellId c) {
 std::size_t CellEnergy::parts_now(VertexId v) {
   AtVertex& here = at_[v];
   if (here.parts_state == 0 || here.parts_state < here.changed) {
-    here.parts = static_cast<std::uint32_t>(parts_.count(v));
+    const bool flawless = flawless_elsewhere_ && here.doubtful == 0 && here.changed == 0;
+    here.parts = flawless ? 2 : static_cast<std::uint32_t>(parts_.count(v));
     here.parts_state = state_;
   }
   return here.parts;

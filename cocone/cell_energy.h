@@ -59,12 +59,10 @@ class CellEnergy {
   bool knows_idle(VertexId v) const {
     return at_[v].idle != 0 && at_[v].idle / 2 >= at_[v].changed;
   }
-  // Tells that v is on the surface, which is not pinched there: so nobody needs to look. O(1).
-  void know_flawless(VertexId v) {
-    at_[v].parts = 2;
-    at_[v].parts_state = state_;
-    at_[v].least_state = 0;
-  }
+  // Tells that all vertices but those in doubt are on the surface, which is not pinched there: so
+  // nobody needs to look until a flip at one. Before the first flip. O(1).
+  void know_flawless_elsewhere() { flawless_elsewhere_ = true; }
+  void doubt(VertexId v) { at_[v].doubtful = 1; }
   // Surface sheets at v beyond the first: what is pinched. O(star).
   std::size_t extra_fans(VertexId v);
 
@@ -107,6 +105,7 @@ class CellEnergy {
     std::uint32_t parts;        // of the star
     std::uint32_t parts_state;  // 0: never counted
     std::uint32_t idle;         // 2 * state + 1 if idle in that state
+    std::uint32_t doubtful;     // 1: whoever wants to know has to look
     Energy least;               // the least by which its cost can change
     std::uint32_t least_state;  // 0: not known
   };
@@ -169,6 +168,7 @@ class CellEnergy {
   ZeroedArray<CellId, std::uint8_t> taken_;     // scratch, zero between questions
   ZeroedArray<VertexId, std::uint8_t> listed_;  // likewise
   std::uint32_t state_ = 1;                     // grows with every flip
+  bool flawless_elsewhere_ = false;
   std::vector<VertexId> vertices_;
   // A facet that appears (1) or goes (-1) at an edge, where there are so many sheets now.
   struct FacetAtEdge {

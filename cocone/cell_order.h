@@ -11,25 +11,42 @@
 
 namespace cocoon {
 
+// Swaps two places if the second point comes first: by moving addresses, since a branch could not
+// be foreseen.
+inline void order_places(const Point*& first, const Point*& second) {
+  const bool swapped = *second < *first;
+  const Point* const before = first;
+  first = swapped ? second : first;
+  second = swapped ? before : second;
+}
+
 // Lexicographically; of a Triangulation or of a TriangulationView. Precondition: a finite facet.
 // O(1).
 template <class AnyTriangulation>
 std::array<Point, 3> sorted_corners(const AnyTriangulation& triangulation, FacetId f) {
-  const auto [a, b, c] = triangulation.facet_vertices(f);
-  std::array<Point, 3> corners{triangulation.point(a), triangulation.point(b),
-                               triangulation.point(c)};
-  std::sort(corners.begin(), corners.end());
-  return corners;
+  const auto [u, v, w] = triangulation.facet_vertices(f);
+  const Point* a = &triangulation.point(u);
+  const Point* b = &triangulation.point(v);
+  const Point* c = &triangulation.point(w);
+  order_places(a, b);
+  order_places(b, c);
+  order_places(a, b);
+  return {*a, *b, *c};
 }
 
 // Likewise. Precondition: a finite cell. O(1).
 inline std::array<Point, 4> sorted_corners(const Triangulation& triangulation, CellId c) {
-  std::array<Point, 4> corners;
-  for (std::size_t i = 0; i < 4; ++i) {
-    corners[i] = triangulation.point(triangulation.cell(c).vertices[i]);
-  }
-  std::sort(corners.begin(), corners.end());
-  return corners;
+  const auto& vertices = triangulation.cell(c).vertices;
+  const Point* p = &triangulation.point(vertices[0]);
+  const Point* q = &triangulation.point(vertices[1]);
+  const Point* r = &triangulation.point(vertices[2]);
+  const Point* s = &triangulation.point(vertices[3]);
+  order_places(p, q);
+  order_places(r, s);
+  order_places(p, r);
+  order_places(q, s);
+  order_places(q, r);
+  return {*p, *q, *r, *s};
 }
 
 // Of finite cells, whatever their order. O(k log k) for k cells.

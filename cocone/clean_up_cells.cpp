@@ -201,9 +201,15 @@ class CleanUp {
     for (const VertexId v : flaws_.unused) flaw[v] = unused;
     for (const VertexId v : flaws_.pinched) flaw[v] = pinched;
     for (const VertexId v : region_.vertices) {
-      if (flaw[v] == none) energy_.know_flawless(v);
+      if (flaw[v] != none) energy_.doubt(v);
       if (flaw[v] != unused) energy_.want(v);
     }
+    if (region_.left_cells != 0) {
+      for (const VertexId v : triangulation_.vertices()) {
+        if (region_.is_left(v)) energy_.doubt(v);
+      }
+    }
+    energy_.know_flawless_elsewhere();
     for (const VertexId v : outliers_) energy_.leave_out(v);
   }
 

@@ -23,8 +23,8 @@ struct KnownSides {
 // corners of such triangles (a cell with a new vertex may lie on either side), and if the triangle
 // is one of the Cocone surface, too: where the old mesh closed what the samples left open, it knows
 // no more than they do. Infinite cells are not labeled (they are OUT anyway).
-// Complexity: O(cells + t) for t triangles of either surface, for bounded valence. Deterministic: independent of
-// their order. Source: ours, docs/stages/mark_cells.md.
+// Complexity: O(cells + t) for t triangles of either surface, for bounded valence. Deterministic:
+// independent of their order. Source: ours, docs/stages/mark_cells.md.
 KnownSides known_sides(const Triangulation& triangulation, const LinkedFacets& surface,
                        std::span<const KnownTriangle> triangles);
 

@@ -19,8 +19,9 @@ TEST(CellEnergy, ChangeIsTheDifferenceOfTheWholeEnergies) {
          {shapes::random_cube(25, 3), lattice(3), ball(4), shapes::random_torus(40, 0.4, 2)}) {
       Labeling labeling(points, 7, bias);
       for (const VertexId v : labeling.stages.triangulation.vertices()) {
-        if (labeling.parts(v) == 2) labeling.energy.know_flawless(v);  // true until a flip there
+        if (labeling.parts(v) != 2) labeling.energy.doubt(v);
       }
+      labeling.energy.know_flawless_elsewhere();
       Random random(5);
       const std::size_t count = labeling.stages.triangulation.num_finite_cells();
       for (int round = 0; round < 40; ++round) {
