@@ -1,6 +1,7 @@
 #include "cocone/umbrella.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <span>
 #include <utility>
@@ -23,42 +24,59 @@ class UmbrellaSearch {
   // `fan`: all triangles at the vertex, ascending.
   bool exists(VertexId center, std::span<const std::uint32_t> fan) {
     if (fan.size() < 3) return false;
-    alive_.assign(fan.begin(), fan.end());
-    while (drop_round(center)) {
+    partners_.assign(fan.size(), {});
+    dropped_.clear();
+    for (std::size_t k = 0; k < fan.size(); ++k) {
+      for_each_spoke(center, fan[k], [&](SideId side) {
+        std::uint32_t& count = partners_[k].left[corner_of_side(side)];
+        for_each_partner(side, [&](SideId) { ++count; });
+        if (count == 0) drop(k, fan[k]);
+      });
     }
-    return !alive_.empty();
+    for (std::size_t next = 0; next < dropped_.size(); ++next) {
+      for_each_spoke(center, dropped_[next], [&](SideId side) {
+        for_each_partner(side, [&](SideId other) {
+          const std::uint32_t t = triangle_of_side(other);
+          const auto place = std::lower_bound(fan.begin(), fan.end(), t);
+          const auto k = static_cast<std::size_t>(place - fan.begin());
+          if (--partners_[k].left[corner_of_side(other)] == 0) drop(k, t);
+        });
+      });
+    }
+    return dropped_.size() < fan.size();
   }
 
  private:
-  // What survives a round is judged by the survivors of the one before.
-  bool drop_round(VertexId center) {
-    survivors_.clear();
-    for (const std::uint32_t t : alive_) {
-      const Triangle& corners = triangles_.corners[t];
-      bool held = true;
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        if (corners[i] != center) held = held && has_partner(3 * t + i);
-      }
-      if (held) survivors_.push_back(t);
+  template <class Visit>
+  void for_each_spoke(VertexId center, std::uint32_t triangle, Visit visit) const {
+    const Triangle& corners = triangles_.corners[triangle];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (corners[i] != center) visit(3 * triangle + i);
     }
-    std::swap(alive_, survivors_);
-    return alive_.size() < survivors_.size();
   }
 
-  bool has_partner(SideId side) const {
+  // Who has this one as a partner, too.
+  template <class Visit>
+  void for_each_partner(SideId side, Visit visit) const {
     for (SideId other = triangles_.links[side]; other != side; other = triangles_.links[other]) {
-      if (std::binary_search(alive_.begin(), alive_.end(), triangle_of_side(other)) &&
-          dihedral_cosine(triangles_, side, other) <= sharp_cosine_) {
-        return true;
-      }
+      if (dihedral_cosine(triangles_, side, other) <= sharp_cosine_) visit(other);
     }
-    return false;
+  }
+
+  // Once.
+  void drop(std::size_t k, std::uint32_t triangle) {
+    if (std::exchange(partners_[k].is_dropped, true)) return;
+    dropped_.push_back(triangle);
   }
 
   const LinkedFacets& triangles_;
   double sharp_cosine_;
-  std::vector<std::uint32_t> alive_;      // ascending
-  std::vector<std::uint32_t> survivors_;  // of the round
+  struct Partners {
+    std::array<std::uint32_t, 3> left;  // at the side opposite to each corner, if that is a spoke
+    bool is_dropped;
+  };
+  std::vector<Partners> partners_;  // of each triangle of the fan
+  std::vector<std::uint32_t> dropped_;
 };
 
 // The triangles at flagged vertices, ascending at each.
