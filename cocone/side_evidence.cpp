@@ -47,8 +47,7 @@ class Propagation {
         region_(region),
         centers_(centers),
         labels_(marks.labels),
-        evidence_(triangulation.num_cells()),
-        state_(triangulation.num_cells()),
+        nodes_(triangulation.num_cells()),
         asked_(triangulation.num_vertices(), 0),
         at_vertices_(triangulation.num_vertices()) {
     rank();
@@ -62,17 +61,28 @@ class Propagation {
       const Turn turn = turns_.top();
       turns_.pop();
       const CellId c = order_[rank_of(turn)];
-      if (state_[c] != open || turn != make_turn(clarity(c), ranks_[c])) continue;
-      state_[c] = closed;
-      const SideEvidence& e = evidence_[c];
+      Node& node = nodes_[c];
+      const SideEvidence& e = node.evidence;
+      if (node.state != open || turn != make_turn(clarity(e), node.rank)) continue;
+      node.state = closed;
       pass_on(c, e.out >= e.in, std::max(e.out, e.in));
     }
-    return std::move(evidence_);
+    ZeroedArray<CellId, SideEvidence> evidence(triangulation_.num_cells());
+    for (const CellId c : region_.undecided) evidence[c] = nodes_[c].evidence;
+    return evidence;
   }
 
  private:
   // settled: not asked about. open, closed: undecided cells before and after their turn.
   enum State : std::uint8_t { settled = 0, open, closed };
+  // What is known of a cell, in one place: they are visited in no order of memory.
+  struct Node {
+    SideEvidence evidence;
+    std::uint32_t rank;  // of an undecided cell, in order_
+    State state;
+    bool is_flat;  // of a cell of the domain
+    bool is_pole;
+  };
 
   // The canonical order of the undecided cells: by the ranks of their corners. First by the lowest,
   // by counting; few cells have the same.
@@ -102,10 +112,9 @@ class Propagation {
                 [](const Key& a, const Key& b) { return a.corners < b.corners; });
       begin = end;
     }
-    ranks_ = ZeroedArray<CellId, std::uint32_t>(triangulation_.num_cells());
     order_.reserve(order.size());
     for (const Key& key : order) {
-      ranks_[key.cell] = static_cast<std::uint32_t>(order_.size());
+      nodes_[key.cell].rank = static_cast<std::uint32_t>(order_.size());
       order_.push_back(key.cell);
     }
   }
@@ -113,7 +122,7 @@ class Propagation {
   // Undecided cells, their vertices, and all other cells at those.
   void find_domain() {
     for (const CellId c : region_.undecided) {
-      state_[c] = open;
+      nodes_[c].state = open;
       for (const VertexId v : triangulation_.cell(c).vertices) asked_[v] = 1;
     }
     for (const CellId c : region_.cells) {
@@ -122,6 +131,7 @@ class Propagation {
         if (triangulation_.is_infinite(c)) at_vertices_[v].on_hull = true;
       });
     }
+    for (const CellId c : domain_) nodes_[c].is_flat = cosines_.is_flat(c);
   }
 
   const Point& center(CellId c) const { return centers_[c]; }
@@ -145,12 +155,18 @@ class Propagation {
           here.on_hull ? poles_.normals[v] : center(here.positive) - triangulation_.point(v);
       if (dot(arm, normal) < 0) raise_pole(here.negative, here.reach_of_negative, c, arm);
     });
+    for (const VertexId v : asked_.ids()) {
+      if (asked_[v] == 0) continue;
+      for (const CellId pole : {at_vertices_[v].positive, at_vertices_[v].negative}) {
+        if (!pole.is_none()) nodes_[pole].is_pole = true;
+      }
+    }
   }
 
   template <class Visit>
   void for_finite_corners(Visit visit) {
     for (const CellId c : domain_) {
-      if (triangulation_.is_infinite(c) || cosines_.is_flat(c)) continue;
+      if (triangulation_.is_infinite(c) || nodes_[c].is_flat) continue;
       for_asked_vertices(c, [&](VertexId v) { visit(c, v, center(c) - triangulation_.point(v)); });
     }
   }
@@ -169,16 +185,13 @@ class Propagation {
   }
 
   bool is_out(CellId c) const { return labels_[c] == CellLabel::out; }
-  // A cell of the domain that is not undecided, and no flat one.
-  bool is_known(CellId c) { return state_[c] == settled && !cosines_.is_flat(c); }
-
   // What the known cells tell the undecided ones, these being asked: few of the others are beside
   // one, or are opposite poles.
   void settle_known() {
     for (const VertexId v : asked_.ids()) {
       if (asked_[v] == 0) continue;
       for (const CellId pole : {at_vertices_[v].positive, at_vertices_[v].negative}) {
-        if (!pole.is_none() && is_known(pole)) {
+        if (!pole.is_none() && nodes_[pole].state == settled) {
           pass_on_to_opposite_pole(pole, v, is_out(pole), 1);
         }
       }
@@ -189,7 +202,7 @@ class Propagation {
     for (const CellId c : region_.undecided) {
       for (int i = 0; i < 4; ++i) {
         const FacetId behind = triangulation_.mirror(facet_id(c, i));
-        if (state_[cell_of(behind)] == settled) hear_from(behind);
+        if (nodes_[cell_of(behind)].state == settled) hear_from(behind);
       }
     }
     for (const CellId c : flat_cells_beside_undecided()) {
@@ -197,7 +210,7 @@ class Propagation {
         const FacetId behind = triangulation_.mirror(facet_id(c, i));
         bool in_domain = false;
         for_asked_vertices(cell_of(behind), [&](VertexId) { in_domain = true; });
-        if (in_domain && state_[cell_of(behind)] == settled) hear_from(behind);
+        if (in_domain && nodes_[cell_of(behind)].state == settled) hear_from(behind);
       }
     }
   }
@@ -206,7 +219,8 @@ class Propagation {
   void hear_from(FacetId f) {
     const CellId c = cell_of(f);
     if (triangulation_.is_infinite(c) || cosines_.is_flat(c)) return;
-    pass_on_to_deep_ball(f, is_out(c), 1);
+    const CellId behind = cosines_.beyond(f);
+    if (!behind.is_none()) raise_deep_ball(behind, f, is_out(c), 1);
   }
 
   // Through which others may be seen from undecided ones.
@@ -227,32 +241,35 @@ class Propagation {
     return found;
   }
 
-  float clarity(CellId c) const {
-    const SideEvidence& e = evidence_[c];
+  static float clarity(const SideEvidence& e) {
     if (e.out == 0 || e.in == 0) return std::max(e.out, e.in);
     return std::abs(e.out - e.in) - 1;
   }
 
   void raise(CellId c, bool out, double weight) {
-    if (state_[c] == settled || !(weight > 0)) return;
-    float& value = out ? evidence_[c].out : evidence_[c].in;
+    Node& node = nodes_[c];
+    if (node.state == settled || !(weight > 0)) return;
+    float& value = out ? node.evidence.out : node.evidence.in;
     if (static_cast<float>(weight) <= value) return;
     value = static_cast<float>(weight);
-    if (state_[c] == open) turns_.push(make_turn(clarity(c), ranks_[c]));
+    if (node.state == open) turns_.push(make_turn(clarity(node.evidence), node.rank));
   }
 
+  // What an undecided cell has to say.
   void pass_on(CellId c, bool out, double weight) {
-    if (!triangulation_.is_infinite(c)) pass_on_to_deep_balls(c, out, weight);
+    for (int i = 0; i < 4; ++i) {
+      const FacetId f = facet_id(c, i);
+      const CellId next = triangulation_.neighbor(c, i);
+      const CellId behind = nodes_[next].is_flat ? cosines_.beyond(f) : next;
+      if (!behind.is_none()) raise_deep_ball(behind, f, out, weight);
+    }
+    if (!nodes_[c].is_pole) return;
     for_asked_vertices(c, [&](VertexId v) { pass_on_to_opposite_pole(c, v, out, weight); });
   }
 
-  void pass_on_to_deep_balls(CellId c, bool out, double weight) {
-    for (int i = 0; i < 4; ++i) pass_on_to_deep_ball(facet_id(c, i), out, weight);
-  }
-
-  void pass_on_to_deep_ball(FacetId f, bool out, double weight) {
-    const CellId behind = cosines_.beyond(f);
-    if (behind.is_none() || state_[behind] == settled) return;
+  // Of the cell behind a facet, through flat ones.
+  void raise_deep_ball(CellId behind, FacetId f, bool out, double weight) {
+    if (nodes_[behind].state == settled) return;
     raise(behind, out, weight * cosines_.contact(f));
   }
 
@@ -279,11 +296,9 @@ class Propagation {
   const DoubtfulRegion& region_;
   const ZeroedArray<CellId, Point>& centers_;  // of the finite cells of the domain
   const IdVector<CellId, CellLabel>& labels_;
-  ZeroedArray<CellId, SideEvidence> evidence_;
-  ZeroedArray<CellId, State> state_;
+  ZeroedArray<CellId, Node> nodes_;
   std::vector<CellId> order_;  // undecided cells in canonical order
-  ZeroedArray<CellId, std::uint32_t> ranks_;
-  VertexSet asked_;  // 1: a vertex of an undecided cell
+  VertexSet asked_;            // 1: a vertex of an undecided cell
   IdVector<VertexId, AtVertex> at_vertices_;
   std::vector<CellId> domain_;  // at vertices of undecided cells
   std::priority_queue<Turn> turns_;
