@@ -67,7 +67,7 @@ Energy CellEnergy::ask_facet_cost(FacetId f) {
   const double cosine = std::min(cosines_.of(f), cosines_.of(mirror));
   const Energy cost = to_energy(1 - cosine + stretch(f));
   if (cost < std::numeric_limits<std::uint32_t>::max()) {
-    facet_costs_[f] = facet_costs_[mirror] = static_cast<std::uint32_t>(cost + 1);
+    facet_costs_[std::min(f, mirror)] = static_cast<std::uint32_t>(cost + 1);
   }
   return cost;
 }
@@ -320,20 +320,25 @@ bool CellEnergy::is_idle(VertexId v) {
   return known % 2 != 0;
 }
 
-// By their boundary and their vertices: the facets and edges between them stay what they are.
+// By their boundary and their vertices: the facets and edges between them stay what they are. First
+// as little as the vertices can cost; then what they do cost, large stars last.
 Energy CellEnergy::change(std::span<const CellId> cells, Energy limit) {
   list_boundary(cells);
   list_vertices(cells);
   Energy total = boundary_change(cells) + edge_changes();
-  for (const VertexId v : vertices_) total -= star_cost(v, parts_now(v));
-  turn(cells);
-  for (const VertexId v : vertices_) total += star_cost(v, parts_.count(v));
-  turn(cells);
-  if (idle_cost_ == 0) return total;
-  for (const VertexId v : vertices_) total -= is_idle(v) ? idle_cost_ : 0;
+  for (const VertexId v : vertices_) total += least_vertex_change(v);
   if (total > limit) return total;
   turn(cells);
-  for (const VertexId v : vertices_) total += would_be_idle(v) ? idle_cost_ : 0;
+  for (const bool large : {false, true}) {
+    for (const VertexId v : vertices_) {
+      if (total > limit || parts_.is_large(v) != large) continue;
+      total += star_cost(v, parts_.count(v)) - star_cost(v, 2);
+    }
+  }
+  for (const VertexId v : vertices_) {
+    if (idle_cost_ == 0 || total > limit) break;
+    total += would_be_idle(v) ? idle_cost_ : 0;
+  }
   turn(cells);
   return total;
 }

@@ -40,9 +40,9 @@ class CellEnergy {
   Energy preference(CellId c) const { return preference_by_label(c) + own_preference_[c]; }
 
   // The cost of a facet, if its cells are on different sides. Precondition: a finite facet. O(1),
-  // but for spacings that were never asked for; remembered, for both sides.
+  // but for spacings that were never asked for; remembered.
   Energy facet_cost(FacetId f) {
-    const std::uint32_t known = facet_costs_[f];
+    const std::uint32_t known = facet_costs_[triangulation_.canonical(f)];
     return known != 0 ? known - 1 : ask_facet_cost(f);
   }
   // The cost of defects at a vertex, apart from its edges. O(star).
@@ -162,7 +162,7 @@ class CellEnergy {
   ZeroedArray<CellId, Energy> own_preference_;  // beyond that by the label
   VertexSet wanted_;
   StarParts parts_;
-  ZeroedArray<FacetId, std::uint32_t> facet_costs_;  // 1 + that; 0: not known
+  ZeroedArray<FacetId, std::uint32_t> facet_costs_;  // 1 + that, by canonical ids; 0: not known
   ZeroedArray<CellId, Place> places_now_;
   ZeroedArray<VertexId, AtVertex> at_;
   ZeroedArray<CellId, std::uint8_t> taken_;     // scratch, zero between questions

@@ -5,6 +5,11 @@
 #include "delaunay/circulate.h"
 
 namespace cocoon {
+namespace {
+
+constexpr std::uint8_t in_part = 2;  // in the place of a side
+
+}  // namespace
 
 StarParts::StarParts(const Triangulation& triangulation, StarCache& stars,
                      const IdVector<CellId, std::uint8_t>& out)
@@ -12,13 +17,12 @@ StarParts::StarParts(const Triangulation& triangulation, StarCache& stars,
       stars_(stars),
       out_(out),
       place_(triangulation.num_vertices()),
-      position_(triangulation.num_cells()),
-      stamp_(triangulation.num_cells()) {}
+      position_(triangulation.num_cells()) {}
 
 StarParts::SmallStar& StarParts::small_star(VertexId v) {
   if (place_[v] != 0) return small_stars_[place_[v] - 1];
   const std::span<const CellId> star = stars_.star(v);
-  for (std::size_t k = 0; k < star.size(); ++k) position_[star[k]] = static_cast<std::uint8_t>(k);
+  for (std::size_t k = 0; k < star.size(); ++k) position_[star[k]] = static_cast<std::uint32_t>(k);
   std::vector<Word> links(star.size(), 0);
   for (std::size_t k = 0; k < star.size(); ++k) {
     const int opposite = index_of_vertex(triangulation_.cell(star[k]), v);
@@ -29,6 +33,22 @@ StarParts::SmallStar& StarParts::small_star(VertexId v) {
   small_stars_.push_back({std::move(links)});
   place_[v] = static_cast<std::uint32_t>(small_stars_.size());
   return small_stars_.back();
+}
+
+const StarParts::LargeStar& StarParts::large_star(VertexId v) {
+  if (place_[v] != 0) return large_stars_[place_[v] - 1];
+  const std::span<const CellId> star = stars_.star(v);
+  for (std::size_t k = 0; k < star.size(); ++k) position_[star[k]] = static_cast<std::uint32_t>(k);
+  LargeStar& links = large_stars_.emplace_back(star.size());
+  for (std::size_t k = 0; k < star.size(); ++k) {
+    const int opposite = index_of_vertex(triangulation_.cell(star[k]), v);
+    for (int i = 0; i < 3; ++i) {
+      links[k][static_cast<std::size_t>(i)] =
+          position_[triangulation_.neighbor(star[k], facet_corners[opposite][i])];
+    }
+  }
+  place_[v] = static_cast<std::uint32_t>(large_stars_.size());
+  return links;
 }
 
 // Bit k: the k-th cell of a small star is OUT.
@@ -42,10 +62,11 @@ StarParts::Word StarParts::outside(VertexId v) {
   return word;
 }
 
-std::size_t StarParts::count_in_word(const std::vector<Word>& neighbors, Word outside) {
+template <class Visit>
+void StarParts::for_each_part_in_word(const std::vector<Word>& neighbors, Word outside,
+                                      Visit visit) {
   Word left = ~Word{0} >> (word_size - neighbors.size());
-  std::size_t parts = 0;
-  for (; left != 0; ++parts) {
+  while (left != 0) {
     const Word first = left & -left;
     const Word side = left & ((outside & first) != 0 ? outside : ~outside);
     Word part = first;
@@ -56,51 +77,69 @@ std::size_t StarParts::count_in_word(const std::vector<Word>& neighbors, Word ou
       open = (open & (open - 1)) | reached;
     }
     left &= ~part;
+    visit(part);
   }
-  return parts;
 }
 
 // Many cells of a star are asked about before one of them changes sides.
 std::size_t StarParts::count_parts(SmallStar& star, Word outside) {
   if (star.parts == 0 || star.outside != outside) {
     star.outside = outside;
-    star.parts = count_in_word(star.neighbors, outside);
+    star.parts = 0;
+    for_each_part_in_word(star.neighbors, outside, [&](Word) { ++star.parts; });
   }
   return star.parts;
 }
 
 std::size_t StarParts::count(VertexId v) {
-  if (stars_.star(v).size() <= word_size) return count_parts(small_star(v), outside(v));
+  if (!is_large(v)) return count_parts(small_star(v), outside(v));
   std::size_t parts = 0;
-  for_each_part(v, [&](const std::vector<CellId>&) { ++parts; });
+  for_each_part_of_large(v, [&] { ++parts; });
   return parts;
 }
 
 std::vector<std::vector<CellId>> StarParts::list(VertexId v) {
+  const std::span<const CellId> star = stars_.star(v);
   std::vector<std::vector<CellId>> parts;
-  for_each_part(v, [&](const std::vector<CellId>& part) { parts.push_back(part); });
+  if (is_large(v)) {
+    for_each_part_of_large(v, [&] {
+      std::vector<CellId>& part = parts.emplace_back();
+      part.reserve(part_.size());
+      for (const std::uint32_t k : part_) part.push_back(star[k]);
+    });
+    return parts;
+  }
+  for_each_part_in_word(small_star(v).neighbors, outside(v), [&](Word word) {
+    std::vector<CellId>& part = parts.emplace_back();
+    part.reserve(static_cast<std::size_t>(std::popcount(word)));
+    for (Word left = word; left != 0; left &= left - 1) {
+      part.push_back(star[static_cast<std::size_t>(std::countr_zero(left))]);
+    }
+  });
   return parts;
 }
 
+// part_ is the part.
 template <class Visit>
-void StarParts::for_each_part(VertexId v, Visit visit) {
-  ++token_;
-  for (const CellId c : stars_.star(v)) {
-    if (stamp_[c] == token_) continue;
-    flood(v, c);
-    visit(part_);
+void StarParts::for_each_part_of_large(VertexId v, Visit visit) {
+  const LargeStar& links = large_star(v);
+  sides_.clear();
+  for (const CellId c : stars_.star(v)) sides_.push_back(out_[c]);
+  for (std::uint32_t k = 0; k < sides_.size(); ++k) {
+    if (sides_[k] == in_part) continue;
+    collect_part(links, k);
+    visit();
   }
 }
 
-void StarParts::flood(VertexId v, CellId first) {
+void StarParts::collect_part(const LargeStar& star, std::uint32_t first) {
+  const std::uint8_t side = sides_[first];
   part_.assign(1, first);
-  stamp_[first] = token_;
+  sides_[first] = in_part;
   for (std::size_t next = 0; next < part_.size(); ++next) {
-    const int opposite = index_of_vertex(triangulation_.cell(part_[next]), v);
-    for (int i = 0; i < 4; ++i) {
-      const CellId behind = triangulation_.neighbor(part_[next], i);
-      if (i == opposite || stamp_[behind] == token_ || out_[behind] != out_[first]) continue;
-      stamp_[behind] = token_;
+    for (const std::uint32_t behind : star[part_[next]]) {
+      if (sides_[behind] != side) continue;
+      sides_[behind] = in_part;
       part_.push_back(behind);
     }
   }

@@ -1,6 +1,7 @@
 // The parts into which a surface between two sides divides the cells around a vertex.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -24,6 +25,8 @@ class StarParts {
 
   // Complexity: O(star), with the star in one machine word if it has at most 64 cells.
   std::size_t count(VertexId v);
+  // More cells than that? O(1).
+  bool is_large(VertexId v) { return stars_.star(v).size() > word_size; }
   // Each in no particular order. O(star).
   std::vector<std::vector<CellId>> list(VertexId v);
 
@@ -36,23 +39,28 @@ class StarParts {
     Word outside = 0;             // the sides that were counted last
     std::size_t parts = 0;        // 0: none yet
   };
+  // Of a large one: the positions of the cells across facets at the vertex, of each cell.
+  using LargeStar = std::vector<std::array<std::uint32_t, 3>>;
   SmallStar& small_star(VertexId v);
+  const LargeStar& large_star(VertexId v);
   static std::size_t count_parts(SmallStar& star, Word outside);
   Word outside(VertexId v);
-  static std::size_t count_in_word(const std::vector<Word>& neighbors, Word outside);
   template <class Visit>
-  void for_each_part(VertexId v, Visit visit);
-  void flood(VertexId v, CellId first);
+  static void for_each_part_in_word(const std::vector<Word>& neighbors, Word outside, Visit visit);
+  template <class Visit>
+  void for_each_part_of_large(VertexId v, Visit visit);
+  void collect_part(const LargeStar& star, std::uint32_t first);
 
   const Triangulation& triangulation_;
   StarCache& stars_;
   const IdVector<CellId, std::uint8_t>& out_;
-  ZeroedArray<VertexId, std::uint32_t> place_;  // 1 + position in small_stars_
+  ZeroedArray<VertexId, std::uint32_t> place_;  // 1 + position in small_stars_ or large_stars_
   std::deque<SmallStar> small_stars_;
-  ZeroedArray<CellId, std::uint8_t> position_;  // in a star, while its links are found
-  ZeroedArray<CellId, std::uint32_t> stamp_;
-  std::uint32_t token_ = 0;
-  std::vector<CellId> part_;
+  std::deque<LargeStar> large_stars_;
+  ZeroedArray<CellId, std::uint32_t> position_;  // in a star, while its links are found
+  // Of the cells of the star that was asked about last: their sides, or that they are in a part.
+  std::vector<std::uint8_t> sides_;
+  std::vector<std::uint32_t> part_;  // positions
 };
 
 }  // namespace cocoon
