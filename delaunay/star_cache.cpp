@@ -19,13 +19,21 @@ std::span<const CellId> StarCache::star(VertexId v) {
   if (place_[v] == not_found) {
     place_[v] = static_cast<std::uint32_t>(stars_.size());
     stars_.push_back(collect(v));
-    expect(stars_.size());
+    cells_of_stars_ += stars_.back().size();
+    if (are_many(stars_.size()) || are_many_cells(cells_of_stars_)) {
+      all_ = vertex_stars(triangulation_);
+      return all_->star(v);
+    }
   }
   return stars_[place_[v]];
 }
 
 bool StarCache::are_many(std::size_t count) const {
   return 16 * count > triangulation_.num_vertices() + few;
+}
+
+bool StarCache::are_many_cells(std::size_t count) const {
+  return 8 * count > triangulation_.num_cells() + few;
 }
 
 bool StarCache::expect(std::size_t count) {
@@ -35,14 +43,17 @@ bool StarCache::expect(std::size_t count) {
 
 std::vector<CellId> StarCache::cells_at(std::span<const VertexId> vertices) {
   std::vector<CellId> cells;
-  if (!are_many(vertices.size())) {
-    for (const VertexId v : vertices) {
-      const std::span<const CellId> at_v = star(v);
-      cells.insert(cells.end(), at_v.begin(), at_v.end());
-    }
+  bool pass = are_many(vertices.size());
+  for (std::size_t k = 0; k < vertices.size() && !pass; ++k) {
+    const std::span<const CellId> at_v = star(vertices[k]);
+    cells.insert(cells.end(), at_v.begin(), at_v.end());
+    pass = are_many_cells(cells.size());
+  }
+  if (!pass) {
     make_set(cells);
     return cells;
   }
+  cells.clear();
   IdVector<VertexId, std::uint8_t> asked(triangulation_.num_vertices(), 0);
   for (const VertexId v : vertices) asked[v] = 1;
   for (const CellId c : triangulation_.cells()) {

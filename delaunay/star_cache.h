@@ -23,7 +23,8 @@ class StarCache {
 
   // All cells, finite and infinite, that have v as a vertex, in increasing order. Valid as long as
   // the object. O(star log star) the first time, then O(1). When a sixteenth of all stars (and
-  // some) has been asked for, all are listed: O(cells), once.
+  // some) has been asked for, or so many that they have an eighth as many cells as there are, all
+  // are listed: O(cells), once.
   std::span<const CellId> star(VertexId v);
 
   // All cells that have one of the vertices, increasing. Complexity: as their stars, or O(cells) if
@@ -38,6 +39,8 @@ class StarCache {
  private:
   // So many stars that a pass over the cells is the shorter way.
   bool are_many(std::size_t count) const;
+  // The same of their cells, counted at each vertex.
+  bool are_many_cells(std::size_t count) const;
   void find_first_cells();
   std::vector<CellId> collect(VertexId v);
 
@@ -45,6 +48,7 @@ class StarCache {
   IdVector<VertexId, CellId> first_cell_;
   IdVector<VertexId, std::uint32_t> place_;  // in stars_
   std::deque<std::vector<CellId>> stars_;
+  std::size_t cells_of_stars_ = 0;  // with multiplicity
   std::optional<VertexStars> all_;
   ZeroedArray<CellId, std::uint8_t> seen_;  // scratch, zero between questions
 };

@@ -1,6 +1,7 @@
 #include "delaunay/star_cache.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -48,6 +49,32 @@ TEST(StarCache, CellsAtFewOrManyVertices) {
     }
     EXPECT_EQ(StarCache(triangulation).cells_at(asked), expected);
   }
+}
+
+// Some points inside, far from the surface, have many of the cells: soon all stars are listed.
+TEST(StarCache, FewVerticesWithManyCells) {
+  std::vector<Point> points = gallery::bumpy_sphere(20000);
+  for (int k = 0; k < 800; ++k) points.push_back({std::cos(k) / 4, std::sin(k) / 4, 0.00025 * k});
+  const Triangulation triangulation = delaunay(points).triangulation;
+  std::vector<VertexId> inside;
+  std::vector<CellId> expected;
+  for (const VertexId v : triangulation.vertices()) {
+    if (squared_norm(triangulation.point(v)) < 0.25) inside.push_back(v);
+  }
+  ASSERT_EQ(inside.size(), 800U);
+  for (const CellId c : triangulation.cells()) {
+    const auto& vertices = triangulation.cell(c).vertices;
+    if (std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) {
+          return std::find(inside.begin(), inside.end(), v) != inside.end();
+        })) {
+      expected.push_back(c);
+    }
+  }
+  EXPECT_GT(8 * expected.size(), triangulation.num_cells() + 1024);
+  StarCache stars(triangulation);
+  EXPECT_FALSE(stars.expect(inside.size()));
+  EXPECT_EQ(stars.cells_at(inside), expected);
+  EXPECT_TRUE(stars.expect(inside.size()));
 }
 
 }  // namespace
