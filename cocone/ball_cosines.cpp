@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cocone/cell_order.h"
+#include "cocone/facet_cosines.h"
 #include "cocone/facet_normal.h"
 #include "delaunay/voronoi_dual.h"
 
@@ -22,18 +23,30 @@ ZeroedArray<CellId, Point> BallCosines::prepare(std::span<const CellId> cells,
   ZeroedArray<CellId, Point> centers(triangulation_.num_cells());
   parallel_chunks(execution, cells.size(), cells_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
-                    for_each_center(triangulation_, cells.subspan(begin, end - begin),
-                                    [&](CellId c, const Point& center) {
-                                      centers[c] = center;
-                                      compute(c, center);
-                                    });
+                    compute(cells.subspan(begin, end - begin),
+                            [&](CellId c, const Point& center) { centers[c] = center; });
                   });
   return centers;
 }
 
 BallCosines::Known BallCosines::ask(CellId c) {
-  compute(c, voronoi_vertex(triangulation_, c));
+  compute(std::span(&c, 1), [](CellId, const Point&) {});
   return known_[c];
+}
+
+// Tells the centers, too.
+template <class Visit>
+void BallCosines::compute(std::span<const CellId> cells, Visit visit) {
+  FacetCosines found;
+  for_each_block(triangulation_, cells, [&](std::span<const CellId> finite, CellBlock& block) {
+    facet_cosines(block, flat_ratio_, found);
+    for (std::size_t k = 0; k < finite.size(); ++k) {
+      const CellId c = finite[k];
+      for (std::size_t j = 0; j < 4; ++j) cosines_[c][j] = found.at(k, j);
+      known_[c] = found.flat[k] != 0 ? Known::flat : Known::cosines;
+      visit(c, block.center(k));
+    }
+  });
 }
 
 double BallCosines::contact(FacetId f) {
@@ -42,45 +55,6 @@ double BallCosines::contact(FacetId f) {
   const double psi = of(triangulation_.mirror(f));
   const double sines = std::sqrt((1 - phi * phi) * (1 - psi * psi));
   return sines - phi * psi;
-}
-
-void BallCosines::compute(CellId c, const Point& center) {
-  struct Corner {
-    Point point;
-    std::size_t index;
-  };
-  std::array<Corner, 4> corners;
-  for (std::size_t i = 0; i < 4; ++i) {
-    corners[i] = {triangulation_.point(triangulation_.cell(c).vertices[i]), i};
-  }
-  const auto order = [&](std::size_t i, std::size_t j) {
-    if (corners[j].point < corners[i].point) std::swap(corners[i], corners[j]);
-  };
-  order(0, 1);
-  order(2, 3);
-  order(0, 2);
-  order(1, 3);
-  order(1, 2);
-  const double radius = norm(center - corners[0].point);
-  std::array<double, 4>& cosines = cosines_[c];
-  double largest = 0;                    // twice the area of a facet
-  double volume = 0;                     // six times that of the cell
-  for (std::size_t k = 0; k < 4; ++k) {  // the facet opposite the k-th corner
-    const Point& p = corners[k < 1 ? 1 : 0].point;
-    const Vec3 normal = cross(corners[k < 2 ? 2 : 1].point - p, corners[k < 3 ? 3 : 2].point - p);
-    const double area = norm(normal);
-    const double height = dot(normal, corners[k].point - p);
-    if (area > largest) {
-      largest = area;
-      volume = std::abs(height);
-    }
-    const double lengths = area * radius;
-    if (!(lengths > 0) || !std::isfinite(lengths)) continue;
-    const double cosine = dot(normal, center - p) / lengths;
-    cosines[corners[k].index] = std::clamp(height > 0 ? cosine : -cosine, -1.0, 1.0);
-  }
-  const bool flat = flat_ratio_ > 0 && volume <= flat_ratio_ * largest * std::sqrt(largest);
-  known_[c] = flat ? Known::flat : Known::cosines;
 }
 
 // For whom enters the flat cell of f by f.

@@ -71,7 +71,8 @@ class BallCosines {
     return now != Known::nothing ? now : ask(c);
   }
   Known ask(CellId c);
-  void compute(CellId c, const Point& center);
+  template <class Visit>
+  void compute(std::span<const CellId> cells, Visit visit);
   void look_through(CellId c);
   double cosine_through(FacetId f);
   CellId through(FacetId f);

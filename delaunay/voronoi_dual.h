@@ -69,11 +69,11 @@ void load_cells(const Triangulation& triangulation, const Dual& dual, std::span<
 void load_cells(const Triangulation& triangulation, std::span<const CellId> cells,
                 CellBlock& block);
 
-// Calls visit(c, its Voronoi vertex) for the finite ones of some cells, in their order.
-// Complexity: O(cells).
+// Calls visit(cells, their block) for the finite ones of some cells, a few at a time, in their
+// order. Complexity: O(cells).
 template <class Visit>
-void for_each_center(const Triangulation& triangulation, std::span<const CellId> cells,
-                     Visit visit) {
+void for_each_block(const Triangulation& triangulation, std::span<const CellId> cells,
+                    Visit visit) {
   CellBlock block;
   std::array<CellId, max_block_cells> finite;
   for (std::size_t next = 0; next < cells.size();) {
@@ -83,7 +83,7 @@ void for_each_center(const Triangulation& triangulation, std::span<const CellId>
     }
     if (count == 0) return;
     load_cells(triangulation, std::span(finite).first(count), block);
-    for (std::size_t k = 0; k < count; ++k) visit(finite[k], block.center(k));
+    visit(std::span<const CellId>(finite).first(count), block);
   }
 }
 

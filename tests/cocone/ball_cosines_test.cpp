@@ -1,11 +1,14 @@
 #include "cocone/ball_cosines.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 #include <numbers>
 #include <vector>
 
+#include "cocone/cell_order.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/voronoi_dual.h"
 #include "tests/gallery.h"
@@ -35,6 +38,29 @@ TEST(BallCosines, AreTheHeightsOfTheCentersOverTheRadii) {
   for_each_finite_facet(
       t, [&](FacetId f) { EXPECT_NEAR(cosines.of(f), cosine_by_definition(t, f), 1e-7); });
   for (const CellId c : t.infinite_cells()) EXPECT_EQ(cosines.of(facet_id(c, 3)), 1);
+}
+
+// The same expressions one by one, on corners in lexicographic order.
+double plain_cosine(const Triangulation& t, FacetId f) {
+  std::array<Point, 3> p = sorted_corners(t, f);
+  const CellId c = cell_of(f);
+  const Point center = voronoi_vertex(t, c);
+  const double radius = norm(center - sorted_corners(t, c)[0]);
+  const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);
+  const double lengths = norm(normal) * radius;
+  if (!(lengths > 0) || !std::isfinite(lengths)) return 0;
+  const double cosine = dot(normal, center - p[0]) / lengths;
+  const double height = dot(normal, t.point(t.vertex(c, index_of(f))) - p[0]);
+  return std::clamp(height > 0 ? cosine : -cosine, -1.0, 1.0);
+}
+
+TEST(BallCosines, ManyAtOnceAreTheSameBitForBit) {
+  for (const auto& points : {gallery::uniform_cube(700), gallery::integer_grid(5),
+                             gallery::bumpy_sphere(700), gallery::even_sphere(300)}) {
+    const Triangulation t = delaunay(points).triangulation;
+    BallCosines cosines(t);
+    for_each_finite_facet(t, [&](FacetId f) { EXPECT_EQ(cosines.of(f), plain_cosine(t, f)); });
+  }
 }
 
 // The angle at which two balls meet is that between their radii to a common sample.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "geom/circumsphere.h"
@@ -144,9 +145,11 @@ TEST(VoronoiDual, CellsOneByOne) {
     std::vector<CellId> some;
     for (std::size_t c = triangulation.num_cells(); c >= 3; c -= 3) some.push_back(CellId(c - 1));
     std::vector<CellId> met;
-    for_each_center(triangulation, some, [&](CellId c, const Point& center) {
-      met.push_back(c);
-      EXPECT_EQ(center, dual.centers[c]);
+    for_each_block(triangulation, some, [&](std::span<const CellId> cells, CellBlock& block) {
+      for (std::size_t k = 0; k < cells.size(); ++k) {
+        met.push_back(cells[k]);
+        EXPECT_EQ(block.center(k), dual.centers[cells[k]]);
+      }
     });
     std::erase_if(some, [&](CellId c) { return triangulation.is_infinite(c); });
     EXPECT_EQ(met, some);

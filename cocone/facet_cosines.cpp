@@ -1,0 +1,148 @@
+#include "cocone/facet_cosines.h"
+
+#include <limits>
+
+// Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cocone/facet_cosines.cpp"
+#include <hwy/foreach_target.h>
+// clang-format off: must come after foreach_target.h
+#include <hwy/highway.h>
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+namespace cocoon::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::CappedTag<double, circumcenter_batch_size>;
+using Vector = hn::Vec<Lanes>;
+using Mask = hn::Mask<Lanes>;
+
+struct Vectors {
+  Vector x, y, z;
+};
+
+HWY_INLINE Vectors load(const BatchOfPoints& points, std::size_t first) {
+  const Lanes d;
+  return {hn::Load(d, &points[0][first]), hn::Load(d, &points[1][first]),
+          hn::Load(d, &points[2][first])};
+}
+HWY_INLINE Vectors minus(const Vectors& a, const Vectors& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+// These round as their namesakes of geom/point.h.
+HWY_INLINE Vector dot(const Vectors& a, const Vectors& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+HWY_INLINE Vectors cross(const Vectors& a, const Vectors& b) {
+  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
+          hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+HWY_INLINE Vector norm(const Vectors& a) { return hn::Sqrt(dot(a, a)); }
+
+HWY_INLINE Mask precedes(const Vectors& a, const Vectors& b) {
+  const Mask by_z = hn::And(hn::Eq(a.y, b.y), hn::Lt(a.z, b.z));
+  const Mask by_y = hn::And(hn::Eq(a.x, b.x), hn::Or(hn::Lt(a.y, b.y), by_z));
+  return hn::Or(hn::Lt(a.x, b.x), by_y);
+}
+HWY_INLINE void swap_if(Mask mask, Vector& a, Vector& b) {
+  const Vector before = a;
+  a = hn::IfThenElse(mask, b, a);
+  b = hn::IfThenElse(mask, before, b);
+}
+// Puts two points in lexicographic order; where they were not.
+HWY_INLINE Mask order(Vectors& a, Vectors& b) {
+  const Mask swapped = precedes(b, a);
+  swap_if(swapped, a.x, b.x);
+  swap_if(swapped, a.y, b.y);
+  swap_if(swapped, a.z, b.z);
+  return swapped;
+}
+
+// The corners of the facet opposite to the k-th of four.
+constexpr std::size_t corners_off[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
+
+// The angles at the facets of some cells, in the order of their corners; which cells are flat.
+struct Angles {
+  Vector opposite[4];
+  Mask flat;
+};
+HWY_INLINE Angles angles_of(const Vectors& center, const Vectors (&corners)[4], double flat_ratio) {
+  const Lanes d;
+  const Vector zero = hn::Zero(d);
+  const Vector one = hn::Set(d, 1.0);
+  const Vector infinity = hn::Set(d, std::numeric_limits<double>::infinity());
+  const Vector radius = norm(minus(center, corners[0]));
+  Angles angles;
+  Vector largest = zero;  // twice the area of a facet
+  Vector volume = zero;   // six times that of the cell
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vectors& p = corners[corners_off[k][0]];
+    const Vectors normal =
+        cross(minus(corners[corners_off[k][1]], p), minus(corners[corners_off[k][2]], p));
+    const Vector area = norm(normal);
+    const Vector height = dot(normal, minus(corners[k], p));
+    const Mask larger = hn::Gt(area, largest);
+    largest = hn::IfThenElse(larger, area, largest);
+    volume = hn::IfThenElse(larger, hn::Abs(height), volume);
+    const Vector lengths = hn::Mul(area, radius);
+    const Mask known = hn::And(hn::Gt(lengths, zero), hn::Lt(lengths, infinity));
+    const Vector cosine = hn::Div(dot(normal, minus(center, p)), lengths);
+    const Vector inward = hn::IfThenElse(hn::Gt(height, zero), cosine, hn::Neg(cosine));
+    const Vector most = hn::IfThenElse(hn::Gt(inward, one), one, inward);
+    const Vector least = hn::IfThenElse(hn::Lt(most, hn::Neg(one)), hn::Neg(one), most);
+    angles.opposite[k] = hn::IfThenElseZero(known, least);
+  }
+  const Vector ratio = hn::Set(d, flat_ratio);
+  const Vector limit = hn::Mul(hn::Mul(ratio, largest), hn::Sqrt(largest));
+  angles.flat = hn::And(hn::Gt(ratio, zero), hn::Le(volume, limit));
+  return angles;
+}
+
+void cosines_of_batches(const CellBlock& block, double flat_ratio, FacetCosines& result) {
+  const Lanes d;
+  for (std::size_t b = 0; b < block.used().size(); ++b) {
+    const CircumcenterBatch& batch = block.batches[b];
+    for (std::size_t first = 0; first < circumcenter_batch_size; first += hn::Lanes(d)) {
+      Vectors p[4] = {load(batch.corners[0], first), load(batch.corners[1], first),
+                      load(batch.corners[2], first), load(batch.corners[3], first)};
+      const Mask swapped_01 = order(p[0], p[1]);
+      const Mask swapped_23 = order(p[2], p[3]);
+      const Mask swapped_02 = order(p[0], p[2]);
+      const Mask swapped_13 = order(p[1], p[3]);
+      const Mask swapped_12 = order(p[1], p[2]);
+      Angles angles = angles_of(load(batch.centers, first), p, flat_ratio);
+      Vector* const at = angles.opposite;  // back to the places of the corners
+      swap_if(swapped_12, at[1], at[2]);
+      swap_if(swapped_13, at[1], at[3]);
+      swap_if(swapped_02, at[0], at[2]);
+      swap_if(swapped_23, at[2], at[3]);
+      swap_if(swapped_01, at[0], at[1]);
+      for (std::size_t k = 0; k < 4; ++k) hn::Store(at[k], d, &result.cosines[b][k][first]);
+      std::uint8_t bits[8];  // StoreMaskBits may write this many
+      hn::StoreMaskBits(d, angles.flat, bits);
+      for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
+        result.flat[b * circumcenter_batch_size + first + i] =
+            static_cast<std::uint8_t>((bits[0] >> i) & 1U);
+      }
+    }
+  }
+}
+
+}  // namespace cocoon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace cocoon {
+
+HWY_EXPORT(cosines_of_batches);
+
+void facet_cosines(const CellBlock& block, double flat_ratio, FacetCosines& result) {
+  HWY_DYNAMIC_DISPATCH(cosines_of_batches)(block, flat_ratio, result);
+}
+
+}  // namespace cocoon
+
+#endif  // HWY_ONCE
