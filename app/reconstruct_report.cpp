@@ -45,6 +45,7 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("cavities", c.cavities.cavities);
   set("cavity_cells", c.cavities.cells);
   set("clean_up/undecided_cells", c.clean_up.undecided_cells);
+  set("clean_up/thin_cells", c.clean_up.thin_cells);
   set("clean_up/left_cells", c.clean_up.left_cells);
   set("clean_up/flat_cells", c.clean_up.flat_cells);
   set("clean_up/relabeled_cells", c.clean_up.relabeled_cells);

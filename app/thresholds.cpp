@@ -25,15 +25,17 @@ constexpr std::array<Threshold, 3> of_marking{{
      angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
 }};
 
-constexpr std::array<Threshold, 21> of_clean_up{{
+constexpr std::array<Threshold, 22> of_clean_up{{
     {"most-clump-cells", "Clean-up: more undecided cells together are left as they are", 0, 4e9,
      whole, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_cells; }},
     {"most-clump-share", "Clean-up: but not if they are at most this share of all cells", 0, 1,
      number, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_share; }},
     {"flat-ratio", "Clean-up: cells flatter than this share of their size are looked through", 0, 1,
      number, tight, [](Options& o) -> Field { return &o.surface.clean_up.flat_ratio; }},
-    {"decided-rings", "Clean-up: rings of decided cells that the cut may label anew", 0, 100, whole,
-     tight, [](Options& o) -> Field { return &o.surface.clean_up.decided_rings; }},
+    {"thin-support", "Clean-up: good vertices of cells that doubt spreads to", 0, 3, whole, tight,
+     [](Options& o) -> Field { return &o.surface.clean_up.thin_support; }},
+    {"mark-credit", "Clean-up: weight of their labels as evidence", 0, 1, number, tight,
+     [](Options& o) -> Field { return &o.surface.clean_up.mark_credit; }},
     {"evidence-weight", "Clean-up: evidence of the poles against a cell's label", 0, 1000, number,
      tight, [](Options& o) -> Field { return &o.surface.clean_up.evidence_weight; }},
     {"stretch-cost", "Clean-up: a facet much longer than its samples lie apart", 0, 1000, number,

@@ -41,11 +41,13 @@ class CleanUp {
         cosines_(triangulation, options.flat_ratio),
         spacings_(triangulation, stars_),
         energy_(triangulation, cosines_, stars_, spacings_, marks.labels, options, out_),
-        region_(find_doubtful_region(triangulation, marks, stars_, most_clump_cells())),
+        region_(find_doubtful_region(triangulation, marks, stars_, most_clump_cells(),
+                                     options.thin_support)),
         side_split_(triangulation, out_),
         best_move_(triangulation, stars_, out_, energy_, side_split_),
         compound_move_(triangulation, region_, energy_, best_move_, options) {
     counters_.undecided_cells = region_.undecided.size();
+    counters_.thin_cells = region_.thin_cells;
     counters_.left_cells = region_.left_cells;
     for (const CellId c : region_.undecided) {
       for (const VertexId v : triangulation.cell(c).vertices) energy_.want(v);
@@ -54,17 +56,16 @@ class CleanUp {
 
   CleanUpCounters run() {
     if (region_.vertices.empty()) return counters_;
-    std::vector<CellId> free = free_cells();
     ZeroedArray<CellId, Point> centers;
-    if (!free.empty()) {  // else hardly anything will be asked
+    if (!region_.undecided.empty()) {  // else hardly anything will be asked
       centers = cosines_.prepare(region_.cells, execution_);
-      spacings_.prepare(samples_of(free), execution_);
+      spacings_.prepare(samples_of(region_.undecided), execution_);
     }
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     count(counters_.defects_before, counters_.unused_before);
     leave_out_outliers();
     set_preferences(std::move(centers));
-    cut(std::move(free));
+    cut(region_.undecided);
     fill_cavities();
     extend_region(triangulation_, stars_, touched_, region_);
     touched_.clear();
@@ -113,23 +114,9 @@ class CleanUp {
     return samples;
   }
 
-  // The cells that take part in the cut, in the order of memory: the undecided ones and, at a
-  // price, decided ones around them.
-  std::vector<CellId> free_cells() {
-    std::vector<CellId> cells = region_.undecided;
-    if (cells.empty()) return cells;
-    for (int ring = 0; ring < options_.decided_rings; ++ring) {
-      cells = stars_.cells_at(samples_of(cells));
-      std::erase_if(cells, [&](CellId c) {
-        return triangulation_.is_infinite(c) || is_left(triangulation_, marks_, region_, c);
-      });
-    }
-    return cells;
-  }
-
   void set_preferences(ZeroedArray<CellId, Point> centers) {
-    const ZeroedArray<CellId, SideEvidence> evidence =
-        side_evidence(triangulation_, cosines_, centers, poles_, marks_, region_);
+    const ZeroedArray<CellId, SideEvidence> evidence = side_evidence(
+        triangulation_, cosines_, centers, poles_, marks_, region_, options_.mark_credit);
     for (const CellId c : region_.undecided) {
       const double margin = static_cast<double>(evidence[c].in) - evidence[c].out;
       energy_.set_preference(c, to_energy(options_.evidence_weight * margin));
@@ -410,20 +397,15 @@ class CleanUp {
   // Flat cells come along with others: alone they change no shape, only who is idle.
   bool is_body(CellId c) { return !triangulation_.is_infinite(c) && !cosines_.is_flat(c); }
 
-  bool has_left_vertex(CellId c) const {
-    const auto& vertices = triangulation_.cell(c).vertices;
-    return std::any_of(vertices.begin(), vertices.end(),
-                       [&](VertexId v) { return region_.is_left(v); });
-  }
-
   // Parts of the body whose samples and facets are not worth a part of its own.
   bool drop_components() {
     const Energy gain = to_energy(options_.component_cost);
     bool dropped = false;
     for (const std::vector<CellId>& part :
          small_parts(triangulation_, out_, region_.cells, options_.most_cluster_cells)) {
-      const bool is_left =
-          std::any_of(part.begin(), part.end(), [&](CellId c) { return has_left_vertex(c); });
+      const bool is_left = std::any_of(part.begin(), part.end(), [&](CellId c) {
+        return has_left_vertex(triangulation_, region_, c);
+      });
       if (is_left || energy_.change(part) >= gain) continue;
       flip(part);
       ++counters_.dropped_components;

@@ -15,14 +15,16 @@
 // phi, psi: angles between the facet and the circumballs on its two sides: 0 where both balls are
 // large, as across a well sampled surface. length, spacing: longest edge of a facet, largest
 // spacing of its samples (sample_spacing.h, by three edges). A cell is undecided if none of its
-// vertices is good (a poor cell of the peel). The evidence comes from the poles (side_evidence.h).
+// vertices is good (a poor cell of the peel), or if at most thin_support are and it hangs together
+// with such cells, or labels are in conflict there (doubtful_region.h). The evidence comes from the
+// poles (side_evidence.h).
 //
-//  1. Cut. The first four terms are minimized over all labelings of the undecided cells and of the
-//     decided ones within decided_rings of them, the others held fixed: a minimum cut, so a global
-//     optimum; of several the one with most IN cells. Flat cells (ball_cosines.h) are no part of
-//     that: other cells meet through them, each of their facets counting half, and they are OUT if
-//     one of their sides is. OUT cells that infinity cannot reach through OUT cells are then
-//     filled, as in the peel.
+//  1. Cut. The first three terms are minimized over all labelings of the undecided cells, the
+//  others
+//     held fixed as marked: a minimum cut, so a global optimum; of several the one with most IN
+//     cells. Flat cells (ball_cosines.h) are no part of that: other cells meet through them, each
+//     of their facets counting half, and they are OUT if one of their sides is. OUT cells that
+//     infinity cannot reach through OUT cells are then filled, as in the peel.
 //  2. Moves. At a defect or an unused sample single cells, pairs, and parts of stars change sides
 //     where that lowers E, unless they would found a new part of the body or a cavity, or what they
 //     leave would fall apart.
@@ -62,7 +64,7 @@ struct CleanUpOptions {
   double stretch_cost = 3;
   double stretch_ratio = 6;  // longer than so many spacings; below, thin walls lose samples
   // A facet costs 1 at most if the balls lie on its two sides: 2.5 overrules most surfaces. Above,
-  // noisy layers get handles; below 1.5 holes of thin plates stay filled.
+  // noisy layers get handles; below 2 holes of thin plates stay filled.
   double evidence_weight = 2.5;
   // Below 0.4 well sampled thin parts shrink; above 1 wrong marks of bad samples stay.
   double mark_weight = 0.5;
@@ -70,14 +72,20 @@ struct CleanUpOptions {
   // samples in one plane, up to the rounding of single precision. Their balls say nothing
   // (ball_cosines.h).
   double flat_ratio = 2e-6;
-  int decided_rings = 1;  // 0: decided cells are not relabeled by the cut
+  // Cells with at most so many good vertices are undecided where they hang together with cells that
+  // have none: there, good vertices are often wrong. 3: flat faces whose rims alone are sampled get
+  // handles; 0: samples beside those in doubt are left out, and edges are cut off.
+  int thin_support = 2;
+  // What the label of such a cell weighs as evidence. Below, thin walls get handles; above, edges
+  // are cut off.
+  double mark_credit = 0.75;
   double defect_cost = 16;
   double unused_cost = 8;  // a tent over one triangle costs less than 6
   // A sample that the peel left out is not missed if its spacing exceeds this many times the median
   // of its neighbors' (sample_spacing.h, by three edges): it would become a spike.
   double outlier_ratio = 3;
-  double handle_cost = 16;
-  double idle_cost = 8;  // as much as if they were not on the surface; 0: no clusters
+  double handle_cost = 32;  // below 24 thin walls get handles
+  double idle_cost = 8;     // as much as if they were not on the surface; 0: no clusters
   IdleOptions idle = {};
   double deep_cosine = 0.9;  // of a cluster: below, walls of thick plates are crossed
   // Then of closer clusters, at samples that are still idle: above, a hole is several.
@@ -94,6 +102,7 @@ struct CleanUpOptions {
 
 struct CleanUpCounters {
   std::size_t undecided_cells = 0;
+  std::size_t thin_cells = 0;       // of those: with a good vertex
   std::size_t left_cells = 0;       // undecided, too, but in clumps that are too large
   std::size_t flat_cells = 0;       // among those that the cut labels
   std::size_t relabeled_cells = 0;  // by the cut, against the peel

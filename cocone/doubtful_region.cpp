@@ -7,8 +7,8 @@
 namespace cocoon {
 namespace {
 
-std::vector<CellId> undecided_cells(const Triangulation& triangulation, const CellMarks& marks,
-                                    StarCache& stars) {
+std::vector<CellId> poor_cells(const Triangulation& triangulation, const CellMarks& marks,
+                               StarCache& stars) {
   std::vector<VertexId> poor;
   for (const VertexId v : triangulation.vertices()) {
     if (marks.good[v] == 0) poor.push_back(v);
@@ -59,6 +59,45 @@ void leave_large_clumps(const Triangulation& triangulation, std::size_t most_cel
   region.undecided = std::move(kept);
 }
 
+int num_good(const Triangulation& triangulation, const CellMarks& marks, CellId c) {
+  const auto& [v0, v1, v2, v3] = triangulation.cell(c).vertices;
+  return marks.good[v0] + marks.good[v1] + marks.good[v2] + marks.good[v3];
+}
+
+// Good vertices whose labels contradict the surface.
+std::vector<VertexId> contradicted_vertices(const Triangulation& triangulation,
+                                            const CellMarks& marks) {
+  std::vector<VertexId> vertices;
+  if (marks.conflicts == 0) return vertices;
+  for (const VertexId v : triangulation.vertices()) {
+    if (marks.contradicted[v] != 0) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+// Takes in the thin cells at these vertices and those that hang together with undecided ones, but
+// for those at what is left.
+void add_thin_cells(const Triangulation& triangulation, const CellMarks& marks, StarCache& stars,
+                    std::span<const VertexId> at, int thin_support, DoubtfulRegion& region) {
+  std::vector<CellId>& cells = region.undecided;
+  const std::size_t poor = cells.size();
+  ZeroedArray<CellId, std::uint8_t> is_met(triangulation.num_cells());
+  for (const CellId c : cells) is_met[c] = 1;
+  const auto meet = [&](CellId c) {
+    if (is_met[c] != 0 || triangulation.is_infinite(c)) return;
+    is_met[c] = 1;
+    const int good = num_good(triangulation, marks, c);
+    if (good == 0 || good > thin_support || has_left_vertex(triangulation, region, c)) return;
+    cells.push_back(c);
+  };
+  for (const CellId c : stars.cells_at(at)) meet(c);
+  for (std::size_t next = 0; next < cells.size(); ++next) {
+    for (int i = 0; i < 4; ++i) meet(triangulation.neighbor(cells[next], i));
+  }
+  region.thin_cells = cells.size() - poor;
+  std::sort(cells.begin(), cells.end());
+}
+
 // In lexicographic order, from the first of these on; those before it are.
 void sort_by_place(const Triangulation& triangulation, std::size_t first,
                    std::vector<VertexId>& vertices) {
@@ -87,10 +126,14 @@ void rank_vertices(DoubtfulRegion& region) {
 
 std::vector<VertexId> doubtful_vertices(const Triangulation& triangulation, const CellMarks& marks,
                                         const DoubtfulRegion& region) {
+  VertexSet is_corner(triangulation.num_vertices(), 0);  // of an undecided cell
+  for (const CellId c : region.undecided) {
+    for (const VertexId v : triangulation.cell(c).vertices) is_corner[v] = 1;
+  }
   std::vector<VertexId> vertices;
   for (const VertexId v : triangulation.vertices()) {
-    const bool doubtful =
-        marks.good[v] == 0 || (marks.conflicts != 0 && marks.contradicted[v] != 0);
+    const bool doubtful = marks.good[v] == 0 || is_corner[v] != 0 ||
+                          (marks.conflicts != 0 && marks.contradicted[v] != 0);
     if (doubtful && !region.is_left(v)) vertices.push_back(v);
   }
   sort_by_place(triangulation, 0, vertices);
@@ -100,10 +143,14 @@ std::vector<VertexId> doubtful_vertices(const Triangulation& triangulation, cons
 }  // namespace
 
 DoubtfulRegion find_doubtful_region(const Triangulation& triangulation, const CellMarks& marks,
-                                    StarCache& stars, std::size_t most_cells) {
+                                    StarCache& stars, std::size_t most_cells, int thin_support) {
   DoubtfulRegion region;
-  region.undecided = undecided_cells(triangulation, marks, stars);
+  region.undecided = poor_cells(triangulation, marks, stars);
   if (region.undecided.size() > most_cells) leave_large_clumps(triangulation, most_cells, region);
+  const std::vector<VertexId> contradicted = contradicted_vertices(triangulation, marks);
+  if (thin_support > 0 && region.undecided.size() + contradicted.size() > 0) {
+    add_thin_cells(triangulation, marks, stars, contradicted, thin_support, region);
+  }
   region.vertices = doubtful_vertices(triangulation, marks, region);
   region.rank = ZeroedArray<VertexId, std::uint32_t>(triangulation.num_vertices());
   rank_vertices(region);
@@ -129,10 +176,10 @@ void extend_region(const Triangulation& triangulation, StarCache& stars,
   rank_vertices(region);
 }
 
-bool is_left(const Triangulation& triangulation, const CellMarks& marks,
-             const DoubtfulRegion& region, CellId c) {
-  return region.left_cells != 0 && is_poor(triangulation, marks, c) &&
-         !std::binary_search(region.undecided.begin(), region.undecided.end(), c);
+bool has_left_vertex(const Triangulation& triangulation, const DoubtfulRegion& region, CellId c) {
+  const auto& vertices = triangulation.cell(c).vertices;
+  return std::any_of(vertices.begin(), vertices.end(),
+                     [&](VertexId v) { return region.is_left(v); });
 }
 
 }  // namespace cocoon

@@ -40,7 +40,7 @@ class Propagation {
  public:
   Propagation(const Triangulation& triangulation, BallCosines& cosines,
               const ZeroedArray<CellId, Point>& centers, const Poles& poles, const CellMarks& marks,
-              const DoubtfulRegion& region)
+              const DoubtfulRegion& region, double mark_credit)
       : triangulation_(triangulation),
         cosines_(cosines),
         poles_(poles),
@@ -54,6 +54,7 @@ class Propagation {
     find_domain();
     find_poles();
     settle_known();
+    credit_marks(marks, mark_credit);
   }
 
   ZeroedArray<CellId, SideEvidence> run() {
@@ -185,6 +186,7 @@ class Propagation {
   }
 
   bool is_out(CellId c) const { return labels_[c] == CellLabel::out; }
+
   // What the known cells tell the undecided ones, these being asked: few of the others are beside
   // one, or are opposite poles.
   void settle_known() {
@@ -212,6 +214,20 @@ class Propagation {
         for_asked_vertices(cell_of(behind), [&](VertexId) { in_domain = true; });
         if (in_domain && nodes_[cell_of(behind)].state == settled) hear_from(behind);
       }
+    }
+  }
+
+  // What few good vertices say of a thin cell, if their labels are not in conflict.
+  void credit_marks(const CellMarks& marks, double mark_credit) {
+    if (region_.thin_cells == 0) return;
+    const auto is_contradicted = [&](VertexId v) {
+      return marks.conflicts != 0 && marks.contradicted[v] != 0;
+    };
+    for (const CellId c : region_.undecided) {
+      const auto& vertices = triangulation_.cell(c).vertices;
+      if (cosines_.is_flat(c) || is_poor(triangulation_, marks, c)) continue;
+      if (std::any_of(vertices.begin(), vertices.end(), is_contradicted)) continue;
+      raise(c, is_out(c), mark_credit);
     }
   }
 
@@ -310,11 +326,11 @@ ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulati
                                                 BallCosines& cosines,
                                                 const ZeroedArray<CellId, Point>& centers,
                                                 const Poles& poles, const CellMarks& marks,
-                                                const DoubtfulRegion& region) {
+                                                const DoubtfulRegion& region, double mark_credit) {
   if (region.undecided.empty()) {
     return ZeroedArray<CellId, SideEvidence>(triangulation.num_cells());
   }
-  return Propagation(triangulation, cosines, centers, poles, marks, region).run();
+  return Propagation(triangulation, cosines, centers, poles, marks, region, mark_credit).run();
 }
 
 }  // namespace cocoon

@@ -9,7 +9,9 @@
 //                         -cos(angle c s d)
 //
 // Flat cells (ball_cosines.h) have no say and are no poles; balls meet through them.
-// Infinity is OUT and cells with a good vertex have the side of their label, both with weight 1.
+// Infinity is OUT and decided cells have the side of their label, both with weight 1. Thin cells
+// (doubtful_region.h) have that of theirs with weight mark_credit, but none at vertices where
+// labels are in conflict: good vertices are not always right there.
 #pragma once
 
 #include "cocone/ball_cosines.h"
@@ -40,6 +42,6 @@ ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulati
                                                 BallCosines& cosines,
                                                 const ZeroedArray<CellId, Point>& centers,
                                                 const Poles& poles, const CellMarks& marks,
-                                                const DoubtfulRegion& region);
+                                                const DoubtfulRegion& region, double mark_credit);
 
 }  // namespace cocoon

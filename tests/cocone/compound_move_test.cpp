@@ -67,7 +67,7 @@ TEST(CompoundMove, LowersTheEnergyWhereNoSingleMoveDoes) {
 
 // Neither the limit of the rise nor the number of trials is passed.
 TEST(CompoundMove, TriesOnlyWhatItMay) {
-  Labeling labeling(shapes::random_cube(120, 5), 13, 0.5);
+  Labeling labeling(shapes::random_cube(120, 5), 3, 0.5);
   labeling.options.max_rise = 0;
   Mover level(labeling);
   labeling.options = {};

@@ -36,6 +36,60 @@ TEST(DoubtfulRegion, HasTheCellsAtItsVertices) {
   }
 }
 
+// From poor cells and from contradicted vertices, through cells with few good vertices, not beyond.
+TEST(DoubtfulRegion, SpreadsThroughThinCells) {
+  const Triangulation t = delaunay(gallery::bumpy_sphere(5000)).triangulation;
+  CellMarks marks;
+  marks.good = VertexSet(t.num_vertices(), 1);
+  marks.contradicted = VertexSet(t.num_vertices(), 0);
+  marks.conflicts = 1;
+  for (const VertexId v : t.vertices()) {
+    if (v.value % 800 < 20 || v.value % 9 == 0) marks.good[v] = 0;
+    if (v.value % 700 == 1) marks.contradicted[v] = 1;
+  }
+  StarCache stars(t);
+  const DoubtfulRegion poor = find_doubtful_region(t, marks, stars);
+  for (const int thin_support : {1, 2, 3}) {
+    const auto is_thin = [&](CellId c) {
+      int good = 0;
+      for (const VertexId v : t.cell(c).vertices) good += v != infinite_vertex && marks.good[v];
+      return !t.is_infinite(c) && good > 0 && good <= thin_support;
+    };
+    IdVector<CellId, std::uint8_t> expected(t.num_cells(), 0);
+    for (const CellId c : poor.undecided) expected[c] = 1;
+    for (const CellId c : t.finite_cells()) {
+      for (const VertexId v : t.cell(c).vertices) {
+        if (marks.contradicted[v] != 0 && is_thin(c)) expected[c] = 1;
+      }
+    }
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const CellId c : t.finite_cells()) {
+        for (int i = 0; i < 4; ++i) {
+          if (expected[c] != 0 || !is_thin(c) || expected[t.neighbor(c, i)] == 0) continue;
+          expected[c] = 1;
+          changed = true;
+        }
+      }
+    }
+    std::vector<CellId> undecided;
+    std::size_t thin = 0;
+    for (const CellId c : t.finite_cells()) {
+      if (expected[c] != 0) undecided.push_back(c);
+      thin += is_thin(c) ? 1U : 0U;
+    }
+    const DoubtfulRegion region =
+        find_doubtful_region(t, marks, stars, t.num_cells(), thin_support);
+    EXPECT_EQ(region.undecided, undecided);
+    EXPECT_EQ(region.thin_cells, undecided.size() - poor.undecided.size());
+    EXPECT_GT(region.thin_cells, 0U);
+    EXPECT_LT(region.thin_cells, thin);
+    for (const CellId c : undecided) {
+      for (const VertexId v : t.cell(c).vertices) EXPECT_TRUE(region.contains(v));
+    }
+  }
+}
+
 // Where nobody is good, all cells are undecided.
 TEST(DoubtfulRegion, LeavesLargeClumpsOnly) {
   std::vector<Point> points = gallery::uniform_cube(300, 1);
