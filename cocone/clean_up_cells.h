@@ -83,7 +83,7 @@ struct CleanUpOptions {
   double unused_cost = 8;  // a tent over one triangle costs less than 6
   // A sample that the peel left out is not missed if its spacing exceeds this many times the median
   // of its neighbors' (sample_spacing.h, by three edges): it would become a spike.
-  double outlier_ratio = 3;
+  double outlier_ratio = 2.5;
   double handle_cost = 32;  // below 24 thin walls get handles
   double idle_cost = 8;     // as much as if they were not on the surface; 0: no clusters
   IdleOptions idle = {};
