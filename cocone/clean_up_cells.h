@@ -19,11 +19,10 @@
 // with such cells, or labels are in conflict there (doubtful_region.h). The evidence comes from the
 // poles (side_evidence.h).
 //
-//  1. Cut. The first three terms are minimized over all labelings of the undecided cells, the
-//  others
-//     held fixed as marked: a minimum cut, so a global optimum; of several the one with most IN
-//     cells. Flat cells (ball_cosines.h) are no part of that: other cells meet through them, each
-//     of their facets counting half, and they are OUT if one of their sides is. OUT cells that
+//  1. Cut. The first three terms are minimized over all labelings of the undecided cells, those of
+//     the others held as marked: a minimum cut, so a global optimum; of several the one with most
+//     IN cells. Flat cells (ball_cosines.h) are no part of that: other cells meet through them,
+//     each of their facets counting half, and they are OUT if one of their sides is. OUT cells that
 //     infinity cannot reach through OUT cells are then filled, as in the peel.
 //  2. Moves. At a defect or an unused sample single cells, pairs, and parts of stars change sides
 //     where that lowers E, unless they would found a new part of the body or a cavity, or what they
@@ -64,7 +63,7 @@ struct CleanUpOptions {
   double stretch_cost = 3;
   double stretch_ratio = 6;  // longer than so many spacings; below, thin walls lose samples
   // A facet costs 1 at most if the balls lie on its two sides: 2.5 overrules most surfaces. Above,
-  // noisy layers get handles; below 2 holes of thin plates stay filled.
+  // noisy layers get handles; up to 2 thin plates that are turned lose holes.
   double evidence_weight = 2.5;
   // Below 0.4 well sampled thin parts shrink; above 1 wrong marks of bad samples stay.
   double mark_weight = 0.5;
@@ -84,7 +83,7 @@ struct CleanUpOptions {
   // A sample that the peel left out is not missed if its spacing exceeds this many times the median
   // of its neighbors' (sample_spacing.h, by three edges): it would become a spike.
   double outlier_ratio = 2.5;
-  double handle_cost = 32;  // below 24 thin walls get handles
+  double handle_cost = 32;  // at 16 drilled rings and thin walls get more handles
   double idle_cost = 8;     // as much as if they were not on the surface; 0: no clusters
   IdleOptions idle = {};
   double deep_cosine = 0.9;  // of a cluster: below, walls of thick plates are crossed

@@ -31,10 +31,10 @@ struct DoubtfulRegion {
 // cells. Poor cells, finite ones without a good vertex, are undecided; those that hang together by
 // facets are a clump. Clumps of more than `most_cells` cells are left alone, with the vertices that
 // no other poor cell has. Thin cells, with good vertices, but at most `thin_support`, are
-// undecided, too, where they hang together with such cells by facets, unless they have a vertex
-// that is left. `stars`: of this triangulation. Complexity: O(vertices + d log d) for d such
-// vertices with their stars, besides what the first question to `stars` costs, and passes over the
-// cells in the order of memory if they are many.
+// undecided, too, at contradicted vertices and where they hang together with undecided cells by
+// facets, unless they have a vertex that is left. `stars`: of this triangulation. Complexity:
+// O(vertices + d log d) for d such vertices with their stars, besides what the first question to
+// `stars` costs, and passes over the cells in the order of memory if they are many.
 DoubtfulRegion find_doubtful_region(
     const Triangulation& triangulation, const CellMarks& marks, StarCache& stars,
     std::size_t most_cells = std::numeric_limits<std::size_t>::max(), int thin_support = 0);
