@@ -10,31 +10,13 @@
 #include <hwy/foreach_target.h>
 // clang-format off: must come after foreach_target.h
 #include <hwy/highway.h>
+
+#include "geom/vector_lanes-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace cocoon::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Lanes = hn::CappedTag<double, circumcenter_batch_size>;
-using Vector = hn::Vec<Lanes>;
-
-struct Vectors {
-  Vector x, y, z;
-};
-
-HWY_INLINE Vectors load(const BatchOfPoints& points, std::size_t first) {
-  const Lanes d;
-  return {hn::Load(d, &points[0][first]), hn::Load(d, &points[1][first]),
-          hn::Load(d, &points[2][first])};
-}
-HWY_INLINE Vectors minus(const Vectors& a, const Vectors& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-// Rounds as dot() of geom/point.h.
-HWY_INLINE Vector dot(const Vectors& a, const Vectors& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
 // Bit i: lane i.
 HWY_INLINE std::uint64_t bits_of(hn::Mask<Lanes> mask) {
   std::uint8_t bytes[8];  // StoreMaskBits may write this many

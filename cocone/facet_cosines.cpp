@@ -8,57 +8,14 @@
 #include <hwy/foreach_target.h>
 // clang-format off: must come after foreach_target.h
 #include <hwy/highway.h>
+
+#include "geom/vector_lanes-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace cocoon::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Lanes = hn::CappedTag<double, circumcenter_batch_size>;
-using Vector = hn::Vec<Lanes>;
-using Mask = hn::Mask<Lanes>;
-
-struct Vectors {
-  Vector x, y, z;
-};
-
-HWY_INLINE Vectors load(const BatchOfPoints& points, std::size_t first) {
-  const Lanes d;
-  return {hn::Load(d, &points[0][first]), hn::Load(d, &points[1][first]),
-          hn::Load(d, &points[2][first])};
-}
-HWY_INLINE Vectors minus(const Vectors& a, const Vectors& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-// These round as their namesakes of geom/point.h.
-HWY_INLINE Vector dot(const Vectors& a, const Vectors& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-HWY_INLINE Vectors cross(const Vectors& a, const Vectors& b) {
-  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
-          hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
-          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
-}
 HWY_INLINE Vector norm(const Vectors& a) { return hn::Sqrt(dot(a, a)); }
-
-HWY_INLINE Mask precedes(const Vectors& a, const Vectors& b) {
-  const Mask by_z = hn::And(hn::Eq(a.y, b.y), hn::Lt(a.z, b.z));
-  const Mask by_y = hn::And(hn::Eq(a.x, b.x), hn::Or(hn::Lt(a.y, b.y), by_z));
-  return hn::Or(hn::Lt(a.x, b.x), by_y);
-}
-HWY_INLINE void swap_if(Mask mask, Vector& a, Vector& b) {
-  const Vector before = a;
-  a = hn::IfThenElse(mask, b, a);
-  b = hn::IfThenElse(mask, before, b);
-}
-// Puts two points in lexicographic order; where they were not.
-HWY_INLINE Mask order(Vectors& a, Vectors& b) {
-  const Mask swapped = precedes(b, a);
-  swap_if(swapped, a.x, b.x);
-  swap_if(swapped, a.y, b.y);
-  swap_if(swapped, a.z, b.z);
-  return swapped;
-}
 
 // The corners of the facet opposite to the k-th of four.
 constexpr std::size_t corners_off[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};

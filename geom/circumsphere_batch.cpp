@@ -10,24 +10,13 @@
 #include <hwy/foreach_target.h>
 // clang-format off: must come after foreach_target.h
 #include <hwy/highway.h>
+
+#include "geom/vector_lanes-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace cocoon::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Lanes = hn::CappedTag<double, circumcenter_batch_size>;
-using Vector = hn::Vec<Lanes>;
-using Mask = hn::Mask<Lanes>;
-
-// A point or vector of every lane.
-struct Vectors {
-  Vector x, y, z;
-};
-
-HWY_INLINE Vectors minus(const Vectors& a, const Vectors& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
 HWY_INLINE Vectors plus(const Vectors& a, const Vectors& b) {
   return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
 }
@@ -38,15 +27,6 @@ HWY_INLINE Vectors absolute(const Vectors& a) { return {hn::Abs(a.x), hn::Abs(a.
 HWY_INLINE Vector largest(const Vectors& a) {
   return hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
 }
-HWY_INLINE Vector dot(const Vectors& a, const Vectors& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-HWY_INLINE Vector minor(Vector a, Vector b, Vector c, Vector d) {
-  return hn::Sub(hn::Mul(a, d), hn::Mul(b, c));
-}
-HWY_INLINE Vectors cross(const Vectors& a, const Vectors& b) {
-  return {minor(a.y, a.z, b.y, b.z), minor(a.z, a.x, b.z, b.x), minor(a.x, a.y, b.x, b.y)};
-}
 HWY_INLINE Vector absolute_minor(Vector a, Vector b, Vector c, Vector d) {
   return hn::Add(hn::Abs(hn::Mul(a, d)), hn::Abs(hn::Mul(b, c)));
 }
@@ -55,30 +35,12 @@ HWY_INLINE Vectors absolute_cross(const Vectors& a, const Vectors& b) {
           absolute_minor(a.x, a.y, b.x, b.y)};
 }
 
-HWY_INLINE Mask precedes(const Vectors& a, const Vectors& b) {
-  const Mask z = hn::Lt(a.z, b.z);
-  const Mask yz = hn::Or(hn::Lt(a.y, b.y), hn::And(hn::Eq(a.y, b.y), z));
-  return hn::Or(hn::Lt(a.x, b.x), hn::And(hn::Eq(a.x, b.x), yz));
-}
-HWY_INLINE void order(Vectors& a, Vectors& b) {
-  const Mask swapped = precedes(b, a);
-  const Vectors first{hn::IfThenElse(swapped, b.x, a.x), hn::IfThenElse(swapped, b.y, a.y),
-                      hn::IfThenElse(swapped, b.z, a.z)};
-  b = {hn::IfThenElse(swapped, a.x, b.x), hn::IfThenElse(swapped, a.y, b.y),
-       hn::IfThenElse(swapped, a.z, b.z)};
-  a = first;
-}
-
 // tetrahedron_in_doubles of circumsphere.cpp, where the bounds are derived, for every lane from
 // `first` on.
 HWY_INLINE Mask centers_from(const CircumcenterBatch& batch, std::size_t first, Vectors& centers) {
   const Lanes d;
-  const auto load = [&](std::size_t corner) {
-    const BatchOfPoints& axes = batch.corners[corner];
-    return Vectors{hn::Load(d, &axes[0][first]), hn::Load(d, &axes[1][first]),
-                   hn::Load(d, &axes[2][first])};
-  };
-  Vectors p0 = load(0), p1 = load(1), p2 = load(2), p3 = load(3);
+  Vectors p0 = load(batch.corners[0], first), p1 = load(batch.corners[1], first);
+  Vectors p2 = load(batch.corners[2], first), p3 = load(batch.corners[3], first);
   order(p0, p1);
   order(p2, p3);
   order(p0, p2);

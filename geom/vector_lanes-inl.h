@@ -1,0 +1,73 @@
+// Points and vectors of a batch in SIMD lanes, one in each, for code that is compiled once for each
+// instruction set. The operations round as their namesakes of geom/point.h: the same bits
+// everywhere.
+#if defined(COCOON_VECTOR_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef COCOON_VECTOR_LANES_INL_H
+#undef COCOON_VECTOR_LANES_INL_H
+#else
+#define COCOON_VECTOR_LANES_INL_H
+#endif
+
+#include <cstddef>
+#include <hwy/highway.h>
+
+#include "geom/circumsphere_batch.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace cocoon::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::CappedTag<double, circumcenter_batch_size>;
+using Vector = hn::Vec<Lanes>;
+using Mask = hn::Mask<Lanes>;
+
+// A point or vector in each lane.
+struct Vectors {
+  Vector x, y, z;
+};
+
+// Those from `first` on, a multiple of the number of lanes.
+HWY_INLINE Vectors load(const BatchOfPoints& points, std::size_t first) {
+  const Lanes d;
+  return {hn::Load(d, &points[0][first]), hn::Load(d, &points[1][first]),
+          hn::Load(d, &points[2][first])};
+}
+
+HWY_INLINE Vectors minus(const Vectors& a, const Vectors& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Vector dot(const Vectors& a, const Vectors& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+// a d - b c
+HWY_INLINE Vector minor(Vector a, Vector b, Vector c, Vector d) {
+  return hn::Sub(hn::Mul(a, d), hn::Mul(b, c));
+}
+HWY_INLINE Vectors cross(const Vectors& a, const Vectors& b) {
+  return {minor(a.y, a.z, b.y, b.z), minor(a.z, a.x, b.z, b.x), minor(a.x, a.y, b.x, b.y)};
+}
+
+// In lexicographic order.
+HWY_INLINE Mask precedes(const Vectors& a, const Vectors& b) {
+  const Mask z = hn::Lt(a.z, b.z);
+  const Mask yz = hn::Or(hn::Lt(a.y, b.y), hn::And(hn::Eq(a.y, b.y), z));
+  return hn::Or(hn::Lt(a.x, b.x), hn::And(hn::Eq(a.x, b.x), yz));
+}
+HWY_INLINE void swap_if(Mask mask, Vector& a, Vector& b) {
+  const Vector before = a;
+  a = hn::IfThenElse(mask, b, a);
+  b = hn::IfThenElse(mask, before, b);
+}
+// Puts two points in lexicographic order; where they were not.
+HWY_INLINE Mask order(Vectors& a, Vectors& b) {
+  const Mask swapped = precedes(b, a);
+  swap_if(swapped, a.x, b.x);
+  swap_if(swapped, a.y, b.y);
+  swap_if(swapped, a.z, b.z);
+  return swapped;
+}
+
+}  // namespace cocoon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per target
