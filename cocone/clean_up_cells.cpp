@@ -136,21 +136,16 @@ class CleanUp {
     for (const CellId c : triangulation_.finite_cells()) {
       out_[c] = marks_.labels[c] == CellLabel::out ? 1 : 0;
     }
-    for (std::size_t k = 0; k < cells.size(); ++k) relabel(cells[k], side[k]);
+    for (std::size_t k = 0; k < cells.size(); ++k) out_[cells[k]] = side[k];
     const auto is_out = [&](CellId c) { return !c.is_none() && out_[c] != 0; };
     for (const CellId c : flat_cells) {
       const auto [one, other] = cosines_.sides_of_flat(c);
-      relabel(c, is_out(one) || is_out(other) ? 1 : 0);
+      out_[c] = is_out(one) || is_out(other) ? 1 : 0;
     }
     for (const CellId c : triangulation_.finite_cells()) {
       if (out_[c] != marks_.reached[c]) relabeled_.push_back(c);
     }
     counters_.relabeled_cells = relabeled_.size();
-  }
-
-  void relabel(CellId c, std::uint8_t side) {
-    if (marks_.labels[c] != CellLabel::unmarked && side != out_[c]) touch(c);
-    out_[c] = side;
   }
 
   void fill_cavities() {

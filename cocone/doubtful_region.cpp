@@ -70,7 +70,7 @@ std::vector<VertexId> contradicted_vertices(const Triangulation& triangulation,
   std::vector<VertexId> vertices;
   if (marks.conflicts == 0) return vertices;
   for (const VertexId v : triangulation.vertices()) {
-    if (marks.contradicted[v] != 0) vertices.push_back(v);
+    if (is_contradicted(marks, v)) vertices.push_back(v);
   }
   return vertices;
 }
@@ -132,8 +132,7 @@ std::vector<VertexId> doubtful_vertices(const Triangulation& triangulation, cons
   }
   std::vector<VertexId> vertices;
   for (const VertexId v : triangulation.vertices()) {
-    const bool doubtful = marks.good[v] == 0 || is_corner[v] != 0 ||
-                          (marks.conflicts != 0 && marks.contradicted[v] != 0);
+    const bool doubtful = marks.good[v] == 0 || is_corner[v] != 0 || is_contradicted(marks, v);
     if (doubtful && !region.is_left(v)) vertices.push_back(v);
   }
   sort_by_place(triangulation, 0, vertices);

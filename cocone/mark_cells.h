@@ -55,6 +55,11 @@ inline bool is_poor(const Triangulation& triangulation, const CellMarks& marks, 
   return (marks.good[v0] | marks.good[v1] | marks.good[v2] | marks.good[v3]) == 0;
 }
 
+// Whether a good vertex is contradicted by labels around it. O(1).
+inline bool is_contradicted(const CellMarks& marks, VertexId v) {
+  return marks.conflicts != 0 && marks.contradicted[v] != 0;
+}
+
 // Labels all infinite cells OUT and runs rounds: the good vertices on triangles of the last round's
 // vertices (at first: of infinite cells) are all decided from the labels of earlier rounds, then
 // their stars are labeled. A half that holds OUT cells and no IN cells is outside, and the other

@@ -220,14 +220,12 @@ class Propagation {
   // What few good vertices say of a thin cell, if their labels are not in conflict.
   void credit_marks(const CellMarks& marks, double mark_credit) {
     if (region_.thin_cells == 0) return;
-    const auto is_contradicted = [&](VertexId v) {
-      return marks.conflicts != 0 && marks.contradicted[v] != 0;
-    };
     for (const CellId c : region_.undecided) {
       const auto& vertices = triangulation_.cell(c).vertices;
       if (cosines_.is_flat(c) || is_poor(triangulation_, marks, c)) continue;
-      if (std::any_of(vertices.begin(), vertices.end(), is_contradicted)) continue;
-      raise(c, is_out(c), mark_credit);
+      const bool in_conflict = std::any_of(vertices.begin(), vertices.end(),
+                                           [&](VertexId v) { return is_contradicted(marks, v); });
+      if (!in_conflict) raise(c, is_out(c), mark_credit);
     }
   }
 
