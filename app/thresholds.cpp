@@ -25,7 +25,7 @@ constexpr std::array<Threshold, 3> of_marking{{
      angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
 }};
 
-constexpr std::array<Threshold, 22> of_clean_up{{
+constexpr std::array<Threshold, 24> of_clean_up{{
     {"most-clump-cells", "Clean-up: more undecided cells together are left as they are", 0, 4e9,
      whole, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_cells; }},
     {"most-clump-share", "Clean-up: but not if they are at most this share of all cells", 0, 1,
@@ -68,6 +68,10 @@ constexpr std::array<Threshold, 22> of_clean_up{{
      number, tight, [](Options& o) -> Field { return &o.surface.clean_up.max_rise; }},
     {"max-openings", "Clean-up: so many first moves are tried at a sample", 1, 1e6, whole, tight,
      [](Options& o) -> Field { return &o.surface.clean_up.max_openings; }},
+    {"max-closing-rise", "Clean-up: what closing a handle may cost in all other terms", 0, 1e6,
+     number, tight, [](Options& o) -> Field { return &o.surface.clean_up.max_closing_rise; }},
+    {"most-handle-facets", "Clean-up: longer searches tell no handle; 0: none is closed", 0, 4e9,
+     whole, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_handle_facets; }},
     {"component-cost", "Clean-up: a part of the body; cheaper parts are dropped", 0, 1e6, number,
      tight, [](Options& o) -> Field { return &o.surface.clean_up.component_cost; }},
 }};

@@ -14,6 +14,8 @@
 #include "cocone/cell_order.h"
 #include "cocone/compound_move.h"
 #include "cocone/doubtful_region.h"
+#include "cocone/handle_closing.h"
+#include "cocone/handle_loops.h"
 #include "cocone/idle_samples.h"
 #include "cocone/kept_reach.h"
 #include "cocone/sample_spacing.h"
@@ -45,7 +47,9 @@ class CleanUp {
                                      options.thin_support)),
         side_split_(triangulation, out_),
         best_move_(triangulation, stars_, out_, energy_, side_split_),
-        compound_move_(triangulation, region_, energy_, best_move_, options) {
+        compound_move_(triangulation, region_, energy_, best_move_, options),
+        handle_loops_(triangulation, stars_, out_),
+        handle_closing_(triangulation, stars_, cosines_, region_, out_, energy_, options) {
     counters_.undecided_cells = region_.undecided.size();
     counters_.thin_cells = region_.thin_cells;
     counters_.left_cells = region_.left_cells;
@@ -75,6 +79,7 @@ class CleanUp {
     flip_clusters();
     if (drop_components()) repair();
     if (make_compound_moves()) repair();
+    if (close_handles()) repair();
     update_flaws();
     count(counters_.defects_after, counters_.unused_after);
     for (const CellId c : triangulation_.finite_cells()) {
@@ -250,6 +255,26 @@ class CleanUp {
       }
     }
     return changed;
+  }
+
+  // Those of girth 3, once each.
+  bool close_handles() {
+    if (!touched_.empty()) update_flaws();
+    for (const Triangle& loop : handle_loops_.find(region_)) {
+      if (handle_loops_.is_handle(loop, options_.most_handle_facets)) close_handle(loop);
+    }
+    return counters_.closed_handles != 0;
+  }
+
+  void close_handle(const Triangle& loop) {
+    for (const std::uint8_t side : {std::uint8_t{1}, std::uint8_t{0}}) {  // rather filled than cut
+      const std::vector<CellId> cells = handle_closing_.find(loop, side);
+      if (cells.empty() || side_split_.splits(cells) || energy_.leaves_out(cells)) continue;
+      flip(cells);
+      ++counters_.closed_handles;
+      counters_.closing_cells += cells.size();
+      return;
+    }
   }
 
   void flip(const std::vector<CellId>& cells) {
@@ -439,6 +464,8 @@ class CleanUp {
   ZeroedArray<CellId, std::uint8_t> scratch_;
   BestMove best_move_;
   CompoundMove compound_move_;
+  HandleLoops handle_loops_;
+  HandleClosing handle_closing_;
 };
 
 }  // namespace

@@ -36,8 +36,12 @@
 //  5. Compound moves. At what is still a defect or an unused sample, moves that make it cost less,
 //     though E rises by up to max_rise, are tried (the cheapest max_openings) with all moves that
 //     then lower E (compound_move.h), and taken with them where E falls in all. Moves again.
+//  6. Handles. A closed path of three edges at doubtful vertices that is no facet and does not
+//     divide the surface is the girth of a handle (handle_loops.h): where cells beside it can fill
+//     or cut the handle so that E falls, the rest of it rises by max_closing_rise at most, and no
+//     sample leaves the surface, they change sides (handle_closing.h). Moves again.
 //  What is undecided over a volume (most_clump_cells) is left to the peel.
-//  E falls strictly in 2 to 5, and there are finitely many labelings, so this ends.
+//  E falls strictly in 2 to 6, and there are finitely many labelings, so this ends.
 #pragma once
 
 #include <cstddef>
@@ -96,7 +100,12 @@ struct CleanUpOptions {
   // not found.
   double max_rise = 100;
   std::size_t max_openings = 10;  // tried at a vertex, cheapest first: further ones do not help
-  double component_cost = 100;    // a part is dropped if it uses few samples: fewer than about 12
+  // By how much the rest of the energy may rise where a handle is closed. Above 5, bars of parts
+  // that are sampled at their edges alone are cut.
+  double max_closing_rise = 3;
+  // Handles are those whose two sides meet after at most so many facets each; 0: none is closed.
+  std::size_t most_handle_facets = 10000;
+  double component_cost = 100;  // a part is dropped if it uses few samples: fewer than about 12
 };
 
 struct CleanUpCounters {
@@ -114,6 +123,8 @@ struct CleanUpCounters {
   std::size_t dropped_components = 0;
   std::size_t compound_moves = 0;
   std::size_t compound_cells = 0;
+  std::size_t closed_handles = 0;
+  std::size_t closing_cells = 0;  // that changed sides for it
   std::size_t changed_cells = 0;  // that have another side now than after the peel
   // After the peel and at the end: non-manifold edges and pinched vertices; unused samples.
   std::size_t defects_before = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cocone/surface_walk.h"
 #include "delaunay/circulate.h"
 
 namespace cocoon {
@@ -19,18 +20,13 @@ bool is_simple_cycle(const Triangulation& triangulation, const IdVector<CellId, 
                      VertexId v, FacetId first, std::uint32_t facets,
                      std::vector<VertexId>& edge_ends) {
   edge_ends.clear();
-  const std::uint8_t side = out[cell_of(first)];
   const auto corners = triangulation.facet_vertices(first);
   VertexId end = corners[0] == v ? corners[1] : corners[0];
   FacetId f = first;
   do {
     if (std::find(edge_ends.begin(), edge_ends.end(), end) != edge_ends.end()) return false;
     edge_ends.push_back(end);
-    f = other_facet_at_edge(triangulation, f, v, end);
-    for (FacetId behind = triangulation.mirror(f); out[cell_of(behind)] == side;
-         behind = triangulation.mirror(f)) {
-      f = other_facet_at_edge(triangulation, behind, v, end);
-    }
+    f = next_surface_facet(triangulation, out, f, v, end);
     end = third_vertex(triangulation, f, v, end);
   } while (f != first);
   return edge_ends.size() == facets;

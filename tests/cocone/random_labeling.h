@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cocone/cell_energy.h"
+#include "cocone/doubtful_region.h"
 #include "geom/random.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
@@ -76,31 +77,47 @@ struct Labeling {
     return roots.size();
   }
 
+  using Edge = std::pair<VertexId, VertexId>;
+  // How many surface facets there are at each edge of the surface.
+  std::map<Edge, std::size_t> facets_at_edges() const {
+    const Triangulation& t = stages.triangulation;
+    std::map<Edge, std::size_t> facets;
+    for (const CellId c : t.finite_cells()) {
+      for (int i = 0; i < 4; ++i) {
+        if (out[c] != 0 || out[t.neighbor(c, i)] == 0) continue;
+        std::array<VertexId, 3> v = t.facet_vertices(facet_id(c, i));
+        std::sort(v.begin(), v.end());
+        for (const Edge& edge : {Edge(v[0], v[1]), {v[0], v[2]}, {v[1], v[2]}}) ++facets[edge];
+      }
+    }
+    return facets;
+  }
+  std::ptrdiff_t euler() const {
+    std::size_t sides = 0;
+    std::set<VertexId> vertices;
+    const std::map<Edge, std::size_t> facets = facets_at_edges();
+    for (const auto& [edge, count] : facets) {
+      sides += count;
+      vertices.insert({edge.first, edge.second});
+    }
+    return static_cast<std::ptrdiff_t>(vertices.size() + sides / 3) -
+           static_cast<std::ptrdiff_t>(facets.size());
+  }
+
   // The whole energy, term by term from its definition.
   Energy total() {
     const Triangulation& t = stages.triangulation;
     Energy sum = 0;
-    std::ptrdiff_t euler = 0;
-    std::map<std::pair<VertexId, VertexId>, std::size_t> facets_at_edge;
     for (const CellId c : t.finite_cells()) {
       if (out[c] != 0) {
         sum += energy.preference(c);
         continue;
       }
       for (int i = 0; i < 4; ++i) {
-        const FacetId f = facet_id(c, i);
-        if (out[t.neighbor(c, i)] == 0) continue;
-        sum += energy.facet_cost(f);
-        ++euler;
-        std::array<VertexId, 3> v = t.facet_vertices(f);
-        std::sort(v.begin(), v.end());
-        for (const auto& edge : {std::pair(v[0], v[1]), {v[0], v[2]}, {v[1], v[2]}}) {
-          ++facets_at_edge[edge];
-        }
+        if (out[t.neighbor(c, i)] != 0) sum += energy.facet_cost(facet_id(c, i));
       }
     }
-    for (const auto& [edge, facets] : facets_at_edge) {
-      --euler;
+    for (const auto& [edge, facets] : facets_at_edges()) {
       sum += to_energy(options.defect_cost) * static_cast<Energy>(facets / 2 - 1);
     }
     for (const VertexId v : t.vertices()) {
@@ -109,12 +126,11 @@ struct Labeling {
         sum += energy.is_wanted(v) ? to_energy(options.unused_cost) : 0;
         continue;
       }
-      ++euler;
       sum += to_energy(options.defect_cost) * static_cast<Energy>(fans - 2);
       const bool idle = is_idle(t, stages.stars.star(v), out, v, options.idle);
       sum += idle ? to_energy(options.idle_cost) : 0;
     }
-    return sum - to_energy(options.handle_cost / 2) * static_cast<Energy>(euler);
+    return sum - to_energy(options.handle_cost / 2) * static_cast<Energy>(euler());
   }
 
   CleanUpOptions options;
@@ -126,5 +142,16 @@ struct Labeling {
   SpacingCache spacings;
   CellEnergy energy;
 };
+
+// All of its triangulation.
+inline DoubtfulRegion whole(Labeling& labeling) {
+  const Triangulation& t = labeling.stages.triangulation;
+  DoubtfulRegion region;
+  region.rank = ZeroedArray<VertexId, std::uint32_t>(t.num_vertices());
+  std::vector<VertexId> vertices;
+  for (const VertexId v : t.vertices()) vertices.push_back(v);
+  extend_region(t, labeling.stars, vertices, region);
+  return region;
+}
 
 }  // namespace cocoon
