@@ -29,9 +29,10 @@ class Carrying {
         marks_(marks),
         execution_(execution) {}
 
-  CarriedMarks run() {
+  CarriedMarks run(const IdVector<CellId, CellLabel>& known) {
     find_sheets();
     see_from_hull();
+    see_from_known_cells(known);
     visit_sheets();
     sheets_ = {};  // memory is short here
     marks_.labels = IdVector<CellId, CellLabel>(triangulation_.num_cells(), CellLabel::unmarked);
@@ -62,16 +63,27 @@ class Carrying {
     outside_.assign(sheets_.components.size(), CarriedMarks::unknown);
     HalfStar half(triangulation_, surface_.set);
     for (const CellId c : triangulation_.infinite_cells()) {
-      for (unsigned i = 0; i < 3; ++i) {
-        const VertexId v = triangulation_.cell(c).vertices[i];
-        if (marks_.good[v] == 0 || outside_[sheet_at(v)] != CarriedMarks::unknown) continue;
-        const std::uint32_t sheet = sheet_at(v);
-        const FacetId seen = first_surface_facet(half.flood(v, c), v);
-        const std::uint32_t t = triangle_of_facet(seen, v);
-        const auto side = static_cast<std::uint8_t>(seen == surface_.facets[t] ? 0 : 1);
-        outside_[sheet] = side ^ sheets_.turned[t];
-      }
+      for (int i = 0; i < 3; ++i) see(half, triangulation_.vertex(c, i), c, CellLabel::out);
     }
+  }
+
+  void see_from_known_cells(const IdVector<CellId, CellLabel>& known) {
+    if (known.empty()) return;
+    HalfStar half(triangulation_, surface_.set);
+    for (const CellId c : triangulation_.finite_cells()) {
+      if (known[c] == CellLabel::unmarked) continue;
+      for (const VertexId v : triangulation_.cell(c).vertices) see(half, v, c, known[c]);
+    }
+  }
+
+  // What the label of a cell at v says of the part of the surface there, if nothing is known of it.
+  void see(HalfStar& half, VertexId v, CellId c, CellLabel label) {
+    if (marks_.good[v] == 0 || outside_[sheet_at(v)] != CarriedMarks::unknown) return;
+    const FacetId seen = first_surface_facet(half.flood(v, c), v);
+    const std::uint32_t t = triangle_of_facet(seen, v);
+    const bool out_here = (seen == surface_.facets[t]) == (label == CellLabel::out);
+    const auto side = static_cast<std::uint8_t>(out_here ? 0 : 1);
+    outside_[sheet_at(v)] = side ^ sheets_.turned[t];
   }
 
   std::uint32_t sheet_at(VertexId good) const {
@@ -245,9 +257,10 @@ class Carrying {
 }  // namespace
 
 CarriedMarks carry_marks(const Triangulation& triangulation, const LinkedFacets& surface,
-                         const IdVector<VertexId, SideId>& corner_at, CellMarks& marks,
+                         const IdVector<VertexId, SideId>& corner_at,
+                         const IdVector<CellId, CellLabel>& known, CellMarks& marks,
                          const Execution& execution) {
-  CarriedMarks carried = Carrying(triangulation, surface, corner_at, marks, execution).run();
+  CarriedMarks carried = Carrying(triangulation, surface, corner_at, marks, execution).run(known);
   make_set(carried.disputed);
   return carried;
 }

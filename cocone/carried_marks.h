@@ -25,12 +25,15 @@ struct CarriedMarks {
 // conditions are those of the rounds: OUT is what hangs together with an infinite cell by such
 // facets, IN what lies behind. Where they do not, as on any one-sided surface, some label is taken,
 // and the vertices there are told: all cells of the others' stars have the label that the side
-// carried to the vertex gives them. Fills in labels and visited vertices. `corner_at`: as in
-// GoodVertices. Precondition: good vertices are known.
+// carried to the vertex gives them. Parts of the surface that the hull does not see are begun at
+// the first of the known cells (labels of finite cells, may be empty) that touches a good vertex of
+// them. Fills in labels and visited vertices. `corner_at`: as in GoodVertices. Precondition: good
+// vertices are known.
 // Complexity: O(cells), in the order of memory; what concerns the surface alone is parallel.
 // Source: spec 6.2 and section 12; the pass is ours.
 CarriedMarks carry_marks(const Triangulation& triangulation, const LinkedFacets& surface,
-                         const IdVector<VertexId, SideId>& corner_at, CellMarks& marks,
+                         const IdVector<VertexId, SideId>& corner_at,
+                         const IdVector<CellId, CellLabel>& known, CellMarks& marks,
                          const Execution& execution = {});
 
 // Calls visit(t) for each triangle of the surface around a good vertex once, in rotation, beginning

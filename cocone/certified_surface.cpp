@@ -41,36 +41,72 @@ std::size_t join_good(DisjointSets& parts, const std::array<VertexId, 3>& v, IsG
 
 }  // namespace
 
-void CertifiedSurface::clear() { *this = CertifiedSurface(options_); }
+void CertifiedSurface::clear() {
+  const Turn wrong = wrong_turn_;
+  *this = CertifiedSurface(options_);
+  wrong_turn_ = wrong;
+}
 
 bool CertifiedSurface::certify(const DynamicDelaunay& delaunay, const LiveCandidates& candidates,
                                const CoconeSurface& surface) {
   clear();
   const TriangulationView view = delaunay.view();
-  sides_.resize(view.cell_records().size(), 0);
-  sheets_.resize(delaunay.num_vertex_slots(), SheetAt::none);
-  for (const FacetId f : surface.halves) {
-    insert(view, f);
-    for (const VertexId v : view.facet_vertices(f)) {
-      set_sheet(v, surface.good[v] != 0 ? SheetAt::good : SheetAt::folded);
-    }
-  }
-  exists_ = num_vertices() == surface.umbrellas;
-  for (const FacetId f : surface.halves) {
-    for (const VertexId v : view.facet_vertices(f)) {
-      const FacetId met = first_met(view, candidates, f, v);
-      exists_ =
-          exists_ && !met.is_none() && is(side_flag::outer, met) && candidates.has_umbrella(v);
-    }
-  }
+  if (is_still_refuted(view, candidates, surface.halves)) return false;
+  begin_sheets(delaunay, surface);
   std::vector<VertexId> off_surface;
   for (const VertexId v : sheets_.ids()) {
     if (delaunay.contains(v) && !has(v)) off_surface.push_back(v);
   }
   off_surface_ = off_surface.size();
-  exists_ = exists_ && leaves_no_candidate(delaunay, candidates, off_surface);
+  exists_ =
+      num_vertices() == surface.umbrellas && leaves_no_candidate(delaunay, candidates, off_surface);
+  if (exists_) {
+    sides_.resize(view.cell_records().size(), 0);
+    for (const FacetId f : surface.halves) insert(view, f);
+    wrong_turn_ = find_wrong_turn(view, candidates, surface.halves);
+    exists_ = wrong_turn_.from.is_none();
+  }
   if (!exists_) clear();
   return exists_;
+}
+
+// Whether the turn that was wrong is one of this surface, and wrong.
+bool CertifiedSurface::is_still_refuted(const TriangulationView& view,
+                                        const LiveCandidates& candidates,
+                                        std::span<const FacetId> halves) const {
+  const auto is_half = [&](FacetId f) {
+    return std::find(halves.begin(), halves.end(), f) != halves.end();
+  };
+  const auto [from, third] = wrong_turn_;
+  if (from.is_none() || !is_half(from)) return false;
+  const std::array<VertexId, 3> corners = view.facet_vertices(from);
+  if (std::find(corners.begin(), corners.end(), third) == corners.end()) return false;
+  const FacetId met = first_met(view, candidates, from, third);
+  return met.is_none() || !candidates.has_umbrella(third) || !is_half(met);
+}
+
+void CertifiedSurface::begin_sheets(const DynamicDelaunay& delaunay, const CoconeSurface& surface) {
+  const TriangulationView view = delaunay.view();
+  sheets_.resize(delaunay.num_vertex_slots(), SheetAt::none);
+  for (const FacetId f : surface.halves) {
+    for (const VertexId v : view.facet_vertices(f)) {
+      sheets_[v] = surface.good[v] != 0 ? SheetAt::good : SheetAt::folded;
+    }
+  }
+  count_sheets();
+}
+
+// None if there is none.
+CertifiedSurface::Turn CertifiedSurface::find_wrong_turn(const TriangulationView& view,
+                                                         const LiveCandidates& candidates,
+                                                         std::span<const FacetId> halves) const {
+  for (const FacetId f : halves) {
+    for (const VertexId v : view.facet_vertices(f)) {
+      const FacetId met = first_met(view, candidates, f, v);
+      if (met.is_none() || !is(side_flag::outer, met) || !candidates.has_umbrella(v)) return {f, v};
+    }
+  }
+  return {};
 }
 
 void CertifiedSurface::resume(const DynamicDelaunay& delaunay, IdVector<CellId, std::uint8_t> sides,
@@ -79,10 +115,7 @@ void CertifiedSurface::resume(const DynamicDelaunay& delaunay, IdVector<CellId, 
   sides_ = std::move(sides);
   sheets_ = std::move(sheets);
   for (const std::uint8_t s : sides_) outer_halves_ += num_flags(s & 15U);
-  for (const SheetAt sheet : sheets_) {
-    good_ += sheet == SheetAt::good ? 1U : 0U;
-    folded_ += sheet == SheetAt::folded ? 1U : 0U;
-  }
+  count_sheets();
   off_surface_ = delaunay.num_vertices() - num_vertices();
   exists_ = true;
 }
@@ -138,6 +171,13 @@ void CertifiedSurface::set_sides(CellId c, unsigned sides) {
   outer_halves_ -= num_flags(sides_[c] & 15U);
   sides_[c] = static_cast<std::uint8_t>(sides);
   outer_halves_ += num_flags(sides_[c] & 15U);
+}
+
+void CertifiedSurface::count_sheets() {
+  for (const SheetAt sheet : sheets_) {
+    good_ += sheet == SheetAt::good ? 1U : 0U;
+    folded_ += sheet == SheetAt::folded ? 1U : 0U;
+  }
 }
 
 void CertifiedSurface::set_sheet(VertexId v, SheetAt sheet) {

@@ -50,12 +50,14 @@ class CertifiedSurface {
 
   // Whether a surface is known.
   bool exists() const { return exists_; }
-  // Forgets everything.
+  // Forgets everything, but for the edge that certify() asks first.
   void clear();
 
   // Looks for the certificate in the whole triangulation, for a surface that the stages found in
   // one walk, with no poor cell, no good vertex unvisited, and no rounds of marks. Returns
-  // exists(). Complexity: O(n), and the stars of vertices off the surface.
+  // exists(). An edge at which 3 did not hold is asked first the next time: if it still does not,
+  // nothing else needs to be asked.
+  // Complexity: O(n), and the stars of vertices off the surface.
   bool certify(const DynamicDelaunay& delaunay, const LiveCandidates& candidates,
                const CoconeSurface& surface);
 
@@ -96,6 +98,16 @@ class CertifiedSurface {
     return (sides_[cell_of(f)] & (side << index_of(f))) != 0;
   }
   bool is_good(VertexId v) const { return sheets_[v] == SheetAt::good; }
+  struct Turn {
+    FacetId from;    // a half of the surface, none: no turn
+    VertexId third;  // its corner that is not on the edge
+  };
+  bool is_still_refuted(const TriangulationView& view, const LiveCandidates& candidates,
+                        std::span<const FacetId> halves) const;
+  void begin_sheets(const DynamicDelaunay& delaunay, const CoconeSurface& surface);
+  Turn find_wrong_turn(const TriangulationView& view, const LiveCandidates& candidates,
+                       std::span<const FacetId> halves) const;
+  void count_sheets();
   void set_sides(CellId c, unsigned sides);
   void set_sheet(VertexId v, SheetAt sheet);
   void insert(const TriangulationView& view, FacetId half);
@@ -137,6 +149,7 @@ class CertifiedSurface {
   std::size_t folded_ = 0;
   std::size_t off_surface_ = 0;  // vertices of the triangulation
   bool lost_good_ = false;       // during an update: a vertex at hand that was good is not any more
+  Turn wrong_turn_;              // of a surface without a certificate
 
   std::vector<VertexId> touched_;
   VertexSet is_touched_;  // during an update; else 0

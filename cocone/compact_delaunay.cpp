@@ -112,29 +112,6 @@ CompactDelaunay compact_delaunay(DynamicDelaunay&& delaunay,
   return compact(std::move(numbers), {std::move(points), std::move(cells), {}}, vertex_of_point);
 }
 
-KnownCandidates known_candidates(const LiveCandidates& candidates, const CompactDelaunay& whole) {
-  KnownCandidates found;
-  const std::size_t count = whole.triangulation.num_vertices();
-  found.normals.resize(count);
-  found.boundary.resize(count, 0);
-  found.umbrella.resize(count, 0);
-  for (const VertexId v : whole.vertex.ids()) {
-    const VertexId here = whole.vertex[v];
-    if (here.is_none()) continue;
-    found.normals[here] = candidates.normal(v);
-    found.boundary[here] = candidates.is_boundary(v) ? 1 : 0;
-    found.umbrella[here] = candidates.has_umbrella(v) ? 1 : 0;
-  }
-  IdVector<CellId, std::uint8_t> left(whole.triangulation.num_cells(), 0);
-  for (const CellId c : whole.cell.ids()) {
-    if (whole.cell[c].is_none()) continue;
-    left[whole.cell[c]] = static_cast<std::uint8_t>(candidates.left(c));
-  }
-  found.left = FacetSet(std::move(left));
-  candidates.count(found.counters);
-  return found;
-}
-
 SurfaceState surface_state(const LiveCandidates& candidates, const CertifiedSurface& certified,
                            const CompactDelaunay& whole) {
   SurfaceState state;

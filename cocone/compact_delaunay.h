@@ -3,7 +3,6 @@
 
 #include "cocone/certified_surface.h"
 #include "cocone/live_candidates.h"
-#include "cocone/reconstruct.h"
 #include "cocone/surface_state.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "delaunay/triangulation.h"
@@ -26,12 +25,8 @@ CompactDelaunay compact_delaunay(const DynamicDelaunay& delaunay,
 CompactDelaunay compact_delaunay(DynamicDelaunay&& delaunay,
                                  const IdVector<PointId, VertexId>& vertex_of_point);
 
-// What the stages up to pruning found, in its numbers. Precondition: candidates.exists().
-// Complexity: O(slots).
-KnownCandidates known_candidates(const LiveCandidates& candidates, const CompactDelaunay& whole);
-
-// The same with the certified surface, as far as they exist, to be kept elsewhere. Complexity:
-// O(slots).
+// What the stages up to pruning found, in its numbers, with the certified surface, as far as they
+// exist, to be kept elsewhere. Complexity: O(slots).
 SurfaceState surface_state(const LiveCandidates& candidates, const CertifiedSurface& certified,
                            const CompactDelaunay& whole);
 

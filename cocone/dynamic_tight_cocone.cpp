@@ -8,6 +8,8 @@
 
 #include "cocone/certified_surface.h"
 #include "cocone/compact_delaunay.h"
+#include "cocone/known_candidates.h"
+#include "cocone/lent_delaunay.h"
 #include "cocone/live_candidates.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
@@ -30,22 +32,6 @@ std::vector<PointId> old_positions(const ListEdit<PointId>& change, std::size_t 
     for (std::size_t k = 0; k < run.count; ++k) positions[run.to + k] = PointId(run.from + k);
   }
   return positions;
-}
-
-// A surface of the compact triangulation, as one of the changing triangulation.
-CoconeSurface by_slot(CoconeSurface surface, const CompactDelaunay& whole) {
-  IdVector<CellId, CellId> slot(whole.cell.size());
-  for (const CellId c : whole.cell.ids()) {
-    if (!whole.cell[c].is_none()) slot[whole.cell[c]] = c;
-  }
-  for (FacetId& f : surface.halves) f = facet_id(slot[cell_of(f)], index_of(f));
-  if (surface.good.empty()) return surface;
-  VertexSet good(whole.vertex.size(), 0);
-  for (const VertexId v : whole.vertex.ids()) {
-    if (!whole.vertex[v].is_none()) good[v] = surface.good[whole.vertex[v]];
-  }
-  surface.good = std::move(good);
-  return surface;
 }
 
 // Whether the working scale of the points is 1, as that of those they were made of, by some that
@@ -85,12 +71,14 @@ struct DynamicTightCocone::State {
     std::vector<PointId> inserted;  // positions among the new points
     std::vector<Point> inserted_points;
     IdVector<PointId, VertexId> vertex_of_point;  // none: to be inserted
+    std::vector<Renumbering::Move> moved;         // vertices, after the change
+    std::size_t slots = 0;                        // of vertices, before they moved
   };
   Step plan(Points points, std::span<const PointId> old_position) const;
   Step plan(Points points, const ListEdit<PointId>& change) const;
   DelaunayChange change_triangulation(const Step& step, const Execution& execution);
-  void undo(const Step& step, const DelaunayChange& change,
-            IdVector<PointId, VertexId> vertex_of_point);
+  void undo(Step step, const DelaunayChange& change);
+  void close_gaps(Step& step);
   ReconstructResult run_stages(Points points, std::span<const KnownTriangle> known,
                                const Execution& execution);
   // Whether so many points are the vertices of a certain surface, each its own.
@@ -216,9 +204,10 @@ ReconstructResult DynamicTightCocone::State::finish(Points points, Step step,
   } else {
     // What is to be verified is computed as a whole.
     try {
+      if (candidates.exists()) close_gaps(step);
       result = run_stages(points, triangles_of(known), execution);
     } catch (...) {
-      undo(step, change, std::move(step.vertex_of_point));
+      undo(std::move(step), change);
       throw;
     }
   }
@@ -240,21 +229,28 @@ DelaunayChange DynamicTightCocone::State::change_triangulation(const Step& step,
 
 // After a change that was done: the points from before come back. Those that were removed may get
 // other vertices than they had.
-void DynamicTightCocone::State::undo(const Step& step, const DelaunayChange& change,
-                                     IdVector<PointId, VertexId> before) {
+void DynamicTightCocone::State::undo(Step step, const DelaunayChange& change) {
   forget_surface();
-  const DelaunayChange back = delaunay.replace(change.inserted, step.removed_points);
-  IdVector<VertexId, VertexId> again;
-  for (const VertexId v : before) {
-    if (v.index() >= again.size()) again.resize(v.index() + 1);
-  }
+  const std::size_t slots = std::max(step.slots, delaunay.num_vertex_slots());
+  std::vector<VertexId> inserted = change.inserted;
+  rename_vertices(step.moved, slots, inserted);
+  const DelaunayChange back = delaunay.replace(inserted, step.removed_points);
   for (std::size_t k = 0; k < step.removed.size(); ++k) {
-    again[step.removed[k]] = back.vertex_of_point[k];
+    step.moved.push_back({step.removed[k], back.vertex_of_point[k]});
   }
-  for (VertexId& v : before) {
-    if (!again[v].is_none()) v = again[v];
-  }
-  vertex_of_point = std::move(before);
+  vertex_of_point = std::move(step.vertex_of_point);
+  rename_vertices(step.moved, slots, vertex_of_point.span());
+}
+
+// Of the triangulation and of what is known by slot. Precondition: there is no certificate, or it
+// is not needed any more.
+void DynamicTightCocone::State::close_gaps(Step& step) {
+  certified.clear();
+  step.slots = delaunay.num_vertex_slots();
+  Renumbering renumbering = delaunay.close_gaps();
+  candidates.renumber(renumbering, delaunay);
+  rename_vertices(renumbering.vertices, step.slots, vertex_of_point.span());
+  step.moved = std::move(renumbering.vertices);
 }
 
 // All stages after the triangulation.
@@ -277,16 +273,19 @@ void DynamicTightCocone::State::resume(SurfaceState surface) {
   certified.resume(delaunay, std::move(surface.sides), std::move(surface.sheets));
 }
 
-// Those from the extraction on, of the candidates that are known.
+// Those from the extraction on, of the candidates that are known. Precondition: no gaps.
 ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
                                                               std::span<const KnownTriangle> known,
                                                               const Execution& execution) {
-  CompactDelaunay whole = compact_delaunay(delaunay, vertex_of_point);
-  KnownCandidates found = known_candidates(candidates, whole);
+  KnownCandidates found = known_candidates(candidates);
   CoconeSurface surface;
-  ReconstructResult result = reconstruct_tight_from(
-      std::move(whole.triangulation), std::move(found), points, known, options, execution, surface);
-  look_for_certificate(result, by_slot(std::move(surface), whole));
+  ReconstructResult result;
+  {
+    const LentDelaunay lent(delaunay, vertex_of_point);
+    result =
+        reconstruct_tight_from(*lent, std::move(found), points, known, options, execution, surface);
+  }
+  look_for_certificate(result, surface);
   return result;
 }
 

@@ -48,7 +48,7 @@ void LiveCandidates::clear() { *this = LiveCandidates(options_); }
 
 void LiveCandidates::start(const DynamicDelaunay& delaunay, const ReconstructStages& stages) {
   clear();
-  grow_arrays(delaunay);
+  fit_arrays(delaunay);
   const TriangulationView view = delaunay.view();
   start_samples(view, stages);
   for (const CellId c : known_.cell_flags.ids()) {
@@ -65,7 +65,7 @@ void LiveCandidates::start(const DynamicDelaunay& delaunay, const ReconstructSta
 void LiveCandidates::resume(const DynamicDelaunay& delaunay, CandidateState state) {
   clear();
   known_ = std::move(state);
-  grow_arrays(delaunay);
+  fit_arrays(delaunay);
   begin(delaunay);
 }
 
@@ -110,7 +110,7 @@ void LiveCandidates::begin(const DynamicDelaunay& delaunay) {
 void LiveCandidates::update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
                             const Execution& execution) {
   forget(change);
-  grow_arrays(delaunay);
+  fit_arrays(delaunay);
   changed_.assign(change.inserted.begin(), change.inserted.end());
   dirty_.clear();
   const TriangulationView view = delaunay.view();
@@ -126,7 +126,7 @@ void LiveCandidates::update(const DynamicDelaunay& delaunay, const DelaunayChang
   examine(delaunay, execution);
 }
 
-void LiveCandidates::grow_arrays(const DynamicDelaunay& delaunay) {
+void LiveCandidates::fit_arrays(const DynamicDelaunay& delaunay) {
   const std::size_t vertices = delaunay.num_vertex_slots();
   known_.normals.resize(vertices);
   known_.vertex_flags.resize(vertices, 0);
@@ -450,6 +450,24 @@ void LiveCandidates::commit_pruning(const std::vector<std::uint8_t>& removed) {
 }
 
 // --- What is known ---------------------------------------------------------------------------
+
+void LiveCandidates::renumber(const Renumbering& renumbering, const DynamicDelaunay& delaunay) {
+  for (const auto& [a, b] : renumbering.cells) {
+    std::swap(known_.cell_flags[a], known_.cell_flags[b]);
+    std::swap(known_.pruned[a], known_.pruned[b]);
+  }
+  for (const auto& [from, to] : renumbering.vertices) {
+    known_.normals[to] = known_.normals[from];
+    known_.vertex_flags[to] = known_.vertex_flags[from];
+    known_.samples[to] = known_.samples[from];
+    known_.steps[to] = known_.steps[from];
+    fan_[to] = fan_[from];
+  }
+  fit_arrays(delaunay);
+  changed_.clear();
+  facets_ = {};
+  dropped_.clear();
+}
 
 void LiveCandidates::set_cell(CellId c, unsigned flags, unsigned pruned) {
   counts_.subtract(known_, c);

@@ -55,6 +55,10 @@ class LiveCandidates {
   void update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
               const Execution& execution = {});
 
+  // Follows when gaps of the triangulation are closed. changed() and what goes with it are empty
+  // then. Complexity: O(moves).
+  void renumber(const Renumbering& renumbering, const DynamicDelaunay& delaunay);
+
   // --- What is known. Precondition: exists().
 
   // The vertices that are new, changed their label or umbrella, or have another set of candidates
@@ -100,7 +104,7 @@ class LiveCandidates {
 
   void start_samples(const TriangulationView& view, const ReconstructStages& stages);
   void begin(const DynamicDelaunay& delaunay);
-  void grow_arrays(const DynamicDelaunay& delaunay);
+  void fit_arrays(const DynamicDelaunay& delaunay);
   void forget(const DelaunayChange& change);
   void examine(const DynamicDelaunay& delaunay, const Execution& execution);
   Part judge_part(const DynamicDelaunay& delaunay, const Execution& execution);

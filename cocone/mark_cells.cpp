@@ -48,23 +48,20 @@ std::vector<VertexId> vertices_of_known_cells(const Triangulation& triangulation
 
 // Where vertices disagree.
 void settle(const Triangulation& triangulation, const LinkedFacets& surface,
-            const IdVector<VertexId, SideId>& corner_at, const CarriedMarks& carried,
-            std::span<const KnownTriangle> triangles, CellMarks& marks) {
-  IdVector<CellId, CellLabel> known =
+            const IdVector<VertexId, SideId>& corner_at, CarriedMarks carried,
+            std::span<const KnownTriangle> triangles, CellMarks& marks,
+            const Execution& execution) {
+  const IdVector<CellId, CellLabel> known =
       labels_before_the_rounds(triangulation, surface, triangles, marks);
   const std::vector<VertexId> seeds = vertices_of_known_cells(triangulation, known);
   const bool all_carried = std::all_of(seeds.begin(), seeds.end(), [&](VertexId v) {
     return marks.good[v] == 0 || marks.visited[v] != 0;
   });
-  if (all_carried) {
-    settle_disputes(triangulation, surface, corner_at, carried, seeds, known, marks);
-    return;
+  if (!all_carried) {
+    // The known cells tell of parts of the surface that the hull does not see.
+    carried = carry_marks(triangulation, surface, corner_at, known, marks, execution);
   }
-  // The known cells tell of parts of the surface that the hull does not see.
-  marks.labels = std::move(known);
-  marks.visited = VertexSet(triangulation.num_vertices(), 0);
-  marks.visited_vertices = 0;
-  mark_in_rounds(triangulation, surface.set, seeds, marks);
+  settle_disputes(triangulation, surface, corner_at, carried, seeds, known, marks);
 }
 
 }  // namespace
@@ -158,13 +155,6 @@ void MarkingRounds::append_neighbors(VertexId v, std::vector<VertexId>& frontier
   }
 }
 
-void mark_in_rounds(const Triangulation& triangulation, const FacetSet& surface,
-                    std::span<const VertexId> seeds, CellMarks& marks) {
-  for (const CellId c : triangulation.infinite_cells()) marks.labels[c] = CellLabel::out;
-  std::vector<CellId> out_cells;
-  MarkingRounds(triangulation, surface, marks).run(seeds, out_cells);
-}
-
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      const VertexSet& boundary, const GoodVertexOptions& options,
                      const Execution& execution) {
@@ -182,10 +172,9 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
   marks.good = std::move(good.good);
   marks.good_vertices = good.count;
   marks.demoted_vertices = good.demoted;
-  const CarriedMarks carried =
-      carry_marks(triangulation, surface, good.corner_at, marks, execution);
+  CarriedMarks carried = carry_marks(triangulation, surface, good.corner_at, {}, marks, execution);
   if (!carried.disputed.empty()) {
-    settle(triangulation, surface, good.corner_at, carried, known, marks);
+    settle(triangulation, surface, good.corner_at, std::move(carried), known, marks, execution);
   }
   report_progress(execution, "mark_cells", 1);
   return marks;

@@ -82,13 +82,6 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
                      const VertexSet& boundary, std::span<const KnownTriangle> known,
                      const GoodVertexOptions& options = {}, const Execution& execution = {});
 
-// Labels all infinite cells OUT and runs all rounds, without what may replace them (mark_cells
-// decides which). The first to have their turn are the good ones among the seeds, each of which
-// touches an infinite cell or one that has a label already. Precondition: nobody is visited; good
-// vertices are known. Complexity: O(cells).
-void mark_in_rounds(const Triangulation& triangulation, const FacetSet& surface,
-                    std::span<const VertexId> seeds, CellMarks& marks);
-
 // The rounds by themselves, for the peel that discovers further seeds.
 class MarkingRounds {
  public:

@@ -49,17 +49,23 @@ class Reconstruction {
 
   // `triangulation` is that of the points times their working scale.
   void take(Triangulation triangulation) {
+    own_triangulation_ = std::move(triangulation);
+    refer_to(own_triangulation_);
+  }
+
+  // The same without taking it over.
+  void refer_to(const Triangulation& triangulation) {
     scale_ = working_scale(points_);
-    triangulation_ = std::move(triangulation);
+    triangulation_ = &triangulation;
     result_.points = points_.size();
-    result_.duplicates = triangulation_.num_duplicates();
-    result_.vertices = triangulation_.num_vertices();
-    result_.tetrahedra = triangulation_.num_finite_cells();
+    result_.duplicates = triangulation_->num_duplicates();
+    result_.vertices = triangulation_->num_vertices();
+    result_.tetrahedra = triangulation_->num_finite_cells();
   }
 
   void find_poles() {
     run_stage(execution_, "poles", [&](const Execution& nested) {
-      poles_ = compute_poles(triangulation_, options_.cocone.cosine, dual_, sides_, nested);
+      poles_ = compute_poles(*triangulation_, options_.cocone.cosine, dual_, sides_, nested);
     });
     ReconstructCounters& counters = result_.counters;
     counters.dual_extended_precision = dual_.extended_precision;
@@ -72,23 +78,23 @@ class Reconstruction {
   void build_surface() {
     Cocones cocones;
     run_stage(execution_, "cocone", [&](const Execution& nested) {
-      cocones = intersect_cocones(triangulation_, std::move(sides_), nested);
+      cocones = intersect_cocones(*triangulation_, std::move(sides_), nested);
     });
     run_stage(execution_, "boundary", [&](const Execution& nested) {
       boundary_ =
-          boundary_samples(triangulation_, dual_, poles_, cocones, options_.boundary, nested);
+          boundary_samples(*triangulation_, dual_, poles_, cocones, options_.boundary, nested);
       dual_.rays = {};
       dual_.hard_centers = {};
     });
     run_stage(execution_, "cocone", [&](const Execution& nested) {
       FacetSet candidates =
-          candidate_triangles(triangulation_, cocones, boundary_.boundary, nested);
+          candidate_triangles(*triangulation_, cocones, boundary_.boundary, nested);
       cocones = {};
       if (stages_ != nullptr) stages_->candidates = candidates;
       PrunedCandidates pruned =
-          prune_sharp_edges(triangulation_, std::move(candidates), options_.prune, nested);
+          prune_sharp_edges(*triangulation_, std::move(candidates), options_.prune, nested);
       if (stages_ != nullptr) stages_->left = pruned.left.set;
-      surface_ = extract_manifold(triangulation_, std::move(pruned.left), pruned.umbrella, nested);
+      surface_ = extract_manifold(*triangulation_, std::move(pruned.left), pruned.umbrella, nested);
       result_.counters.candidates = pruned.candidates;
       result_.counters.pruned = pruned.pruned;
       result_.counters.umbrellas = pruned.umbrellas;
@@ -119,8 +125,8 @@ class Reconstruction {
     boundary_.boundary = std::move(candidates.boundary);
     boundary_.count = result_.counters.boundary_samples;
     run_stage(execution_, "cocone", [&](const Execution& nested) {
-      LinkedFacets left = link_facets(triangulation_, std::move(candidates.left), nested);
-      surface_ = extract_manifold(triangulation_, std::move(left), candidates.umbrella, nested);
+      LinkedFacets left = link_facets(*triangulation_, std::move(candidates.left), nested);
+      surface_ = extract_manifold(*triangulation_, std::move(left), candidates.umbrella, nested);
     });
     count_surface();
   }
@@ -129,16 +135,16 @@ class Reconstruction {
     if (boundary_.interior() == 0) return deliver({});
     run_stage(execution_, "tight", [&](const Execution& nested) {
       if (options_.mode == Mode::paper) known = {};
-      CellMarks marks = mark_cells(triangulation_, surface_.triangles, boundary_.boundary, known,
+      CellMarks marks = mark_cells(*triangulation_, surface_.triangles, boundary_.boundary, known,
                                    options_.good_vertices, nested);
       const FacetSet surface = forget_links();
-      marks = peel_cells(triangulation_, surface, std::move(marks), options_.peel, nested);
+      marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, nested);
       ReconstructCounters& counters = result_.counters;
-      counters.clean_up = clean_up_cells(triangulation_, poles_, marks, options_.clean_up, nested);
+      counters.clean_up = clean_up_cells(*triangulation_, poles_, marks, options_.clean_up, nested);
       if (options_.keep_cavities) {
-        counters.cavities = open_cavities(triangulation_, surface, marks);
+        counters.cavities = open_cavities(*triangulation_, surface, marks);
       }
-      deliver(surface_between(triangulation_, marks, nested));
+      deliver(surface_between(*triangulation_, marks, nested));
       counters.good_vertices = marks.good_vertices;
       counters.demoted_vertices = marks.demoted_vertices;
       counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;
@@ -153,7 +159,7 @@ class Reconstruction {
 
   void deliver_open_surface() {
     run_stage(execution_, "cocone", [&](const Execution& nested) {
-      deliver(surface_of(triangulation_, surface_.halves, nested));
+      deliver(surface_of(*triangulation_, surface_.halves, nested));
       result_.counters.non_orientable_components = orient_surface(result_.mesh).non_orientable;
       canonicalize_triangles(result_.mesh, nested);
     });
@@ -163,7 +169,7 @@ class Reconstruction {
   void verify(bool closed) {
     if (!options_.verify || result_.status != SurfaceStatus::ok) return;
     result_.verification = verify_surface(
-        triangulation_, {result_.mesh, result_.point_of_vertex, triangulation_vertex_}, points_,
+        *triangulation_, {result_.mesh, result_.point_of_vertex, triangulation_vertex_}, points_,
         {.closed = closed, .scale = scale_}, execution_);
     if (result_.verification.ok()) return;
     result_.status = SurfaceStatus::refuted;
@@ -178,7 +184,7 @@ class Reconstruction {
   }
   ReconstructResult take_result() {
     if (stages_ != nullptr) {
-      stages_->triangulation = std::move(triangulation_);
+      stages_->triangulation = std::move(own_triangulation_);
       stages_->not_in_doubles = std::move(dual_.not_in_doubles);
       stages_->poles = std::move(poles_);
       stages_->boundary = std::move(boundary_);
@@ -230,7 +236,8 @@ class Reconstruction {
   Points points_;
   ReconstructOptions options_;
   Execution execution_;
-  Triangulation triangulation_;
+  Triangulation own_triangulation_;  // if it was taken over
+  const Triangulation* triangulation_ = &own_triangulation_;
   Dual dual_;
   Poles poles_;
   ConeSides sides_;
@@ -299,12 +306,13 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
   return reconstruction.tight_result(known);
 }
 
-ReconstructResult reconstruct_tight_from(Triangulation triangulation, KnownCandidates candidates,
-                                         Points points, std::span<const KnownTriangle> known,
+ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
+                                         KnownCandidates candidates, Points points,
+                                         std::span<const KnownTriangle> known,
                                          const ReconstructOptions& options,
                                          const Execution& execution, CoconeSurface& surface) {
   Reconstruction reconstruction(points, options, execution);
-  reconstruction.take(std::move(triangulation));
+  reconstruction.refer_to(triangulation);
   reconstruction.extract_from(std::move(candidates));
   reconstruction.close_surface(known);
   reconstruction.verify(true);

@@ -177,8 +177,9 @@ struct KnownCandidates {
 };
 
 // As reconstruct_tight_again of the triangulation, without these stages; fills in `surface`.
-ReconstructResult reconstruct_tight_from(Triangulation triangulation, KnownCandidates candidates,
-                                         Points points, std::span<const KnownTriangle> known,
+ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
+                                         KnownCandidates candidates, Points points,
+                                         std::span<const KnownTriangle> known,
                                          const ReconstructOptions& options,
                                          const Execution& execution, CoconeSurface& surface);
 

@@ -16,13 +16,8 @@ namespace {
 constexpr std::size_t grain = std::size_t{1} << 14;
 constexpr std::size_t ahead = 8;  // records lie anywhere in memory: fetch those that come soon
 
-// Two places whose records are to change: `b` holds a live cell, `a` any.
-struct Exchange {
-  CellId a, b;
-};
-
 // No place occurs twice.
-void exchange_cells(CellPool& pool, std::span<const Exchange> exchanges,
+void exchange_cells(CellPool& pool, std::span<const CellExchange> exchanges,
                     const Execution& execution) {
   const auto for_each = [&](auto visit) {
     parallel_chunks(execution, exchanges.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -72,9 +67,9 @@ void exchange_cells(CellPool& pool, std::span<const Exchange> exchanges,
 }
 
 // Fills the holes with the last live cells.
-void drop_free_cells(CellPool& pool, const Execution& execution) {
+std::vector<CellExchange> drop_free_cells(CellPool& pool, const Execution& execution) {
   std::sort(pool.free.begin(), pool.free.end());
-  std::vector<Exchange> exchanges;
+  std::vector<CellExchange> exchanges;
   std::size_t live = pool.cells.size();
   for (const CellId hole : pool.free) {
     while (live > hole.index() && pool.is_free(CellId(live - 1))) --live;
@@ -85,6 +80,7 @@ void drop_free_cells(CellPool& pool, const Execution& execution) {
   pool.cells.resize(live);
   pool.marks.resize(live);
   pool.free.clear();
+  return exchanges;
 }
 
 // The infinite cells in increasing order.
@@ -105,15 +101,17 @@ void require_cell_numbers(std::size_t count) {
                    std::to_string(max_cells) + " tetrahedra, the most that can be numbered");
 }
 
-std::size_t compact_cells(CellPool& pool, const Execution& execution) {
-  drop_free_cells(pool, execution);
+std::size_t compact_cells(CellPool& pool, const Execution& execution,
+                          std::vector<CellExchange>* done) {
+  std::vector<CellExchange> into_holes = drop_free_cells(pool, execution);
+  if (done != nullptr) *done = std::move(into_holes);
   // Exchange the infinite cells before the place where they are to begin with the finite ones
   // behind it.
   const std::vector<CellId> infinite = infinite_cells(pool, execution);
   const CellId end_of_finite(pool.cells.size() - infinite.size());
   const auto behind = std::lower_bound(infinite.begin(), infinite.end(), end_of_finite);
   const auto num_before = static_cast<std::size_t>(behind - infinite.begin());
-  std::vector<Exchange> exchanges;
+  std::vector<CellExchange> exchanges;
   exchanges.reserve(num_before);
   CellId place = end_of_finite;
   for (auto skipped = behind; exchanges.size() < num_before; ++place) {
@@ -124,6 +122,7 @@ std::size_t compact_cells(CellPool& pool, const Execution& execution) {
     }
   }
   exchange_cells(pool, exchanges, execution);
+  if (done != nullptr) done->insert(done->end(), exchanges.begin(), exchanges.end());
   return end_of_finite.index();
 }
 

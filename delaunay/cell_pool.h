@@ -37,9 +37,16 @@ inline constexpr std::size_t max_cells = (std::size_t{1} << 30) - 1;
 // Errors: InputError if there are more cells than max_cells.
 void require_cell_numbers(std::size_t count);
 
+// Two places whose records have changed places: `b` held a live cell, `a` any.
+struct CellExchange {
+  CellId a, b;
+};
+
 // Drops the free cells and moves the infinite ones behind the finite ones. Cells on the right side
 // already keep their numbers. Returns the number of finite cells. Complexity: O(cells) to look at
 // them and O(moved cells), on thread_count(execution) threads; O(free + infinite cells) of memory.
-std::size_t compact_cells(CellPool& pool, const Execution& execution = {});
+// `done`, if given, gets what was done: one exchange after the other, then the end cut off.
+std::size_t compact_cells(CellPool& pool, const Execution& execution = {},
+                          std::vector<CellExchange>* done = nullptr);
 
 }  // namespace cocoon

@@ -1,6 +1,7 @@
 #include "delaunay/dynamic_delaunay.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <span>
@@ -9,6 +10,7 @@
 
 #include "delaunay/cavity.h"
 #include "delaunay/cell_pool.h"
+#include "delaunay/circulate.h"
 #include "delaunay/first_cells.h"
 #include "delaunay/insertion_order.h"
 #include "delaunay/locate.h"
@@ -30,7 +32,8 @@ struct DynamicDelaunay::State {
   std::vector<VertexId> free_vertices;
   std::size_t num_vertices = 0;
   CellPool pool;
-  CellId last_created;  // live, unless empty
+  CellId last_created;           // live, unless empty
+  std::size_t finite_cells = 0;  // come first, after close_gaps()
   CavityInserter inserter{pool, points};
   VertexRemover remover{pool, points};
 
@@ -55,6 +58,9 @@ struct DynamicDelaunay::State {
   bool plan_removal(std::span<const VertexId> vertices) { return remover.plan(vertices, cell_at); }
   void commit_removal(std::span<const VertexId> vertices, DelaunayChange& change);
   void undo(DelaunayChange& change);
+
+  void follow(const CellExchange& exchange);
+  void rename(VertexId from, VertexId to);
 
   void rebuild(Points given, const Execution& execution, DelaunayChange& change);
   void remove_then_insert(Points given, const Execution& execution, DelaunayChange& change);
@@ -367,6 +373,74 @@ DynamicDelaunay::Elements DynamicDelaunay::release() && {
   Elements elements{std::move(state_->points), std::move(state_->pool.cells)};
   *this = DynamicDelaunay();
   return elements;
+}
+
+// --- Without gaps ----------------------------------------------------------------------------
+
+void DynamicDelaunay::State::follow(const CellExchange& exchange) {
+  for (const CellId c : {exchange.a, exchange.b}) {
+    if (c.index() >= pool.cells.size()) continue;
+    for (const VertexId v : pool.cells[c].vertices) {
+      if (v != infinite_vertex) cell_at[v] = c;
+    }
+  }
+}
+
+// Precondition: no cell is free; `to` is.
+void DynamicDelaunay::State::rename(VertexId from, VertexId to) {
+  std::vector<CellId> star{cell_at[from]};
+  const auto take = [&](CellId c) {
+    Cell& cell = pool.cells[c];
+    cell.vertices[static_cast<std::size_t>(index_of_vertex(cell, from))] = to;
+  };
+  take(star[0]);
+  for (std::size_t next = 0; next < star.size(); ++next) {
+    for (const FacetId f : pool.cells[star[next]].neighbors) {
+      if (!has_vertex(pool.cells[cell_of(f)], from)) continue;
+      take(cell_of(f));
+      star.push_back(cell_of(f));
+    }
+  }
+  points[to] = points[from];
+  cell_at[to] = cell_at[from];
+}
+
+Renumbering DynamicDelaunay::close_gaps() {
+  State& state = *state_;
+  state.begin_journal();
+  Renumbering renumbering;
+  state.finite_cells = compact_cells(state.pool, {}, &renumbering.cells);
+  for (const CellExchange& exchange : renumbering.cells) state.follow(exchange);
+  std::sort(state.free_vertices.begin(), state.free_vertices.end());
+  auto hole = state.free_vertices.begin();
+  for (VertexId v(state.num_vertices); v.index() < state.cell_at.size(); ++v) {
+    if (state.cell_at[v].is_none()) continue;
+    state.rename(v, *hole);
+    renumbering.vertices.push_back({v, *hole++});
+  }
+  state.free_vertices.clear();
+  state.cell_at.resize(state.num_vertices);
+  state.points.resize(state.num_vertices);
+  state.points.push_back({});
+  if (state.num_vertices > 0) state.last_created = CellId(state.pool.cells.size() - 1);
+  return renumbering;
+}
+
+Triangulation DynamicDelaunay::lend(IdVector<PointId, VertexId> vertex_of_point) {
+  State& state = *state_;
+  assert(state.pool.free.empty() && state.free_vertices.empty());
+  state.points.resize(state.num_vertices);
+  return Triangulation(
+      {std::move(state.points), std::move(state.pool.cells), std::move(vertex_of_point)},
+      state.finite_cells);
+}
+
+IdVector<PointId, VertexId> DynamicDelaunay::take_back(Triangulation triangulation) {
+  TriangulationArrays arrays = std::move(triangulation).release();
+  state_->points = std::move(arrays.points);
+  state_->points.push_back({});  // there is room: it was there before
+  state_->pool.cells = std::move(arrays.cells);
+  return std::move(arrays.vertex_of_point);
 }
 
 FrozenDelaunay DynamicDelaunay::freeze() const {

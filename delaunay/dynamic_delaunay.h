@@ -8,6 +8,7 @@
 
 #include "delaunay/delaunay.h"
 #include "delaunay/removal.h"
+#include "delaunay/renumbering.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/triangulation_view.h"
 #include "geom/execution.h"
@@ -86,6 +87,16 @@ class DynamicDelaunay {
 
   // Complexity: O(n).
   FrozenDelaunay freeze() const;
+
+  // Numbers vertices and cells without gaps, finite cells first. Complexity: a look at each cell,
+  // and O(star) for each vertex that moves.
+  Renumbering close_gaps();
+  // The triangulation for the stages in the ids that it has here, without a copy; `vertex_of_point`
+  // as in Triangulation. Until it is given back nothing else may be called. Precondition: no
+  // operation since close_gaps(). Complexity: O(input points).
+  Triangulation lend(IdVector<PointId, VertexId> vertex_of_point);
+  // Returns vertex_of_point. Complexity: O(1).
+  IdVector<PointId, VertexId> take_back(Triangulation triangulation);
 
   // Gives up what view() shows, with its gaps. Complexity: O(1).
   struct Elements {

@@ -33,7 +33,7 @@ bool StarCache::are_many(std::size_t count) const {
 }
 
 bool StarCache::are_many_cells(std::size_t count) const {
-  return 8 * count > triangulation_.num_cells() + few;
+  return 3 * count > triangulation_.num_cells() + few;
 }
 
 bool StarCache::expect(std::size_t count) {

@@ -23,7 +23,7 @@ class StarCache {
 
   // All cells, finite and infinite, that have v as a vertex, in increasing order. Valid as long as
   // the object. O(star log star) the first time, then O(1). When a sixteenth of all stars (and
-  // some) has been asked for, or so many that they have an eighth as many cells as there are, all
+  // some) has been asked for, or so many that they have a third as many cells as there are, all
   // are listed: O(cells), once.
   std::span<const CellId> star(VertexId v);
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "geom/errors.h"
 #include "geom/random.h"
 #include "tests/cocone/equal_reconstructions.h"
 #include "tests/gallery.h"
@@ -183,6 +184,45 @@ TEST(DynamicTightCocone, ABodyFallsApart) {
   ReconstructResult expected;
   EXPECT_FALSE(is_local_and_equal(cocone, joined, expected));
   EXPECT_EQ(expected.counters.surface_walks, 2U);
+}
+
+struct StopAfter : Progress {
+  explicit StopAfter(int n) : left(n) {}
+  bool report(std::string_view, double) override { return --left > 0; }
+  int left;
+};
+
+// Stages over the whole borrow the triangulation, and vertices move into gaps for that: wherever it
+// is cancelled, the points before are there again.
+TEST(DynamicTightCocone, CancelledOnATornSurfaceItGoesOnFromThePointsBefore) {
+  Random random(5);
+  std::vector<Point> points;
+  while (points.size() < 700) points.push_back(rough_sample(700, 0.5, random));
+  ChangingPoints changing(points);
+  DynamicTightCocone cocone;
+  cocone.reconstruct(changing.points);
+  int cancelled = 0;
+  for (int n = 1;; ++n) {
+    const ChangingPoints before = changing;
+    changing.change([&](const Point& p) { return p.z > 0.9 || random.below(40) == 0; },
+                    {rough_sample(700, 0.5, random), rough_sample(700, 0.5, random)});
+    StopAfter progress(n);
+    try {
+      cocone.replace(changing.points, changing.old_position, {1, &progress});
+      break;
+    } catch (const Cancelled&) {
+      ++cancelled;
+      changing = before;
+      changing.change([](const Point&) { return false; }, {});
+      ReconstructResult expected;
+      EXPECT_FALSE(is_local_and_equal(cocone, changing, expected)) << "after " << n;
+      EXPECT_GT(expected.counters.poor_cells, 0U);
+    }
+  }
+  EXPECT_GT(cancelled, 10);
+  changing.change([](const Point&) { return false; }, {rough_sample(700, 0.5, random)});
+  ReconstructResult expected;
+  EXPECT_FALSE(is_local_and_equal(cocone, changing, expected));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "cocone/peel_cells.h"
 #include "cocone/surface_mesh.h"
 #include "delaunay/circulate.h"
+#include "ref/mark_in_rounds.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 
@@ -27,7 +28,7 @@ struct Marked {
     for (const CellId c : s.triangulation.infinite_cells()) {
       for (int i = 0; i < 3; ++i) seeds.push_back(s.triangulation.vertex(c, i));
     }
-    mark_in_rounds(s.triangulation, surface, seeds, rounds);
+    ref::mark_in_rounds(s.triangulation, surface, seeds, rounds);
     return rounds;
   }
 

@@ -141,6 +141,43 @@ TEST_P(DynamicGallery, ReplacementEqualsAFreshBuild) {
   expect_fresh(dynamic);
 }
 
+// Arrays by slot that follow the renumbering belong to the same elements as before, and what is
+// lent and comes back is what was there.
+void expect_no_gaps_after_closing(DynamicDelaunay& dynamic) {
+  std::vector<std::vector<VertexId>> cells = cells_by_slot(dynamic);
+  std::vector<Point> points;
+  for (const VertexId v : id_range<VertexId>(dynamic.num_vertex_slots())) {
+    points.push_back(dynamic.contains(v) ? dynamic.point(v) : Point{});
+  }
+  const Renumbering renumbering = dynamic.close_gaps();
+  for (const auto& [a, b] : renumbering.cells) std::swap(cells[a.index()], cells[b.index()]);
+  for (const auto& [from, to] : renumbering.vertices) {
+    points[to.index()] = points[from.index()];
+    for (std::vector<VertexId>& cell : cells) {
+      std::replace(cell.begin(), cell.end(), from, to);
+      std::sort(cell.begin(), cell.end());
+    }
+  }
+  cells.resize(dynamic.view().cell_records().size());
+  points.resize(dynamic.num_vertex_slots());
+  ASSERT_EQ(cells, cells_by_slot(dynamic));
+  ASSERT_EQ(live_points(dynamic), points);
+  ASSERT_EQ(dynamic.num_vertices(), points.size());
+  expect_consistent(dynamic);
+
+  IdVector<PointId, VertexId> vertex_of_point;
+  for (const VertexId v : live_vertices(dynamic)) vertex_of_point.push_back(v);
+  const IdVector<CellId, Cell> records = dynamic.view().cell_records();
+  Triangulation lent = dynamic.lend(vertex_of_point);
+  EXPECT_EQ(lent.cell_records(), records);
+  EXPECT_EQ(lent.points().raw(), points);
+  for (const CellId c : lent.cells()) {
+    ASSERT_EQ(lent.is_infinite(c), is_infinite(lent.cell(c)));
+  }
+  EXPECT_EQ(dynamic.take_back(std::move(lent)), vertex_of_point);
+  ASSERT_EQ(live_points(dynamic), points);
+}
+
 // Random operations of random size; the set stays small, so that it is often nearly nothing.
 TEST_P(DynamicGallery, LongHistoriesEndInTheSameCells) {
   const std::vector<Point> pool = GetParam().make();
@@ -171,6 +208,7 @@ TEST_P(DynamicGallery, LongHistoriesEndInTheSameCells) {
       ASSERT_TRUE(live_vertices(dynamic) == live);
     }
     if (dynamic.num_vertices() > 0 && step % 5 == 0) expect_fresh(dynamic);
+    if (step % 7 == 0) expect_no_gaps_after_closing(dynamic);
     if (testing::Test::HasFatalFailure()) FAIL() << "in step " << step;
   }
   expect_consistent(dynamic);

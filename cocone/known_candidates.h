@@ -1,0 +1,13 @@
+// What a changing triangulation knows of its candidates, for the stages after them.
+#pragma once
+
+#include "cocone/live_candidates.h"
+#include "cocone/reconstruct.h"
+
+namespace cocoon {
+
+// Precondition: candidates.exists(), and no slot is free (DynamicDelaunay::close_gaps).
+// Complexity: O(n).
+KnownCandidates known_candidates(const LiveCandidates& candidates);
+
+}  // namespace cocoon
