@@ -154,7 +154,7 @@ bool CertifiedSurface::update_at_touched(const DynamicDelaunay& delaunay,
     if (is(side_flag::outer, f) || is(side_flag::inner, f)) facets.push_back(f);
   }
   for (const FacetId f : halves) facets.push_back(view.canonical(f));
-  const LocalFacets surface = collector_.link(delaunay, std::move(facets));
+  const LocalFacets surface = collector_.link(view, std::move(facets));
   around.insert(around.end(), touched_.begin(), touched_.end());
   if (!find_sheets(candidates, surface, around)) return false;
   list_triangles(view, surface);
@@ -296,17 +296,12 @@ bool CertifiedSurface::find_sheets(const LiveCandidates& candidates, const Local
     boundary[local] = candidates.is_boundary(surface.vertex_in_whole[local]) ? 1 : 0;
   }
   const GoodVertices found = good_vertices(surface.triangles, boundary, options_.good_vertices);
-  VertexSet closed;  // folded ones, too
-  if (found.demoted > 0) {
-    closed =
-        good_vertices(surface.triangles, boundary, {.fold_cosine = 2, .crease_cosine = 2}).good;
-  }
   for (const VertexId v : vertices) {
     const VertexId local = surface.local(v);
     SheetAt sheet = SheetAt::none;
     if (!local.is_none()) {
       const bool is_good = found.good[local] != 0;
-      const bool is_folded = !is_good && !closed.empty() && closed[local] != 0;
+      const bool is_folded = std::binary_search(found.folded.begin(), found.folded.end(), local);
       if ((!is_good && !is_folded) || !candidates.has_umbrella(v)) return false;
       sheet = is_good ? SheetAt::good : SheetAt::folded;
     }

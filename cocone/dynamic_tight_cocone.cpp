@@ -8,6 +8,7 @@
 
 #include "cocone/certified_surface.h"
 #include "cocone/compact_delaunay.h"
+#include "cocone/kept_marks.h"
 #include "cocone/known_candidates.h"
 #include "cocone/lent_delaunay.h"
 #include "cocone/live_candidates.h"
@@ -52,6 +53,7 @@ struct DynamicTightCocone::State {
   IdVector<PointId, VertexId> vertex_of_point;  // in it
   LiveCandidates candidates;
   CertifiedSurface certified;
+  KeptMarks marks;  // while the surface is not certain
   // The way back from vertex_of_point, if each vertex has one point; empty: not known.
   IdVector<VertexId, PointId> point_of_vertex;
 
@@ -117,7 +119,7 @@ void DynamicTightCocone::State::look_for_certificate(const ReconstructResult& re
   const bool hopeful = result.status == SurfaceStatus::ok && counters.surface_walks == 1 &&
                        counters.back_contacts == 0 && counters.poor_cells == 0 &&
                        counters.unvisited_vertices == 0 && counters.marking_rounds == 0;
-  if (hopeful) certified.certify(delaunay, candidates, surface);
+  if (hopeful && certified.certify(delaunay, candidates, surface)) marks.clear();
 }
 
 void DynamicTightCocone::State::clear(std::size_t count) {
@@ -130,6 +132,7 @@ void DynamicTightCocone::State::clear(std::size_t count) {
 void DynamicTightCocone::State::forget_surface() {
   candidates.clear();
   certified.clear();
+  marks.clear();
   point_of_vertex.clear();
 }
 
@@ -189,6 +192,7 @@ DelaunayChange DynamicTightCocone::State::carry_out(Step& step, const Execution&
   if (!is_local) forget_surface();
   if (candidates.exists()) candidates.update(delaunay, change, execution);
   if (certified.exists()) certified.update(delaunay, change, candidates);
+  if (marks.exists()) marks.update(delaunay, change, candidates);
   return change;
 }
 
@@ -249,6 +253,7 @@ void DynamicTightCocone::State::close_gaps(Step& step) {
   step.slots = delaunay.num_vertex_slots();
   Renumbering renumbering = delaunay.close_gaps();
   candidates.renumber(renumbering, delaunay);
+  if (marks.exists()) marks.renumber(renumbering, delaunay);
   rename_vertices(renumbering.vertices, step.slots, vertex_of_point.span());
   step.moved = std::move(renumbering.vertices);
 }
@@ -282,8 +287,11 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
   ReconstructResult result;
   {
     const LentDelaunay lent(delaunay, vertex_of_point);
-    result =
-        reconstruct_tight_from(*lent, std::move(found), points, known, options, execution, surface);
+    const Marking mark = [&](const Triangulation& triangulation, const auto&... input) {
+      return marks.mark(triangulation, delaunay.cells_at_vertices(), input...);
+    };
+    result = reconstruct_tight_from(*lent, std::move(found), points, known, options, execution,
+                                    mark, surface);
   }
   look_for_certificate(result, surface);
   return result;

@@ -12,15 +12,14 @@ VertexId LocalFacets::local(VertexId in_whole) const {
   return VertexId(static_cast<std::size_t>(found - vertex_in_whole.begin()));
 }
 
-LocalFacets FacetCollector::link(const DynamicDelaunay& delaunay, std::vector<FacetId> facets) {
+LocalFacets FacetCollector::link(const TriangulationView& view, std::vector<FacetId> facets) {
   sort_ids(facets);
-  const TriangulationView view = delaunay.view();
   LocalFacets local;
   LinkedFacets& triangles = local.triangles;
   triangles.facets = std::move(facets);
   triangles.mirrors.reserve(triangles.facets.size());
   triangles.corners.reserve(triangles.facets.size());
-  vertex_here_.resize(delaunay.num_vertex_slots());
+  vertex_here_.resize(view.points().size());
   std::vector<VertexId> vertices;
   for (const FacetId f : triangles.facets) {
     triangles.mirrors.push_back(view.mirror(f));

@@ -46,11 +46,11 @@ class FacetCollector {
       }
     }
     for (const VertexId v : vertices) in_list_[v] = 0;
-    return link(delaunay, std::move(facets));
+    return link(view, std::move(facets));
   }
 
   // These facets, each once, by canonical ids.
-  LocalFacets link(const DynamicDelaunay& delaunay, std::vector<FacetId> facets);
+  LocalFacets link(const TriangulationView& view, std::vector<FacetId> facets);
 
  private:
   StarFinder stars_;

@@ -171,7 +171,7 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
   CellMarks marks;
   marks.good = std::move(good.good);
   marks.good_vertices = good.count;
-  marks.demoted_vertices = good.demoted;
+  marks.folded = std::move(good.folded);
   CarriedMarks carried = carry_marks(triangulation, surface, good.corner_at, {}, marks, execution);
   if (!carried.disputed.empty()) {
     settle(triangulation, surface, good.corner_at, std::move(carried), known, marks, execution);

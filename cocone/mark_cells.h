@@ -31,8 +31,9 @@ enum class CellLabel : std::uint8_t { unmarked, out, in };
 
 struct CellMarks {
   IdVector<CellId, CellLabel> labels;
-  VertexSet good;     // vertices that may tell the sides of the surface apart
-  VertexSet visited;  // good vertices that have done so
+  VertexSet good;                // vertices that may tell the sides of the surface apart
+  VertexSet visited;             // good vertices that have done so
+  std::vector<VertexId> folded;  // closed umbrellas at folds (umbrella.h); increasing
   // After peel_cells: 1 = reached from infinity. The body is the set of finite cells not reached.
   IdVector<CellId, std::uint8_t> reached;
   // After peel_cells, empty if there are no conflicts: 1 = a good vertex whose cells are not OUT on
@@ -40,7 +41,6 @@ struct CellMarks {
   VertexSet contradicted;
 
   std::size_t good_vertices = 0;
-  std::size_t demoted_vertices = 0;  // closed umbrellas at folds (umbrella.h)
   std::size_t visited_vertices = 0;
   std::size_t rounds = 0;          // 0: no two vertices disagreed, one pass decided
   std::size_t known_cells = 0;     // that had their labels before the rounds

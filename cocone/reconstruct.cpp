@@ -135,8 +135,7 @@ class Reconstruction {
     if (boundary_.interior() == 0) return deliver({});
     run_stage(execution_, "tight", [&](const Execution& nested) {
       if (options_.mode == Mode::paper) known = {};
-      CellMarks marks = mark_cells(*triangulation_, surface_.triangles, boundary_.boundary, known,
-                                   options_.good_vertices, nested);
+      CellMarks marks = mark(known, nested);
       const FacetSet surface = forget_links();
       marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, nested);
       ReconstructCounters& counters = result_.counters;
@@ -146,7 +145,7 @@ class Reconstruction {
       }
       deliver(surface_between(*triangulation_, marks, nested));
       counters.good_vertices = marks.good_vertices;
-      counters.demoted_vertices = marks.demoted_vertices;
+      counters.demoted_vertices = marks.folded.size();
       counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;
       counters.marking_rounds = marks.rounds;
       counters.marking_conflicts = marks.conflicts;
@@ -176,6 +175,8 @@ class Reconstruction {
     result_.mesh = {};
   }
 
+  // From now on this marks cells.
+  void use(const Marking& marking) { marking_ = marking; }
   // From now on what is found is kept for `stages`.
   void keep_stages(ReconstructStages& stages) { stages_ = &stages; }
   CoconeSurface take_surface() {
@@ -194,6 +195,11 @@ class Reconstruction {
   }
 
  private:
+  CellMarks mark(std::span<const KnownTriangle> known, const Execution& execution) const {
+    return marking_(*triangulation_, surface_.triangles, boundary_.boundary, known,
+                    options_.good_vertices, execution);
+  }
+
   // A third as much memory as the triangulation has. What is left of the links is the set of
   // facets.
   FacetSet forget_links() { return std::exchange(surface_.triangles, {}).set; }
@@ -242,6 +248,7 @@ class Reconstruction {
   Poles poles_;
   ConeSides sides_;
   BoundarySamples boundary_;
+  Marking marking_ = [](const auto&... input) { return mark_cells(input...); };
   ManifoldSurface surface_;
   VertexSet good_;                                     // as the marks had them
   IdVector<VertexId, VertexId> triangulation_vertex_;  // of each vertex of the result
@@ -310,8 +317,10 @@ ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
                                          KnownCandidates candidates, Points points,
                                          std::span<const KnownTriangle> known,
                                          const ReconstructOptions& options,
-                                         const Execution& execution, CoconeSurface& surface) {
+                                         const Execution& execution, const Marking& marking,
+                                         CoconeSurface& surface) {
   Reconstruction reconstruction(points, options, execution);
+  reconstruction.use(marking);
   reconstruction.refer_to(triangulation);
   reconstruction.extract_from(std::move(candidates));
   reconstruction.close_surface(known);

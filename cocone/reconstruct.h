@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -176,12 +177,19 @@ struct KnownCandidates {
   ReconstructCounters counters;  // of these stages
 };
 
+// A way to what mark_cells gives (kept_marks.h).
+using Marking =
+    std::function<CellMarks(const Triangulation& triangulation, const LinkedFacets& surface,
+                            const VertexSet& boundary, std::span<const KnownTriangle> known,
+                            const GoodVertexOptions& options, const Execution& execution)>;
+
 // As reconstruct_tight_again of the triangulation, without these stages; fills in `surface`.
 ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
                                          KnownCandidates candidates, Points points,
                                          std::span<const KnownTriangle> known,
                                          const ReconstructOptions& options,
-                                         const Execution& execution, CoconeSurface& surface);
+                                         const Execution& execution, const Marking& marking,
+                                         CoconeSurface& surface);
 
 // The Cocone surface with its boundary: open where the cloud is. As above without "tight".
 // Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Woo & Dey 2005, sections 2.1, 3.2.

@@ -1,16 +1,16 @@
 #include "cocone/star_finder.h"
 
-#include "delaunay/triangulation_view.h"
+#include <array>
 
 namespace cocoon {
 
 // A star hangs together by facets at its vertex. So all stars are flooded at once, through the
 // facets that have one of the vertices.
-std::span<const CellId> StarFinder::stars(const DynamicDelaunay& delaunay,
+std::span<const CellId> StarFinder::stars(const TriangulationView& view,
+                                          const IdVector<VertexId, CellId>& cell_at,
                                           std::span<const VertexId> vertices) {
-  const TriangulationView view = delaunay.view();
   seen_.resize(view.cell_records().size(), 0);
-  in_list_.resize(delaunay.num_vertex_slots(), 0);
+  in_list_.resize(cell_at.size(), 0);
   cells_.clear();
   for (const VertexId v : vertices) in_list_[v] = 1;
   const auto find = [&](CellId c) {
@@ -22,7 +22,7 @@ std::span<const CellId> StarFinder::stars(const DynamicDelaunay& delaunay,
   constexpr std::size_t ahead = 8;  // cells whose neighbors are asked for early
   std::size_t next = 0;
   for (const VertexId v : vertices) {
-    find(delaunay.cell_at(v));
+    find(cell_at[v]);
     for (; next < cells_.size(); ++next) {
       if (next + ahead < cells_.size()) {
         for (const FacetId f : view.cell(cells_[next + ahead]).neighbors) {

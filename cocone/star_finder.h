@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "delaunay/dynamic_delaunay.h"
+#include "delaunay/triangulation_view.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 
@@ -16,6 +17,12 @@ class StarFinder {
   // All cells that have one of the vertices, each once; valid until the next call. Precondition:
   // the vertices are in the triangulation. Complexity: O(cells found), and once O(slots).
   std::span<const CellId> stars(const DynamicDelaunay& delaunay,
+                                std::span<const VertexId> vertices) {
+    return stars(delaunay.view(), delaunay.cells_at_vertices(), vertices);
+  }
+  // The same of a triangulation with a cell at each vertex, by slot.
+  std::span<const CellId> stars(const TriangulationView& view,
+                                const IdVector<VertexId, CellId>& cell_at,
                                 std::span<const VertexId> vertices);
 
  private:

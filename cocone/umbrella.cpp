@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cocone/shared_flags.h"
+#include "geom/parallel_list.h"
 
 namespace cocoon {
 namespace {
@@ -198,24 +199,22 @@ GoodVertices good_vertices(const LinkedFacets& triangles, const VertexSet& bound
                     });
                   });
   const IdVector<VertexId, Corners> corners = corners_at(triangles, count);
-  GoodVertices result{VertexSet(count, 0), IdVector<VertexId, SideId>(count), 0, 0};
+  GoodVertices result{VertexSet(count, 0), IdVector<VertexId, SideId>(count), 0, {}};
   std::atomic<std::size_t> good = 0;
-  std::atomic<std::size_t> demoted = 0;
-  parallel_chunks(execution, count, vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
+  const auto judge = [&](std::size_t begin, std::size_t end, std::vector<VertexId>& folded_here) {
     std::size_t good_here = 0;
-    std::size_t demoted_here = 0;
     for (VertexId v(begin); v.index() < end; ++v) {
       result.corner_at[v] = corners[v].one;
       if (corners[v].count < 3 || open.is_raised(v)) continue;
       if (!is_one_cycle(triangles, v, corners[v])) continue;
       result.good[v] = !folded.is_raised(v);
-      (folded.is_raised(v) ? demoted_here : good_here) += 1;
+      good_here += result.good[v];
+      if (folded.is_raised(v)) folded_here.push_back(v);
     }
     good += good_here;
-    demoted += demoted_here;
-  });
+  };
+  result.folded = parallel_list<VertexId>(execution, count, vertices_per_chunk, judge);
   result.count = good;
-  result.demoted = demoted;
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "cocone/facet_set.h"
 #include "cocone/linked_facets.h"
@@ -40,7 +41,7 @@ struct GoodVertices {
   VertexSet good;  // 1 = its triangles form one closed umbrella, and it was not demoted
   IdVector<VertexId, SideId> corner_at;  // of each vertex in a triangle: a side opposite to it
   std::size_t count = 0;                 // good vertices
-  std::size_t demoted = 0;               // closed umbrellas at a fold or crease
+  std::vector<VertexId> folded;  // demoted: closed umbrellas at a fold or crease; increasing
 };
 
 // A vertex is good iff its triangles form exactly one closed umbrella: every spoke has two of

@@ -367,6 +367,9 @@ bool DynamicDelaunay::contains(VertexId v) const {
 }
 const Point& DynamicDelaunay::point(VertexId v) const { return state_->points[v]; }
 CellId DynamicDelaunay::cell_at(VertexId v) const { return state_->cell_at[v]; }
+const IdVector<VertexId, CellId>& DynamicDelaunay::cells_at_vertices() const {
+  return state_->cell_at;
+}
 TriangulationView DynamicDelaunay::view() const { return {state_->points, state_->pool.cells}; }
 
 DynamicDelaunay::Elements DynamicDelaunay::release() && {

@@ -82,6 +82,8 @@ class DynamicDelaunay {
   // Precondition for both: contains(v).
   const Point& point(VertexId v) const;
   CellId cell_at(VertexId v) const;  // one of the cells at v
+  // The same by slot; none where no vertex is. Valid until the next operation.
+  const IdVector<VertexId, CellId>& cells_at_vertices() const;
   // Valid until the next operation. Its points have elements that are no vertices.
   TriangulationView view() const;
 
@@ -92,8 +94,8 @@ class DynamicDelaunay {
   // and O(star) for each vertex that moves.
   Renumbering close_gaps();
   // The triangulation for the stages in the ids that it has here, without a copy; `vertex_of_point`
-  // as in Triangulation. Until it is given back nothing else may be called. Precondition: no
-  // operation since close_gaps(). Complexity: O(input points).
+  // as in Triangulation. Until it is given back nothing but cells_at_vertices() may be called.
+  // Precondition: no operation since close_gaps(). Complexity: O(input points).
   Triangulation lend(IdVector<PointId, VertexId> vertex_of_point);
   // Returns vertex_of_point. Complexity: O(1).
   IdVector<PointId, VertexId> take_back(Triangulation triangulation);

@@ -156,8 +156,8 @@ TEST(Umbrella, BoundarySamplesAtCreasesAreDemoted) {
   EXPECT_EQ(good_vertices(fans, boundary).count, 6U);
   const GoodVertices creased = good_vertices(fans, boundary, {.crease_cosine = -0.5});
   EXPECT_EQ(creased.count, 5U);
-  EXPECT_EQ(creased.demoted, 1U);
-  EXPECT_EQ(good_vertices(fans, boundary, {.fold_cosine = -0.5}).demoted, 6U);
+  EXPECT_EQ(creased.folded.size(), 1U);
+  EXPECT_EQ(good_vertices(fans, boundary, {.fold_cosine = -0.5}).folded.size(), 6U);
 }
 
 TEST(PruneSharpEdges, AFlapStaysWhereItsFreeEdgesHaveNoUmbrella) {
