@@ -5,12 +5,12 @@
 //
 // A smooth closed surface and scans of patches of about K points, each with a gentle hill: models
 // of 10^4 points to N at fixed K, and clouds of K / 10 to 3 K at N points; then models of random
-// samples of the same surface, which always have some boundary samples. Each row has the
-// reconstruction of the model, and the median of R updates by UpdateSession, with its four steps;
-// one thread, processor time. Then the models after Woo & Dey 2005 with all their clouds; undone
-// after each. The last model of each session is compared with an update of the one before from
-// scratch; if they differ the program stops with exit code 1. --paper 0 leaves these models out.
-// FILE: the two curves.
+// samples of the same surface, which always have some boundary samples, and of rough and noisy
+// ones, whose surface is not certain. Each row has the reconstruction of the model, and the median
+// of R updates by UpdateSession, with its four steps; one thread, processor time. Then the models
+// after Woo & Dey 2005 with all their clouds; undone after each. The last model of each session is
+// compared with an update of the one before from scratch; if they differ the program stops with
+// exit code 1. --paper 0 leaves these models out. FILE: the two curves.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -66,6 +66,24 @@ std::vector<Point> randomly_on_surface(std::size_t n, std::uint64_t seed) {
     p = radius(u) * u;
   }
   return points;
+}
+
+// With noise along the radius, in spacings.
+std::vector<Point> with_noise(std::vector<Point> points, double noise, std::uint64_t seed) {
+  Random random(seed);
+  const double spacing = std::sqrt(4 * std::numbers::pi / static_cast<double>(points.size()));
+  for (Point& p : points) p = (1 + noise * spacing * random.gaussian()) * p;
+  return points;
+}
+
+// The surface is whole, but not certain: flat tetrahedra lie on it.
+std::vector<Point> rough(std::size_t n, std::uint64_t seed) {
+  return with_noise(evenly_on_surface(n, seed), 0.1, seed + 1);
+}
+
+// As real scans: there are samples and cells in doubt, too.
+std::vector<Point> noisy(std::size_t n, std::uint64_t seed) {
+  return with_noise(randomly_on_surface(n, seed), 0.05, seed + 1);
 }
 
 using Samples = std::vector<Point> (*)(std::size_t n, std::uint64_t seed);
@@ -202,11 +220,14 @@ int run_all(int argc, char** argv) {
     add(row, static_cast<double>(row.cloud), by_cloud);
     ok = ok && row.ok;
   }
-  for (double n = 1e4; n <= 1.01 * static_cast<double>(arguments.points); n *= 10) {
-    ok = measure_surface("random", randomly_on_surface, static_cast<std::size_t>(std::lround(n)),
-                         fixed, arguments.repetitions)
-             .ok &&
-         ok;
+  const std::pair<const char*, Samples> others[] = {
+      {"random", randomly_on_surface}, {"rough", rough}, {"noisy", noisy}};
+  for (const auto& [name, samples] : others) {
+    for (double n = 1e4; n <= 1.01 * static_cast<double>(arguments.points); n *= 10) {
+      const Row row = measure_surface(name, samples, static_cast<std::size_t>(std::lround(n)),
+                                      fixed, arguments.repetitions);
+      ok = ok && row.ok;
+    }
   }
   for (const std::string& name :
        arguments.paper ? sample_model_names() : std::vector<std::string>()) {
