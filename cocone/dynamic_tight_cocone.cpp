@@ -8,6 +8,7 @@
 
 #include "cocone/certified_surface.h"
 #include "cocone/compact_delaunay.h"
+#include "cocone/kept_links.h"
 #include "cocone/kept_marks.h"
 #include "cocone/known_candidates.h"
 #include "cocone/lent_delaunay.h"
@@ -24,15 +25,6 @@ namespace {
 
 std::vector<KnownTriangle> triangles_of(const KnownTriangleSource& source) {
   return source ? source() : std::vector<KnownTriangle>();
-}
-
-std::vector<PointId> old_positions(const ListEdit<PointId>& change, std::size_t count) {
-  std::vector<PointId> positions(count);
-  const std::size_t before = count + change.removed.size() - change.added.size();
-  for (const KeptRun& run : kept_runs(change, before)) {
-    for (std::size_t k = 0; k < run.count; ++k) positions[run.to + k] = PointId(run.from + k);
-  }
-  return positions;
 }
 
 // Whether the working scale of the points is 1, as that of those they were made of, by some that
@@ -53,7 +45,8 @@ struct DynamicTightCocone::State {
   IdVector<PointId, VertexId> vertex_of_point;  // in it
   LiveCandidates candidates;
   CertifiedSurface certified;
-  KeptMarks marks;  // while the surface is not certain
+  KeptLinks links;  // while the surface is not certain, as the next
+  KeptMarks marks;
   // The way back from vertex_of_point, if each vertex has one point; empty: not known.
   IdVector<VertexId, PointId> point_of_vertex;
 
@@ -119,7 +112,9 @@ void DynamicTightCocone::State::look_for_certificate(const ReconstructResult& re
   const bool hopeful = result.status == SurfaceStatus::ok && counters.surface_walks == 1 &&
                        counters.back_contacts == 0 && counters.poor_cells == 0 &&
                        counters.unvisited_vertices == 0 && counters.marking_rounds == 0;
-  if (hopeful && certified.certify(delaunay, candidates, surface)) marks.clear();
+  if (!hopeful || !certified.certify(delaunay, candidates, surface)) return;
+  links.clear();
+  marks.clear();
 }
 
 void DynamicTightCocone::State::clear(std::size_t count) {
@@ -132,6 +127,7 @@ void DynamicTightCocone::State::clear(std::size_t count) {
 void DynamicTightCocone::State::forget_surface() {
   candidates.clear();
   certified.clear();
+  links.clear();
   marks.clear();
   point_of_vertex.clear();
 }
@@ -192,6 +188,7 @@ DelaunayChange DynamicTightCocone::State::carry_out(Step& step, const Execution&
   if (!is_local) forget_surface();
   if (candidates.exists()) candidates.update(delaunay, change, execution);
   if (certified.exists()) certified.update(delaunay, change, candidates);
+  if (links.exists()) links.update(delaunay, change);
   if (marks.exists()) marks.update(delaunay, change, candidates);
   return change;
 }
@@ -253,6 +250,7 @@ void DynamicTightCocone::State::close_gaps(Step& step) {
   step.slots = delaunay.num_vertex_slots();
   Renumbering renumbering = delaunay.close_gaps();
   candidates.renumber(renumbering, delaunay);
+  if (links.exists()) links.renumber(renumbering, delaunay);
   if (marks.exists()) marks.renumber(renumbering, delaunay);
   rename_vertices(renumbering.vertices, step.slots, vertex_of_point.span());
   step.moved = std::move(renumbering.vertices);
@@ -290,9 +288,11 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
     const Marking mark = [&](const Triangulation& triangulation, const auto&... input) {
       return marks.mark(triangulation, delaunay.cells_at_vertices(), input...);
     };
+    found.left = links.link(*lent, candidates_left(candidates), execution);
     result = reconstruct_tight_from(*lent, std::move(found), points, known, options, execution,
                                     mark, surface);
   }
+  if (!surface.triangles.facets.empty()) links.keep(std::move(surface.triangles));
   look_for_certificate(result, surface);
   return result;
 }
@@ -451,7 +451,8 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
                                                     const KnownTriangleSource& known) {
   State& state = *state_;
   if (!is_certain()) {
-    return {replace(points, old_positions(change, points.size()), execution, known), {}};
+    const IdVector<PointId, PointId> before = places_after(change.reversed(), points.size());
+    return {replace(points, before.raw(), execution, known), {}};
   }
   State::Step step = state.plan(points, change);
   if (!keeps_scale(points, step.inserted_points))

@@ -33,6 +33,8 @@ class FacetSet {
     reset(f);
     reset(triangulation.mirror(f));
   }
+  // Gives up the flags of all cells.
+  IdVector<CellId, std::uint8_t> release() && { return std::move(bits_); }
   // The four flags of a cell, bit i for facet i.
   std::uint8_t bits(CellId c) const { return bits_[c]; }
   // Number of facets (each counted once). Complexity: O(cells).

@@ -14,11 +14,14 @@ KnownCandidates known_candidates(const LiveCandidates& candidates) {
     found.boundary[v] = candidates.is_boundary(v) ? 1 : 0;
     found.umbrella[v] = candidates.has_umbrella(v) ? 1 : 0;
   }
-  IdVector<CellId, std::uint8_t> left(candidates.state().cell_flags.size());
-  for (const CellId c : left.ids()) left[c] = static_cast<std::uint8_t>(candidates.left(c));
-  found.left = FacetSet(std::move(left));
   candidates.count(found.counters);
   return found;
+}
+
+FacetSet candidates_left(const LiveCandidates& candidates) {
+  IdVector<CellId, std::uint8_t> left(candidates.state().cell_flags.size());
+  for (const CellId c : left.ids()) left[c] = static_cast<std::uint8_t>(candidates.left(c));
+  return FacetSet(std::move(left));
 }
 
 }  // namespace cocoon

@@ -6,8 +6,10 @@
 
 namespace cocoon {
 
-// Precondition: candidates.exists(), and no slot is free (DynamicDelaunay::close_gaps).
-// Complexity: O(n).
+// Without `left`. Precondition: candidates.exists(), and no slot is free
+// (DynamicDelaunay::close_gaps). Complexity: O(n).
 KnownCandidates known_candidates(const LiveCandidates& candidates);
+// Those that were not pruned. Precondition and complexity: the same.
+FacetSet candidates_left(const LiveCandidates& candidates);
 
 }  // namespace cocoon

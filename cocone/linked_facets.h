@@ -19,7 +19,7 @@ namespace cocoon {
 
 // Structure of arrays over the triangles of the set; a triangle is its position in them. They are
 // ordered by their smallest vertex, so that neighbors in space are neighbors in memory (but for
-// those that without() moves).
+// those that without() or kept_links.h moves).
 struct LinkedFacets {
   FacetSet set;
   std::vector<FacetId> facets;    // canonical ids

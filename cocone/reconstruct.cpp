@@ -125,8 +125,8 @@ class Reconstruction {
     boundary_.boundary = std::move(candidates.boundary);
     boundary_.count = result_.counters.boundary_samples;
     run_stage(execution_, "cocone", [&](const Execution& nested) {
-      LinkedFacets left = link_facets(*triangulation_, std::move(candidates.left), nested);
-      surface_ = extract_manifold(*triangulation_, std::move(left), candidates.umbrella, nested);
+      surface_ = extract_manifold(*triangulation_, std::move(candidates.left), candidates.umbrella,
+                                  nested);
     });
     count_surface();
   }
@@ -136,7 +136,8 @@ class Reconstruction {
     run_stage(execution_, "tight", [&](const Execution& nested) {
       if (options_.mode == Mode::paper) known = {};
       CellMarks marks = mark(known, nested);
-      const FacetSet surface = forget_links();
+      if (!keeps_links_) forget_links();
+      const FacetSet& surface = surface_.triangles.set;
       marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, nested);
       ReconstructCounters& counters = result_.counters;
       counters.clean_up = clean_up_cells(*triangulation_, poles_, marks, options_.clean_up, nested);
@@ -175,13 +176,20 @@ class Reconstruction {
     result_.mesh = {};
   }
 
-  // From now on this marks cells.
-  void use(const Marking& marking) { marking_ = marking; }
+  // From now on this marks cells, and take_surface() has triangles.
+  void use(const Marking& marking) {
+    marking_ = marking;
+    keeps_links_ = true;
+  }
   // From now on what is found is kept for `stages`.
   void keep_stages(ReconstructStages& stages) { stages_ = &stages; }
   CoconeSurface take_surface() {
-    return {std::move(surface_.halves), std::move(good_),
-            result_.counters.good_vertices + result_.counters.demoted_vertices};
+    CoconeSurface surface;
+    surface.halves = std::move(surface_.halves);
+    surface.good = std::move(good_);
+    surface.umbrellas = result_.counters.good_vertices + result_.counters.demoted_vertices;
+    if (keeps_links_) surface.triangles = std::move(surface_.triangles);
+    return surface;
   }
   ReconstructResult take_result() {
     if (stages_ != nullptr) {
@@ -202,7 +210,11 @@ class Reconstruction {
 
   // A third as much memory as the triangulation has. What is left of the links is the set of
   // facets.
-  FacetSet forget_links() { return std::exchange(surface_.triangles, {}).set; }
+  void forget_links() {
+    FacetSet set = std::move(surface_.triangles.set);
+    surface_.triangles = {};
+    surface_.triangles.set = std::move(set);
+  }
 
   void count_surface() {
     ReconstructCounters& counters = result_.counters;
@@ -250,6 +262,7 @@ class Reconstruction {
   BoundarySamples boundary_;
   Marking marking_ = [](const auto&... input) { return mark_cells(input...); };
   ManifoldSurface surface_;
+  bool keeps_links_ = false;                           // to the end
   VertexSet good_;                                     // as the marks had them
   IdVector<VertexId, VertexId> triangulation_vertex_;  // of each vertex of the result
   double scale_ = 1;

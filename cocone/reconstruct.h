@@ -12,6 +12,7 @@
 #include "cocone/clean_up_cells.h"
 #include "cocone/cocones.h"
 #include "cocone/facet_set.h"
+#include "cocone/linked_facets.h"
 #include "cocone/peel_cells.h"
 #include "cocone/prune_sharp_edges.h"
 #include "cocone/umbrella.h"
@@ -148,6 +149,8 @@ struct CoconeSurface {
   std::vector<FacetId> halves;  // its facets, seen from the side of the walk
   VertexSet good;               // see umbrella.h; empty if nothing was marked
   std::size_t umbrellas = 0;    // vertices that it has one closed umbrella at, good or not
+  // Its facets linked; of reconstruct_tight_from only, and if anything was marked.
+  LinkedFacets triangles;
 };
 
 // What the stages found on the way, for those who go on from it.
@@ -173,7 +176,7 @@ struct KnownCandidates {
   IdVector<VertexId, Vec3> normals;  // of the poles
   VertexSet boundary;
   VertexSet umbrella;
-  FacetSet left;                 // candidates after pruning
+  LinkedFacets left;             // candidates after pruning
   ReconstructCounters counters;  // of these stages
 };
 

@@ -8,10 +8,8 @@
 
 #include "cocone/extract_manifold.h"
 #include "cocone/known_candidates.h"
-#include "cocone/lent_delaunay.h"
-#include "cocone/reconstruct.h"
-#include "delaunay/delaunay.h"
 #include "geom/random.h"
+#include "tests/cocone/live_samples.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/gallery.h"
 #include "tests/long_tests.h"
@@ -19,47 +17,36 @@
 namespace cocoon {
 namespace {
 
-// A changing set of points with all that the marks need.
 class LiveMarks {
  public:
-  explicit LiveMarks(const std::vector<Point>& points) {
-    ReconstructStages stages;
-    reconstruct_tight_again(cocoon::delaunay(points).triangulation, points, {}, {}, {}, stages);
-    delaunay_ = DynamicDelaunay(std::move(stages.triangulation));
-    candidates_.start(delaunay_, stages);
-    close_gaps();
-  }
+  explicit LiveMarks(const std::vector<Point>& points) : samples_(points) {}
 
-  // Points within `reach` of one of them go, or some of them, and others come.
   void change(double reach, const std::vector<Point>& others, Random& random) {
-    const Point center = delaunay_.point(VertexId(random.below(delaunay_.num_vertices())));
-    std::vector<VertexId> removed;
-    std::vector<Point> inserted;
-    for (const VertexId v : id_range<VertexId>(delaunay_.num_vertex_slots())) {
-      if (distance(delaunay_.point(v), center) > reach) continue;
-      if (random.below(3) != 0) removed.push_back(v);
-    }
-    for (const Point& p : others) {
-      if (distance(p, center) < reach && random.below(3) != 0) inserted.push_back(p);
-    }
-    const DelaunayChange change = delaunay_.replace(removed, inserted);
-    candidates_.update(delaunay_, change);
-    if (kept_.exists()) kept_.update(delaunay_, change, candidates_);
-    close_gaps();
+    samples_.change(reach, others, random, [&](const auto& what) { follow(what); });
   }
 
   void expect_marks_of_the_stage() {
-    KnownCandidates known = known_candidates(candidates_);
-    IdVector<PointId, VertexId> vertex_of_point;
-    for (std::size_t v = 0; v < delaunay_.num_vertices(); ++v) {
-      vertex_of_point.push_back(VertexId(v));
-    }
-    const LentDelaunay lent(delaunay_, vertex_of_point);
-    LinkedFacets left = link_facets(*lent, std::move(known.left));
-    const LinkedFacets surface = extract_manifold(*lent, std::move(left), known.umbrella).triangles;
-    const CellMarks actual =
-        kept_.mark(*lent, delaunay_.cells_at_vertices(), surface, known.boundary, {}, {});
-    const CellMarks expected = mark_cells(*lent, surface, known.boundary);
+    samples_.lend([&](const Triangulation& triangulation) { compare(triangulation); });
+  }
+
+  std::size_t local_marks() const { return kept_.local_marks(); }
+
+ private:
+  void follow(const DelaunayChange& change) {
+    if (kept_.exists()) kept_.update(samples_.delaunay(), change, samples_.candidates());
+  }
+  void follow(const Renumbering& renumbering) {
+    if (kept_.exists()) kept_.renumber(renumbering, samples_.delaunay());
+  }
+
+  void compare(const Triangulation& triangulation) {
+    const KnownCandidates known = known_candidates(samples_.candidates());
+    LinkedFacets left = link_facets(triangulation, candidates_left(samples_.candidates()));
+    const LinkedFacets surface =
+        extract_manifold(triangulation, std::move(left), known.umbrella).triangles;
+    const CellMarks actual = kept_.mark(triangulation, samples_.delaunay().cells_at_vertices(),
+                                        surface, known.boundary, {}, {});
+    const CellMarks expected = mark_cells(triangulation, surface, known.boundary);
     ASSERT_EQ(actual.labels, expected.labels);
     ASSERT_EQ(actual.good, expected.good);
     ASSERT_EQ(actual.visited, expected.visited);
@@ -71,17 +58,7 @@ class LiveMarks {
     ASSERT_EQ(actual.known_cells, expected.known_cells);
   }
 
-  std::size_t local_marks() const { return kept_.local_marks(); }
-
- private:
-  void close_gaps() {
-    const Renumbering renumbering = delaunay_.close_gaps();
-    candidates_.renumber(renumbering, delaunay_);
-    if (kept_.exists()) kept_.renumber(renumbering, delaunay_);
-  }
-
-  DynamicDelaunay delaunay_;
-  LiveCandidates candidates_;
+  LiveSamples samples_;
   KeptMarks kept_;
 };
 
