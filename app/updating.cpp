@@ -101,6 +101,7 @@ UpdateOptions update_options(const SurfaceArguments& arguments) {
   if (arguments.mode == "paper") {
     options.overlap.rule = LocationRule::nearest_vertex_star;
     options.cloud.trim.max_edge = 0;
+    options.cloud.rows.min_ratio = 0;
   }
   return options;
 }

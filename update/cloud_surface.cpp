@@ -31,19 +31,31 @@ Foundation lay_foundation(Points cloud, const ReconstructOptions& options,
   return {std::move(triangulation), std::move(dual), std::move(poles), std::move(cocones)};
 }
 
+// The samples whose surface is looked at.
+struct Scan {
+  Points cloud;
+  Foundation foundation;      // of the samples that are kept
+  std::vector<PointId> kept;  // increasing; empty: all
+};
+
 struct Trial {
   CloudSurface surface;
   RimTrial report;
 };
 
-Trial try_search(const Foundation& f, Points cloud, const RimSearch& search,
-                 const CloudSurfaceOptions& options, const Execution& execution) {
-  // 1. The Cocone surface.
+struct Sheet {
+  SurfaceMesh surface;
+  BoundarySamples boundary;
+};
+
+// The Cocone surface.
+Sheet find_sheet(const Foundation& f, const RimSearch& search, const CloudSurfaceOptions& options,
+                 const Execution& execution) {
   BoundaryOptions boundary_options = options.reconstruct.boundary;
   boundary_options.rho = search.rho;
   boundary_options.alpha_cosine = search.alpha_cosine;
   boundary_options.radius_mode = search.radius_mode;
-  const BoundarySamples boundary =
+  BoundarySamples boundary =
       boundary_samples(f.triangulation, f.dual, f.poles, f.cocones, boundary_options, execution);
   FacetSet candidates =
       candidate_triangles(f.triangulation, f.cocones, boundary.boundary, execution);
@@ -51,24 +63,30 @@ Trial try_search(const Foundation& f, Points cloud, const RimSearch& search,
                                               options.reconstruct.prune, execution);
   const ManifoldSurface manifold =
       extract_manifold(f.triangulation, std::move(pruned.left), pruned.umbrella, execution);
-  SurfaceMesh sheet = surface_of(f.triangulation, manifold.halves);
+  return {surface_of(f.triangulation, manifold.halves), std::move(boundary)};
+}
 
-  // 2. Its rim, after trimming, without seams.
+// Its rim, after trimming, without seams.
+Trial find_rim(const Scan& scan, Sheet found, const RimSearch& search,
+               const CloudSurfaceOptions& options) {
+  auto& [sheet, boundary] = found;
   TrimmedSurface trimmed = trim_long_edges(std::move(sheet.mesh), options.trim);
   Trial trial;
   CloudSurface& surface = trial.surface;
   surface.mesh = std::move(trimmed.mesh);
   surface.point_of_vertex = std::move(sheet.point_of_vertex);
+  if (!scan.kept.empty()) {
+    for (PointId& point : surface.point_of_vertex) point = scan.kept[point.index()];
+  }
   surface.boundary_sample.resize(surface.mesh.points.size());
   for (const VertexId v : surface.mesh.points.ids()) {
     surface.boundary_sample[v] = boundary.boundary[sheet.triangulation_vertex[v]];
   }
   surface.rim = cloud_rim(surface.mesh, trimmed.sides, options.rim);
-  mark_rim_gaps(cloud, surface.rim, options.gaps);
+  mark_rim_gaps(scan.cloud, surface.rim, options.gaps);
   surface.rho = search.rho;
   surface.boundary_samples = boundary.count;
   surface.trimmed = trimmed.at_rim + trimmed.in_clusters;
-  surface.duplicates = f.triangulation.num_duplicates();
   surface.status = surface.mesh.triangles.empty() ? CloudStatus::no_surface
                    : surface.rim.loops.empty()    ? CloudStatus::cloud_closed
                                                   : CloudStatus::ok;
@@ -87,6 +105,18 @@ Trial try_search(const Foundation& f, Points cloud, const RimSearch& search,
   }
   if (rim.median_edge > 0) trial.report.stretch = rim.spacing / rim.median_edge;
   return trial;
+}
+
+// If samples lie in rows, few of them: those of the rows but not all along a row.
+Scan thinned(Scan scan, const Sheet& sheet, const CloudSurfaceOptions& options,
+             const Execution& execution) {
+  scan.kept = thin_out_rows(scan.cloud, sheet.surface.mesh, sheet.surface.point_of_vertex,
+                            options.rows.spread);
+  std::vector<Point> points;
+  points.reserve(scan.kept.size());
+  for (const PointId p : scan.kept) points.push_back(scan.cloud[p.index()]);
+  scan.foundation = lay_foundation(points, options.reconstruct, execution);
+  return scan;
 }
 
 // Whether the trial is to be preferred: a rim before none, a surface before none, then the less
@@ -122,9 +152,15 @@ class Preference {
 
 std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurfaceOptions& options,
                                                 const Execution& execution) {
-  const Foundation foundation = lay_foundation(cloud, options.reconstruct, execution);
+  Scan scan{cloud, lay_foundation(cloud, options.reconstruct, execution), {}};
+  const std::size_t duplicates = scan.foundation.triangulation.num_duplicates();
+  Sheet sheet = find_sheet(scan.foundation, options.start, options, execution);
+  if (lies_in_rows(sheet.surface.mesh, options.rows.min_ratio)) {
+    scan = thinned(std::move(scan), sheet, options, execution);
+    sheet = find_sheet(scan.foundation, options.start, options, execution);
+  }
   const Preference preference(options);
-  std::vector<Trial> found = {try_search(foundation, cloud, options.start, options, execution)};
+  std::vector<Trial> found = {find_rim(scan, std::move(sheet), options.start, options)};
   std::vector<RimTrial> trials = {found.front().report};
   // Without a rim or a seam the surface is closed: look more closely. Else the seams are in the
   // way.
@@ -133,7 +169,8 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   bool done = preference.good_enough(found.front());
   for (const RimSearch& search : is_closed ? options.finer : options.coarser) {
     if (done) break;
-    Trial trial = try_search(foundation, cloud, search, options, execution);
+    Trial trial =
+        find_rim(scan, find_sheet(scan.foundation, search, options, execution), search, options);
     trials.push_back(trial.report);
     done = preference.good_enough(trial);
     // A finer trial that tears the surface up everywhere has found no rim.
@@ -143,7 +180,10 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   std::vector<CloudSurface> surfaces;
   for (Trial& trial : found) {
     surfaces.push_back(std::move(trial.surface));
-    surfaces.back().trials = trials;
+    CloudSurface& surface = surfaces.back();
+    surface.trials = trials;
+    surface.duplicates = duplicates;
+    surface.thinned = scan.kept.empty() ? 0 : cloud.size() - duplicates - scan.kept.size();
   }
   return surfaces;
 }

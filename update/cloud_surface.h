@@ -12,6 +12,7 @@
 #include "geom/triangle_mesh.h"
 #include "update/cloud_rim.h"
 #include "update/rim_gaps.h"
+#include "update/scan_rows.h"
 #include "update/trim_long_edges.h"
 
 namespace cocoon {
@@ -40,6 +41,7 @@ struct CloudSurfaceOptions {
   // If no trial is good enough: how many seams, as a share of the rim edges, weigh as much as rim
   // edges twice as long as those of the surface.
   double stretch_weight = 0.2;
+  RowOptions rows;
   TrimOptions trim;
   RimOptions rim;
   RimGapOptions gaps;
@@ -76,6 +78,7 @@ struct CloudSurface {
   std::size_t boundary_samples = 0;
   std::size_t trimmed = 0;     // triangles
   std::size_t duplicates = 0;  // cloud points equal to an earlier one
+  std::size_t thinned = 0;     // samples in rows that are not looked at
 };
 
 // Reconstructs `cloud` alone. One triangulation and one set of poles and cocones serve all trials:
@@ -84,10 +87,12 @@ struct CloudSurface {
 // first that does; if it has too many seams or no surface, the coarser ones up to the first that
 // is good enough; if none is, the one whose rim is the least doubtful: with the smallest sum of its
 // share of seams and stretch_weight (stretch - 1).
-// Why: a rim is found iff the gap beyond it is wider than rho times the local feature size. Small
-// rhos find rims of gently curved patches; large ones bear noise and sharp edges.
-// Errors: InputError as delaunay(). Complexity: O(n log n) expected. Deterministic as
-// reconstruct_cocone(). Source: Woo & Dey 2005, section 3.2; ladder and trimming are ours.
+// If the samples lie in rows by the first surface, all trials look at those that thin_out_rows()
+// keeps: rows tear the surface, and whatever is measured in spacings would be in spacings along a
+// row. Why: a rim is found iff the gap beyond it is wider than rho times the local feature size.
+// Small rhos find rims of gently curved patches; large ones bear noise and sharp edges. Errors:
+// InputError as delaunay(). Complexity: O(n log n) expected. Deterministic as reconstruct_cocone().
+// Source: Woo & Dey 2005, section 3.2; ladder and trimming are ours.
 CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options = {},
                            const Execution& execution = {});
 

@@ -1,0 +1,101 @@
+#include "update/scan_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+
+#include "geom/box_tree.h"
+#include "geom/median.h"
+
+namespace cocoon {
+
+namespace {
+
+constexpr double upper_quartile = 0.75;
+
+// Squared: the shortest edge, the second longest, the longest.
+std::array<double, 3> squared_edges(const TriangleMesh& surface, const Triangle& t) {
+  const Point& a = surface.points[t[0]];
+  const Point& b = surface.points[t[1]];
+  const Point& c = surface.points[t[2]];
+  std::array<double, 3> edges = {squared_distance(a, b), squared_distance(b, c),
+                                 squared_distance(c, a)};
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+// Squared, per point of the cloud.
+std::vector<double> squared_row_distances(std::size_t points, const TriangleMesh& surface,
+                                          const IdVector<VertexId, PointId>& point_of_vertex) {
+  struct Corner {
+    std::size_t point;
+    double middle;
+  };
+  std::vector<Corner> corners;
+  std::vector<double> numbers;
+  for (const Triangle& t : surface.triangles) {
+    const auto [shortest, middle, longest] = squared_edges(surface, t);
+    if (shortest == 0) continue;
+    numbers.push_back(middle);
+    for (const VertexId v : t) corners.push_back({point_of_vertex[v].index(), middle});
+  }
+  std::vector<double> at(points, quantile_in_place(numbers, upper_quartile));
+  std::sort(corners.begin(), corners.end(),
+            [](const Corner& a, const Corner& b) { return a.point < b.point; });
+  for (std::size_t k = 0; k < corners.size();) {
+    const std::size_t point = corners[k].point;
+    numbers.clear();
+    for (; k < corners.size() && corners[k].point == point; ++k) {
+      numbers.push_back(corners[k].middle);
+    }
+    at[point] = std::max(at[point], quantile_in_place(numbers, upper_quartile));
+  }
+  return at;
+}
+
+}  // namespace
+
+bool lies_in_rows(const TriangleMesh& surface, double min_ratio) {
+  if (!(min_ratio > 0)) return false;
+  std::size_t counted = 0;
+  std::size_t across = 0;
+  for (const Triangle& t : surface.triangles) {
+    const auto [shortest, middle, longest] = squared_edges(surface, t);
+    if (shortest == 0) continue;
+    ++counted;
+    across += middle >= min_ratio * min_ratio * shortest ? 1U : 0U;
+  }
+  return counted > 0 && 4 * across >= counted;
+}
+
+std::vector<PointId> thin_out_rows(Points cloud, const TriangleMesh& surface,
+                                   const IdVector<VertexId, PointId>& point_of_vertex,
+                                   double spread) {
+  const std::vector<double> distances =
+      squared_row_distances(cloud.size(), surface, point_of_vertex);
+  std::vector<Box> boxes;
+  boxes.reserve(cloud.size());
+  for (const Point& p : cloud) boxes.push_back({p, p});
+  const BoxTree tree(boxes);
+  std::vector<std::uint32_t> order(cloud.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return cloud[a] < cloud[b]; });
+  std::vector<std::uint8_t> left_out(cloud.size(), 0);
+  std::vector<PointId> kept;
+  for (const std::uint32_t k : order) {
+    if (left_out[k] != 0) continue;
+    kept.emplace_back(k);
+    const double reach = spread * spread * distances[k];
+    tree.visit_near(cloud[k], reach, [&](std::uint32_t slot) {
+      const std::uint32_t other = tree.items()[slot];
+      if (squared_distance(cloud[other], cloud[k]) < reach) left_out[other] = 1;
+      return reach;
+    });
+  }
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+}  // namespace cocoon

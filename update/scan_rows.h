@@ -1,0 +1,40 @@
+// Scans in rows, as a laser line makes them: samples lie far closer along a row than from row to
+// row. Their surface is thinned out before its rim is looked for.
+#pragma once
+
+#include <vector>
+
+#include "geom/ids.h"
+#include "geom/point.h"
+#include "geom/triangle_mesh.h"
+
+namespace cocoon {
+
+struct RowOptions {
+  // A cloud lies in rows if in a fourth of its triangles or more the second longest edge, from row
+  // to row, is this many times longer than the shortest, along a row. Even samples have 1.4, random
+  // ones and several scans over each other 2.3. 0: no cloud does.
+  double min_ratio = 3;
+  // Thinned samples are not closer to each other than this share of the distance of rows.
+  double spread = 0.5;
+};
+
+// Whether at least a fourth of the triangles of a cloud's surface lead from row to row; `false` if
+// min_ratio is 0 or there are no triangles with three different corners. (Not most of them: where
+// rows are not straight, up to half of the triangles lie within one.) Complexity: O(triangles).
+// Source: ours.
+bool lies_in_rows(const TriangleMesh& surface, double min_ratio);
+
+// Some of the points, increasing: such that none is closer to another than `spread` times the
+// distance of rows there, and each point left out is closer than that to one of them. The distance
+// of rows at a point is the upper quartile of the second longest edges of its triangles in
+// `surface`, whose vertex v is the point point_of_vertex[v], but no less than that of all. Points
+// have their turn in lexicographic order, so of equal ones the first stays: a function of the set
+// of points. Precondition: the surface has a triangle with three different corners. Complexity: O(n
+// log n) for n points, with neighbors as many as rows have samples within reach. Source: Poisson
+// disk sampling by elimination in a fixed order.
+std::vector<PointId> thin_out_rows(Points cloud, const TriangleMesh& surface,
+                                   const IdVector<VertexId, PointId>& point_of_vertex,
+                                   double spread);
+
+}  // namespace cocoon
