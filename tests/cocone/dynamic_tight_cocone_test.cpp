@@ -186,6 +186,31 @@ TEST(DynamicTightCocone, ABodyFallsApart) {
   EXPECT_EQ(expected.counters.surface_walks, 2U);
 }
 
+// Of a rough torus, denser inside, one turn about an edge is wrong (certified_surface.h). It is
+// remembered, and asked first; on other samples the surface is certain nevertheless.
+TEST(DynamicTightCocone, ASurfaceBecomesCertainAgain) {
+  Random random(6);
+  ChangingPoints changing({});
+  while (changing.points.size() < 3000) {
+    random.on_unit_sphere();
+    const double u = 2 * std::numbers::pi * random.uniform();
+    const double v = 2 * std::numbers::pi * random.uniform();
+    const double ring = 1 + 0.35 * std::cos(v);
+    const Point p{ring * std::cos(u), ring * std::sin(u), 0.35 * std::sin(v)};
+    changing.points.push_back(p + 0.07 * spacing_on_sphere(3000) * random.on_unit_sphere());
+  }
+  DynamicTightCocone cocone;
+  const ReconstructCounters counters = cocone.reconstruct(changing.points).counters;
+  EXPECT_EQ(counters.back_contacts + counters.poor_cells + counters.marking_rounds, 0U);
+  ReconstructResult expected;
+  changing.change([&](const Point& p) { return p.x < -1.3; }, {});
+  EXPECT_FALSE(is_local_and_equal(cocone, changing, expected));
+  changing.change([](const Point&) { return true; }, gallery::even_sphere(900));
+  is_local_and_equal(cocone, changing, expected);
+  changing.change([](const Point& p) { return p.z > 0.99; }, {});
+  EXPECT_TRUE(is_local_and_equal(cocone, changing, expected));
+}
+
 struct StopAfter : Progress {
   explicit StopAfter(int n) : left(n) {}
   bool report(std::string_view, double) override { return --left > 0; }
