@@ -14,6 +14,7 @@
 #include "app/session_file.h"
 #include "app/standard_streams.h"
 #include "app/updating.h"
+#include "geom/counted.h"
 #include "geom/errors.h"
 #include "io/file_bytes.h"
 #include "io/mesh_file.h"
@@ -78,8 +79,8 @@ class Watch {
     job_.report().set("watch/known", known_);
     job_.report().set("surface/vertices", model().points.size());
     job_.report().set("surface/triangles", model().triangles.size());
-    job_.say("stopped: {} clouds applied, {} refused, {} known from before", applied_, refused_,
-             known_);
+    job_.say("stopped: {} applied, {} refused, {} known from before", counted(applied_, "cloud"),
+             refused_, known_);
   }
 
  private:
@@ -109,8 +110,8 @@ class Watch {
       resume_session(session_file_, std::move(saved), arguments_.parameters,
                      {job_.execution().threads}, state_);
       write_mesh(arguments_.mesh, model(), {.ascii = arguments_.ascii});
-      say(fmt::format("{}: resumed with {} clouds applied", session_file_,
-                      state_.notes.size() - 1));
+      say(fmt::format("{}: resumed with {} applied", session_file_,
+                      counted(state_.notes.size() - 1, "cloud")));
     } else {
       TriangleMesh mesh = read_shape(job_, arguments_.model, "input");
       if (mesh.triangles.empty()) {

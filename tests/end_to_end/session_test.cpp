@@ -170,12 +170,12 @@ TEST(Watch, AppliesWhatIsThereAndGoesOn) {
   const ProgramRun first = run_program(watched.once());
   ASSERT_EQ(first.exit_code, 0) << first.error;
   EXPECT_NE(first.out.find("1.xyz: "), std::string::npos);
-  EXPECT_NE(first.out.find("1 clouds applied"), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("1 cloud applied"), std::string::npos) << first.out;
   watched.put("2.xyz", south);
   const ProgramRun second = run_program(watched.once());
   ASSERT_EQ(second.exit_code, 0) << second.error;
-  EXPECT_NE(second.out.find("resumed with 1 clouds"), std::string::npos) << second.out;
-  EXPECT_NE(second.out.find("1 clouds applied, 0 refused, 1 known"), std::string::npos);
+  EXPECT_NE(second.out.find("resumed with 1 cloud applied"), std::string::npos) << second.out;
+  EXPECT_NE(second.out.find("1 cloud applied, 0 refused, 1 known"), std::string::npos);
   EXPECT_EQ(content_of(watched.mesh), watched.expected({north, south}));
 }
 
@@ -201,7 +201,7 @@ TEST(Watch, KeepsGoingOnBadFilesAndStopsOnASignal) {
     const ProgramRun run = program.wait();
     EXPECT_EQ(run.exit_code, 0) << run.error;
     EXPECT_EQ(run.error, "");
-    EXPECT_NE(run.out.find("1 clouds applied, 2 refused"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("1 cloud applied, 2 refused"), std::string::npos) << run.out;
     EXPECT_EQ(content_of(watched.mesh), watched.expected({north}));
     EXPECT_TRUE(std::filesystem::exists(watched.drop + "/bad.xyz"));
   }
@@ -314,7 +314,7 @@ TEST(PendingClouds, AreMergedWhenTheWatchStopsOrIfAskedForEach) {
   const KilledWatch eager({"--save-every", "1"});
   EXPECT_FALSE(std::filesystem::exists(eager.pending));
   const ProgramRun run = run_program(eager.once());
-  EXPECT_NE(run.out.find("resumed with 1 clouds"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("resumed with 1 cloud applied"), std::string::npos) << run.out;
 }
 
 // They are applied again with the rho of their time.
@@ -344,7 +344,7 @@ TEST(PendingClouds, AreRefusedIfDamagedOrOfAnotherSession) {
   std::filesystem::remove(watched.session);
   const ProgramRun run = run_program(watched.once());
   ASSERT_EQ(run.exit_code, 0) << run.error;
-  EXPECT_NE(run.out.find("1 clouds applied, 0 refused, 0 known"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("1 cloud applied, 0 refused, 0 known"), std::string::npos) << run.out;
   EXPECT_EQ(content_of(watched.mesh), watched.expected({north}));
 
   // Of a session with other notes: this one knows of no cloud, that one followed a cloud.
