@@ -55,7 +55,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("scan_ends", cloud.cut.scan_ends);
   entry.set("boundary_points", cloud.boundary_points);
   entry.set("boundary_samples", cloud.surface.boundary_samples);
-  entry.set("thinned", cloud.surface.thinned);
+  entry.set("set_aside", cloud.surface.set_aside);
   entry.set("rho", cloud.surface.rho);
   entry.set("rho_trials", cloud.surface.trials.size());
   entry.set("trimmed_triangles", cloud.surface.trimmed);

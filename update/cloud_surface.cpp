@@ -183,7 +183,7 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
     CloudSurface& surface = surfaces.back();
     surface.trials = trials;
     surface.duplicates = duplicates;
-    surface.thinned = scan.kept.empty() ? 0 : cloud.size() - duplicates - scan.kept.size();
+    surface.set_aside = scan.kept.empty() ? 0 : cloud.size() - duplicates - scan.kept.size();
   }
   return surfaces;
 }

@@ -59,7 +59,7 @@ TEST(UpdateScanRows, ReplaceWhatIsWrongAndNothingElse) {
             model, clouds, result, [](const Point& p) { return p.z > 0 && off_axis(p) < 6; },
             [](const Point& p) { return p.z < 0 || off_axis(p) > reach + 1; });
         EXPECT_EQ(mesh_check(result.mesh).euler, 2) << across << " " << ratio << " " << height;
-        EXPECT_GT(result.clouds[0].surface.thinned, clouds[0].size() / 4);
+        EXPECT_GT(result.clouds[0].surface.set_aside, clouds[0].size() / 4);
       }
     }
   }

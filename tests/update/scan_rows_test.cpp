@@ -111,14 +111,14 @@ TEST(ScanRows, HaveARim) {
     const std::vector<Point> cloud = rows(ratio, 0.1);
     const CloudSurface surface = cloud_surface(cloud);
     ASSERT_EQ(surface.status, CloudStatus::ok) << ratio;
-    EXPECT_GT(2 * surface.thinned, cloud.size());
+    EXPECT_GT(2 * surface.set_aside, cloud.size());
     ASSERT_EQ(surface.rim.loops.size(), 1U) << ratio;
     EXPECT_NEAR(surface.rim.loops[0].perimeter, 98, 8) << ratio;
     for (const VertexId v : surface.mesh.points.ids()) {
       EXPECT_EQ(surface.mesh.points[v], cloud[surface.point_of_vertex[v].index()]);
     }
   }
-  EXPECT_EQ(cloud_surface(rows(1, 0.1)).thinned, 0U);
+  EXPECT_EQ(cloud_surface(rows(1, 0.1)).set_aside, 0U);
 }
 
 }  // namespace
