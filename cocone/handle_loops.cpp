@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <span>
 
 #include "cocone/surface_walk.h"
 #include "delaunay/circulate.h"
+#include "geom/sort_by_vertex.h"
 
 namespace cocoon {
 namespace {
@@ -33,19 +33,21 @@ std::vector<Ranks> facets_by_rank(const Triangulation& triangulation, const Doub
 // For each rank the vertices that come later and have an edge with it, each once, increasing.
 class LaterNeighbors {
  public:
-  LaterNeighbors(const std::vector<Ranks>& facets, std::size_t ranks) : begin_(ranks + 2) {
-    const auto for_each_edge = [&](auto visit) {
-      for (const auto& [a, b, c] : facets) {
-        if (a != 0) visit(a, b);
-        if (a != 0) visit(a, c);
-        visit(b, c);
-      }
-    };
-    for_each_edge([&](std::uint32_t a, std::uint32_t) { ++begin_[a + 1]; });
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    others_.resize(begin_.back());
-    end_.assign(begin_.begin(), begin_.end() - 1);
-    for_each_edge([&](std::uint32_t a, std::uint32_t b) { others_[end_[a]++] = b; });
+  LaterNeighbors(const std::vector<Ranks>& facets, std::size_t ranks) {
+    begin_ = sort_by_vertex(
+        facets.size(), ranks + 1, {}, [&](std::size_t count) { others_.resize(count); },
+        [&](std::size_t begin, std::size_t end, auto put) {
+          const auto put_edge = [&](std::uint32_t from, std::uint32_t to) {
+            if (from != 0) put(VertexId(from), [&](std::size_t place) { others_[place] = to; });
+          };
+          for (std::size_t k = begin; k < end; ++k) {
+            const auto& [a, b, c] = facets[k];
+            put_edge(a, b);
+            put_edge(a, c);
+            put_edge(b, c);
+          }
+        });
+    end_.assign(begin_.begin() + 1, begin_.end());
     for (std::size_t a = 1; a < end_.size(); ++a) {
       const auto first = others_.begin() + begin_[a];
       const auto last = others_.begin() + end_[a];

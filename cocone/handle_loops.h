@@ -26,7 +26,8 @@ class HandleLoops {
 
   // Do the edges of the loop not divide the surface? Floods from both sides of it go on by turns,
   // facet by facet, until they meet, or one has come to its end, or each has `most_facets`, which
-  // is a no. False, too, if one of the edges is not, or not any more, of two surface facets.
+  // is a no. False, too, if one of the edges is not, or not any more, of two surface facets. True,
+  // too, where a path leads from sheet to sheet over a sample at which the surface is pinched.
   // Complexity: O(what the smaller flood has), and once a byte for every facet asked for.
   bool is_handle(const Triangle& loop, std::size_t most_facets);
 
