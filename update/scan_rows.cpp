@@ -7,6 +7,7 @@
 
 #include "geom/box_tree.h"
 #include "geom/median.h"
+#include "geom/mesh_adjacency.h"
 
 namespace cocoon {
 
@@ -28,28 +29,20 @@ std::array<double, 3> squared_edges(const TriangleMesh& surface, const Triangle&
 // Squared, per point of the cloud.
 std::vector<double> squared_row_distances(std::size_t points, const TriangleMesh& surface,
                                           const IdVector<VertexId, PointId>& point_of_vertex) {
-  struct Corner {
-    std::size_t point;
-    double middle;
-  };
-  std::vector<Corner> corners;
   std::vector<double> numbers;
-  for (const Triangle& t : surface.triangles) {
+  const auto add = [&](const Triangle& t) {
     const auto [shortest, middle, longest] = squared_edges(surface, t);
-    if (shortest == 0) continue;
-    numbers.push_back(middle);
-    for (const VertexId v : t) corners.push_back({point_of_vertex[v].index(), middle});
-  }
+    if (shortest > 0) numbers.push_back(middle);
+  };
+  for (const Triangle& t : surface.triangles) add(t);
   std::vector<double> at(points, quantile_in_place(numbers, upper_quartile));
-  std::sort(corners.begin(), corners.end(),
-            [](const Corner& a, const Corner& b) { return a.point < b.point; });
-  for (std::size_t k = 0; k < corners.size();) {
-    const std::size_t point = corners[k].point;
+  MeshAdjacency adjacency;
+  list_triangles_at_vertices(surface, adjacency);
+  for (const VertexId v : surface.points.ids()) {
     numbers.clear();
-    for (; k < corners.size() && corners[k].point == point; ++k) {
-      numbers.push_back(corners[k].middle);
-    }
-    at[point] = std::max(at[point], quantile_in_place(numbers, upper_quartile));
+    for (const TriangleId t : adjacency.triangles_at(v)) add(surface.triangles[t]);
+    double& here = at[point_of_vertex[v].index()];
+    here = std::max(here, quantile_in_place(numbers, upper_quartile));
   }
   return at;
 }

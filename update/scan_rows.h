@@ -25,8 +25,8 @@ struct RowOptions {
 // Source: ours.
 bool lies_in_rows(const TriangleMesh& surface, double min_ratio);
 
-// Some of the points, increasing: such that none is closer to another than `spread` times the
-// distance of rows there, and each point left out is closer than that to one of them. The distance
+// Some of the points, increasing: each point left out is closer to one of these than `spread` times
+// the distance of rows at that one, and of these none is so close to one before it. The distance
 // of rows at a point is the upper quartile of the second longest edges of its triangles in
 // `surface`, whose vertex v is the point point_of_vertex[v], but no less than that of all. Points
 // have their turn in lexicographic order, so of equal ones the first stays: a function of the set
