@@ -29,27 +29,25 @@ class BitTable {
 };
 
 // The positions of all points that share their place in the table with others; the first `distinct`
-// do not count as others of each other.
-std::vector<std::uint32_t> look_alikes(Points points, std::size_t distinct) {
+// do not count as others of each other, and only those `near` are looked at.
+std::vector<std::uint32_t> look_alikes(Points points, std::size_t distinct,
+                                       std::span<const std::uint32_t> near) {
   const std::size_t hashed = points.size() - distinct;
   const std::size_t size = std::bit_ceil(std::max<std::size_t>(16 * hashed, 64));
   BitTable met(size);
   BitTable met_again(size);
   const auto place_of = [&](const Point& p) { return point_hash(p) & (size - 1); };
-  Box box;
   for (const Point& p : points.subspan(distinct)) {
-    box.include(p);
     const std::uint64_t at = place_of(p);
     if (met.set(at)) met_again.set(at);
   }
   std::vector<std::uint32_t> found;
-  const auto is_near = [&](std::size_t i) { return contains(box, points[i]); };
-  visit_where(distinct, is_near, [&](std::size_t i) {
+  for (const std::uint32_t i : near) {
     const std::uint64_t at = place_of(points[i]);
-    if (!met.contains(at)) return;
+    if (!met.contains(at)) continue;
     met_again.set(at);
-    found.push_back(static_cast<std::uint32_t>(i));
-  });
+    found.push_back(i);
+  }
   for (std::size_t i = distinct; i < points.size(); ++i) {
     if (met_again.contains(place_of(points[i]))) found.push_back(static_cast<std::uint32_t>(i));
   }
@@ -59,7 +57,17 @@ std::vector<std::uint32_t> look_alikes(Points points, std::size_t distinct) {
 }  // namespace
 
 std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct) {
-  std::vector<std::uint32_t> order = look_alikes(points, distinct);
+  std::vector<std::uint32_t> near;
+  const Box box = box_of(points.subspan(distinct));
+  visit_where(
+      distinct, [&](std::size_t i) { return contains(box, points[i]); },
+      [&](std::size_t i) { near.push_back(static_cast<std::uint32_t>(i)); });
+  return repeated_points(points, distinct, near);
+}
+
+std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct,
+                                           std::span<const std::uint32_t> near) {
+  std::vector<std::uint32_t> order = look_alikes(points, distinct, near);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     const auto by_position = points[a] <=> points[b];
     return by_position != 0 ? by_position < 0 : a < b;

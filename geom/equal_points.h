@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geom/point.h"
@@ -22,5 +23,10 @@ struct RepeatedPoint {
 // Complexity: O(n), two passes over the points, and k log k for k points that are equal or look so
 // to a hash of 16 bits per point (about n / 8). Deterministic.
 std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct = 0);
+
+// The same for who knows which of the `distinct` lie in the bounding box of the others: `near`,
+// ascending. Complexity: O(m + k log k) for m points that are others or near.
+std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct,
+                                           std::span<const std::uint32_t> near);
 
 }  // namespace cocoon

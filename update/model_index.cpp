@@ -120,6 +120,7 @@ void ModelIndex::prepare_for_edits() {
   adjacency_.vertex_begin = {};
   adjacency_.vertex_triangles = {};
   triangle_at_.resize(mesh_->points.size());
+  cells_ = GridCells(mesh_->points);
   longest_side_ = 0;
   for (const TriangleId t : mesh_->triangles.ids()) {
     for (const VertexId v : mesh_->triangles[t]) triangle_at_[v] = t;
@@ -177,6 +178,10 @@ void ModelIndex::edit(const Edit& edit) {
   link_open_sides(seam);
   const std::vector<TriangleId> none(edit.vertices.added.size());
   edit_list(triangle_at_, edit.vertices, none, [&](TriangleId t) { return edit.triangle_map[t]; });
+  std::vector<Point> added;
+  added.reserve(edit.vertices.added.size());
+  for (const VertexId v : edit.vertices.added) added.push_back(mesh_->points[v]);
+  cells_.edit(edit.vertices, added);
   for (const TriangleId t : edit.triangles.added) take_in_sides(t);
   // Whoever lost a triangle has one beside it, or new ones.
   for (const TriangleId t : seam) {

@@ -6,10 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "geom/box.h"
+#include "geom/grid_cells.h"
 #include "geom/id_vector.h"
 #include "geom/list_edit.h"
 #include "geom/mesh_adjacency.h"
 #include "geom/triangle_mesh.h"
+#include "geom/visit_where.h"
 #include "update/mesh_change.h"
 
 namespace cocoon {
@@ -77,6 +80,15 @@ class ModelIndex {
       t = next_around(v, t);
     } while (t != first);
   }
+  // Calls visit(vertex) for each vertex in the box, ascending. Complexity: O(v).
+  template <class Visit>
+  void for_each_vertex_in(const Box& box, const Visit& visit) const {
+    const auto& points = mesh_->points;
+    if (is_smooth()) return cells_.visit_in(box, points, visit);
+    visit_where(
+        points.size(), [&](std::size_t i) { return contains(box, points[VertexId(i)]); },
+        [&](std::size_t i) { visit(VertexId(i)); });
+  }
   // Whether a triangle has the vertex.
   bool is_used(VertexId v) const {
     return is_smooth() ? !triangle_at_[v].is_none() : !adjacency_.triangles_at(v).empty();
@@ -109,6 +121,7 @@ class ModelIndex {
   const TriangleMesh* mesh_ = nullptr;
   MeshAdjacency adjacency_;                         // if smooth: no lists at vertices
   IdVector<VertexId, TriangleId> triangle_at_;      // if smooth: one of those at the vertex
+  GridCells cells_;                                 // if smooth: of the vertices
   IdVector<TriangleId, std::uint32_t> components_;  // empty: all are of one
   bool distinct_points_ = false;
   double longest_side_ = std::numeric_limits<double>::infinity();  // if smooth: a bound

@@ -67,9 +67,7 @@ std::vector<TriangleId> facets_near(const ModelIndex& model, Points centers, dou
   Box wide = cells.extent();
   wide.enlarge(longest + rounding_slack * std::max(longest, largest_coordinate(wide)));
   std::vector<VertexId> vertices;
-  visit_where(
-      mesh.points.size(), [&](std::size_t i) { return contains(wide, mesh.points[VertexId(i)]); },
-      [&](std::size_t i) { vertices.push_back(VertexId(i)); });
+  model.for_each_vertex_in(wide, [&](VertexId v) { vertices.push_back(v); });
   if (share * vertices.size() > mesh.points.size()) return facets_in(cells, mesh);
   std::vector<TriangleId> facets;
   for (const VertexId v : vertices) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geom/box.h"
 #include "geom/equal_points.h"
 #include "geom/large_pages.h"
 #include "geom/list_edit.h"
@@ -91,6 +92,26 @@ std::vector<Point> gather(Points model, const ListEdit<VertexId>& edit,
   return points;
 }
 
+// Where the vertices of the model that stay and lie in the box came to lie among the points.
+std::vector<std::uint32_t> kept_in(const ModelIndex& model, const Box& box,
+                                   const ListEdit<VertexId>& edit) {
+  std::vector<std::uint32_t> kept;
+  auto removed = edit.removed.begin();
+  model.for_each_vertex_in(box, [&](VertexId v) {
+    while (removed != edit.removed.end() && *removed < v) ++removed;
+    if (removed != edit.removed.end() && *removed == v) return;
+    kept.push_back(v.value - static_cast<std::uint32_t>(removed - edit.removed.begin()));
+  });
+  return kept;
+}
+
+// Those that are equal to others. The first `kept` are of the model.
+std::vector<RepeatedPoint> repeated_among(Points points, std::size_t kept, const ModelIndex& model,
+                                          const ListEdit<VertexId>& edit) {
+  if (!model.has_distinct_points()) return repeated_points(points);
+  return repeated_points(points, kept, kept_in(model, box_of(points.subspan(kept)), edit));
+}
+
 // Where the model vertices went, and the points of the clouds behind them.
 void tell_positions(const ListEdit<VertexId>& edit, std::size_t num_vertices,
                     std::span<const std::vector<Point>> clouds,
@@ -167,7 +188,7 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   // 2. Then the clouds; equal points once.
   result.points = gather(model.points.span(), edit, clouds);
   const std::vector<RepeatedPoint> repeated =
-      repeated_points(result.points, index.has_distinct_points() ? result.kept : 0);
+      repeated_among(result.points, result.kept, index, edit);
   std::vector<PointId> new_position;
   if (!repeated.empty()) new_position = merge_equal(result.points, repeated);
   result.duplicates = repeated.size();

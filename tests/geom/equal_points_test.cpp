@@ -37,7 +37,19 @@ TEST(EqualPoints, AsAMapTellsIt) {
     const std::size_t distinct = twice.size();
     twice.insert(twice.end(), points.begin(), points.end());
     EXPECT_EQ(repeated_points(twice, distinct), repeated_points(twice));
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t i = 0; i < distinct; ++i) all.push_back(i);
+    EXPECT_EQ(repeated_points(twice, distinct, all), repeated_points(twice));
   }
+}
+
+// Of the points that are known to differ only those near the others are looked at.
+TEST(EqualPoints, AmongThoseNear) {
+  const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  EXPECT_EQ(repeated_points(points, 3, std::vector<std::uint32_t>{1, 2}),
+            (std::vector<RepeatedPoint>{{3, 1}, {4, 2}}));
+  EXPECT_EQ(repeated_points(points, 3, std::vector<std::uint32_t>{2}),
+            (std::vector<RepeatedPoint>{{4, 2}}));
 }
 
 }  // namespace

@@ -86,6 +86,12 @@ TEST(MeshEdit, LeadsFromOneMeshToTheOtherAndBack) {
       for (const VertexId v : mesh.points.ids()) {
         EXPECT_EQ(index.triangles_at(v), expected.triangles_at(v));
       }
+      std::vector<VertexId> in_box, expected_in_box;
+      const Box box{{-0.1, -0.3, 0}, {1, 0.2, 1}};
+      index.for_each_vertex_in(box, [&](VertexId v) { in_box.push_back(v); });
+      expected.for_each_vertex_in(box, [&](VertexId v) { expected_in_box.push_back(v); });
+      EXPECT_FALSE(in_box.empty());
+      EXPECT_EQ(in_box, expected_in_box);
       EXPECT_TRUE(index.has_distinct_points());
       EXPECT_TRUE(index.is_connected());
       EXPECT_GE(index.longest_side(), ModelIndex::of_smooth(mesh).longest_side());
