@@ -33,9 +33,9 @@ class GridCells {
     const std::uint32_t low = cell_of(box.low);
     const std::uint32_t high = cell_of(box.high) | guards;
     // A difference borrows from its guard bit iff it is negative. All three coordinates at once.
+    const std::span<const std::uint32_t> cells = cells_.span();
     const auto may_be_inside = [&](std::size_t i) {
-      const std::uint32_t cell = cells_[VertexId(i)];
-      return (((cell | guards) - low) & (high - cell) & guards) == guards;
+      return (((cells[i] | guards) - low) & (high - cells[i]) & guards) == guards;
     };
     visit_where(cells_.size(), may_be_inside, [&](std::size_t i) {
       const VertexId v(i);

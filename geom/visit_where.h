@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace cocoon {
 
@@ -18,9 +19,9 @@ void visit_where(std::size_t count, const Test& test, const Visit& visit) {
   };
   std::size_t begin = 0;
   for (; begin + block <= count; begin += block) {
-    bool any = false;
-    for (std::size_t k = 0; k < block; ++k) any |= test(begin + k);
-    if (any) visit_block(begin, begin + block);
+    std::uint32_t any = 0;
+    for (std::size_t k = 0; k < block; ++k) any |= test(begin + k) ? 1U : 0U;
+    if (any != 0) visit_block(begin, begin + block);
   }
   visit_block(begin, count);
 }

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "geom/sort_ids.h"
-#include "geom/visit_where.h"
 #include "update/facet_cut.h"
 #include "update/rim_index.h"
 
@@ -96,13 +95,11 @@ class CutSeeds {
   // In the order of ids.
   std::vector<TriangleId> beside_border() const {
     std::vector<TriangleId> facets;
-    visit_where(
-        border_.size(), [&](std::size_t i) { return border_[TriangleId(i)] != 0; },
-        [&](std::size_t i) {
-          for (const TriangleId next : model_.adjacency().neighbors[TriangleId(i)]) {
-            if (!next.is_none() && border_[next] == 0) facets.push_back(next);
-          }
-        });
+    for (const TriangleId t : members(border_)) {
+      for (const TriangleId next : model_.adjacency().neighbors[t]) {
+        if (!next.is_none() && border_[next] == 0) facets.push_back(next);
+      }
+    }
     make_set(facets);
     return facets;
   }
@@ -158,9 +155,9 @@ void split_by_cut(const TriangleSet& under, std::size_t cloud, CutRegions& resul
     }
   }
   for (const TriangleId t : under.ids()) {
-    RegionId& r = regions.region_of_facet[t];
+    const RegionId r = regions.region_of_facet[t];
     if (r.is_none() || under[t] == 0 || parts[r].new_region.is_none()) continue;
-    r = parts[r].new_region;
+    regions.region_of_facet.set(t, parts[r].new_region);
   }
 }
 
@@ -199,11 +196,12 @@ RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
     return static_cast<double>(rim.gap_edges) <=
            options.clear_gap_share * static_cast<double>(rim.rim_edges);
   };
+  const std::vector<TriangleId> under = members(cut.under);
   if (std::all_of(rims.begin(), rims.end(), is_clear) &&
-      !reaches_beyond(model, cut.under, scans, options.ends)) {
+      !reaches_beyond(model, under, scans, options.ends)) {
     return cut;
   }
-  const std::vector<TriangleId> ends = scan_ends(model, cut.under, scans, options.ends);
+  const std::vector<TriangleId> ends = scan_ends(model, under, scans, options.ends);
   if (ends.empty()) return cut;
   // Fewer facets are under the cloud then: none that was not looked at.
   seeds.pull_outside(ends, cut);

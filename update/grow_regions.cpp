@@ -6,9 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "geom/large_pages.h"
+#include "geom/sparse_vector.h"
 #include "geom/visit_where.h"
-#include "geom/zeroed_array.h"
 
 namespace cocoon {
 
@@ -17,12 +16,12 @@ namespace {
 // From the lowest free facet, again and again.
 Regions grow_one_by_one(const MeshAdjacency& adjacency, const TriangleSet& border) {
   Regions result;
-  result.region_of_facet = IdVector<TriangleId, RegionId>(border.size());
+  result.region_of_facet = SparseVector<TriangleId, RegionId>(border.size());
   std::vector<TriangleId> stack;
   for (const TriangleId seed : border.ids()) {
     if (border[seed] != 0 || !result.region_of_facet[seed].is_none()) continue;
     const RegionId id = result.regions.push_back({.first = seed});
-    result.region_of_facet[seed] = id;
+    result.region_of_facet.set(seed, id);
     stack.assign(1, seed);
     while (!stack.empty()) {
       const TriangleId t = stack.back();
@@ -31,7 +30,7 @@ Regions grow_one_by_one(const MeshAdjacency& adjacency, const TriangleSet& borde
       for (const TriangleId across : adjacency.neighbors[t]) {
         if (across.is_none() || border[across] != 0) continue;
         if (!result.region_of_facet[across].is_none()) continue;
-        result.region_of_facet[across] = id;
+        result.region_of_facet.set(across, id);
         stack.push_back(across);
       }
     }
@@ -111,7 +110,7 @@ class Fronts {
   }
 
   void reach(TriangleId t, std::uint32_t f) {
-    front_of_[t] = f + 1;
+    front_of_.set(t, f + 1);
     reached_.push_back(t);
   }
 
@@ -124,13 +123,12 @@ class Fronts {
   }
 
   void label(const std::vector<RegionId>& region_of_front, std::uint32_t rest, Regions& result) {
-    result.region_of_facet.reserve(border_.size());
-    prefer_large_pages(result.region_of_facet.raw());
-    result.region_of_facet.resize(border_.size(), region_of_front[rest]);
+    result.region_of_facet =
+        SparseVector<TriangleId, RegionId>(border_.size(), region_of_front[rest]);
     for (const TriangleId t : reached_) {
-      result.region_of_facet[t] = region_of_front[root_of(front_of_[t] - 1)];
+      result.region_of_facet.set(t, region_of_front[root_of(front_of_[t] - 1)]);
     }
-    for (const TriangleId t : facets_) result.region_of_facet[t] = RegionId();
+    for (const TriangleId t : facets_) result.region_of_facet.set(t, RegionId());
   }
 
   std::uint32_t root_of(std::uint32_t f) {
@@ -166,7 +164,7 @@ class Fronts {
   const MeshAdjacency& adjacency_;
   const TriangleSet& border_;
   std::span<const TriangleId> facets_;
-  ZeroedArray<TriangleId, std::uint32_t> front_of_;  // 1 + its front; 0: not reached
+  SparseVector<TriangleId, std::uint32_t> front_of_;  // 1 + its front; 0: not reached
   std::vector<TriangleId> reached_;
   std::vector<std::uint32_t> parent_;            // of each front: what it became part of, or itself
   std::vector<std::vector<TriangleId>> stacks_;  // facets whose neighbors are to be looked at
@@ -178,8 +176,9 @@ class Fronts {
 Regions grow_regions(const ModelIndex& model, const TriangleSet& border) {
   if (!model.is_connected()) return grow_one_by_one(model.adjacency(), border);
   std::vector<TriangleId> facets;
+  const std::span<const std::uint8_t> is_border = border.span();
   visit_where(
-      border.size(), [&](std::size_t i) { return border[TriangleId(i)] != 0; },
+      border.size(), [&](std::size_t i) { return is_border[i] != 0; },
       [&](std::size_t i) { facets.push_back(TriangleId(i)); });
   Fronts fronts(model.adjacency(), border, facets);
   if (!fronts.any()) return grow_one_by_one(model.adjacency(), border);

@@ -8,7 +8,7 @@
 #include "geom/large_pages.h"
 #include "geom/list_edit.h"
 #include "geom/nearest_point.h"
-#include "geom/visit_where.h"
+#include "geom/sort_ids.h"
 #include "update/rim_index.h"
 
 namespace cocoon {
@@ -52,6 +52,19 @@ RegionId largest_kept_region(const Regions& regions, const RegionChoice& choice)
     if (largest.is_none() || facets > regions.regions[largest].facets) largest = r;
   }
   return largest;
+}
+
+// The vertices to be looked at, ascending: all but those of the region that nothing is said of; all
+// if it is none.
+std::vector<VertexId> not_plain(RegionId plain, const Regions& regions,
+                                const SparseVector<VertexId, Scanned>& scanned) {
+  std::vector<VertexId> found;
+  const auto take = [&](VertexId v) { found.push_back(v); };
+  regions.group_of_vertex.visit_where([&](RegionId r) { return plain.is_none() || r != plain; },
+                                      take);
+  scanned.visit_where([](Scanned s) { return s != Scanned::unclear; }, take);
+  make_set(found);
+  return found;
 }
 
 // Merges equal points, keeping the first of each in place; returns the new position of every old
@@ -146,19 +159,12 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   const RimIndex rim_index(rims);
   const ThinningTest thinning(rims, clouds, options.thinning_distance);
 
-  const IdVector<VertexId, Scanned> scanned =
+  const SparseVector<VertexId, Scanned> scanned =
       scanned_vertices(index, regions, rim_index, rims, clouds, options.scanned);
 
   // 1. Who goes. Most vertices stay: those in the middle of the largest region that does.
-  const RegionId plain = thinning.is_on() ? RegionId() : largest_kept_region(regions, choice);
-  const auto is_plain = [&](std::size_t i) {
-    bool holds = regions.group_of_vertex[VertexId(i)] == plain;
-    holds &= scanned[VertexId(i)] == Scanned::unclear;  // without a branch
-    return holds;
-  };
   ListEdit<VertexId> edit;
-  const auto decide = [&](std::size_t i) {
-    const VertexId v(i);
+  const auto decide = [&](VertexId v) {
     const RegionId group = regions.group_of_vertex[v];
     const bool on_border = group.is_none();
     if (on_border && !index.is_used(v)) {
@@ -181,8 +187,8 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
       edit.removed.push_back(v);
     }
   };
-  visit_where(
-      model.points.size(), [&](std::size_t i) { return plain.is_none() || !is_plain(i); }, decide);
+  const RegionId plain = thinning.is_on() ? RegionId() : largest_kept_region(regions, choice);
+  for (const VertexId v : not_plain(plain, regions, scanned)) decide(v);
   result.kept = edit.size_after(model.points.size());
 
   // 2. Then the clouds; equal points once.

@@ -5,7 +5,7 @@
 
 #include "geom/box.h"
 #include "geom/nearest_point.h"
-#include "geom/visit_where.h"
+#include "geom/sort_ids.h"
 #include "geom/zeroed_array.h"
 #include "update/near_facets.h"
 #include "update/reached_cells.h"
@@ -79,8 +79,8 @@ void leave_out_changes(const ModelIndex& model, const Scan& scan, const ScanEndO
 
 }  // namespace
 
-bool reaches_beyond(const ModelIndex& model, const TriangleSet& among, std::span<const Scan> scans,
-                    const ScanEndOptions& options) {
+bool reaches_beyond(const ModelIndex& model, std::span<const TriangleId> among,
+                    std::span<const Scan> scans, const ScanEndOptions& options) {
   if (scans.empty()) return false;
   Box box;
   for (const Scan& scan : scans) {
@@ -88,29 +88,23 @@ bool reaches_beyond(const ModelIndex& model, const TriangleSet& among, std::span
     around.enlarge(options.scanned * scan.spacing);
     box.include(around);
   }
-  bool found = false;
-  visit_where(
-      among.size(), [&](std::size_t i) { return among[TriangleId(i)] != 0; },
-      [&](std::size_t i) { found = found || !contains(box, model.centroid(TriangleId(i))); });
-  return found;
+  return std::any_of(among.begin(), among.end(),
+                     [&](TriangleId t) { return !contains(box, model.centroid(t)); });
 }
 
-std::vector<TriangleId> scan_ends(const ModelIndex& model, const TriangleSet& among,
+std::vector<TriangleId> scan_ends(const ModelIndex& model, std::span<const TriangleId> among,
                                   std::span<const Scan> scans, const ScanEndOptions& options) {
-  std::vector<TriangleId> asked;
-  visit_where(
-      among.size(), [&](std::size_t i) { return among[TriangleId(i)] != 0; },
-      [&](std::size_t i) { asked.push_back(TriangleId(i)); });
-  if (scans.empty() || asked.empty()) return {};
-  std::vector<TriangleId> around = asked;
-  for (const TriangleId t : asked) {
+  if (scans.empty() || among.empty()) return {};
+  std::vector<TriangleId> around(among.begin(), among.end());
+  for (const TriangleId t : among) {
     for (const TriangleId next : model.adjacency().neighbors[t]) {
-      if (!next.is_none() && among[next] == 0) around.push_back(next);
+      if (!next.is_none()) around.push_back(next);
     }
   }
+  make_set(around);
   Coverage coverage(model, scans, centroids(model, around), options.scanned);
   std::vector<TriangleId> ends;
-  for (const TriangleId t : asked) {
+  for (const TriangleId t : among) {
     if (coverage.is_scanned(t)) continue;
     const auto& neighbors = model.adjacency().neighbors[t];
     const bool at_scan = std::any_of(neighbors.begin(), neighbors.end(), [&](TriangleId next) {
@@ -126,11 +120,9 @@ bool scan_ends_under(const ModelIndex& model, const Regions& regions, const Clou
                      const Scan& scan, const ScanEndOptions& options) {
   IdVector<RegionId, std::uint8_t> goes(regions.regions.size(), 0);
   for (const RegionVerdict& verdict : choice.regions) goes[verdict.region] = verdict.under_cloud;
-  TriangleSet among(regions.region_of_facet.size(), 0);
-  for (const TriangleId t : among.ids()) {
-    const RegionId r = regions.region_of_facet[t];
-    among[t] = !r.is_none() && goes[r] != 0 ? 1 : 0;
-  }
+  std::vector<TriangleId> among;
+  regions.region_of_facet.visit_where([&](RegionId r) { return !r.is_none() && goes[r] != 0; },
+                                      [&](TriangleId t) { among.push_back(t); });
   const std::span scans(&scan, 1);
   return reaches_beyond(model, among, scans, options) &&
          !scan_ends(model, among, scans, options).empty();

@@ -9,7 +9,6 @@
 #include "update/model_index.h"
 #include "update/scan.h"
 #include "update/segment_model.h"
-#include "update/triangle_set.h"
 
 namespace cocoon {
 
@@ -23,22 +22,22 @@ struct ScanEndOptions {
   double change_reach = 4;
 };
 
-// The facets of `among` that were not scanned, but have a neighbor that was, with all samples
-// around on the model: there the scans end and the model goes on, as at a rim, whether or not their
-// surfaces show one. Where material went or came, the samples leave the model.
-// In the order of ids. Complexity: O(n log n) for the facets of `among` and the samples near them,
-// and a few operations for each facet of the model and each sample. Deterministic. Source: ours.
-std::vector<TriangleId> scan_ends(const ModelIndex& model, const TriangleSet& among,
+// The facets of `among` (ascending) that were not scanned, but have a neighbor that was, with all
+// samples around on the model: there the scans end and the model goes on, as at a rim, whether or
+// not their surfaces show one. Where material went or came, the samples leave the model. In the
+// order of ids. Complexity: O(n log n) for the facets of `among` and the samples near them, and a
+// few operations for each sample. Deterministic. Source: ours.
+std::vector<TriangleId> scan_ends(const ModelIndex& model, std::span<const TriangleId> among,
                                   std::span<const Scan> scans, const ScanEndOptions& options = {});
 
 // Whether a facet of `among` lies outside of the box of all samples, enlarged by as much as may lie
-// between a scanned facet and the nearest sample. Complexity: O(samples + facets).
-bool reaches_beyond(const ModelIndex& model, const TriangleSet& among, std::span<const Scan> scans,
-                    const ScanEndOptions& options = {});
+// between a scanned facet and the nearest sample. Complexity: O(samples + facets of `among`).
+bool reaches_beyond(const ModelIndex& model, std::span<const TriangleId> among,
+                    std::span<const Scan> scans, const ScanEndOptions& options = {});
 
 // Whether the scan ends on the model in the regions that are to go under it, if these reach beyond
 // the box of its samples. (Else nothing is lost that was not scanned around, and nothing is looked
-// at.) Complexity: O(samples + facets), as scan_ends() where they reach beyond.
+// at.) Complexity: O(samples + facets of these regions), as scan_ends() where they reach beyond.
 bool scan_ends_under(const ModelIndex& model, const Regions& regions, const CloudChoice& choice,
                      const Scan& scan, const ScanEndOptions& options = {});
 

@@ -7,8 +7,6 @@
 
 #include "geom/box_tree.h"
 #include "geom/sort_ids.h"
-#include "geom/visit_where.h"
-#include "geom/zeroed_array.h"
 
 namespace cocoon {
 
@@ -21,16 +19,13 @@ class BorderSpacing {
  public:
   BorderSpacing(const ModelIndex& model, const Regions& regions)
       : model_(model), place_(model.mesh().points.size()) {
-    visit_where(
-        regions.region_of_facet.size(),
-        [&](std::size_t i) { return regions.region_of_facet[TriangleId(i)].is_none(); },
-        [&](std::size_t i) {
-          for (const VertexId v : model.mesh().triangles[TriangleId(i)]) {
-            if (std::exchange(place_[v], 1) == 0) vertices_.push_back(v);
-          }
-        });
-    sort_ids(vertices_);
-    for (std::uint32_t i = 0; i < vertices_.size(); ++i) place_[vertices_[i]] = i + 1;
+    regions.region_of_facet.visit_where([](RegionId r) { return r.is_none(); },
+                                        [&](TriangleId t) {
+                                          for (const VertexId v : model.mesh().triangles[t])
+                                            vertices_.push_back(v);
+                                        });
+    make_set(vertices_);
+    for (std::uint32_t i = 0; i < vertices_.size(); ++i) place_.set(vertices_[i], i + 1);
   }
 
   const std::vector<VertexId>& vertices() const { return vertices_; }
@@ -69,7 +64,7 @@ class BorderSpacing {
   }
 
   const ModelIndex& model_;
-  ZeroedArray<VertexId, std::uint32_t> place_;  // 1 + that among vertices_; 0: not there
+  SparseVector<VertexId, std::uint32_t> place_;  // 1 + that among vertices_; 0: not there
   std::vector<VertexId> vertices_;
 };
 
@@ -96,13 +91,13 @@ std::vector<double> squared_reaches(std::span<const Candidate> candidates, doubl
 
 }  // namespace
 
-IdVector<VertexId, Scanned> scanned_vertices(const ModelIndex& index, const Regions& regions,
-                                             const RimIndex& rim_index,
-                                             std::span<const CloudRim> rims,
-                                             std::span<const std::vector<Point>> clouds,
-                                             const ScannedOptions& options) {
+SparseVector<VertexId, Scanned> scanned_vertices(const ModelIndex& index, const Regions& regions,
+                                                 const RimIndex& rim_index,
+                                                 std::span<const CloudRim> rims,
+                                                 std::span<const std::vector<Point>> clouds,
+                                                 const ScannedOptions& options) {
   const TriangleMesh& model = index.mesh();
-  IdVector<VertexId, Scanned> result(model.points.size(), Scanned::unclear);
+  SparseVector<VertexId, Scanned> result(model.points.size(), Scanned::unclear);
   if (rim_index.empty() || !(options.rim_zone > 0)) return result;
 
   // 1. Who is close to a rim.
@@ -117,7 +112,7 @@ IdVector<VertexId, Scanned> scanned_vertices(const ModelIndex& index, const Regi
     const RimSide side = rim_index.side_of(model.points[v]);
     const double largest_spacing = std::max(rims[side.rim].spacing, spacing);
     if (!(side.distance <= options.rim_zone * largest_spacing)) continue;
-    result[v] = Scanned::no;
+    result.set(v, Scanned::no);
     const double depth = (side.on_cloud_side ? side.distance : -side.distance) / spacing;
     candidates.push_back({v, spacing, depth});
     boxes.push_back(box_of({&model.points[v], 1}));
@@ -134,7 +129,7 @@ IdVector<VertexId, Scanned> scanned_vertices(const ModelIndex& index, const Regi
       tree.visit_near(p, largest, [&](std::uint32_t slot) {
         const std::uint32_t item = tree.items()[slot];
         const VertexId v = candidates[item].vertex;
-        if (squared_distance(p, model.points[v]) <= reaches[item]) result[v] = Scanned::yes;
+        if (squared_distance(p, model.points[v]) <= reaches[item]) result.set(v, Scanned::yes);
         return largest;
       });
     }

@@ -8,6 +8,7 @@
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/point.h"
+#include "geom/sparse_vector.h"
 #include "update/cloud_rim.h"
 #include "update/model_index.h"
 #include "update/rim_index.h"
@@ -37,18 +38,17 @@ enum class Scanned : std::uint8_t {
   yes,
 };
 
-// One value for each vertex of the model. The rim is a chain of chords between samples: it cuts off
-// what juts out and spans dents, in which nothing was scanned; and a cloud that is not quite
-// registered has its rim beside where it belongs. Then a vertex that nobody scanned again would go,
-// or one stay beside the sample that replaces it.
-// rims[i] belongs to clouds[i]; `rim_index` is that of the rims.
-// Complexity: O(n) for n vertices and triangles, and a search per cloud point and border vertex.
-// Deterministic. Source: ours; the thresholds separate right from wrong vertices in `./dev bench
-// update_scores`.
-IdVector<VertexId, Scanned> scanned_vertices(const ModelIndex& model, const Regions& regions,
-                                             const RimIndex& rim_index,
-                                             std::span<const CloudRim> rims,
-                                             std::span<const std::vector<Point>> clouds,
-                                             const ScannedOptions& options = {});
+// One value for each vertex of the model, unclear for most. The rim is a chain of chords between
+// samples: it cuts off what juts out and spans dents, in which nothing was scanned; and a cloud
+// that is not quite registered has its rim beside where it belongs. Then a vertex that nobody
+// scanned again would go, or one stay beside the sample that replaces it. rims[i] belongs to
+// clouds[i]; `rim_index` is that of the rims. Complexity: a search per cloud point and border
+// vertex, and what SparseVector takes to find those. Deterministic. Source: ours; the thresholds
+// separate right from wrong vertices in `./dev bench update_scores`.
+SparseVector<VertexId, Scanned> scanned_vertices(const ModelIndex& model, const Regions& regions,
+                                                 const RimIndex& rim_index,
+                                                 std::span<const CloudRim> rims,
+                                                 std::span<const std::vector<Point>> clouds,
+                                                 const ScannedOptions& options = {});
 
 }  // namespace cocoon

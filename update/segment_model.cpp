@@ -4,9 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "geom/large_pages.h"
 #include "geom/visit_where.h"
-#include "geom/zeroed_array.h"
 #include "update/grow_regions.h"
 
 namespace cocoon {
@@ -29,9 +27,7 @@ void merge_islands(std::size_t min_facets, Regions& result) {
     }
   }
   if (result.merged_islands == 0) return;
-  for (RegionId& region : result.region_of_facet) {
-    if (!region.is_none()) region = new_id[region];
-  }
+  result.region_of_facet.renew([&](RegionId r) { return r.is_none() ? r : new_id[r]; });
   result.regions = std::move(kept);
 }
 
@@ -44,8 +40,8 @@ void count_facets(Regions& result) {
 }
 
 // The one region of the facets at a vertex that are not in the border; none if there are several.
-RegionId group_of(const ModelIndex& model, const IdVector<TriangleId, RegionId>& region_of_facet,
-                  VertexId v) {
+RegionId group_of(const ModelIndex& model,
+                  const SparseVector<TriangleId, RegionId>& region_of_facet, VertexId v) {
   RegionId group;
   bool several = false;
   model.for_each_triangle_at(v, [&](TriangleId t) {
@@ -70,10 +66,7 @@ RegionId largest_region(const IdVector<RegionId, Region>& regions) {
 void group_vertices(const ModelIndex& model, Regions& result) {
   const TriangleMesh& mesh = model.mesh();
   const RegionId largest = largest_region(result.regions);
-  result.group_of_vertex = {};
-  result.group_of_vertex.reserve(mesh.points.size());
-  prefer_large_pages(result.group_of_vertex.raw());
-  result.group_of_vertex.resize(mesh.points.size(), largest);
+  result.group_of_vertex = SparseVector<VertexId, RegionId>(mesh.points.size(), largest);
   result.border_vertices = 0;
   for (Region& region : result.regions) region.vertices = 0;
   std::size_t others = 0;
@@ -81,27 +74,22 @@ void group_vertices(const ModelIndex& model, Regions& result) {
       model.uses_all_vertices() ? 0 : mesh.points.size(),
       [&](std::size_t i) { return !model.is_used(VertexId(i)); },
       [&](std::size_t i) {
-        result.group_of_vertex[VertexId(i)] = RegionId();
+        result.group_of_vertex.set(VertexId(i), RegionId());
         ++others;
       });
-  ZeroedArray<VertexId, std::uint8_t> seen(mesh.points.size());
+  SparseVector<VertexId, std::uint8_t> seen(mesh.points.size());
   const auto look_at = [&](VertexId v) {
-    if (std::exchange(seen[v], 1) != 0) return;
+    if (seen[v] != 0) return;
+    seen.set(v, 1);
     ++others;
     const RegionId group = group_of(model, result.region_of_facet, v);
-    result.group_of_vertex[v] = group;
+    result.group_of_vertex.set(v, group);
     ++(group.is_none() ? result.border_vertices : result.regions[group].vertices);
   };
-  const IdVector<TriangleId, RegionId>& regions = result.region_of_facet;
-  visit_where(
-      regions.size(),
-      [&](std::size_t i) {
-        const RegionId r = regions[TriangleId(i)];
-        return r != largest || r.is_none();
-      },
-      [&](std::size_t i) {
-        for (const VertexId v : mesh.triangles[TriangleId(i)]) look_at(v);
-      });
+  result.region_of_facet.visit_where([&](RegionId r) { return r != largest || r.is_none(); },
+                                     [&](TriangleId t) {
+                                       for (const VertexId v : mesh.triangles[t]) look_at(v);
+                                     });
   if (!largest.is_none()) result.regions[largest].vertices += mesh.points.size() - others;
 }
 

@@ -6,6 +6,7 @@
 #include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
+#include "geom/sparse_vector.h"
 #include "geom/triangle_mesh.h"
 #include "update/model_index.h"
 #include "update/triangle_set.h"
@@ -24,11 +25,12 @@ struct Region {
 };
 
 struct Regions {
-  IdVector<RegionId, Region> regions;              // by lowest facets; split_regions() appends
-  IdVector<TriangleId, RegionId> region_of_facet;  // none: a facet of the border
+  IdVector<RegionId, Region> regions;  // by lowest facets; split_regions() appends
+  // Most facets and vertices are of one region: that of the model's rest.
+  SparseVector<TriangleId, RegionId> region_of_facet;  // none: a facet of the border
   // none: a border vertex, at facets of several regions or of the border only; or a vertex that no
   // triangle uses.
-  IdVector<VertexId, RegionId> group_of_vertex;
+  SparseVector<VertexId, RegionId> group_of_vertex;
   std::size_t border_facets = 0;    // with those of merged islands
   std::size_t border_vertices = 0;  // used vertices without a group
   std::size_t merged_islands = 0;

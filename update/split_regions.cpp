@@ -144,7 +144,7 @@ RegionSplit split_regions(const ModelIndex& model, const Regions& regions,
     for (const TriangleId t : regions.region_of_facet.ids()) {
       if (!labeling.is_under(t)) continue;
       ++split.under_facets;
-      result.regions.region_of_facet[t] = split.under;
+      result.regions.region_of_facet.set(t, split.under);
       split.reach = std::max(split.reach, cloud_reach.at(model.centroid(t)));
       for (const TriangleId next : model.adjacency().neighbors[t]) {
         if (next.is_none() || regions.region_of_facet[next] != region) continue;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/update/hand_made_models.h"
+#include "update/triangle_set.h"
 
 namespace cocoon {
 namespace {
@@ -41,7 +42,7 @@ struct Plane {
 
   std::vector<TriangleId> ends(const std::vector<Point>& samples) const {
     const std::vector<Scan> scans = {{samples, 1}};
-    return scan_ends(model, all, scans);
+    return scan_ends(model, members(all), scans);
   }
 };
 
@@ -84,7 +85,7 @@ TEST(ScanEnds, AreLookedForAmongTheGivenFacets) {
   }
   EXPECT_EQ(plane.ends(disk()), expected);
   EXPECT_LT(expected.size(), everywhere.size());
-  EXPECT_TRUE(scan_ends(plane.model, plane.all, {}).empty());
+  EXPECT_TRUE(scan_ends(plane.model, members(plane.all), {}).empty());
 }
 
 // Of two scans that meet, nothing ends where one goes on beyond the other.
@@ -94,7 +95,7 @@ TEST(ScanEnds, AreThoseOfAllScansTogether) {
   std::vector<Point> right;
   for (const Point& p : disk()) (p.x < middle.x ? left : right).push_back(p);
   const std::vector<Scan> scans = {{left, 1}, {right, 1}};
-  EXPECT_EQ(scan_ends(plane.model, plane.all, scans), plane.ends(disk()));
+  EXPECT_EQ(scan_ends(plane.model, members(plane.all), scans), plane.ends(disk()));
   EXPECT_NE(plane.ends(left), plane.ends(disk()));
 }
 
@@ -103,11 +104,11 @@ TEST(ScanEnds, TellThatARegionIsNotAllUnderTheScan) {
   const Plane plane;
   Regions regions;
   regions.regions.resize(2);
-  regions.region_of_facet = IdVector<TriangleId, RegionId>(plane.mesh.triangles.size());
+  regions.region_of_facet = SparseVector<TriangleId, RegionId>(plane.mesh.triangles.size());
   const auto set = [&](double limit) {
     for (const TriangleId t : plane.mesh.triangles.ids()) {
       const bool outside = distance(plane.model.centroid(t), middle) > limit;
-      regions.region_of_facet[t] = RegionId(outside ? 1U : 0U);
+      regions.region_of_facet.set(t, RegionId(outside ? 1U : 0U));
     }
   };
   CloudChoice choice;
