@@ -22,8 +22,8 @@
 // S, against 2. By 4 no second walk begins, and nothing else is kept. A closed connected surface in
 // the 3-sphere has two sides. So marking, which by 6 and 7 comes to all good vertices, finds one
 // OUT and one IN, without conflict; by 5 each cell is told its side, none is poor, and the peel
-// reaches just what is OUT. The clean-up has no undecided cell, and S is pinched nowhere: it has
-// nothing to do. Samples off S are not missed, since all their cells are decided.
+// reaches just what is OUT. The clean-up has no undecided cell, and S is pinched nowhere: then it
+// does nothing. Samples off S are not missed, since all their cells are decided.
 // Source: ours, docs/stages/live_update.md.
 #pragma once
 

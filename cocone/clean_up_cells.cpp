@@ -67,6 +67,10 @@ class CleanUp {
     }
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     count(counters_.defects_before, counters_.unused_before);
+    if (region_.undecided.empty() && flaws_.pinched.empty()) {  // as it should be
+      counters_.unused_after = counters_.unused_before;
+      return counters_;
+    }
     leave_out_outliers();
     set_preferences(std::move(centers));
     cut(region_.undecided);

@@ -37,16 +37,14 @@ class Walk {
     keep_unwalked();
   }
 
-  // The kept halves, in the order of their triangles. From which side a triangle is kept cannot be
-  // foreseen: no branch depends on it.
+  // The kept halves; of triangles off the surface either. From which side a triangle is kept cannot
+  // be foreseen: no branch depends on it.
   std::vector<FacetId> halves() const {
-    std::vector<FacetId> halves;
-    halves.reserve(candidates_.size());
+    std::vector<FacetId> halves(candidates_.size());
     for (std::uint32_t t = 0; t < candidates_.size(); ++t) {
-      if (!is_kept(t)) continue;
       const auto back = static_cast<Half>(states_[2 * t] == HalfState::kept ? 0 : 1);
       const std::array<FacetId, 2> sides = {candidates_.facets[t], candidates_.mirrors[t]};
-      halves.push_back(sides[back]);
+      halves[t] = sides[back];
     }
     return halves;
   }
@@ -302,8 +300,12 @@ ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacet
     surface.back_contacts = walk.back_contacts();
     off_surface = walk.off_surface();
   }
-  surface.dropped = candidates.size() - surface.halves.size();
   surface.triangles = without(triangulation, std::move(candidates), off_surface);
+  for (const auto& [from, to] : moves_into_places(off_surface)) {
+    surface.halves[to] = surface.halves[from];
+  }
+  surface.dropped = surface.halves.size() - surface.triangles.size();
+  surface.halves.resize(surface.triangles.size());
   report_progress(execution, "extract_manifold", 1);
   return surface;
 }

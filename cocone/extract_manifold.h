@@ -22,7 +22,7 @@ namespace cocoon {
 
 struct ManifoldSurface {
   LinkedFacets triangles;
-  // One id per triangle: the facet seen from the side on which the walk came. Normals of
+  // Of each triangle, at its place: the facet seen from the side on which the walk came. Normals of
   // facet_vertices(mirror(half)) point to that side: outward where the walk began outside.
   std::vector<FacetId> halves;
   std::size_t walks = 0;     // connected pieces

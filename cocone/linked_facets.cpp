@@ -129,6 +129,19 @@ LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
   return triangles;
 }
 
+std::vector<TriangleMove> moves_into_places(const std::vector<std::uint8_t>& removed) {
+  std::vector<TriangleMove> moves;
+  auto end = static_cast<std::uint32_t>(removed.size());
+  for (std::uint32_t hole = 0; hole < end; ++hole) {
+    if (removed[hole] == 0) continue;
+    do {
+      --end;
+    } while (removed[end] != 0 && end > hole);
+    if (end > hole) moves.push_back({end, hole});
+  }
+  return moves;
+}
+
 LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
                      const std::vector<std::uint8_t>& removed) {
   const auto size = static_cast<std::uint32_t>(triangles.size());
@@ -139,19 +152,14 @@ LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
       triangles.links[side_before(triangles, side)] = triangles.links[side];
     }
   }
-  std::uint32_t end = size;
-  for (std::uint32_t hole = 0; hole < end; ++hole) {
-    if (removed[hole] == 0) continue;
-    do {
-      --end;
-    } while (removed[end] != 0 && end > hole);
-    if (end > hole) move_triangle(triangles, end, hole);
-  }
+  const std::vector<TriangleMove> moves = moves_into_places(removed);
+  for (const auto& [from, to] : moves) move_triangle(triangles, from, to);
+  const auto end = static_cast<std::size_t>(std::count(removed.begin(), removed.end(), 0));
   triangles.facets.resize(end);
   triangles.mirrors.resize(end);
   triangles.corners.resize(end);
   triangles.normals.resize(end);
-  triangles.links.resize(3 * std::size_t{end});
+  triangles.links.resize(3 * end);
   return triangles;
 }
 

@@ -49,8 +49,16 @@ LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
 void link_corners(const IdVector<VertexId, Point>& points, LinkedFacets& triangles,
                   const Execution& execution = {});
 
+// Where the last triangles go when those with a flag leave their places, in the order of `to`.
+// Complexity: one look at every flag.
+struct TriangleMove {
+  std::uint32_t from;
+  std::uint32_t to;
+};
+std::vector<TriangleMove> moves_into_places(const std::vector<std::uint8_t>& removed);
+
 // The triangles whose flag is 0. Rings close over those that go, and the last triangles move to
-// their places. Complexity: one look at every flag, and O(triangles removed).
+// their places (moves_into_places). Complexity: one look at every flag, and O(triangles removed).
 LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
                      const std::vector<std::uint8_t>& removed);
 

@@ -165,9 +165,14 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      const VertexSet& boundary, std::span<const KnownTriangle> known,
                      const GoodVertexOptions& options, const Execution& execution) {
+  return mark_cells(triangulation, surface, good_vertices(surface, boundary, options, execution),
+                    known, execution);
+}
+
+CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
+                     GoodVertices good, std::span<const KnownTriangle> known,
+                     const Execution& execution) {
   report_progress(execution, "mark_cells", 0);
-  GoodVertices good = good_vertices(surface, boundary, options, execution);
-  report_progress(execution, "mark_cells", 0.4);
   CellMarks marks;
   marks.good = std::move(good.good);
   marks.good_vertices = good.count;

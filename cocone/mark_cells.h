@@ -82,6 +82,11 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
                      const VertexSet& boundary, std::span<const KnownTriangle> known,
                      const GoodVertexOptions& options = {}, const Execution& execution = {});
 
+// The same where the good vertices are known: good_vertices(surface, boundary, options).
+CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
+                     GoodVertices good, std::span<const KnownTriangle> known,
+                     const Execution& execution = {});
+
 // The rounds by themselves, for the peel that discovers further seeds.
 class MarkingRounds {
  public:

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cocone/candidate_triangles.h"
+#include "cocone/certain_surface.h"
 #include "cocone/extract_manifold.h"
 #include "cocone/mark_cells.h"
 #include "cocone/orient_surface.h"
@@ -135,26 +136,51 @@ class Reconstruction {
     if (boundary_.interior() == 0) return deliver({});
     run_stage(execution_, "tight", [&](const Execution& nested) {
       if (options_.mode == Mode::paper) known = {};
-      CellMarks marks = mark(known, nested);
-      if (!keeps_links_) forget_links();
-      const FacetSet& surface = surface_.triangles.set;
-      marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, nested);
-      ReconstructCounters& counters = result_.counters;
-      counters.clean_up = clean_up_cells(*triangulation_, poles_, marks, options_.clean_up, nested);
-      if (options_.keep_cavities) {
-        counters.cavities = open_cavities(*triangulation_, surface, marks);
+      if (marking_) return close_by(mark_by_caller(known, nested), nested);
+      GoodVertices good =
+          good_vertices(surface_.triangles, boundary_.boundary, options_.good_vertices, nested);
+      if (is_certain(*triangulation_, surface_, good, nested)) {
+        return deliver_certain(std::move(good), nested);
       }
-      deliver(surface_between(*triangulation_, marks, nested));
-      counters.good_vertices = marks.good_vertices;
-      counters.demoted_vertices = marks.folded.size();
-      counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;
-      counters.marking_rounds = marks.rounds;
-      counters.marking_conflicts = marks.conflicts;
-      counters.known_cells = marks.known_cells;
-      counters.poor_cells = marks.poor_cells;
-      counters.deferred_seeds = marks.deferred_seeds;
-      good_ = std::move(marks.good);
+      CellMarks marks =
+          mark_cells(*triangulation_, surface_.triangles, std::move(good), known, nested);
+      forget_links();
+      close_by(std::move(marks), nested);
     });
+  }
+
+  void close_by(CellMarks marks, const Execution& execution) {
+    const FacetSet& surface = surface_.triangles.set;
+    marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, execution);
+    ReconstructCounters& counters = result_.counters;
+    counters.clean_up =
+        clean_up_cells(*triangulation_, poles_, marks, options_.clean_up, execution);
+    if (options_.keep_cavities) {
+      counters.cavities = open_cavities(*triangulation_, surface, marks);
+    }
+    deliver(surface_between(*triangulation_, marks, execution));
+    counters.good_vertices = marks.good_vertices;
+    counters.demoted_vertices = marks.folded.size();
+    counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;
+    counters.marking_rounds = marks.rounds;
+    counters.marking_conflicts = marks.conflicts;
+    counters.known_cells = marks.known_cells;
+    counters.poor_cells = marks.poor_cells;
+    counters.deferred_seeds = marks.deferred_seeds;
+    good_ = std::move(marks.good);
+  }
+
+  // What close_by() would: nothing is left to be decided.
+  void deliver_certain(GoodVertices good, const Execution& execution) {
+    forget_links();
+    deliver(surface_of(*triangulation_, surface_.halves, execution));
+    ReconstructCounters& counters = result_.counters;
+    counters.good_vertices = good.count;
+    counters.demoted_vertices = good.folded.size();
+    if (options_.clean_up.enabled) {
+      counters.clean_up.unused_before = counters.clean_up.unused_after = result_.unused_points;
+    }
+    good_ = std::move(good.good);
   }
 
   void deliver_open_surface() {
@@ -177,10 +203,7 @@ class Reconstruction {
   }
 
   // From now on this marks cells, and take_surface() has triangles.
-  void use(const Marking& marking) {
-    marking_ = marking;
-    keeps_links_ = true;
-  }
+  void use(const Marking& marking) { marking_ = marking; }
   // From now on what is found is kept for `stages`.
   void keep_stages(ReconstructStages& stages) { stages_ = &stages; }
   CoconeSurface take_surface() {
@@ -188,7 +211,7 @@ class Reconstruction {
     surface.halves = std::move(surface_.halves);
     surface.good = std::move(good_);
     surface.umbrellas = result_.counters.good_vertices + result_.counters.demoted_vertices;
-    if (keeps_links_) surface.triangles = std::move(surface_.triangles);
+    if (marking_) surface.triangles = std::move(surface_.triangles);
     return surface;
   }
   ReconstructResult take_result() {
@@ -203,7 +226,7 @@ class Reconstruction {
   }
 
  private:
-  CellMarks mark(std::span<const KnownTriangle> known, const Execution& execution) const {
+  CellMarks mark_by_caller(std::span<const KnownTriangle> known, const Execution& execution) const {
     return marking_(*triangulation_, surface_.triangles, boundary_.boundary, known,
                     options_.good_vertices, execution);
   }
@@ -260,9 +283,8 @@ class Reconstruction {
   Poles poles_;
   ConeSides sides_;
   BoundarySamples boundary_;
-  Marking marking_ = [](const auto&... input) { return mark_cells(input...); };
+  Marking marking_;  // empty: mark_cells
   ManifoldSurface surface_;
-  bool keeps_links_ = false;                           // to the end
   VertexSet good_;                                     // as the marks had them
   IdVector<VertexId, VertexId> triangulation_vertex_;  // of each vertex of the result
   double scale_ = 1;

@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 #include <string>
 
+#include "cocone/handle_loops.h"
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
 #include "geom/random.h"
 #include "geom/surface_distance.h"
 #include "io/mesh_file.h"
 #include "tests/cocone/sample_shapes.h"
+#include "tests/cocone/stages.h"
 #include "tests/gallery.h"
 
 namespace cocoon {
@@ -262,6 +264,40 @@ TEST(CleanUpCells, HandlesOfTheLeastGirthAreClosed) {
     closed += with.counters.clean_up.closed_handles;
   }
   EXPECT_GE(closed, 3U);
+}
+
+// A labeling with handles, but no cell in doubt: only the samples of the handle are not good.
+TEST(CleanUpCells, WithoutUndecidedCellsNothingChanges) {
+  std::size_t handles = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Stages s(shapes::noisy_sphere(1500, 0.05, seed));
+    const BoundarySamples labels = s.labels();
+    const LinkedFacets surface = s.surface(labels);
+    CellMarks marks = peel_cells(s.triangulation, surface.set,
+                                 mark_cells(s.triangulation, surface, labels.boundary));
+    clean_up_cells(s.triangulation, s.poles, marks, {.most_handle_facets = 0});
+    for (const CellId c : s.triangulation.cells()) {
+      marks.labels[c] = marks.reached[c] != 0 ? CellLabel::out : CellLabel::in;
+    }
+    marks.conflicts = 0;
+    marks.good = VertexSet(s.triangulation.num_vertices(), 0);
+    StarCache stars(s.triangulation);
+    HandleLoops loops(s.triangulation, stars, marks.reached);
+    for (const Triangle& loop : loops.find(find_doubtful_region(s.triangulation, marks, stars))) {
+      if (!loops.is_handle(loop, 10000)) continue;
+      CellMarks decided = marks;
+      decided.good = VertexSet(s.triangulation.num_vertices(), 1);
+      for (const VertexId v : loop) decided.good[v] = 0;
+      decided.good_vertices = decided.visited_vertices = s.triangulation.num_vertices() - 3;
+      const CleanUpCounters counters = clean_up_cells(s.triangulation, s.poles, decided);
+      if (counters.defects_before != 0) continue;
+      ++handles;
+      EXPECT_EQ(counters.undecided_cells, 0U);
+      EXPECT_EQ(counters.changed_cells, 0U);
+      EXPECT_EQ(decided.reached, marks.reached);
+    }
+  }
+  EXPECT_GE(handles, 10U);
 }
 
 // Beside cells in doubt, good vertices are often wrong: at edges, where the peel cuts off corners.
