@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "geom/counted.h"
+#include "geom/mixed_bits.h"
 
 namespace cocoon::app {
 
@@ -41,12 +42,10 @@ std::string surface_summary(const MeshReport& certificate) {
 }
 
 std::string mesh_hash(const TriangleMesh& mesh) {
-  std::uint64_t hash = 0xCBF29CE484222325U;
+  std::uint64_t hash = 0;
   const auto add = [&hash](std::uint64_t word) {
-    for (int shift = 0; shift < 64; shift += 8) {
-      hash ^= word >> shift & 0xFFU;
-      hash *= 0x100000001B3U;
-    }
+    constexpr std::uint64_t odd = 0x9E3779B97F4A7C15U;
+    hash = (std::rotl(hash, 29) ^ word) * odd;
   };
   for (const Point& p : mesh.points) {
     for (int axis = 0; axis < 3; ++axis) add(std::bit_cast<std::uint64_t>(p[axis]));
@@ -54,7 +53,7 @@ std::string mesh_hash(const TriangleMesh& mesh) {
   for (const Triangle& triangle : mesh.triangles) {
     for (const VertexId vertex : triangle) add(vertex.value);
   }
-  return fmt::format("{:016x}", hash);
+  return fmt::format("{:016x}", mixed_bits(hash));
 }
 
 }  // namespace cocoon::app

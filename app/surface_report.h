@@ -16,7 +16,7 @@ void add_surface(JsonReport& report, const TriangleMesh& mesh, const MeshReport&
 std::string surface_summary(const MeshReport& certificate);
 
 // 16 hexadecimal digits that depend on every bit of the mesh, to compare results across machines,
-// thread counts and versions (FNV-1a, 64 bits, over coordinates and triangles; not cryptographic).
+// thread counts and versions (over coordinates and triangles, word by word; not cryptographic).
 std::string mesh_hash(const TriangleMesh& mesh);
 
 }  // namespace cocoon::app

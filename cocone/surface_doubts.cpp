@@ -69,6 +69,10 @@ class Doubts {
       if (given.index() < result_.boundary_sample.size())
         sparse_[v] = result_.boundary_sample[given];
     }
+    irregular_ = IdVector<VertexId, std::uint8_t>(count, 0);
+    for (const SideId side : mesh_.irregular) {
+      irregular_[mesh_.from(side)] = irregular_[mesh_.to(side)] = 1;
+    }
     std::vector<Measured> parts((count + vertices_per_chunk - 1) / vertices_per_chunk);
     parallel_chunks(execution_, count, vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
       std::vector<double> lengths;
@@ -93,23 +97,27 @@ class Doubts {
     Vec3 normal;
     Vec3 arms;
     double sum = 0;
+    const auto measure_edge_to = [&](VertexId other) {
+      const Vec3 arm = mesh_.points[other] - mesh_.points[v];
+      arms = arms + arm;
+      lengths.push_back(norm(arm));
+      sum += lengths.back();
+      if (v < other) measured.lengths.push_back(lengths.back());
+    };
     for (const SideId corner : mesh_.corners_at(v)) {
-      const SideId first = 3 * triangle_of_side(corner);
-      const Point& a = mesh_.points[mesh_.from(corner)];
-      const Point& b = mesh_.points[mesh_.to(corner)];
-      normal = normal + cross(a - mesh_.points[v], b - mesh_.points[v]);
-      const auto at = static_cast<std::size_t>(corner - first);
-      // The spoke to a lies opposite b, and the other way round.
-      for (const std::size_t i : {next_corner(at), previous_corner(at)}) {
-        const SideId spoke = first + static_cast<SideId>(i);
-        if (!mesh_.is_first(spoke)) continue;
-        const VertexId other = i == next_corner(at) ? mesh_.to(corner) : mesh_.from(corner);
-        const Vec3 arm = mesh_.points[other] - mesh_.points[v];
-        arms = arms + arm;
-        lengths.push_back(norm(arm));
-        sum += lengths.back();
-        if (v < other) measured.lengths.push_back(lengths.back());
+      const VertexId from = mesh_.from(corner);
+      const VertexId to = mesh_.to(corner);
+      normal =
+          normal + cross(mesh_.points[from] - mesh_.points[v], mesh_.points[to] - mesh_.points[v]);
+      if (irregular_[v] == 0) {
+        measure_edge_to(from);  // of the two triangles at that edge this one begins with it
+        continue;
       }
+      const auto at = static_cast<SideId>(corner_of_side(corner));
+      // The spoke to one end lies opposite the other.
+      const SideId first = corner - at;
+      if (mesh_.is_first(first + static_cast<SideId>(previous_corner(at)))) measure_edge_to(from);
+      if (mesh_.is_first(first + static_cast<SideId>(next_corner(at)))) measure_edge_to(to);
     }
     if (sum > 0) measured.deviations.push_back(std::abs(dot(arms, unit(normal))) / sum);
     find_gap(v, lengths, measured);
@@ -254,9 +262,10 @@ class Doubts {
   Points points_;
   const SurfaceDoubtOptions& options_;
   const Execution& execution_;
-  LinkedMesh mesh_;                          // ids of vertices below are its own
-  IdVector<VertexId, double> longest_;       // edge at each vertex
-  IdVector<VertexId, std::uint8_t> sparse_;  // 1 = boundary sample, or at a gap
+  LinkedMesh mesh_;                             // ids of vertices below are its own
+  IdVector<VertexId, double> longest_;          // edge at each vertex
+  IdVector<VertexId, std::uint8_t> irregular_;  // 1 = an edge there is
+  IdVector<VertexId, std::uint8_t> sparse_;     // 1 = boundary sample, or at a gap
   SurfaceDoubts doubts_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "geom/parallel_list.h"
 #include "geom/sort_by_vertex.h"
 #include "geom/spatial_order.h"
 
@@ -74,6 +75,21 @@ void list_corners(LinkedMesh& linked, const Execution& execution) {
       });
 }
 
+std::vector<SideId> irregular_edges(const LinkedMesh& mesh, const Execution& execution) {
+  constexpr std::size_t sides_per_chunk = std::size_t{1} << 14;
+  return parallel_list<SideId>(execution, mesh.links.size(), sides_per_chunk,
+                               [&](std::size_t begin, std::size_t end, std::vector<SideId>& found) {
+                                 for (auto side = static_cast<SideId>(begin); side < end; ++side) {
+                                   const SideId across = mesh.links[side];
+                                   const bool regular = across != side &&
+                                                        mesh.links[across] == side &&
+                                                        mesh.from(side) == mesh.to(across) &&
+                                                        mesh.apex(side) != mesh.apex(across);
+                                   if (!regular && mesh.is_first(side)) found.push_back(side);
+                                 }
+                               });
+}
+
 }  // namespace
 
 LinkedMesh link_mesh(const TriangleMesh& mesh, const Execution& execution) {
@@ -81,6 +97,7 @@ LinkedMesh link_mesh(const TriangleMesh& mesh, const Execution& execution) {
   LinkedMesh linked;
   copy_triangles(mesh, copy_points(mesh, linked, execution), linked, execution);
   linked.links = side_links(linked.triangles, linked.points.size(), execution);
+  linked.irregular = irregular_edges(linked, execution);
   list_corners(linked, execution);
   return linked;
 }

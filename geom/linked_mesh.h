@@ -25,6 +25,9 @@ struct LinkedMesh {
   std::vector<TriangleId> improper_of;
 
   std::vector<SideId> links;  // of the sides on each edge: side_links.h
+  // The first sides of all edges but those with two triangles, not one twice, that run through it
+  // in opposite directions; increasing.
+  std::vector<SideId> irregular;
 
   // The corners at each vertex as the sides opposite to them, increasing; use corners_at.
   std::vector<std::uint32_t> corner_begin;  // points + 1

@@ -10,8 +10,8 @@ namespace cocoon {
 // and not a mean of two, so that it does not depend on how sums are rounded. Complexity: O(n).
 double median(std::vector<double> values);
 
-// The element of rank floor(fraction * n), or the last one, for a fraction in [0, 1]; changes the
-// order of the values.
+// The element of rank floor(fraction * n), or the last one, for a fraction in [0, 1]; may change
+// the order of the values. Complexity: O(n) expected.
 double quantile_in_place(std::span<double> values, double fraction);
 
 }  // namespace cocoon

@@ -161,24 +161,13 @@ class Checker {
     }
   }
 
-  // Edges with two triangles that run through it in opposite directions, and are not one triangle
-  // twice, are the rule; the others are looked at one by one.
+  // Irregular edges are few; they are looked at one by one.
   void check_edges() {
-    const std::vector<SideId> irregular =
-        collect<SideId>(3 * mesh_.triangles.size(), 3 * triangles_per_chunk, execution_,
-                        [&](std::size_t i, std::vector<SideId>& found) {
-                          const auto side = static_cast<SideId>(i);
-                          const SideId across = mesh_.links[side];
-                          const bool regular = across != side && mesh_.links[across] == side &&
-                                               mesh_.from(side) == mesh_.to(across) &&
-                                               mesh_.apex(side) != mesh_.apex(across);
-                          if (!regular && mesh_.is_first(side)) found.push_back(side);
-                        });
     at_overfull_ = IdVector<VertexId, char>(mesh_.points.size(), 0);
     for (Patch& patch : patches_) patch.edges = 3 * patch.triangles;  // sides with a partner
     std::vector<SideId> ring;
     std::vector<std::size_t> other_edges(patches_.size(), 0);  // without two triangles
-    for (const SideId side : irregular) {
+    for (const SideId side : mesh_.irregular) {
       ring.clear();
       SideId other = side;
       do {

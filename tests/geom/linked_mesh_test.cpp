@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "geom/errors.h"
 #include "geom/random.h"
@@ -42,6 +45,22 @@ void expect_corners(const LinkedMesh& linked) {
   }
 }
 
+// Edges by their ends, with the triangles at each and how often they run up the edge.
+void expect_irregular(const LinkedMesh& linked) {
+  std::map<std::pair<VertexId, VertexId>, std::vector<SideId>> edges;
+  for (SideId side = 0; side < 3 * linked.triangles.size(); ++side) {
+    edges[std::minmax(linked.from(side), linked.to(side))].push_back(side);
+  }
+  std::vector<SideId> expected;
+  for (const auto& [ends, sides] : edges) {
+    const bool regular = sides.size() == 2 && linked.from(sides[0]) == linked.to(sides[1]) &&
+                         linked.apex(sides[0]) != linked.apex(sides[1]);
+    if (!regular) expected.push_back(sides[0]);
+  }
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(linked.irregular, expected);
+}
+
 TEST(LinkedMesh, IsTheMeshInAnotherOrder) {
   Random random(3);
   TriangleMesh rubbish = gallery::torus(9, 7);
@@ -55,6 +74,7 @@ TEST(LinkedMesh, IsTheMeshInAnotherOrder) {
     const LinkedMesh linked = link_mesh(mesh);
     expect_copy(mesh, linked);
     expect_corners(linked);
+    expect_irregular(linked);
     const LinkedMesh by_threads = link_mesh(mesh, {.threads = 3});
     EXPECT_EQ(by_threads.triangles, linked.triangles);
     EXPECT_EQ(by_threads.links, linked.links);
