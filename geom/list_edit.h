@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -59,35 +60,54 @@ IdVector<IdType, IdType> places_after(const ListEdit<IdType>& edit, std::size_t 
 }
 
 // Makes the list what it is after the edit; `added`: the elements that came, in order. Those that
-// stay are renewed by renew(element) on their way. In place: a run that moves to the left can only
-// cover runs that did so before it, one that moves to the right only those after it. Complexity:
-// O(n), and no new memory but where the list grows beyond what it had.
+// stay are renewed on their way, a block at a time, by renew(std::span<T>). In place: a run that
+// moves to the left can only cover runs that did so before it, one that moves to the right only
+// those after it. Complexity: O(n), and no new memory but where the list grows beyond what it had.
 template <class IdType, class T, class Renew>
-void edit_list(IdVector<IdType, T>& list, const ListEdit<IdType>& edit,
-               std::type_identity_t<std::span<const T>> added, Renew renew) {
+void edit_list_by_blocks(IdVector<IdType, T>& list, const ListEdit<IdType>& edit,
+                         std::type_identity_t<std::span<const T>> added, const Renew& renew) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  constexpr std::size_t block = 128;
   const std::vector<KeptRun> runs = kept_runs(edit, list.size());
   const std::size_t size = edit.size_after(list.size());
   if (size > list.size()) list.resize(size);
   T* const data = list.span().data();
+  const auto move = [&](const KeptRun& run, std::size_t begin, std::size_t count) {
+    const T* const from = data + run.from + begin;
+    T* const to = data + run.to + begin;
+    if (from != to) std::memmove(to, from, count * sizeof(T));
+    renew(std::span<T>(to, count));
+  };
   for (const KeptRun& run : runs) {
-    for (std::size_t k = 0; run.to <= run.from && k < run.count; ++k) {
-      data[run.to + k] = renew(data[run.from + k]);
-    }
+    if (run.to > run.from) continue;
+    for (std::size_t k = 0; k < run.count; k += block) move(run, k, std::min(block, run.count - k));
   }
   for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
-    for (std::size_t k = run->count; run->to > run->from && k-- > 0;) {
-      data[run->to + k] = renew(data[run->from + k]);
+    if (run->to <= run->from) continue;
+    for (std::size_t left = run->count; left > 0;) {
+      const std::size_t count = std::min(block, left);
+      left -= count;
+      move(*run, left, count);
     }
   }
   list.resize(size);
   for (std::size_t k = 0; k < added.size(); ++k) list[edit.added[k]] = added[k];
 }
 
+// The same, one element at a time: renew(element) is what it becomes.
+template <class IdType, class T, class Renew>
+void edit_list(IdVector<IdType, T>& list, const ListEdit<IdType>& edit,
+               std::type_identity_t<std::span<const T>> added, const Renew& renew) {
+  edit_list_by_blocks(list, edit, added, [&](std::span<T> elements) {
+    for (T& element : elements) element = renew(element);
+  });
+}
+
 // The same for elements that stay as they are.
 template <class IdType, class T>
 void edit_list(IdVector<IdType, T>& list, const ListEdit<IdType>& edit,
                std::type_identity_t<std::span<const T>> added) {
-  edit_list(list, edit, added, [](const T& element) { return element; });
+  edit_list_by_blocks(list, edit, added, [](std::span<T>) {});
 }
 
 }  // namespace cocoon

@@ -36,7 +36,8 @@ class SparseVector {
     std::uint32_t& place = place_of_[id.index() / block];
     if (place == 0) {
       place = static_cast<std::uint32_t>(elements_.size());
-      elements_.resize(elements_.size() + block, T(usual()));
+      elements_.resize(elements_.size() + block);
+      std::copy_n(elements_.begin(), block, elements_.begin() + place);
     }
     elements_[place + id.index() % block] = value;
   }
@@ -73,7 +74,7 @@ class SparseVector {
   }
 
  private:
-  static constexpr std::size_t block = 256;
+  static constexpr std::size_t block = 64;
   static std::size_t num_blocks(std::size_t count) { return (count + block - 1) / block; }
 
   std::size_t size_ = 0;

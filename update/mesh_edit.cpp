@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "geom/edited_ids.h"
 #include "geom/sort_ids.h"
 #include "geom/triangle_order.h"
 
@@ -133,9 +134,9 @@ MeshEdit mesh_edit(const ModelIndex& before, ListEdit<VertexId> vertices,
 
 void edit_triangles(IdVector<TriangleId, Triangle>& triangles, const MeshEdit& edit,
                     const IdVector<VertexId, VertexId>& vertex_map) {
-  edit_list(triangles, edit.triangles, edit.added, [&](const Triangle& t) {
-    return Triangle{vertex_map[t[0]], vertex_map[t[1]], vertex_map[t[2]]};
-  });
+  const EditedIds<VertexId> vertices(edit.vertices, vertex_map);
+  edit_list_by_blocks(triangles, edit.triangles, edit.added,
+                      [&](std::span<Triangle> block) { return vertices.renew(block); });
 }
 
 }  // namespace cocoon

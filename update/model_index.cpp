@@ -13,6 +13,7 @@
 
 #include "geom/box.h"
 #include "geom/changed_adjacency.h"
+#include "geom/edited_ids.h"
 #include "geom/errors.h"
 #include "geom/sort_ids.h"
 #include "geom/zeroed_array.h"
@@ -171,13 +172,12 @@ void ModelIndex::edit(const Edit& edit) {
 
   constexpr std::array<TriangleId, 3> open{};
   const std::vector fresh(edit.triangles.added.size(), open);
-  edit_list(neighbors, edit.triangles, fresh, [&](const auto& old) {
-    return std::array{edit.triangle_map[old[0]], edit.triangle_map[old[1]],
-                      edit.triangle_map[old[2]]};
-  });
+  const EditedIds<TriangleId> triangles(edit.triangles, edit.triangle_map);
+  const auto renew = [&](auto block) { return triangles.renew(block); };
+  edit_list_by_blocks(neighbors, edit.triangles, fresh, renew);
   link_open_sides(seam);
   const std::vector<TriangleId> none(edit.vertices.added.size());
-  edit_list(triangle_at_, edit.vertices, none, [&](TriangleId t) { return edit.triangle_map[t]; });
+  edit_list_by_blocks(triangle_at_, edit.vertices, none, renew);
   std::vector<Point> added;
   added.reserve(edit.vertices.added.size());
   for (const VertexId v : edit.vertices.added) added.push_back(mesh_->points[v]);

@@ -97,7 +97,7 @@ std::vector<Point> gather(Points model, const ListEdit<VertexId>& edit,
   prefer_large_pages(points);
   for (const KeptRun& run : kept_runs(edit, model.size())) {
     const Points kept = model.subspan(run.from, run.count);
-    points.insert(points.end(), kept.begin(), kept.end());
+    points.insert(points.end(), kept.data(), kept.data() + kept.size());
   }
   for (const std::vector<Point>& cloud : clouds) {
     points.insert(points.end(), cloud.begin(), cloud.end());
@@ -198,9 +198,11 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   std::vector<PointId> new_position;
   if (!repeated.empty()) new_position = merge_equal(result.points, repeated);
   result.duplicates = repeated.size();
+  result.kept_are_distinct = repeated.empty() || repeated.front().point >= result.kept;
 
   // 3. Where everything went.
   tell_positions(edit, model.points.size(), clouds, new_position, result);
+  result.removed = std::move(edit.removed);
   return result;
 }
 

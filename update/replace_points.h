@@ -34,6 +34,10 @@ struct Replacement {
   // vertices share a point.
   IdVector<VertexId, PointId> point_of_vertex;
   std::vector<IdVector<PointId, PointId>> point_of_cloud_point;  // per cloud
+  // Vertices without a point, ascending; and whether each of the others has its own: these are the
+  // first points then.
+  std::vector<VertexId> removed;
+  bool kept_are_distinct = false;
 
   std::size_t kept = 0;             // model vertices, with border vertices
   std::size_t replaced = 0;         // model vertices, with border vertices

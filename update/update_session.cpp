@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "geom/errors.h"
-#include "geom/visit_where.h"
 
 namespace cocoon {
 namespace {
@@ -171,20 +170,11 @@ std::vector<PointId> UpdateSession::positions_after(const Replacement& replaceme
 // behind all the others.
 std::optional<ListEdit<PointId>> UpdateSession::edit_of_points(
     const Replacement& replacement) const {
-  if (!points_are_vertices_) return {};
-  const IdVector<VertexId, PointId>& after = replacement.point_of_vertex;
+  if (!points_are_vertices_ || !replacement.kept_are_distinct) return {};
   ListEdit<PointId> edit;
-  visit_where(
-      after.size(), [&](std::size_t i) { return after[VertexId(i)].is_none(); },
-      [&](std::size_t i) { edit.removed.push_back(PointId(i)); });
-  const std::size_t kept = after.size() - edit.removed.size();
-  for (const KeptRun& run : kept_runs(edit, after.size())) {
-    bool in_order = true;
-    for (std::size_t k = 0; k < run.count; ++k) {
-      in_order &= after[VertexId(run.from + k)] == PointId(run.to + k);
-    }
-    if (!in_order) return {};
-  }
+  edit.removed.reserve(replacement.removed.size());
+  for (const VertexId v : replacement.removed) edit.removed.push_back(PointId(v.value));
+  const std::size_t kept = replacement.point_of_vertex.size() - edit.removed.size();
   for (std::size_t p = kept; p < replacement.points.size(); ++p) edit.added.push_back(PointId(p));
   return edit;
 }

@@ -21,10 +21,12 @@ IdVector<VertexId, VertexId> updated_vertices(const Replacement& replacement,
   result.reserve(points.size());
   prefer_large_pages(result.raw());
   result.resize(points.size());
-  for (const VertexId v : points.ids()) {
-    const PointId p = points[v];
-    static_assert(PointId().value == VertexId().value);  // none
-    result[v] = same || p.is_none() ? VertexId(p.value) : vertex_of_point[p];
+  static_assert(PointId().value == VertexId().value);  // none
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    result.raw()[i] = VertexId(points.raw()[i].value);
+  }
+  for (VertexId& v : result) {
+    if (!same && !v.is_none()) v = vertex_of_point[PointId(v.value)];
   }
   return result;
 }

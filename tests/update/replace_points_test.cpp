@@ -101,6 +101,24 @@ TEST(ReplacePoints, EqualPointsAreMerged) {
   EXPECT_EQ(result.point_of_cloud_point[0][PointId(3)], result.point_of_vertex[VertexId(0)]);
   EXPECT_EQ(result.point_of_cloud_point[0][PointId(4)], result.point_of_cloud_point[0][PointId(0)]);
   EXPECT_EQ(result.point_of_cloud_point[1][PointId(0)], result.point_of_cloud_point[0][PointId(1)]);
+  EXPECT_TRUE(result.kept_are_distinct);
+  const VertexId at_corner = scene.model.points.push_back({0, 0, 0});
+  scene.model.triangles.push_back({at_corner, VertexId(1), VertexId(21)});
+  scene.regions.group_of_vertex.push_back(scene.regions.group_of_vertex[VertexId(0)]);
+  scene.regions.region_of_facet.push_back(scene.regions.region_of_facet[TriangleId(0)]);
+  const Replacement merged = scene.replace();
+  EXPECT_EQ(merged.point_of_vertex[at_corner], merged.point_of_vertex[VertexId(0)]);
+  EXPECT_FALSE(merged.kept_are_distinct);
+}
+
+TEST(ReplacePoints, TellsWhoWasRemoved) {
+  const Replacement result = Scene().replace();
+  std::vector<VertexId> removed;
+  for (const VertexId v : result.point_of_vertex.ids()) {
+    if (result.point_of_vertex[v].is_none()) removed.push_back(v);
+  }
+  EXPECT_FALSE(removed.empty());
+  EXPECT_EQ(result.removed, removed);
 }
 
 TEST(ReplacePoints, UnusedVerticesAreNotCarriedOver) {
