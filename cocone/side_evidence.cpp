@@ -2,30 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <queue>
 #include <span>
 #include <vector>
 
 #include "cocone/cell_order.h"
+#include "cocone/turn_queue.h"
 #include "delaunay/circulate.h"
 
 namespace cocoon {
 namespace {
-
-// When a cell has its turn, as one number: the clearer first, then the first in canonical order.
-using Turn = std::uint64_t;
-
-Turn make_turn(float clarity, std::uint32_t rank) {
-  constexpr std::uint32_t sign = 0x80000000U;
-  const auto bits = std::bit_cast<std::uint32_t>(clarity);
-  const std::uint32_t ordered = (bits & sign) != 0 ? ~bits : bits | sign;
-  return static_cast<Turn>(ordered) << 32 | ~rank;
-}
-
-std::uint32_t rank_of(Turn turn) { return ~static_cast<std::uint32_t>(turn); }
 
 // The finite cells of a star with the poles of its vertex; none at infinity.
 struct AtVertex {
@@ -58,9 +45,8 @@ class Propagation {
   }
 
   ZeroedArray<CellId, SideEvidence> run() {
-    while (!turns_.empty()) {
-      const Turn turn = turns_.top();
-      turns_.pop();
+    for (Turn turn = 0; turns_.pop(turn);) {
+      ask_ahead();
       const CellId c = order_[rank_of(turn)];
       Node& node = nodes_[c];
       const SideEvidence& e = node.evidence;
@@ -117,6 +103,25 @@ class Propagation {
     for (const Key& key : order) {
       nodes_[key.cell].rank = static_cast<std::uint32_t>(order_.size());
       order_.push_back(key.cell);
+    }
+  }
+
+  // For what the cells that have their turn soon will read.
+  void ask_ahead() const {
+    constexpr std::size_t soon = 6;
+    __builtin_prefetch(&order_[turns_.rank_ahead(3 * soon)]);
+    const CellId later = order_[turns_.rank_ahead(2 * soon)];
+    __builtin_prefetch(&nodes_[later]);
+    __builtin_prefetch(&triangulation_.cell(later));
+    cosines_.ask_ahead(later);
+    const CellId next = order_[turns_.rank_ahead(soon)];
+    for (const FacetId behind : triangulation_.cell(next).neighbors) {
+      __builtin_prefetch(&nodes_[cell_of(behind)]);
+      cosines_.ask_ahead(cell_of(behind));
+    }
+    if (!nodes_[next].is_pole) return;
+    for (const VertexId v : triangulation_.cell(next).vertices) {
+      if (v != infinite_vertex) __builtin_prefetch(&at_vertices_[v]);
     }
   }
 
@@ -266,7 +271,7 @@ class Propagation {
     float& value = out ? node.evidence.out : node.evidence.in;
     if (static_cast<float>(weight) <= value) return;
     value = static_cast<float>(weight);
-    if (node.state == open) turns_.push(make_turn(clarity(node.evidence), node.rank));
+    if (node.state == open) turns_.push(clarity(node.evidence), node.rank);
   }
 
   // What an undecided cell has to say.
@@ -315,7 +320,7 @@ class Propagation {
   VertexSet asked_;            // 1: a vertex of an undecided cell
   IdVector<VertexId, AtVertex> at_vertices_;
   std::vector<CellId> domain_;  // at vertices of undecided cells
-  std::priority_queue<Turn> turns_;
+  TurnQueue turns_;
 };
 
 }  // namespace
