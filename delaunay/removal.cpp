@@ -1,6 +1,7 @@
 #include "delaunay/removal.h"
 
 #include <algorithm>
+#include <array>
 
 #include "delaunay/first_cells.h"
 #include "geom/sort_ids.h"
@@ -25,24 +26,37 @@ VertexRemover::VertexRemover(CellPool& pool, const IdVector<VertexId, Point>& po
     : pool_(pool), points_(points) {}
 
 bool VertexRemover::is_removed(VertexId v) const {
-  return v != infinite_vertex && removed_[v] != 0;
+  return v != infinite_vertex && fate_[v] == Fate::is_removed;
+}
+
+// The same; lists the vertices that stay.
+bool VertexRemover::loses(VertexId v) {
+  if (v == infinite_vertex) return false;
+  if (fate_[v] == Fate::stays) {
+    fate_[v] = Fate::stays_and_is_listed;
+    hole_vertices_.push_back(v);
+  }
+  return fate_[v] == Fate::is_removed;
 }
 
 // --- Holes -----------------------------------------------------------------------------------
 
 // One hole, by a flood through facets that lose a vertex.
 void VertexRemover::collect_hole(CellId start) {
-  Hole hole{.first_cell = hole_cells_.size(), .first_border = border_.size()};
+  Hole hole{.first_cell = hole_cells_.size(),
+            .first_border = border_.size(),
+            .first_vertex = hole_vertices_.size()};
   hole_cells_.push_back(start);
   in_hole_[start] = 1;
   for (std::size_t k = hole.first_cell; k < hole_cells_.size(); ++k) {
     const CellId c = hole_cells_[k];
     const Cell& cell = pool_.cells[c];
-    int lost = 0;
-    for (const VertexId v : cell.vertices) lost += is_removed(v) ? 1 : 0;
+    std::array<int, 4> is_lost{};
+    for (std::size_t i = 0; i < 4; ++i) is_lost[i] = loses(cell.vertices[i]) ? 1 : 0;
+    const int lost = is_lost[0] + is_lost[1] + is_lost[2] + is_lost[3];
     for (std::size_t i = 0; i < 4; ++i) {
       const FacetId outer = cell.neighbors[i];
-      if (lost == (is_removed(cell.vertices[i]) ? 1 : 0)) {
+      if (lost == is_lost[i]) {
         border_.push_back({.inner = facet_id(c, static_cast<int>(i)), .outer = outer});
       } else if (in_hole_[cell_of(outer)] == 0) {
         in_hole_[cell_of(outer)] = 1;
@@ -52,6 +66,10 @@ void VertexRemover::collect_hole(CellId start) {
   }
   hole.end_cell = hole_cells_.size();
   hole.end_border = border_.size();
+  hole.end_vertex = hole_vertices_.size();
+  for (std::size_t k = hole.first_vertex; k < hole.end_vertex; ++k) {
+    fate_[hole_vertices_[k]] = Fate::stays;
+  }
   holes_.push_back(hole);
 }
 
@@ -59,8 +77,9 @@ void VertexRemover::collect_holes(std::span<const VertexId> vertices,
                                   const IdVector<VertexId, CellId>& cell_at) {
   holes_.clear();
   hole_cells_.clear();
+  hole_vertices_.clear();
   border_.clear();
-  for (const VertexId v : vertices) removed_[v] = 1;
+  for (const VertexId v : vertices) fate_[v] = Fate::is_removed;
   // The star of a vertex lies in one hole, so one of its cells tells whether it was found.
   for (const VertexId v : vertices) {
     if (in_hole_[cell_at[v]] == 0) collect_hole(cell_at[v]);
@@ -98,10 +117,8 @@ void VertexRemover::link_vertex(VertexId v) {
 }
 
 void VertexRemover::link_border_vertices(const Hole& hole) {
-  for (std::size_t k = hole.first_cell; k < hole.end_cell; ++k) {
-    for (const VertexId v : pool_.cells[hole_cells_[k]].vertices) {
-      if (v != infinite_vertex && !is_removed(v)) link_vertex(v);
-    }
+  for (std::size_t k = hole.first_vertex; k < hole.end_vertex; ++k) {
+    link_vertex(hole_vertices_[k]);
   }
 }
 
@@ -149,7 +166,7 @@ void VertexRemover::fill_hole(const Hole& hole) {
 
 bool VertexRemover::plan(std::span<const VertexId> vertices,
                          const IdVector<VertexId, CellId>& cell_at) {
-  removed_.resize(std::max(removed_.size(), points_.size()), 0);
+  fate_.resize(std::max(fate_.size(), points_.size()), Fate::stays);
   number_of_.resize(std::max(number_of_.size(), points_.size()));
   in_hole_.resize(std::max(in_hole_.size(), pool_.cells.size()), 0);
   counters_ = {};
@@ -160,7 +177,7 @@ bool VertexRemover::plan(std::span<const VertexId> vertices,
   if (spans_space) {
     for (const Hole& hole : holes_) fill_hole(hole);
   }
-  for (const VertexId v : vertices) removed_[v] = 0;
+  for (const VertexId v : vertices) fate_[v] = Fate::stays;
   counters_.cells_deleted = hole_cells_.size();
   counters_.cells_created = fill_cells_.size();
   return spans_space;

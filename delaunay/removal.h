@@ -81,9 +81,14 @@ class VertexRemover {
     std::size_t end_cell = 0;
     std::size_t first_border = 0;  // in border_
     std::size_t end_border = 0;
+    std::size_t first_vertex = 0;  // in hole_vertices_
+    std::size_t end_vertex = 0;
   };
+  // Of a vertex, while holes are collected.
+  enum class Fate : std::uint8_t { stays, is_removed, stays_and_is_listed };
 
   bool is_removed(VertexId v) const;
+  bool loses(VertexId v);
   void collect_holes(std::span<const VertexId> vertices, const IdVector<VertexId, CellId>& cell_at);
   void collect_hole(CellId start);
   bool find_anchor();
@@ -103,13 +108,14 @@ class VertexRemover {
   // The plan.
   std::vector<Hole> holes_;
   std::vector<CellId> hole_cells_;
+  std::vector<VertexId> hole_vertices_;  // those that stay, of the holes one after the other
   std::vector<BorderFacet> border_;
   std::vector<Cell> fill_cells_;      // neighbors: facets of fill_cells_, none on a border
   std::vector<CellId> slots_;         // by cell of fill_cells_: its place in the pool
   std::array<VertexId, 4> anchor_{};  // remaining vertices that span space
 
   // Scratch arrays as long as the triangulation, all zero or none between calls.
-  IdVector<VertexId, std::uint8_t> removed_;
+  IdVector<VertexId, Fate> fate_;
   IdVector<CellId, std::uint8_t> in_hole_;
   IdVector<VertexId, VertexId> number_of_;  // of a vertex in link_
 

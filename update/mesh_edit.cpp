@@ -11,35 +11,21 @@
 namespace cocoon {
 namespace {
 
-// Where elements of a list stay while others go from it; what comes, comes behind them.
-class Remaining {
- public:
-  explicit Remaining(const std::vector<VertexId>& removed) : removed_(removed) {}
-
-  // None: it goes. Complexity: O(log removed).
-  VertexId after(VertexId before) const {
-    const auto next = std::lower_bound(removed_.begin(), removed_.end(), before);
-    if (next != removed_.end() && *next == before) return {};
-    return VertexId(before.index() - static_cast<std::size_t>(next - removed_.begin()));
-  }
-  // Complexity: O(log removed).
-  VertexId before(VertexId after) const {
-    std::size_t low = 0;  // so many of the removed came before it
-    std::size_t high = removed_.size();
-    while (low < high) {
-      const std::size_t middle = (low + high) / 2;
-      if (removed_[middle].index() - middle <= after.index()) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
+// Where the element was that stays while others go from a list; what comes, comes behind them.
+// Complexity: O(log removed).
+VertexId place_before(VertexId after, const std::vector<VertexId>& removed) {
+  std::size_t low = 0;  // so many of the removed came before it
+  std::size_t high = removed.size();
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    if (removed[middle].index() - middle <= after.index()) {
+      low = middle + 1;
+    } else {
+      high = middle;
     }
-    return VertexId(after.index() + low);
   }
-
- private:
-  const std::vector<VertexId>& removed_;
-};
+  return VertexId(after.index() + low);
+}
 
 // All triangles at some vertices, ascending.
 std::vector<TriangleId> triangles_at(const ModelIndex& index, std::span<const VertexId> vertices) {
@@ -53,9 +39,11 @@ std::vector<TriangleId> triangles_at(const ModelIndex& index, std::span<const Ve
 
 class EditFinder {
  public:
-  EditFinder(const TriangleMesh& mesh, const ListEdit<VertexId>& vertices)
+  EditFinder(const TriangleMesh& mesh, const ListEdit<VertexId>& vertices,
+             const IdVector<VertexId, VertexId>& vertex_map)
       : mesh_(mesh),
-        remaining_(vertices.removed),
+        removed_(vertices.removed),
+        vertex_map_(vertex_map),
         num_kept_(mesh.points.size() - vertices.removed.size()) {}
 
   // Compares triangles before, ascending, with those after, in canonical order.
@@ -78,7 +66,7 @@ class EditFinder {
 
  private:
   Triangle after(const Triangle& t) const {
-    return {remaining_.after(t[0]), remaining_.after(t[1]), remaining_.after(t[2])};
+    return {vertex_map_[t[0]], vertex_map_[t[1]], vertex_map_[t[2]]};
   }
 
   // Where the added triangles come to lie.
@@ -98,7 +86,7 @@ class EditFinder {
     const auto begin = mesh_.triangles.begin();
     const auto end = mesh_.triangles.end();
     if (t[0].index() >= num_kept_) return TriangleId(mesh_.triangles.size());
-    const VertexId first = remaining_.before(t[0]);
+    const VertexId first = place_before(t[0], removed_);
     auto at = std::partition_point(begin, end, [&](const Triangle& o) { return o[0] < first; });
     for (; at != end && (*at)[0] == first; ++at) {
       const TriangleId id(static_cast<std::size_t>(at - begin));
@@ -109,7 +97,8 @@ class EditFinder {
   }
 
   const TriangleMesh& mesh_;
-  Remaining remaining_;
+  const std::vector<VertexId>& removed_;
+  const IdVector<VertexId, VertexId>& vertex_map_;
   std::size_t num_kept_;
 };
 
@@ -120,6 +109,7 @@ MeshEdit MeshEdit::reversed() const {
 }
 
 MeshEdit mesh_edit(const ModelIndex& before, ListEdit<VertexId> vertices,
+                   const IdVector<VertexId, VertexId>& vertex_map,
                    std::span<const Point> added_points, std::span<const VertexId> touched,
                    std::span<const Triangle> triangles) {
   MeshEdit edit;
@@ -128,7 +118,8 @@ MeshEdit mesh_edit(const ModelIndex& before, ListEdit<VertexId> vertices,
   for (const VertexId v : edit.vertices.removed) {
     edit.removed_points.push_back(before.mesh().points[v]);
   }
-  EditFinder(before.mesh(), edit.vertices).compare(triangles_at(before, touched), triangles, edit);
+  EditFinder(before.mesh(), edit.vertices, vertex_map)
+      .compare(triangles_at(before, touched), triangles, edit);
   return edit;
 }
 

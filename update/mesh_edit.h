@@ -27,9 +27,10 @@ struct MeshEdit {
 
 // The edit of the index' mesh at some of its vertices (ascending): `triangles` are all that these
 // and new vertices have in the end, by vertices after, in canonical order; elsewhere nothing
-// changes. New vertices come last. Precondition: a mesh in canonical order, each triangle once.
-// Complexity: O(k log n) for k triangles at these vertices.
+// changes. New vertices come last. `vertex_map`: places_after(vertices). Precondition: a mesh in
+// canonical order, each triangle once. Complexity: O(k log n) for k triangles at these vertices.
 MeshEdit mesh_edit(const ModelIndex& before, ListEdit<VertexId> vertices,
+                   const IdVector<VertexId, VertexId>& vertex_map,
                    std::span<const Point> added_points, std::span<const VertexId> touched,
                    std::span<const Triangle> triangles);
 

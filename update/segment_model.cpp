@@ -62,8 +62,11 @@ RegionId largest_region(const IdVector<RegionId, Region>& regions) {
   return largest;
 }
 
+// What regions are: with facets of the border between any two, or not.
+enum class Neighbors : std::uint8_t { behind_border, anywhere };
+
 // All vertices are of the largest region but for those at other facets, and those at none.
-void group_vertices(const ModelIndex& model, Regions& result) {
+void group_vertices(const ModelIndex& model, Neighbors neighbors, Regions& result) {
   const TriangleMesh& mesh = model.mesh();
   const RegionId largest = largest_region(result.regions);
   result.group_of_vertex = SparseVector<VertexId, RegionId>(mesh.points.size(), largest);
@@ -78,26 +81,31 @@ void group_vertices(const ModelIndex& model, Regions& result) {
         ++others;
       });
   SparseVector<VertexId, std::uint8_t> seen(mesh.points.size());
-  const auto look_at = [&](VertexId v) {
-    if (seen[v] != 0) return;
-    seen.set(v, 1);
-    ++others;
-    const RegionId group = group_of(model, result.region_of_facet, v);
-    result.group_of_vertex.set(v, group);
-    ++(group.is_none() ? result.border_vertices : result.regions[group].vertices);
+  // The region is told if it is known: that of a facet at the vertex, which has none of the border.
+  const auto look_at = [&](TriangleId t, bool is_known) {
+    for (const VertexId v : mesh.triangles[t]) {
+      if (seen[v] != 0) continue;
+      seen.set(v, 1);
+      ++others;
+      const RegionId group =
+          is_known ? result.region_of_facet[t] : group_of(model, result.region_of_facet, v);
+      result.group_of_vertex.set(v, group);
+      ++(group.is_none() ? result.border_vertices : result.regions[group].vertices);
+    }
   };
-  result.region_of_facet.visit_where([&](RegionId r) { return r != largest || r.is_none(); },
-                                     [&](TriangleId t) {
-                                       for (const VertexId v : mesh.triangles[t]) look_at(v);
-                                     });
+  const bool is_known = neighbors == Neighbors::behind_border && model.has_one_fan_at_each_vertex();
+  result.region_of_facet.visit_where([](RegionId r) { return r.is_none(); },
+                                     [&](TriangleId t) { look_at(t, false); });
+  result.region_of_facet.visit_where([&](RegionId r) { return r != largest && !r.is_none(); },
+                                     [&](TriangleId t) { look_at(t, is_known); });
   if (!largest.is_none()) result.regions[largest].vertices += mesh.points.size() - others;
 }
 
 // Everything that tells of vertices, and of the border.
-void complete(const ModelIndex& model, Regions& result) {
+void complete(const ModelIndex& model, Neighbors neighbors, Regions& result) {
   result.border_facets = result.region_of_facet.size();
   for (const Region& region : result.regions) result.border_facets -= region.facets;
-  group_vertices(model, result);
+  group_vertices(model, neighbors, result);
 }
 
 }  // namespace
@@ -107,7 +115,7 @@ Regions segment_model(const ModelIndex& model, const TriangleSet& border,
   report_progress(execution, "segment_model", 0);
   Regions result = grow_regions(model, border);
   merge_islands(options.min_region_facets, result);
-  complete(model, result);
+  complete(model, Neighbors::behind_border, result);
   report_progress(execution, "segment_model", 1);
   return result;
 }
@@ -119,7 +127,7 @@ Regions segment_model(const TriangleMesh& model, const TriangleSet& border,
 
 void count_and_group(const ModelIndex& model, Regions& regions) {
   count_facets(regions);
-  complete(model, regions);
+  complete(model, Neighbors::anywhere, regions);
 }
 
 }  // namespace cocoon

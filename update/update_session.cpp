@@ -252,8 +252,9 @@ void UpdateSession::keep_edit(SessionUpdate& update, Pending pending) {
   for (const PointId p : points.removed) vertices.removed.push_back(VertexId(p.value));
   for (const PointId p : points.added) vertices.added.push_back(VertexId(p.value));
   std::vector<Point> updated = std::exchange(result.replacement.points, {});
-  MeshEdit edit = mesh_edit(*index_, std::move(vertices), Points(updated).last(points.added.size()),
-                            pending.surface->touched, pending.surface->triangles);
+  MeshEdit edit = mesh_edit(*index_, std::move(vertices), result.vertex_map,
+                            Points(updated).last(points.added.size()), pending.surface->touched,
+                            pending.surface->triangles);
   update.change = carry_out(edit, std::move(updated), result.vertex_map);
   // What can be asked of the surface is not kept.
   drop_values_by_vertex(reconstruction_);

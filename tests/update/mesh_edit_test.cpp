@@ -72,7 +72,8 @@ TEST(MeshEdit, LeadsFromOneMeshToTheOtherAndBack) {
     TriangleMesh mesh = change.before;
     ModelIndex index = ModelIndex::of_smooth(mesh);
     const MeshEdit edit =
-        mesh_edit(index, change.vertices, change.added_points, change.touched, change.triangles);
+        mesh_edit(index, change.vertices, places_after(change.vertices, mesh.points.size()),
+                  change.added_points, change.touched, change.triangles);
     const auto carry_out = [&](const MeshEdit& way) {
       const auto vertex_map = places_after(way.vertices, mesh.points.size());
       const auto triangle_map = places_after(way.triangles, mesh.triangles.size());

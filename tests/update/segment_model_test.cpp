@@ -1,7 +1,10 @@
 #include "update/segment_model.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
+#include "geom/random.h"
+#include "tests/mesh_gallery.h"
 #include "tests/update/hand_made_models.h"
 
 namespace cocoon {
@@ -86,6 +89,38 @@ TEST(SegmentModel, EverythingBorder) {
   const Regions regions = segment_model(mesh, TriangleSet(mesh.triangles.size(), 1));
   EXPECT_TRUE(regions.regions.empty());
   EXPECT_EQ(regions.border_vertices, mesh.points.size());
+}
+
+// Where the index knows that the facets at each vertex are one fan, fewer of them are looked at.
+TEST(SegmentModel, IsTheSameWhateverTheIndexKnows) {
+  Random random(7);
+  const TriangleMesh mesh = gallery::sphere(4);
+  const ModelIndex plain(mesh);
+  const ModelIndex smooth = ModelIndex::of_smooth(mesh);
+  std::size_t border_vertices = 0;
+  for (int round = 0; round < 20; ++round) {
+    TriangleSet border(mesh.triangles.size(), 0);
+    for (int planes = 0; planes < 3; ++planes) {
+      const Vec3 normal = random.on_unit_sphere();
+      const double offset = random.uniform(-0.8, 0.8);
+      const double width = random.uniform(0, 0.2);
+      for (const TriangleId t : border.ids()) {
+        const double height = dot(plain.centroid(t), normal) - offset;
+        if (std::abs(height) < width) border[t] = 1;
+      }
+    }
+    const Regions expected = segment_model(plain, border);
+    const Regions regions = segment_model(smooth, border);
+    ASSERT_EQ(regions.regions.size(), expected.regions.size());
+    for (const RegionId r : expected.regions.ids()) {
+      EXPECT_EQ(regions.regions[r].vertices, expected.regions[r].vertices);
+    }
+    EXPECT_EQ(regions.border_vertices, expected.border_vertices);
+    EXPECT_TRUE(regions.region_of_facet == expected.region_of_facet);
+    EXPECT_TRUE(regions.group_of_vertex == expected.group_of_vertex);
+    border_vertices += expected.border_vertices;
+  }
+  EXPECT_GT(border_vertices, 100U);
 }
 
 }  // namespace
