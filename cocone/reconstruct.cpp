@@ -15,6 +15,7 @@
 #include "delaunay/first_cells.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/errors.h"
+#include "geom/parallel_reduce.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
@@ -262,12 +263,15 @@ class Reconstruction {
     const std::size_t count = result_.mesh.points.size();
     result_.normals.resize(count);
     result_.boundary_sample.resize(count);
-    for (const VertexId v : result_.mesh.points.ids()) {
-      const VertexId source = triangulation_vertex_[v];
-      result_.mesh.points[v] = points_[result_.point_of_vertex[v].index()];
-      result_.normals[v] = poles_.normals[source];
-      result_.boundary_sample[v] = boundary_.boundary[source];
-    }
+    parallel_chunks(execution_, count, coarse_grain(count),
+                    [&](std::size_t begin, std::size_t end) {
+                      for (VertexId v(begin); v.index() < end; ++v) {
+                        const VertexId source = triangulation_vertex_[v];
+                        result_.mesh.points[v] = points_[result_.point_of_vertex[v].index()];
+                        result_.normals[v] = poles_.normals[source];
+                        result_.boundary_sample[v] = boundary_.boundary[source];
+                      }
+                    });
     result_.unused_points = result_.vertices - count;
     result_.status = boundary_.interior() == 0        ? SurfaceStatus::no_surface
                      : result_.mesh.triangles.empty() ? SurfaceStatus::empty

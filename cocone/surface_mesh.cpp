@@ -98,12 +98,14 @@ void list_outer_facets(const Triangulation& triangulation,
 
 SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const FacetId> halves,
                        const Execution& execution) {
-  std::vector<Triangle> triangles;
-  triangles.reserve(halves.size());
-  for (const FacetId f : halves) {
-    const auto [a, b, c] = triangulation.facet_vertices(f);
-    triangles.push_back({a, c, b});
-  }
+  std::vector<Triangle> triangles(halves.size());
+  parallel_chunks(execution, halves.size(), elements_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t t = begin; t < end; ++t) {
+                      const auto [a, b, c] = triangulation.facet_vertices(halves[t]);
+                      triangles[t] = {a, c, b};
+                    }
+                  });
   return mesh_of(triangulation, std::move(triangles), execution);
 }
 
