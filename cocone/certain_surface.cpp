@@ -1,45 +1,64 @@
 #include "cocone/certain_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <vector>
 
-#include "geom/edge_components.h"
+#include "geom/parallel_list.h"
 #include "geom/parallel_reduce.h"
 
 namespace cocoon {
 namespace {
 
-bool is_closed_at_all_vertices(const LinkedFacets& triangles, const GoodVertices& good,
-                               const Execution& execution) {
-  VertexSet closed = good.good;
-  for (const VertexId v : good.folded) closed[v] = 1;
+enum Umbrella : std::uint8_t { none = 0, good, folded };
+
+VertexSet closed_umbrellas(const GoodVertices& vertices) {
+  VertexSet umbrellas = vertices.good;
+  for (const VertexId v : vertices.folded) umbrellas[v] = folded;
+  return umbrellas;
+}
+
+bool are_at_all_vertices(const VertexSet& umbrellas, const LinkedFacets& triangles,
+                         const Execution& execution) {
   return first_failing(execution, triangles.size(), [&](std::size_t t) {
            const auto [a, b, c] = triangles.corners[t];
-           return (closed[a] & closed[b] & closed[c]) != 0;
+           return umbrellas[a] != none && umbrellas[b] != none && umbrellas[c] != none;
          }) == triangles.size();
 }
 
-// Triangles in one piece, and all halves on the same side of it.
-bool has_one_side(const ManifoldSurface& surface, const VertexSet& good,
-                  const Execution& execution) {
-  const LinkedFacets& triangles = surface.triangles;
-  const EdgeComponents pieces = edge_components(
-      triangles.links, execution,
-      [&](SideId side) {
-        const auto [a, b] = triangles.ends(side);
-        return (good[a] | good[b]) != 0;
-      },
-      [&](SideId side, SideId across) {
-        return triangles.ends(side)[0] == triangles.ends(across)[0];
-      });
-  if (pieces.components.size() != 1 || pieces.components[0].is_contradictory) return false;
-  const auto side_of_half = [&](std::size_t t) {
-    const bool from_behind = surface.halves[t] != triangles.facets[t];
-    return static_cast<unsigned>(pieces.turned[t]) ^ (from_behind ? 1U : 0U);
+// Edges with two folded ends, from each of them; a set.
+using Edge = std::array<VertexId, 2>;
+std::vector<Edge> folded_edges(const VertexSet& umbrellas, const LinkedFacets& triangles,
+                               const Execution& execution) {
+  std::vector<Edge> edges =
+      parallel_list<Edge>(execution, triangles.size(), coarse_grain(triangles.size()),
+                          [&](std::size_t begin, std::size_t end, std::vector<Edge>& found) {
+                            for (std::size_t t = begin; t < end; ++t) {
+                              const auto [a, b, c] = triangles.corners[t];
+                              if (((umbrellas[a] | umbrellas[b] | umbrellas[c]) & folded) == 0)
+                                continue;
+                              for (const auto& [from, to] : {Edge{a, b}, Edge{b, c}, Edge{c, a}}) {
+                                if (umbrellas[from] != folded || umbrellas[to] != folded) continue;
+                                found.push_back({from, to});
+                                found.push_back({to, from});
+                              }
+                            }
+                          });
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+bool are_apart(const std::vector<Edge>& edges) {
+  const auto neighbors = [&](VertexId v) {
+    const auto less = [](const Edge& edge, const Edge& other) { return edge[0] < other[0]; };
+    const auto [first, last] = std::equal_range(edges.begin(), edges.end(), Edge{v, v}, less);
+    return last - first;
   };
-  return first_failing(execution, triangles.size(), [&](std::size_t t) {
-           return side_of_half(t) == side_of_half(0);
-         }) == triangles.size();
+  return std::all_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+    return neighbors(edge[0]) == 1 || neighbors(edge[1]) == 1;
+  });
 }
 
 bool is_seen_from_outside(const Triangulation& triangulation, const ManifoldSurface& surface) {
@@ -47,24 +66,26 @@ bool is_seen_from_outside(const Triangulation& triangulation, const ManifoldSurf
                      [&](FacetId half) { return triangulation.is_infinite(cell_of(half)); });
 }
 
-bool every_cell_has_good_vertex(const Triangulation& triangulation, const VertexSet& good,
+bool every_cell_has_good_vertex(const Triangulation& triangulation, const VertexSet& is_good,
                                 const Execution& execution) {
   const std::size_t count = triangulation.num_finite_cells();
   return first_failing(execution, count, [&](std::size_t c) {
            const auto& [v0, v1, v2, v3] = triangulation.cell(CellId(c)).vertices;
-           return (good[v0] | good[v1] | good[v2] | good[v3]) != 0;
+           return (is_good[v0] | is_good[v1] | is_good[v2] | is_good[v3]) != 0;
          }) == count;
 }
 
 }  // namespace
 
 bool is_certain(const Triangulation& triangulation, const ManifoldSurface& surface,
-                const GoodVertices& good, const Execution& execution) {
-  const bool all_good = good.count == triangulation.num_vertices();
-  return is_seen_from_outside(triangulation, surface) &&
-         (all_good || is_closed_at_all_vertices(surface.triangles, good, execution)) &&
-         (all_good || every_cell_has_good_vertex(triangulation, good.good, execution)) &&
-         has_one_side(surface, good.good, execution);
+                const GoodVertices& vertices, const Execution& execution) {
+  if (surface.walks != 1 || surface.unwalked != 0) return false;
+  if (!is_seen_from_outside(triangulation, surface)) return false;
+  if (vertices.count == triangulation.num_vertices()) return true;
+  const VertexSet umbrellas = closed_umbrellas(vertices);
+  return are_at_all_vertices(umbrellas, surface.triangles, execution) &&
+         are_apart(folded_edges(umbrellas, surface.triangles, execution)) &&
+         every_cell_has_good_vertex(triangulation, vertices.good, execution);
 }
 
 }  // namespace cocoon

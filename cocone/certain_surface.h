@@ -4,18 +4,19 @@
 // nothing to find out. Let S be the extracted surface, and
 //
 //   1. S is one closed umbrella at each of its vertices (umbrella.h), folded or not;
-//   2. its triangles hang together by edges with a good end;
-//   3. all its halves (extract_manifold.h) are on one side of it, and one of them is seen from an
-//      infinite cell;
+//   2. it was found in one walk (extract_manifold.h), and an infinite cell sees a half of it;
+//   3. of two folded vertices with an edge of S one has no other folded neighbor;
 //   4. every finite cell has a good vertex.
 //
-// By 1 and 2 S is a connected closed surface, which divides the 3-sphere in two; by 3 its halves
-// are outside. Each triangle has a good corner, by 2: so a good vertex lies on the hull, marks
-// begin there, and by 2 come to all others. What they say of a cell is on which of the two sides it
-// is: so no two disagree, and by 4 every cell is told. No cell is poor, the peel reaches what is
-// OUT, and the clean-up finds no cell undecided and no edge or vertex that S pinches. The result is
-// S, as its halves see it. The certificate of a live update (certified_surface.h) asks for more,
-// because it has to tell what the extraction would find, too. Source: ours.
+// By 1 and 2 S is a connected closed surface, which divides the 3-sphere in two. A half is kept
+// when the walk meets it as the first from another one, and what it passes over is not in S: so by
+// 2 all halves are on one side, and that is outside. Triangles hang together over edges with a good
+// end: over others, by 3, around one end. So each has a good corner, one of these lies on the hull,
+// marks begin there and come to all good vertices. What they say of a cell is on which of the two
+// sides it is: so no two disagree, and by 4 every cell is told. No cell is poor, the peel reaches
+// what is OUT, and the clean-up finds no cell undecided and no edge or vertex that S pinches. The
+// result is S, as its halves see it. The certificate of a live update (certified_surface.h) asks
+// for more, because it has to tell what the extraction would find, too. Source: ours.
 #pragma once
 
 #include "cocone/extract_manifold.h"
@@ -25,9 +26,9 @@
 
 namespace cocoon {
 
-// Whether all of this holds. `good`: of the surface's triangles. Complexity: O(triangles), and one
-// look at the vertices of each cell if some vertex is not good; parallel.
+// Whether all of this holds. `vertices`: of the surface's triangles. Complexity: O(halves); if some
+// vertex is not good also one look at the corners of each triangle and cell, parallel.
 bool is_certain(const Triangulation& triangulation, const ManifoldSurface& surface,
-                const GoodVertices& good, const Execution& execution = {});
+                const GoodVertices& vertices, const Execution& execution = {});
 
 }  // namespace cocoon

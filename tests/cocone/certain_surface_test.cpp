@@ -1,5 +1,6 @@
 #include "cocone/certain_surface.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <utility>
@@ -110,10 +111,57 @@ TEST(CertainSurface, HasNoHole) {
   EXPECT_FALSE(e.is_certain());
 }
 
-TEST(CertainSurface, HasAllHalvesOnOneSide) {
+void fold(Extracted& e, VertexId v) {
+  e.good.good[v] = 0;
+  --e.good.count;
+  e.good.folded.push_back(v);
+  std::sort(e.good.folded.begin(), e.good.folded.end());
+}
+
+// The neighbors of v in the order of memory.
+std::vector<VertexId> neighbors(const Extracted& e, VertexId v) {
+  std::vector<VertexId> found;
+  for (const Triangle& triangle : e.surface.triangles.corners) {
+    if (std::count(triangle.begin(), triangle.end(), v) == 0) continue;
+    for (const VertexId w : triangle) {
+      if (w != v && std::count(found.begin(), found.end(), w) == 0) found.push_back(w);
+    }
+  }
+  return found;
+}
+
+bool are_neighbors(const Extracted& e, VertexId v, VertexId w) {
+  const std::vector<VertexId> around = neighbors(e, v);
+  return std::count(around.begin(), around.end(), w) != 0;
+}
+
+// Marks pass around two or three folded vertices in a row, but not over a triangle of them.
+TEST(CertainSurface, HasFoldsApart) {
+  const VertexId v(300);
   Extracted e(shapes::sphere(1200, 3));
-  e.surface.halves[700] = e.s.triangulation.mirror(e.surface.halves[700]);
-  EXPECT_FALSE(e.is_certain());
+  fold(e, v);
+  EXPECT_TRUE(e.is_certain());
+  const std::vector<VertexId> around = neighbors(e, v);
+  const VertexId w = around[0];
+  fold(e, w);
+  EXPECT_TRUE(e.is_certain());
+  expect_nothing_to_decide(e);
+  std::size_t in_row = 0;
+  std::size_t in_triangle = 0;
+  for (std::size_t k = 1; k < around.size(); ++k) {
+    Extracted three = e;
+    fold(three, around[k]);
+    if (are_neighbors(e, w, around[k])) {
+      EXPECT_FALSE(three.is_certain());
+      ++in_triangle;
+    } else {
+      EXPECT_TRUE(three.is_certain());
+      expect_nothing_to_decide(three);
+      ++in_row;
+    }
+  }
+  EXPECT_EQ(in_triangle, 2U);
+  EXPECT_GE(in_row, 1U);
 }
 
 // Four samples inside make a cell that none of the good vertices has.
