@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "geom/sparse_vector.h"
-#include "geom/visit_where.h"
 
 namespace cocoon {
 
@@ -175,11 +174,7 @@ class Fronts {
 
 Regions grow_regions(const ModelIndex& model, const TriangleSet& border) {
   if (!model.is_connected()) return grow_one_by_one(model.adjacency(), border);
-  std::vector<TriangleId> facets;
-  const std::span<const std::uint8_t> is_border = border.span();
-  visit_where(
-      border.size(), [&](std::size_t i) { return is_border[i] != 0; },
-      [&](std::size_t i) { facets.push_back(TriangleId(i)); });
+  const std::vector<TriangleId> facets = members(border);
   Fronts fronts(model.adjacency(), border, facets);
   if (!fronts.any()) return grow_one_by_one(model.adjacency(), border);
   fronts.grow();
