@@ -1,5 +1,7 @@
 // The rules of the house that a machine can check: which folder may include which, who may use
 // which library, what no source may contain. A failure names file and line.
+#include <array>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -77,6 +79,53 @@ std::string lines_matching(const std::vector<std::string>& layers, const std::st
 TEST(Architecture, FindsTheSources) {
   EXPECT_GE(sources_of(product_layers).size(), 20U);
   EXPECT_GE(sources_of({"tests"}).size(), 1U);
+}
+
+// What the repository holds at its root, as git lists it; nothing if these are not its files.
+std::set<std::string> names_at_root() {
+  const std::string root = COCOON_SOURCE_DIR;
+  if (!fs::exists(root + "/.git")) return {};
+  const std::string command = "git -c safe.directory='*' -C '" + root + "' ls-files";
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return {};
+  std::set<std::string> names;
+  std::array<char, 4096> line{};
+  while (std::fgets(line.data(), static_cast<int>(line.size()), pipe) != nullptr) {
+    const std::string path = line.data();
+    names.insert(path.substr(0, path.find_first_of("/\n")));
+  }
+  pclose(pipe);
+  return names;
+}
+
+TEST(Architecture, NothingUnplannedAtTheRoot) {
+  const std::set<std::string> planned = {".ci",
+                                         ".clang-format",
+                                         ".clang-tidy",
+                                         ".gitignore",
+                                         "CHANGELOG.md",
+                                         "CITATION.cff",
+                                         "CMakeLists.txt",
+                                         "CMakePresets.json",
+                                         "CONTRIBUTING.md",
+                                         "LICENSE",
+                                         "README.md",
+                                         "SECURITY.md",
+                                         "app",
+                                         "bench",
+                                         "cmake",
+                                         "cocone",
+                                         "delaunay",
+                                         "dev",
+                                         "docs",
+                                         "geom",
+                                         "io",
+                                         "ref",
+                                         "tests",
+                                         "update"};
+  const std::set<std::string> names = names_at_root();
+  if (names.empty()) GTEST_SKIP() << "not a git checkout";
+  for (const std::string& name : names) EXPECT_TRUE(planned.contains(name)) << name;
 }
 
 TEST(Architecture, IncludesPointOneWay) {
