@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cocone/mark_cells.h"
 #include "geom/parallel_list.h"
 #include "geom/parallel_reduce.h"
 
@@ -27,22 +28,28 @@ bool are_at_all_vertices(const VertexSet& umbrellas, const LinkedFacets& triangl
          }) == triangles.size();
 }
 
-// Edges with two folded ends, from each of them; a set.
 using Edge = std::array<VertexId, 2>;
+
+// From both ends.
+void append_folded_edges(const Triangle& triangle, const VertexSet& umbrellas,
+                         std::vector<Edge>& edges) {
+  const auto [a, b, c] = triangle;
+  if (((umbrellas[a] | umbrellas[b] | umbrellas[c]) & folded) == 0) return;
+  for (const auto& [from, to] : {Edge{a, b}, Edge{b, c}, Edge{c, a}}) {
+    if (umbrellas[from] != folded || umbrellas[to] != folded) continue;
+    edges.push_back({from, to});
+    edges.push_back({to, from});
+  }
+}
+
+// With two folded ends, from each of them; a set.
 std::vector<Edge> folded_edges(const VertexSet& umbrellas, const LinkedFacets& triangles,
                                const Execution& execution) {
   std::vector<Edge> edges =
       parallel_list<Edge>(execution, triangles.size(), coarse_grain(triangles.size()),
                           [&](std::size_t begin, std::size_t end, std::vector<Edge>& found) {
                             for (std::size_t t = begin; t < end; ++t) {
-                              const auto [a, b, c] = triangles.corners[t];
-                              if (((umbrellas[a] | umbrellas[b] | umbrellas[c]) & folded) == 0)
-                                continue;
-                              for (const auto& [from, to] : {Edge{a, b}, Edge{b, c}, Edge{c, a}}) {
-                                if (umbrellas[from] != folded || umbrellas[to] != folded) continue;
-                                found.push_back({from, to});
-                                found.push_back({to, from});
-                              }
+                              append_folded_edges(triangles.corners[t], umbrellas, found);
                             }
                           });
   std::sort(edges.begin(), edges.end());
@@ -66,12 +73,11 @@ bool is_seen_from_outside(const Triangulation& triangulation, const ManifoldSurf
                      [&](FacetId half) { return triangulation.is_infinite(cell_of(half)); });
 }
 
-bool every_cell_has_good_vertex(const Triangulation& triangulation, const VertexSet& is_good,
-                                const Execution& execution) {
+bool no_cell_is_poor(const Triangulation& triangulation, const VertexSet& is_good,
+                     const Execution& execution) {
   const std::size_t count = triangulation.num_finite_cells();
   return first_failing(execution, count, [&](std::size_t c) {
-           const auto& [v0, v1, v2, v3] = triangulation.cell(CellId(c)).vertices;
-           return (is_good[v0] | is_good[v1] | is_good[v2] | is_good[v3]) != 0;
+           return !is_poor(triangulation, is_good, CellId(c));
          }) == count;
 }
 
@@ -85,7 +91,7 @@ bool is_certain(const Triangulation& triangulation, const ManifoldSurface& surfa
   const VertexSet umbrellas = closed_umbrellas(vertices);
   return are_at_all_vertices(umbrellas, surface.triangles, execution) &&
          are_apart(folded_edges(umbrellas, surface.triangles, execution)) &&
-         every_cell_has_good_vertex(triangulation, vertices.good, execution);
+         no_cell_is_poor(triangulation, vertices.good, execution);
 }
 
 }  // namespace cocoon

@@ -67,7 +67,7 @@ class CleanUp {
     }
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     count(counters_.defects_before, counters_.unused_before);
-    if (region_.undecided.empty() && flaws_.pinched.empty()) {  // as it should be
+    if (region_.undecided.empty() && flaws_.pinched.empty()) {  // nothing to be settled
       counters_.unused_after = counters_.unused_before;
       return counters_;
     }

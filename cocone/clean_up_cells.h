@@ -40,9 +40,9 @@
 //     divide the surface is the girth of a handle (handle_loops.h): where cells beside it can fill
 //     or cut the handle so that E falls, the rest of it rises by max_closing_rise at most, and no
 //     sample leaves the surface, they change sides (handle_closing.h). Moves again.
-//  What is undecided over a volume (most_clump_cells) is left to the peel. Where no cell is undecided
-//  and no edge or vertex pinched nothing changes.
-//  E falls strictly in 2 to 6, and there are finitely many labelings, so this ends.
+//  What is undecided over a volume (most_clump_cells) is left to the peel. Where no cell is
+//  undecided and no edge or vertex pinched nothing changes. E falls strictly in 2 to 6, and there
+//  are finitely many labelings, so this ends.
 #pragma once
 
 #include <cstddef>

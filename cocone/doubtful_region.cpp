@@ -15,7 +15,7 @@ std::vector<CellId> poor_cells(const Triangulation& triangulation, const CellMar
   }
   std::vector<CellId> cells = stars.cells_at(poor);
   std::erase_if(cells, [&](CellId c) {
-    return triangulation.is_infinite(c) || !is_poor(triangulation, marks, c);
+    return triangulation.is_infinite(c) || !is_poor(triangulation, marks.good, c);
   });
   return cells;
 }

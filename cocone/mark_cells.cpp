@@ -22,7 +22,7 @@ IdVector<CellId, CellLabel> labels_before_the_rounds(const Triangulation& triang
   KnownSides known = known_sides(triangulation, surface, triangles);
   for (const CellId c : triangulation.finite_cells()) {
     if (known.labels[c] == CellLabel::unmarked) continue;
-    if (is_poor(triangulation, marks, c)) {
+    if (is_poor(triangulation, marks.good, c)) {
       known.labels[c] = CellLabel::unmarked;
     } else {
       ++marks.known_cells;

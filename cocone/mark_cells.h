@@ -50,9 +50,9 @@ struct CellMarks {
 };
 
 // Whether no vertex of a finite cell is good: none can tell on which side the cell is. O(1).
-inline bool is_poor(const Triangulation& triangulation, const CellMarks& marks, CellId c) {
+inline bool is_poor(const Triangulation& triangulation, const VertexSet& good, CellId c) {
   const auto& [v0, v1, v2, v3] = triangulation.cell(c).vertices;
-  return (marks.good[v0] | marks.good[v1] | marks.good[v2] | marks.good[v3]) == 0;
+  return (good[v0] | good[v1] | good[v2] | good[v3]) == 0;
 }
 
 // Whether a good vertex is contradicted by labels around it. O(1).

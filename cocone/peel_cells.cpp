@@ -68,7 +68,7 @@ class Peeling {
     std::size_t found = 0;
     for (const CellId c : triangulation_.finite_cells()) {
       if (marks_.labels[c] != CellLabel::unmarked || poor_[c] != 0) continue;
-      if (!is_poor(triangulation_, marks_, c)) continue;
+      if (!is_poor(triangulation_, marks_.good, c)) continue;
       poor_[c] = 1;
       ++found;
       FacetId smallest = facet_id(c, 0);

@@ -227,7 +227,7 @@ class Propagation {
     if (region_.thin_cells == 0) return;
     for (const CellId c : region_.undecided) {
       const auto& vertices = triangulation_.cell(c).vertices;
-      if (cosines_.is_flat(c) || is_poor(triangulation_, marks, c)) continue;
+      if (cosines_.is_flat(c) || is_poor(triangulation_, marks.good, c)) continue;
       const bool in_conflict = std::any_of(vertices.begin(), vertices.end(),
                                            [&](VertexId v) { return is_contradicted(marks, v); });
       if (!in_conflict) raise(c, is_out(c), mark_credit);

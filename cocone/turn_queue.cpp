@@ -1,5 +1,7 @@
 #include "cocone/turn_queue.h"
 
+#include <utility>
+
 namespace cocoon {
 
 void TurnQueue::push(float clarity, std::uint32_t rank) {

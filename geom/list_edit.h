@@ -94,15 +94,6 @@ void edit_list_by_blocks(IdVector<IdType, T>& list, const ListEdit<IdType>& edit
   for (std::size_t k = 0; k < added.size(); ++k) list[edit.added[k]] = added[k];
 }
 
-// The same, one element at a time: renew(element) is what it becomes.
-template <class IdType, class T, class Renew>
-void edit_list(IdVector<IdType, T>& list, const ListEdit<IdType>& edit,
-               std::type_identity_t<std::span<const T>> added, const Renew& renew) {
-  edit_list_by_blocks(list, edit, added, [&](std::span<T> elements) {
-    for (T& element : elements) element = renew(element);
-  });
-}
-
 // The same for elements that stay as they are.
 template <class IdType, class T>
 void edit_list(IdVector<IdType, T>& list, const ListEdit<IdType>& edit,

@@ -108,7 +108,7 @@ CellMarks marks_by_rounds(const Stages& s, const LinkedFacets& surface,
   std::vector<VertexId> seeds;
   for (const CellId c : s.triangulation.cells()) {
     const bool is_known = rounds.labels[c] != CellLabel::unmarked;
-    if (is_known && is_poor(s.triangulation, marks, c)) rounds.labels[c] = CellLabel::unmarked;
+    if (is_known && is_poor(s.triangulation, marks.good, c)) rounds.labels[c] = CellLabel::unmarked;
     if (!is_known && !s.triangulation.is_infinite(c)) continue;
     for (const VertexId v : s.triangulation.cell(c).vertices) {
       if (v != infinite_vertex) seeds.push_back(v);

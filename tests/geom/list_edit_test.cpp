@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <span>
 #include <vector>
 
 #include "geom/ids.h"
@@ -62,7 +63,9 @@ TEST(ListEdit, RenewsWhatStaysOnce) {
   Random random(2);
   for (int round = 0; round < 50; ++round) {
     Case c = random_case(40, 3, 3, random);
-    edit_list(c.before, c.edit, c.added, [](std::uint32_t element) { return element + 100; });
+    edit_list_by_blocks(c.before, c.edit, c.added, [](std::span<std::uint32_t> elements) {
+      for (std::uint32_t& element : elements) element += 100;
+    });
     for (const VertexId v : c.after.ids()) {
       const std::uint32_t expected = c.after[v] < 1000 ? c.after[v] + 100 : c.after[v];
       ASSERT_EQ(c.before[v], expected);
