@@ -4,7 +4,6 @@
 #include <chrono>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "geom/execution.h"
@@ -49,15 +48,7 @@ class StageClock : public Progress {
 // Runs `body` as a stage of the program's own ("read", "write") and returns what it returns.
 template <class Body>
 auto timed(const Execution& execution, std::string_view stage, Body body) {
-  report_progress(execution, stage, 0);
-  if constexpr (std::is_void_v<decltype(body())>) {
-    body();
-    report_progress(execution, stage, 1);
-  } else {
-    auto result = body();
-    report_progress(execution, stage, 1);
-    return result;
-  }
+  return run_step(execution, stage, [&](const Execution&) { return body(); });
 }
 
 }  // namespace cocoon::app

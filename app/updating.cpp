@@ -108,13 +108,10 @@ UpdateOptions update_options(const SurfaceArguments& arguments) {
 
 ReconstructResult initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
                                 const ReconstructOptions& options) {
-  ReconstructResult result = timed(job.execution(), "initial_model", [&] {
-    const Execution execution = job.execution();
-    PrefixedProgress nested("initial_model", execution.progress);
-    return naming_input(name, [&] {
-      return reconstruct_tight(points, options, {execution.threads, &nested});
-    });
-  });
+  ReconstructResult result =
+      run_step(job.execution(), "initial_model", [&](const Execution& nested) {
+        return naming_input(name, [&] { return reconstruct_tight(points, options, nested); });
+      });
   require_surface(job, name, result, points, options);
   job.report().set("initial_model/points", result.points);
   job.report().set("initial_model/duplicates", result.duplicates);
@@ -169,12 +166,8 @@ std::string with_cloud_names(std::string message, const std::vector<std::string>
 
 void begin_session(Job& job, const std::string& name, const std::vector<Point>& points,
                    const UpdateOptions& options, std::optional<UpdateSession>& session) {
-  timed(job.execution(), "initial_model", [&] {
-    const Execution execution = job.execution();
-    PrefixedProgress nested("initial_model", execution.progress);
-    naming_input(name, [&] {
-      session.emplace(points, options, Execution{execution.threads, &nested});
-    });
+  run_step(job.execution(), "initial_model", [&](const Execution& nested) {
+    naming_input(name, [&] { session.emplace(points, options, nested); });
   });
   require_surface(job, name, session->reconstruction(), points, options.reconstruct);
 }

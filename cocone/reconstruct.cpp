@@ -1,7 +1,5 @@
 #include "cocone/reconstruct.h"
 
-#include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,15 +18,6 @@
 
 namespace cocoon {
 namespace {
-
-// Runs body(execution) as a top level stage: its own reports appear as "stage/...".
-template <class Body>
-void run_stage(const Execution& execution, std::string_view stage, Body body) {
-  report_progress(execution, stage, 0);
-  PrefixedProgress nested{std::string(stage), execution.progress};
-  body(Execution{execution.threads, execution.progress == nullptr ? nullptr : &nested});
-  report_progress(execution, stage, 1);
-}
 
 // The work both compositions share, and its intermediate values.
 class Reconstruction {
@@ -66,7 +55,7 @@ class Reconstruction {
   }
 
   void find_poles() {
-    run_stage(execution_, "poles", [&](const Execution& nested) {
+    run_step(execution_, "poles", [&](const Execution& nested) {
       poles_ = compute_poles(*triangulation_, options_.cocone.cosine, dual_, sides_, nested);
     });
     ReconstructCounters& counters = result_.counters;
@@ -78,17 +67,16 @@ class Reconstruction {
 
   // The Cocone surface with its boundary samples.
   void build_surface() {
-    Cocones cocones;
-    run_stage(execution_, "cocone", [&](const Execution& nested) {
-      cocones = intersect_cocones(*triangulation_, std::move(sides_), nested);
+    Cocones cocones = run_step(execution_, "cocone", [&](const Execution& nested) {
+      return intersect_cocones(*triangulation_, std::move(sides_), nested);
     });
-    run_stage(execution_, "boundary", [&](const Execution& nested) {
+    run_step(execution_, "boundary", [&](const Execution& nested) {
       boundary_ =
           boundary_samples(*triangulation_, dual_, poles_, cocones, options_.boundary, nested);
       dual_.rays = {};
       dual_.hard_centers = {};
     });
-    run_stage(execution_, "cocone", [&](const Execution& nested) {
+    run_step(execution_, "cocone", [&](const Execution& nested) {
       FacetSet candidates =
           candidate_triangles(*triangulation_, cocones, boundary_.boundary, nested);
       cocones = {};
@@ -126,7 +114,7 @@ class Reconstruction {
     poles_.normals = std::move(candidates.normals);
     boundary_.boundary = std::move(candidates.boundary);
     boundary_.count = result_.counters.boundary_samples;
-    run_stage(execution_, "cocone", [&](const Execution& nested) {
+    run_step(execution_, "cocone", [&](const Execution& nested) {
       surface_ = extract_manifold(*triangulation_, std::move(candidates.left), candidates.umbrella,
                                   nested);
     });
@@ -135,7 +123,7 @@ class Reconstruction {
 
   void close_surface(std::span<const KnownTriangle> known) {
     if (boundary_.interior() == 0) return deliver({});
-    run_stage(execution_, "tight", [&](const Execution& nested) {
+    run_step(execution_, "tight", [&](const Execution& nested) {
       if (options_.mode == Mode::paper) known = {};
       if (marking_) return close_by(mark_by_caller(known, nested), nested);
       GoodVertices good =
@@ -185,7 +173,7 @@ class Reconstruction {
   }
 
   void deliver_open_surface() {
-    run_stage(execution_, "cocone", [&](const Execution& nested) {
+    run_step(execution_, "cocone", [&](const Execution& nested) {
       deliver(surface_of(*triangulation_, surface_.halves, nested));
       result_.counters.non_orientable_components = orient_surface(result_.mesh).non_orientable;
       canonicalize_triangles(result_.mesh, nested);

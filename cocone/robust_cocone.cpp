@@ -121,14 +121,9 @@ class Filter {
 
 RobustSamples robust_samples(Points points, const NoiseOptions& noise,
                              const ReconstructOptions& options, const Execution& execution) {
-  report_progress(execution, "noise", 0);
-  PrefixedProgress nested("noise", execution.progress);
-  RobustSamples samples =
-      Filter(points, noise, options,
-             {execution.threads, execution.progress == nullptr ? nullptr : &nested})
-          .run();
-  report_progress(execution, "noise", 1);
-  return samples;
+  return run_step(execution, "noise", [&](const Execution& nested) {
+    return Filter(points, noise, options, nested).run();
+  });
 }
 
 RobustResult reconstruct_robust(Points points, const NoiseOptions& noise,

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace cocoon {
@@ -19,8 +20,7 @@ class Progress {
   virtual bool report(std::string_view stage, double fraction) = 0;
 };
 
-// Passes reports on under "prefix/stage", so that a composition can name the step its stages run in
-// ("reconstruction/delaunay").
+// Passes reports on under "prefix/stage" ("reconstruction/delaunay"): see run_step.
 class PrefixedProgress : public Progress {
  public:
   PrefixedProgress(std::string prefix, Progress* receiver)
@@ -42,6 +42,23 @@ int thread_count(const Execution& execution);
 
 // Reports progress and throws Cancelled if the receiver says stop. No receiver: nothing happens.
 void report_progress(const Execution& execution, std::string_view stage, double fraction);
+
+// Runs body(execution) as one step of a composition and returns what it returns: reports its begin
+// and end, and what the stages in it report as "step/stage".
+template <class Body>
+auto run_step(const Execution& execution, std::string_view step, Body body) {
+  report_progress(execution, step, 0);
+  PrefixedProgress prefixed{std::string(step), execution.progress};
+  const Execution nested{execution.threads, execution.progress == nullptr ? nullptr : &prefixed};
+  if constexpr (std::is_void_v<decltype(body(nested))>) {
+    body(nested);
+    report_progress(execution, step, 1);
+  } else {
+    auto result = body(nested);
+    report_progress(execution, step, 1);
+    return result;
+  }
+}
 
 // Calls body(begin, end) for consecutive chunks of [0, count) of at most `grain` elements, on
 // thread_count(execution) threads. Chunk borders depend on count and grain alone, so per-chunk

@@ -85,14 +85,9 @@ class Strays {
 
 StraySamples stray_samples(Points cloud, const StrayOptions& options,
                            const DelaunayOptions& delaunay_options, const Execution& execution) {
-  report_progress(execution, "noise", 0);
-  PrefixedProgress nested("noise", execution.progress);
-  StraySamples samples =
-      Strays(cloud, options, delaunay_options,
-             {execution.threads, execution.progress == nullptr ? nullptr : &nested})
-          .run();
-  report_progress(execution, "noise", 1);
-  return samples;
+  return run_step(execution, "noise", [&](const Execution& nested) {
+    return Strays(cloud, options, delaunay_options, nested).run();
+  });
 }
 
 }  // namespace cocoon

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numbers>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "geom/counted.h"
@@ -19,15 +18,6 @@ namespace cocoon {
 namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
-
-// Runs body(execution) as a step: its stages report as "step/stage".
-template <class Body>
-void run_step(const Execution& execution, std::string_view step, Body body) {
-  report_progress(execution, step, 0);
-  PrefixedProgress nested{std::string(step), execution.progress};
-  body(Execution{execution.threads, execution.progress == nullptr ? nullptr : &nested});
-  report_progress(execution, step, 1);
-}
 
 // The state of one update; its steps return false when the result is final.
 class Update {
