@@ -35,13 +35,13 @@ Energy to_energy(double units) {
 }
 
 CellEnergy::CellEnergy(const Triangulation& triangulation, BallCosines& cosines, StarCache& stars,
-                       SpacingCache& spacings, const IdVector<CellId, CellLabel>& labels,
+                       SpacingCache& spacings, const CellMarks& marks,
                        const CleanUpOptions& options, IdVector<CellId, std::uint8_t>& out)
     : triangulation_(triangulation),
       cosines_(cosines),
       stars_(stars),
       spacings_(spacings),
-      labels_(labels),
+      marks_(marks),
       out_(out),
       stretch_cost_(options.stretch_cost),
       stretch_ratio_(options.stretch_ratio),

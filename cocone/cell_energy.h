@@ -24,10 +24,10 @@ Energy to_energy(double units);
 class CellEnergy {
  public:
   // All references must outlive the object. `out[c]` = 1: cell c is OUT.
-  // `labels`: those of the marking, which decided cells prefer at mark_weight.
+  // Decided cells prefer their labels in `marks` at mark_weight; those known beforehand keep them.
   CellEnergy(const Triangulation& triangulation, BallCosines& cosines, StarCache& stars,
-             SpacingCache& spacings, const IdVector<CellId, CellLabel>& labels,
-             const CleanUpOptions& options, IdVector<CellId, std::uint8_t>& out);
+             SpacingCache& spacings, const CellMarks& marks, const CleanUpOptions& options,
+             IdVector<CellId, std::uint8_t>& out);
 
   // What it costs that the cell is OUT rather than IN; may be negative.
   void set_preference(CellId c, Energy cost_of_out) {
@@ -116,8 +116,11 @@ class CellEnergy {
   Energy ask_facet_cost(FacetId f);
   // What a facet costs for being longer than the samples at it lie apart, in units.
   double stretch(FacetId f);
+  // More than all that could be won.
+  static constexpr Energy known_weight = Energy{1} << 40;
   Energy preference_by_label(CellId c) const {
-    return labels_[c] == CellLabel::out ? -mark_weight_ : mark_weight_;
+    const Energy weight = is_known(marks_, c) ? known_weight : mark_weight_;
+    return marks_.labels[c] == CellLabel::out ? -weight : weight;
   }
   Energy change_together(const Place& first, FacetId f);
   Place place_of(CellId c);
@@ -149,7 +152,7 @@ class CellEnergy {
   BallCosines& cosines_;
   StarCache& stars_;
   SpacingCache& spacings_;
-  const IdVector<CellId, CellLabel>& labels_;
+  const CellMarks& marks_;
   IdVector<CellId, std::uint8_t>& out_;
   double stretch_cost_;
   double stretch_ratio_;

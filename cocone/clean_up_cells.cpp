@@ -42,7 +42,7 @@ class CleanUp {
         out_(marks.reached),
         cosines_(triangulation, options.flat_ratio),
         spacings_(triangulation, stars_),
-        energy_(triangulation, cosines_, stars_, spacings_, marks.labels, options, out_),
+        energy_(triangulation, cosines_, stars_, spacings_, marks, options, out_),
         region_(find_doubtful_region(triangulation, marks, stars_, most_clump_cells(),
                                      options.thin_support)),
         side_split_(triangulation, out_),
@@ -60,6 +60,7 @@ class CleanUp {
 
   CleanUpCounters run() {
     if (region_.vertices.empty()) return counters_;
+    take_known_labels();
     ZeroedArray<CellId, Point> centers;
     if (!region_.undecided.empty()) {  // else hardly anything will be asked
       centers = cosines_.prepare(region_.cells, execution_);
@@ -67,7 +68,8 @@ class CleanUp {
     }
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     count(counters_.defects_before, counters_.unused_before);
-    if (region_.undecided.empty() && flaws_.pinched.empty()) {  // nothing to be settled
+    if (region_.undecided.empty() && flaws_.pinched.empty() && marks_.known.empty()) {
+      // Nothing is to be settled.
       counters_.unused_after = counters_.unused_before;
       return counters_;
     }
@@ -94,6 +96,13 @@ class CleanUp {
   }
 
  private:
+  // The marking left those without a good vertex to the peel.
+  void take_known_labels() {
+    for (const CellId c : marks_.known.ids()) {
+      if (is_known(marks_, c)) marks_.labels[c] = marks_.known[c];
+    }
+  }
+
   void leave_out_outliers() {
     for (const VertexId v : flaws_.unused) {
       if (!energy_.is_wanted(v) || !spacings_.is_outlier(v, options_.outlier_ratio)) continue;

@@ -15,7 +15,8 @@ std::vector<CellId> poor_cells(const Triangulation& triangulation, const CellMar
   }
   std::vector<CellId> cells = stars.cells_at(poor);
   std::erase_if(cells, [&](CellId c) {
-    return triangulation.is_infinite(c) || !is_poor(triangulation, marks.good, c);
+    return triangulation.is_infinite(c) || !is_poor(triangulation, marks.good, c) ||
+           is_known(marks, c);
   });
   return cells;
 }
@@ -84,7 +85,7 @@ void add_thin_cells(const Triangulation& triangulation, const CellMarks& marks, 
   ZeroedArray<CellId, std::uint8_t> is_met(triangulation.num_cells());
   for (const CellId c : cells) is_met[c] = 1;
   const auto meet = [&](CellId c) {
-    if (is_met[c] != 0 || triangulation.is_infinite(c)) return;
+    if (is_met[c] != 0 || triangulation.is_infinite(c) || is_known(marks, c)) return;
     is_met[c] = 1;
     const int good = num_good(triangulation, marks, c);
     if (good == 0 || good > thin_support || has_left_vertex(triangulation, region, c)) return;

@@ -5,97 +5,149 @@
 #include <cstdint>
 #include <vector>
 
+#include "cocone/half_star.h"
 #include "geom/sort_by_vertex.h"
 
 namespace cocoon {
 namespace {
 
-using Corners = std::array<VertexId, 3>;
+// An old triangle at one of its corners.
+struct Spoke {
+  VertexId from;  // the other two corners, counterclockwise
+  VertexId to;
+  FacetId facet;  // seen from behind; none if it is no facet
+};
 
-// From the smallest corner on: the same for all ways to write a triangle, but not turned over.
-Corners canonical(Corners corners) {
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  return corners;
-}
-
-// Triangles by their smallest corner.
-class TriangleTable {
+// The old triangles at each vertex.
+class Fans {
  public:
-  TriangleTable(const Triangulation& triangulation, std::span<const KnownTriangle> triangles) {
+  Fans(const Triangulation& triangulation, std::span<const KnownTriangle> triangles) {
     begins_ = sort_by_vertex(
         triangles.size(), triangulation.num_vertices(), {},
-        [&](std::size_t count) { others_.resize(count); },
+        [&](std::size_t count) { spokes_.resize(count); },
         [&](std::size_t begin, std::size_t end, const auto& put) {
           for (std::size_t t = begin; t < end; ++t) {
-            Corners corners;
+            Triangle corners;
             std::transform(triangles[t].begin(), triangles[t].end(), corners.begin(),
                            [&](PointId p) { return triangulation.vertex_of_point()[p]; });
-            const auto [a, b, c] = canonical(corners);
-            put(a, [&, b = b, c = c](std::size_t place) { others_[place] = {b, c}; });
+            for (std::size_t k = 0; k < 3; ++k) {
+              put(corners[k], [&](std::uint32_t place) {
+                spokes_[place] = {corners[(k + 1) % 3], corners[(k + 2) % 3], {}};
+              });
+            }
           }
         });
   }
 
-  bool has(const Corners& corners) const {
-    const auto [a, b, c] = canonical(corners);
-    const std::array<VertexId, 2> wanted = {b, c};
-    const auto first = others_.begin() + begins_[a.index()];
-    const auto last = others_.begin() + begins_[a.index() + 1];
-    return std::find(first, last, wanted) != last;
+  std::span<Spoke> at(VertexId v) {
+    const std::uint32_t begin = begins_[v.index()];
+    return std::span(spokes_).subspan(begin, begins_[v.index() + 1] - begin);
+  }
+  bool is_corner(VertexId v) const {
+    return v != infinite_vertex && begins_[v.index()] != begins_[v.index() + 1];
+  }
+  // That of a triangle at v, or null.
+  Spoke* find(VertexId v, VertexId from, VertexId to) {
+    for (Spoke& spoke : at(v)) {
+      if (spoke.from == from && spoke.to == to) return &spoke;
+    }
+    return nullptr;
   }
 
  private:
   std::vector<std::uint32_t> begins_;
-  std::vector<std::array<VertexId, 2>> others_;
+  std::vector<Spoke> spokes_;
 };
 
-// What the triangles tell the cells beside them, and which vertices are their corners.
-struct Told {
-  enum : std::uint8_t { out = 1, in = 2 };
-  IdVector<CellId, std::uint8_t> cells;
-  VertexSet corners;
-};
+class Telling {
+ public:
+  Telling(const Triangulation& triangulation, std::span<const KnownTriangle> triangles)
+      : triangulation_(triangulation),
+        fans_(triangulation, triangles),
+        facets_(triangulation.num_cells()),
+        told_(triangulation.num_cells(), 0) {}
 
-Told tell(const Triangulation& triangulation, const LinkedFacets& surface,
-          std::span<const KnownTriangle> triangles) {
-  Told told = {IdVector<CellId, std::uint8_t>(triangulation.num_cells(), 0),
-               VertexSet(triangulation.num_vertices(), 0)};
-  for (const KnownTriangle& t : triangles) {
-    for (const PointId p : t) told.corners[triangulation.vertex_of_point()[p]] = 1;
+  KnownSides run() {
+    find_facets();
+    HalfStar half(triangulation_, facets_);
+    for (const VertexId v : triangulation_.vertices()) {
+      if (!is_intact(v)) continue;
+      tell_around(v, in, half);
+      tell_around(v, out, half);
+    }
+    return labels();
   }
-  const TriangleTable known(triangulation, triangles);
-  const auto say = [&](FacetId behind) {
-    if (!known.has(triangulation.facet_vertices(behind))) return;
-    const CellId front = cell_of(triangulation.mirror(behind));
-    told.cells[cell_of(behind)] |= Told::in;
-    told.cells[front] |= Told::out;
-  };
-  for (const FacetId f : surface.facets) {
-    say(f);
-    say(triangulation.mirror(f));
+
+ private:
+  enum Side : std::uint8_t { out = 1, in = 2 };
+
+  // The old triangles that are facets.
+  void find_facets() {
+    for (const CellId c : triangulation_.finite_cells()) {
+      for (int i = 0; i < 4; ++i) {
+        const FacetId f = facet_id(c, i);
+        const auto [x, y, z] = triangulation_.facet_vertices(f);
+        if (!fans_.is_corner(x)) continue;
+        Spoke* at_x = fans_.find(x, y, z);
+        if (at_x == nullptr) continue;
+        at_x->facet = fans_.find(y, z, x)->facet = fans_.find(z, x, y)->facet = f;
+        facets_.insert(triangulation_, f);
+      }
+    }
   }
-  return told;
-}
+
+  bool is_intact(VertexId v) {
+    if (!fans_.is_corner(v)) return false;
+    const std::span<const Spoke> fan = fans_.at(v);
+    const auto count = [&](VertexId Spoke::*end, VertexId w) {
+      return std::count_if(fan.begin(), fan.end(), [&](const Spoke& s) { return s.*end == w; });
+    };
+    return std::all_of(fan.begin(), fan.end(), [&](const Spoke& s) {
+      return !s.facet.is_none() && count(&Spoke::from, s.to) == count(&Spoke::to, s.to);
+    });
+  }
+
+  // The cells at an intact vertex that lie on that side of a triangle there.
+  void tell_around(VertexId v, Side side, HalfStar& half) {
+    bool any = false;
+    for (const Spoke& spoke : fans_.at(v)) {
+      const CellId c = cell_of(side == in ? spoke.facet : triangulation_.mirror(spoke.facet));
+      if (any && half.contains(c)) continue;  // one of those told last
+      any = true;
+      for (const CellId d : half.flood(v, c)) {
+        told_[d] = static_cast<std::uint8_t>(told_[d] | side);
+      }
+    }
+  }
+
+  KnownSides labels() const {
+    KnownSides known;
+    known.labels = IdVector<CellId, CellLabel>(triangulation_.num_cells(), CellLabel::unmarked);
+    for (const CellId c : triangulation_.finite_cells()) {
+      if (told_[c] == (out | in)) ++known.contradictions;
+      if (told_[c] != out && told_[c] != in) continue;
+      const auto& vertices = triangulation_.cell(c).vertices;
+      if (!std::all_of(vertices.begin(), vertices.end(),
+                       [&](VertexId v) { return fans_.is_corner(v); })) {
+        continue;
+      }
+      known.labels[c] = told_[c] == out ? CellLabel::out : CellLabel::in;
+      ++known.cells;
+    }
+    return known;
+  }
+
+  const Triangulation& triangulation_;
+  Fans fans_;
+  FacetSet facets_;
+  IdVector<CellId, std::uint8_t> told_;
+};
 
 }  // namespace
 
-KnownSides known_sides(const Triangulation& triangulation, const LinkedFacets& surface,
+KnownSides known_sides(const Triangulation& triangulation,
                        std::span<const KnownTriangle> triangles) {
-  const Told told = tell(triangulation, surface, triangles);
-  KnownSides known;
-  known.labels = IdVector<CellId, CellLabel>(triangulation.num_cells(), CellLabel::unmarked);
-  for (const CellId c : triangulation.finite_cells()) {
-    if (told.cells[c] == (Told::out | Told::in)) ++known.contradictions;
-    if (told.cells[c] != Told::out && told.cells[c] != Told::in) continue;
-    const auto& vertices = triangulation.cell(c).vertices;
-    if (!std::all_of(vertices.begin(), vertices.end(),
-                     [&](VertexId v) { return told.corners[v] != 0; })) {
-      continue;
-    }
-    known.labels[c] = told.cells[c] == Told::out ? CellLabel::out : CellLabel::in;
-    ++known.cells;
-  }
-  return known;
+  return Telling(triangulation, triangles).run();
 }
 
 }  // namespace cocoon

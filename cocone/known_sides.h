@@ -1,11 +1,10 @@
-// Sides of the surface that are known beforehand: where most points are those of an old mesh, its
-// triangles tell inside from outside wherever they are triangles of the Cocone surface again.
+// Sides of the surface that are known beforehand: where most points are those of an old mesh, it
+// tells inside from outside around every vertex at which it is a surface of facets still.
 #pragma once
 
 #include <cstddef>
 #include <span>
 
-#include "cocone/linked_facets.h"
 #include "cocone/mark_cells.h"
 #include "delaunay/triangulation.h"
 #include "geom/id_vector.h"
@@ -19,13 +18,14 @@ struct KnownSides {
   std::size_t contradictions = 0;      // cells told both: they stay unmarked
 };
 
-// Labels the cell in front of each triangle OUT and the one behind it IN, if all its vertices are
-// corners of such triangles (a cell with a new vertex may lie on either side), and if the triangle
-// is one of the Cocone surface, too: where the old mesh closed what the samples left open, it knows
-// no more than they do. Infinite cells are not labeled (they are OUT anyway).
-// Complexity: O(cells + t) for t triangles of either surface, for bounded valence. Deterministic:
-// independent of their order. Source: ours, docs/stages/mark_cells.md.
-KnownSides known_sides(const Triangulation& triangulation, const LinkedFacets& surface,
+// A vertex is intact if all triangles at it are facets and leave no gap: as many run to each edge
+// there as run from it. They divide the cells around it; those behind a triangle are labeled IN,
+// those in front of one OUT, if all their vertices are corners of triangles (a cell with a new
+// vertex may lie on either side). Infinite cells are not labeled (they are OUT anyway). If the
+// triangles bound a union of cells, no cell is told both.
+// Complexity: O(cells + t) for t triangles, for bounded valence. Deterministic: independent of
+// their order. Source: ours, docs/stages/mark_cells.md.
+KnownSides known_sides(const Triangulation& triangulation,
                        std::span<const KnownTriangle> triangles);
 
 }  // namespace cocoon

@@ -13,22 +13,23 @@
 namespace cocoon {
 namespace {
 
-// The known labels of cells that touch a good vertex: others are left to the peel.
+// The known labels of cells that touch a good vertex: others are left to the peel, and to the
+// clean-up, which has them of `marks`.
 IdVector<CellId, CellLabel> labels_before_the_rounds(const Triangulation& triangulation,
-                                                     const LinkedFacets& surface,
                                                      std::span<const KnownTriangle> triangles,
                                                      CellMarks& marks) {
   if (triangles.empty()) return {};
-  KnownSides known = known_sides(triangulation, surface, triangles);
+  marks.known = known_sides(triangulation, triangles).labels;
+  IdVector<CellId, CellLabel> labels = marks.known;
   for (const CellId c : triangulation.finite_cells()) {
-    if (known.labels[c] == CellLabel::unmarked) continue;
+    if (labels[c] == CellLabel::unmarked) continue;
     if (is_poor(triangulation, marks.good, c)) {
-      known.labels[c] = CellLabel::unmarked;
+      labels[c] = CellLabel::unmarked;
     } else {
       ++marks.known_cells;
     }
   }
-  return std::move(known.labels);
+  return labels;
 }
 
 // The first to have their turn: the good ones of these, on the hull and at known cells.
@@ -52,7 +53,7 @@ void settle(const Triangulation& triangulation, const LinkedFacets& surface,
             std::span<const KnownTriangle> triangles, CellMarks& marks,
             const Execution& execution) {
   const IdVector<CellId, CellLabel> known =
-      labels_before_the_rounds(triangulation, surface, triangles, marks);
+      labels_before_the_rounds(triangulation, triangles, marks);
   const std::vector<VertexId> seeds = vertices_of_known_cells(triangulation, known);
   const bool all_carried = std::all_of(seeds.begin(), seeds.end(), [&](VertexId v) {
     return marks.good[v] == 0 || marks.visited[v] != 0;

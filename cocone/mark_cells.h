@@ -34,6 +34,8 @@ struct CellMarks {
   VertexSet good;                // vertices that may tell the sides of the surface apart
   VertexSet visited;             // good vertices that have done so
   std::vector<VertexId> folded;  // closed umbrellas at folds (umbrella.h); increasing
+  // Of cells whose sides an old mesh tells (known_sides.h); empty if it was not asked.
+  IdVector<CellId, CellLabel> known;
   // After peel_cells: 1 = reached from infinity. The body is the set of finite cells not reached.
   IdVector<CellId, std::uint8_t> reached;
   // After peel_cells, empty if there are no conflicts: 1 = a good vertex whose cells are not OUT on
@@ -53,6 +55,11 @@ struct CellMarks {
 inline bool is_poor(const Triangulation& triangulation, const VertexSet& good, CellId c) {
   const auto& [v0, v1, v2, v3] = triangulation.cell(c).vertices;
   return (good[v0] | good[v1] | good[v2] | good[v3]) == 0;
+}
+
+// Whether an old mesh tells on which side a finite cell is: nothing else is to decide that. O(1).
+inline bool is_known(const CellMarks& marks, CellId c) {
+  return !marks.known.empty() && marks.known[c] != CellLabel::unmarked;
 }
 
 // Whether a good vertex is contradicted by labels around it. O(1).

@@ -6,6 +6,7 @@
 #include "cocone/candidate_triangles.h"
 #include "cocone/certain_surface.h"
 #include "cocone/extract_manifold.h"
+#include "cocone/known_sides.h"
 #include "cocone/mark_cells.h"
 #include "cocone/orient_surface.h"
 #include "cocone/poles.h"
@@ -125,7 +126,7 @@ class Reconstruction {
     if (boundary_.interior() == 0) return deliver({});
     run_step(execution_, "tight", [&](const Execution& nested) {
       if (options_.mode == Mode::paper) known = {};
-      if (marking_) return close_by(mark_by_caller(known, nested), nested);
+      if (marking_) return close_by(mark_by_caller(known, nested), known, nested);
       GoodVertices good =
           good_vertices(surface_.triangles, boundary_.boundary, options_.good_vertices, nested);
       if (is_certain(*triangulation_, surface_, good, nested)) {
@@ -134,13 +135,17 @@ class Reconstruction {
       CellMarks marks =
           mark_cells(*triangulation_, surface_.triangles, std::move(good), known, nested);
       forget_links();
-      close_by(std::move(marks), nested);
+      close_by(std::move(marks), known, nested);
     });
   }
 
-  void close_by(CellMarks marks, const Execution& execution) {
+  void close_by(CellMarks marks, std::span<const KnownTriangle> known, const Execution& execution) {
     const FacetSet& surface = surface_.triangles.set;
     marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, execution);
+    const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
+    if (in_doubt && !known.empty() && marks.known.empty()) {
+      marks.known = known_sides(*triangulation_, known).labels;
+    }
     ReconstructCounters& counters = result_.counters;
     counters.clean_up =
         clean_up_cells(*triangulation_, poles_, marks, options_.clean_up, execution);

@@ -118,7 +118,7 @@ TEST(CellEnergy, LongFacetsCostMore) {
   const Triangulation& t = labeling.stages.triangulation;
   CleanUpOptions without;
   without.stretch_cost = 0;
-  CellEnergy plain(t, labeling.cosines, labeling.stars, labeling.spacings, labeling.labels, without,
+  CellEnergy plain(t, labeling.cosines, labeling.stars, labeling.spacings, labeling.marks, without,
                    labeling.out);
   std::size_t stretched = 0;
   for (const CellId c : t.finite_cells()) {

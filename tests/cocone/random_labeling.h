@@ -39,14 +39,14 @@ struct Labeling {
       : stages(points),
         cosines(stages.triangulation),
         stars(stages.triangulation),
-        labels(stages.triangulation.num_cells(), CellLabel::out),
         out(stages.triangulation.num_cells(), 1),
         spacings(stages.triangulation, stars),
-        energy(stages.triangulation, cosines, stars, spacings, labels, options, out) {
+        energy(stages.triangulation, cosines, stars, spacings, marks, options, out) {
+    marks.labels = IdVector<CellId, CellLabel>(stages.triangulation.num_cells(), CellLabel::out);
     Random random(seed);
     for (const CellId c : stages.triangulation.finite_cells()) {
       out[c] = random.uniform() < bias ? 1 : 0;
-      labels[c] = random.uniform() < 0.5 ? CellLabel::out : CellLabel::in;
+      marks.labels[c] = random.uniform() < 0.5 ? CellLabel::out : CellLabel::in;
       energy.set_preference(c, to_energy(random.uniform() - 0.5));
     }
     for (const VertexId v : stages.triangulation.vertices()) {
@@ -137,7 +137,7 @@ struct Labeling {
   Stages stages;
   BallCosines cosines;
   StarCache stars;
-  IdVector<CellId, CellLabel> labels;
+  CellMarks marks;
   IdVector<CellId, std::uint8_t> out;
   SpacingCache spacings;
   CellEnergy energy;
