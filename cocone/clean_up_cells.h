@@ -17,7 +17,8 @@
 // spacing of its samples (sample_spacing.h, by three edges). A cell is undecided if none of its
 // vertices is good (a poor cell of the peel), or if at most thin_support are and it hangs together
 // with such cells, or labels are in conflict there (doubtful_region.h). The evidence comes from the
-// poles (side_evidence.h).
+// poles (side_evidence.h). Cells whose sides an old mesh tells (CellMarks::known) are decided, and
+// never leave their labels.
 //
 //  1. Cut. The first three terms are minimized over all labelings of the undecided cells, those of
 //     the others held as marked: a minimum cut, so a global optimum; of several the one with most
@@ -41,8 +42,8 @@
 //     or cut the handle so that E falls, the rest of it rises by max_closing_rise at most, and no
 //     sample leaves the surface, they change sides (handle_closing.h). Moves again.
 //  What is undecided over a volume (most_clump_cells) is left to the peel. Where no cell is
-//  undecided and no edge or vertex pinched nothing changes. E falls strictly in 2 to 6, and there
-//  are finitely many labelings, so this ends.
+//  undecided or known and no edge or vertex pinched nothing changes. E falls strictly in 2 to 6,
+//  and there are finitely many labelings, so this ends.
 #pragma once
 
 #include <cstddef>
