@@ -1,8 +1,8 @@
 #include "cocone/known_sides.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "cocone/half_star.h"

@@ -81,10 +81,10 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
                      const VertexSet& boundary, const GoodVertexOptions& options = {},
                      const Execution& execution = {});
 
-// The same with triangles whose places are known beforehand. They count only where vertices
-// disagree, which is where marks may have gone astray: then the cells that they label (known_sides)
-// and that touch a good vertex have their labels before the first round, and their good vertices
-// are among the first.
+// The same with triangles whose places are known beforehand. Here they count only where vertices
+// disagree (the clean-up heeds CellMarks::known elsewhere, too), which is where marks may have gone
+// astray: then the cells that they label (known_sides) and that touch a good vertex have their
+// labels before the first round, and their good vertices are among the first.
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      const VertexSet& boundary, std::span<const KnownTriangle> known,
                      const GoodVertexOptions& options = {}, const Execution& execution = {});

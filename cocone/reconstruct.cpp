@@ -142,6 +142,7 @@ class Reconstruction {
   void close_by(CellMarks marks, std::span<const KnownTriangle> known, const Execution& execution) {
     const FacetSet& surface = surface_.triangles.set;
     marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, execution);
+    // The marking has asked the old mesh already if good vertices disagreed.
     const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
     if (in_doubt && !known.empty() && marks.known.empty()) {
       marks.known = known_sides(*triangulation_, known).labels;

@@ -132,10 +132,11 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
                                     const ReconstructOptions& options = {},
                                     const Execution& execution = {});
 
-// Both again after a change, with triangles of the old mesh where nothing has changed
-// (mark_cells.h): they keep marks from going astray where the samples themselves contradict each
-// other, as at walls thinner than their spacing. Without contradictions they change nothing; in
-// paper mode they are left aside.
+// Both again after a change, with triangles of the old mesh where nothing has changed: where cells
+// have no good vertex, or marks contradict each other as at walls thinner than the spacing, they
+// tell the sides of the cells around them (known_sides.h), which neither the marking nor the
+// clean-up decides otherwise. Where nothing is in doubt they change nothing; in paper mode they are
+// left aside.
 ReconstructResult reconstruct_tight_again(Points points, std::span<const KnownTriangle> known,
                                           const ReconstructOptions& options = {},
                                           const Execution& execution = {});
