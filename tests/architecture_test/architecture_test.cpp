@@ -53,7 +53,7 @@ const std::vector<std::string> product_layers = {"geom",   "delaunay", "cocone",
                                                  "update", "io",       "app"};
 const std::vector<std::string> library_layers = {"geom", "delaunay", "cocone", "update", "io"};
 const std::vector<std::string> all_layers = {"geom", "delaunay", "cocone", "update", "io",
-                                             "app",  "ref",      "bench",  "tests"};
+                                             "app",  "ref",      "bench",  "docs",   "tests"};
 
 std::string place(const SourceFile& source, std::size_t line) {
   return source.name + ":" + std::to_string(line + 1) + ": " + source.lines[line];
@@ -138,6 +138,7 @@ TEST(Architecture, IncludesPointOneWay) {
       {"app", {"geom", "delaunay", "cocone", "update", "io", "app"}},
       {"ref", {"geom", "delaunay", "cocone", "update", "io", "ref"}},
       {"bench", {"geom", "delaunay", "cocone", "update", "io", "ref", "bench", "tests"}},
+      {"docs", {"geom", "delaunay", "cocone", "update", "io", "docs"}},
       {"tests", {"geom", "delaunay", "cocone", "update", "io", "app", "ref", "tests"}},
   };
   const std::regex include("^ *# *include +\"([a-z_0-9]+)/");
