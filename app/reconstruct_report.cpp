@@ -60,6 +60,7 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("clean_up/compound_cells", c.clean_up.compound_cells);
   set("clean_up/closed_handles", c.clean_up.closed_handles);
   set("clean_up/closing_cells", c.clean_up.closing_cells);
+  set("clean_up/large_handles", c.clean_up.large_handles);
   set("clean_up/changed_cells", c.clean_up.changed_cells);
   set("clean_up/defects_before", c.clean_up.defects_before);
   set("clean_up/defects_after", c.clean_up.defects_after);

@@ -25,7 +25,7 @@ constexpr std::array<Threshold, 3> of_marking{{
      angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
 }};
 
-constexpr std::array<Threshold, 24> of_clean_up{{
+constexpr std::array<Threshold, 25> of_clean_up{{
     {"most-clump-cells", "Clean-up: more undecided cells together are left as they are", 0, 4e9,
      whole, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_cells; }},
     {"most-clump-share", "Clean-up: but not if they are at most this share of all cells", 0, 1,
@@ -72,6 +72,8 @@ constexpr std::array<Threshold, 24> of_clean_up{{
      number, tight, [](Options& o) -> Field { return &o.surface.clean_up.max_closing_rise; }},
     {"most-handle-facets", "Clean-up: longer searches tell no handle; 0: none is closed", 0, 4e9,
      whole, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_handle_facets; }},
+    {"most-closing-cells", "Clean-up: handles with more cells at their three samples are left", 0,
+     4e9, whole, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_closing_cells; }},
     {"component-cost", "Clean-up: a part of the body; cheaper parts are dropped", 0, 1e6, number,
      tight, [](Options& o) -> Field { return &o.surface.clean_up.component_cost; }},
 }};

@@ -329,12 +329,16 @@ Energy CellEnergy::change(std::span<const CellId> cells, Energy limit) {
   for (const VertexId v : vertices_) total += least_vertex_change(v);
   if (total > limit) return total;
   turn(cells);
-  for (const bool large : {false, true}) {
-    for (const VertexId v : vertices_) {
-      if (total > limit || parts_.is_large(v) != large) continue;
-      total += star_cost(v, parts_.count(v)) - star_cost(v, 2);
-    }
+  for (const VertexId v : vertices_) {
+    if (total > limit || parts_.is_large(v)) continue;
+    total += star_cost(v, parts_.count(v)) - star_cost(v, 2);
   }
+  turn(cells);
+  for (const VertexId v : vertices_) {
+    if (total > limit || !parts_.is_large(v)) continue;
+    total += star_cost(v, parts_.count_after(v, cells, parts_now(v))) - star_cost(v, 2);
+  }
+  turn(cells);
   for (const VertexId v : vertices_) {
     if (idle_cost_ == 0 || total > limit) break;
     total += would_be_idle(v) ? idle_cost_ : 0;

@@ -64,7 +64,7 @@ class CleanUp {
     ZeroedArray<CellId, Point> centers;
     if (!region_.undecided.empty()) {  // else hardly anything will be asked
       centers = cosines_.prepare(region_.cells, execution_);
-      spacings_.prepare(samples_of(region_.undecided), execution_);
+      spacings_.prepare(samples_of(triangulation_, region_.undecided), execution_);
     }
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     count(counters_.defects_before, counters_.unused_before);
@@ -116,20 +116,6 @@ class CleanUp {
     const double share =
         options_.most_clump_share * static_cast<double>(triangulation_.num_finite_cells());
     return std::max(options_.most_clump_cells, static_cast<std::size_t>(share));
-  }
-
-  // The vertices of some cells, each once.
-  std::vector<VertexId> samples_of(std::span<const CellId> cells) const {
-    std::vector<VertexId> samples;
-    ZeroedArray<VertexId, std::uint8_t> met(triangulation_.num_vertices());
-    for (const CellId c : cells) {
-      for (const VertexId v : triangulation_.cell(c).vertices) {
-        if (v == infinite_vertex || met[v] != 0) continue;
-        met[v] = 1;
-        samples.push_back(v);
-      }
-    }
-    return samples;
   }
 
   void set_preferences(ZeroedArray<CellId, Point> centers) {
@@ -274,7 +260,10 @@ class CleanUp {
   bool close_handles() {
     if (!touched_.empty()) update_flaws();
     for (const Triangle& loop : handle_loops_.find(region_)) {
-      if (handle_loops_.is_handle(loop, options_.most_handle_facets)) close_handle(loop);
+      if (!handle_loops_.is_handle(loop, options_.most_handle_facets)) continue;
+      const bool is_large = handle_closing_.cells_at(loop) > options_.most_closing_cells;
+      counters_.large_handles += is_large ? 1U : 0U;
+      if (!is_large) close_handle(loop);
     }
     return counters_.closed_handles != 0;
   }
@@ -357,7 +346,7 @@ class CleanUp {
   // In the doubtful region and beside it, in lexicographic order.
   std::vector<VertexId> idle_samples() {
     if (cells_with_samples_ != region_.cells.size()) {  // it only grows
-      samples_ = samples_of(region_.cells);
+      samples_ = samples_of(triangulation_, region_.cells);
       std::erase_if(samples_, [&](VertexId v) { return region_.is_left(v); });
       cells_with_samples_ = region_.cells.size();
     }

@@ -47,4 +47,8 @@ void extend_region(const Triangulation& triangulation, StarCache& stars,
 // Is a vertex of the cell left alone? O(1).
 bool has_left_vertex(const Triangulation& triangulation, const DoubtfulRegion& region, CellId c);
 
+// The finite vertices of some cells, each once, as they come. Complexity: O(cells), and a pass over
+// the vertices' memory.
+std::vector<VertexId> samples_of(const Triangulation& triangulation, std::span<const CellId> cells);
+
 }  // namespace cocoon

@@ -22,6 +22,9 @@ class HandleClosing {
                 const DoubtfulRegion& region, const IdVector<CellId, std::uint8_t>& out,
                 CellEnergy& energy, const CleanUpOptions& options);
 
+  // Cells at the loop's vertices, once for each of these. O(1).
+  std::size_t cells_at(std::span<const VertexId> loop);
+
   // Cells at the loop, all on `side` (1: OUT), whose flip closes a handle there, and lowers the
   // energy by all of handle_cost but max_closing_rise at most; empty if there are none. The
   // labeling is as before. Cells at the loop's vertices change sides one by one, each time the one

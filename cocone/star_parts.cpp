@@ -12,7 +12,7 @@ constexpr std::uint8_t in_part = 2;  // in the place of a side
 }  // namespace
 
 StarParts::StarParts(const Triangulation& triangulation, StarCache& stars,
-                     const IdVector<CellId, std::uint8_t>& out)
+                     IdVector<CellId, std::uint8_t>& out)
     : triangulation_(triangulation),
       stars_(stars),
       out_(out),
@@ -96,6 +96,61 @@ std::size_t StarParts::count(VertexId v) {
   std::size_t parts = 0;
   for_each_part_of_large(v, [&] { ++parts; });
   return parts;
+}
+
+std::size_t StarParts::count_after(VertexId v, std::span<const CellId> cells, std::size_t parts) {
+  const bool look_around = is_large(v) && cells.size() < stars_.star(v).size() / word_size;
+  auto known = static_cast<int>(parts);
+  bool is_known = look_around;
+  for (const CellId c : cells) {
+    if (is_known && has_vertex(triangulation_.cell(c), v)) {
+      const std::optional<int> change = change_by(v, c);
+      is_known = change.has_value();
+      known += change.value_or(0);
+    }
+    out_[c] ^= 1U;
+  }
+  const std::size_t after = is_known ? static_cast<std::size_t>(known) : count(v);
+  for (const CellId c : cells) out_[c] ^= 1U;
+  return after;
+}
+
+// How many parts there are more once c changes sides, where the cells around it tell. Around v, c
+// has three neighbors, and a fan of cells leads from each of them to the next around a corner of c.
+std::optional<int> StarParts::change_by(VertexId v, CellId c) const {
+  const int at_v = index_of_vertex(triangulation_.cell(c), v);
+  int same = 0;  // neighbors on the side of c
+  int last_same = 0;
+  int last_other = 0;
+  for (const int i : facet_corners[at_v]) {
+    const bool is_same = out_[triangulation_.neighbor(c, i)] == out_[c];
+    same += is_same ? 1 : 0;
+    (is_same ? last_same : last_other) = i;
+  }
+  // One neighbor alone, and two on the other side, which stay, or are, one part if the fan between
+  // them is on that side: it leads around the corner opposite the one alone.
+  if (same == 1 || same == 2) {
+    const int corner = same == 1 ? last_same : last_other;
+    return is_fan_of_one_side(v, c, corner) ? std::optional(0) : std::nullopt;
+  }
+  int joined = 0;
+  for (const int i : facet_corners[at_v]) joined += is_fan_of_one_side(v, c, i) ? 1 : 0;
+  if (joined < 2) return std::nullopt;
+  return same == 0 ? -1 : 1;  // c is a part now, or will be one
+}
+
+// Are all cells around the edge of v and that corner of c, but for c, on one side?
+bool StarParts::is_fan_of_one_side(VertexId v, CellId c, int corner) const {
+  const VertexId w = triangulation_.vertex(c, corner);
+  int off = 0;  // a facet at the edge is opposite another vertex
+  while (off == corner || triangulation_.vertex(c, off) == v) ++off;
+  const FacetId first = facet_id(c, off);
+  FacetId f = next_facet_around_edge(triangulation_, first, v, w);
+  const std::uint8_t side = out_[cell_of(f)];
+  for (; f != first; f = next_facet_around_edge(triangulation_, f, v, w)) {
+    if (out_[cell_of(f)] != side) return false;
+  }
+  return true;
 }
 
 std::vector<std::vector<CellId>> StarParts::list(VertexId v) {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "delaunay/star_cache.h"
@@ -21,11 +23,15 @@ class StarParts {
  public:
   // Keeps references, which must outlive the object. O(1).
   StarParts(const Triangulation& triangulation, StarCache& stars,
-            const IdVector<CellId, std::uint8_t>& out);
+            IdVector<CellId, std::uint8_t>& out);
 
   // Complexity: O(star), with the star in one machine word if it has at most 64 cells.
   std::size_t count(VertexId v);
-  // More cells than that? O(1).
+  // The same if these cells changed sides; they do not. There are `parts` now. For a large star a
+  // look around each of the cells mostly tells: O(cells, and cells at their edges at v), else
+  // O(star).
+  std::size_t count_after(VertexId v, std::span<const CellId> cells, std::size_t parts);
+  // More than 64 cells? O(1).
   bool is_large(VertexId v) { return stars_.star(v).size() > word_size; }
   // Each in no particular order. O(star).
   std::vector<std::vector<CellId>> list(VertexId v);
@@ -50,10 +56,12 @@ class StarParts {
   template <class Visit>
   void for_each_part_of_large(VertexId v, Visit visit);
   void collect_part(const LargeStar& star, std::uint32_t first);
+  std::optional<int> change_by(VertexId v, CellId c) const;
+  bool is_fan_of_one_side(VertexId v, CellId c, int corner) const;
 
   const Triangulation& triangulation_;
   StarCache& stars_;
-  const IdVector<CellId, std::uint8_t>& out_;
+  IdVector<CellId, std::uint8_t>& out_;         // changed within count_after() only
   ZeroedArray<VertexId, std::uint32_t> place_;  // 1 + position in small_stars_ or large_stars_
   std::deque<SmallStar> small_stars_;
   std::deque<LargeStar> large_stars_;

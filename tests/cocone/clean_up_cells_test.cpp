@@ -266,6 +266,22 @@ TEST(CleanUpCells, HandlesOfTheLeastGirthAreClosed) {
   EXPECT_GE(closed, 3U);
 }
 
+// Each flip at a sample with many cells changes what all of them cost: such handles are left, and
+// counted.
+TEST(CleanUpCells, HandlesAtSamplesWithManyCellsAreLeft) {
+  std::size_t left = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const std::vector<Point> points = shapes::noisy_sphere(1500, 0.05, seed);
+    ReconstructOptions options;
+    EXPECT_EQ(reconstruct_tight(points, options).counters.clean_up.large_handles, 0U);
+    options.clean_up.most_closing_cells = 3;  // fewer than any three stars have
+    const CleanUpCounters counters = reconstruct_tight(points, options).counters.clean_up;
+    EXPECT_EQ(counters.closed_handles, 0U);
+    left += counters.large_handles;
+  }
+  EXPECT_GE(left, 3U);
+}
+
 // A labeling with handles, but no cell in doubt: only the samples of the handle are not good.
 TEST(CleanUpCells, WithoutUndecidedCellsNothingChanges) {
   std::size_t handles = 0;
