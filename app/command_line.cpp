@@ -196,6 +196,11 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
                                                         chosen, shared, sub);
   sub->add_option("POINTS", reconstruct.points, "Point cloud")->required();
   add_mesh_output(*sub, reconstruct.mesh, reconstruct.ascii);
+  sub->add_option("--densify", reconstruct.densify,
+                  "POINTS is a mesh with large triangles (CAD): add samples on them, about so far "
+                  "apart, so that its surface can be updated")
+      ->type_name("SPACING")
+      ->check(between(1e-300, 1e300));
   sub->add_option("--surface", reconstruct.surface,
                   "tight: watertight (default); cocone: the open surface")
       ->check(CLI::IsMember({"tight", "cocone"}));

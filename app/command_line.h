@@ -59,7 +59,8 @@ struct ReconstructArguments {
   std::string session;            // empty: not written
   bool ascii = false;
   bool manifold = false;
-  std::string noise = "none";  // "none" or "robust"
+  std::string noise = "none";     // "none" or "robust"
+  std::optional<double> densify;  // spacing of samples added to a mesh
   SurfaceArguments parameters;
   std::string radius;                        // as of boundary
   bool deferred_seeding = true;              // of the peel, in robust mode

@@ -5,6 +5,7 @@
 
 #include "app/carried_properties.h"
 #include "app/commands.h"
+#include "app/densify.h"
 #include "app/files.h"
 #include "app/findings.h"
 #include "app/make_manifold.h"
@@ -125,7 +126,8 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   VertexProperties properties;
   const bool keep = holds_properties(arguments.mesh);
   const std::vector<Point> points =
-      read_cloud(job, arguments.points, "input", keep ? &properties : nullptr);
+      arguments.densify ? read_densified(job, arguments.points, *arguments.densify)
+                        : read_cloud(job, arguments.points, "input", keep ? &properties : nullptr);
   std::optional<UpdateSession> session;
   ReconstructResult result = naming_input(arguments.points, [&] {
     if (!arguments.session.empty()) {

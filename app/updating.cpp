@@ -14,11 +14,13 @@
 #include "app/update_report.h"
 #include "app/verification.h"
 #include "cocone/surface_doubts.h"
+#include "geom/counted.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
 #include "geom/signed_distance.h"
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
+#include "update/lost_triangles.h"
 #include "update/vertex_origins.h"
 
 namespace cocoon::app {
@@ -73,6 +75,27 @@ MeshReport report_doubts(Job& job, UpdateResult& result, NoiseFilter filter, boo
     if (finding.kind != "unused") result.warnings.push_back(finding.message);
   }
   return certificate;
+}
+
+// Of a model that is sampled densely hardly any triangle is lost beside the change.
+void report_lost_triangles(Job& job, const UpdateInput& input, UpdateResult& result) {
+  constexpr double many = 0.1;  // of the triangles
+  constexpr std::size_t few = 20;
+  constexpr double large = 0.02;  // of the area
+  const LostTriangles found = lost_triangles(input.model, result.vertex_map, result.mesh);
+  job.report().set("update/staying_triangles", found.staying);
+  job.report().set("update/lost_triangles", found.lost.size());
+  const auto lost = static_cast<double>(found.lost.size());
+  if (found.lost.size() < few || lost < many * static_cast<double>(found.staying)) return;
+  const double astray = astray_area(input.model, found.lost, result.mesh) / found.staying_area;
+  job.report().set("update/astray_area_share", astray);
+  if (!(astray > large)) return;
+  result.warnings.push_back(fmt::format(
+      "{:.0f} % of the surface of {} is not kept though nothing was scanned there: its vertices "
+      "are "
+      "too few; make it dense first (cocoon reconstruct {} --densify SPACING, about that of the "
+      "scans)",
+      100 * astray, input.model_name, input.model_name));
 }
 
 // What the session keeps of its last update.
@@ -197,6 +220,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   }
   const NoiseFilter filter = noise_filter_of_update(!input.strays.empty());
   MeshReport certificate = timed(job.execution(), "check", [&] {
+    report_lost_triangles(job, input, result);
     return report_doubts(job, result, filter, output.manifold);
   });
   VertexProperties properties = properties_of_update(job, input, result);

@@ -1,0 +1,41 @@
+// Samples of a mesh between its vertices: what makes a mesh with large triangles, as CAD programs
+// and decimation give, a dense sampling of its surface.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geom/execution.h"
+#include "geom/point.h"
+#include "geom/triangle_mesh.h"
+
+namespace cocoon {
+
+struct DenseSampleOptions {
+  double spacing = 0;  // wanted distance between neighbors, in units of the coordinates; above 0
+  // An edge is sharp if the normals of its triangles differ by more than this (cos 15 degrees), or
+  // if it does not have two triangles. Sharp edges are sampled along.
+  double sharp_cosine = 0.96592582628906829;
+  // Samples on one side of the surface are no closer than so many spacings. Above 0.85 random
+  // places leave gaps that Cocone takes for undersampled.
+  double closest = 0.8;
+  std::size_t trials = 15;  // random places for each square of one spacing; more hardly find room
+  std::uint64_t seed = 1;
+};
+
+// More would not fit into what 32-bit ids can name.
+inline constexpr double most_dense_samples = 1e8;
+
+// Points to be added to the vertices of `mesh`: first along its sharp edges, evenly, then in random
+// triangles where no sample is too close. Samples on triangles that face the other way, as across a
+// thin wall, are not close. Empty for a mesh without area.
+// Throws InputError if the spacing is not a positive number, if it would take more than
+// most_dense_samples, or if a triangle names a vertex that is not there; Cancelled.
+// Complexity: O(t log t + trials n) for n samples. Deterministic.
+// Source: dart throwing: Cook, Stochastic sampling in computer graphics (1986); on meshes: Cline et
+// al., Dart throwing on surfaces (2009).
+std::vector<Point> dense_samples(const TriangleMesh& mesh, const DenseSampleOptions& options,
+                                 const Execution& execution = {});
+
+}  // namespace cocoon

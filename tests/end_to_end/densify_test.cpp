@@ -1,0 +1,115 @@
+// A part as CAD programs give it, with few vertices and large triangles, and a scan of its change.
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "geom/surface_distance.h"
+#include "io/mesh_file.h"
+#include "tests/run_program.h"
+#include "tests/test_clouds.h"
+
+namespace cocoon::test {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double height = 1.5;
+
+// A disk of this height with ten teeth.
+std::string gear() {
+  constexpr int count = 20;
+  std::string vertices;
+  std::string triangles;
+  const auto triangle = [&](int a, int b, int c) {
+    triangles +=
+        "3 " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
+  };
+  for (const double z : {0.0, height}) {
+    for (int k = 0; k < count; ++k) {
+      const double radius = k % 2 == 0 ? 2 : 3;
+      const double angle = 2 * std::numbers::pi * k / count;
+      vertices += point_line(radius * std::cos(angle), radius * std::sin(angle), z);
+    }
+  }
+  vertices += point_line(0, 0, 0) + point_line(0, 0, height);
+  for (int k = 0; k < count; ++k) {
+    const int next = (k + 1) % count;
+    triangle(2 * count, next, k);
+    triangle(2 * count + 1, count + k, count + next);
+    triangle(k, next, count + next);
+    triangle(k, count + next, count + k);
+  }
+  return "OFF\n42 80 0\n" + vertices + triangles;
+}
+
+// A knob in the middle of its upper side.
+std::string knob() {
+  std::string cloud;
+  for (int i = 0; i < 330; ++i) {
+    const double radius = std::sqrt((i + 0.5) / 330);
+    const double bump = std::max(0.0, 1 - 2.5 * radius * radius);
+    cloud += point_line(radius * std::cos(2.4 * i), radius * std::sin(2.4 * i),
+                        height + 0.3 * bump * bump);
+  }
+  return cloud;
+}
+
+Json report_of(const std::vector<std::string>& arguments, std::string& error) {
+  std::vector<std::string> all = arguments;
+  all.insert(all.end(), {"--json", "-"});
+  const ProgramRun run = run_program(all);
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  error = run.error;
+  return Json::parse(run.out);
+}
+
+TEST(Densify, MakesAPartFitForUpdates) {
+  const TemporaryFolder folder;
+  const std::string part = folder.write("part.off", gear());
+  const std::string cloud = folder.write("knob.xyz", knob());
+  const std::string dense = folder.file("dense.ply");
+  const std::string updated = folder.file("updated.ply");
+  std::string error;
+
+  Json report = report_of({"update", part, cloud, "-o", updated}, error);
+  EXPECT_GT(report["update"]["astray_area_share"].get<double>(), 0.3);
+  EXPECT_NE(report["warnings"].dump().find("--densify"), std::string::npos);
+
+  report = report_of({"reconstruct", part, "-o", dense, "--densify", "0.12"}, error);
+  EXPECT_EQ(report["input"]["vertices"], 42);
+  EXPECT_GT(report["input"]["added_samples"].get<int>(), 4000);
+  EXPECT_EQ(report["surface"]["unused_points"], 0);
+  EXPECT_EQ(report["surface"]["genus"], 0);
+  const TriangleMesh truth = read_mesh(part);
+  EXPECT_LT(surface_distance(read_mesh(dense), truth, {.samples = 20000}).rms, 0.005);
+
+  report = report_of({"update", dense, cloud, "-o", updated}, error);
+  EXPECT_LT(report["update"]["lost_triangles"].get<int>(), 20);
+  EXPECT_FALSE(report["update"].contains("astray_area_share"));
+  EXPECT_EQ(report["warnings"].dump().find("--densify"), std::string::npos);
+  EXPECT_EQ(report["surface"]["genus"], 0);
+}
+
+TEST(Densify, NeedsAMeshAndAPossibleSpacing) {
+  const TemporaryFolder folder;
+  const std::string part = folder.write("part.off", gear());
+  const std::string cloud = folder.write("knob.xyz", knob());
+  const std::string mesh = folder.file("mesh.ply");
+  ProgramRun run = run_program({"reconstruct", cloud, "-o", mesh, "--densify", "1"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.error.find("knob.xyz: --densify needs a mesh"), std::string::npos) << run.error;
+  run = run_program({"reconstruct", part, "-o", mesh, "--densify", "1e-8"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.error.find("choose a spacing of"), std::string::npos) << run.error;
+  for (const char* spacing : {"0", "-1", "nan", "inf", "much"}) {
+    EXPECT_EQ(run_program({"reconstruct", part, "-o", mesh, "--densify", spacing}).exit_code, 2);
+  }
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"knob.xyz", "part.off"}));
+}
+
+}  // namespace
+}  // namespace cocoon::test

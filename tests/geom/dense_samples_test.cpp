@@ -1,0 +1,103 @@
+#include "geom/dense_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "geom/errors.h"
+#include "geom/nearest_point.h"
+
+namespace cocoon {
+namespace {
+
+// A box of 4 x 3 x height from two triangles a side.
+TriangleMesh box(double height) {
+  TriangleMesh mesh;
+  for (int k = 0; k < 8; ++k) {
+    mesh.points.push_back({k % 2 * 4.0, k / 2 % 2 * 3.0, k / 4 * height});
+  }
+  const std::size_t sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                   {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (const auto& s : sides) {
+    mesh.triangles.push_back({VertexId(s[0]), VertexId(s[1]), VertexId(s[2])});
+    mesh.triangles.push_back({VertexId(s[0]), VertexId(s[2]), VertexId(s[3])});
+  }
+  return mesh;
+}
+
+bool on_box(const Point& p, double height) {
+  const auto at = [](double x, double end) {
+    return std::abs(x) < 1e-12 || std::abs(x - end) < 1e-12;
+  };
+  return at(p.x, 4) || at(p.y, 3) || at(p.z, height);
+}
+
+// No place of the box is far from a sample, on its own side even if the other one is close; and
+// samples on a side are apart.
+TEST(DenseSamples, CoverAThinBoxOnBothSides) {
+  for (const double height : {2.0, 0.05}) {
+    const TriangleMesh mesh = box(height);
+    constexpr double spacing = 0.2;
+    const std::vector<Point> added = dense_samples(mesh, {.spacing = spacing});
+    for (const double z : {0.0, height}) {
+      std::vector<Point> side;
+      for (const Point& p : added) {
+        EXPECT_TRUE(on_box(p, height));
+        if (std::abs(p.z - z) < 1e-12) side.push_back(p);
+      }
+      for (const Point& p : mesh.points) side.push_back(p);
+      const NearestPointTree tree(side);
+      for (int i = 0; i <= 80; ++i) {
+        for (int j = 0; j <= 60; ++j) {
+          const Point place{i * 0.05, j * 0.05, z};
+          EXPECT_LT(tree.nearest(place).squared_distance, 1.3 * 1.3 * spacing * spacing);
+        }
+      }
+      for (std::size_t i = 0; i < side.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          if (side[i].z != side[j].z) continue;
+          EXPECT_GE(distance(side[i], side[j]), 0.79 * spacing);
+        }
+      }
+    }
+  }
+}
+
+// Sharp edges are sampled evenly, the diagonals of flat sides are not.
+TEST(DenseSamples, LieAlongSharpEdges) {
+  const std::vector<Point> added = dense_samples(box(2), {.spacing = 0.25});
+  const auto has = [&](const Point& p) {
+    return std::any_of(added.begin(), added.end(),
+                       [&](const Point& q) { return distance(p, q) < 1e-12; });
+  };
+  for (int k = 1; k < 16; ++k) EXPECT_TRUE(has({k * 0.25, 0, 0})) << k;
+  for (int k = 1; k < 12; ++k) EXPECT_TRUE(has({4, k * 0.25, 2})) << k;
+}
+
+TEST(DenseSamples, SameMeshSameSamples) {
+  EXPECT_EQ(dense_samples(box(1), {.spacing = 0.3}), dense_samples(box(1), {.spacing = 0.3}));
+}
+
+TEST(DenseSamples, AddsNothingToAMeshWithoutTriangles) {
+  EXPECT_TRUE(dense_samples({}, {.spacing = 1}).empty());
+}
+
+TEST(DenseSamples, RefusesSpacingsThatCannotBe) {
+  for (const double spacing : {0.0, -1.0, std::numeric_limits<double>::infinity(),
+                               std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(dense_samples(box(1), {.spacing = spacing}), InputError) << spacing;
+  }
+  try {
+    dense_samples(box(1), {.spacing = 1e-9});
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("choose a spacing of 0.0006"), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace cocoon
