@@ -49,10 +49,15 @@ void add_verify(CLI::App& app, bool& verify) {
                "Check the result exactly before it is written, and write nothing if that fails");
 }
 
-void add_surface_options(CLI::App& app, SurfaceArguments& parameters) {
+const std::string rho_of_clouds =
+    "here for the rims of clouds; by default 0.3 and, where that finds no good rim, others";
+
+// `of_rho`: what else there is to be said of it.
+void add_surface_options(CLI::App& app, SurfaceArguments& parameters, const std::string& of_rho) {
   app.add_option("-r,--rho", parameters.rho,
                  "Ratio condition: a sample is well sampled only if the radius of its cocone is at "
-                 "most RHO times the distance to its pole")
+                 "most RHO times the distance to its pole; " +
+                     of_rho)
       ->check(between(1e-6, 1))
       ->type_name("RHO");
   app.add_option("-f,--alpha", parameters.alpha_deg,
@@ -212,7 +217,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
                   "robust: leave out outliers and what lies inside a layer of noise first (Robust "
                   "Cocone; tight surfaces only); none (default): every sample counts")
       ->check(CLI::IsMember({"none", "robust"}));
-  add_surface_options(*sub, reconstruct.parameters);
+  add_surface_options(*sub, reconstruct.parameters, "1 / 1.2 if --surface is tight, else 0.3");
   add_stages_of_reconstruct(*sub, reconstruct);
 
   auto& boundary = add_command<BoundaryArguments>(
@@ -221,7 +226,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
   add_mesh_output(*sub, boundary.mesh, boundary.ascii);
   sub->add_option("--loops", boundary.loops, "Write the boundary loops as polylines")
       ->type_name("FILE.obj");
-  add_surface_options(*sub, boundary.parameters);
+  add_surface_options(*sub, boundary.parameters, "0.3 by default");
   add_stages_of_boundary(*sub, boundary);
 
   auto& update = add_command<UpdateArguments>(
@@ -241,7 +246,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
   sub->add_option("--html", update.html, "Write a report that a browser opens offline")
       ->type_name("FILE");
   add_manifold_option(*sub, update.manifold);
-  add_surface_options(*sub, update.parameters);
+  add_surface_options(*sub, update.parameters, rho_of_clouds);
   add_cloud_filter(*sub, update.filter);
 }
 
@@ -267,7 +272,7 @@ void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) 
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
   sub->add_flag("--once", watch.once, "Stop when all clouds that are there have been looked at");
-  add_surface_options(*sub, watch.parameters);
+  add_surface_options(*sub, watch.parameters, rho_of_clouds);
   add_cloud_filter(*sub, watch.filter);
 }
 

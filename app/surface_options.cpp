@@ -33,17 +33,21 @@ void set_radius(ReconstructOptions& options, const std::string& radius) {
       radius == "cocone" ? RadiusMode::cocone : RadiusMode::tangent_plane;
 }
 
-void add_parameters(JsonReport& report, const ReconstructOptions& options) {
-  const auto degrees = [](double radians) { return radians / degree; };
-  report.set("parameters/mode", options.mode == Mode::paper ? "paper" : "robust");
-  report.set("parameters/rho", options.boundary.rho);
-  report.set("parameters/radius",
-             effective_options(options).boundary.radius_mode == RadiusMode::cocone
-                 ? "cocone"
-                 : "tangent-plane");
-  report.set("parameters/alpha_deg", degrees(std::acos(options.boundary.alpha_cosine)));
-  report.set("parameters/cocone_angle_deg", degrees(std::asin(options.cocone.cosine)));
-  report.set("parameters/sharp_angle_deg", degrees(std::acos(options.prune.sharp_cosine)));
+double told_in_degrees(double radians) {
+  constexpr double steps = 1e9;  // of a degree
+  return std::round(radians / degree * steps) / steps;
+}
+
+void add_parameters(JsonReport& report, const ReconstructOptions& options,
+                    const std::string& part) {
+  const std::string section = part.empty() ? "parameters/" : "parameters/" + part + "/";
+  const RadiusMode radius = effective_options(options).boundary.radius_mode;
+  report.set(section + "mode", options.mode == Mode::paper ? "paper" : "robust");
+  report.set(section + "rho", options.boundary.rho);
+  report.set(section + "radius", radius == RadiusMode::cocone ? "cocone" : "tangent-plane");
+  report.set(section + "alpha_deg", told_in_degrees(std::acos(options.boundary.alpha_cosine)));
+  report.set(section + "cocone_angle_deg", told_in_degrees(std::asin(options.cocone.cosine)));
+  report.set(section + "sharp_angle_deg", told_in_degrees(std::acos(options.prune.sharp_cosine)));
 }
 
 }  // namespace cocoon::app

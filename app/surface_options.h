@@ -15,7 +15,13 @@ ReconstructOptions surface_options(const SurfaceArguments& arguments, Reconstruc
 // What the ratio condition measures: "cocone" or "tangent-plane"; empty: as it is.
 void set_radius(ReconstructOptions& options, const std::string& radius);
 
-// The section "parameters" of the report: what was used, given or not.
-void add_parameters(JsonReport& report, const ReconstructOptions& options);
+// The section "parameters" of the report: what was used, given or not. `part`: a section in it
+// ("model"); empty: itself.
+void add_parameters(JsonReport& report, const ReconstructOptions& options,
+                    const std::string& part = "");
+
+// An angle as people give it: in degrees, without what the way there and back adds in the last
+// digits. O(1).
+double told_in_degrees(double radians);
 
 }  // namespace cocoon::app

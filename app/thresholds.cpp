@@ -6,6 +6,8 @@
 #include <numbers>
 #include <type_traits>
 
+#include "app/surface_options.h"
+
 namespace cocoon::app {
 
 namespace {
@@ -148,7 +150,11 @@ void add_thresholds(JsonReport& report, ThresholdUse use, StageOptions options) 
     std::string key = std::string("parameters/") + t.name + (t.kind == angle ? "_deg" : "");
     std::replace(key.begin(), key.end(), '-', '_');
     const double value = value_of(t.field(options));
-    report.set(key, t.kind == angle ? std::acos(value) / degree : value);
+    if (t.kind == whole) {
+      report.set(key, static_cast<std::size_t>(value));
+    } else {
+      report.set(key, t.kind == angle ? told_in_degrees(std::acos(value)) : value);
+    }
   }
 }
 

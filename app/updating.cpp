@@ -234,6 +234,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   record.strays = input.strays;
   add_update(job.report(), record);
   add_parameters(job.report(), options.cloud.reconstruct);
+  add_parameters(job.report(), options.reconstruct, "model");
   say_update(job, record);
   for (const std::string& warning : result.warnings) job.warn(warning);
 

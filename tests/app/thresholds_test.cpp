@@ -45,6 +45,10 @@ TEST(Thresholds, OneThatIsGivenIsSetAndReportedAndNoOther) {
   ASSERT_EQ(defaults.size(), thresholds().size());
   EXPECT_EQ(defaults["evidence_weight"], 2.5);
   EXPECT_NEAR(defaults["keep_angle_deg"].get<double>(), 134.4, 0.1);
+  EXPECT_EQ(defaults["crease_angle_deg"].dump(), "90.0");  // not 90.00000000000001
+  for (const Threshold& t : thresholds()) {
+    EXPECT_EQ(defaults[key(t)].is_number_integer(), t.kind == ThresholdKind::whole) << t.name;
+  }
   for (const Threshold& given : thresholds()) {
     const double inside = given.low + 0.375 * (given.high - given.low);
     const double value = given.kind == ThresholdKind::whole ? std::floor(inside) : inside;

@@ -182,6 +182,12 @@ TEST(Program, UpdateReplacesWhatLiesUnderTheCloud) {
   EXPECT_EQ(report["input"]["points"], 2000);
   EXPECT_EQ(report["surface"]["watertight"], true);
   EXPECT_EQ(report["surface"]["euler"], 2);
+  const Json& parameters = report["parameters"];  // of the clouds' surfaces, and of the model's
+  EXPECT_EQ(parameters["rho"], 0.3);
+  EXPECT_EQ(parameters["radius"], "cocone");
+  EXPECT_NEAR(parameters["model"]["rho"].get<double>(), 1 / 1.2, 1e-12);
+  EXPECT_EQ(parameters["model"]["radius"], "tangent-plane");
+  EXPECT_EQ(parameters["alpha_deg"].dump(), "30.0");
   const Json& update = report["update"];
   EXPECT_EQ(update["loops"], Json::array({1}));
   EXPECT_EQ(update["groups"], 2);
