@@ -16,8 +16,9 @@ void run_sample(const SampleArguments& arguments, Job& job) {
   options.points = arguments.points;
   options.cloud_points = arguments.cloud_points;
   if (arguments.seed) options.seed = *arguments.seed;
-  const SampleModel model =
-      timed(job.execution(), "sample", [&] { return sample_model(arguments.name, options); });
+  const SampleModel model = timed(job.execution(), "sample", [&] {
+    return sample_model(arguments.name, options, job.execution());
+  });
 
   timed(job.execution(), "write", [&] {
     make_folder(folder);

@@ -27,7 +27,8 @@ void warn_of_trailing_bytes(Job& job, const std::string& path, const std::string
 }
 
 void require_extension(const OutputFile& output) {
-  if (output.extensions.empty()) return;
+  std::error_code ignored;
+  if (output.extensions.empty() || fs::is_directory(output.path, ignored)) return;  // said below
   const std::string extension = extension_of(output.path);
   std::string known;
   for (const std::string& candidate : output.extensions) {

@@ -13,6 +13,8 @@ namespace cocoon {
 
 namespace {
 
+constexpr const char* it_is_a_folder = "it is a folder";
+
 [[noreturn]] void throw_unreadable(const std::filesystem::path& path, const std::string& reason) {
   throw file_error(path, "cannot be read (" + reason + "); check the name and the permissions");
 }
@@ -29,9 +31,15 @@ InputFile::InputFile(const std::filesystem::path& path)
   }
   if (S_ISDIR(status.st_mode)) {
     ::close(descriptor_);
-    throw_unreadable(path, "it is a folder");
+    throw_unreadable(path, it_is_a_folder);
   }
   if (S_ISREG(status.st_mode)) size_ = static_cast<std::size_t>(status.st_size);
+}
+
+void require_input(const std::filesystem::path& path) {
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) throw_unreadable(path, std::strerror(errno));
+  if (S_ISDIR(status.st_mode)) throw_unreadable(path, it_is_a_folder);
 }
 
 InputFile::~InputFile() { ::close(descriptor_); }

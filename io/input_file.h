@@ -27,4 +27,8 @@ class InputFile {
   std::optional<std::size_t> size_;
 };
 
+// Throws FileError, as the constructor does, if there is nothing at that path, or a folder. Opens
+// nothing: a pipe would wait. O(1).
+void require_input(const std::filesystem::path& path);
+
 }  // namespace cocoon

@@ -7,6 +7,7 @@
 #include "io/atomic_file.h"
 #include "io/file_bytes.h"
 #include "io/file_format.h"
+#include "io/input_file.h"
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
@@ -30,6 +31,7 @@ void remove_non_finite(PointCloud& cloud) {
 PointCloud read_points(const std::filesystem::path& path, const PointReadOptions& options) {
   const FileFormat format = format_of(path);
   if (format == FileFormat::other) {
+    require_input(path);  // else its name is wrong in another way
     throw file_error(path,
                      "extension " + in_quotes(extension_of(path)) +
                          " is not known; use .xyz, .pts, .txt, .csv, .ply, .obj, .off or .stl");

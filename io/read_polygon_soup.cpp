@@ -2,6 +2,7 @@
 
 #include "io/file_bytes.h"
 #include "io/file_format.h"
+#include "io/input_file.h"
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
@@ -12,6 +13,7 @@ namespace cocoon {
 PolygonSoup read_polygon_soup(const std::filesystem::path& path, bool keep_properties) {
   const FileFormat format = format_of(path);
   if (!is_mesh(format)) {
+    require_input(path);  // else its name is wrong in another way
     throw file_error(path, "extension " + in_quotes(extension_of(path)) +
                                " is not that of a mesh; use .ply, .obj, .off or .stl");
   }

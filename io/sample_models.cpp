@@ -47,6 +47,11 @@ void require_valid(const SampleOptions& options, std::size_t clouds) {
       (options.cloud_points && *options.cloud_points < 4 * clouds)) {
     throw InputError("sample needs at least 4 points in every cloud; ask for more");
   }
+  if (options.points.value_or(0) > most_sample_points ||
+      options.cloud_points.value_or(0) > most_sample_points) {
+    throw InputError("sample makes at most " + std::to_string(most_sample_points) +
+                     " points, and as many in its clouds; ask for less");
+  }
   if (!(options.jitter >= 0 && options.jitter <= 1)) {
     throw InputError("jitter must be a fraction of the spacing between 0 and 1");
   }
@@ -125,10 +130,10 @@ std::vector<Point> points_in(const SurfaceRegion& region, Points points) {
 
 std::vector<Point> scan_of(const ImplicitSolid& solid, const TriangleMesh& surface,
                            const Scan& scan, std::size_t count, const SampleOptions& options,
-                           Random& random) {
+                           Random& random, const Execution& execution) {
   const TriangleMesh part = scan.candidates(surface);
   std::vector<Point> cloud = sample_surface(
-      solid, part, [&](const Point& p) { return scan.covers(p); }, count, random);
+      solid, part, [&](const Point& p) { return scan.covers(p); }, count, random, execution);
   jitter(cloud, options.jitter * mean_spacing(part, count), random);
   return cloud;
 }
@@ -141,17 +146,19 @@ std::vector<std::string> sample_model_names() {
   return names;
 }
 
-SampleModel sample_model(std::string_view name, const SampleOptions& options) {
+SampleModel sample_model(std::string_view name, const SampleOptions& options,
+                         const Execution& execution) {
   std::string known;
   for (const NamedDesign& design : designs) {
-    if (design.name == name) return sample_design(design.make(), options);
+    if (design.name == name) return sample_design(design.make(), options, execution);
     known += (known.empty() ? "" : ", ") + std::string(design.name);
   }
   throw InputError("there is no sample model \"" + std::string(name) +
                    "\"; choose one of: " + known);
 }
 
-SampleModel sample_design(const SampleModelDesign& design, const SampleOptions& options) {
+SampleModel sample_design(const SampleModelDesign& design, const SampleOptions& options,
+                          const Execution& execution) {
   require_valid(options, design.changes.size());
   Random random(options.seed);
   SampleModel model;
@@ -160,7 +167,7 @@ SampleModel sample_design(const SampleModelDesign& design, const SampleOptions& 
   const SurfaceRegion everywhere = [](const Point&) { return true; };
   const TriangleMesh old_surface = polygonize(design.before, design.mesh_cell);
   model.initial = sample_surface(design.before, old_surface, everywhere,
-                                 options.points.value_or(design.points), random);
+                                 options.points.value_or(design.points), random, execution);
   const double tolerance = changed_by * norm(design.before.box.size());
   std::vector<Point> wrong;
   std::vector<Point> right;
@@ -186,7 +193,8 @@ SampleModel sample_design(const SampleModelDesign& design, const SampleOptions& 
                        " is; ask for more points");
     }
     const Scan scan(design.before.value, design.changes[k], wrong_here, right_tree, spacing);
-    model.clouds.push_back(scan_of(design.after, model.truth, scan, counts[k], options, random));
+    model.clouds.push_back(
+        scan_of(design.after, model.truth, scan, counts[k], options, random, execution));
   }
   return model;
 }

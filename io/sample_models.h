@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/execution.h"
 #include "geom/ids.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
@@ -29,6 +30,10 @@ struct SampleModelDesign {
   std::vector<std::size_t> cloud_points;  // for each cloud; the paper gives their sum
   double mesh_cell = 0;  // grid cell of the true mesh, smaller than the finest detail
 };
+
+// Of the initial cloud, and of all others together: five times as many are made and listed with
+// their neighbors, some gigabytes.
+inline constexpr std::size_t most_sample_points = 20'000'000;
 
 struct SampleOptions {
   std::optional<std::size_t> points = std::nullopt;  // of the initial cloud; default: the paper's
@@ -56,7 +61,8 @@ std::vector<std::string> sample_model_names();
 // Makes the model `name`: sample_design() of its design.
 // Throws InputError for a name it does not know (the message lists those it does), and as
 // sample_design() does. Source of models and counts: Woo & Dey 2005, section 4.
-SampleModel sample_model(std::string_view name, const SampleOptions& options = {});
+SampleModel sample_model(std::string_view name, const SampleOptions& options = {},
+                         const Execution& execution = {});
 
 // Samples a design: exactly the wanted numbers of points, evenly spread (blue noise).
 // A cloud is what a careful operator scans, the change and not much else: the places of the new
@@ -64,11 +70,12 @@ SampleModel sample_model(std::string_view name, const SampleOptions& options = {
 // than to the others (and those farther from the old surface than 0.3 of the initial spacing in any
 // case). Its outline thus runs between the wrong points and the right ones, on places that the
 // change has left as they were or nearly so: an update that works removes exactly the wrong ones.
-// Throws InputError for fewer than four points in a cloud, for a jitter that is not in [0, 1], and
-// if none or all of the initial points lie in one of the changes.
-// Complexity: O(n log n) for n points, and the polygonization of two solids, a few seconds at most.
-// Deterministic: a function of design and options, the same bits on every machine if the design
-// uses nothing but correctly rounded operations.
-SampleModel sample_design(const SampleModelDesign& design, const SampleOptions& options = {});
+// Throws InputError for fewer than four points in a cloud or more than most_sample_points,
+// Cancelled, and InputError for a jitter that is not in [0, 1], and if none or all of the initial
+// points lie in one of the changes. Complexity: O(n log n) for n points, and the polygonization of
+// two solids, a few seconds at most. Deterministic: a function of design and options, the same bits
+// on every machine if the design uses nothing but correctly rounded operations.
+SampleModel sample_design(const SampleModelDesign& design, const SampleOptions& options = {},
+                          const Execution& execution = {});
 
 }  // namespace cocoon

@@ -14,19 +14,30 @@ namespace {
 
 constexpr double finite_difference_step = 1e-4;  // of the box size: far above rounding
 
+// Reports every so often that `done` of `all` are done, in a part of the sampling.
+void report_now_and_then(const Execution& execution, double begin, double end, std::size_t done,
+                         std::size_t all) {
+  constexpr std::size_t so_often = 4096;
+  if (done % so_often != 0 || all == 0) return;
+  const double share = static_cast<double>(done) / static_cast<double>(all);
+  report_progress(execution, "sample_surface", begin + share * (end - begin));
+}
+
 // The neighbors of each point within `reach`: lists in the order of the search.
 struct NeighborLists {
   std::vector<std::size_t> begin = {0};
   std::vector<std::uint32_t> neighbors;
 };
 
-NeighborLists neighbors_within(const std::vector<Point>& points, double reach) {
+NeighborLists neighbors_within(const std::vector<Point>& points, double reach,
+                               const Execution& execution) {
   std::vector<Box> boxes;
   boxes.reserve(points.size());
   for (const Point& p : points) boxes.push_back({p, p});
   const BoxTree tree(boxes);
   NeighborLists lists;
   for (std::size_t i = 0; i < points.size(); ++i) {
+    report_now_and_then(execution, 0.5, 0.75, i, points.size());
     Box around = boxes[i];
     around.enlarge(reach);
     tree.visit_overlapping(around, [&](std::uint32_t slot) {
@@ -52,9 +63,9 @@ double crowding(const Point& a, const Point& b, double reach) {
 }  // namespace
 
 std::vector<Point> eliminate_samples(const std::vector<Point>& points, std::size_t count,
-                                     double radius) {
+                                     double radius, const Execution& execution) {
   const double reach = 2 * radius;
-  const NeighborLists lists = neighbors_within(points, reach);
+  const NeighborLists lists = neighbors_within(points, reach, execution);
   const auto for_each_neighbor = [&](std::size_t i, const auto& visit) {
     for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k) visit(lists.neighbors[k]);
   };
@@ -68,12 +79,14 @@ std::vector<Point> eliminate_samples(const std::vector<Point>& points, std::size
   std::vector<double> weight(points.size(), 0);
   std::priority_queue<Entry> queue;
   for (std::size_t i = 0; i < points.size(); ++i) {
+    report_now_and_then(execution, 0.75, 0.85, i, points.size());
     for_each_neighbor(i,
                       [&](std::size_t j) { weight[i] += crowding(points[i], points[j], reach); });
     queue.push({weight[i], i});
   }
   std::vector<char> removed(points.size(), 0);
   for (std::size_t left = points.size(); left > count;) {
+    report_now_and_then(execution, 0.85, 1, points.size() - left, points.size() - count);
     const Entry entry = queue.top();
     queue.pop();
     // An entry is out of date if a neighbor went since; a newer one is in the queue.
@@ -94,7 +107,8 @@ std::vector<Point> eliminate_samples(const std::vector<Point>& points, std::size
 }
 
 std::vector<Point> sample_surface(const ImplicitSolid& solid, const TriangleMesh& mesh,
-                                  const SurfaceRegion& region, std::size_t count, Random& random) {
+                                  const SurfaceRegion& region, std::size_t count, Random& random,
+                                  const Execution& execution) {
   constexpr std::size_t candidates_per_sample = 5;
   constexpr std::size_t tries_per_candidate = 4;
   const TrianglesByArea triangles(mesh);
@@ -104,6 +118,7 @@ std::vector<Point> sample_surface(const ImplicitSolid& solid, const TriangleMesh
   const double area = triangles.area();
   const double step = finite_difference_step * norm(solid.box.size());
   while (candidates.size() < wanted) {
+    report_now_and_then(execution, 0, 0.5, candidates.size(), wanted);
     if (area == 0 || ++tries > tries_per_candidate * wanted) {
       throw InputError("sampled region holds too little of the surface; give a larger one");
     }
@@ -116,7 +131,7 @@ std::vector<Point> sample_surface(const ImplicitSolid& solid, const TriangleMesh
   const double sampled_area =
       area * static_cast<double>(candidates.size()) / static_cast<double>(tries);
   const double radius = std::sqrt(sampled_area / (2 * std::sqrt(3.0) * static_cast<double>(count)));
-  return eliminate_samples(candidates, count, radius);
+  return eliminate_samples(candidates, count, radius, execution);
 }
 
 }  // namespace cocoon

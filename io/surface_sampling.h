@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "geom/execution.h"
 #include "geom/point.h"
 #include "geom/random.h"
 #include "geom/triangle_mesh.h"
@@ -23,12 +24,13 @@ using SurfaceRegion = std::function<bool(const Point&)>;
 // the state of `random`. Source: Yuksel, Sample elimination for generating Poisson disk sample sets
 // (CGF 2015), with its weights (alpha = 8, no beta and gamma).
 std::vector<Point> sample_surface(const ImplicitSolid& solid, const TriangleMesh& mesh,
-                                  const SurfaceRegion& region, std::size_t count, Random& random);
+                                  const SurfaceRegion& region, std::size_t count, Random& random,
+                                  const Execution& execution = {});
 
 // Removes points until `count` remain, each time the one most crowded by its neighbors within
 // 2 * radius; the rest keeps its order. Ties: the smaller position. Complexity: O(n log n) for
 // points on a surface of which a disk of that radius holds a bounded number.
 std::vector<Point> eliminate_samples(const std::vector<Point>& points, std::size_t count,
-                                     double radius);
+                                     double radius, const Execution& execution = {});
 
 }  // namespace cocoon

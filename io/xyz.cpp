@@ -1,8 +1,11 @@
 #include "io/xyz.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
+#include "io/file_format.h"
 #include "io/number_text.h"
 #include "io/point_text.h"
 #include "io/text_lines.h"
@@ -107,6 +110,7 @@ class XyzReader {
       read_row(line);
     }
     check_number_of_rows();
+    leave_out_normals();
     return std::move(cloud_);
   }
 
@@ -192,6 +196,18 @@ class XyzReader {
     if (cloud_.points.empty() && !cloud_.announced) {
       throw file_error(file_.path, "holds no points; expected lines 'x y z'");
     }
+  }
+
+  // Of a .pwn file that has them after all points.
+  void leave_out_normals() {
+    constexpr double tolerance = 0.01;
+    std::vector<Point>& rows = cloud_.points;
+    if (extension_of(file_.path) != ".pwn" || !cloud_.announced || cloud_.columns != 3) return;
+    if (rows.size() != 2 * *cloud_.announced) return;
+    const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(*cloud_.announced);
+    const bool are_normals = std::all_of(
+        middle, rows.end(), [](const Point& row) { return std::abs(norm(row) - 1) < tolerance; });
+    if (are_normals) rows.erase(middle, rows.end());
   }
 
   const FileBytes& file_;

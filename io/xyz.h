@@ -19,6 +19,8 @@ namespace cocoon {
 //   - The first line may be a count alone (then as many rows must follow; more are read, too, and
 //     the caller can tell by PointCloud::announced) or a header: names in its first three columns.
 //     If the names x, y, z occur in it, then there.
+//   - A .pwn file of a count, so many points, and then as many rows of three numbers of length 1
+//     (within 1 %) has its normals there: these rows are left out.
 // Throws FileError with the line for a row that has fewer than three columns or no number where one
 // belongs (hexadecimal and Fortran's D are none), and for no rows. Rows that are not finite are
 // kept and noted.

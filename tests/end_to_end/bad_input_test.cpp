@@ -87,6 +87,8 @@ TEST(BadInput, MissingFile) {
   expect_error(run_program({"update", missing, missing, "-o", out}), 1, "missing.xyz");
   expect_error(run_program({"check", folder.file("missing.ply")}), 1, "missing.ply");
   expect_error(run_program({"compare", missing, missing}), 1, "missing.xyz");
+  expect_error(run_program({"reconstruct", folder.file("nothing"), "-o", out}), 1,
+               "nothing: cannot be read (No such file or directory)");
   EXPECT_EQ(folder.names(), Names{});
 }
 
@@ -94,11 +96,12 @@ TEST(BadInput, AFolderIsNoFile) {
   const TemporaryFolder folder;
   const TemporaryFolder other;
   expect_error(run_program({"reconstruct", folder.file("."), "-o", other.file("out.ply")}), 1,
-               "cocoon-test");
+               "it is a folder");
   const std::string cloud = folder.write("cloud.xyz", whole_sphere(200));
   std::filesystem::create_directory(folder.file("folder.ply"));
   expect_error(run_program({"reconstruct", cloud, "-o", folder.file("folder.ply")}), 1,
-               "folder.ply");
+               "folder.ply: is a folder");
+  expect_error(run_program({"reconstruct", cloud, "-o", other.file(".")}), 1, "is a folder");
   EXPECT_EQ(other.names(), Names{});
 }
 

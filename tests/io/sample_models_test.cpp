@@ -295,12 +295,33 @@ TEST(SampleModels, UnknownNameListsTheKnownOnes) {
   }
 }
 
+class StopAfter : public Progress {
+ public:
+  explicit StopAfter(std::size_t reports) : left_(reports) {}
+  bool report(std::string_view, double) override { return left_-- > 1; }
+
+ private:
+  std::size_t left_;
+};
+
+// Asked often: in every phase, thousands of points apart.
+TEST(SampleModels, StopWhenAsked) {
+  for (const std::size_t reports : {1U, 5U, 20U, 50U}) {
+    StopAfter stop(reports);
+    EXPECT_THROW(sample_model("block", {.points = 20000}, {.threads = 1, .progress = &stop}),
+                 Cancelled)
+        << reports;
+  }
+}
+
 TEST(SampleModels, RefusesOptionsOutOfRange) {
   EXPECT_THROW(sample_model("block", {.points = 3}), InputError);
   EXPECT_THROW(sample_model("block", {.cloud_points = 0}), InputError);
   EXPECT_THROW(sample_model("block", {.jitter = -1}), InputError);
   EXPECT_THROW(sample_model("airbag", {.cloud_points = 11}), InputError);
   EXPECT_THROW(sample_model("golf-club", {.points = 4}), InputError);  // none is on the change
+  EXPECT_THROW(sample_model("block", {.points = most_sample_points + 1}), InputError);
+  EXPECT_THROW(sample_model("block", {.cloud_points = most_sample_points + 1}), InputError);
 }
 
 }  // namespace

@@ -56,6 +56,19 @@ TEST_F(Xyz, ReadsAllRowsWhereMoreFollowThanAnnounced) {
   }
 }
 
+// Points with normals come as rows of six numbers, or as all points and then all normals.
+TEST_F(Xyz, NormalsAfterAllPointsAreLeftOut) {
+  const std::string points = "2\n1 2 3\n4 5 6\n";
+  const auto path = folder.write("cloud.pwn", points + "0 0 1\n0.6 0.8 0\n");
+  EXPECT_EQ(read_points(path).points, two);
+  EXPECT_EQ(read_points(folder.write("rows.pwn", "2\n1 2 3 0 0 1\n4 5 6 1 0 0\n")).points, two);
+  for (const char* more : {"0 0 1\n0 0 2\n", "0 0 1\n", "0 0 1\n1 0 0\n0 1 0\n"}) {
+    const PointCloud cloud = read_points(folder.write("other.pwn", points + more));
+    EXPECT_GT(cloud.points.size(), 2U) << more;
+  }
+  EXPECT_EQ(read(points + "0 0 1\n0.6 0.8 0\n").points.size(), 4U);  // .xyz
+}
+
 TEST_F(Xyz, RefusesWhatItCannotBeSureOf) {
   const std::string decimal_comma = "if the comma is a decimal comma, write a point instead";
   EXPECT_EQ(message("1 2 3\n0,5 1 2\n"), ":2: mixes separators; " + decimal_comma);
