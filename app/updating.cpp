@@ -90,12 +90,11 @@ void report_lost_triangles(Job& job, const UpdateInput& input, UpdateResult& res
   const double astray = astray_area(input.model, found.lost, result.mesh) / found.staying_area;
   job.report().set("update/astray_area_share", astray);
   if (!(astray > large)) return;
-  result.warnings.push_back(fmt::format(
-      "{:.0f} % of the surface of {} is not kept though nothing was scanned there: its vertices "
-      "are "
-      "too few; make it dense first (cocoon reconstruct {} --densify SPACING, about that of the "
-      "scans)",
-      100 * astray, input.model_name, input.model_name));
+  result.warnings.push_back(
+      fmt::format("{:.0f} % of the surface of {} is not kept though nothing was scanned there: it "
+                  "has too few vertices; make it dense first (cocoon reconstruct {} --densify "
+                  "SPACING, about that of the scans)",
+                  100 * astray, input.model_name, input.model_name));
 }
 
 // What the session keeps of its last update.

@@ -52,7 +52,9 @@ class SampleGrid {
   };
 
   std::int64_t place(double x) const {
-    return static_cast<std::int64_t>(std::floor(x / (2 * closest_)));
+    constexpr double farthest = 1e18;  // where doubles lie farther apart than cells anyway
+    return static_cast<std::int64_t>(
+        std::clamp(std::floor(x / (2 * closest_)), -farthest, farthest));
   }
   std::size_t slot(std::int64_t x, std::int64_t y, std::int64_t z) const {
     const auto word = [](std::int64_t i) { return static_cast<std::uint64_t>(i); };
@@ -82,35 +84,45 @@ bool is_sharp(const LinkedMesh& mesh, SideId side, double sharp_cosine) {
   return !(dot(here, there) >= sharp_cosine * norm(here) * norm(there));
 }
 
+// A message for who wants more samples than there can be.
+[[noreturn]] void refuse(double spacing, const std::string& count, double possible) {
+  std::ostringstream text;
+  text << "samples " << spacing << " apart would be " << count << " on this mesh, more than "
+       << most_dense_samples << "; choose a spacing of " << possible << " or more";
+  throw InputError(text.str());
+}
+
+void require_possible(double spacing, double area) {
+  if (!(spacing > 0) || !std::isfinite(spacing)) {
+    throw InputError("the spacing of samples must be a positive number");
+  }
+  const double squares = area / spacing / spacing;
+  if (squares <= most_dense_samples) return;
+  std::ostringstream count;
+  count << "about " << squares;
+  refuse(spacing, count.str(), std::sqrt(area / most_dense_samples));
+}
+
 // Evenly along all sharp edges, without their ends.
 std::vector<Point> samples_of_sharp_edges(const TriangleMesh& mesh,
                                           const DenseSampleOptions& options,
                                           const Execution& execution) {
   const LinkedMesh linked = link_mesh(mesh, execution);
   std::vector<Point> samples;
+  double length = 0;  // of sharp edges
   for (SideId side = 0; side < linked.links.size(); ++side) {
     if (!linked.is_first(side) || !is_sharp(linked, side, options.sharp_cosine)) continue;
     // From the lexicographically smaller end, so that the direction of the side does not matter.
     const auto [a, b] =
         std::minmax(linked.points[linked.from(side)], linked.points[linked.to(side)]);
     const double parts = std::ceil(distance(a, b) / options.spacing);
-    if (static_cast<double>(samples.size()) + parts > most_dense_samples) break;
+    length += distance(a, b);
+    if (length / options.spacing > most_dense_samples) {
+      refuse(options.spacing, "too many along the sharp edges", length / most_dense_samples);
+    }
     for (double k = 1; k < parts; ++k) samples.push_back(a + (k / parts) * (b - a));
   }
   return samples;
-}
-
-void require_possible(const DenseSampleOptions& options, double area) {
-  if (!(options.spacing > 0) || !std::isfinite(options.spacing)) {
-    throw InputError("the spacing of samples must be a positive number");
-  }
-  const double squares = area / options.spacing / options.spacing;
-  if (squares <= most_dense_samples) return;
-  std::ostringstream text;
-  text << "samples " << options.spacing << " apart would be about " << squares
-       << " on this mesh, more than " << most_dense_samples << "; choose a spacing of "
-       << std::sqrt(area / most_dense_samples) << " or more";
-  throw InputError(text.str());
 }
 
 // Random places in triangles, where there is room.
@@ -175,7 +187,7 @@ std::vector<Point> dense_samples(const TriangleMesh& mesh, const DenseSampleOpti
                                  const Execution& execution) {
   require_valid_triangles(mesh);
   const double area = TrianglesByArea(mesh).area();
-  require_possible(options, area);
+  require_possible(options.spacing, area);
   report_progress(execution, "dense_samples", 0);
   std::vector<Point> samples = samples_of_sharp_edges(mesh, options, execution);
   const double squares = area / options.spacing / options.spacing;

@@ -99,5 +99,21 @@ TEST(DenseSamples, RefusesSpacingsThatCannotBe) {
   }
 }
 
+// Long edges and hardly any area.
+TEST(DenseSamples, RefusesTooManyAlongEdges) {
+  TriangleMesh needle;
+  for (const Point& p : {Point{0, 0, 0}, Point{1, 0, 0}, Point{1, 1e-12, 0}})
+    needle.points.push_back(p);
+  needle.triangles.push_back({VertexId(0U), VertexId(1U), VertexId(2U)});
+  EXPECT_THROW(dense_samples(needle, {.spacing = 1e-9}), InputError);
+  EXPECT_FALSE(dense_samples(needle, {.spacing = 1e-3}).empty());
+}
+
+TEST(DenseSamples, FarFromTheOriginToo) {
+  TriangleMesh far = box(1);
+  for (Point& p : far.points) p = p + Vec3{1e300, 0, 0};
+  EXPECT_NO_THROW(dense_samples(far, {.spacing = 0.5}));
+}
+
 }  // namespace
 }  // namespace cocoon
