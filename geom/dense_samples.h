@@ -17,8 +17,9 @@ struct DenseSampleOptions {
   // An edge is sharp if the normals of its triangles differ by more than this (cos 15 degrees), or
   // if it does not have two triangles. Sharp edges are sampled along.
   double sharp_cosine = 0.96592582628906829;
-  // Samples on one side of the surface are no closer than so many spacings. Above 0.85 random
-  // places leave gaps that Cocone takes for undersampled.
+  // Samples on one side of the surface are no closer than so many spacings. Of eleven parts Tight
+  // Cocone comes as close with 0.7, from a third more samples; with 0.9 and 40 trials it is up to
+  // three times farther from those with thin walls.
   double closest = 0.8;
   std::size_t trials = 15;  // random places for each square of one spacing; more hardly find room
   std::uint64_t seed = 1;
