@@ -132,10 +132,8 @@ TEST(OverlappingFacets, AHoleInsideTheCloudMayBeOffTheModel) {
   EXPECT_EQ(overlap.loops[1].match, LoopMatch::off_model);
 }
 
-// Nearest vertex and closest facet differ where facets are long: the nearest vertex belongs to
-// facets whose planes are far from the point.
-TEST(OverlappingFacets, LongFacetsMisleadTheNearestVertexRule) {
-  // A ridge: a long facet pair (the floor) and beside it a steep fin with many vertices.
+// A long facet pair (the floor) and above it a shelf whose vertices are nearer.
+TriangleMesh floor_and_shelf() {
   TriangleMesh mesh;
   for (const Point& p : {Point{-50, -50, 0}, Point{50, -50, 0}, Point{0, 60, 0},   // floor
                          Point{0, 0, 2}, Point{30, 1, 2.5}, Point{0, 30, 2.5}}) {  // shelf above
@@ -143,13 +141,42 @@ TEST(OverlappingFacets, LongFacetsMisleadTheNearestVertexRule) {
   }
   mesh.triangles.push_back({VertexId(0), VertexId(1), VertexId(2)});
   mesh.triangles.push_back({VertexId(3), VertexId(4), VertexId(5)});
-  RimLoop loop = circle(8, {2, 2, 0.1}, 0.5);
-  const CloudRim rim = rim_of({loop});
+  return mesh;
+}
+
+// Nearest vertex and closest facet differ where facets are long: the nearest vertex belongs to
+// facets whose planes are far from the point.
+TEST(OverlappingFacets, LongFacetsMisleadTheNearestVertexRule) {
+  const TriangleMesh mesh = floor_and_shelf();
+  const CloudRim rim = rim_of({circle(8, {2, 2, 0.1}, 0.5)});
   const Overlap closest = overlapping_facets(mesh, rim, {.max_distance = 100});
   const Overlap star = overlapping_facets(
       mesh, rim, {.rule = LocationRule::nearest_vertex_star, .max_distance = 100});
   EXPECT_EQ(closest.facets, std::vector<TriangleId>{TriangleId(0)});
   EXPECT_EQ(star.facets, std::vector<TriangleId>{TriangleId(1)});
+  EXPECT_EQ(star.star_misses, 0U);
+}
+
+// Beside the shelf no facet of the nearest vertex has the projection: the closest facet is taken,
+// and each such point counted.
+TEST(OverlappingFacets, AProjectionInNoFacetOfTheStarIsCounted) {
+  const TriangleMesh mesh = floor_and_shelf();
+  const CloudRim rim = rim_of({circle(8, {-3, -3, 0.1}, 0.5)});
+  const Overlap star = overlapping_facets(
+      mesh, rim, {.rule = LocationRule::nearest_vertex_star, .max_distance = 100});
+  EXPECT_EQ(star.facets, std::vector<TriangleId>{TriangleId(0)});
+  EXPECT_EQ(star.star_misses, 8U);
+  EXPECT_EQ(overlapping_facets(mesh, rim, {.max_distance = 100}).star_misses, 0U);
+}
+
+// Each point has its facet; the set of facets has it once.
+TEST(OverlappingFacets, SeveralPointsInOneFacetGiveItOnce) {
+  const TriangleMesh mesh = floor_and_shelf();
+  const Overlap overlap =
+      overlapping_facets(mesh, rim_of({circle(12, {-3, -3, 0.1}, 0.5)}), {.max_distance = 100});
+  ASSERT_EQ(overlap.loops.size(), 1U);
+  EXPECT_EQ(overlap.loops[0].facets, std::vector<TriangleId>(12, TriangleId(0)));
+  EXPECT_EQ(overlap.facets, std::vector<TriangleId>{TriangleId(0)});
 }
 
 TEST(OverlappingFacets, SameForAnyThreadCount) {
