@@ -20,20 +20,16 @@ std::string in_one_line(std::string text) {
 }
 
 // Like CLI::Range, which lets "nan" pass.
-template <class Number>
-CLI::Validator in_range(Number low, Number high) {
+CLI::Validator between(double low, double high) {
   const std::string range = fmt::format("in [{}, {}]", low, high);
   return {[=](const std::string& text) {
-            Number value = 0;
+            double value = 0;
             const bool read = CLI::detail::lexical_cast(text, value);
             return read && value >= low && value <= high ? std::string()
                                                          : fmt::format("{} is not {}", text, range);
           },
           range};
 }
-
-CLI::Validator between(double low, double high) { return in_range(low, high); }
-CLI::Validator whole_between(std::size_t low, std::size_t high) { return in_range(low, high); }
 
 void add_shared_options(CLI::App& app, SharedArguments& shared) {
   app.add_option("--threads", shared.threads, "Number of threads; 0 = all cores (default)")
@@ -192,10 +188,10 @@ void add_demo_and_sample(CLI::App& app, Command& chosen, SharedArguments& shared
   sub->add_option("-o,--output", sample.folder, "Folder to write to (the model's name)")
       ->type_name("DIR");
   sub->add_option("--points", sample.points, "Points of the initial model (the paper's number)")
-      ->check(whole_between(4, most_sample_points));
+      ->check(CLI::Range(std::size_t{4}, most_sample_points));
   sub->add_option("--cloud-points", sample.cloud_points,
                   "Points of all clouds together (the paper's number)")
-      ->check(whole_between(4, most_sample_points));
+      ->check(CLI::Range(std::size_t{4}, most_sample_points));
   sub->add_option("--seed", sample.seed, "Seed of the random placement");
 }
 
@@ -321,7 +317,7 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
   sub->add_option("A", compare.a, "Mesh or point cloud")->required();
   sub->add_option("B", compare.b, "Mesh or point cloud")->required();
   sub->add_option("--samples", compare.samples, "Sample points on each mesh (100000)")
-      ->check(whole_between(1, 1'000'000'000));
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
 }
 
 // CLI11 alone would answer to a misspelled command that one is missing.

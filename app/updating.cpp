@@ -78,11 +78,12 @@ MeshReport report_doubts(Job& job, UpdateResult& result, NoiseFilter filter, boo
 }
 
 // Of a model that is sampled densely hardly any triangle is lost beside the change.
-void report_lost_triangles(Job& job, const UpdateInput& input, UpdateResult& result) {
+void report_lost_triangles(Job& job, const UpdateInput& input, const MeshChange& change,
+                           UpdateResult& result) {
   constexpr double many = 0.1;  // of the triangles
   constexpr std::size_t few = 20;
   constexpr double large = 0.02;  // of the area
-  const LostTriangles found = lost_triangles(input.model, result.vertex_map, result.mesh);
+  const LostTriangles found = lost_triangles(input.model, change);
   job.report().set("update/staying_triangles", found.staying);
   job.report().set("update/lost_triangles", found.lost.size());
   const auto lost = static_cast<double>(found.lost.size());
@@ -197,11 +198,14 @@ void begin_session(Job& job, const std::string& name, const std::vector<Point>& 
 void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,
                       const UpdateOutput& output, UpdateSession* session) {
   UpdateResult result;
+  MeshChange change;
   try {
     if (session == nullptr) {
       result = update_model(input.model, input.clouds, options, job.execution());
     } else {
-      result = session->apply(input.clouds, job.execution()).result;
+      SessionUpdate update = session->apply(input.clouds, job.execution());
+      result = std::move(update.result);
+      change = std::move(update.change);
       if (result.status == UpdateStatus::ok) add_surface_of(*session, result);
     }
   } catch (const InputError& error) {
@@ -219,7 +223,8 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   }
   const NoiseFilter filter = noise_filter_of_update(!input.strays.empty());
   MeshReport certificate = timed(job.execution(), "check", [&] {
-    report_lost_triangles(job, input, result);
+    if (session == nullptr) change = mesh_change(input.model, result.mesh, result.vertex_map);
+    report_lost_triangles(job, input, change, result);
     return report_doubts(job, result, filter, output.manifold);
   });
   VertexProperties properties = properties_of_update(job, input, result);

@@ -261,7 +261,7 @@ class CleanUp {
     if (!touched_.empty()) update_flaws();
     for (const Triangle& loop : handle_loops_.find(region_)) {
       if (!handle_loops_.is_handle(loop, options_.most_handle_facets)) continue;
-      const bool is_large = handle_closing_.cells_at(loop) > options_.most_closing_cells;
+      const bool is_large = handle_closing_.count_cells_at(loop) > options_.most_closing_cells;
       counters_.large_handles += is_large ? 1U : 0U;
       if (!is_large) close_handle(loop);
     }

@@ -21,7 +21,7 @@ HandleClosing::HandleClosing(const Triangulation& triangulation, StarCache& star
       max_rise_(to_energy(options.max_rise)),
       max_closing_rise_(to_energy(options.max_closing_rise)) {}
 
-std::size_t HandleClosing::cells_at(std::span<const VertexId> loop) {
+std::size_t HandleClosing::count_cells_at(std::span<const VertexId> loop) {
   std::size_t count = 0;
   for (const VertexId v : loop) count += stars_.star(v).size();
   return count;

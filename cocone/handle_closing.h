@@ -23,7 +23,7 @@ class HandleClosing {
                 CellEnergy& energy, const CleanUpOptions& options);
 
   // Cells at the loop's vertices, once for each of these. O(1).
-  std::size_t cells_at(std::span<const VertexId> loop);
+  std::size_t count_cells_at(std::span<const VertexId> loop);
 
   // Cells at the loop, all on `side` (1: OUT), whose flip closes a handle there, and lowers the
   // energy by all of handle_cost but max_closing_rise at most; empty if there are none. The

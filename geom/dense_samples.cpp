@@ -92,12 +92,13 @@ bool is_sharp(const LinkedMesh& mesh, SideId side, double sharp_cosine) {
   throw InputError(text.str());
 }
 
-void require_possible(double spacing, double area) {
+// The area in squares of one spacing. Throws InputError if these are too many.
+double squares_of(double spacing, double area) {
   if (!(spacing > 0) || !std::isfinite(spacing)) {
     throw InputError("the spacing of samples must be a positive number");
   }
   const double squares = area / spacing / spacing;
-  if (squares <= most_dense_samples) return;
+  if (squares <= most_dense_samples) return squares;
   std::ostringstream count;
   count << "about " << squares;
   refuse(spacing, count.str(), std::sqrt(area / most_dense_samples));
@@ -115,8 +116,9 @@ std::vector<Point> samples_of_sharp_edges(const TriangleMesh& mesh,
     // From the lexicographically smaller end, so that the direction of the side does not matter.
     const auto [a, b] =
         std::minmax(linked.points[linked.from(side)], linked.points[linked.to(side)]);
-    const double parts = std::ceil(distance(a, b) / options.spacing);
-    length += distance(a, b);
+    const double length_here = distance(a, b);
+    const double parts = std::ceil(length_here / options.spacing);
+    length += length_here;
     if (length / options.spacing > most_dense_samples) {
       refuse(options.spacing, "too many along the sharp edges", length / most_dense_samples);
     }
@@ -128,10 +130,10 @@ std::vector<Point> samples_of_sharp_edges(const TriangleMesh& mesh,
 // Random places in triangles, where there is room.
 class Darts {
  public:
-  Darts(const DenseSampleOptions& options, double area, const Execution& execution,
+  Darts(const DenseSampleOptions& options, double all_squares, const Execution& execution,
         SampleGrid& grid, std::vector<Point>& samples)
       : square_(options.spacing * options.spacing),
-        all_squares_(area / square_),
+        all_squares_(all_squares),
         execution_(execution),
         trials_(static_cast<double>(options.trials)),
         random_(options.seed),
@@ -186,16 +188,14 @@ class Darts {
 std::vector<Point> dense_samples(const TriangleMesh& mesh, const DenseSampleOptions& options,
                                  const Execution& execution) {
   require_valid_triangles(mesh);
-  const double area = TrianglesByArea(mesh).area();
-  require_possible(options.spacing, area);
+  const double squares = squares_of(options.spacing, TrianglesByArea(mesh).area());
   report_progress(execution, "dense_samples", 0);
   std::vector<Point> samples = samples_of_sharp_edges(mesh, options, execution);
-  const double squares = area / options.spacing / options.spacing;
   SampleGrid grid(options.closest * options.spacing,
                   mesh.points.size() + samples.size() + static_cast<std::size_t>(squares));
   for (const Point& p : mesh.points) grid.add(p, {});
   for (const Point& p : samples) grid.add(p, {});
-  Darts darts(options, area, execution, grid, samples);
+  Darts darts(options, squares, execution, grid, samples);
   for (const TriangleId t : mesh.triangles.ids()) {
     const auto [a, b, c] = corners_of(mesh, t);
     darts.throw_into(a, b, c);

@@ -7,12 +7,16 @@
 
 namespace cocoon {
 
+double area_of(const TriangleMesh& mesh, TriangleId triangle) {
+  const auto [a, b, c] = corners_of(mesh, triangle);
+  return norm(cross(b - a, c - a)) / 2;
+}
+
 TrianglesByArea::TrianglesByArea(const TriangleMesh& mesh) {
   double sum = 0;
   up_to_.reserve(mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Point& origin = mesh.points[a];
-    sum += norm(cross(mesh.points[b] - origin, mesh.points[c] - origin)) / 2;
+  for (const TriangleId t : mesh.triangles.ids()) {
+    sum += area_of(mesh, t);
     up_to_.push_back(sum);
   }
 }

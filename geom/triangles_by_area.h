@@ -8,6 +8,9 @@
 
 namespace cocoon {
 
+// In squares of the coordinates' unit. Precondition: the triangle's vertices are there. O(1).
+double area_of(const TriangleMesh& mesh, TriangleId triangle);
+
 // The triangles side by side, in their order, as stretches of a line: each as long as its area.
 class TrianglesByArea {
  public:

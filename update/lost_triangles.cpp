@@ -1,51 +1,22 @@
 #include "update/lost_triangles.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <span>
-#include <vector>
 
 #include "geom/closest_facet.h"
-#include "geom/sort_by_vertex.h"
-#include "geom/triangle_order.h"
+#include "geom/triangles_by_area.h"
 
 namespace cocoon {
-namespace {
 
-double area_of(const TriangleMesh& mesh, TriangleId t) {
-  const auto [a, b, c] = corners_of(mesh, t);
-  return norm(cross(b - a, c - a)) / 2;
-}
-
-}  // namespace
-
-LostTriangles lost_triangles(const TriangleMesh& model,
-                             const IdVector<VertexId, VertexId>& vertex_map,
-                             const TriangleMesh& updated) {
-  // The triangles of the updated mesh by their smallest vertices.
-  std::vector<Triangle> triangles;
-  const std::vector<std::uint32_t> begins = sort_by_vertex(
-      updated.triangles.size(), updated.points.size(), {},
-      [&](std::size_t count) { triangles.resize(count); },
-      [&](std::size_t begin, std::size_t end, const auto& put) {
-        for (TriangleId t(begin); t.index() < end; ++t) {
-          const Triangle triangle = smallest_first(updated.triangles[t]);
-          put(triangle[0], [&](std::uint32_t place) { triangles[place] = triangle; });
-        }
-      });
+LostTriangles lost_triangles(const TriangleMesh& model, const MeshChange& change) {
   LostTriangles result;
   for (const TriangleId t : model.triangles.ids()) {
-    Triangle triangle = model.triangles[t];
-    for (VertexId& v : triangle) v = vertex_map[v];
-    if (std::any_of(triangle.begin(), triangle.end(), [](VertexId v) { return v.is_none(); })) {
-      continue;
-    }
+    const Triangle& corners = model.triangles[t];
+    const bool stays = std::none_of(corners.begin(), corners.end(),
+                                    [&](VertexId v) { return change.vertex_map[v].is_none(); });
+    if (!stays) continue;
     ++result.staying;
     result.staying_area += area_of(model, t);
-    triangle = smallest_first(triangle);
-    const std::size_t first = begins[triangle[0].index()];
-    const auto here = std::span(triangles).subspan(first, begins[triangle[0].index() + 1] - first);
-    if (std::find(here.begin(), here.end(), triangle) == here.end()) result.lost.push_back(t);
+    if (change.triangle_map[t].is_none()) result.lost.push_back(t);
   }
   return result;
 }

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "geom/id_vector.h"
 #include "geom/triangle_mesh.h"
+#include "update/mesh_change.h"
 
 namespace cocoon {
 
@@ -19,12 +19,9 @@ struct LostTriangles {
 
 // The updated mesh is made from points alone. Where these sample the model's surface densely it has
 // the model's triangles again, but for some at the rim of the change, and where four samples on one
-// circle have another diagonal. `vertex_map`: of each vertex of the model its place in `updated`,
-// or none. Triangles count as equal if their corners and orientation are. Precondition: both meshes
-// name vertices that are there. Complexity: O(t) for bounded valence. Source: ours.
-LostTriangles lost_triangles(const TriangleMesh& model,
-                             const IdVector<VertexId, VertexId>& vertex_map,
-                             const TriangleMesh& updated);
+// circle have another diagonal. `change` leads from the model to the updated mesh.
+// Complexity: O(t). Source: ours.
+LostTriangles lost_triangles(const TriangleMesh& model, const MeshChange& change);
 
 // The area of those triangles whose middles are off the updated mesh, by more than `tolerance` of
 // their longest sides, in squares of the coordinates' unit: from the few vertices of a mesh with

@@ -74,6 +74,7 @@ struct Stages {
   }
 };
 
+constexpr double far = 8;  // beyond all frames
 constexpr Frame whole{{0.22, -0.02}, 165, 640, 390};
 constexpr Frame edge{{0.42, 0.08}, 580, 640, 400};
 
@@ -100,10 +101,25 @@ VertexId sample_nearest(const Stages& s, Planar place) {
   return nearest;
 }
 
-void draw_samples(SvgCanvas& canvas, const Stages& s) {
+void draw_samples(SvgCanvas& canvas, const Stages& s, double radius = 2.2) {
   for (const VertexId v : samples_in_plane(s)) {
-    canvas.dot(flat(s.cells.point(v)), 2.2, {.fill = ink});
+    canvas.dot(flat(s.cells.point(v)), radius, {.fill = ink});
   }
+}
+
+// Those for which is_marked(sample) in another color, and larger.
+void draw_two_kinds(SvgCanvas& canvas, const Stages& s,
+                    const std::function<bool(VertexId)>& is_marked) {
+  for (const VertexId v : samples_in_plane(s)) {
+    const bool marked = is_marked(v);
+    canvas.dot(flat(s.cells.point(v)), marked ? 3.4 : 2.2, {.fill = marked ? alert : ink});
+  }
+}
+
+void draw_voronoi_cell(SvgCanvas& canvas, const Stages& s, VertexId v, const std::string& fill,
+                       double width) {
+  canvas.polygon(section_of_voronoi_cell(s.cells, s.stars, v, far),
+                 {.fill = fill, .stroke = voronoi, .width = width});
 }
 
 // Fills all cells by the color that color_of(cell) names.
@@ -159,21 +175,17 @@ std::string draw_triangulation(const Stages& s) {
                 {.stroke = alert, .width = 1.5, .dashed = true});
   canvas.polygon(outline_of_body(), {.stroke = surface_color, .width = 1.2, .dashed = true});
   draw_samples(canvas, s);
-  const SvgCanvas::Entry entries[] = {{ink, "samples in the plane"},
-                                      {surface_color, "the body (nobody knows it)"},
-                                      {inside, "a cell"},
-                                      {alert, "its ball: no sample inside"}};
-  canvas.legend(entries);
-  return canvas.finish();
+  return canvas.finish({{ink, "samples in the plane"},
+                        {surface_color, "the body (nobody knows it)"},
+                        {inside, "a cell"},
+                        {alert, "its ball: no sample inside"}});
 }
 
 std::string draw_poles(const Stages& s) {
   SvgCanvas canvas(whole);
   const VertexId chosen = sample_nearest(s, {-0.55, 0.95});
   for (const VertexId v : samples_in_plane(s)) {
-    const bool is_chosen = v == chosen;
-    canvas.polygon(section_of_voronoi_cell(s.cells, s.stars, v, 8),
-                   {.fill = is_chosen ? outside : "none", .stroke = voronoi, .width = 0.7});
+    draw_voronoi_cell(canvas, s, v, v == chosen ? outside : "none", 0.7);
   }
   for (const VertexId v : samples_in_plane(s)) {
     const Planar p = flat(s.cells.point(v));
@@ -188,11 +200,9 @@ std::string draw_poles(const Stages& s) {
   canvas.text(flat(p + 0.42 * normal) + Planar{0.04, 0}, "n_p, to p+", alert);
   canvas.text(lower + Planar{0.04, -0.03}, "h_p, to p-", alert);
   draw_samples(canvas, s);
-  const SvgCanvas::Entry entries[] = {{"white", "Voronoi cells, cut by the plane"},
-                                      {outside, "that of p"},
-                                      {alert, "normals n_p, seen from above the plane"}};
-  canvas.legend(entries);
-  return canvas.finish();
+  return canvas.finish({{"white", "Voronoi cells, cut by the plane"},
+                        {outside, "that of p"},
+                        {alert, "normals n_p, seen from above the plane"}});
 }
 
 std::string draw_cocones(const Stages& s) {
@@ -200,8 +210,7 @@ std::string draw_cocones(const Stages& s) {
   const Point& p = s.cells.point(chosen);
   SvgCanvas canvas({flat(p), 900, 640, 360});
   for (const VertexId v : samples_in_plane(s)) {
-    canvas.polygon(section_of_voronoi_cell(s.cells, s.stars, v, 8),
-                   {.fill = v == chosen ? outside : "none", .stroke = voronoi, .width = 0.8});
+    draw_voronoi_cell(canvas, s, v, v == chosen ? outside : "none", 0.8);
   }
   // In the plane the directions m + t tangent with |t| >= slope make the cocone.
   const Vec3& normal = s.poles.normals[chosen];
@@ -209,7 +218,7 @@ std::string draw_cocones(const Stages& s) {
   const Planar m{normal.x / in_plane, normal.y / in_plane};
   const double cosine = s.cocones.cosine / in_plane;
   const double slope = cosine / std::sqrt(1 - cosine * cosine);
-  const std::vector<Planar> cell = section_of_voronoi_cell(s.cells, s.stars, chosen, 8);
+  const std::vector<Planar> cell = section_of_voronoi_cell(s.cells, s.stars, chosen, far);
   for (const Planar tangent : {Planar{-m.y, m.x}, Planar{m.y, -m.x}}) {
     const Planar upper = m - slope * tangent;
     const Planar lower = -1.0 * m - slope * tangent;
@@ -219,15 +228,11 @@ std::string draw_cocones(const Stages& s) {
   draw_facets(canvas, s, s.candidates, {.stroke = surface_color, .width = 2});
   canvas.arrow(flat(p), flat(p) + 0.15 * m, alert);
   canvas.text(flat(p) + 0.15 * m + Planar{0.008, -0.005}, "n_p", alert);
-  for (const VertexId v : samples_in_plane(s)) {
-    canvas.dot(flat(s.cells.point(v)), 4, {.fill = ink});
-  }
+  draw_samples(canvas, s, 4);
   canvas.text(flat(p) + Planar{0.012, -0.022}, "p");
-  const SvgCanvas::Entry entries[] = {{outside, "Voronoi cell of p"},
-                                      {cocone_color, "cocone of p"},
-                                      {surface_color, "triangles whose dual edges meet cocones"}};
-  canvas.legend(entries);
-  return canvas.finish();
+  return canvas.finish({{outside, "Voronoi cell of p"},
+                        {cocone_color, "cocone of p"},
+                        {surface_color, "triangles whose dual edges meet cocones"}});
 }
 
 std::string draw_boundary_samples(const Stages& s) {
@@ -235,18 +240,13 @@ std::string draw_boundary_samples(const Stages& s) {
   for (const bool boundary : {false, true}) {
     for (const VertexId v : samples_in_plane(s)) {
       if ((s.boundary.boundary[v] != 0) != boundary) continue;
-      canvas.polygon(section_of_voronoi_cell(s.cells, s.stars, v, 8),
-                     {.fill = boundary ? pale_alert : "none", .stroke = voronoi, .width = 0.7});
+      draw_voronoi_cell(canvas, s, v, boundary ? pale_alert : "none", 0.7);
     }
   }
-  for (const VertexId v : samples_in_plane(s)) {
-    const bool boundary = s.boundary.boundary[v] != 0;
-    canvas.dot(flat(s.cells.point(v)), boundary ? 3.4 : 2.2, {.fill = boundary ? alert : ink});
-  }
-  const SvgCanvas::Entry entries[] = {
-      {ink, "interior samples"}, {alert, "boundary samples"}, {pale_alert, "their Voronoi cells"}};
-  canvas.legend(entries);
-  return canvas.finish();
+  draw_two_kinds(canvas, s, [&](VertexId v) { return s.boundary.boundary[v] != 0; });
+  return canvas.finish({{ink, "interior samples"},
+                        {alert, "boundary samples"},
+                        {pale_alert, "their Voronoi cells"}});
 }
 
 std::string draw_candidates(const Stages& s) {
@@ -254,10 +254,8 @@ std::string draw_candidates(const Stages& s) {
   draw_cells(canvas, s, [](CellId) { return "white"; });
   draw_facets(canvas, s, s.candidates, {.stroke = surface_color, .width = 2});
   draw_samples(canvas, s);
-  const SvgCanvas::Entry entries[] = {{surface_color, "candidate triangles"},
-                                      {"white", "other cells and facets"}};
-  canvas.legend(entries);
-  return canvas.finish();
+  return canvas.finish(
+      {{surface_color, "candidate triangles"}, {"white", "other cells and facets"}});
 }
 
 // Of `all` facets those that are in `kept`, too, and the others.
@@ -276,19 +274,15 @@ void draw_choice(SvgCanvas& canvas, const Stages& s, const FacetSet& all, const 
 std::string draw_pruning(const Stages& s) {
   SvgCanvas canvas(edge);
   draw_choice(canvas, s, s.candidates, s.unpruned, alert);
-  const SvgCanvas::Entry entries[] = {{surface_color, "candidates at a sharp, noisy edge"},
-                                      {alert, "those that are pruned"}};
-  canvas.legend(entries);
-  return canvas.finish();
+  return canvas.finish(
+      {{surface_color, "candidates at a sharp, noisy edge"}, {alert, "those that are pruned"}});
 }
 
 std::string draw_extraction(const Stages& s) {
   SvgCanvas canvas(edge);
   draw_choice(canvas, s, s.unpruned, s.surface.triangles.set, behind);
-  const SvgCanvas::Entry entries[] = {{surface_color, "the outermost sheet: the Cocone surface"},
-                                      {behind, "candidates behind it"}};
-  canvas.legend(entries);
-  return canvas.finish();
+  return canvas.finish({{surface_color, "the outermost sheet: the Cocone surface"},
+                        {behind, "candidates behind it"}});
 }
 
 std::string draw_marks(const Stages& s) {
@@ -298,17 +292,12 @@ std::string draw_marks(const Stages& s) {
     return s.marked.labels[c] == CellLabel::out ? outside : inside;
   });
   draw_facets(canvas, s, s.surface.triangles.set, {.stroke = surface_color, .width = 2});
-  for (const VertexId v : samples_in_plane(s)) {
-    const bool good = s.marked.good[v] != 0;
-    canvas.dot(flat(s.cells.point(v)), good ? 2.2 : 3.4, {.fill = good ? ink : alert});
-  }
-  const SvgCanvas::Entry entries[] = {{outside, "marked outside"},
-                                      {inside, "marked inside"},
-                                      {unknown, "not marked"},
-                                      {ink, "good samples"},
-                                      {alert, "poor ones"}};
-  canvas.legend(entries);
-  return canvas.finish();
+  draw_two_kinds(canvas, s, [&](VertexId v) { return s.marked.good[v] == 0; });
+  return canvas.finish({{outside, "marked outside"},
+                        {inside, "marked inside"},
+                        {unknown, "not marked"},
+                        {ink, "good samples"},
+                        {alert, "poor ones"}});
 }
 
 // The boundary of the body; what of it is no triangle of the Cocone surface in another color.
@@ -329,12 +318,10 @@ std::string draw_peel(const Stages& s) {
   draw_cells(canvas, s, [&](CellId c) { return s.peeled.reached[c] != 0 ? outside : inside; });
   draw_closed_surface(canvas, s, s.peeled);
   draw_samples(canvas, s);
-  const SvgCanvas::Entry entries[] = {{outside, "removed from outside"},
-                                      {inside, "the body that is left"},
-                                      {surface_color, "Cocone surface"},
-                                      {alert, "triangles that close it"}};
-  canvas.legend(entries);
-  return canvas.finish();
+  return canvas.finish({{outside, "removed from outside"},
+                        {inside, "the body that is left"},
+                        {surface_color, "Cocone surface"},
+                        {alert, "triangles that close it"}});
 }
 
 std::string draw_clean_up(const Stages& s) {
@@ -346,11 +333,9 @@ std::string draw_clean_up(const Stages& s) {
   });
   draw_closed_surface(canvas, s, s.cleaned);
   draw_samples(canvas, s);
-  const SvgCanvas::Entry entries[] = {{changed, "cells that changed sides"},
-                                      {surface_color, "Cocone surface"},
-                                      {alert, "other triangles of the result"}};
-  canvas.legend(entries);
-  return canvas.finish();
+  return canvas.finish({{changed, "cells that changed sides"},
+                        {surface_color, "Cocone surface"},
+                        {alert, "other triangles of the result"}});
 }
 
 std::map<std::string, std::string> draw_all() {

@@ -88,34 +88,30 @@ void SvgCanvas::text(Planar at, const std::string& words, const std::string& col
       place.substr(0, comma), place.substr(comma + 1), color, words);
 }
 
-void SvgCanvas::legend(std::span<const Entry> entries) {
-  int x = 12;
-  int line = 0;
-  for (const Entry& entry : entries) {
+std::string SvgCanvas::finish(std::initializer_list<Entry> legend) const {
+  constexpr int margin = 12;
+  int x = margin;
+  int y = frame_.height;
+  std::string words;
+  for (const Entry& entry : legend) {
     const int width = 40 + letter_width * static_cast<int>(entry.words.size());
     if (x + width > frame_.width) {
-      x = 12;
-      ++line;
+      x = margin;
+      y += legend_line;
     }
-    const int y = frame_.height + line * legend_line;
-    legend_ += fmt::format(
+    words += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"14\" height=\"12\" fill=\"{}\" stroke=\"#999\" "
         "stroke-width=\"0.5\"/>\n<text x=\"{}\" y=\"{}\" fill=\"#222\">{}</text>\n",
         x, y + 4, entry.color, x + 20, y + 14, entry.words);
     x += width;
   }
-  legend_height_ = (line + 1) * legend_line + 4;
-}
-
-std::string SvgCanvas::finish() const {
-  const int height = frame_.height + legend_height_;
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
       "height=\"{1}\" font-family=\"sans-serif\" font-size=\"13\">\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n"
       "<clipPath id=\"frame\"><rect width=\"{0}\" height=\"{2}\"/></clipPath>\n"
       "<g clip-path=\"url(#frame)\">\n{3}</g>\n{4}</svg>\n",
-      frame_.width, height, frame_.height, shapes_, legend_);
+      frame_.width, y + legend_line + 4, frame_.height, shapes_, words);
 }
 
 }  // namespace cocoon::pictures

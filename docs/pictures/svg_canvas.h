@@ -1,6 +1,7 @@
 // Drawings in a plane as SVG text.
 #pragma once
 
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,24 +49,20 @@ class SvgCanvas {
   void arrow(Planar from, Planar to, const std::string& color);
   void text(Planar at, const std::string& words, const std::string& color = "#222");
 
-  // One line of the legend below the picture: a patch of color and what it means.
+  // A word of the legend below the picture: a patch of color and what it means.
   struct Entry {
     std::string color;
     std::string words;
   };
-  void legend(std::span<const Entry> entries);
-
   // The whole file.
-  std::string finish() const;
+  std::string finish(std::initializer_list<Entry> legend) const;
 
  private:
   std::string point(Planar p) const;
   std::string path(std::span<const Planar> points) const;
 
   Frame frame_;
-  int legend_height_ = 0;
   std::string shapes_;
-  std::string legend_;
 };
 
 }  // namespace cocoon::pictures

@@ -22,7 +22,7 @@ TEST(HandleClosing, ClosesHandlesThatCostLittle) {
                           labeling.energy, labeling.options);
     for (const Triangle& loop : loops.find(region)) {
       if (!loops.is_handle(loop, 100000)) continue;
-      EXPECT_GE(closing.cells_at(loop), labeling.stars.cells_at(loop).size());
+      EXPECT_GE(closing.count_cells_at(loop), labeling.stars.cells_at(loop).size());
       for (const std::uint8_t side : {std::uint8_t{0}, std::uint8_t{1}}) {
         const auto before = labeling.out;
         const std::vector<CellId> cells = closing.find(loop, side);

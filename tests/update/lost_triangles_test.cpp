@@ -27,14 +27,14 @@ TEST(LostTriangles, CountsThoseWhoseVerticesStay) {
   for (const std::size_t v : {4U, 3U, 2U, 1U, 0U}) map.push_back(VertexId(v));
   map.push_back(VertexId());
   const TriangleMesh updated = mesh_of(6, {{2, 4, 3}, {5, 2, 1}, {0, 1, 4}});
-  const LostTriangles lost = lost_triangles(model, map, updated);
+  const LostTriangles lost = lost_triangles(model, mesh_change(model, updated, map));
   EXPECT_EQ(lost.staying, 3U);
   const std::vector<TriangleId> expected = {TriangleId(std::size_t{1}), TriangleId(std::size_t{2})};
   EXPECT_EQ(lost.lost, expected);
 }
 
 TEST(LostTriangles, NoneOfNothing) {
-  const LostTriangles lost = lost_triangles({}, {}, mesh_of(3, {{0, 1, 2}}));
+  const LostTriangles lost = lost_triangles({}, mesh_change({}, mesh_of(3, {{0, 1, 2}}), {}));
   EXPECT_EQ(lost.staying, 0U);
   EXPECT_TRUE(lost.lost.empty());
 }
