@@ -13,7 +13,7 @@ void run_demo(const DemoArguments& arguments, Job& job) {
   const SampleModel block = timed(job.execution(), "sample", [] { return sample_model("block"); });
   UpdateInput input;
   input.model_name = "test block";
-  input.model = initial_model(job, input.model_name, block.initial, options.reconstruct).mesh;
+  input.model = initial_model(job, input.model_name, block.initial, {}, options.reconstruct).mesh;
   input.clouds = block.clouds;
   input.cloud_names.assign(block.clouds.size(), "U-shaped cloud");
 

@@ -195,17 +195,22 @@ void add_demo_and_sample(CLI::App& app, Command& chosen, SharedArguments& shared
   sub->add_option("--seed", sample.seed, "Seed of the random placement");
 }
 
+void add_densify(CLI::App& sub, const std::string& mesh, std::optional<double>& spacing) {
+  sub.add_option("--densify", spacing,
+                 mesh +
+                     " is a mesh with large triangles (CAD): add samples on them, about so far "
+                     "apart, so that its surface can be updated")
+      ->type_name("SPACING")
+      ->check(between(1e-300, 1e300));
+}
+
 void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& shared) {
   CLI::App* sub = nullptr;
   auto& reconstruct = add_command<ReconstructArguments>(app, "reconstruct", "Point cloud to mesh",
                                                         chosen, shared, sub);
   sub->add_option("POINTS", reconstruct.points, "Point cloud")->required();
   add_mesh_output(*sub, reconstruct.mesh, reconstruct.ascii);
-  sub->add_option("--densify", reconstruct.densify,
-                  "POINTS is a mesh with large triangles (CAD): add samples on them, about so far "
-                  "apart, so that its surface can be updated")
-      ->type_name("SPACING")
-      ->check(between(1e-300, 1e300));
+  add_densify(*sub, "POINTS", reconstruct.densify);
   sub->add_option("--surface", reconstruct.surface,
                   "tight: watertight (default); cocone: the open surface")
       ->check(CLI::IsMember({"tight", "cocone"}));
@@ -241,6 +246,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
                   "hold, but for --rho")
       ->type_name("FILE");
   add_mesh_output(*sub, update.mesh, update.ascii);
+  add_densify(*sub, "MODEL", update.densify);
   sub->add_option("--map", update.map, "Write one line per old vertex: its new index, or -1")
       ->type_name("FILE");
   sub->add_option("--html", update.html, "Write a report that a browser opens offline")
@@ -258,6 +264,7 @@ void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) 
       ->required();
   sub->add_option("DIR", watch.folder, "Folder into which scanners drop their clouds")->required();
   add_mesh_output(*sub, watch.mesh, watch.ascii);
+  add_densify(*sub, "MODEL", watch.densify);
   sub->add_option("--session", watch.session,
                   "Where the state is kept, to resume from after any end (MESH.session)")
       ->type_name("FILE");
@@ -279,6 +286,11 @@ void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) 
 // Of the positional arguments the first is the model, unless a session has it.
 void settle_model(UpdateArguments& update) {
   if (!update.session.empty()) {
+    if (update.densify) {
+      throw UsageError(
+          "a session has a dense model already: with --session leave out --densify, or give it to "
+          "the reconstruct that begins the session");
+    }
     update.clouds.insert(update.clouds.begin(), std::move(update.model));
     update.model.clear();
     const SurfaceArguments& given = update.parameters;

@@ -89,6 +89,7 @@ struct UpdateArguments {
   std::string html;  // empty: not written
   bool ascii = false;
   bool manifold = false;
+  std::optional<double> densify;  // spacing of samples added to the model, a mesh
   SurfaceArguments parameters;
   CloudFilterArguments filter;
 };
@@ -103,6 +104,7 @@ struct WatchArguments {
   bool once = false;            // stop when everything there has been looked at
   std::size_t save_every = 32;  // clouds, until the whole session is written again
   bool ascii = false;
+  std::optional<double> densify;  // spacing of samples added to the model, a mesh
   SurfaceArguments parameters;
   CloudFilterArguments filter;
 };

@@ -105,6 +105,12 @@ NoiseFilter noise_filter_of(const ReconstructArguments& arguments) {
   return possible ? NoiseFilter::not_used : NoiseFilter::no_option;
 }
 
+DensifiedMesh read_input(Job& job, const ReconstructArguments& arguments,
+                         VertexProperties* properties) {
+  if (arguments.densify) return read_densified(job, arguments.points, *arguments.densify);
+  return {read_cloud(job, arguments.points, "input", properties), {}};
+}
+
 ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
                                 const StageOptions& options) {
   RobustResult result = reconstruct_robust(points, options.noise, options.surface, job.execution());
@@ -125,21 +131,20 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   const ReconstructOptions& options = stages.surface;
   VertexProperties properties;
   const bool keep = holds_properties(arguments.mesh);
-  const std::vector<Point> points =
-      arguments.densify ? read_densified(job, arguments.points, *arguments.densify)
-                        : read_cloud(job, arguments.points, "input", keep ? &properties : nullptr);
+  const DensifiedMesh input = read_input(job, arguments, keep ? &properties : nullptr);
+  const std::vector<Point>& points = input.points;
   std::optional<UpdateSession> session;
   ReconstructResult result = naming_input(arguments.points, [&] {
     if (!arguments.session.empty()) {
       UpdateOptions update = update_options(arguments.parameters);
       update.reconstruct = options;
-      session.emplace(points, update, job.execution());
+      session.emplace(points, update, job.execution(), input.sides);
       ReconstructResult reconstruction = session->reconstruction();
       reconstruction.mesh = session->model();
       return reconstruction;
     }
     if (arguments.noise == "robust") return without_noise(job, points, stages);
-    return tight ? reconstruct_tight(points, options, job.execution())
+    return tight ? reconstruct_tight_again(points, input.sides, options, job.execution())
                  : reconstruct_cocone(points, options, job.execution());
   });
   require_surface(job, arguments.points, result, points, options);

@@ -4,6 +4,7 @@
 #include "app/carried_properties.h"
 #include "app/cloud_filter.h"
 #include "app/commands.h"
+#include "app/densify.h"
 #include "app/files.h"
 #include "app/pending_clouds.h"
 #include "app/session_file.h"
@@ -13,7 +14,7 @@ namespace cocoon::app {
 
 namespace {
 
-// The model and the clouds; a model given as points is reconstructed.
+// The model and the clouds; a model given as points, or made dense, is reconstructed.
 UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& options, Job& job) {
   UpdateInput input;
   if (holds_properties(arguments.mesh)) input.properties.resize(1 + arguments.clouds.size());
@@ -21,7 +22,13 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
     return input.properties.empty() ? nullptr : &input.properties[i];
   };
   input.model_name = arguments.model;
-  input.model = read_shape(job, arguments.model, "input", properties_of(0));
+  DensifiedMesh dense;
+  if (arguments.densify) {
+    dense = read_densified(job, arguments.model, *arguments.densify);
+    input.model.points = IdVector<VertexId, Point>(dense.points);
+  } else {
+    input.model = read_shape(job, arguments.model, "input", properties_of(0));
+  }
   for (const std::string& cloud : arguments.clouds) {
     input.cloud_names.push_back(cloud);
     input.clouds.push_back(
@@ -29,8 +36,8 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
   }
   if (!input.model.triangles.empty()) return input;
 
-  ReconstructResult initial =
-      initial_model(job, arguments.model, input.model.points.raw(), options.reconstruct);
+  ReconstructResult initial = initial_model(job, arguments.model, input.model.points.raw(),
+                                            dense.sides, options.reconstruct);
   if (!input.properties.empty()) {
     std::vector<RowOrigin> origins;
     for (const PointId point : initial.point_of_vertex) origins.push_back({0, point.index()});

@@ -7,6 +7,7 @@
 
 #include "app/cloud_filter.h"
 #include "app/commands.h"
+#include "app/densify.h"
 #include "app/files.h"
 #include "app/folder_watch.h"
 #include "app/interrupt.h"
@@ -33,7 +34,10 @@ std::string fingerprint(const fs::path& path) {
 }
 
 // The first note of a session says which model it began with, the others which clouds it holds.
-std::string note_of_model(const std::string& path) { return "model " + fingerprint(path); }
+std::string note_of_model(const WatchArguments& arguments) {
+  const std::string note = "model " + fingerprint(arguments.model);
+  return arguments.densify ? fmt::format("{} densify {}", note, *arguments.densify) : note;
+}
 std::string note_of_cloud(const fs::path& path) {
   return "cloud " + fingerprint(path) + " " + display_name(path.filename());
 }
@@ -95,12 +99,12 @@ class Watch {
 
   // From where the last run stopped, or from the model.
   void begin() {
-    const std::string first_note = note_of_model(arguments_.model);
+    const std::string first_note = note_of_model(arguments_);
     if (fs::exists(session_file_)) {
       SavedSession saved = load_session(session_file_, {job_.execution().threads});
       if (saved.notes.empty() || saved.notes.front() != first_note) {
         throw InputError(session_file_ + ": was begun with another model than " + arguments_.model +
-                         "; remove it, or name another one by --session");
+                         " or another --densify; remove it, or name another one by --session");
       }
       if (!same_parameters(saved.parameters, arguments_.parameters)) {
         throw InputError(session_file_ +
@@ -113,19 +117,29 @@ class Watch {
       say(fmt::format("{}: resumed with {} applied", session_file_,
                       counted(state_.notes.size() - 1, "cloud")));
     } else {
-      TriangleMesh mesh = read_shape(job_, arguments_.model, "input");
-      if (mesh.triangles.empty()) {
-        begin_session(job_, arguments_.model, mesh.points.raw(), options_, state_.session);
-        findings_are_due_ = true;
-      } else {
-        state_.session.emplace(std::move(mesh), options_);
-      }
+      begin_with_model();
       state_.notes = {first_note};
       remove_pending_clouds(session_file_);  // of a session that somebody removed
       save_whole();
       say(fmt::format("{}: {} vertices, {} triangles", arguments_.model, model().points.size(),
                       model().triangles.size()));
     }
+  }
+
+  void begin_with_model() {
+    DensifiedMesh dense;
+    if (arguments_.densify) {
+      dense = read_densified(job_, arguments_.model, *arguments_.densify);
+    } else {
+      TriangleMesh mesh = read_shape(job_, arguments_.model, "input");
+      if (!mesh.triangles.empty()) {
+        state_.session.emplace(std::move(mesh), options_);
+        return;
+      }
+      dense.points = std::move(mesh.points).raw();
+    }
+    begin_session(job_, arguments_.model, dense.points, dense.sides, options_, state_.session);
+    findings_are_due_ = true;
   }
 
   const TriangleMesh& model() const { return state_.session->model(); }

@@ -5,13 +5,19 @@
 #include <vector>
 
 #include "app/job.h"
+#include "cocone/known_sides.h"
 #include "geom/point.h"
 
 namespace cocoon::app {
 
-// Reads a mesh, as stage "read": its vertices, then samples between them about `spacing` apart, as
-// stage "dense_samples"; their number goes to the report and the summary. Throws InputError if the
-// file has no triangles, or if the spacing is too small for it.
-std::vector<Point> read_densified(Job& job, const std::string& path, double spacing);
+struct DensifiedMesh {
+  std::vector<Point> points;  // vertices of the mesh, then samples between them
+  KnownSidesSource sides;     // where the mesh has inside and outside; empty if it is not closed
+};
+
+// Reads a mesh, as stage "read", and adds samples about `spacing` apart, as stage "dense_samples";
+// their number goes to the report and the summary. Warns of a mesh that is not closed. Throws
+// InputError if the file has no triangles, or if the spacing is too small for it.
+DensifiedMesh read_densified(Job& job, const std::string& path, double spacing);
 
 }  // namespace cocoon::app

@@ -93,9 +93,9 @@ void report_lost_triangles(Job& job, const UpdateInput& input, const MeshChange&
   if (!(astray > large)) return;
   result.warnings.push_back(
       fmt::format("{:.0f} % of the surface of {} is not kept though nothing was scanned there: it "
-                  "has too few vertices; make it dense first (cocoon reconstruct {} --densify "
-                  "SPACING, about that of the scans)",
-                  100 * astray, input.model_name, input.model_name));
+                  "has too few vertices; make it dense first (--densify SPACING, about that of "
+                  "the scans)",
+                  100 * astray, input.model_name));
 }
 
 // What the session keeps of its last update.
@@ -130,10 +130,11 @@ UpdateOptions update_options(const SurfaceArguments& arguments) {
 }
 
 ReconstructResult initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
-                                const ReconstructOptions& options) {
+                                const KnownSidesSource& known, const ReconstructOptions& options) {
   ReconstructResult result =
       run_step(job.execution(), "initial_model", [&](const Execution& nested) {
-        return naming_input(name, [&] { return reconstruct_tight(points, options, nested); });
+        return naming_input(
+            name, [&] { return reconstruct_tight_again(points, known, options, nested); });
       });
   require_surface(job, name, result, points, options);
   job.report().set("initial_model/points", result.points);
@@ -188,9 +189,10 @@ std::string with_cloud_names(std::string message, const std::vector<std::string>
 }
 
 void begin_session(Job& job, const std::string& name, const std::vector<Point>& points,
-                   const UpdateOptions& options, std::optional<UpdateSession>& session) {
+                   const KnownSidesSource& known, const UpdateOptions& options,
+                   std::optional<UpdateSession>& session) {
   run_step(job.execution(), "initial_model", [&](const Execution& nested) {
-    naming_input(name, [&] { session.emplace(points, options, nested); });
+    naming_input(name, [&] { session.emplace(points, options, nested, known); });
   });
   require_surface(job, name, session->reconstruction(), points, options.reconstruct);
 }

@@ -40,7 +40,8 @@ struct UpdateInput {
 // Makes a session that begins with the closed surface of a model given as points, as stage
 // "initial_model". Throws InputError if there is none.
 void begin_session(Job& job, const std::string& name, const std::vector<Point>& points,
-                   const UpdateOptions& options, std::optional<UpdateSession>& session);
+                   const KnownSidesSource& known, const UpdateOptions& options,
+                   std::optional<UpdateSession>& session);
 
 // What is doubtful about the surface of an updated model, `surface` with its mesh, made from
 // `points`. Long edges beside short ones are no gaps here: they are at the rim of every cloud that
@@ -71,7 +72,7 @@ void filter_clouds(Job& job, const std::optional<StrayOptions>& filter, UpdateIn
 // The closed surface of a model given as points, as stage "initial_model"; its counts go to the
 // section "initial_model" of the report. Throws InputError if there is none.
 ReconstructResult initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
-                                const ReconstructOptions& options);
+                                const KnownSidesSource& known, const ReconstructOptions& options);
 
 // Updates (by the session, if there is one, whose model is then input.model), writes the outputs
 // (which wait for job.finish), and fills in the report. Throws InputError, with the library's

@@ -23,10 +23,6 @@
 namespace cocoon {
 namespace {
 
-std::vector<KnownTriangle> triangles_of(const KnownTriangleSource& source) {
-  return source ? source() : std::vector<KnownTriangle>();
-}
-
 // Whether the working scale of the points is 1, as that of those they were made of, by some that
 // came. Complexity: O(inserted), as a rule.
 bool keeps_scale(Points points, Points inserted) {
@@ -55,7 +51,7 @@ struct DynamicTightCocone::State {
   void take(const ReconstructResult& result, ReconstructStages stages);
   void resume(SurfaceState surface);
   void look_for_certificate(const ReconstructResult& result, const CoconeSurface& surface);
-  ReconstructResult run_later_stages(Points points, std::span<const KnownTriangle> known,
+  ReconstructResult run_later_stages(Points points, const KnownSidesSource& known,
                                      const Execution& execution);
   void clear(std::size_t count);
   void forget_surface();
@@ -74,7 +70,7 @@ struct DynamicTightCocone::State {
   DelaunayChange change_triangulation(const Step& step, const Execution& execution);
   void undo(Step step, const DelaunayChange& change);
   void close_gaps(Step& step);
-  ReconstructResult run_stages(Points points, std::span<const KnownTriangle> known,
+  ReconstructResult run_stages(Points points, const KnownSidesSource& known,
                                const Execution& execution);
   // Whether so many points are the vertices of a certain surface, each its own.
   bool is_certain(std::size_t points) const {
@@ -83,7 +79,7 @@ struct DynamicTightCocone::State {
   }
   DelaunayChange carry_out(Step& step, const Execution& execution);
   ReconstructResult finish(Points points, Step step, const DelaunayChange& change,
-                           const Execution& execution, const KnownTriangleSource& known);
+                           const Execution& execution, const KnownSidesSource& known);
   void list_points_of_vertices(PointId first);
   SurfaceEdit surface_edit(const ListEdit<PointId>& points, const Step& step);
   ReconstructResult counts(std::size_t points) const;
@@ -197,7 +193,7 @@ DelaunayChange DynamicTightCocone::State::carry_out(Step& step, const Execution&
 ReconstructResult DynamicTightCocone::State::finish(Points points, Step step,
                                                     const DelaunayChange& change,
                                                     const Execution& execution,
-                                                    const KnownTriangleSource& known) {
+                                                    const KnownSidesSource& known) {
   ReconstructResult result;
   if (certified.exists() && !options.verify) {
     result = assemble(points);
@@ -206,7 +202,7 @@ ReconstructResult DynamicTightCocone::State::finish(Points points, Step step,
     // What is to be verified is computed as a whole.
     try {
       if (candidates.exists()) close_gaps(step);
-      result = run_stages(points, triangles_of(known), execution);
+      result = run_stages(points, known, execution);
     } catch (...) {
       undo(std::move(step), change);
       throw;
@@ -258,7 +254,7 @@ void DynamicTightCocone::State::close_gaps(Step& step) {
 
 // All stages after the triangulation.
 ReconstructResult DynamicTightCocone::State::run_stages(Points points,
-                                                        std::span<const KnownTriangle> known,
+                                                        const KnownSidesSource& known,
                                                         const Execution& execution) {
   if (candidates.exists()) return run_later_stages(points, known, execution);
   ReconstructStages stages;
@@ -278,7 +274,7 @@ void DynamicTightCocone::State::resume(SurfaceState surface) {
 
 // Those from the extraction on, of the candidates that are known. Precondition: no gaps.
 ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
-                                                              std::span<const KnownTriangle> known,
+                                                              const KnownSidesSource& known,
                                                               const Execution& execution) {
   KnownCandidates found = known_candidates(candidates);
   CoconeSurface surface;
@@ -418,18 +414,16 @@ DynamicTightCocone::Snapshot DynamicTightCocone::release() && {
 }
 
 ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution& execution,
-                                                  const KnownTriangleSource& known) {
+                                                  const KnownSidesSource& known) {
   if (working_scale(points) != 1) {
-    ReconstructResult result =
-        reconstruct_tight_again(points, triangles_of(known), state_->options, execution);
+    ReconstructResult result = reconstruct_tight_again(points, known, state_->options, execution);
     state_->clear(points.size());
     return result;
   }
   DelaunayResult built = delaunay(points, state_->options.delaunay, execution);
   ReconstructStages stages;
-  ReconstructResult result =
-      reconstruct_tight_again(std::move(built.triangulation), points, triangles_of(known),
-                              state_->options, execution, stages);
+  ReconstructResult result = reconstruct_tight_again(std::move(built.triangulation), points, known,
+                                                     state_->options, execution, stages);
   result.counters.delaunay = built.counters;
   state_->take(result, std::move(stages));
   return result;
@@ -437,7 +431,7 @@ ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution
 
 ReconstructResult DynamicTightCocone::replace(Points points, std::span<const PointId> old_position,
                                               const Execution& execution,
-                                              const KnownTriangleSource& known) {
+                                              const KnownSidesSource& known) {
   State& state = *state_;
   if (!state.is_live() || working_scale(points) != 1) return reconstruct(points, execution, known);
   State::Step step = state.plan(points, old_position);
@@ -448,7 +442,7 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
 
 DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdit<PointId>& change,
                                                     const Execution& execution,
-                                                    const KnownTriangleSource& known) {
+                                                    const KnownSidesSource& known) {
   State& state = *state_;
   if (!is_certain()) {
     const IdVector<PointId, PointId> before = places_after(change.reversed(), points.size());

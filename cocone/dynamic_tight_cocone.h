@@ -19,12 +19,8 @@
 
 namespace cocoon {
 
-// Triangles of an old mesh, see reconstruct_tight_again(). Asked for only where stages that read
-// them run. Empty: there are none.
-using KnownTriangleSource = std::function<std::vector<KnownTriangle>()>;
-
 // Keeps the Delaunay triangulation of its points from one change to the next. Every result is the
-// one that reconstruct_tight_again gives for points and triangles, bit for bit, whatever the
+// one that reconstruct_tight_again gives for points and known sides, bit for bit, whatever the
 // history, but for counters.delaunay, which tell how the triangulation was changed.
 //
 // Points of extreme size (working_scale() is not 1) are triangulated anew each time.
@@ -50,13 +46,13 @@ class DynamicTightCocone {
 
   // Takes these points, in this order, instead of those so far.
   ReconstructResult reconstruct(Points points, const Execution& execution = {},
-                                const KnownTriangleSource& known = {});
+                                const KnownSidesSource& known = {});
   // As reconstruct(points), but goes on from the points so far: old_position[i] is where points[i]
   // was among them, or none if it is new. Points without a successor go.
   // Precondition: equal coordinates at both positions, no position twice.
   // Complexity: the triangulation changes in O(k log n) expected for k points that come or go.
   ReconstructResult replace(Points points, std::span<const PointId> old_position,
-                            const Execution& execution = {}, const KnownTriangleSource& known = {});
+                            const Execution& execution = {}, const KnownSidesSource& known = {});
 
   // What edit() did to a mesh whose vertices are all points, each its own.
   struct SurfaceEdit {
@@ -77,7 +73,7 @@ class DynamicTightCocone {
   // only what the edit did is told. Precondition: points that stay are equal before and after.
   // Complexity: then as the change of the triangulation, and a pass over the numbers of the points.
   Edited edit(Points points, const ListEdit<PointId>& change, const Execution& execution = {},
-              const KnownTriangleSource& known = {});
+              const KnownSidesSource& known = {});
   // Adds what an edit left out, but for the mesh. Precondition: the result is that of the points so
   // far, each a vertex of the mesh. Complexity: O(n).
   void complete(ReconstructResult& result) const;

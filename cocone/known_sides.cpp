@@ -7,6 +7,7 @@
 
 #include "cocone/half_star.h"
 #include "geom/sort_by_vertex.h"
+#include "geom/triangle_mesh.h"
 
 namespace cocoon {
 namespace {
@@ -147,6 +148,7 @@ class Telling {
 
 KnownSides known_sides(const Triangulation& triangulation,
                        std::span<const KnownTriangle> triangles) {
+  if (triangles.empty()) return {};
   return Telling(triangulation, triangles).run();
 }
 

@@ -1,28 +1,42 @@
-// Sides of the surface that are known beforehand: where most points are those of an old mesh, it
-// tells inside from outside around every vertex at which it is a surface of facets still.
+// Sides of the surface that are known beforehand, which marking and clean-up heed where the samples
+// leave doubt. Where most points are those of an old mesh, it tells inside from outside around
+// every vertex at which it is a surface of facets still.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 
-#include "cocone/mark_cells.h"
+#include "cocone/cell_label.h"
 #include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 
 namespace cocoon {
 
 struct KnownSides {
-  IdVector<CellId, CellLabel> labels;  // unmarked: nothing is known
-  std::size_t cells = 0;               // that have a label
-  std::size_t contradictions = 0;      // cells told both: they stay unmarked
+  // Unmarked: nothing is known of that cell. Empty: of none.
+  IdVector<CellId, CellLabel> labels;
+  std::size_t cells = 0;           // that have a label
+  std::size_t contradictions = 0;  // cells told both: they stay unmarked
 };
+
+// What tells the sides of a triangulation's cells; asked only where something is in doubt. An empty
+// one knows nothing.
+using KnownSidesSource =
+    std::function<KnownSides(const Triangulation& triangulation, const Execution& execution)>;
+
+// Of an old mesh, on the surface still: corners as positions among the input points,
+// counterclockwise seen from outside.
+using KnownTriangle = std::array<PointId, 3>;
 
 // A vertex is intact if all triangles at it are facets and leave no gap: as many run to each edge
 // there as run from it. They divide the cells around it; those behind a triangle are labeled IN,
 // those in front of one OUT, if all their vertices are corners of triangles (a cell with a new
 // vertex may lie on either side). Infinite cells are not labeled (they are OUT anyway). If the
-// triangles bound a union of cells, no cell is told both.
+// triangles bound a union of cells, no cell is told both. Without triangles nothing is known.
 // Complexity: O(cells + t) for t triangles, for bounded valence. Deterministic: independent of
 // their order. Source: ours, docs/stages/mark_cells.md.
 KnownSides known_sides(const Triangulation& triangulation,

@@ -16,10 +16,11 @@ namespace {
 // The known labels of cells that touch a good vertex: others are left to the peel, and to the
 // clean-up, which has them of `marks`.
 IdVector<CellId, CellLabel> labels_before_the_rounds(const Triangulation& triangulation,
-                                                     std::span<const KnownTriangle> triangles,
-                                                     CellMarks& marks) {
-  if (triangles.empty()) return {};
-  marks.known = known_sides(triangulation, triangles).labels;
+                                                     const KnownSidesSource& known,
+                                                     CellMarks& marks, const Execution& execution) {
+  if (!known) return {};
+  marks.known = known(triangulation, execution).labels;
+  if (marks.known.empty()) return {};
   IdVector<CellId, CellLabel> labels = marks.known;
   for (const CellId c : triangulation.finite_cells()) {
     if (labels[c] == CellLabel::unmarked) continue;
@@ -50,10 +51,9 @@ std::vector<VertexId> vertices_of_known_cells(const Triangulation& triangulation
 // Where vertices disagree.
 void settle(const Triangulation& triangulation, const LinkedFacets& surface,
             const IdVector<VertexId, SideId>& corner_at, CarriedMarks carried,
-            std::span<const KnownTriangle> triangles, CellMarks& marks,
-            const Execution& execution) {
+            const KnownSidesSource& source, CellMarks& marks, const Execution& execution) {
   const IdVector<CellId, CellLabel> known =
-      labels_before_the_rounds(triangulation, triangles, marks);
+      labels_before_the_rounds(triangulation, source, marks, execution);
   const std::vector<VertexId> seeds = vertices_of_known_cells(triangulation, known);
   const bool all_carried = std::all_of(seeds.begin(), seeds.end(), [&](VertexId v) {
     return marks.good[v] == 0 || marks.visited[v] != 0;
@@ -159,20 +159,18 @@ void MarkingRounds::append_neighbors(VertexId v, std::vector<VertexId>& frontier
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      const VertexSet& boundary, const GoodVertexOptions& options,
                      const Execution& execution) {
-  return mark_cells(triangulation, surface, boundary, std::span<const KnownTriangle>(), options,
-                    execution);
+  return mark_cells(triangulation, surface, boundary, KnownSidesSource(), options, execution);
 }
 
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
-                     const VertexSet& boundary, std::span<const KnownTriangle> known,
+                     const VertexSet& boundary, const KnownSidesSource& known,
                      const GoodVertexOptions& options, const Execution& execution) {
   return mark_cells(triangulation, surface, good_vertices(surface, boundary, options, execution),
                     known, execution);
 }
 
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
-                     GoodVertices good, std::span<const KnownTriangle> known,
-                     const Execution& execution) {
+                     GoodVertices good, const KnownSidesSource& known, const Execution& execution) {
   report_progress(execution, "mark_cells", 0);
   CellMarks marks;
   marks.good = std::move(good.good);

@@ -14,6 +14,7 @@
 
 #include "cocone/facet_set.h"
 #include "cocone/half_star.h"
+#include "cocone/known_sides.h"
 #include "cocone/linked_facets.h"
 #include "cocone/umbrella.h"
 #include "delaunay/star_cache.h"
@@ -23,18 +24,12 @@
 
 namespace cocoon {
 
-// Of an old mesh, on the surface still: corners as positions among the input points,
-// counterclockwise seen from outside.
-using KnownTriangle = std::array<PointId, 3>;
-
-enum class CellLabel : std::uint8_t { unmarked, out, in };
-
 struct CellMarks {
   IdVector<CellId, CellLabel> labels;
   VertexSet good;                // vertices that may tell the sides of the surface apart
   VertexSet visited;             // good vertices that have done so
   std::vector<VertexId> folded;  // closed umbrellas at folds (umbrella.h); increasing
-  // Of cells whose sides an old mesh tells (known_sides.h); empty if it was not asked.
+  // Sides told beforehand (known_sides.h); empty if there are none, or if they were not asked for.
   IdVector<CellId, CellLabel> known;
   // After peel_cells: 1 = reached from infinity. The body is the set of finite cells not reached.
   IdVector<CellId, std::uint8_t> reached;
@@ -57,7 +52,8 @@ inline bool is_poor(const Triangulation& triangulation, const VertexSet& good, C
   return (good[v0] | good[v1] | good[v2] | good[v3]) == 0;
 }
 
-// Whether an old mesh tells on which side a finite cell is: nothing else is to decide that. O(1).
+// Whether it is told beforehand on which side a finite cell is: nothing else is to decide that.
+// O(1).
 inline bool is_known(const CellMarks& marks, CellId c) {
   return !marks.known.empty() && marks.known[c] != CellLabel::unmarked;
 }
@@ -81,17 +77,17 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
                      const VertexSet& boundary, const GoodVertexOptions& options = {},
                      const Execution& execution = {});
 
-// The same with triangles whose places are known beforehand. Here they count only where vertices
-// disagree (the clean-up heeds CellMarks::known elsewhere, too), which is where marks may have gone
-// astray: then the cells that they label (known_sides) and that touch a good vertex have their
-// labels before the first round, and their good vertices are among the first.
+// The same with sides that are known beforehand. Here they count only where vertices disagree (the
+// clean-up heeds CellMarks::known elsewhere, too), which is where marks may have gone astray: then
+// the known cells that touch a good vertex have their labels before the first round, and their good
+// vertices are among the first.
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
-                     const VertexSet& boundary, std::span<const KnownTriangle> known,
+                     const VertexSet& boundary, const KnownSidesSource& known,
                      const GoodVertexOptions& options = {}, const Execution& execution = {});
 
 // The same where the good vertices are known: good_vertices(surface, boundary, options).
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
-                     GoodVertices good, std::span<const KnownTriangle> known,
+                     GoodVertices good, const KnownSidesSource& known,
                      const Execution& execution = {});
 
 // The rounds by themselves, for the peel that discovers further seeds.

@@ -6,7 +6,6 @@
 #include "cocone/candidate_triangles.h"
 #include "cocone/certain_surface.h"
 #include "cocone/extract_manifold.h"
-#include "cocone/known_sides.h"
 #include "cocone/mark_cells.h"
 #include "cocone/orient_surface.h"
 #include "cocone/poles.h"
@@ -99,7 +98,7 @@ class Reconstruction {
   }
 
   // All that follows the triangulation.
-  ReconstructResult tight_result(std::span<const KnownTriangle> known) {
+  ReconstructResult tight_result(const KnownSidesSource& known) {
     find_poles();
     build_surface();
     close_surface(known);
@@ -122,30 +121,31 @@ class Reconstruction {
     count_surface();
   }
 
-  void close_surface(std::span<const KnownTriangle> known) {
+  void close_surface(const KnownSidesSource& known) {
     if (boundary_.interior() == 0) return deliver({});
+    const KnownSidesSource nothing;
+    const KnownSidesSource& sides = options_.mode == Mode::paper ? nothing : known;
     run_step(execution_, "tight", [&](const Execution& nested) {
-      if (options_.mode == Mode::paper) known = {};
-      if (marking_) return close_by(mark_by_caller(known, nested), known, nested);
+      if (marking_) return close_by(mark_by_caller(sides, nested), sides, nested);
       GoodVertices good =
           good_vertices(surface_.triangles, boundary_.boundary, options_.good_vertices, nested);
       if (is_certain(*triangulation_, surface_, good, nested)) {
         return deliver_certain(std::move(good), nested);
       }
       CellMarks marks =
-          mark_cells(*triangulation_, surface_.triangles, std::move(good), known, nested);
+          mark_cells(*triangulation_, surface_.triangles, std::move(good), sides, nested);
       forget_links();
-      close_by(std::move(marks), known, nested);
+      close_by(std::move(marks), sides, nested);
     });
   }
 
-  void close_by(CellMarks marks, std::span<const KnownTriangle> known, const Execution& execution) {
+  void close_by(CellMarks marks, const KnownSidesSource& known, const Execution& execution) {
     const FacetSet& surface = surface_.triangles.set;
     marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, execution);
     // The marking has asked the old mesh already if good vertices disagreed.
     const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
-    if (in_doubt && !known.empty() && marks.known.empty()) {
-      marks.known = known_sides(*triangulation_, known).labels;
+    if (in_doubt && known && marks.known.empty()) {
+      marks.known = known(*triangulation_, execution).labels;
     }
     ReconstructCounters& counters = result_.counters;
     counters.clean_up =
@@ -221,7 +221,7 @@ class Reconstruction {
   }
 
  private:
-  CellMarks mark_by_caller(std::span<const KnownTriangle> known, const Execution& execution) const {
+  CellMarks mark_by_caller(const KnownSidesSource& known, const Execution& execution) const {
     return marking_(*triangulation_, surface_.triangles, boundary_.boundary, known,
                     options_.good_vertices, execution);
   }
@@ -319,7 +319,7 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
   return reconstruct_tight_again(std::move(triangulation), points, {}, options, execution);
 }
 
-ReconstructResult reconstruct_tight_again(Points points, std::span<const KnownTriangle> known,
+ReconstructResult reconstruct_tight_again(Points points, const KnownSidesSource& known,
                                           const ReconstructOptions& options,
                                           const Execution& execution) {
   Reconstruction reconstruction(points, options, execution);
@@ -328,7 +328,7 @@ ReconstructResult reconstruct_tight_again(Points points, std::span<const KnownTr
 }
 
 ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
-                                          std::span<const KnownTriangle> known,
+                                          const KnownSidesSource& known,
                                           const ReconstructOptions& options,
                                           const Execution& execution) {
   Reconstruction reconstruction(points, options, execution);
@@ -337,7 +337,7 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
 }
 
 ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
-                                          std::span<const KnownTriangle> known,
+                                          const KnownSidesSource& known,
                                           const ReconstructOptions& options,
                                           const Execution& execution, ReconstructStages& stages) {
   Reconstruction reconstruction(points, options, execution);
@@ -348,7 +348,7 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
 
 ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
                                          KnownCandidates candidates, Points points,
-                                         std::span<const KnownTriangle> known,
+                                         const KnownSidesSource& known,
                                          const ReconstructOptions& options,
                                          const Execution& execution, const Marking& marking,
                                          CoconeSurface& surface) {

@@ -132,16 +132,16 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
                                     const ReconstructOptions& options = {},
                                     const Execution& execution = {});
 
-// Both again after a change, with triangles of the old mesh where nothing has changed: where cells
-// have no good vertex, or marks contradict each other as at walls thinner than the spacing, they
-// tell the sides of the cells around them (known_sides.h), which neither the marking nor the
-// clean-up decides otherwise. Where nothing is in doubt they change nothing; in paper mode they are
-// left aside.
-ReconstructResult reconstruct_tight_again(Points points, std::span<const KnownTriangle> known,
+// Both again where sides are known beforehand: after a change from triangles of the old mesh where
+// nothing has changed (known_sides.h), of samples of a solid from its mesh (sides_of_solid.h).
+// Where cells have no good vertex, or marks contradict each other as at walls thinner than the
+// spacing, `known` is asked for the sides of cells, which neither the marking nor the clean-up
+// decides otherwise. Where nothing is in doubt it is not asked; nor is it in paper mode.
+ReconstructResult reconstruct_tight_again(Points points, const KnownSidesSource& known,
                                           const ReconstructOptions& options = {},
                                           const Execution& execution = {});
 ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
-                                          std::span<const KnownTriangle> known,
+                                          const KnownSidesSource& known,
                                           const ReconstructOptions& options = {},
                                           const Execution& execution = {});
 
@@ -168,7 +168,7 @@ struct ReconstructStages {
 
 // As the one before, and fills in `stages`.
 ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
-                                          std::span<const KnownTriangle> known,
+                                          const KnownSidesSource& known,
                                           const ReconstructOptions& options,
                                           const Execution& execution, ReconstructStages& stages);
 
@@ -182,15 +182,14 @@ struct KnownCandidates {
 };
 
 // A way to what mark_cells gives (kept_marks.h).
-using Marking =
-    std::function<CellMarks(const Triangulation& triangulation, const LinkedFacets& surface,
-                            const VertexSet& boundary, std::span<const KnownTriangle> known,
-                            const GoodVertexOptions& options, const Execution& execution)>;
+using Marking = std::function<CellMarks(
+    const Triangulation& triangulation, const LinkedFacets& surface, const VertexSet& boundary,
+    const KnownSidesSource& known, const GoodVertexOptions& options, const Execution& execution)>;
 
 // As reconstruct_tight_again of the triangulation, without these stages; fills in `surface`.
 ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
                                          KnownCandidates candidates, Points points,
-                                         std::span<const KnownTriangle> known,
+                                         const KnownSidesSource& known,
                                          const ReconstructOptions& options,
                                          const Execution& execution, const Marking& marking,
                                          CoconeSurface& surface);

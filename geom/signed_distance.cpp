@@ -1,10 +1,13 @@
 #include "geom/signed_distance.h"
 
 #include <cmath>
+#include <optional>
 
 #include "geom/closest_facet.h"
 #include "geom/mesh_adjacency.h"
+#include "geom/mesh_check.h"
 #include "geom/triangle_projection.h"
+#include "geom/winding_number.h"
 
 namespace cocoon {
 
@@ -68,12 +71,34 @@ class Pseudonormals {
   IdVector<VertexId, Vec3> of_vertex_;
 };
 
+// Tells inside from outside.
+class Sides {
+ public:
+  explicit Sides(const TriangleMesh& mesh) {
+    if (mesh_check(mesh).balanced) {
+      numbers_.emplace(mesh);
+    } else {
+      normals_.emplace(mesh);
+    }
+  }
+
+  // Of a point, with the closest one of the mesh.
+  bool is_inside(const Point& p, TriangleId closest, const ClosestPoint& foot) const {
+    if (numbers_) return numbers_->at(p) != 0;
+    return dot(p - foot.point, normals_->at(closest, foot.feature)) < 0;
+  }
+
+ private:
+  std::optional<WindingNumbers> numbers_;  // of a closed mesh
+  std::optional<Pseudonormals> normals_;   // of others
+};
+
 }  // namespace
 
 std::vector<double> signed_distances(const TriangleMesh& mesh, Points points,
                                      const Execution& execution) {
   const ClosestFacetTree tree(mesh);
-  const Pseudonormals normals(mesh);
+  const Sides sides(mesh);
   std::vector<double> distances(points.size());
   report_progress(execution, "signed_distance", 0);
   parallel_chunks(execution, points.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -81,9 +106,8 @@ std::vector<double> signed_distances(const TriangleMesh& mesh, Points points,
       const ClosestFacet facet = tree.closest(points[i]);
       const ClosestPoint foot =
           closest_point_on_triangle(points[i], corners_of(mesh, facet.triangle));
-      const Vec3 normal = normals.at(facet.triangle, foot.feature);
       const double distance = std::sqrt(foot.squared_distance);
-      distances[i] = dot(points[i] - foot.point, normal) < 0 ? -distance : distance;
+      distances[i] = sides.is_inside(points[i], facet.triangle, foot) ? -distance : distance;
     }
   });
   report_progress(execution, "signed_distance", 1);

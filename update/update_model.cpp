@@ -98,8 +98,9 @@ class Update {
     if (result_.overlooked >= options_.overlooked.min_count) {
       warn(warning_of_overlooked(result_.overlooked));
     }
-    const KnownTriangleSource known = [&] {
-      return known_triangles(model_, result_.regions, result_.choice, result_.replacement);
+    const KnownSidesSource known = [&](const Triangulation& triangulation, const Execution&) {
+      return known_sides(triangulation, known_triangles(model_, result_.regions, result_.choice,
+                                                        result_.replacement));
     };
     result_.reconstruction = parts.reconstruct(result_.replacement, known, execution);
     if (result_.reconstruction.status == SurfaceStatus::refuted) {
@@ -478,12 +479,11 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateOptions& options, const Execution& execution) {
   std::optional<ModelIndex> index;
-  const UpdateParts parts{[&]() -> const ModelIndex& { return index.emplace(model); },
-                          [&](const Replacement& replacement, const KnownTriangleSource& known,
-                              const Execution& nested) {
-                            return reconstruct_tight_again(replacement.points, known(),
-                                                           options.reconstruct, nested);
-                          }};
+  const UpdateParts parts{
+      [&]() -> const ModelIndex& { return index.emplace(model); },
+      [&](const Replacement& replacement, const KnownSidesSource& known, const Execution& nested) {
+        return reconstruct_tight_again(replacement.points, known, options.reconstruct, nested);
+      }};
   return update_model(model, clouds, parts, options, execution);
 }
 

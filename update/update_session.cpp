@@ -67,9 +67,9 @@ void check_snapshot(const SessionSnapshot& snapshot, const Execution& execution)
 }
 
 UpdateSession::UpdateSession(Points points, const UpdateOptions& options,
-                             const Execution& execution)
+                             const Execution& execution, const KnownSidesSource& known)
     : options_(options), surface_(options.reconstruct) {
-  reconstruction_ = surface_.reconstruct(points, execution);
+  reconstruction_ = surface_.reconstruct(points, execution, known);
   model_ = std::move(reconstruction_.mesh);
   reconstruction_.mesh = {};
   points_are_vertices_ = model_.points.size() == points.size();
@@ -180,7 +180,7 @@ std::optional<ListEdit<PointId>> UpdateSession::edit_of_points(
 }
 
 ReconstructResult UpdateSession::reconstruct(const Replacement& replacement,
-                                             const KnownTriangleSource& known,
+                                             const KnownSidesSource& known,
                                              const Execution& execution, Pending& pending) {
   ReconstructResult result;
   if (surface_.num_points() == 0) {
@@ -213,8 +213,9 @@ SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
   Pending pending;
   const UpdateParts parts{
       [&]() -> const ModelIndex& { return index(); },
-      [&](const Replacement& replacement, const KnownTriangleSource& known,
-          const Execution& nested) { return reconstruct(replacement, known, nested, pending); },
+      [&](const Replacement& replacement, const KnownSidesSource& known, const Execution& nested) {
+        return reconstruct(replacement, known, nested, pending);
+      },
       surface_.is_certain()};
   SessionUpdate update;
   try {

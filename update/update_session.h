@@ -60,10 +60,11 @@ struct SessionUpdate {
 // counts, apart from those of the Delaunay kernel.
 class UpdateSession {
  public:
-  // The reconstruction of these points is the model; reconstruction() tells how it went. If it
-  // fails, the model is empty and cannot be updated. Errors: InputError as reconstruct_tight.
+  // The reconstruction of these points (reconstruct_tight_again, if sides are known) is the model;
+  // reconstruction() tells how it went. If it fails, the model is empty and cannot be updated.
+  // Errors: InputError as reconstruct_tight.
   explicit UpdateSession(Points points, const UpdateOptions& options = {},
-                         const Execution& execution = {});
+                         const Execution& execution = {}, const KnownSidesSource& known = {});
   // A closed mesh as it is. Its points are triangulated by the first update.
   explicit UpdateSession(TriangleMesh model, const UpdateOptions& options = {});
   // Goes on from a snapshot of a session with the same options.reconstruct. Errors: as
@@ -133,7 +134,7 @@ class UpdateSession {
     return points_are_vertices_ ? PointId(v.value) : point_of_vertex_[v];
   }
   IdVector<VertexId, PointId> points_of_vertices() const;
-  ReconstructResult reconstruct(const Replacement& replacement, const KnownTriangleSource& known,
+  ReconstructResult reconstruct(const Replacement& replacement, const KnownSidesSource& known,
                                 const Execution& execution, Pending& pending);
   std::optional<ListEdit<PointId>> edit_of_points(const Replacement& replacement) const;
   std::vector<PointId> old_positions(const Replacement& replacement) const;

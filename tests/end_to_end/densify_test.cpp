@@ -1,7 +1,9 @@
 // A part as CAD programs give it, with few vertices and large triangles, and a scan of its change.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
@@ -17,10 +19,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double height = 1.5;
+constexpr double height = 1.5;  // of the part
 
-// A disk of this height with ten teeth.
-std::string gear() {
+// A disk with ten teeth.
+std::string gear(double thickness = height) {
   constexpr int count = 20;
   std::string vertices;
   std::string triangles;
@@ -28,14 +30,14 @@ std::string gear() {
     triangles +=
         "3 " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
   };
-  for (const double z : {0.0, height}) {
+  for (const double z : {0.0, thickness}) {
     for (int k = 0; k < count; ++k) {
       const double radius = k % 2 == 0 ? 2 : 3;
       const double angle = 2 * std::numbers::pi * k / count;
       vertices += point_line(radius * std::cos(angle), radius * std::sin(angle), z);
     }
   }
-  vertices += point_line(0, 0, 0) + point_line(0, 0, height);
+  vertices += point_line(0, 0, 0) + point_line(0, 0, thickness);
   for (int k = 0; k < count; ++k) {
     const int next = (k + 1) % count;
     triangle(2 * count, next, k);
@@ -92,6 +94,77 @@ TEST(Densify, MakesAPartFitForUpdates) {
   EXPECT_FALSE(report["update"].contains("astray_area_share"));
   EXPECT_EQ(report["warnings"].dump().find("--densify"), std::string::npos);
   EXPECT_EQ(report["surface"]["genus"], 0);
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// In one go, as a session and by watching a folder: the same mesh.
+TEST(Densify, OfAModelIsPartOfItsUpdate) {
+  const TemporaryFolder folder;
+  const std::string part = folder.write("part.off", gear());
+  const std::string cloud = folder.write("knob.xyz", knob());
+  const std::string dense = folder.file("dense.ply");
+  const std::string in_two = folder.file("in_two.ply");
+  const std::string in_one = folder.file("in_one.ply");
+  const std::string session = folder.file("dense.session");
+  const std::string of_session = folder.file("of_session.ply");
+  const std::vector<std::string> option = {"--densify", "0.12"};
+  const auto run = [&](std::vector<std::string> arguments, bool densify) {
+    if (densify) arguments.insert(arguments.end(), option.begin(), option.end());
+    const ProgramRun done = run_program(arguments);
+    EXPECT_EQ(done.exit_code, 0) << done.error;
+    return done;
+  };
+  run({"reconstruct", part, "-o", dense, "--session", session}, true);
+  run({"update", dense, cloud, "-o", in_two}, false);
+  run({"update", part, cloud, "-o", in_one}, true);
+  run({"update", "--session", session, cloud, "-o", of_session}, false);
+  EXPECT_EQ(content_of(in_one), content_of(in_two));
+  EXPECT_EQ(content_of(of_session), content_of(in_two));
+
+  const TemporaryFolder drop;
+  drop.write("knob.xyz", knob());
+  const std::string watched = folder.file("watched.ply");
+  std::vector<std::string> watch = {"watch",  part,       drop.file(""), "-o",     watched,
+                                    "--once", "--settle", "0",           "--poll", "0.01"};
+  run(watch, true);
+  EXPECT_EQ(content_of(watched), content_of(in_two));
+  // Taken up again it must be the same model.
+  EXPECT_NE(run(watch, true).out.find("resumed"), std::string::npos);
+  const ProgramRun other = run_program(watch);
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_NE(other.error.find("another model"), std::string::npos) << other.error;
+}
+
+TEST(Densify, NeedsNoSessionThatHasAModel) {
+  const ProgramRun run =
+      run_program({"update", "--session", "x.session", "c.xyz", "-o", "m.ply", "--densify", "1"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.error.find("--densify"), std::string::npos) << run.error;
+}
+
+// A gear of a third of the spacing.
+TEST(Densify, KeepsThinWallsOfAClosedMesh) {
+  const TemporaryFolder folder;
+  const std::string thin = gear(0.04);
+  const std::string part = folder.write("thin.off", thin);
+  const std::string dense = folder.file("dense.ply");
+  std::string error;
+  const Json report = report_of({"reconstruct", part, "-o", dense, "--densify", "0.12"}, error);
+  EXPECT_EQ(report["surface"]["genus"], 0) << report["surface"].dump();
+  EXPECT_EQ(report["warnings"].dump().find("not closed"), std::string::npos);
+  EXPECT_LT(surface_distance(read_mesh(dense), read_mesh(part), {.samples = 20000}).rms, 0.002);
+
+  std::string open = thin;  // all but one triangle
+  open.replace(open.find("42 80 0"), 7, "42 79 0");
+  open.erase(open.rfind('\n', open.size() - 2) + 1);
+  const std::string open_part = folder.write("open.off", open);
+  const Json of_open =
+      report_of({"reconstruct", open_part, "-o", dense, "--densify", "0.12"}, error);
+  EXPECT_NE(of_open["warnings"].dump().find("is not closed"), std::string::npos);
 }
 
 TEST(Densify, NeedsAMeshAndAPossibleSpacing) {

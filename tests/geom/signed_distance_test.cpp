@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include "geom/errors.h"
 #include "geom/random.h"
@@ -54,6 +57,64 @@ TEST(SignedDistance, ThinSpikeIsRightBesideItsTip) {
   EXPECT_GT(distances[1], 0);
   EXPECT_GT(distances[2], 0);
   EXPECT_LT(distances[3], 0);
+}
+
+// An L-shaped prism whose reflex edge has a vertex in the middle, off the edge by a rounding error:
+// the sliver between them has a normal that says nothing, and half of the angles at that vertex.
+TEST(SignedDistance, SliversOfRoundingErrorsDoNotMatter) {
+  constexpr double off = 0x1p-52;
+  for (const Vec3 shift : {Vec3{off, -off, 0}, Vec3{-off, off, 0}, Vec3{off, off, 0}}) {
+    TriangleMesh mesh;
+    const auto add = [&](double x, double y, double z) {
+      mesh.points.push_back({x, y, z});
+      return VertexId(mesh.points.size() - 1);
+    };
+    constexpr double outline[6][2] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+    std::vector<VertexId> low;
+    std::vector<VertexId> high;
+    for (const auto& [x, y] : outline) {
+      low.push_back(add(x, y, 0));
+      high.push_back(add(x, y, 2));
+    }
+    const VertexId middle = add(1 + shift.x, 1 + shift.y, 1);
+    for (std::size_t k = 1; k < 5; ++k) {
+      mesh.triangles.push_back({low[0], low[k + 1], low[k]});
+      mesh.triangles.push_back({high[0], high[k], high[k + 1]});
+    }
+    for (std::size_t k = 0; k < 6; ++k) {
+      const std::size_t next = (k + 1) % 6;
+      mesh.triangles.push_back({low[k], low[next], high[next]});
+      if (k != 3) mesh.triangles.push_back({low[k], high[next], high[k]});
+    }
+    // The half of the wall behind the reflex edge, cut at the vertex; then the sliver.
+    mesh.triangles.push_back({low[3], high[4], middle});
+    mesh.triangles.push_back({middle, high[4], high[3]});
+    mesh.triangles.push_back({low[3], middle, high[3]});
+    const std::vector<Point> points = {
+        {0.9, 0.9, 1}, {0.8, 0.9, 1}, {0.9, 0.8, 1}, {1.1, 1.1, 1}, {0.5, 0.5, 1}};
+    const std::vector<double> distances = signed_distances(mesh, points);
+    EXPECT_NEAR(distances[0], -0.1 * std::numbers::sqrt2, 1e-12);
+    EXPECT_LT(distances[1], 0);
+    EXPECT_LT(distances[2], 0);
+    EXPECT_NEAR(distances[3], 0.1, 1e-12);
+    EXPECT_NEAR(distances[4], -0.5, 1e-12);
+  }
+}
+
+TEST(SignedDistance, InsideIsInsideWhicheverWayTheMeshIsTurned) {
+  TriangleMesh cube = cube_around_origin();
+  for (Triangle& t : cube.triangles) std::swap(t[0], t[1]);
+  EXPECT_EQ(signed_distances(cube, std::vector<Point>{{0, 0, 0.5}, {0, 0, 1.5}}),
+            (std::vector<double>{-0.5, 0.5}));
+}
+
+// Nothing closed tells: the side of the nearest facet does.
+TEST(SignedDistance, OfAnOpenMeshIsThatOfTheNearestFacet) {
+  TriangleMesh cube = cube_around_origin();
+  cube.triangles.resize(cube.triangles.size() - 1);
+  EXPECT_EQ(signed_distances(cube, std::vector<Point>{{0, 0, 0.5}, {0, 0, 1.5}, {0.1, 0, -1.25}}),
+            signed_distances(cube_around_origin(),
+                             std::vector<Point>{{0, 0, 0.5}, {0, 0, 1.5}, {0.1, 0, -1.25}}));
 }
 
 TEST(SignedDistance, ThreadsDoNotMatter) {

@@ -1,0 +1,108 @@
+#include "cocone/sides_of_solid.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <utility>
+#include <vector>
+
+#include "cocone/reconstruct.h"
+#include "delaunay/delaunay.h"
+#include "geom/dense_samples.h"
+#include "geom/mesh_check.h"
+#include "geom/surface_distance.h"
+#include "tests/mesh_gallery.h"
+
+namespace cocoon {
+namespace {
+
+// [0, 4] x [0, 4] x [0, height].
+TriangleMesh plate(double height) {
+  TriangleMesh mesh = gallery::cube();
+  for (Point& p : mesh.points) p = {4 * p.x, 4 * p.y, height * p.z};
+  return mesh;
+}
+
+std::vector<Point> samples_of(const TriangleMesh& mesh, double spacing) {
+  std::vector<Point> points = mesh.points.raw();
+  const std::vector<Point> added = dense_samples(mesh, {.spacing = spacing});
+  points.insert(points.end(), added.begin(), added.end());
+  return points;
+}
+
+Point centroid(const Triangulation& triangulation, CellId c) {
+  Point sum;
+  for (int i = 0; i < 4; ++i) sum = sum + triangulation.point(triangulation.vertex(c, i));
+  return 0.25 * sum;
+}
+
+// An L of two plates has cells outside, between them.
+TEST(SidesOfSolid, AreThoseOfTheCentroidsAwayFromTheSurface) {
+  TriangleMesh solid = plate(1);
+  TriangleMesh upper = plate(1);
+  const auto first = static_cast<std::uint32_t>(solid.points.size());
+  for (const Point& p : upper.points) solid.points.push_back({p.x, p.y, p.z + 3});
+  for (const auto& [a, b, c] : upper.triangles) {
+    solid.triangles.push_back(
+        {VertexId(a.value + first), VertexId(b.value + first), VertexId(c.value + first)});
+  }
+  const Triangulation triangulation = delaunay(samples_of(solid, 0.5)).triangulation;
+  const KnownSides known = sides_of_solid(triangulation, solid);
+  std::size_t in = 0;
+  std::size_t out = 0;
+  for (const CellId c : triangulation.cells()) {
+    if (triangulation.is_infinite(c)) {
+      EXPECT_EQ(known.labels[c], CellLabel::unmarked);
+      continue;
+    }
+    if (known.labels[c] == CellLabel::unmarked) continue;
+    const double z = centroid(triangulation, c).z;
+    const bool inside = z < 1 || z > 3;
+    EXPECT_EQ(known.labels[c], inside ? CellLabel::in : CellLabel::out) << z;
+    ++(inside ? in : out);
+  }
+  EXPECT_GT(in, 100U);
+  EXPECT_GT(out, 100U);
+  EXPECT_EQ(known.cells, in + out);
+
+  // Whichever way the mesh is turned.
+  for (Triangle& t : solid.triangles) std::swap(t[0], t[1]);
+  EXPECT_EQ(sides_of_solid(triangulation, solid).labels, known.labels);
+  // All cells but the flat ones, if wanted.
+  EXPECT_GT(sides_of_solid(triangulation, solid, {.min_depth = 0}).cells, known.cells);
+  EXPECT_EQ(sides_of_solid(triangulation, solid, {.min_depth = 1}).cells, 0U);
+}
+
+TEST(SidesOfSolid, OfAnOpenMeshNothingIsKnown) {
+  TriangleMesh open = plate(1);
+  const Triangulation triangulation = delaunay(samples_of(open, 0.5)).triangulation;
+  open.triangles.resize(open.triangles.size() - 1);
+  const KnownSides known = sides_of_solid(triangulation, open);
+  EXPECT_TRUE(known.labels.empty());
+  EXPECT_EQ(known.cells, 0U);
+}
+
+// Across a plate of a fifth of the spacing the samples alone do not tell in from out everywhere.
+TEST(SidesOfSolid, KeepThinWallsWhole) {
+  const TriangleMesh solid = plate(0.05);
+  const std::vector<Point> points = samples_of(solid, 0.25);
+  const ReconstructResult alone = reconstruct_tight(points);
+  const auto sides = [&](const Triangulation& triangulation, const Execution& execution) {
+    return sides_of_solid(triangulation, solid, {}, execution);
+  };
+  const ReconstructResult told = reconstruct_tight_again(points, sides);
+  const auto rms = [&](const ReconstructResult& result) {
+    return surface_distance(result.mesh, solid, {.samples = 20000}).rms;
+  };
+  EXPECT_EQ(mesh_check(told.mesh).genus, 0U);
+  EXPECT_EQ(told.unused_points, 0U);
+  EXPECT_LT(rms(told), 0.001);
+  EXPECT_GT(rms(alone), 4 * rms(told));
+
+  ReconstructOptions paper;
+  paper.mode = Mode::paper;
+  EXPECT_EQ(reconstruct_tight_again(points, sides, paper).mesh.triangles,
+            reconstruct_tight(points, paper).mesh.triangles);
+}
+
+}  // namespace
+}  // namespace cocoon
