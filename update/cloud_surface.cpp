@@ -8,6 +8,7 @@
 #include "cocone/poles.h"
 #include "cocone/surface_mesh.h"
 #include "delaunay/voronoi_dual.h"
+#include "geom/off_plane.h"
 
 namespace cocoon {
 
@@ -152,7 +153,9 @@ class Preference {
 
 std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurfaceOptions& options,
                                                 const Execution& execution) {
-  Scan scan{cloud, lay_foundation(cloud, options.reconstruct, execution), {}};
+  const std::vector<Point> off_plane = moved_off_plane(cloud);
+  const Points working = off_plane.empty() ? cloud : Points(off_plane);
+  Scan scan{working, lay_foundation(working, options.reconstruct, execution), {}};
   const std::size_t duplicates = scan.foundation.triangulation.num_duplicates();
   Sheet sheet = find_sheet(scan.foundation, options.start, options, execution);
   if (lies_in_rows(sheet.surface.mesh, options.rows.min_ratio)) {
@@ -181,6 +184,11 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   for (Trial& trial : found) {
     surfaces.push_back(std::move(trial.surface));
     CloudSurface& surface = surfaces.back();
+    if (!off_plane.empty()) {
+      for (const VertexId v : surface.mesh.points.ids()) {
+        surface.mesh.points[v] = cloud[surface.point_of_vertex[v].index()];
+      }
+    }
     surface.trials = trials;
     surface.duplicates = duplicates;
     surface.set_aside = scan.kept.empty() ? 0 : cloud.size() - duplicates - scan.kept.size();

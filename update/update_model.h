@@ -81,7 +81,7 @@ struct UpdateResult {
 // Progress: its four steps are "boundary_detection", "overlapping_facets",
 // "segmentation_and_selection" and "reconstruction"; stages report below them.
 // Errors: InputError for no cloud, a cloud that cannot be triangulated (too few points, all
-// coplanar, not finite), a model without triangles or with bad indices, a model or cloud whose
+// on one line, not finite), a model without triangles or with bad indices, a model or cloud whose
 // largest coordinate is not in [2^-200, 2^200]. Complexity: O(n log n) expected for n points in
 // all. Deterministic for any thread count; the order of model and clouds matters for numbering
 // only. Source: Woo & Dey 2005, section 3. What is decided otherwise and why: docs/update.md.

@@ -469,9 +469,9 @@ TEST(UpdateScenarios, CallerMistakes) {
   EXPECT_THROW(update_model(model, Clouds{}), InputError);
   EXPECT_THROW(update_model(model, Clouds{{}}), InputError);
   EXPECT_THROW(update_model({}, Clouds{raised_cap(3000, {0, 0, 1}, 0.6, 0.2)}), InputError);
-  const Clouds flat = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}};
+  const Clouds line = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}};
   try {
-    update_model(model, flat);
+    update_model(model, line);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("cloud 1 of 1"), std::string::npos) << error.what();

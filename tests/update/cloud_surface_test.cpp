@@ -39,6 +39,21 @@ TEST(CloudSurface, APatchHasOneRim) {
   EXPECT_LT(surface.rim.spacing, 2.5);
 }
 
+// As of a face where a boss was taken off: the points are exactly in one plane.
+TEST(CloudSurface, AFlatPatchHasOneRim) {
+  for (const double jitter : {0.2, 0.0}) {
+    const std::vector<Point> flat = sheet(30, 0, jitter, 0, everywhere);
+    const CloudSurface surface = cloud_surface(flat);
+    ASSERT_EQ(surface.status, CloudStatus::ok);
+    ASSERT_EQ(surface.rim.loops.size(), 1U);
+    EXPECT_NEAR(surface.rim.loops[0].perimeter, 120, 12);
+    EXPECT_GT(surface.mesh.triangles.size(), 1700U);
+    for (const VertexId v : surface.mesh.points.ids()) {
+      EXPECT_EQ(surface.mesh.points[v], flat[surface.point_of_vertex[v].index()]);
+    }
+  }
+}
+
 TEST(CloudSurface, NoiseOfFivePercent) {
   const CloudSurface surface = cloud_surface(sheet(30, 0.02, 0.2, 0.05, everywhere));
   ASSERT_EQ(surface.status, CloudStatus::ok);
@@ -108,8 +123,9 @@ TEST(CloudSurface, OrderAndThreadsDoNotMatter) {
 }
 
 TEST(CloudSurface, RejectsWhatCannotBeTriangulated) {
-  const std::vector<Point> flat = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 3, 0}};
-  EXPECT_THROW(cloud_surface(flat), InputError);
+  const std::vector<Point> line = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {5, 0, 0}};
+  EXPECT_THROW(cloud_surface(line), InputError);
+  EXPECT_THROW(cloud_surface(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), InputError);
   EXPECT_THROW(cloud_surface({}), InputError);
 }
 
