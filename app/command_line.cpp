@@ -247,7 +247,8 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
       ->type_name("FILE");
   add_mesh_output(*sub, update.mesh, update.ascii);
   add_densify(*sub, "MODEL", update.densify);
-  sub->add_option("--map", update.map, "Write one line per old vertex: its new index, or -1")
+  sub->add_option("--map", update.map,
+                  "Write one line per vertex or point of MODEL: its new index, or -1")
       ->type_name("FILE");
   sub->add_option("--html", update.html, "Write a report that a browser opens offline")
       ->type_name("FILE");

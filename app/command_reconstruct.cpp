@@ -108,7 +108,9 @@ NoiseFilter noise_filter_of(const ReconstructArguments& arguments) {
 DensifiedMesh read_input(Job& job, const ReconstructArguments& arguments,
                          VertexProperties* properties) {
   if (arguments.densify) return read_densified(job, arguments.points, *arguments.densify);
-  return {read_cloud(job, arguments.points, "input", properties), {}};
+  DensifiedMesh input;
+  input.points = read_cloud(job, arguments.points, "input", properties);
+  return input;
 }
 
 ReconstructResult without_noise(Job& job, const std::vector<Point>& points,

@@ -36,6 +36,7 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
   }
   if (!input.model.triangles.empty()) return input;
 
+  input.file_points = arguments.densify ? dense.mesh_vertices : input.model.points.size();
   ReconstructResult initial = initial_model(job, arguments.model, input.model.points.raw(),
                                             dense.sides, options.reconstruct);
   if (!input.properties.empty()) {
@@ -45,6 +46,7 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
     input.properties[0] = gather_properties({input.properties.data(), 1}, origins).properties;
     input.properties[0].left_out = left_out;
   }
+  input.point_of_vertex = std::move(initial.point_of_vertex);
   input.model = std::move(initial.mesh);
   return input;
 }

@@ -44,6 +44,7 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
           counted(mesh.points.size(), "vertex", "vertices"));
   DensifiedMesh dense;
   dense.points = mesh.points.raw();
+  dense.mesh_vertices = mesh.points.size();
   dense.points.insert(dense.points.end(), added.begin(), added.end());
   if (mesh_check(mesh, {}, job.execution()).balanced) {
     dense.sides = sides_of(std::move(mesh), dense.points);

@@ -1,6 +1,7 @@
 // --densify: a mesh as a dense sampling of its surface.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,9 @@
 namespace cocoon::app {
 
 struct DensifiedMesh {
-  std::vector<Point> points;  // vertices of the mesh, then samples between them
-  KnownSidesSource sides;     // where the mesh has inside and outside; empty if it is not closed
+  std::vector<Point> points;      // vertices of the mesh, then samples between them
+  std::size_t mesh_vertices = 0;  // how many of them are the first
+  KnownSidesSource sides;  // where the mesh has inside and outside; empty if it is not closed
 };
 
 // Reads a mesh, as stage "read", and adds samples about `spacing` apart, as stage "dense_samples";

@@ -27,6 +27,18 @@ namespace cocoon::app {
 
 namespace {
 
+// Where the vertices of the model's file went.
+IdVector<VertexId, VertexId> map_of_file(const UpdateInput& input,
+                                         const IdVector<VertexId, VertexId>& vertex_map) {
+  if (input.point_of_vertex.empty()) return vertex_map;
+  IdVector<VertexId, VertexId> map(input.file_points);
+  for (const VertexId v : vertex_map.ids()) {
+    const PointId point = input.point_of_vertex[v];
+    if (point.index() < input.file_points) map[VertexId(point.value)] = vertex_map[v];
+  }
+  return map;
+}
+
 std::string map_text(const IdVector<VertexId, VertexId>& vertex_map) {
   std::string text;
   for (const VertexId vertex : vertex_map) {
@@ -250,7 +262,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   timed(job.execution(), "write", [&] {
     write_mesh(output.mesh, result.mesh, properties, {.ascii = output.ascii}, job.outputs());
     if (!output.map.empty()) {
-      write_file(output.map, map_text(result.vertex_map), job.outputs());
+      write_file(output.map, map_text(map_of_file(input, result.vertex_map)), job.outputs());
     }
     if (!output.html.empty()) {
       write_file(output.html, html_page(update_page(record, job.timings()), job.report()),

@@ -33,6 +33,10 @@ struct UpdateInput {
   std::vector<std::vector<Point>> clouds;
   // Of the model and of each cloud, to be carried to the output; empty: nothing is carried.
   std::vector<VertexProperties> properties;
+  // Of a model made from the points of its file: how many the file has, and which of them, or of
+  // the samples behind them, each vertex of `model` is. Empty: the vertices are those of the file.
+  std::size_t file_points = 0;
+  IdVector<VertexId, PointId> point_of_vertex = {};
   // What was left out of each cloud; empty: they were not filtered.
   std::vector<StraySamples> strays = {};
 };
@@ -59,7 +63,7 @@ std::string with_cloud_names(std::string message, const std::vector<std::string>
 // What to write; empty: not wanted.
 struct UpdateOutput {
   std::string mesh;
-  std::string map;  // one line per vertex of the model: its new index, or -1
+  std::string map;  // one line per vertex of the model's file: its new index, or -1
   std::string html;
   bool ascii = false;
   bool manifold = false;

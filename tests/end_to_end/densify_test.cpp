@@ -101,6 +101,22 @@ std::string content_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+std::vector<int> new_places(const std::string& map) {
+  std::ifstream file(map);
+  return {std::istream_iterator<int>(file), {}};
+}
+
+// Where the vertices of one mesh are in the other; -1: nowhere.
+std::vector<int> places_of_vertices(const TriangleMesh& mesh, const TriangleMesh& other) {
+  std::vector<int> places;
+  const std::vector<Point>& points = other.points.raw();
+  for (const Point& p : mesh.points) {
+    const auto found = std::find(points.begin(), points.end(), p);
+    places.push_back(found == points.end() ? -1 : static_cast<int>(found - points.begin()));
+  }
+  return places;
+}
+
 // In one go, as a session and by watching a folder: the same mesh.
 TEST(Densify, OfAModelIsPartOfItsUpdate) {
   const TemporaryFolder folder;
@@ -120,7 +136,9 @@ TEST(Densify, OfAModelIsPartOfItsUpdate) {
   };
   run({"reconstruct", part, "-o", dense, "--session", session}, true);
   run({"update", dense, cloud, "-o", in_two}, false);
-  run({"update", part, cloud, "-o", in_one}, true);
+  const std::string map = folder.file("map.txt");
+  run({"update", part, cloud, "-o", in_one, "--map", map}, true);
+  EXPECT_EQ(new_places(map), places_of_vertices(read_mesh(part), read_mesh(in_one)));
   run({"update", "--session", session, cloud, "-o", of_session}, false);
   EXPECT_EQ(content_of(in_one), content_of(in_two));
   EXPECT_EQ(content_of(of_session), content_of(in_two));

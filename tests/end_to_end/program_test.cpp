@@ -4,8 +4,11 @@
 #include <cmath>
 #include <csignal>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <set>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -207,6 +210,23 @@ TEST(Program, UpdateReplacesWhatLiesUnderTheCloud) {
   const std::string lines = content_of(map);
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 2000);
   EXPECT_EQ(content_of(html).rfind("<!DOCTYPE html>", 0), 0U);
+}
+
+// The first point is inside the sphere, the second is given again.
+TEST(Program, TheMapHasALineForEachPointOfTheModel) {
+  const TemporaryFolder folder;
+  const std::string sphere = whole_sphere(2000);
+  const std::string model =
+      folder.write("model.xyz", "0 0 0\n" + sphere.substr(0, sphere.find('\n') + 1) + sphere);
+  const std::string cloud = folder.write("bump.xyz", sphere_cap(6000, 0.8, 0.3));
+  const std::string map = folder.file("map.txt");
+  report_of({"update", model, cloud, "-o", folder.file("new.ply"), "--map", map});
+  std::istringstream lines(content_of(map));
+  const std::vector<int> places{std::istream_iterator<int>(lines), {}};
+  ASSERT_EQ(places.size(), 2002U);
+  EXPECT_EQ(places[0], -1);
+  EXPECT_EQ(places[2], -1);
+  EXPECT_EQ(std::set<int>(places.begin(), places.end()).count(0), 1U);
 }
 
 TEST(Program, UpdateMayOverwriteItsOwnModel) {
