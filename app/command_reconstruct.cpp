@@ -42,6 +42,9 @@ void require_possible_noise_filter(const ReconstructArguments& arguments) {
   if (!arguments.session.empty()) {
     throw UsageError("--noise robust cannot be combined with --session");
   }
+  if (arguments.densify) {
+    throw UsageError("samples of a mesh have no noise: leave out --noise robust, or --densify");
+  }
 }
 
 // Given options that a session does not keep: it has the parameters of surface_options.h only.
@@ -98,10 +101,11 @@ void add_stages(JsonReport& report, const ReconstructArguments& arguments,
   report.set("parameters/clean_up", effective.clean_up.enabled);
 }
 
-// Sessions and open surfaces have none (require_possible_noise_filter).
+// Sessions, open surfaces and meshes made dense have none (require_possible_noise_filter).
 NoiseFilter noise_filter_of(const ReconstructArguments& arguments) {
   if (arguments.noise == "robust") return NoiseFilter::used;
-  const bool possible = arguments.surface == "tight" && arguments.session.empty();
+  const bool possible =
+      arguments.surface == "tight" && arguments.session.empty() && !arguments.densify;
   return possible ? NoiseFilter::not_used : NoiseFilter::no_option;
 }
 

@@ -142,7 +142,7 @@ class Reconstruction {
   void close_by(CellMarks marks, const KnownSidesSource& known, const Execution& execution) {
     const FacetSet& surface = surface_.triangles.set;
     marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, execution);
-    // The marking has asked the old mesh already if good vertices disagreed.
+    // The marking has asked already if good vertices disagreed.
     const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
     if (in_doubt && known && marks.known.empty()) {
       marks.known = known(*triangulation_, execution).labels;

@@ -157,9 +157,12 @@ TEST(Densify, OfAModelIsPartOfItsUpdate) {
   EXPECT_NE(other.error.find("another model"), std::string::npos) << other.error;
 }
 
-TEST(Densify, NeedsNoSessionThatHasAModel) {
-  const ProgramRun run =
-      run_program({"update", "--session", "x.session", "c.xyz", "-o", "m.ply", "--densify", "1"});
+TEST(Densify, NeedsNoNoiseFilterAndNoSessionThatHasAModel) {
+  ProgramRun run = run_program(
+      {"reconstruct", "part.off", "-o", "m.ply", "--densify", "1", "--noise", "robust"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.error.find("--noise robust, or --densify"), std::string::npos) << run.error;
+  run = run_program({"update", "--session", "x.session", "c.xyz", "-o", "m.ply", "--densify", "1"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.error.find("--densify"), std::string::npos) << run.error;
 }
@@ -173,7 +176,10 @@ TEST(Densify, KeepsThinWallsOfAClosedMesh) {
   std::string error;
   const Json report = report_of({"reconstruct", part, "-o", dense, "--densify", "0.12"}, error);
   EXPECT_EQ(report["surface"]["genus"], 0) << report["surface"].dump();
-  EXPECT_EQ(report["warnings"].dump().find("not closed"), std::string::npos);
+  const std::string warnings = report["warnings"].dump();
+  EXPECT_NE(warnings.find("too sharp"), std::string::npos);
+  EXPECT_EQ(warnings.find("not closed"), std::string::npos);
+  EXPECT_EQ(warnings.find("--noise"), std::string::npos) << warnings;  // there is none
   EXPECT_LT(surface_distance(read_mesh(dense), read_mesh(part), {.samples = 20000}).rms, 0.002);
 
   std::string open = thin;  // all but one triangle
