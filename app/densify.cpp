@@ -1,6 +1,5 @@
 #include "app/densify.h"
 
-#include <memory>
 #include <utility>
 
 #include "app/files.h"
@@ -9,25 +8,8 @@
 #include "geom/dense_samples.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
-#include "geom/working_scale.h"
 
 namespace cocoon::app {
-
-namespace {
-
-// Those of the solid in the triangulation of these samples of it.
-KnownSidesSource sides_of(TriangleMesh mesh, Points samples) {
-  const double scale = working_scale(samples);
-  if (scale != 1) {
-    for (Point& p : mesh.points) p = scale * p;
-  }
-  const auto solid = std::make_shared<const TriangleMesh>(std::move(mesh));
-  return [solid](const Triangulation& triangulation, const Execution& execution) {
-    return sides_of_solid(triangulation, *solid, {}, execution);
-  };
-}
-
-}  // namespace
 
 DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) {
   TriangleMesh mesh = read_shape(job, path, "input");
@@ -47,7 +29,7 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
   dense.mesh_vertices = mesh.points.size();
   dense.points.insert(dense.points.end(), added.begin(), added.end());
   if (mesh_check(mesh, {}, job.execution()).balanced) {
-    dense.sides = sides_of(std::move(mesh), dense.points);
+    dense.sides = sides_told_by(std::move(mesh), dense.points);
   } else {
     job.warn(path +
              ": is not closed, so that only the samples tell its inside from its outside; where "

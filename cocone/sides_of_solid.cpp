@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "geom/mesh_check.h"
 #include "geom/signed_distance.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
@@ -52,6 +55,17 @@ KnownSides sides_of_solid(const Triangulation& triangulation, const TriangleMesh
     ++known.cells;
   }
   return known;
+}
+
+KnownSidesSource sides_told_by(TriangleMesh solid, Points samples,
+                               const SidesOfSolidOptions& options) {
+  if (const double scale = working_scale(samples); scale != 1) {
+    for (Point& p : solid.points) p = scale * p;
+  }
+  const auto kept = std::make_shared<const TriangleMesh>(std::move(solid));
+  return [kept, options](const Triangulation& triangulation, const Execution& execution) {
+    return sides_of_solid(triangulation, *kept, options, execution);
+  };
 }
 
 }  // namespace cocoon

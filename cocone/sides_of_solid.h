@@ -4,6 +4,7 @@
 #include "cocone/known_sides.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
+#include "geom/point.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
@@ -25,5 +26,10 @@ struct SidesOfSolidOptions {
 // docs/stages/mark_cells.md.
 KnownSides sides_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
                           const SidesOfSolidOptions& options = {}, const Execution& execution = {});
+
+// Asks sides_of_solid for `solid`, in the coordinates of its samples, in their triangulation: that
+// of working_scale(samples) times them (reconstruct.h). Keeps the mesh. Complexity: O(n + t).
+KnownSidesSource sides_told_by(TriangleMesh solid, Points samples,
+                               const SidesOfSolidOptions& options = {});
 
 }  // namespace cocoon

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
 
 #include "geom/errors.h"
 #include "geom/triangle_projection.h"
@@ -13,16 +12,7 @@ namespace {
 bool less(const Point& a, const Point& b) { return (a <=> b) < 0; }
 
 std::array<Point, 3> sorted_corners(const TriangleMesh& mesh, TriangleId t) {
-  require_valid_triangle(mesh, t);
-  std::array<Point, 3> corners;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const VertexId v = mesh.triangles[t][i];
-    if (!is_finite(mesh.points[v])) {
-      throw InputError("vertex " + std::to_string(v.value) +
-                       " has a coordinate that is not finite; remove it from the mesh");
-    }
-    corners[i] = mesh.points[v];
-  }
+  std::array<Point, 3> corners = finite_corners_of(mesh, t);
   std::sort(corners.begin(), corners.end(), less);
   return corners;
 }

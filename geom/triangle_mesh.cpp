@@ -21,6 +21,16 @@ void require_valid_triangle(const TriangleMesh& mesh, TriangleId triangle) {
   }
 }
 
+std::array<Point, 3> finite_corners_of(const TriangleMesh& mesh, TriangleId triangle) {
+  require_valid_triangle(mesh, triangle);
+  for (const VertexId v : mesh.triangles[triangle]) {
+    if (is_finite(mesh.points[v])) continue;
+    throw InputError("vertex " + std::to_string(v.value) +
+                     " has a coordinate that is not finite; remove it from the mesh");
+  }
+  return corners_of(mesh, triangle);
+}
+
 void require_valid_triangles(const TriangleMesh& mesh) {
   if (mesh.triangles.size() > TriangleId::none_value / 3) {
     throw InputError("mesh has " + std::to_string(mesh.triangles.size()) +

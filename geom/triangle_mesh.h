@@ -47,6 +47,10 @@ inline double shortest_side(const TriangleMesh& mesh, TriangleId triangle) {
 // Throws InputError if the triangle names a vertex that is not there. Complexity: O(1).
 void require_valid_triangle(const TriangleMesh& mesh, TriangleId triangle);
 
+// corners_of a triangle. Throws InputError as require_valid_triangle, and if a coordinate is not
+// finite. Complexity: O(1).
+std::array<Point, 3> finite_corners_of(const TriangleMesh& mesh, TriangleId triangle);
+
 // Throws InputError if a triangle names a vertex that is not there, or if there are more triangles
 // than 32-bit ids can name the edges of (2^32 / 3). Complexity: O(t).
 void require_valid_triangles(const TriangleMesh& mesh);

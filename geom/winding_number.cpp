@@ -2,9 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 
-#include "geom/errors.h"
 #include "geom/orient3d.h"
 
 namespace cocoon {
@@ -34,14 +32,7 @@ WindingNumbers::WindingNumbers(const TriangleMesh& mesh) {
   std::vector<Box> boxes;
   boxes.reserve(mesh.triangles.size());
   for (const TriangleId t : mesh.triangles.ids()) {
-    require_valid_triangle(mesh, t);
-    const std::array<Point, 3> corners = corners_of(mesh, t);
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (is_finite(corners[i])) continue;
-      throw InputError("vertex " + std::to_string(mesh.triangles[t][i].value) +
-                       " has a coordinate that is not finite; remove it from the mesh");
-    }
-    boxes.push_back(box_of(corners));
+    boxes.push_back(box_of(finite_corners_of(mesh, t)));
     box_.include(boxes.back());
   }
   tree_ = BoxTree(boxes);

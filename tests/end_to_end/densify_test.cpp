@@ -96,11 +96,6 @@ TEST(Densify, MakesAPartFitForUpdates) {
   EXPECT_EQ(report["surface"]["genus"], 0);
 }
 
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 std::vector<int> new_places(const std::string& map) {
   std::ifstream file(map);
   return {std::istream_iterator<int>(file), {}};

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include "geom/errors.h"
@@ -102,8 +101,7 @@ TEST(SignedDistance, SliversOfRoundingErrorsDoNotMatter) {
 }
 
 TEST(SignedDistance, InsideIsInsideWhicheverWayTheMeshIsTurned) {
-  TriangleMesh cube = cube_around_origin();
-  for (Triangle& t : cube.triangles) std::swap(t[0], t[1]);
+  const TriangleMesh cube = gallery::flipped(cube_around_origin());
   EXPECT_EQ(signed_distances(cube, std::vector<Point>{{0, 0, 0.5}, {0, 0, 1.5}}),
             (std::vector<double>{-0.5, 0.5}));
 }

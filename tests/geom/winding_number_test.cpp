@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include "geom/errors.h"
@@ -13,6 +12,11 @@
 
 namespace cocoon {
 namespace {
+
+using gallery::flipped;
+using gallery::join;
+using gallery::scaled;
+using gallery::translated;
 
 // The sum of the solid angles, which knows nothing of rays.
 double winding_by_angles(const TriangleMesh& mesh, const Point& p) {
@@ -29,25 +33,6 @@ double winding_by_angles(const TriangleMesh& mesh, const Point& p) {
                           la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
   }
   return sum / (4 * std::numbers::pi);
-}
-
-TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
-  const auto first = static_cast<std::uint32_t>(a.points.size());
-  for (const Point& p : b.points) a.points.push_back(p);
-  for (const auto& [u, v, w] : b.triangles) {
-    a.triangles.push_back(
-        {VertexId(u.value + first), VertexId(v.value + first), VertexId(w.value + first)});
-  }
-  return a;
-}
-
-TriangleMesh scaled(TriangleMesh mesh, double factor, const Vec3& offset) {
-  for (Point& p : mesh.points) p = factor * p + offset;
-  return mesh;
-}
-
-void turn_over(TriangleMesh& mesh) {
-  for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
 }
 
 // Rays through corners, along edges and diagonals, in planes of facets.
@@ -69,11 +54,10 @@ TEST(WindingNumber, RaysThroughEdgesAndCornersOfACubeAreExact) {
 TEST(WindingNumber, AgreesWithTheSumOfSolidAngles) {
   Random random(11);
   // A cube with a cavity that holds a tetrahedron, and another body that overlaps it.
-  TriangleMesh cavity = scaled(gallery::cube(), 0.5, {0.25, 0.25, 0.25});
-  turn_over(cavity);
-  TriangleMesh mesh = joined(gallery::cube(), cavity);
-  mesh = joined(std::move(mesh), scaled(gallery::tetrahedron(), 0.2, {0.4, 0.4, 0.4}));
-  mesh = joined(std::move(mesh), scaled(gallery::cube(), 0.4, {0.8, 0.1, 0.1}));
+  const TriangleMesh cavity = flipped(translated(gallery::cube(0.5), {0.25, 0.25, 0.25}));
+  TriangleMesh mesh = join(gallery::cube(), cavity);
+  mesh = join(mesh, translated(scaled(gallery::tetrahedron(), 0.2), {0.4, 0.4, 0.4}));
+  mesh = join(mesh, translated(gallery::cube(0.4), {0.8, 0.1, 0.1}));
   for (Point& p : mesh.points) {
     p = p +
         Vec3{random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02)};
@@ -92,8 +76,7 @@ TEST(WindingNumber, AgreesWithTheSumOfSolidAngles) {
 }
 
 TEST(WindingNumber, InsideOfAMeshTurnedOverItIsNegative) {
-  TriangleMesh cube = gallery::cube();
-  turn_over(cube);
+  const TriangleMesh cube = flipped(gallery::cube());
   EXPECT_EQ(WindingNumbers(cube).at({0.5, 0.5, 0.5}), -1);
   EXPECT_EQ(WindingNumbers(cube).at({0.5, 0.5, 1.5}), 0);
 }
