@@ -58,6 +58,8 @@ class Peeling {
       }
     }
     find_poor_cells();  // the peel has counted them
+    reach_known_cavities();
+    close();
     while (mark_from_inside()) close();
   }
 
@@ -82,6 +84,27 @@ class Peeling {
       stops_.insert(triangulation_, smallest);
     }
     return found;
+  }
+
+  // What is known to be OUT at samples that are nowhere on the surface. Elsewhere it is a pocket of
+  // slivers beside the surface.
+  void reach_known_cavities() {
+    if (marks_.known.empty()) return;
+    VertexSet is_outside(triangulation_.num_vertices(), 0);
+    for (const CellId c : triangulation_.finite_cells()) {
+      if (marks_.reached[c] == 0) continue;
+      for (const VertexId v : triangulation_.cell(c).vertices) is_outside[v] = 1;
+    }
+    for (const CellId c : triangulation_.infinite_cells()) {
+      for (int i = 0; i < 3; ++i) is_outside[triangulation_.vertex(c, i)] = 1;
+    }
+    for (const CellId c : triangulation_.finite_cells()) {
+      if (marks_.reached[c] != 0 || marks_.known[c] != CellLabel::out) continue;
+      const auto& vertices = triangulation_.cell(c).vertices;
+      const bool is_inner = std::any_of(vertices.begin(), vertices.end(),
+                                        [&](VertexId v) { return is_outside[v] == 0; });
+      if (is_inner) reach(c);
+    }
   }
 
   void reach(CellId c) {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <utility>
 #include <vector>
 
 #include "cocone/reconstruct.h"
@@ -35,16 +34,9 @@ Point centroid(const Triangulation& triangulation, CellId c) {
   return 0.25 * sum;
 }
 
-// An L of two plates has cells outside, between them.
+// Of two plates, one above the other: cells between them are outside.
 TEST(SidesOfSolid, AreThoseOfTheCentroidsAwayFromTheSurface) {
-  TriangleMesh solid = plate(1);
-  TriangleMesh upper = plate(1);
-  const auto first = static_cast<std::uint32_t>(solid.points.size());
-  for (const Point& p : upper.points) solid.points.push_back({p.x, p.y, p.z + 3});
-  for (const auto& [a, b, c] : upper.triangles) {
-    solid.triangles.push_back(
-        {VertexId(a.value + first), VertexId(b.value + first), VertexId(c.value + first)});
-  }
+  const TriangleMesh solid = gallery::join(plate(1), gallery::translated(plate(1), {0, 0, 3}));
   const Triangulation triangulation = delaunay(samples_of(solid, 0.5)).triangulation;
   const KnownSides known = sides_of_solid(triangulation, solid);
   std::size_t in = 0;
@@ -65,8 +57,7 @@ TEST(SidesOfSolid, AreThoseOfTheCentroidsAwayFromTheSurface) {
   EXPECT_EQ(known.cells, in + out);
 
   // Whichever way the mesh is turned.
-  for (Triangle& t : solid.triangles) std::swap(t[0], t[1]);
-  EXPECT_EQ(sides_of_solid(triangulation, solid).labels, known.labels);
+  EXPECT_EQ(sides_of_solid(triangulation, gallery::flipped(solid)).labels, known.labels);
   // The deeper they are to be, the fewer.
   const std::size_t deep = sides_of_solid(triangulation, solid, {.min_depth = 0.2}).cells;
   EXPECT_GT(deep, 0U);
@@ -88,9 +79,7 @@ TEST(SidesOfSolid, KeepThinWallsWhole) {
   const TriangleMesh solid = plate(0.05);
   const std::vector<Point> points = samples_of(solid, 0.25);
   const ReconstructResult alone = reconstruct_tight(points);
-  const auto sides = [&](const Triangulation& triangulation, const Execution& execution) {
-    return sides_of_solid(triangulation, solid, {}, execution);
-  };
+  const KnownSidesSource sides = sides_told_by(solid, points);
   const ReconstructResult told = reconstruct_tight_again(points, sides);
   const auto rms = [&](const ReconstructResult& result) {
     return surface_distance(result.mesh, solid, {.samples = 20000}).rms;
@@ -104,6 +93,33 @@ TEST(SidesOfSolid, KeepThinWallsWhole) {
   paper.mode = Mode::paper;
   EXPECT_EQ(reconstruct_tight_again(points, sides, paper).mesh.triangles,
             reconstruct_tight(points, paper).mesh.triangles);
+}
+
+// Coordinates of extreme size are worked on at another scale.
+TEST(SidesOfSolid, AreToldAtTheScaleOfTheTriangulation) {
+  const TriangleMesh solid = plate(0.05);
+  const std::vector<Point> points = samples_of(solid, 0.25);
+  const TriangleMesh tiny = gallery::scaled(solid, 0x1p-150);
+  std::vector<Point> tiny_points = points;
+  for (Point& p : tiny_points) p = 0x1p-150 * p;
+  EXPECT_EQ(reconstruct_tight_again(tiny_points, sides_told_by(tiny, tiny_points)).mesh.triangles,
+            reconstruct_tight_again(points, sides_told_by(solid, points)).mesh.triangles);
+}
+
+// A hollow box: what is known to be outside is not lost to the cavity's wall being told already.
+TEST(SidesOfSolid, LetCavitiesBeKept) {
+  const TriangleMesh solid = gallery::join(
+      gallery::cube(4), gallery::flipped(gallery::translated(gallery::cube(2), {1, 1, 1})));
+  const std::vector<Point> points = samples_of(solid, 0.2);
+  const KnownSidesSource sides = sides_told_by(solid, points);
+  const ReconstructResult filled = reconstruct_tight_again(points, sides);
+  EXPECT_GT(filled.unused_points, 500U);
+  EXPECT_EQ(mesh_check(filled.mesh).components, 1U);
+  const ReconstructResult hollow = reconstruct_tight_again(points, sides, {.keep_cavities = true});
+  EXPECT_EQ(hollow.counters.cavities.cavities, 1U);
+  EXPECT_EQ(hollow.unused_points, 0U);
+  EXPECT_EQ(mesh_check(hollow.mesh).components, 2U);
+  EXPECT_LT(surface_distance(hollow.mesh, solid, {.samples = 20000}).rms, 0.01);
 }
 
 }  // namespace
