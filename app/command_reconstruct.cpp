@@ -101,11 +101,11 @@ void add_stages(JsonReport& report, const ReconstructArguments& arguments,
   report.set("parameters/clean_up", effective.clean_up.enabled);
 }
 
-// Sessions, open surfaces and meshes made dense have none (require_possible_noise_filter).
+// Sessions and open surfaces have none (require_possible_noise_filter).
 NoiseFilter noise_filter_of(const ReconstructArguments& arguments) {
   if (arguments.noise == "robust") return NoiseFilter::used;
-  const bool possible =
-      arguments.surface == "tight" && arguments.session.empty() && !arguments.densify;
+  const bool possible = arguments.surface == "tight" && arguments.session.empty();
+  if (possible && arguments.densify) return NoiseFilter::no_noise;
   return possible ? NoiseFilter::not_used : NoiseFilter::no_option;
 }
 

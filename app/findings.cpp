@@ -25,9 +25,10 @@ Finding sparse_finding(const SurfaceDoubts& d, bool many, NoiseFilter filter) {
       "sparse",
       fmt::format(
           "samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
-          "there is {:.3g} ({:.1f} times the median), near {}; scan such places more "
-          "densely{}",
+          "there is {:.3g} ({:.1f} times the median), near {}; {}{}",
           sparse_samples(d), d.sparse[0].size, d.sparse[0].size / d.spacing, place(d.sparse[0].at),
+          filter == NoiseFilter::no_noise ? "a smaller SPACING of --densify may help"
+                                          : "scan such places more densely",
           many && filter == NoiseFilter::not_used ? ", or try --noise robust if scans overlap there"
                                                   : ""),
       d.boundary_samples + d.gap_samples, d.sparse};
@@ -64,6 +65,8 @@ const char* reason_of_unused(NoiseFilter filter) {
     case NoiseFilter::of_strays:
       return "outliers (--noise robust finds more of them), inner surfaces, or samples too sparse "
              "there";
+    case NoiseFilter::no_noise:
+      return "inner surfaces (--cavities keeps them), or samples too sparse there";
     case NoiseFilter::no_option:
       break;
   }

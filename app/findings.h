@@ -22,6 +22,7 @@ struct Finding {
 
 // Whether the user may filter noise (--noise robust), and has.
 enum class NoiseFilter {
+  no_noise,   // samples of a mesh (--densify)
   no_option,  // or nothing is left for it to do
   not_used,
   used,
