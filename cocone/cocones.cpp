@@ -10,132 +10,110 @@ namespace {
 
 constexpr std::size_t cells_per_chunk = 4096;
 
-// Carries one bit per corner from a cell to the cell before it. Seen from behind, the corners of a
-// facet run the other way round, beginning anywhere: [facet before][facet behind][turn][bits].
-using CornerBits = std::array<std::uint8_t, 16>;
-using CornerMaps = std::array<std::array<std::array<CornerBits, 3>, 4>, 4>;
+// The sides of a cell without the corner of one rank: [rank][nappes], bits 0 .. 2 the lower nappes
+// of the others in the order of their ids, bits 3 .. 5 the upper ones.
+using FacetSides = std::array<std::array<std::uint8_t, 256>, 4>;
 
-constexpr CornerMaps make_corner_maps() {
-  CornerMaps maps{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      for (unsigned turn = 0; turn < 3; ++turn) {
-        for (unsigned bits = 0; bits < 16; ++bits) {
-          unsigned carried = 0;
-          for (unsigned k = 0; k < 3; ++k) {
-            const int from = facet_corners[j][(3 + turn - k) % 3];
-            carried |= ((bits >> from) & 1U) << facet_corners[i][k];
-          }
-          maps[i][j][turn][bits] = static_cast<std::uint8_t>(carried);
-        }
+constexpr FacetSides make_facet_sides() {
+  FacetSides of_facets{};
+  for (unsigned rank = 0; rank < 4; ++rank) {
+    for (unsigned nappes = 0; nappes < 256; ++nappes) {
+      unsigned kept = 0;
+      for (unsigned r = 0, place = 0; r < 4; ++r) {
+        if (r == rank) continue;
+        kept |= (nappes >> r & 1U) << place | (nappes >> (4 + r) & 1U) << (3 + place);
+        ++place;
       }
+      of_facets[rank][nappes] = static_cast<std::uint8_t>(kept);
     }
   }
-  return maps;
+  return of_facets;
 }
 
-constexpr CornerMaps corner_maps = make_corner_maps();
+constexpr FacetSides facet_sides = make_facet_sides();
 
-// Of the sides of a cell, bits 2 i and 2 i + 1: all three corners of facet i see it in their lower
-// nappe, or all in the upper one.
-constexpr std::array<std::uint8_t, 256> make_uniform_facets() {
-  std::array<std::uint8_t, 256> uniform{};
-  for (unsigned sides = 0; sides < 256; ++sides) {
-    for (unsigned i = 0; i < 4; ++i) {
-      const unsigned corners = 15U & ~(1U << i);
-      const unsigned lower = (sides & corners) == corners ? 1U : 0U;
-      const unsigned upper = (sides >> 4 & corners) == corners ? 2U : 0U;
-      uniform[sides] = static_cast<std::uint8_t>(uniform[sides] | (lower | upper) << 2 * i);
-    }
-  }
-  return uniform;
+unsigned rank_of(CornerSides sides, int i) { return unsigned{sides.ranks} >> 2 * i & 3U; }
+
+unsigned sides_of_facet(CornerSides sides, int i) {
+  return facet_sides[rank_of(sides, i)][sides.nappes];
 }
 
-constexpr std::array<std::uint8_t, 256> uniform_facets = make_uniform_facets();
-
-// A finite facet by its two ids, the smaller one first.
-struct FacetPair {
-  FacetId canonical;
+// A finite facet by its canonical id, and what its corners see.
+struct SeenFacet {
+  FacetId facet;
   FacetId mirror;
+  unsigned bits;  // at first as sides_of_facet(); then the cocones met, in the order of the ids
 };
 
 constexpr std::size_t cells_per_block = 128;
-using FacetBlock = std::array<FacetPair, 4 * cells_per_block + 1>;
+using FacetBlock = std::array<SeenFacet, 4 * cells_per_block + 1>;
 
-// Lists the facets whose canonical ids lie in the cells begin .. end, but for most of those that
-// meet no cocone: normals of neighbors nearly always point to the same side, and then no turn needs
-// to be known. Asks for what row_of_facet is to read behind the others, which lies here and there
-// in memory. Returns how many there are. No branch depends on ids or sides: half of the guesses
-// would be wrong.
+// Lists the facets whose canonical ids lie in the cells begin .. end and whose dual edge meets the
+// cocone of a corner: unless both ends lie in the same nappe (meets_cocone in double_cone.h).
+// Returns how many there are. No branch depends on ids or sides: half of the guesses would be
+// wrong.
 std::size_t list_facets(const Triangulation& triangulation,
                         const IdVector<CellId, CornerSides>& sides, std::size_t begin,
                         std::size_t end, FacetBlock& facets) {
   std::size_t canonical = 0;
   for (CellId c(begin); c.index() < end; ++c) {
     const Cell& cell = triangulation.cell(c);
+    const CornerSides here = sides[c];
     for (int i = 0; i < 4; ++i) {
-      const FacetPair pair{facet_id(c, i), cell.neighbors[static_cast<std::size_t>(i)]};
-      facets[canonical] = pair;
-      canonical += pair.canonical < pair.mirror ? 1U : 0U;
+      const FacetId mirror = cell.neighbors[static_cast<std::size_t>(i)];
+      facets[canonical] = {facet_id(c, i), mirror, sides_of_facet(here, i)};
+      canonical += facet_id(c, i) < mirror ? 1U : 0U;
     }
+  }
+  // They lie here and there in memory: all are asked for in advance.
+  for (std::size_t k = 0; k < canonical; ++k) {
+    __builtin_prefetch(&sides[cell_of(facets[k].mirror)]);
   }
   std::size_t count = 0;
   for (std::size_t k = 0; k < canonical; ++k) {
-    const FacetPair pair = facets[k];
-    const int here = uniform_facets[sides[cell_of(pair.canonical)]] >> 2 * index_of(pair.canonical);
-    const int behind = uniform_facets[sides[cell_of(pair.mirror)]] >> 2 * index_of(pair.mirror);
-    facets[count] = pair;
-    count += (here & behind & 3) == 0 ? 1U : 0U;
-  }
-  for (std::size_t k = 0; k < count; ++k) {
-    __builtin_prefetch(&triangulation.cell(cell_of(facets[k].mirror)));
+    const SeenFacet seen = facets[k];
+    const CornerSides behind = sides[cell_of(seen.mirror)];
+    const unsigned same = seen.bits & sides_of_facet(behind, index_of(seen.mirror));
+    const unsigned met = 7U & ~(same | same >> 3);
+    facets[count] = {seen.facet, seen.mirror, met};
+    count += met != 0 ? 1U : 0U;
   }
   return count;
 }
 
-// The row of a facet: its dual edge meets the cocone of a corner unless both ends lie in the same
-// nappe (meets_cocone in double_cone.h, for three corners at once).
-unsigned row_of_facet(const Triangulation& triangulation,
-                      const IdVector<CellId, CornerSides>& sides, const FacetPair& facet) {
-  const auto& [f, g] = facet;
-  const auto i = static_cast<std::size_t>(index_of(f));
-  const auto j = static_cast<std::size_t>(index_of(g));
-  const VertexId first = triangulation.vertex(cell_of(f), facet_corners[i][0]);
-  const CellId behind = cell_of(g);
-  const unsigned turn = (triangulation.vertex(behind, facet_corners[j][1]) == first ? 1U : 0U) +
-                        (triangulation.vertex(behind, facet_corners[j][2]) == first ? 2U : 0U);
-  const CornerBits& map = corner_maps[i][j][turn];
-  const unsigned here = sides[cell_of(f)];
-  const unsigned lower = here & map[sides[behind] & 15U];
-  const unsigned upper = (here >> 4) & map[sides[behind] >> 4];
-  return 15U & ~(lower | upper | 1U << i);
+// From bits in the order of the ids to one bit for each vertex of the cell.
+std::uint8_t row_of_facet(const SeenFacet& seen, CornerSides sides) {
+  const int i = index_of(seen.facet);
+  unsigned row = 0;
+  for (const int j : facet_corners[i]) {
+    const unsigned rank = rank_of(sides, j);
+    const unsigned place = rank - (rank > rank_of(sides, i) ? 1U : 0U);
+    row |= (seen.bits >> place & 1U) << j;
+  }
+  return static_cast<std::uint8_t>(row);
 }
 
 // The facets of a range of cells that have bits.
 struct Rows {
   std::vector<FacetId> facets;
+  std::vector<Triangle> corners;
   std::vector<std::uint8_t> rows;
 };
 
 Rows rows_of_cells(const Triangulation& triangulation, const IdVector<CellId, CornerSides>& sides,
                    std::size_t begin, std::size_t end) {
   Rows found;
-  std::size_t size = 0;
   FacetBlock block;
   for (std::size_t first = begin; first < end; first += cells_per_block) {
     const std::size_t last = std::min(first + cells_per_block, end);
     const std::size_t count = list_facets(triangulation, sides, first, last, block);
-    found.facets.resize(size + count + 1);
-    found.rows.resize(size + count + 1);
     for (std::size_t k = 0; k < count; ++k) {
-      const unsigned row = row_of_facet(triangulation, sides, block[k]);
-      found.facets[size] = block[k].canonical;
-      found.rows[size] = static_cast<std::uint8_t>(row);
-      size += row != 0 ? 1U : 0U;
+      const FacetId f = block[k].facet;
+      found.facets.push_back(f);
+      found.corners.push_back(triangulation.facet_vertices(f));
+      found.rows.push_back(row_of_facet(block[k], sides[cell_of(f)]));
     }
   }
-  found.facets.resize(size);
-  found.rows.resize(size);
   return found;
 }
 
@@ -158,13 +136,15 @@ Cocones intersect_cocones(const Triangulation& triangulation, ConeSides sides,
     found[begin / cells_per_chunk] = rows_of_cells(triangulation, sides.of_cells, begin, end);
   });
   sides.of_cells = {};
-  Cocones cocones{{}, {}, sides.cosine};
+  Cocones cocones{{}, {}, {}, sides.cosine};
   std::size_t facets = 0;
   for (const Rows& part : found) facets += part.facets.size();
   cocones.facets.reserve(facets);
+  cocones.corners.reserve(facets);
   cocones.rows.reserve(facets);
   for (Rows& part : found) {
     cocones.facets.insert(cocones.facets.end(), part.facets.begin(), part.facets.end());
+    cocones.corners.insert(cocones.corners.end(), part.corners.begin(), part.corners.end());
     cocones.rows.insert(cocones.rows.end(), part.rows.begin(), part.rows.end());
     part = {};  // large at a million points: not both of all at once
   }

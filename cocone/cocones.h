@@ -7,6 +7,7 @@
 // is a cocone triangle.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/execution.h"
+#include "geom/triangle_mesh.h"
 
 namespace cocoon {
 
@@ -27,9 +29,16 @@ struct CoconeOptions {
 // surface few of all, about as many as the surface has triangles.
 struct Cocones {
   std::vector<FacetId> facets;     // finite, canonical ids, ascending
+  std::vector<Triangle> corners;   // of each: Triangulation::facet_vertices
   std::vector<std::uint8_t> rows;  // of each: bit j = it meets the cocone of vertex j of its cell
   double cosine = 0;               // as in the options: radii are taken for the same cone
 
+  // The bits of facet k in the order of its corners: bit i = it meets the cocone of corners[k][i].
+  unsigned met_corners(std::size_t k) const {
+    const int* const places = facet_corners[index_of(facets[k])];
+    const unsigned row = rows[k];
+    return (row >> places[0] & 1U) | (row >> places[1] & 1U) << 1 | (row >> places[2] & 1U) << 2;
+  }
   // The bits of a facet, given by its canonical id; 0 if it is not in the list. O(log facets).
   unsigned row(FacetId f) const;
 };

@@ -60,12 +60,18 @@ TEST(Cocones, ListsFacetsOnceAscendingByTheirCanonicalIds) {
   const Stages s(shapes::random_torus(800, 0.4, 5));
   const std::vector<FacetId>& facets = s.cocones.facets;
   ASSERT_EQ(facets.size(), s.cocones.rows.size());
+  ASSERT_EQ(facets.size(), s.cocones.corners.size());
   EXPECT_TRUE(std::is_sorted(facets.begin(), facets.end(), std::less_equal<>()));
   for (std::size_t k = 0; k < facets.size(); ++k) {
     EXPECT_TRUE(s.triangulation.is_finite_facet(facets[k]));
     EXPECT_EQ(s.triangulation.canonical(facets[k]), facets[k]);
     EXPECT_NE(s.cocones.rows[k], 0);
     EXPECT_EQ(s.cocones.row(facets[k]), s.cocones.rows[k]);
+    EXPECT_EQ(s.cocones.corners[k], s.triangulation.facet_vertices(facets[k]));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int j = facet_corners[index_of(facets[k])][i];
+      EXPECT_EQ(s.cocones.met_corners(k) >> i & 1U, unsigned{s.cocones.rows[k]} >> j & 1U);
+    }
   }
 }
 
@@ -128,6 +134,19 @@ TEST(Cocones, RadiusAgreesWithDenseSampling) {
   }
   EXPECT_GT(compared, 200);
   EXPECT_GT(infinite, 3);
+}
+
+TEST(Cocones, RadiiOfSomeSamplesAreThoseOfAll) {
+  const Stages s(shapes::noisy_sphere(1000, 0.02, 13));
+  VertexSet some(s.triangulation.num_vertices(), 0);
+  for (const VertexId v : some.ids()) some[v] = v.index() % 7 == 0 ? 1 : 0;
+  for (const RadiusMode mode : {RadiusMode::cocone, RadiusMode::tangent_plane}) {
+    const IdVector<VertexId, double> all =
+        cocone_radii(s.triangulation, s.dual, s.poles, s.cocones, mode);
+    const IdVector<VertexId, double> radii =
+        cocone_radii(s.triangulation, s.dual, s.poles, s.cocones, mode, some);
+    for (const VertexId v : some.ids()) EXPECT_EQ(radii[v], some[v] != 0 ? all[v] : 0);
+  }
 }
 
 TEST(Cocones, TangentPlaneRadiusIsTheConeOpenedByZero) {
