@@ -1,10 +1,12 @@
 #include "cocone/boundary_samples.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
+#include <span>
 #include <vector>
 
 #include "cocone/cocone_radii.h"
+#include "cocone/facet_doubts.h"
 #include "cocone/shared_flags.h"
 
 namespace cocoon {
@@ -21,39 +23,68 @@ struct NeighborOf {
 
 struct Conditions {
   const Triangulation& triangulation;
+  const Dual& dual;
   const Poles& poles;
   const Cocones& cocones;
   const BoundaryOptions& options;
 
   bool agree(VertexId p, VertexId q) const { return normals_agree(poles, p, q, options); }
-
-  // Of facet k of `cocones`.
-  std::array<VertexId, 3> corners(std::size_t k) const {
-    return triangulation.facet_vertices(cocones.facets[k]);
-  }
-  template <class Visit>
-  void for_each_neighbor(std::size_t k, Visit visit) const {
-    for_each_cocone_neighbor(triangulation, cocones, k, visit);
-  }
 };
 
 // Raised: the normal condition fails.
-SharedFlags failing_normals(const Conditions& conditions, const Execution& execution) {
+SharedFlags failing_normals(const Conditions& conditions, std::span<const FacetDoubts> doubts,
+                            const Execution& execution) {
   SharedFlags fails(conditions.triangulation.num_vertices());
-  parallel_chunks(
-      execution, conditions.cocones.facets.size(), facets_per_chunk,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-          const auto [a, b, c] = conditions.corners(k);
-          // At most facets all agree, whatever cocones their dual edges meet.
-          if (conditions.agree(a, b) && conditions.agree(b, c) && conditions.agree(c, a)) {
-            continue;
-          }
-          conditions.for_each_neighbor(k, [&](VertexId p, VertexId q) {
-            if (!conditions.agree(p, q)) fails.raise(p);
-          });
-        }
-      });
+  parallel_chunks(execution, doubts.size(), facets_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t k = begin; k < end; ++k) {
+                      if ((doubts[k] & normals_disagree) == 0) continue;
+                      for_each_cocone_neighbor(conditions.cocones, k, [&](VertexId p, VertexId q) {
+                        if (!conditions.agree(p, q)) fails.raise(p);
+                      });
+                    }
+                  });
+  return fails;
+}
+
+// Samples whose ratio condition the facets alone do not show to hold.
+VertexSet doubtful_ratios(const Conditions& conditions, std::span<const FacetDoubts> doubts,
+                          const Execution& execution) {
+  SharedFlags raised(conditions.triangulation.num_vertices());
+  parallel_chunks(execution, doubts.size(), facets_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t k = begin; k < end; ++k) {
+                      unsigned open = doubts[k] & unsigned{FacetDoubts{7}};
+                      for (; open != 0; open &= open - 1) {
+                        const auto i = static_cast<std::size_t>(std::countr_zero(open));
+                        raised.raise(conditions.cocones.corners[k][i]);
+                      }
+                    }
+                  });
+  VertexSet doubtful(conditions.triangulation.num_vertices(), 0);
+  for (const VertexId v : doubtful.ids()) doubtful[v] = raised.is_raised(v) ? 1 : 0;
+  if (conditions.options.radius_mode == RadiusMode::tangent_plane) {
+    for (const VertexId v :
+         unbounded_in_plane(conditions.triangulation, conditions.dual, conditions.poles)) {
+      doubtful[v] = 1;
+    }
+  }
+  return doubtful;
+}
+
+// Failing: the ratio condition does. Radii are computed where they are in doubt.
+VertexSet failing_ratios(const Conditions& conditions, std::span<const FacetDoubts> doubts,
+                         const Execution& execution) {
+  const auto& [triangulation, dual, poles, cocones, options] = conditions;
+  VertexSet fails = doubtful_ratios(conditions, doubts, execution);
+  if (std::find(fails.begin(), fails.end(), 1) != fails.end()) {
+    const IdVector<VertexId, double> radii =
+        cocone_radii(triangulation, dual, poles, cocones, options.radius_mode, fails, execution);
+    for (const VertexId p : fails.ids()) {
+      if (radii[p] <= options.rho * poles.heights[p]) fails[p] = 0;
+    }
+  }
+  for (const VertexId p : fails.ids()) fails[p] |= poles.degenerate[p];
   return fails;
 }
 
@@ -63,12 +94,13 @@ using State = SampleState;
 // normals and p pending. In order of steps.
 std::vector<TakenIn> take_in_pending(const Conditions& conditions,
                                      IdVector<VertexId, State> states) {
+  if (std::find(states.begin(), states.end(), State::pending) == states.end()) return {};
   std::vector<NeighborOf> steps;
   for (std::size_t k = 0; k < conditions.cocones.facets.size(); ++k) {
-    const auto [a, b, c] = conditions.corners(k);
+    const auto [a, b, c] = conditions.cocones.corners[k];
     const auto is_pending = [&](VertexId v) { return states[v] == State::pending; };
     if (!is_pending(a) && !is_pending(b) && !is_pending(c)) continue;
-    conditions.for_each_neighbor(k, [&](VertexId p, VertexId q) {
+    for_each_cocone_neighbor(conditions.cocones, k, [&](VertexId p, VertexId q) {
       if (!is_pending(p) || states[q] == State::ratio_fails) return;
       if (conditions.agree(p, q)) steps.push_back({q, p});
     });
@@ -99,13 +131,14 @@ IdVector<VertexId, SampleState> judge_samples(const Triangulation& triangulation
                                               const Poles& poles, const Cocones& cocones,
                                               const BoundaryOptions& options,
                                               const Execution& execution) {
-  const Conditions conditions{triangulation, poles, cocones, options};
-  const IdVector<VertexId, double> radii =
-      cocone_radii(triangulation, dual, poles, cocones, options.radius_mode, execution);
-  const SharedFlags normal_fails = failing_normals(conditions, execution);
+  const Conditions conditions{triangulation, dual, poles, cocones, options};
+  const std::vector<FacetDoubts> doubts =
+      facet_doubts(triangulation, poles, cocones, options, execution);
+  const VertexSet ratio_fails = failing_ratios(conditions, doubts, execution);
+  const SharedFlags normal_fails = failing_normals(conditions, doubts, execution);
   IdVector<VertexId, State> states(triangulation.num_vertices(), State::ratio_fails);
   for (const VertexId p : states.ids()) {
-    if (poles.degenerate[p] != 0 || !(radii[p] <= options.rho * poles.heights[p])) continue;
+    if (ratio_fails[p] != 0) continue;
     states[p] = normal_fails.is_raised(p) ? State::pending : State::interior;
   }
   return states;
@@ -115,7 +148,7 @@ BoundarySamples boundary_samples(const Triangulation& triangulation, const Dual&
                                  const Poles& poles, const Cocones& cocones,
                                  const BoundaryOptions& options, const Execution& execution) {
   report_progress(execution, "boundary_samples", 0);
-  const Conditions conditions{triangulation, poles, cocones, options};
+  const Conditions conditions{triangulation, dual, poles, cocones, options};
   BoundarySamples result;
   result.states = judge_samples(triangulation, dual, poles, cocones, options, execution);
   report_progress(execution, "boundary_samples", 0.8);

@@ -11,31 +11,22 @@
 // that the cells share meets the cocone iff one of its edges does.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "cocone/cocone_radii.h"
+#include "cocone/boundary_options.h"
 #include "cocone/cocones.h"
 #include "cocone/facet_set.h"
 #include "cocone/poles.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/execution.h"
+#include "geom/side_links.h"
 
 namespace cocoon {
-
-struct BoundaryOptions {
-  // Ratio condition. The test is relative to the local feature size, not to the spacing: a gap of
-  // radius g is found roughly iff g > rho h. Closed models: 1 / 1.2. Open clouds: 0.13 to 0.3.
-  double rho = 1 / 1.2;
-  // Normal condition: cosine of alpha, here pi / 6.
-  double alpha_cosine = 0.86602540378443865;
-  // Closed models: tangent_plane (far fewer false boundary samples on thin and noisy data).
-  // Open clouds: cocone (cleaner rims).
-  RadiusMode radius_mode = RadiusMode::tangent_plane;
-};
 
 // What the conditions say of a sample.
 enum class SampleState : std::uint8_t {
@@ -89,17 +80,12 @@ inline bool normals_agree(const Poles& poles, VertexId p, VertexId q,
 // Calls visit(p, q) for p in N_q as facet k of `cocones` tells it; a pair may come up for several
 // facets.
 template <class Visit>
-void for_each_cocone_neighbor(const Triangulation& triangulation, const Cocones& cocones,
-                              std::size_t k, Visit visit) {
-  const FacetId f = cocones.facets[k];
-  const unsigned row = cocones.rows[k];
-  const Cell& cell = triangulation.cell(cell_of(f));
-  const int* corners = facet_corners[index_of(f)];
-  for (int i = 0; i < 3; ++i) {
-    if (((row >> corners[i]) & 1U) == 0) continue;
-    const VertexId q = cell.vertices[static_cast<std::size_t>(corners[i])];
-    visit(cell.vertices[static_cast<std::size_t>(corners[(i + 1) % 3])], q);
-    visit(cell.vertices[static_cast<std::size_t>(corners[(i + 2) % 3])], q);
+void for_each_cocone_neighbor(const Cocones& cocones, std::size_t k, Visit visit) {
+  const Triangle& corners = cocones.corners[k];
+  for (unsigned met = cocones.met_corners(k); met != 0; met &= met - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(met));
+    visit(corners[next_corner(i)], corners[i]);
+    visit(corners[previous_corner(i)], corners[i]);
   }
 }
 

@@ -12,6 +12,7 @@
 
 #include "cocone/double_cone.h"
 #include "cocone/shared_maxima.h"
+#include "geom/parallel_list.h"
 
 namespace cocoon {
 namespace {
@@ -27,7 +28,10 @@ struct RelativeEdge {
 };
 
 // Largest squared |x + t d| at the crossings of the edge with the cone |x.n| = C |x|.
-double squared_crossing_with_cone(const RelativeEdge& e, const Vec3& n, double squared_cosine) {
+double squared_crossing_with_cone(RelativeEdge e, const Vec3& n, double squared_cosine) {
+  // From the nearer end: seen from one that is far away, as those of slivers are, a crossing near
+  // the sample is lost in roundings.
+  if (!e.is_ray && squared_norm(e.y) < squared_norm(e.x)) std::swap(e.x, e.y);
   const Vec3 d = e.is_ray ? e.y : e.y - e.x;
   // a t^2 + 2 b t + c = 0 for the difference of the squares of both sides
   const double xn = dot(e.x, n);
@@ -77,17 +81,23 @@ struct DualEnds {
   bool is_ray = false;
 };
 
-// Calls visit(k, ends) for the facets begin ... end - 1 of `cocones`.
+// A facet of the list and the corners whose radius is asked for, as bits of its cell's vertices.
+struct AskedFacet {
+  FacetId facet;
+  std::uint8_t corners;
+};
+
+// Calls visit(asked facet, its ends) for all of them.
 template <class Visit>
 void for_each_dual_edge(const Triangulation& triangulation, const Dual& dual,
-                        const Cocones& cocones, std::size_t begin, std::size_t end, Visit visit) {
+                        std::span<const AskedFacet> facets, Visit visit) {
   constexpr std::size_t facets_per_block = max_block_cells / 2;
   std::array<CellId, max_block_cells> cells;
   CellBlock block;
-  for (std::size_t first = begin; first < end; first += facets_per_block) {
-    const std::size_t count = std::min(facets_per_block, end - first);
+  while (!facets.empty()) {
+    const std::size_t count = std::min(facets_per_block, facets.size());
     for (std::size_t k = 0; k < count; ++k) {
-      const FacetId f = cocones.facets[first + k];
+      const FacetId f = facets[k].facet;
       const CellId behind = cell_of(triangulation.mirror(f));
       cells[2 * k] = cell_of(f);  // finite: the id is canonical
       cells[2 * k + 1] = triangulation.is_infinite(behind) ? cell_of(f) : behind;
@@ -97,13 +107,14 @@ void for_each_dual_edge(const Triangulation& triangulation, const Dual& dual,
       const Point here = block.center(2 * k);
       const Point there = block.center(2 * k + 1);
       if (cells[2 * k] == cells[2 * k + 1]) {
-        const CellId behind = cell_of(triangulation.mirror(cocones.facets[first + k]));
-        visit(first + k, DualEnds{here, center_of(triangulation, dual, behind), true});
+        const CellId behind = cell_of(triangulation.mirror(facets[k].facet));
+        visit(facets[k], DualEnds{here, center_of(triangulation, dual, behind), true});
       } else {
-        visit(first + k,
+        visit(facets[k],
               there < here ? DualEnds{there, here, false} : DualEnds{here, there, false});
       }
     }
+    facets = facets.subspan(count);
   }
 }
 
@@ -168,30 +179,65 @@ class Radii {
   std::vector<std::pair<VertexId, double>> far_;
 };
 
+// The corners of facet k of `cocones` whose cocone it meets and that have a flag.
+unsigned asked_corners(const Cocones& cocones, const VertexSet& samples, std::size_t k) {
+  const int* const places = facet_corners[index_of(cocones.facets[k])];
+  unsigned asked = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    asked |= (samples[cocones.corners[k][i]] != 0 ? 1U : 0U) << places[i];
+  }
+  return asked & cocones.rows[k];
+}
+
 }  // namespace
+
+std::vector<VertexId> unbounded_in_plane(const Triangulation& triangulation, const Dual& dual,
+                                         const Poles& poles) {
+  std::vector<VertexId> unbounded;
+  for (const CellId c : triangulation.infinite_cells()) {
+    const Vec3 ray = center_of(triangulation, dual, c);
+    for (unsigned j = 0; j < 3; ++j) {
+      const VertexId p = triangulation.cell(c).vertices[j];
+      if (!(dot(ray, poles.normals[p]) > 0)) unbounded.push_back(p);
+    }
+  }
+  return unbounded;
+}
+
+IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, const Dual& dual,
+                                        const Poles& poles, const Cocones& cocones, RadiusMode mode,
+                                        const VertexSet& samples, const Execution& execution) {
+  const std::vector<AskedFacet> facets = parallel_list<AskedFacet>(
+      execution, cocones.facets.size(), facets_per_chunk,
+      [&](std::size_t begin, std::size_t end, std::vector<AskedFacet>& asked) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const unsigned corners = asked_corners(cocones, samples, k);
+          if (corners == 0) continue;
+          asked.push_back({cocones.facets[k], static_cast<std::uint8_t>(corners)});
+        }
+      });
+  Radii radii(cocones, mode, triangulation.num_vertices(), execution);
+  parallel_chunks(
+      execution, facets.size(), facets_per_chunk, [&](std::size_t begin, std::size_t end) {
+        for_each_dual_edge(triangulation, dual, std::span(facets).subspan(begin, end - begin),
+                           [&](const AskedFacet& asked, const DualEnds& ends) {
+                             const Cell& cell = triangulation.cell(cell_of(asked.facet));
+                             radii.take(triangulation, poles, cell, asked.corners, ends);
+                           });
+      });
+  if (mode == RadiusMode::tangent_plane) {
+    for (const VertexId p : unbounded_in_plane(triangulation, dual, poles)) {
+      if (samples[p] != 0) radii.take_infinite(p);
+    }
+  }
+  return std::move(radii).result();
+}
 
 IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, const Dual& dual,
                                         const Poles& poles, const Cocones& cocones, RadiusMode mode,
                                         const Execution& execution) {
-  Radii radii(cocones, mode, triangulation.num_vertices(), execution);
-  const std::size_t facets = cocones.facets.size();
-  parallel_chunks(execution, facets, facets_per_chunk, [&](std::size_t begin, std::size_t end) {
-    for_each_dual_edge(triangulation, dual, cocones, begin, end,
-                       [&](std::size_t k, const DualEnds& ends) {
-                         const Cell& cell = triangulation.cell(cell_of(cocones.facets[k]));
-                         radii.take(triangulation, poles, cell, cocones.rows[k], ends);
-                       });
-  });
-  if (mode == RadiusMode::tangent_plane) {
-    for (const CellId c : triangulation.infinite_cells()) {
-      const Vec3 ray = center_of(triangulation, dual, c);
-      for (unsigned j = 0; j < 3; ++j) {
-        const VertexId p = triangulation.cell(c).vertices[j];
-        if (!(dot(ray, poles.normals[p]) > 0)) radii.take_infinite(p);
-      }
-    }
-  }
-  return std::move(radii).result();
+  return cocone_radii(triangulation, dual, poles, cocones, mode,
+                      VertexSet(triangulation.num_vertices(), 1), execution);
 }
 
 }  // namespace cocoon

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "cocone/cocones.h"
+#include "cocone/facet_set.h"
 #include "cocone/poles.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi_dual.h"
@@ -29,5 +31,16 @@ enum class RadiusMode : std::uint8_t {
 IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, const Dual& dual,
                                         const Poles& poles, const Cocones& cocones, RadiusMode mode,
                                         const Execution& execution = {});
+
+// The same of some samples, those with a flag; the others get 0. Looks at no Voronoi vertices but
+// those of facets that meet the cocone of one of them.
+IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, const Dual& dual,
+                                        const Poles& poles, const Cocones& cocones, RadiusMode mode,
+                                        const VertexSet& samples, const Execution& execution = {});
+
+// Hull samples whose radius in mode `tangent_plane` is infinite by their hull normals, each once or
+// more. Complexity: O(hull).
+std::vector<VertexId> unbounded_in_plane(const Triangulation& triangulation, const Dual& dual,
+                                         const Poles& poles);
 
 }  // namespace cocoon
