@@ -52,38 +52,48 @@ void mark_surplus(const TriangleMesh& mesh, std::vector<SideId> sides,
   }
 }
 
-// Leaves out triangles until no edge has more than two.
-Part without_surplus(const TriangleMesh& surface, LinkedSides sides_of_surface) {
-  Part part{surface, IdVector<TriangleId, TriangleId>(surface.triangles.size()),
-            std::move(sides_of_surface)};
-  for (const TriangleId t : part.origin.ids()) part.origin[t] = t;
-  for (;;) {
-    const LinkedSides& sides = part.sides;
-    std::vector<std::uint8_t> surplus(part.mesh.triangles.size(), 0);
-    bool found = false;
-    for (SideId side = 0; side < sides.links.size(); ++side) {
-      if (!sides.has_edge(side) || sides.is_open(side) || sides.is_two_sided(side)) continue;
-      if (!sides.is_first(side)) continue;
-      std::vector<SideId> at_edge;
-      sides.for_each_at_edge(side, [&](SideId other) { at_edge.push_back(other); });
-      mark_surplus(part.mesh, std::move(at_edge), surplus);
-      found = true;
-    }
-    if (!found) return part;
-    Part rest{{part.mesh.points, {}}, {}, link_rest(sides, surplus)};
-    for (const TriangleId t : part.mesh.triangles.ids()) {
-      if (surplus[t.index()] != 0) continue;
-      rest.mesh.triangles.push_back(part.mesh.triangles[t]);
-      rest.origin.push_back(part.origin[t]);
-    }
-    part = std::move(rest);
+// The triangles to leave out, all but two at each edge that has more; empty if there is no such
+// edge.
+std::vector<std::uint8_t> surplus_triangles(const TriangleMesh& mesh, const LinkedSides& sides) {
+  std::vector<std::uint8_t> surplus;
+  for (SideId side = 0; side < sides.links.size(); ++side) {
+    if (!sides.has_edge(side) || sides.is_open(side) || sides.is_two_sided(side)) continue;
+    if (!sides.is_first(side)) continue;
+    std::vector<SideId> at_edge;
+    sides.for_each_at_edge(side, [&](SideId other) { at_edge.push_back(other); });
+    surplus.resize(mesh.triangles.size(), 0);
+    mark_surplus(mesh, std::move(at_edge), surplus);
   }
+  return surplus;
+}
+
+Part without(const Part& part, const std::vector<std::uint8_t>& surplus) {
+  Part rest{{part.mesh.points, {}}, {}, link_rest(part.sides, surplus)};
+  for (const TriangleId t : part.mesh.triangles.ids()) {
+    if (surplus[t.index()] != 0) continue;
+    rest.mesh.triangles.push_back(part.mesh.triangles[t]);
+    rest.origin.push_back(part.origin[t]);
+  }
+  return rest;
+}
+
+// Leaves out triangles until no edge has more than two. Precondition: some edge has.
+Part without_surplus(const TriangleMesh& surface, const LinkedSides& sides,
+                     std::vector<std::uint8_t> surplus) {
+  Part part{surface, IdVector<TriangleId, TriangleId>(surface.triangles.size()), sides};
+  for (const TriangleId t : part.origin.ids()) part.origin[t] = t;
+  while (!surplus.empty()) {
+    part = without(part, surplus);
+    surplus = surplus_triangles(part.mesh, part.sides);
+  }
+  return part;
 }
 
 class LoopWalk {
  public:
-  explicit LoopWalk(const Part& part)
-      : part_(part), sides_(part.sides), passed_(part.sides.links.size(), 0) {}
+  // Precondition: no edge has more than two triangles.
+  LoopWalk(const TriangleMesh& mesh, const LinkedSides& sides)
+      : mesh_(mesh), sides_(sides), passed_(sides.links.size(), 0) {}
 
   // All loops, each from an arbitrary edge on.
   std::vector<std::vector<BoundaryEdge>> run() {
@@ -103,7 +113,7 @@ class LoopWalk {
       if (sides_.is_open(side)) open.push_back(side);
     }
     const auto edge_of = [&](SideId side) {
-      const auto [a, b] = ends_of_side(part_.mesh, side);
+      const auto [a, b] = ends_of_side(mesh_, side);
       return std::pair(std::min(a, b), std::max(a, b));
     };
     std::sort(open.begin(), open.end(),
@@ -113,12 +123,12 @@ class LoopWalk {
 
   std::vector<BoundaryEdge> walk(SideId first) {
     std::vector<BoundaryEdge> loop;
-    std::array<VertexId, 2> ends = ends_of_side(part_.mesh, first);
+    std::array<VertexId, 2> ends = ends_of_side(mesh_, first);
     for (SideId side = first; passed_[side] == 0;) {
       passed_[side] = 1;
       loop.push_back({ends[0], ends[1], TriangleId(triangle_of_side(side))});
       side = end_of_fan(side, ends[1]);
-      const auto [a, b] = ends_of_side(part_.mesh, side);
+      const auto [a, b] = ends_of_side(mesh_, side);
       ends = {ends[1], a == ends[1] ? b : a};
     }
     return loop;
@@ -137,12 +147,12 @@ class LoopWalk {
   SideId other_side_at(SideId side, VertexId v) const {
     const SideId first = 3 * triangle_of_side(side);
     for (SideId other = first; other < first + 3; ++other) {
-      if (other != side && apex_of_side(part_.mesh, other) != v) return other;
+      if (other != side && apex_of_side(mesh_, other) != v) return other;
     }
     return side;
   }
 
-  const Part& part_;
+  const TriangleMesh& mesh_;
   const LinkedSides& sides_;
   std::vector<std::uint8_t> passed_;  // of open sides
 };
@@ -167,31 +177,23 @@ void rotate_to_start(const TriangleMesh& mesh, std::vector<BoundaryEdge>& edges)
   std::rotate(edges.begin(), std::min_element(edges.begin(), edges.end(), before), edges.end());
 }
 
-}  // namespace
-
-BoundaryLoops boundary_loops(const TriangleMesh& open_surface, const BoundaryLoopOptions& options) {
-  return boundary_loops(open_surface, link_sides(open_surface), options);
-}
-
-BoundaryLoops boundary_loops(const TriangleMesh& open_surface, LinkedSides sides,
-                             const BoundaryLoopOptions& options) {
-  Part part = without_surplus(open_surface, std::move(sides));
+// Of an oriented surface with at most two triangles at each edge.
+BoundaryLoops loops_of(const TriangleMesh& mesh, const LinkedSides& sides,
+                       const EdgeComponents& found, const BoundaryLoopOptions& options) {
   BoundaryLoops result;
-  result.surplus_triangles = open_surface.triangles.size() - part.mesh.triangles.size();
-  const EdgeComponents found = edge_components(part.mesh, part.sides);
-  const OrientationReport orientation = orient_surface(part.mesh, found);
-  if (orientation.flipped > 0) part.sides = link_sides(part.mesh);
-  result.non_orientable = orientation.non_orientable;
-  result.median_edge = median_edge_length(part.mesh, part.sides);
+  for (const EdgeComponent& component : found.components) {
+    result.non_orientable += component.is_contradictory ? 1U : 0U;
+  }
+  result.median_edge = median_edge_length(mesh, sides);
   const double smallest_component =
-      options.min_component_share * static_cast<double>(part.mesh.triangles.size());
+      options.min_component_share * static_cast<double>(mesh.triangles.size());
   const auto is_debris = [&](std::size_t triangles) {
     return static_cast<double>(triangles) < smallest_component;
   };
   result.small_components = static_cast<std::size_t>(std::count_if(
       found.components.begin(), found.components.end(),
       [&](const EdgeComponent& component) { return is_debris(component.triangles); }));
-  for (std::vector<BoundaryEdge>& edges : LoopWalk(part).run()) {
+  for (std::vector<BoundaryEdge>& edges : LoopWalk(mesh, sides).run()) {
     BoundaryLoop loop;
     loop.component_triangles =
         found.components[found.component_of[edges.front().triangle.index()]].triangles;
@@ -199,10 +201,9 @@ BoundaryLoops boundary_loops(const TriangleMesh& open_surface, LinkedSides sides
       ++result.discarded_loops;
       continue;
     }
-    rotate_to_start(part.mesh, edges);
-    for (BoundaryEdge& edge : edges) {
-      loop.perimeter += distance(part.mesh.points[edge.from], part.mesh.points[edge.to]);
-      edge.triangle = part.origin[edge.triangle];
+    rotate_to_start(mesh, edges);
+    for (const BoundaryEdge& edge : edges) {
+      loop.perimeter += distance(mesh.points[edge.from], mesh.points[edge.to]);
     }
     loop.edges = std::move(edges);
     loop.pin_hole = loop.edges.size() < options.min_loop_edges ||
@@ -212,12 +213,47 @@ BoundaryLoops boundary_loops(const TriangleMesh& open_surface, LinkedSides sides
   }
   std::sort(result.loops.begin(), result.loops.end(), [&](const auto& a, const auto& b) {
     const auto start = [&](const BoundaryLoop& loop) {
-      return std::pair(open_surface.points[loop.edges.front().from],
-                       open_surface.points[loop.edges.front().to]);
+      return std::pair(mesh.points[loop.edges.front().from], mesh.points[loop.edges.front().to]);
     };
     return start(a) < start(b);
   });
   return result;
+}
+
+// Of a surface with at most two triangles at each edge, oriented in any way.
+BoundaryLoops loops_of_any(TriangleMesh mesh, LinkedSides sides,
+                           const BoundaryLoopOptions& options) {
+  const EdgeComponents found = edge_components(mesh, sides);
+  if (orient_surface(mesh, found).flipped > 0) sides = link_sides(mesh);
+  return loops_of(mesh, sides, found, options);
+}
+
+BoundaryLoops loops_without(const TriangleMesh& surface, const LinkedSides& sides,
+                            std::vector<std::uint8_t> surplus, const BoundaryLoopOptions& options) {
+  Part part = without_surplus(surface, sides, std::move(surplus));
+  const std::size_t left = part.mesh.triangles.size();
+  BoundaryLoops result = loops_of_any(std::move(part.mesh), std::move(part.sides), options);
+  result.surplus_triangles = surface.triangles.size() - left;
+  for (BoundaryLoop& loop : result.loops) {
+    for (BoundaryEdge& edge : loop.edges) edge.triangle = part.origin[edge.triangle];
+  }
+  return result;
+}
+
+}  // namespace
+
+BoundaryLoops boundary_loops(const TriangleMesh& open_surface, const BoundaryLoopOptions& options) {
+  LinkedSides sides = link_sides(open_surface);
+  std::vector<std::uint8_t> surplus = surplus_triangles(open_surface, sides);
+  if (surplus.empty()) return loops_of_any(open_surface, std::move(sides), options);
+  return loops_without(open_surface, sides, std::move(surplus), options);
+}
+
+BoundaryLoops boundary_loops(const TriangleMesh& oriented_surface, const LinkedSides& sides,
+                             const EdgeComponents& components, const BoundaryLoopOptions& options) {
+  std::vector<std::uint8_t> surplus = surplus_triangles(oriented_surface, sides);
+  if (surplus.empty()) return loops_of(oriented_surface, sides, components, options);
+  return loops_without(oriented_surface, sides, std::move(surplus), options);
 }
 
 }  // namespace cocoon

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "geom/edge_components.h"
 #include "geom/linked_sides.h"
 #include "geom/triangle_mesh.h"
 
@@ -61,8 +62,10 @@ struct BoundaryLoops {
 BoundaryLoops boundary_loops(const TriangleMesh& open_surface,
                              const BoundaryLoopOptions& options = {});
 
-// The same for who has the linked sides of the surface.
-BoundaryLoops boundary_loops(const TriangleMesh& open_surface, LinkedSides sides,
+// The same for who has oriented the surface by orient_surface() with these components, and has its
+// linked sides.
+BoundaryLoops boundary_loops(const TriangleMesh& oriented_surface, const LinkedSides& sides,
+                             const EdgeComponents& components,
                              const BoundaryLoopOptions& options = {});
 
 }  // namespace cocoon

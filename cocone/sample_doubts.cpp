@@ -29,9 +29,9 @@ void find_sparse(const Triangulation& triangulation, const IdVector<VertexId, do
 void find_ratios(const Triangulation& triangulation, const IdVector<VertexId, double>& spacing,
                  const ReconstructOptions& options, const Execution& execution,
                  SampleDoubts& doubts) {
-  const Dual dual = voronoi_dual(triangulation, execution);
+  Dual dual;
   ConeSides sides;
-  const Poles poles = compute_poles(triangulation, dual, options.cocone.cosine, sides, execution);
+  const Poles poles = compute_poles(triangulation, options.cocone.cosine, dual, sides, execution);
   const Cocones cocones = intersect_cocones(triangulation, std::move(sides), execution);
   const IdVector<VertexId, double> radii =
       cocone_radii(triangulation, dual, poles, cocones, options.boundary.radius_mode, execution);

@@ -93,7 +93,7 @@ CloudRim cloud_rim(const TriangleMesh& surface, const LinkedSides& sides,
   const EdgeComponents components = edge_components(mesh, sides);
   const bool flipped = orient_surface(mesh, components).flipped > 0;
   const BoundaryLoops boundary =
-      boundary_loops(mesh, flipped ? link_sides(mesh) : sides, options.loops);
+      boundary_loops(mesh, flipped ? link_sides(mesh) : sides, components, options.loops);
   const IdVector<VertexId, Vec3> normals = normals_at(boundary.loops, mesh);
 
   const auto is_one_sided = [&](const BoundaryLoop& loop) {

@@ -25,9 +25,9 @@ struct Foundation {
 Foundation lay_foundation(Points cloud, const ReconstructOptions& options,
                           const Execution& execution) {
   Triangulation triangulation = delaunay(cloud, options.delaunay, execution).triangulation;
-  Dual dual = voronoi_dual(triangulation, execution);
+  Dual dual;
   ConeSides sides;
-  Poles poles = compute_poles(triangulation, dual, options.cocone.cosine, sides, execution);
+  Poles poles = compute_poles(triangulation, options.cocone.cosine, dual, sides, execution);
   Cocones cocones = intersect_cocones(triangulation, std::move(sides), execution);
   return {std::move(triangulation), std::move(dual), std::move(poles), std::move(cocones)};
 }

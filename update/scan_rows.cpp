@@ -20,10 +20,13 @@ std::array<double, 3> squared_edges(const TriangleMesh& surface, const Triangle&
   const Point& a = surface.points[t[0]];
   const Point& b = surface.points[t[1]];
   const Point& c = surface.points[t[2]];
-  std::array<double, 3> edges = {squared_distance(a, b), squared_distance(b, c),
-                                 squared_distance(c, a)};
-  std::sort(edges.begin(), edges.end());
-  return edges;
+  const double ab = squared_distance(a, b);
+  const double bc = squared_distance(b, c);
+  const double ca = squared_distance(c, a);
+  // Without a branch: which edge is longer cannot be foreseen.
+  const double shorter = std::min(ab, bc);
+  const double longer = std::max(ab, bc);
+  return {std::min(shorter, ca), std::max(shorter, std::min(longer, ca)), std::max(longer, ca)};
 }
 
 // Squared, per point of the cloud.
