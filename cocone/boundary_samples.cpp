@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <span>
 #include <vector>
 
 #include "cocone/cocone_radii.h"
@@ -27,20 +26,39 @@ struct Conditions {
   const Poles& poles;
   const Cocones& cocones;
   const BoundaryOptions& options;
+  std::vector<FacetDoubts> doubts;  // of the facets of `cocones`
 
-  bool agree(VertexId p, VertexId q) const { return normals_agree(poles, p, q, options); }
+  Conditions(const Triangulation& of, const Dual& its_dual, const Poles& its_poles,
+             const Cocones& its_cocones, const BoundaryOptions& given, const Execution& execution)
+      : triangulation(of),
+        dual(its_dual),
+        poles(its_poles),
+        cocones(its_cocones),
+        options(given),
+        doubts(facet_doubts(of, its_poles, its_cocones, given, execution)) {}
+
+  // Calls visit(p, q, agree) for p in N_q as facet k tells it, with what their normals do.
+  template <class Visit>
+  void for_each_neighbor(std::size_t k, Visit visit) const {
+    const Triangle& corners = cocones.corners[k];
+    const auto agree = [&](std::size_t i) { return (doubts[k] >> (3 + i) & 1U) == 0; };
+    for (unsigned met = cocones.met_corners(k); met != 0; met &= met - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(met));
+      visit(corners[next_corner(i)], corners[i], agree(i));
+      visit(corners[previous_corner(i)], corners[i], agree(previous_corner(i)));
+    }
+  }
 };
 
 // Raised: the normal condition fails.
-SharedFlags failing_normals(const Conditions& conditions, std::span<const FacetDoubts> doubts,
-                            const Execution& execution) {
+SharedFlags failing_normals(const Conditions& conditions, const Execution& execution) {
   SharedFlags fails(conditions.triangulation.num_vertices());
-  parallel_chunks(execution, doubts.size(), facets_per_chunk,
+  parallel_chunks(execution, conditions.doubts.size(), facets_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
                     for (std::size_t k = begin; k < end; ++k) {
-                      if ((doubts[k] & normals_disagree) == 0) continue;
-                      for_each_cocone_neighbor(conditions.cocones, k, [&](VertexId p, VertexId q) {
-                        if (!conditions.agree(p, q)) fails.raise(p);
+                      if ((conditions.doubts[k] & normals_disagree) == 0) continue;
+                      conditions.for_each_neighbor(k, [&](VertexId p, VertexId, bool agree) {
+                        if (!agree) fails.raise(p);
                       });
                     }
                   });
@@ -48,13 +66,12 @@ SharedFlags failing_normals(const Conditions& conditions, std::span<const FacetD
 }
 
 // Samples whose ratio condition the facets alone do not show to hold.
-VertexSet doubtful_ratios(const Conditions& conditions, std::span<const FacetDoubts> doubts,
-                          const Execution& execution) {
+VertexSet doubtful_ratios(const Conditions& conditions, const Execution& execution) {
   SharedFlags raised(conditions.triangulation.num_vertices());
-  parallel_chunks(execution, doubts.size(), facets_per_chunk,
+  parallel_chunks(execution, conditions.doubts.size(), facets_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
                     for (std::size_t k = begin; k < end; ++k) {
-                      unsigned open = doubts[k] & unsigned{FacetDoubts{7}};
+                      unsigned open = conditions.doubts[k] & ratio_doubts;
                       for (; open != 0; open &= open - 1) {
                         const auto i = static_cast<std::size_t>(std::countr_zero(open));
                         raised.raise(conditions.cocones.corners[k][i]);
@@ -72,14 +89,15 @@ VertexSet doubtful_ratios(const Conditions& conditions, std::span<const FacetDou
   return doubtful;
 }
 
-// Failing: the ratio condition does. Radii are computed where they are in doubt.
-VertexSet failing_ratios(const Conditions& conditions, std::span<const FacetDoubts> doubts,
-                         const Execution& execution) {
-  const auto& [triangulation, dual, poles, cocones, options] = conditions;
-  VertexSet fails = doubtful_ratios(conditions, doubts, execution);
+// Flagged: the ratio condition fails. Radii are computed where it is in doubt.
+VertexSet failing_ratios(const Conditions& conditions, const Execution& execution) {
+  const Poles& poles = conditions.poles;
+  const BoundaryOptions& options = conditions.options;
+  VertexSet fails = doubtful_ratios(conditions, execution);
   if (std::find(fails.begin(), fails.end(), 1) != fails.end()) {
     const IdVector<VertexId, double> radii =
-        cocone_radii(triangulation, dual, poles, cocones, options.radius_mode, fails, execution);
+        cocone_radii(conditions.triangulation, conditions.dual, poles, conditions.cocones,
+                     options.radius_mode, fails, execution);
     for (const VertexId p : fails.ids()) {
       if (radii[p] <= options.rho * poles.heights[p]) fails[p] = 0;
     }
@@ -100,9 +118,9 @@ std::vector<TakenIn> take_in_pending(const Conditions& conditions,
     const auto [a, b, c] = conditions.cocones.corners[k];
     const auto is_pending = [&](VertexId v) { return states[v] == State::pending; };
     if (!is_pending(a) && !is_pending(b) && !is_pending(c)) continue;
-    for_each_cocone_neighbor(conditions.cocones, k, [&](VertexId p, VertexId q) {
+    conditions.for_each_neighbor(k, [&](VertexId p, VertexId q, bool agree) {
       if (!is_pending(p) || states[q] == State::ratio_fails) return;
-      if (conditions.agree(p, q)) steps.push_back({q, p});
+      if (agree) steps.push_back({q, p});
     });
   }
   std::vector<TakenIn> taken;
@@ -125,18 +143,11 @@ std::vector<TakenIn> take_in_pending(const Conditions& conditions,
   return taken;
 }
 
-}  // namespace
-
-IdVector<VertexId, SampleState> judge_samples(const Triangulation& triangulation, const Dual& dual,
-                                              const Poles& poles, const Cocones& cocones,
-                                              const BoundaryOptions& options,
-                                              const Execution& execution) {
-  const Conditions conditions{triangulation, dual, poles, cocones, options};
-  const std::vector<FacetDoubts> doubts =
-      facet_doubts(triangulation, poles, cocones, options, execution);
-  const VertexSet ratio_fails = failing_ratios(conditions, doubts, execution);
-  const SharedFlags normal_fails = failing_normals(conditions, doubts, execution);
-  IdVector<VertexId, State> states(triangulation.num_vertices(), State::ratio_fails);
+// Phase 1.
+IdVector<VertexId, State> judge(const Conditions& conditions, const Execution& execution) {
+  const VertexSet ratio_fails = failing_ratios(conditions, execution);
+  const SharedFlags normal_fails = failing_normals(conditions, execution);
+  IdVector<VertexId, State> states(ratio_fails.size(), State::ratio_fails);
   for (const VertexId p : states.ids()) {
     if (ratio_fails[p] != 0) continue;
     states[p] = normal_fails.is_raised(p) ? State::pending : State::interior;
@@ -144,13 +155,22 @@ IdVector<VertexId, SampleState> judge_samples(const Triangulation& triangulation
   return states;
 }
 
+}  // namespace
+
+IdVector<VertexId, SampleState> judge_samples(const Triangulation& triangulation, const Dual& dual,
+                                              const Poles& poles, const Cocones& cocones,
+                                              const BoundaryOptions& options,
+                                              const Execution& execution) {
+  return judge({triangulation, dual, poles, cocones, options, execution}, execution);
+}
+
 BoundarySamples boundary_samples(const Triangulation& triangulation, const Dual& dual,
                                  const Poles& poles, const Cocones& cocones,
                                  const BoundaryOptions& options, const Execution& execution) {
   report_progress(execution, "boundary_samples", 0);
-  const Conditions conditions{triangulation, dual, poles, cocones, options};
+  const Conditions conditions(triangulation, dual, poles, cocones, options, execution);
   BoundarySamples result;
-  result.states = judge_samples(triangulation, dual, poles, cocones, options, execution);
+  result.states = judge(conditions, execution);
   report_progress(execution, "boundary_samples", 0.8);
   result.taken_in = take_in_pending(conditions, result.states);
   result.recovered = result.taken_in.size();

@@ -17,13 +17,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace cocoon::HWY_NAMESPACE {
 
-// Bit i: lane i.
-HWY_INLINE std::uint64_t bits_of(hn::Mask<Lanes> mask) {
-  std::uint8_t bytes[8];  // StoreMaskBits may write this many
-  hn::StoreMaskBits(Lanes(), mask, bytes);
-  return bytes[0] & ((1U << hn::Lanes(Lanes())) - 1U);
-}
-
 void squared_arms(const CellBlock& block, SquaredArms& arms) {
   const Lanes d;
   for (std::size_t b = 0; b < block.used().size(); ++b) {
@@ -36,18 +29,6 @@ void squared_arms(const CellBlock& block, SquaredArms& arms) {
       }
     }
   }
-}
-
-// Byte i of the result: bit i of each of the eight bytes.
-HWY_INLINE std::uint64_t transposed_bits(std::uint64_t bits) {
-  const auto swap = [&bits](int distance, std::uint64_t lower) {
-    const std::uint64_t differ = (bits ^ (bits >> distance)) & lower;
-    bits ^= differ ^ (differ << distance);
-  };
-  swap(7, 0x00AA00AA00AA00AAU);
-  swap(14, 0x0000CCCC0000CCCCU);
-  swap(28, 0x00000000F0F0F0F0U);
-  return bits;
 }
 
 using NormalBatches =

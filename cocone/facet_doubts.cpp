@@ -112,29 +112,15 @@ HWY_INLINE Mask surely_within_in_cocone(const Circles& circles, Vector along, Ve
       steep, hn::Lt(hn::Mul(hn::Set(d, room), squared_length), hn::Mul(limit, squared_steepness)));
 }
 
-HWY_INLINE std::uint64_t bits_of(Mask mask) {
-  std::uint8_t bytes[8];  // StoreMaskBits may write this many
-  hn::StoreMaskBits(Lanes(), mask, bytes);
-  return bytes[0] & ((1U << hn::Lanes(Lanes())) - 1U);
-}
-
-// Bit i of `bits` to bit `place` of doubt i.
-HWY_INLINE void put(std::uint64_t bits, std::size_t first, unsigned place, FacetBatch& batch) {
-  for (std::size_t i = 0; bits >> i != 0; ++i) {
-    batch.doubts[first + i] =
-        static_cast<FacetDoubts>(batch.doubts[first + i] | (bits >> i & 1U) << place);
-  }
-}
-
 void judge_batch(FacetBatch& batch, const Limits& limits) {
   const Lanes d;
   const Vector cone_cosine = hn::Set(d, limits.cone_cosine);
   const Vector alpha_cosine = hn::Set(d, limits.alpha_cosine);
-  batch.doubts = {};
+  std::uint64_t doubts = 0;  // byte i: bit i of the doubts of each facet
   for (std::size_t first = 0; first < batch_size; first += hn::Lanes(d)) {
     const Circles circles = circles_of(batch, first);
     std::array<Vectors, 3> normals;
-    for (unsigned i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       normals[i] = load(batch.normals[i], first);
       const Vectors from_first = minus(load(batch.corners[i], first), circles.first);
       const Vector along = dot(minus(circles.offset, from_first), normals[i]);
@@ -143,15 +129,17 @@ void judge_batch(FacetBatch& batch, const Limits& limits) {
       const Mask within = limits.mode == RadiusMode::tangent_plane
                               ? surely_within_in_plane(circles, along, tilt, limit)
                               : surely_within_in_cocone(circles, along, tilt, limit, cone_cosine);
-      put(bits_of(hn::Not(hn::And(circles.is_sound, within))), first, i, batch);
+      doubts |= bits_of(hn::Not(hn::And(circles.is_sound, within))) << (8 * i + first);
     }
-    const auto agree = [&](const Vectors& a, const Vectors& b) {
-      return hn::Ge(hn::Abs(dot(a, b)), alpha_cosine);
-    };
-    const Mask all_agree =
-        hn::And(hn::And(agree(normals[0], normals[1]), agree(normals[1], normals[2])),
-                agree(normals[2], normals[0]));
-    put(bits_of(hn::Not(all_agree)), first, 3, batch);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector cosine = dot(normals[i], normals[(i + 1) % 3]);
+      const Mask agree = hn::Ge(hn::Abs(cosine), alpha_cosine);
+      doubts |= bits_of(hn::Not(agree)) << (8 * (3 + i) + first);
+    }
+  }
+  doubts = transposed_bits(doubts);
+  for (std::size_t i = 0; i < batch_size; ++i) {
+    batch.doubts[i] = static_cast<FacetDoubts>(doubts >> (8 * i));
   }
 }
 

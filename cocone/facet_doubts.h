@@ -27,10 +27,11 @@
 namespace cocoon {
 
 // Of one facet of `cocones`. Bit i: its dual edge meets the cocone of corner i, and the ratio
-// condition of that corner is not certain to hold as far as this facet goes.
+// condition of that corner is not certain to hold as far as this facet goes. Bit 3 + i: the normals
+// of corners i and i + 1 (modulo 3) do not agree, whatever cocones it meets.
 using FacetDoubts = std::uint8_t;
-// The normals of two of its corners do not agree, whatever cocones it meets.
-inline constexpr FacetDoubts normals_disagree = 8;
+inline constexpr FacetDoubts ratio_doubts = 0b000'111;
+inline constexpr FacetDoubts normals_disagree = 0b111'000;
 
 // Of each facet of `cocones`. The bounds have room for all roundings where the facet is neither
 // thin (sine of an angle below 2^-10) nor steep to the tangent plane; elsewhere there is doubt.

@@ -9,6 +9,7 @@
 #endif
 
 #include <cstddef>
+#include <cstdint>
 #include <hwy/highway.h>
 
 #include "geom/circumsphere_batch.h"
@@ -65,6 +66,25 @@ HWY_INLINE Mask order(Vectors& a, Vectors& b) {
   swap_if(swapped, a.y, b.y);
   swap_if(swapped, a.z, b.z);
   return swapped;
+}
+
+// Bit i: lane i.
+HWY_INLINE std::uint64_t bits_of(Mask mask) {
+  std::uint8_t bytes[8];  // StoreMaskBits may write this many
+  hn::StoreMaskBits(Lanes(), mask, bytes);
+  return bytes[0] & ((1U << hn::Lanes(Lanes())) - 1U);
+}
+
+// Byte i of the result: bit i of each of the eight bytes.
+HWY_INLINE std::uint64_t transposed_bits(std::uint64_t bits) {
+  const auto swap = [&bits](int distance, std::uint64_t lower) {
+    const std::uint64_t differ = (bits ^ (bits >> distance)) & lower;
+    bits ^= differ ^ (differ << distance);
+  };
+  swap(7, 0x00AA00AA00AA00AAU);
+  swap(14, 0x0000CCCC0000CCCCU);
+  swap(28, 0x00000000F0F0F0F0U);
+  return bits;
 }
 
 }  // namespace cocoon::HWY_NAMESPACE
