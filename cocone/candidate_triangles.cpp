@@ -12,7 +12,7 @@ FacetSet candidate_triangles(const Triangulation& triangulation, const Cocones& 
         unsigned{boundary[a]} | unsigned{boundary[b]} << 1 | unsigned{boundary[c]} << 2;
     const unsigned voters = 7U & ~boundary_bits;  // bit i: corner i votes
     if (voters != 0 && (voters & ~cocones.met_corners(k)) == 0) {
-      candidates.insert(triangulation, cocones.facets[k]);
+      candidates.insert(cocones.facets[k], cocones.mirrors[k]);
     }
   }
   report_progress(execution, "candidate_triangles", 1);

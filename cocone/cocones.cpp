@@ -96,6 +96,7 @@ std::uint8_t row_of_facet(const SeenFacet& seen, CornerSides sides) {
 // The facets of a range of cells that have bits.
 struct Rows {
   std::vector<FacetId> facets;
+  std::vector<FacetId> mirrors;
   std::vector<Triangle> corners;
   std::vector<std::uint8_t> rows;
 };
@@ -110,6 +111,7 @@ Rows rows_of_cells(const Triangulation& triangulation, const IdVector<CellId, Co
     for (std::size_t k = 0; k < count; ++k) {
       const FacetId f = block[k].facet;
       found.facets.push_back(f);
+      found.mirrors.push_back(block[k].mirror);
       found.corners.push_back(triangulation.facet_vertices(f));
       found.rows.push_back(row_of_facet(block[k], sides[cell_of(f)]));
     }
@@ -136,14 +138,16 @@ Cocones intersect_cocones(const Triangulation& triangulation, ConeSides sides,
     found[begin / cells_per_chunk] = rows_of_cells(triangulation, sides.of_cells, begin, end);
   });
   sides.of_cells = {};
-  Cocones cocones{{}, {}, {}, sides.cosine};
+  Cocones cocones{{}, {}, {}, {}, sides.cosine};
   std::size_t facets = 0;
   for (const Rows& part : found) facets += part.facets.size();
   cocones.facets.reserve(facets);
+  cocones.mirrors.reserve(facets);
   cocones.corners.reserve(facets);
   cocones.rows.reserve(facets);
   for (Rows& part : found) {
     cocones.facets.insert(cocones.facets.end(), part.facets.begin(), part.facets.end());
+    cocones.mirrors.insert(cocones.mirrors.end(), part.mirrors.begin(), part.mirrors.end());
     cocones.corners.insert(cocones.corners.end(), part.corners.begin(), part.corners.end());
     cocones.rows.insert(cocones.rows.end(), part.rows.begin(), part.rows.end());
     part = {};  // large at a million points: not both of all at once

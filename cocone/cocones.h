@@ -29,6 +29,7 @@ struct CoconeOptions {
 // surface few of all, about as many as the surface has triangles.
 struct Cocones {
   std::vector<FacetId> facets;     // finite, canonical ids, ascending
+  std::vector<FacetId> mirrors;    // of each: as the cell behind it numbers it
   std::vector<Triangle> corners;   // of each: Triangulation::facet_vertices
   std::vector<std::uint8_t> rows;  // of each: bit j = it meets the cocone of vertex j of its cell
   double cosine = 0;               // as in the options: radii are taken for the same cone

@@ -25,9 +25,11 @@ class FacetSet {
   explicit FacetSet(IdVector<CellId, std::uint8_t> bits) : bits_(std::move(bits)) {}
 
   bool contains(FacetId f) const { return ((bits_[cell_of(f)] >> index_of(f)) & 1U) != 0; }
-  void insert(const Triangulation& triangulation, FacetId f) {
+  void insert(const Triangulation& triangulation, FacetId f) { insert(f, triangulation.mirror(f)); }
+  // By both of its ids.
+  void insert(FacetId f, FacetId mirror) {
     set(f);
-    set(triangulation.mirror(f));
+    set(mirror);
   }
   void erase(const Triangulation& triangulation, FacetId f) {
     reset(f);

@@ -60,6 +60,7 @@ TEST(Cocones, ListsFacetsOnceAscendingByTheirCanonicalIds) {
   const Stages s(shapes::random_torus(800, 0.4, 5));
   const std::vector<FacetId>& facets = s.cocones.facets;
   ASSERT_EQ(facets.size(), s.cocones.rows.size());
+  ASSERT_EQ(facets.size(), s.cocones.mirrors.size());
   ASSERT_EQ(facets.size(), s.cocones.corners.size());
   EXPECT_TRUE(std::is_sorted(facets.begin(), facets.end(), std::less_equal<>()));
   for (std::size_t k = 0; k < facets.size(); ++k) {
@@ -67,6 +68,7 @@ TEST(Cocones, ListsFacetsOnceAscendingByTheirCanonicalIds) {
     EXPECT_EQ(s.triangulation.canonical(facets[k]), facets[k]);
     EXPECT_NE(s.cocones.rows[k], 0);
     EXPECT_EQ(s.cocones.row(facets[k]), s.cocones.rows[k]);
+    EXPECT_EQ(s.cocones.mirrors[k], s.triangulation.mirror(facets[k]));
     EXPECT_EQ(s.cocones.corners[k], s.triangulation.facet_vertices(facets[k]));
     for (std::size_t i = 0; i < 3; ++i) {
       const int j = facet_corners[index_of(facets[k])][i];
