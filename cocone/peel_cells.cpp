@@ -152,13 +152,11 @@ class Peeling {
 
   // Reaches whatever can be reached with the labels as they are.
   void flood() {
+    const bool all_visited = marks_.visited_vertices == marks_.good_vertices;
     while (!stack_.empty()) {
       const CellId c = stack_.back();
       stack_.pop_back();
-      for (const VertexId v : triangulation_.cell(c).vertices) {
-        if (v == infinite_vertex) continue;
-        if (marks_.good[v] != 0 && marks_.visited[v] == 0) seeds_.push_back(v);
-      }
+      if (!all_visited) list_seeds(c);
       for (int i = 0; i < 4; ++i) {
         const FacetId mirror = triangulation_.mirror(facet_id(c, i));
         const CellId behind = cell_of(mirror);
@@ -169,6 +167,14 @@ class Peeling {
           unvisited_.push_back(mirror);
         }
       }
+    }
+  }
+
+  // Good vertices that had no turn.
+  void list_seeds(CellId c) {
+    for (const VertexId v : triangulation_.cell(c).vertices) {
+      if (v == infinite_vertex) continue;
+      if (marks_.good[v] != 0 && marks_.visited[v] == 0) seeds_.push_back(v);
     }
   }
 
