@@ -9,6 +9,7 @@
 #endif
 
 #include <cstddef>
+#include <cstdint>
 #include <hwy/highway.h>
 
 #include "geom/circumsphere_batch.h"
@@ -45,6 +46,20 @@ HWY_INLINE Vector minor(Vector a, Vector b, Vector c, Vector d) {
 }
 HWY_INLINE Vectors cross(const Vectors& a, const Vectors& b) {
   return {minor(a.y, a.z, b.y, b.z), minor(a.z, a.x, b.z, b.x), minor(a.x, a.y, b.x, b.y)};
+}
+
+HWY_INLINE void store(const Vectors& vectors, BatchOfPoints& points, std::size_t first) {
+  const Lanes d;
+  hn::Store(vectors.x, d, &points[0][first]);
+  hn::Store(vectors.y, d, &points[1][first]);
+  hn::Store(vectors.z, d, &points[2][first]);
+}
+
+// Bit i: lane i.
+HWY_INLINE std::uint32_t lane_bits(Mask mask) {
+  std::uint8_t bytes[8];  // StoreMaskBits may write this many
+  hn::StoreMaskBits(Lanes(), mask, bytes);
+  return bytes[0] & ((1U << hn::Lanes(Lanes())) - 1U);
 }
 
 // In lexicographic order.
