@@ -11,31 +11,46 @@
 // clang-format off: must come after foreach_target.h
 #include <hwy/highway.h>
 
-#include "geom/vector_lanes-inl.h"
+#include "delaunay/gather-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace cocoon::HWY_NAMESPACE {
 
-void squared_arms(const CellBlock& block, SquaredArms& arms) {
+void words_of_batches(std::uint32_t first_cell, const CellBlock& block, ArmWords& words) {
   const Lanes d;
+  const hn::RebindToUnsigned<Lanes> bits;
+  const hn::Rebind<float, Lanes> floats;
+  const hn::Rebind<std::uint32_t, Lanes> float_bits;
+  auto lower = hn::Iota(bits, (std::uint64_t{1} << 32) + first_cell);
+  const auto step = hn::Set(bits, std::uint64_t{hn::Lanes(d)});
   for (std::size_t b = 0; b < block.used().size(); ++b) {
     const CircumcenterBatch& batch = block.batches[b];
     for (std::size_t first = 0; first < circumcenter_batch_size; first += hn::Lanes(d)) {
       const Vectors centers = load(batch.centers, first);
       for (std::size_t j = 0; j < 4; ++j) {
         const Vectors arm = minus(centers, load(batch.corners[j], first));
-        hn::Store(dot(arm, arm), d, &arms.lengths[b][j][first]);
+        const auto rounded = hn::BitCast(float_bits, hn::DemoteTo(floats, dot(arm, arm)));
+        const auto upper = hn::ShiftLeft<32>(hn::PromoteTo(bits, rounded));
+        hn::Store(hn::Add(upper, lower), bits, &words.words[b][j][first]);
       }
+      lower = hn::Add(lower, step);
     }
   }
 }
 
-using NormalBatches =
-    std::array<std::array<BatchOfPoints, 4>, max_block_cells / circumcenter_batch_size>;
+// The normals at corner j of the `lanes` cells from k on; the last cell stands for those behind it.
+HWY_INLINE Vectors normals_at(const Vec3* normals, const Cell* cells, std::size_t count,
+                              std::size_t k, std::size_t j) {
+  const auto normal_of = [&](const Cell& cell) { return &normals[cell.vertices[j].index()].x; };
+  if (k + hn::Lanes(Lanes()) <= count) {
+    return gather([&](std::size_t i) { return normal_of(cells[k + i]); });
+  }
+  return gather([&](std::size_t i) { return normal_of(cells[std::min(k + i, count - 1)]); });
+}
 
-void sides_of_batches(const CellBlock& block, const NormalBatches& normals, double squared_cosine,
-                      ArmSides& arms) {
+void sides_of_batches(const Cell* cells, const CellBlock& block, const Vec3* normals,
+                      double squared_cosine, ArmSides& arms) {
   const Lanes d;
   const Vector zero = hn::Zero(d);
   const Vector cosine = hn::Set(d, squared_cosine);
@@ -49,16 +64,18 @@ void sides_of_batches(const CellBlock& block, const NormalBatches& normals, doub
       const Vectors centers = load(batch.centers, first);
       for (std::size_t j = 0; j < 4; ++j) {
         const Vectors arm = minus(centers, load(batch.corners[j], first));
-        const Vector along = dot(arm, load(normals[b][j], first));
+        const Vectors normal =
+            normals_at(normals, cells, block.size, b * circumcenter_batch_size + first, j);
+        const Vector along = dot(arm, normal);
         const Vector squared = dot(arm, arm);
         const auto in_nappe = hn::Gt(hn::Mul(along, along), hn::Mul(cosine, squared));
         const auto positive = hn::Gt(along, zero);
         const auto safe = hn::And(hn::Lt(squared, most), hn::Gt(squared, least));
         const auto is_lower = hn::And(hn::Lt(along, zero), safe);
         hn::Store(hn::IfThenElseZero(is_lower, squared), d, &arms.lower.lengths[b][j][first]);
-        nappes |= bits_of(hn::AndNot(positive, in_nappe)) << (8 * j + first);
-        nappes |= bits_of(hn::And(positive, in_nappe)) << (8 * (4 + j) + first);
-        unsafe |= bits_of(hn::Not(safe)) << (8 * j + first);
+        nappes |= std::uint64_t{lane_bits(hn::AndNot(positive, in_nappe))} << (8 * j + first);
+        nappes |= std::uint64_t{lane_bits(hn::And(positive, in_nappe))} << (8 * (4 + j) + first);
+        unsafe |= std::uint64_t{lane_bits(hn::Not(safe))} << (8 * j + first);
       }
     }
     nappes = transposed_bits(nappes);
@@ -77,30 +94,17 @@ HWY_AFTER_NAMESPACE();
 
 namespace cocoon {
 
-HWY_EXPORT(squared_arms);
+HWY_EXPORT(words_of_batches);
 HWY_EXPORT(sides_of_batches);
 
-void squared_arms(const CellBlock& block, SquaredArms& arms) {
-  HWY_DYNAMIC_DISPATCH(squared_arms)(block, arms);
+void arm_words(CellId first, const CellBlock& block, ArmWords& words) {
+  HWY_DYNAMIC_DISPATCH(words_of_batches)(first.value, block, words);
 }
 
 void arm_sides(const Triangulation& triangulation, const IdVector<VertexId, Vec3>& normals,
                double squared_cosine, CellId first, const CellBlock& block, ArmSides& arms) {
-  alignas(64) std::array<std::array<BatchOfPoints, 4>, max_block_cells / circumcenter_batch_size>
-      of_corners;
-  const std::size_t end = block.used().size() * circumcenter_batch_size;
-  for (std::size_t k = 0; k < end; ++k) {
-    const Cell& cell = triangulation.cell(CellId(first.index() + std::min(k, block.size - 1)));
-    auto& batch = of_corners[k / circumcenter_batch_size];
-    const std::size_t lane = k % circumcenter_batch_size;
-    for (std::size_t j = 0; j < 4; ++j) {
-      const Vec3& normal = normals[cell.vertices[j]];
-      batch[j][0][lane] = normal.x;
-      batch[j][1][lane] = normal.y;
-      batch[j][2][lane] = normal.z;
-    }
-  }
-  HWY_DYNAMIC_DISPATCH(sides_of_batches)(block, of_corners, squared_cosine, arms);
+  HWY_DYNAMIC_DISPATCH(sides_of_batches)
+  (&triangulation.cell(first), block, normals.raw().data(), squared_cosine, arms);
 }
 
 }  // namespace cocoon

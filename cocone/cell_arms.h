@@ -23,6 +23,18 @@ struct SquaredArms {
   }
 };
 
+// Of each arm the squared length, rounded, and the cell, so that a longer one has the larger word
+// wherever the roundings differ.
+struct ArmWords {
+  using Batch = std::array<std::array<std::uint64_t, circumcenter_batch_size>, 4>;
+  alignas(64) std::array<Batch, max_block_cells / circumcenter_batch_size> words;
+
+  // Of corner j of cell k.
+  std::uint64_t at(std::size_t k, std::size_t j) const {
+    return words[k / circumcenter_batch_size][j][k % circumcenter_batch_size];
+  }
+};
+
 // And how they lie to the normals of their corners. One bit per corner.
 struct ArmSides {
   SquaredArms lower;  // of those below the tangent planes, arm . normal < 0, if not unsafe; else 0
@@ -32,10 +44,12 @@ struct ArmSides {
   std::array<std::uint8_t, max_block_cells> unsafe;
 };
 
-// squared_norm(center - point), bit for bit. Complexity: O(cells).
-void squared_arms(const CellBlock& block, SquaredArms& arms);
+// The bits of float(squared_norm(center - point)), plus 1, in the upper half: in the order of these
+// floats, from 1 to 2^31 - 1. In the lower half the cells first, first + 1, ... of the block.
+// Complexity: O(cells).
+void arm_words(CellId first, const CellBlock& block, ArmWords& words);
 
-// And the sides, as dot() and cone_side() tell them; of the block of cells first, first + 1, ...
+// The sides, as dot() and cone_side() tell them; of the block of cells first, first + 1, ...
 void arm_sides(const Triangulation& triangulation, const IdVector<VertexId, Vec3>& normals,
                double squared_cosine, CellId first, const CellBlock& block, ArmSides& arms);
 

@@ -129,12 +129,13 @@ void judge_batch(FacetBatch& batch, const Limits& limits) {
       const Mask within = limits.mode == RadiusMode::tangent_plane
                               ? surely_within_in_plane(circles, along, tilt, limit)
                               : surely_within_in_cocone(circles, along, tilt, limit, cone_cosine);
-      doubts |= bits_of(hn::Not(hn::And(circles.is_sound, within))) << (8 * i + first);
+      doubts |= std::uint64_t{lane_bits(hn::Not(hn::And(circles.is_sound, within)))}
+                << (8 * i + first);
     }
     for (std::size_t i = 0; i < 3; ++i) {
       const Vector cosine = dot(normals[i], normals[(i + 1) % 3]);
       const Mask agree = hn::Ge(hn::Abs(cosine), alpha_cosine);
-      doubts |= bits_of(hn::Not(agree)) << (8 * (3 + i) + first);
+      doubts |= std::uint64_t{lane_bits(hn::Not(agree))} << (8 * (3 + i) + first);
     }
   }
   doubts = transposed_bits(doubts);

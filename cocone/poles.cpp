@@ -6,14 +6,13 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "cocone/cell_arms.h"
 #include "cocone/double_cone.h"
+#include "cocone/farthest_cells.h"
 #include "cocone/shared_maxima.h"
 #include "delaunay/vertex_stars.h"
 
@@ -38,98 +37,6 @@ Vec3 principal_direction(std::span<const Vec3> directions) {
   return direction < Vec3{} ? -direction : direction;
 }
 
-// A Voronoi vertex relative to a sample. Slivers have centers so far that squares overflow; then
-// two of them are compared in larger units.
-struct Arm {
-  Vec3 vector;
-  double squared_length;
-
-  explicit Arm(const Vec3& v) : vector(v), squared_length(squared_norm(v)) {}
-  bool is_far() const { return !(squared_length <= std::numeric_limits<double>::max()); }
-  Vec3 safe() const { return is_far() ? shrink * vector : vector; }
-
-  // Longer, or as long and lexicographically smaller.
-  bool precedes(const Arm& other) const {
-    if (squared_length != other.squared_length) return squared_length > other.squared_length;
-    if (is_far()) {
-      const double here = squared_norm(safe());
-      const double there = squared_norm(other.safe());
-      if (here != there) return here > there;
-    }
-    return vector < other.vector;
-  }
-};
-
-Arm arm_of(const Triangulation& triangulation, const Dual& dual, CellId c, VertexId p) {
-  return Arm(center_of(triangulation, dual, c) - triangulation.point(p));
-}
-
-// The farthest Voronoi vertex of every sample, by its cell: a maximum that many threads raise at
-// once. One word each, the length rounded in the upper half, so that most questions end there; what
-// rounds alike is compared exactly.
-class FarthestCells {
- public:
-  FarthestCells(const Triangulation& triangulation, const Dual& dual, const Execution& execution)
-      : triangulation_(triangulation),
-        dual_(dual),
-        words_(triangulation.num_vertices()),
-        alone_(thread_count(execution) == 1) {}
-
-  // Of cell c, which is the k-th of the block.
-  void offer(CellId c, const Cell& cell, const CellBlock& block, std::size_t k,
-             const SquaredArms& arms) {
-    unsigned open = 0;  // corners that are not done
-    for (unsigned j = 0; j < 4; ++j) {
-      std::atomic<std::uint64_t>& word = words_[cell.vertices[j].index()];
-      const std::uint64_t upper = rounded(arms.at(k, j));
-      const std::uint64_t known = word.load(std::memory_order_relaxed);
-      if (!alone_) {
-        open |= static_cast<unsigned>(known >> 32 <= upper) << j;
-        continue;
-      }
-      // No branch on which corners it wins, which cannot be foreseen.
-      const bool equal = known >> 32 == upper;
-      word.store(equal ? known : std::max(known, upper << 32 | c.value), std::memory_order_relaxed);
-      open |= static_cast<unsigned>(equal) << j;
-    }
-    for (; open != 0; open &= open - 1) {
-      const auto j = static_cast<unsigned>(std::countr_zero(open));
-      offer_at(cell.vertices[j], c, block.center(k), arms.at(k, j));
-    }
-  }
-
-  CellId farthest(VertexId p) const {
-    return unpack(words_[p.index()].load(std::memory_order_relaxed));
-  }
-
- private:
-  // Not below 0, so floats are ordered as their bits; + 1: above a word without a cell.
-  static std::uint64_t rounded(double squared_length) {
-    return std::uint64_t{std::bit_cast<std::uint32_t>(static_cast<float>(squared_length))} + 1;
-  }
-  static CellId unpack(std::uint64_t word) { return CellId(static_cast<std::uint32_t>(word)); }
-
-  void offer_at(VertexId p, CellId c, const Point& center, double squared_length) {
-    std::atomic<std::uint64_t>& word = words_[p.index()];
-    const std::uint64_t upper = rounded(squared_length);
-    std::uint64_t known = word.load(std::memory_order_relaxed);
-    while (known >> 32 <= upper) {
-      if (known >> 32 == upper && !Arm(center - triangulation_.point(p))
-                                       .precedes(arm_of(triangulation_, dual_, unpack(known), p))) {
-        return;
-      }
-      if (word.compare_exchange_weak(known, upper << 32 | c.value, std::memory_order_relaxed)) {
-        return;
-      }
-    }
-  }
-
-  const Triangulation& triangulation_;
-  const Dual& dual_;
-  std::vector<std::atomic<std::uint64_t>> words_;
-  bool alone_;
-};
-
 // Calls visit(first, count) for runs of the cells begin ... end - 1, of at most max_block_cells.
 template <class Visit>
 void for_each_run(std::size_t begin, std::size_t end, Visit visit) {
@@ -138,21 +45,19 @@ void for_each_run(std::size_t begin, std::size_t end, Visit visit) {
   }
 }
 
-// From the arms of all finite cells, which load(first, count, block) puts into blocks.
+// From the arms of all finite cells, which load(first, count, block, soon) puts into blocks.
 template <class Load>
 FarthestCells find_farthest(const Triangulation& triangulation, const Dual& dual,
                             const Execution& execution, Load load) {
   FarthestCells farthest(triangulation, dual, execution);
+  const ReadSoon soon{nullptr, farthest.words()};
   const auto offer_cells = [&](std::size_t begin, std::size_t end) {
     CellBlock block;
-    SquaredArms arms;
+    ArmWords words;
     for_each_run(begin, end, [&](CellId first, std::size_t count) {
-      load(first, count, block);
-      squared_arms(block, arms);
-      for (std::size_t k = 0; k < count; ++k) {
-        const CellId c(first.index() + k);
-        farthest.offer(c, triangulation.cell(c), block, k, arms);
-      }
+      load(first, count, block, soon);
+      arm_words(first, block, words);
+      farthest.offer(first, block, words);
     });
   };
   parallel_chunks(execution, triangulation.num_finite_cells(), cells_per_chunk, offer_cells);
@@ -212,6 +117,8 @@ void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& p
                   ConeSides* sides, const Execution& execution) {
   const std::size_t count = triangulation.num_vertices();
   const double squared_cosine = sides != nullptr ? sides->cosine * sides->cosine : 0;
+  SharedMaxima squared(count, execution);
+  const ReadSoon soon{poles.normals.raw().data(), squared.values()};
   // Calls visit(cell, lower arms, k) for cell k of a block; corners with arms of extreme lengths
   // are left to visit_unsafe(c, p).
   const auto for_each_lower_arm = [&](auto visit, auto visit_unsafe) {
@@ -219,7 +126,7 @@ void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& p
       CellBlock block;
       ArmSides arms;
       for_each_run(begin, end, [&](CellId first, std::size_t size) {
-        load_run(triangulation, dual, first, size, block);
+        load_run(triangulation, dual, first, size, block, soon);
         arm_sides(triangulation, poles.normals, squared_cosine, first, block, arms);
         if (sides != nullptr) {
           take_cone_sides(triangulation, dual, poles.normals, arms, first, size, *sides);
@@ -239,7 +146,6 @@ void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& p
   const auto is_lower = [&](VertexId p, const Arm& arm) {
     return dot(arm.safe(), poles.normals[p]) < 0;
   };
-  SharedMaxima squared(count, execution);
   std::atomic<bool> any_far = false;
   const auto raise_all = [&](const Cell& cell, const SquaredArms& lower, std::size_t k) {
     for (std::size_t j = 0; j < 4; ++j) squared.raise(cell.vertices[j], lower.at(k, j));
@@ -290,10 +196,11 @@ Poles finish_poles(const Triangulation& triangulation, const Dual& dual, Farthes
 Poles find_poles(const Triangulation& triangulation, const Dual& dual, ConeSides* sides,
                  const Execution& execution) {
   report_progress(execution, "compute_poles", 0);
-  FarthestCells farthest = find_farthest(triangulation, dual, execution,
-                                         [&](CellId first, std::size_t count, CellBlock& block) {
-                                           load_run(triangulation, dual, first, count, block);
-                                         });
+  FarthestCells farthest =
+      find_farthest(triangulation, dual, execution,
+                    [&](CellId first, std::size_t count, CellBlock& block, const ReadSoon& soon) {
+                      load_run(triangulation, dual, first, count, block, soon);
+                    });
   return finish_poles(triangulation, dual, std::move(farthest), sides, execution);
 }
 
@@ -326,10 +233,12 @@ Poles compute_poles(const Triangulation& triangulation, double cosine, Dual& dua
   sides = {cosine, {}};
   dual = {};
   std::vector<HardCenters> hard(triangulation.num_finite_cells() / cells_per_chunk + 1);
-  FarthestCells farthest = find_farthest(
-      triangulation, dual, execution, [&](CellId first, std::size_t count, CellBlock& block) {
-        load_new_run(triangulation, first, count, block, hard[first.index() / cells_per_chunk]);
-      });
+  FarthestCells farthest =
+      find_farthest(triangulation, dual, execution,
+                    [&](CellId first, std::size_t count, CellBlock& block, const ReadSoon& soon) {
+                      load_new_run(triangulation, first, count, block,
+                                   hard[first.index() / cells_per_chunk], soon);
+                    });
   dual = lean_dual(triangulation, hard, execution);
   return finish_poles(triangulation, dual, std::move(farthest), &sides, execution);
 }

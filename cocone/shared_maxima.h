@@ -35,6 +35,8 @@ class SharedMaxima {
   double operator[](VertexId v) const {
     return std::atomic_ref<double>(maxima_[v]).load(std::memory_order_relaxed);
   }
+  // What raise() looks at, one double for each vertex.
+  const void* values() const { return maxima_.raw().data(); }
   // When all threads are done.
   IdVector<VertexId, double> take() && { return std::move(maxima_); }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "delaunay/block_lanes.h"
 #include "geom/circumsphere.h"
 #include "geom/triangle_normal.h"
 
@@ -28,25 +29,6 @@ Circumcenter center_of_cell(const Triangulation& triangulation, CellId cell) {
                       triangulation.point(d));
 }
 
-// The corners of the cells cell_at(0) ... cell_at(count - 1).
-template <class CellAt>
-void load_corners(const Triangulation& triangulation, std::size_t count, CellAt cell_at,
-                  CellBlock& block) {
-  block.size = count;
-  const std::size_t end = block.used().size() * circumcenter_batch_size;
-  for (std::size_t k = 0; k < end; ++k) {
-    const Cell& cell = triangulation.cell(cell_at(std::min(k, count - 1)));
-    CircumcenterBatch& batch = block.batches[k / circumcenter_batch_size];
-    const std::size_t lane = k % circumcenter_batch_size;
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-      const Point& p = triangulation.point(cell.vertices[corner]);
-      batch.corners[corner][0][lane] = p.x;
-      batch.corners[corner][1][lane] = p.y;
-      batch.corners[corner][2][lane] = p.z;
-    }
-  }
-}
-
 void set_center(CellBlock& block, std::size_t k, const Point& center) {
   BatchOfPoints& centers = block.batches[k / circumcenter_batch_size].centers;
   const std::size_t lane = k % circumcenter_batch_size;
@@ -55,26 +37,22 @@ void set_center(CellBlock& block, std::size_t k, const Point& center) {
   centers[2][lane] = center.z;
 }
 
-// And their centers; those that are not certified in batches by `otherwise`.
-template <class CellAt, class Otherwise>
-void compute_block(const Triangulation& triangulation, std::size_t count, CellAt cell_at,
-                   Otherwise otherwise, CellBlock& block) {
-  load_corners(triangulation, count, cell_at, block);
-  circumcenters_in_doubles(std::span(block.batches).first(block.used().size()));
-  for (std::size_t first = 0; first < count; first += circumcenter_batch_size) {
-    const std::size_t size = std::min(circumcenter_batch_size, count - first);
+// Fills in the centers that are not certified: otherwise(k) of cell k of the block.
+template <class Otherwise>
+void complete_centers(CellBlock& block, Otherwise otherwise) {
+  for (std::size_t first = 0; first < block.size; first += circumcenter_batch_size) {
+    const std::size_t size = std::min(circumcenter_batch_size, block.size - first);
     const unsigned all = (1U << size) - 1U;
     for (unsigned rest = all & ~block.batches[first / circumcenter_batch_size].certified; rest != 0;
          rest &= rest - 1) {
       const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(rest));
-      set_center(block, k, otherwise(cell_at(k)));
+      set_center(block, k, otherwise(k));
     }
   }
 }
 
-// Successive cells.
-auto run_from(CellId first) {
-  return [first](std::size_t k) { return CellId(first.index() + k); };
+void compute_centers(CellBlock& block) {
+  circumcenters_in_doubles(std::span(block.batches).first(block.used().size()));
 }
 
 // Voronoi vertex of a finite cell that no batch certifies.
@@ -146,14 +124,15 @@ Dual voronoi_dual(const Triangulation& triangulation, const Execution& execution
 }
 
 void load_new_run(const Triangulation& triangulation, CellId first, std::size_t count,
-                  CellBlock& block, HardCenters& hard) {
-  const auto otherwise = [&](CellId c) {
+                  CellBlock& block, HardCenters& hard, const ReadSoon& soon) {
+  load_centers(triangulation, first, count, soon, block);
+  complete_centers(block, [&](std::size_t k) {
+    const CellId c(first.index() + k);
     const Circumcenter found = center_of_cell(triangulation, c);
     count_level(found.level, c, hard);
     if (found.level != CenterLevel::doubles) hard.centers.push_back(found.center);
     return found.center;
-  };
-  compute_block(triangulation, count, run_from(first), otherwise, block);
+  });
 }
 
 Dual lean_dual(const Triangulation& triangulation, std::span<const HardCenters> parts,
@@ -167,15 +146,16 @@ Dual lean_dual(const Triangulation& triangulation, std::span<const HardCenters> 
 }
 
 void load_run(const Triangulation& triangulation, const Dual& dual, CellId first, std::size_t count,
-              CellBlock& block) {
+              CellBlock& block, const ReadSoon& soon) {
+  const auto cell_at = [first](std::size_t k) { return CellId(first.index() + k); };
   if (dual.is_lean()) {
-    const auto otherwise = [&](CellId c) { return hard_center(triangulation, dual, c); };
-    return compute_block(triangulation, count, run_from(first), otherwise, block);
+    load_centers(triangulation, first, count, soon, block);
+    complete_centers(block,
+                     [&](std::size_t k) { return hard_center(triangulation, dual, cell_at(k)); });
+    return;
   }
-  load_corners(triangulation, count, run_from(first), block);
-  for (std::size_t k = 0; k < count; ++k) {
-    set_center(block, k, dual.centers[CellId(first.index() + k)]);
-  }
+  load_corners(triangulation, first, count, block);
+  for (std::size_t k = 0; k < count; ++k) set_center(block, k, dual.centers[cell_at(k)]);
 }
 
 void load_cells(const Triangulation& triangulation, const Dual& dual, std::span<const CellId> cells,
@@ -185,20 +165,22 @@ void load_cells(const Triangulation& triangulation, const Dual& dual, std::span<
     __builtin_prefetch(&triangulation.cell(c));
     if (!dual.is_lean()) __builtin_prefetch(&dual.centers[c]);
   }
-  const auto cell_at = [&](std::size_t k) { return cells[k]; };
+  load_corners(triangulation, cells, block);
   if (dual.is_lean()) {
-    const auto otherwise = [&](CellId c) { return hard_center(triangulation, dual, c); };
-    return compute_block(triangulation, cells.size(), cell_at, otherwise, block);
+    compute_centers(block);
+    complete_centers(block,
+                     [&](std::size_t k) { return hard_center(triangulation, dual, cells[k]); });
+    return;
   }
-  load_corners(triangulation, cells.size(), cell_at, block);
   for (std::size_t k = 0; k < cells.size(); ++k) set_center(block, k, dual.centers[cells[k]]);
 }
 
 void load_cells(const Triangulation& triangulation, std::span<const CellId> cells,
                 CellBlock& block) {
-  compute_block(
-      triangulation, cells.size(), [&](std::size_t k) { return cells[k]; },
-      [&](CellId c) { return center_of_cell(triangulation, c).center; }, block);
+  load_corners(triangulation, cells, block);
+  compute_centers(block);
+  complete_centers(block,
+                   [&](std::size_t k) { return center_of_cell(triangulation, cells[k]).center; });
 }
 
 Point center_of(const Triangulation& triangulation, const Dual& dual, CellId c) {

@@ -59,10 +59,18 @@ struct CellBlock {
   }
 };
 
-// Fills in the block: with the cells first, first + 1, ..., or with cells anywhere.
+// Arrays by vertex that are looked at when a block is filled in, if any. Who goes over runs one
+// after the other names them, so that the processor is asked for their elements a run before.
+struct ReadSoon {
+  const Vec3* vectors = nullptr;  // not without the other
+  const void* words = nullptr;    // of 8 bytes
+};
+
+// Fills in the block: with the cells first, first + 1, ..., or with cells anywhere. For who goes on
+// with the next run, its points are asked for in advance.
 // Preconditions: finite cells, at most max_block_cells. Complexity: O(cells).
 void load_run(const Triangulation& triangulation, const Dual& dual, CellId first, std::size_t count,
-              CellBlock& block);
+              CellBlock& block, const ReadSoon& soon = {});
 void load_cells(const Triangulation& triangulation, const Dual& dual, std::span<const CellId> cells,
                 CellBlock& block);
 // The same without a dual, for stages that look at few of all cells.
@@ -97,7 +105,7 @@ struct HardCenters {
 };
 // As load_run, without a dual.
 void load_new_run(const Triangulation& triangulation, CellId first, std::size_t count,
-                  CellBlock& block, HardCenters& hard);
+                  CellBlock& block, HardCenters& hard, const ReadSoon& soon = {});
 // Complexity: O(hard centers + infinite cells), parallel.
 Dual lean_dual(const Triangulation& triangulation, std::span<const HardCenters> parts,
                const Execution& execution = {});

@@ -48,6 +48,20 @@ HWY_INLINE Vectors cross(const Vectors& a, const Vectors& b) {
   return {minor(a.y, a.z, b.y, b.z), minor(a.z, a.x, b.z, b.x), minor(a.x, a.y, b.x, b.y)};
 }
 
+HWY_INLINE void store(const Vectors& vectors, BatchOfPoints& points, std::size_t first) {
+  const Lanes d;
+  hn::Store(vectors.x, d, &points[0][first]);
+  hn::Store(vectors.y, d, &points[1][first]);
+  hn::Store(vectors.z, d, &points[2][first]);
+}
+
+// Bit i: lane i.
+HWY_INLINE std::uint32_t lane_bits(Mask mask) {
+  std::uint8_t bytes[8];  // StoreMaskBits may write this many
+  hn::StoreMaskBits(Lanes(), mask, bytes);
+  return bytes[0] & ((1U << hn::Lanes(Lanes())) - 1U);
+}
+
 // In lexicographic order.
 HWY_INLINE Mask precedes(const Vectors& a, const Vectors& b) {
   const Mask z = hn::Lt(a.z, b.z);
@@ -66,13 +80,6 @@ HWY_INLINE Mask order(Vectors& a, Vectors& b) {
   swap_if(swapped, a.y, b.y);
   swap_if(swapped, a.z, b.z);
   return swapped;
-}
-
-// Bit i: lane i.
-HWY_INLINE std::uint64_t bits_of(Mask mask) {
-  std::uint8_t bytes[8];  // StoreMaskBits may write this many
-  hn::StoreMaskBits(Lanes(), mask, bytes);
-  return bytes[0] & ((1U << hn::Lanes(Lanes())) - 1U);
 }
 
 // Byte i of the result: bit i of each of the eight bytes.

@@ -1,6 +1,8 @@
 #include "cocone/cell_arms.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "cocone/double_cone.h"
@@ -14,19 +16,21 @@ namespace {
 void expect_same_as_one_by_one(const Stages& s, double squared_cosine) {
   CellBlock block;
   ArmSides arms;
-  SquaredArms squared;
+  ArmWords words;
   const std::size_t finite = s.triangulation.num_finite_cells();
   for (std::size_t first = 0; first < finite; first += 100) {
     const std::size_t count = std::min<std::size_t>(100, finite - first);
     load_run(s.triangulation, s.dual, CellId(first), count, block);
-    squared_arms(block, squared);
+    arm_words(CellId(first), block, words);
     arm_sides(s.triangulation, s.poles.normals, squared_cosine, CellId(first), block, arms);
     for (std::size_t k = 0; k < count; ++k) {
       for (std::size_t j = 0; j < 4; ++j) {
         const CellId c(first + k);
         const VertexId p = s.triangulation.cell(c).vertices[j];
         const Vec3 arm = s.dual.centers[c] - s.triangulation.point(p);
-        EXPECT_EQ(squared.at(k, j), squared_norm(arm));
+        const auto rounded = static_cast<float>(squared_norm(arm));
+        EXPECT_EQ(words.at(k, j) >> 32, std::uint64_t{std::bit_cast<std::uint32_t>(rounded)} + 1);
+        EXPECT_EQ(words.at(k, j) & 0xFFFFFFFFU, c.value);
         const double safe = largest_safe_length * largest_safe_length;
         EXPECT_EQ((arms.unsafe[k] >> j) & 1, squared_norm(arm) < safe ? 0 : 1);
         if (((arms.unsafe[k] >> j) & 1) != 0) continue;

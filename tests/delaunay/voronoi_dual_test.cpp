@@ -168,6 +168,42 @@ TEST(VoronoiDual, CellsOneByOne) {
   EXPECT_GT(undecided, 0U);
 }
 
+// Runs of all lengths, up to the last finite cell, with a dual and with a lean one.
+TEST(VoronoiDual, RunsOfCells) {
+  for (const std::vector<Point>& points :
+       {gallery::uniform_cube(300, 7), gallery::integer_grid(4), gallery::ulp_pairs(60)}) {
+    const Triangulation triangulation = ref::cgal_delaunay(points);
+    const Dual dual = voronoi_dual(triangulation);
+    const std::size_t finite = triangulation.num_finite_cells();
+    std::vector<HardCenters> hard(1);
+    const IdVector<VertexId, double> numbers(triangulation.num_vertices());
+    std::size_t count = 1;
+    for (std::size_t first = 0; first < finite; first += count) {
+      count = std::min(first == 0 ? 1 : count % max_block_cells + 1, finite - first);
+      CellBlock noted, lean, full;
+      load_new_run(triangulation, CellId(first), count, noted, hard[0]);
+      const Dual known_so_far = lean_dual(triangulation, hard);
+      load_run(triangulation, known_so_far, CellId(first), count, lean,
+               {triangulation.points().raw().data(), numbers.raw().data()});
+      load_run(triangulation, dual, CellId(first), count, full, {nullptr, numbers.raw().data()});
+      for (const CellBlock* block : {&noted, &lean, &full}) {
+        ASSERT_EQ(block->size, count);
+        for (std::size_t k = 0; k < count; ++k) {
+          const CellId c(first + k);
+          EXPECT_EQ(block->center(k), dual.centers[c]);
+          for (std::size_t j = 0; j < 4; ++j) {
+            const Point& p = triangulation.point(triangulation.cell(c).vertices[j]);
+            const BatchOfPoints& corners = block->batches[k / circumcenter_batch_size].corners[j];
+            const std::size_t lane = k % circumcenter_batch_size;
+            EXPECT_EQ((Point{corners[0][lane], corners[1][lane], corners[2][lane]}), p);
+          }
+        }
+      }
+    }
+    EXPECT_EQ(lean_dual(triangulation, hard).not_in_doubles, dual.not_in_doubles);
+  }
+}
+
 TEST(VoronoiDual, EdgesFromBothSidesAgree) {
   const Triangulation triangulation = ref::cgal_delaunay(gallery::uniform_cube(100, 8));
   const Dual dual = voronoi_dual(triangulation);

@@ -1,6 +1,7 @@
 #include "geom/circumsphere_batch.h"
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <span>
@@ -59,6 +60,43 @@ TEST(CircumcenterBatch, EqualsTheSingleOneBitForBit) {
   // Left out beside those that need integers: a few of extreme size.
   EXPECT_GT(certified, in_doubles / 5 * 4);
   EXPECT_GT(in_integers, 100U);
+}
+
+// From regular ones to those that floating point cannot tell from flat, in batches with others, and
+// of edges of all lengths; half of them with first coordinates that are equal. The bounds decide
+// the same whether they are looked at or not.
+TEST(CircumcenterBatch, CertifiesSliversAsTheSingleOne) {
+  NearDegenerate random(9);
+  std::size_t certified = 0;
+  std::size_t different = 0;
+  for (int flat = 0; flat <= 60; ++flat) {
+    for (int round = 0; round < 50; ++round) {
+      CircumcenterBatch batch;
+      std::array<Circumcenter, circumcenter_batch_size> expected;
+      for (std::size_t i = 0; i < circumcenter_batch_size; ++i) {
+        std::array<Point, 4> p;
+        const bool is_sliver = random.integer(0, 3) != 0;
+        for (Point& q : p) {
+          q = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+          if (round % 2 == 0) q.x = random.integer(-1, 1);
+          if (is_sliver) q.z = std::ldexp(q.z, -flat);
+        }
+        p[1] = p[0] + std::ldexp(1.0, -random.integer(0, 30)) * (p[1] - p[0]);
+        set_tetrahedron(batch, i, p);
+        expected[i] = circumcenter(p[0], p[1], p[2], p[3]);
+      }
+      circumcenters_in_doubles(std::span(&batch, 1));
+      for (std::size_t i = 0; i < circumcenter_batch_size; ++i) {
+        const bool is_certified = ((batch.certified >> i) & 1U) != 0;
+        different += is_certified != (expected[i].level == CenterLevel::doubles) ? 1U : 0U;
+        if (!is_certified) continue;
+        ++certified;
+        ASSERT_EQ(bits_of(center_in(batch, i)), bits_of(expected[i].center));
+      }
+    }
+  }
+  EXPECT_GT(certified, 10000U);
+  EXPECT_EQ(different, 0U);
 }
 
 TEST(CircumcenterBatch, LeavesExtremeLengthsToTheSingleOne) {
