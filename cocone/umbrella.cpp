@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "cocone/shared_flags.h"
 #include "geom/parallel_list.h"
 
 namespace cocoon {
 namespace {
 
-constexpr std::size_t triangles_per_chunk = 2048;
 constexpr std::size_t vertices_per_chunk = 2048;
 
 // Drops triangles without a partner at one of their spokes; true iff some survive.
@@ -147,6 +147,28 @@ bool is_one_cycle(const LinkedFacets& triangles, VertexId v, const Corners& corn
   return true;
 }
 
+// The worst spoke of a vertex.
+enum class Spoke : std::uint8_t { flat, folded, open };  // open: not two triangles
+using Spokes = IdVector<VertexId, Spoke>;
+
+Spokes spokes_at(const LinkedFacets& triangles, const VertexSet& boundary,
+                 const GoodVertexOptions& options, const Execution& execution) {
+  // Folds are told by >=, creases and steep edges by >.
+  const double flat = std::min(std::nextafter(options.fold_cosine, -2), options.crease_cosine);
+  Spokes spokes(boundary.size(), Spoke::flat);
+  for (const SideId side : steep_edges(triangles, flat, execution)) {
+    const bool is_open = !triangles.is_two_sided(side);
+    const double cosine = is_open ? 0 : dihedral_cosine(triangles, side, triangles.links[side]);
+    for (const VertexId v : triangles.ends(side)) {
+      const bool is_folded =
+          cosine >= options.fold_cosine || (boundary[v] != 0 && cosine > options.crease_cosine);
+      const Spoke here = is_open ? Spoke::open : is_folded ? Spoke::folded : Spoke::flat;
+      spokes[v] = std::max(spokes[v], here);
+    }
+  }
+  return spokes;
+}
+
 }  // namespace
 
 VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::size_t num_vertices,
@@ -180,24 +202,7 @@ VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::span<const 
 GoodVertices good_vertices(const LinkedFacets& triangles, const VertexSet& boundary,
                            const GoodVertexOptions& options, const Execution& execution) {
   const std::size_t count = boundary.size();
-  SharedFlags open(count);  // some spoke has one triangle, or more than two
-  SharedFlags folded(count);
-  parallel_chunks(execution, triangles.size(), triangles_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for_each_edge(triangles, begin, end, [&](SideId side) {
-                      const bool regular = triangles.is_two_sided(side);
-                      const double cosine =
-                          regular ? dihedral_cosine(triangles, side, triangles.links[side]) : 0;
-                      for (const VertexId v : triangles.ends(side)) {
-                        if (!regular) {
-                          open.raise(v);
-                        } else if (cosine >= options.fold_cosine ||
-                                   (boundary[v] != 0 && cosine > options.crease_cosine)) {
-                          folded.raise(v);
-                        }
-                      }
-                    });
-                  });
+  const Spokes spokes = spokes_at(triangles, boundary, options, execution);
   const IdVector<VertexId, Corners> corners = corners_at(triangles, count);
   GoodVertices result{VertexSet(count, 0), IdVector<VertexId, SideId>(count), 0, {}};
   std::atomic<std::size_t> good = 0;
@@ -205,11 +210,11 @@ GoodVertices good_vertices(const LinkedFacets& triangles, const VertexSet& bound
     std::size_t good_here = 0;
     for (VertexId v(begin); v.index() < end; ++v) {
       result.corner_at[v] = corners[v].one;
-      if (corners[v].count < 3 || open.is_raised(v)) continue;
+      if (corners[v].count < 3 || spokes[v] == Spoke::open) continue;
       if (!is_one_cycle(triangles, v, corners[v])) continue;
-      result.good[v] = !folded.is_raised(v);
+      result.good[v] = spokes[v] == Spoke::flat;
       good_here += result.good[v];
-      if (folded.is_raised(v)) folded_here.push_back(v);
+      if (spokes[v] == Spoke::folded) folded_here.push_back(v);
     }
     good += good_here;
   };

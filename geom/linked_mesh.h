@@ -24,7 +24,7 @@ struct LinkedMesh {
   std::vector<Triangle> improper;  // the others: neither sides nor corners of them are linked
   std::vector<TriangleId> improper_of;
 
-  std::vector<SideId> links;  // of the sides on each edge: side_links.h
+  SideLinks links;  // of the sides on each edge: side_links.h
   // The first sides of all edges but those with two triangles, not one twice, that run through it
   // in opposite directions; increasing.
   std::vector<SideId> irregular;

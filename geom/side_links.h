@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geom/execution.h"
+#include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/triangle_mesh.h"
 
@@ -15,6 +16,7 @@ namespace cocoon {
 
 // Side 3 t + i lies opposite corner i of triangle t and runs from corner i + 1 to i + 2 (modulo 3).
 using SideId = std::uint32_t;
+using SideLinks = OverwriteVector<SideId>;  // by side
 
 constexpr std::uint32_t triangle_of_side(SideId side) { return side / 3; }
 constexpr std::uint32_t corner_of_side(SideId side) { return side % 3; }
@@ -29,7 +31,13 @@ constexpr std::size_t previous_corner(std::size_t i) { return i == 0 ? 2 : i - 1
 // equal vertices (of a triangle that repeats one) are linked to themselves. Precondition: vertices
 // are smaller than num_vertices; fewer than 2^32 / 3 triangles. Complexity: O(triangles +
 // vertices), parallel over vertices. Deterministic.
-std::vector<SideId> side_links(std::span<const Triangle> triangles, std::size_t num_vertices,
-                               const Execution& execution = {});
+SideLinks side_links(std::span<const Triangle> triangles, std::size_t num_vertices,
+                     const Execution& execution = {});
+
+// The same of triangles that are grouped by their smallest vertices, in less time and memory:
+// those of vertex v are begins[v] .. begins[v + 1] - 1, as sort_by_vertex() says. Precondition: no
+// triangle repeats a vertex.
+SideLinks side_links(std::span<const Triangle> triangles, std::span<const std::uint32_t> begins,
+                     const Execution& execution = {});
 
 }  // namespace cocoon
