@@ -19,16 +19,16 @@ bool precedes(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : 
 // How three corners are put in order, by the answers to 0 < 1, 1 < 2 and 0 < 2.
 struct CornerOrder {
   std::array<std::uint8_t, 3> corners;
-  bool turned;
+  double sign;  // -1: they are turned
 };
-constexpr std::array<CornerOrder, 8> corner_orders = {{{{2, 1, 0}, true},
-                                                       {{2, 0, 1}, false},
-                                                       {{1, 2, 0}, false},
-                                                       {{}, false},
-                                                       {{}, false},
-                                                       {{0, 2, 1}, true},
-                                                       {{1, 0, 2}, true},
-                                                       {{0, 1, 2}, false}}};
+constexpr std::array<CornerOrder, 8> corner_orders = {{{{2, 1, 0}, -1},
+                                                       {{2, 0, 1}, 1},
+                                                       {{1, 2, 0}, 1},
+                                                       {{}, 1},
+                                                       {{}, 1},
+                                                       {{0, 2, 1}, -1},
+                                                       {{1, 0, 2}, -1},
+                                                       {{0, 1, 2}, 1}}};
 
 // The unit normal of the corners in lexicographic order, turned as the corners run.
 Vec3 oriented_normal(const IdVector<VertexId, Point>& points, const Triangle& corners) {
@@ -39,8 +39,7 @@ Vec3 oriented_normal(const IdVector<VertexId, Point>& points, const Triangle& co
   const CornerOrder& order = corner_orders[answers];
   const Point& first = *p[order.corners[0]];
   const Vec3 normal = unit(cross(*p[order.corners[1]] - first, *p[order.corners[2]] - first));
-  const double sign = order.turned ? -1.0 : 1.0;
-  return sign * normal;
+  return order.sign * normal;
 }
 
 struct FoundFacet {

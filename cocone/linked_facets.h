@@ -98,7 +98,9 @@ LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
 inline double dihedral_cosine(const LinkedFacets& triangles, SideId a, SideId b) {
   const double cosine =
       dot(triangles.normals[triangle_of_side(a)], triangles.normals[triangle_of_side(b)]);
-  return triangles.ends(a)[0] == triangles.ends(b)[0] ? cosine : -cosine;
+  // From a table: a branch could not be foreseen.
+  constexpr std::array<double, 2> signs = {-1, 1};
+  return signs[triangles.ends(a)[0] == triangles.ends(b)[0] ? 1 : 0] * cosine;
 }
 
 // Whether the edge of the side is not two triangles with at most this dihedral cosine.

@@ -50,11 +50,12 @@ class RingBuilder {
   RingBuilder(std::size_t num_vertices, SideLinks& links) : last_at_(num_vertices), links_(links) {}
 
   void begin_vertex(std::size_t v) { smaller_plus_1_ = static_cast<std::uint32_t>(v + 1); }
-  // Puts the side into the ring behind the last one: no branch on whether there is one, since half
-  // of the guesses would be wrong.
+  // Puts the side into the ring behind the last one: by a mask and no branch on whether there is
+  // one, since half of the guesses would be wrong.
   void append(VertexId larger, SideId side) {
     LastSide& last = last_at_[larger];
-    const SideId previous = last.smaller_plus_1 == smaller_plus_1_ ? last.side : side;
+    const SideId is_met = last.smaller_plus_1 == smaller_plus_1_ ? 1U : 0U;
+    const SideId previous = side ^ ((side ^ last.side) & (0U - is_met));
     links_[side] = side;
     links_[side] = links_[previous];
     links_[previous] = side;
@@ -97,13 +98,6 @@ void link_range(const SideLists& lists, std::size_t begin, std::size_t end, Side
   }
 }
 
-// Where the smallest corner is.
-std::size_t smallest_corner(const Triangle& triangle) {
-  const auto& [a, b, c] = triangle;
-  const std::size_t of_last = c < std::min(a, b) ? 2 : 0;
-  return b < std::min(a, c) ? 1 : of_last;
-}
-
 // The sides opposite to the smallest corners; the others lie in the groups of the triangles.
 SideLists list_opposite_sides(std::span<const Triangle> triangles, std::size_t num_vertices,
                               const Execution& execution) {
@@ -135,7 +129,7 @@ void link_range(std::span<const Triangle> triangles, std::span<const std::uint32
       rings.append(opposite.sides[k].larger, opposite.sides[k].side);
     }
     for (std::size_t t = begins[v]; t < begins[v + 1]; ++t) {
-      const std::size_t i = smallest_corner(triangles[t]);
+      const std::size_t i = corner_at_vertex(triangles[t], VertexId(v));
       const std::size_t next = next_corner(i);
       const std::size_t previous = previous_corner(i);
       rings.append(triangles[t][next], static_cast<SideId>(3 * t + previous));

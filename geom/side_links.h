@@ -21,9 +21,15 @@ using SideLinks = OverwriteVector<SideId>;  // by side
 constexpr std::uint32_t triangle_of_side(SideId side) { return side / 3; }
 constexpr std::uint32_t corner_of_side(SideId side) { return side % 3; }
 
-// The next and the one after next of 0, 1, 2 in turn.
-constexpr std::size_t next_corner(std::size_t i) { return i == 2 ? 0 : i + 1; }
-constexpr std::size_t previous_corner(std::size_t i) { return i == 0 ? 2 : i - 1; }
+// The next and the one after next of 0, 1, 2 in turn: from tables of two bits each, since a branch
+// on which corner it is cannot be foreseen.
+constexpr std::size_t next_corner(std::size_t i) { return (0b00'10'01U >> (2 * i)) & 3U; }
+constexpr std::size_t previous_corner(std::size_t i) { return (0b01'00'10U >> (2 * i)) & 3U; }
+
+// Where a triangle has the vertex. Precondition: once.
+constexpr std::size_t corner_at_vertex(const Triangle& triangle, VertexId v) {
+  return (triangle[1] == v ? 1U : 0U) + (triangle[2] == v ? 2U : 0U);
+}
 
 // links[side]: the next side on the same edge, whatever their directions; the sides of an edge make
 // a ring in ascending order (up to where it begins). So a side linked to itself is the only one on
