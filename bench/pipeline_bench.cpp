@@ -107,13 +107,15 @@ constexpr std::array stage_names = {"delaunay", "poles",    "cocones", "boundary
 
 // From the extracted surface to the mesh of the body.
 SurfaceMesh run_closing_stages(const Triangulation& t, const Poles& poles,
-                               const BoundarySamples& boundary, const ManifoldSurface& surface,
+                               const BoundarySamples& boundary, ManifoldSurface surface,
                                const Execution& execution, Times& times) {
   GoodVertices good = timed(times, "good", [&] {
     return good_vertices(surface.triangles, boundary.boundary, {}, execution);
   });
   if (timed(times, "certain", [&] { return is_certain(t, surface, good, execution); })) {
-    return timed(times, "mesh", [&] { return surface_of(t, surface.halves, execution); });
+    return timed(times, "mesh", [&] {
+      return surface_of(t, std::move(surface.triangles), surface.halves, execution);
+    });
   }
   CellMarks marks = timed(times, "mark", [&] {
     return mark_cells(t, surface.triangles, std::move(good), {}, execution);
@@ -143,10 +145,11 @@ TriangleMesh run_stages(Points points, const Execution& execution, Times& times)
   });
   PrunedCandidates pruned = timed(
       times, "prune", [&] { return prune_sharp_edges(t, std::move(candidates), {}, execution); });
-  const ManifoldSurface surface = timed(times, "extract", [&] {
+  ManifoldSurface surface = timed(times, "extract", [&] {
     return extract_manifold(t, std::move(pruned.left), pruned.umbrella, execution);
   });
-  const SurfaceMesh mesh = run_closing_stages(t, poles, boundary, surface, execution, times);
+  const SurfaceMesh mesh =
+      run_closing_stages(t, poles, boundary, std::move(surface), execution, times);
   timed(times, "check", [&] { return mesh_check(mesh.mesh); });
   const auto file = std::filesystem::temp_directory_path() / "cocoon_pipeline_bench.ply";
   timed(times, "write", [&] {

@@ -142,7 +142,8 @@ bool CertifiedSurface::update_at_touched(const DynamicDelaunay& delaunay,
                                          const DelaunayChange& change,
                                          const LiveCandidates& candidates) {
   const TriangulationView view = delaunay.view();
-  std::vector<FacetId> touched = candidates.facets_at_changed().triangles.facets;
+  const auto& changed = candidates.facets_at_changed().triangles.facets;
+  std::vector<FacetId> touched(changed.begin(), changed.end());
   std::erase_if(touched, [&](FacetId f) { return !has_touched_vertex(view, f); });
   erase_touched(view, candidates, touched);
   std::vector<VertexId> around = find_ring(view, candidates, touched);

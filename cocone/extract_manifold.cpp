@@ -3,32 +3,27 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "cocone/cell_order.h"
-#include "delaunay/circulate.h"
+#include "cocone/half_facets.h"
+#include "cocone/walk_reach.h"
 
 namespace cocoon {
 namespace {
 
-// What is known of a candidate, from one of its sides.
-enum class HalfState : std::uint8_t { open, proposed, kept, kept_from_back, dropped };
-
-// A candidate seen from one of its sides: 2 * triangle, from the cell that numbers the facet, or
-// 2 * triangle + 1, from the one behind.
-using Half = std::uint32_t;
-
-constexpr std::uint32_t triangle_of_half(Half half) { return half / 2; }
-constexpr Half other_half(Half half) { return half ^ 1U; }
+constexpr std::size_t triangles_per_chunk = std::size_t{1} << 14;
 
 class Walk {
  public:
   Walk(const Triangulation& triangulation, const LinkedFacets& candidates,
-       const VertexSet& umbrella)
+       const VertexSet& umbrella, const Execution& execution)
       : triangulation_(triangulation),
         candidates_(candidates),
         umbrella_(umbrella),
-        states_(2 * candidates.size(), HalfState::open),
+        execution_(execution),
+        states_(candidates.size(), walk_state::open),
         on_surface_(triangulation.num_vertices(), 0) {}
 
   void run() {
@@ -41,31 +36,29 @@ class Walk {
   // be foreseen: no branch depends on it.
   std::vector<FacetId> halves() const {
     std::vector<FacetId> halves(candidates_.size());
-    for (std::uint32_t t = 0; t < candidates_.size(); ++t) {
-      const auto back = static_cast<Half>(states_[2 * t] == HalfState::kept ? 0 : 1);
-      const std::array<FacetId, 2> sides = {candidates_.facets[t], candidates_.mirrors[t]};
-      halves[t] = sides[back];
-    }
+    parallel_chunks(execution_, halves.size(), triangles_per_chunk,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t t = begin; t < end; ++t) {
+                        const FacetId front = candidates_.facets[t];
+                        const FacetId back = candidates_.mirrors[t];
+                        halves[t] = states_[t] == walk_state::kept[0] ? front : back;
+                      }
+                    });
     return halves;
   }
-  std::vector<std::uint8_t> off_surface() const {
-    std::vector<std::uint8_t> flags(candidates_.size());
-    for (std::uint32_t t = 0; t < candidates_.size(); ++t) flags[t] = is_kept(t) ? 0 : 1;
-    return flags;
+  std::vector<std::uint8_t> off_surface() && {
+    for (std::uint8_t& state : states_) state = is_kept(state) ? 0 : 1;
+    return std::move(states_);
   }
   std::size_t walks() const { return walks_; }
   std::size_t unwalked() const { return unwalked_; }
   std::size_t back_contacts() const { return back_contacts_; }
 
  private:
-  FacetId facet_of(Half h) const {
-    const std::uint32_t t = triangle_of_half(h);
-    return (h & 1U) == 0 ? candidates_.facets[t] : candidates_.mirrors[t];
+  static bool is_kept(std::uint8_t state) {
+    return state == walk_state::kept[0] || state == walk_state::kept[1];
   }
-  // From one side, so that the other one is the back.
-  bool is_kept(std::uint32_t t) const {
-    return states_[2 * t] == HalfState::kept || states_[2 * t] == HalfState::kept_from_back;
-  }
+  FacetId facet_of(Half h) const { return facet_of_half(candidates_, h); }
   const Triangle& corners(Half h) const { return candidates_.corners[triangle_of_half(h)]; }
 
   // --- where to begin
@@ -94,7 +87,7 @@ class Walk {
   }
 
   bool may_start(Half h) const {
-    if (states_[h] != HalfState::open) return false;
+    if (states_[triangle_of_half(h)] != walk_state::open) return false;
     for (const VertexId v : corners(h)) {
       if (umbrella_[v] == 0 || on_surface_[v] != 0) return false;
     }
@@ -118,7 +111,8 @@ class Walk {
              sorted_corners(triangulation_, facet_of(b.half));
     };
     // Nearly always the first walk covers all: sort only what it leaves.
-    walk(std::min_element(starts.begin(), starts.end(), earlier)->half);
+    const Half first = std::min_element(starts.begin(), starts.end(), earlier)->half;
+    if (walks_ > 0 || !reach_from(first)) walk(first);
     std::erase_if(starts, [&](const Start& start) { return !may_start(start.half); });
     std::sort(starts.begin(), starts.end(), earlier);
     for (const Start& start : starts) {
@@ -127,6 +121,21 @@ class Walk {
   }
 
   // --- the walk
+
+  // The first walk, if it goes without rounds.
+  bool reach_from(Half start) {
+    std::optional<std::vector<std::uint8_t>> states =
+        walk_reach(triangulation_, candidates_, umbrella_, start, execution_);
+    if (!states) return false;
+    ++walks_;
+    states_ = std::move(*states);
+    if (std::find(states_.begin(), states_.end(), walk_state::open) == states_.end()) return true;
+    for (std::size_t t = 0; t < candidates_.size(); ++t) {
+      if (!is_kept(states_[t])) continue;
+      for (const VertexId v : candidates_.corners[t]) on_surface_[v] = 1;
+    }
+    return true;
+  }
 
   // A half-facet and the side of its triangle over which the walk came.
   struct Arrival {
@@ -145,7 +154,8 @@ class Walk {
       std::erase_if(kept, [&](const Arrival& arrival) { return !is_accepted(arrival.half); });
       for (const Arrival& arrival : kept) keep(arrival.half);
       for (const Half h : dropped) {
-        if (states_[h] == HalfState::open) drop(h);
+        std::uint8_t& state = states_[triangle_of_half(h)];
+        if (state == walk_state::open) state = walk_state::dropped;
       }
       std::swap(frontier, kept);
       kept.clear();
@@ -157,96 +167,63 @@ class Walk {
                         std::vector<Half>& dropped) {
     const SideId first = 3 * triangle_of_half(arrival.half);
     for (SideId side = first; side < first + 3; ++side) {
-      if (side == arrival.side) continue;
-      const auto [a, b] = candidates_.ends(side);
-      if (umbrella_[a] == 0 && umbrella_[b] == 0) continue;
+      if (side == arrival.side || !is_crossed(candidates_, umbrella_, side)) continue;
       if (candidates_.is_two_sided(side)) {
         const SideId met = candidates_.links[side];
-        if (states_[facing_half(arrival.half, side, met)] != HalfState::dropped) {
-          meet_first(facing_half(arrival.half, side, met), met, kept);
-        }
-      } else if (candidates_.links[side] != side) {
+        const Half half = facing_half(candidates_, arrival.half, side, met);
+        if (!is_dropped(half)) meet_first(half, met, kept);
+      } else {
         turn(arrival.half, side, kept, dropped);
       }
     }
   }
 
-  // Of the triangle of `other`, the half on the walker's side when he comes from `half` over their
-  // edge: seen from one side, the triangles run through it in opposite directions.
-  Half facing_half(Half half, SideId side, SideId other) const {
-    const bool opposite = candidates_.ends(side)[0] != candidates_.ends(other)[0];
-    return 2 * triangle_of_side(other) + (opposite ? half & 1U : (half & 1U) ^ 1U);
-  }
+  bool is_dropped(Half h) const { return states_[triangle_of_half(h)] == walk_state::dropped; }
 
   void meet_first(Half met, SideId side, std::vector<Arrival>& kept) {
-    HalfState& state = states_[met];
-    if (state == HalfState::open) {
-      state = HalfState::proposed;
-      kept.push_back({met, side});
-    } else if (state == HalfState::kept_from_back) {
+    std::uint8_t& state = states_[triangle_of_half(met)];
+    if (state == walk_state::kept[other_half(met) & 1U]) {
       ++back_contacts_;
+    } else if (may_be_proposed(state, met)) {
+      state |= walk_state::proposed[met & 1U];
+      kept.push_back({met, side});
     }
   }
+  // A round may still propose it from the other side.
+  static bool may_be_proposed(std::uint8_t state, Half h) {
+    return state == walk_state::open || state == walk_state::proposed[other_half(h) & 1U];
+  }
 
-  // Once around an edge with more than two candidates, beginning on the side of the half-facet.
+  // Once around an edge with more than two candidates.
   void turn(Half half, SideId side, std::vector<Arrival>& kept, std::vector<Half>& dropped) {
-    FacetId f = facet_of(half);
-    const FacetId back = triangulation_.mirror(f);
-    VertexId third = candidates_.corners[triangle_of_side(side)][corner_of_side(side)];
     bool first = true;
-    for (;;) {
-      const FacetId g =
-          facet_id(cell_of(f), index_of_vertex(triangulation_.cell(cell_of(f)), third));
-      if (g == back) return;
-      const SideId met_side = side_of_facet(side, g);
-      if (met_side != no_side) {
-        const Half met = facing_half(half, side, met_side);
-        if (states_[met] != HalfState::dropped) {
-          if (first) {
-            meet_first(met, met_side, kept);
-          } else if (states_[met] == HalfState::open) {
-            dropped.push_back(met);
-          }
-          first = false;
-        }
+    turn_about_edge(triangulation_, candidates_, half, side, [&](Half met, SideId met_side) {
+      if (is_dropped(met)) return;
+      if (first) {
+        meet_first(met, met_side, kept);
+      } else if (may_be_proposed(states_[triangle_of_half(met)], met)) {
+        dropped.push_back(met);
       }
-      third = triangulation_.opposite_vertex(f);
-      f = triangulation_.mirror(g);
-    }
-  }
-
-  // The side of facet g at the edge of `side`, if g is a candidate.
-  SideId side_of_facet(SideId side, FacetId g) const {
-    if (!candidates_.set.contains(g)) return no_side;
-    const FacetId canonical = triangulation_.canonical(g);
-    SideId found = no_side;
-    for_each_side_at_edge(candidates_, side, [&](SideId other) {
-      if (candidates_.facets[triangle_of_side(other)] == canonical) found = other;
+      first = false;
     });
-    return found;
   }
 
   // Of the two sides from which one round may propose a facet the positive one is taken.
   bool is_accepted(Half h) const {
-    return states_[other_half(h)] != HalfState::proposed || sees_positive_side(h);
+    const std::uint8_t from_back = walk_state::proposed[other_half(h) & 1U];
+    return (states_[triangle_of_half(h)] & from_back) == 0 || sees_positive_side(h);
   }
 
   void keep(Half h) {
-    states_[h] = HalfState::kept;
-    states_[other_half(h)] = HalfState::kept_from_back;
+    states_[triangle_of_half(h)] = walk_state::kept[h & 1U];
     for (const VertexId v : corners(h)) on_surface_[v] = 1;
-  }
-
-  void drop(Half h) {
-    states_[h] = HalfState::dropped;
-    states_[other_half(h)] = HalfState::dropped;
   }
 
   // Candidates that no walk reached and that share no vertex with one.
   void keep_unwalked() {
     std::vector<Half> apart;
     for (std::uint32_t t = 0; t < candidates_.size(); ++t) {
-      if (states_[2 * t] != HalfState::open) continue;
+      if (states_[t] != walk_state::open) continue;
       const auto [a, b, c] = candidates_.corners[t];
       if ((on_surface_[a] | on_surface_[b] | on_surface_[c]) != 0) continue;
       apart.push_back(sees_positive_side(2 * t) ? 2 * t : 2 * t + 1);
@@ -273,11 +250,11 @@ class Walk {
     return less(v[2], v[1]);
   }
 
-  static constexpr SideId no_side = 0xFFFFFFFFU;
   const Triangulation& triangulation_;
   const LinkedFacets& candidates_;
   const VertexSet& umbrella_;
-  std::vector<HalfState> states_;  // per half
+  const Execution& execution_;
+  std::vector<std::uint8_t> states_;  // per triangle
   VertexSet on_surface_;
   std::size_t walks_ = 0;
   std::size_t unwalked_ = 0;
@@ -292,13 +269,13 @@ ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacet
   ManifoldSurface surface;
   std::vector<std::uint8_t> off_surface;
   {
-    Walk walk(triangulation, candidates, umbrella);
+    Walk walk(triangulation, candidates, umbrella, execution);
     walk.run();
     surface.halves = walk.halves();
     surface.walks = walk.walks();
     surface.unwalked = walk.unwalked();
     surface.back_contacts = walk.back_contacts();
-    off_surface = walk.off_surface();
+    off_surface = std::move(walk).off_surface();
   }
   surface.triangles = without(triangulation, std::move(candidates), off_surface);
   for (const auto& [from, to] : moves_into_places(off_surface)) {

@@ -42,7 +42,8 @@ struct ManifoldSurface {
 // lexicographically smallest one that has no vertex on the surface so far. When there are no more,
 // likewise at other candidates. So the result is a function of the set of candidates.
 // Two candidates at an edge see each other without a turn; a turn through the cells is made only at
-// edges with more. Complexity: O(candidates + vertices), and one byte per cell.
+// edges with more. The first walk, which is nearly always the only one, goes without rounds if its
+// result does not depend on them (walk_reach.h), on all threads. Complexity: O(candidates + vertices), and one byte per cell.
 // Source: Amenta, Choi, Dey & Leekha 2002 (manifold extraction); spec 5.3, variant W. Classes of
 // half-facets (spec 12) would need no rounds, but one tear that links the two sides makes them one
 // class, and then both sheets of every flat tetrahedron stay; in rounds a tear does harm only where

@@ -103,6 +103,24 @@ class Relinking {
         triangles_.links[3 * near[k] + i] = 3 * near[triangle_of_side(next)] + corner_of_side(next);
       }
     }
+    update_steep(near, local);
+  }
+
+  // `near`: the triangles that are linked anew, in `local`.
+  void update_steep(const std::vector<std::uint32_t>& near, const LinkedFacets& local) {
+    std::vector<SideId>& steep = triangles_.steep;
+    const auto is_linked_anew = [&](SideId side) {
+      const auto [from, to] = triangles_.ends(side);
+      return (touched_[from] & touched_[to]) != 0;
+    };
+    std::erase_if(steep, [&](SideId side) {
+      return triangle_of_side(side) >= size_ || is_linked_anew(side);
+    });
+    for (const SideId side : local.steep) {
+      const SideId here = 3 * near[triangle_of_side(side)] + corner_of_side(side);
+      if (is_linked_anew(here)) steep.push_back(triangles_.first_at_edge(here));
+    }
+    std::sort(steep.begin(), steep.end());
   }
 
   const Triangulation& triangulation_;

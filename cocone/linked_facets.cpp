@@ -1,7 +1,8 @@
 #include "cocone/linked_facets.h"
 
 #include <algorithm>
-#include <span>
+#include <array>
+#include <iterator>
 #include <utility>
 
 #include "geom/parallel_list.h"
@@ -18,16 +19,16 @@ bool precedes(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : 
 // How three corners are put in order, by the answers to 0 < 1, 1 < 2 and 0 < 2.
 struct CornerOrder {
   std::array<std::uint8_t, 3> corners;
-  bool turned;
+  double sign;  // -1: they are turned
 };
-constexpr std::array<CornerOrder, 8> corner_orders = {{{{2, 1, 0}, true},
-                                                       {{2, 0, 1}, false},
-                                                       {{1, 2, 0}, false},
-                                                       {{}, false},
-                                                       {{}, false},
-                                                       {{0, 2, 1}, true},
-                                                       {{1, 0, 2}, true},
-                                                       {{0, 1, 2}, false}}};
+constexpr std::array<CornerOrder, 8> corner_orders = {{{{2, 1, 0}, -1},
+                                                       {{2, 0, 1}, 1},
+                                                       {{1, 2, 0}, 1},
+                                                       {{}, 1},
+                                                       {{}, 1},
+                                                       {{0, 2, 1}, -1},
+                                                       {{1, 0, 2}, -1},
+                                                       {{0, 1, 2}, 1}}};
 
 // The unit normal of the corners in lexicographic order, turned as the corners run.
 Vec3 oriented_normal(const IdVector<VertexId, Point>& points, const Triangle& corners) {
@@ -38,17 +39,12 @@ Vec3 oriented_normal(const IdVector<VertexId, Point>& points, const Triangle& co
   const CornerOrder& order = corner_orders[answers];
   const Point& first = *p[order.corners[0]];
   const Vec3 normal = unit(cross(*p[order.corners[1]] - first, *p[order.corners[2]] - first));
-  const double sign = order.turned ? -1.0 : 1.0;
-  return sign * normal;
-}
-
-VertexId smallest(const Triangle& corners) {
-  return std::min({corners[0], corners[1], corners[2]});
+  return order.sign * normal;
 }
 
 struct FoundFacet {
   FacetId facet;
-  VertexId smallest;
+  Triangle corners;
 };
 
 std::vector<FoundFacet> list_facets(const Triangulation& triangulation, const FacetSet& facets,
@@ -58,31 +54,90 @@ std::vector<FoundFacet> list_facets(const Triangulation& triangulation, const Fa
       execution, triangulation.num_cells(), cells_per_chunk,
       [&](std::size_t begin, std::size_t end, std::vector<FoundFacet>& found) {
         facets.for_each(triangulation, begin, end, [&](FacetId f) {
-          found.push_back({f, smallest(triangulation.facet_vertices(f))});
+          found.push_back({f, triangulation.facet_vertices(f)});
         });
       });
 }
 
-// Facets, mirrors and corners.
-LinkedFacets by_smallest_vertex(const Triangulation& triangulation, const FacetSet& facets,
-                                const Execution& execution) {
-  const std::vector<FoundFacet> found = list_facets(triangulation, facets, execution);
-  LinkedFacets triangles;
-  const auto allocate = [&](std::size_t count) {
-    triangles.facets.resize(count);
-    triangles.mirrors.resize(count);
-    triangles.corners.resize(count);
-  };
-  const auto for_each_found = [&](std::size_t begin, std::size_t end, auto put) {
-    for (const FoundFacet& f : std::span(found).subspan(begin, end - begin)) {
-      put(f.smallest, [&](std::uint32_t t) {
+// Puts facets, mirrors and corners in order, and returns where the triangles of each smallest
+// vertex begin. found(k): the k-th facet.
+template <class Found>
+std::vector<std::uint32_t> sort_facets(const Triangulation& triangulation, std::size_t count,
+                                       const Found& found, LinkedFacets& triangles,
+                                       const Execution& execution) {
+  return sort_by_vertex<FoundFacet>(
+      count, triangulation.num_vertices(), execution,
+      [&](std::size_t) {
+        triangles.facets.resize(count);
+        triangles.mirrors.resize(count);
+        triangles.corners.resize(count);
+      },
+      [&](std::size_t begin, std::size_t end, auto put) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const FoundFacet f = found(k);
+          put(std::min({f.corners[0], f.corners[1], f.corners[2]}), f);
+        }
+      },
+      [&](std::uint32_t t) {
+        __builtin_prefetch(&triangles.facets[t], 1);
+        __builtin_prefetch(&triangles.mirrors[t], 1);
+        __builtin_prefetch(&triangles.corners[t], 1);
+      },
+      [&](std::uint32_t t, const FoundFacet& f) {
         triangles.facets[t] = f.facet;
         triangles.mirrors[t] = triangulation.mirror(f.facet);
-        triangles.corners[t] = triangulation.facet_vertices(f.facet);
+        triangles.corners[t] = f.corners;
       });
+}
+
+void find_normals(const IdVector<VertexId, Point>& points, LinkedFacets& triangles,
+                  const Execution& execution) {
+  triangles.normals.resize(triangles.size());
+  parallel_chunks(execution, triangles.size(), triangles_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t t = begin; t < end; ++t) {
+                      triangles.normals[t] = oriented_normal(points, triangles.corners[t]);
+                    }
+                  });
+}
+
+// By a look at all of them. Which of two sides is the first cannot be foreseen: they are listed
+// without a branch on it. What is to be read at the other one lies here and there in memory: it is
+// asked for in advance.
+std::vector<SideId> find_steep_edges(const LinkedFacets& triangles, double largest_cosine,
+                                     const Execution& execution) {
+  constexpr std::size_t sides_per_block = 96;
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<SideId>& found) {
+    std::array<SideId, sides_per_block> sides;
+    const auto last = static_cast<SideId>(3 * end);
+    for (auto first = static_cast<SideId>(3 * begin); first < last;) {
+      const SideId next = std::min<SideId>(first + sides_per_block, last);
+      std::size_t count = 0;
+      for (; first < next; ++first) {
+        const SideId other = triangles.links[first];
+        sides[count] = first;
+        count += other >= first ? 1U : 0U;
+        __builtin_prefetch(&triangles.links[other]);
+        __builtin_prefetch(&triangles.normals[triangle_of_side(other)]);
+        __builtin_prefetch(&triangles.corners[triangle_of_side(other)]);
+      }
+      for (std::size_t k = 0; k < count; ++k) {
+        const SideId side = sides[k];
+        if (is_steep(triangles, side, largest_cosine) && triangles.is_first(side)) {
+          found.push_back(side);
+        }
+      }
     }
   };
-  sort_by_vertex(found.size(), triangulation.num_vertices(), execution, allocate, for_each_found);
+  return parallel_list<SideId>(execution, triangles.size(), triangles_per_chunk, find);
+}
+
+LinkedFacets finish_links(const Triangulation& triangulation, LinkedFacets triangles,
+                          const std::vector<std::uint32_t>& begins, const Execution& execution) {
+  // First: its scratch memory is as large as the normals.
+  triangles.links = side_links(triangles.corners, begins, execution);
+  find_normals(triangulation.points(), triangles, execution);
+  triangles.steep = find_steep_edges(triangles, LinkedFacets::steep_cosine, execution);
   return triangles;
 }
 
@@ -106,27 +161,62 @@ void move_triangle(LinkedFacets& triangles, std::uint32_t from, std::uint32_t to
   }
 }
 
+// The sides, some of whose triangles have moved to places before `end`.
+std::vector<SideId> moved(std::vector<SideId> sides, const std::vector<TriangleMove>& moves,
+                          std::size_t end, std::size_t size) {
+  std::vector<std::uint32_t> places(size - end);
+  for (const auto& [from, to] : moves) places[from - end] = to;
+  for (SideId& side : sides) {
+    const std::uint32_t t = triangle_of_side(side);
+    if (t >= end) side = 3 * places[t - end] + corner_of_side(side);
+  }
+  return sides;
+}
+
+// The steep ones of the edges with one of these sides.
+std::vector<SideId> steep_among(const LinkedFacets& triangles, std::vector<SideId> sides) {
+  for (SideId& side : sides) side = triangles.first_at_edge(side);
+  std::sort(sides.begin(), sides.end());
+  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+  std::erase_if(
+      sides, [&](SideId side) { return !is_steep(triangles, side, LinkedFacets::steep_cosine); });
+  return sides;
+}
+
 }  // namespace
 
 void link_corners(const IdVector<VertexId, Point>& points, LinkedFacets& triangles,
                   const Execution& execution) {
-  // First: its scratch memory is as large as the normals.
   triangles.links = side_links(triangles.corners, points.size(), execution);
-  triangles.normals.resize(triangles.size());
-  parallel_chunks(execution, triangles.size(), triangles_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t t = begin; t < end; ++t) {
-                      triangles.normals[t] = oriented_normal(points, triangles.corners[t]);
-                    }
-                  });
+  find_normals(points, triangles, execution);
+  triangles.steep = find_steep_edges(triangles, LinkedFacets::steep_cosine, execution);
 }
 
 LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
                          const Execution& execution) {
-  LinkedFacets triangles = by_smallest_vertex(triangulation, facets, execution);
-  link_corners(triangulation.points(), triangles, execution);
+  LinkedFacets triangles;
   triangles.set = std::move(facets);
-  return triangles;
+  std::vector<std::uint32_t> begins;
+  {
+    const std::vector<FoundFacet> found = list_facets(triangulation, triangles.set, execution);
+    begins = sort_facets(
+        triangulation, found.size(), [&](std::size_t k) { return found[k]; }, triangles, execution);
+  }
+  return finish_links(triangulation, std::move(triangles), begins, execution);
+}
+
+LinkedFacets link_facets(const Triangulation& triangulation, FacetSet set,
+                         std::span<const FacetId> facets, std::span<const Triangle> corners,
+                         const Execution& execution) {
+  LinkedFacets triangles;
+  triangles.set = std::move(set);
+  const std::vector<std::uint32_t> begins = sort_facets(
+      triangulation, facets.size(),
+      [&](std::size_t k) {
+        return FoundFacet{facets[k], corners[k]};
+      },
+      triangles, execution);
+  return finish_links(triangulation, std::move(triangles), begins, execution);
 }
 
 std::vector<TriangleMove> moves_into_places(const std::vector<std::uint8_t>& removed) {
@@ -145,16 +235,21 @@ std::vector<TriangleMove> moves_into_places(const std::vector<std::uint8_t>& rem
 LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
                      const std::vector<std::uint8_t>& removed) {
   const auto size = static_cast<std::uint32_t>(triangles.size());
+  std::vector<SideId> doubtful = std::move(triangles.steep);  // sides at edges that may be steep
   for (std::uint32_t t = 0; t < size; ++t) {
     if (removed[t] == 0) continue;
     triangles.set.erase(triangulation, triangles.facets[t]);
     for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
-      triangles.links[side_before(triangles, side)] = triangles.links[side];
+      const SideId before = side_before(triangles, side);
+      triangles.links[before] = triangles.links[side];
+      doubtful.push_back(before);
     }
   }
+  std::erase_if(doubtful, [&](SideId side) { return removed[triangle_of_side(side)] != 0; });
   const std::vector<TriangleMove> moves = moves_into_places(removed);
   for (const auto& [from, to] : moves) move_triangle(triangles, from, to);
   const auto end = static_cast<std::size_t>(std::count(removed.begin(), removed.end(), 0));
+  triangles.steep = steep_among(triangles, moved(std::move(doubtful), moves, end, size));
   triangles.facets.resize(end);
   triangles.mirrors.resize(end);
   triangles.corners.resize(end);
@@ -165,16 +260,13 @@ LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
 
 std::vector<SideId> steep_edges(const LinkedFacets& triangles, double largest_cosine,
                                 const Execution& execution) {
-  return parallel_list<SideId>(execution, triangles.size(), triangles_per_chunk,
-                               [&](std::size_t begin, std::size_t end, std::vector<SideId>& found) {
-                                 for_each_edge(triangles, begin, end, [&](SideId side) {
-                                   const bool flat =
-                                       triangles.is_two_sided(side) &&
-                                       dihedral_cosine(triangles, side, triangles.links[side]) <=
-                                           largest_cosine;
-                                   if (!flat) found.push_back(side);
-                                 });
-                               });
+  if (largest_cosine < LinkedFacets::steep_cosine) {
+    return find_steep_edges(triangles, largest_cosine, execution);
+  }
+  std::vector<SideId> steep;
+  std::copy_if(triangles.steep.begin(), triangles.steep.end(), std::back_inserter(steep),
+               [&](SideId side) { return is_steep(triangles, side, largest_cosine); });
+  return steep;
 }
 
 }  // namespace cocoon

@@ -6,11 +6,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "cocone/facet_set.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
+#include "geom/id_vector.h"
 #include "geom/point.h"
 #include "geom/side_links.h"
 #include "geom/triangle_mesh.h"
@@ -22,11 +24,16 @@ namespace cocoon {
 // those that without() or kept_links.h moves).
 struct LinkedFacets {
   FacetSet set;
-  std::vector<FacetId> facets;    // canonical ids
-  std::vector<FacetId> mirrors;   // the same facets as the cells behind number them
-  std::vector<Triangle> corners;  // facet_vertices(facet): counterclockwise seen from behind
-  std::vector<Vec3> normals;      // unit, out of cell_of(facet); zero if degenerate
-  std::vector<SideId> links;      // rings of the sides on each edge: geom/side_links.h
+  OverwriteVector<FacetId> facets;    // canonical ids
+  OverwriteVector<FacetId> mirrors;   // the same facets as the cells behind number them
+  OverwriteVector<Triangle> corners;  // facet_vertices(facet): counterclockwise seen from behind
+  OverwriteVector<Vec3> normals;      // unit, out of cell_of(facet); zero if degenerate
+  SideLinks links;                    // rings of the sides on each edge: geom/side_links.h
+  // The edges that are not two triangles with a dihedral cosine of at most steep_cosine, by their
+  // first (smallest) sides; ascending. Of candidates on the samples of a surface few of all: most
+  // stages look at these alone.
+  std::vector<SideId> steep;
+  static constexpr double steep_cosine = 0;  // a right angle
 
   std::size_t size() const { return facets.size(); }
   // The two ends of a side, in the direction of its triangle.
@@ -37,6 +44,21 @@ struct LinkedFacets {
   }
   // Exactly two triangles at the edge of the side.
   bool is_two_sided(SideId side) const { return links[side] != side && links[links[side]] == side; }
+  bool is_three_sided(SideId side) const {
+    const SideId second = links[side];
+    const SideId third = links[second];
+    return second != side && third != side && links[third] == side;
+  }
+  // The smallest of the sides on its edge: each edge has one. After without() moved triangles rings
+  // need not ascend.
+  SideId first_at_edge(SideId side) const {
+    SideId first = side;
+    for (SideId other = links[side]; other != side; other = links[other]) {
+      first = std::min(first, other);
+    }
+    return first;
+  }
+  bool is_first(SideId side) const { return first_at_edge(side) == side; }
 };
 
 // Complexity: O(triangles) and one byte per cell, parallel. The normals are functions of the
@@ -44,8 +66,14 @@ struct LinkedFacets {
 LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
                          const Execution& execution = {});
 
-// Fills in normals and links of triangles with corners at these points. Complexity: O(triangles +
-// points), parallel.
+// The same for who has the canonical ids of the facets in the set, ascending, and of each its
+// corners: without a look at the cells that have none.
+LinkedFacets link_facets(const Triangulation& triangulation, FacetSet set,
+                         std::span<const FacetId> facets, std::span<const Triangle> corners,
+                         const Execution& execution = {});
+
+// Fills in normals, links and steep edges of triangles with corners at these points. Complexity:
+// O(triangles + points), parallel.
 void link_corners(const IdVector<VertexId, Point>& points, LinkedFacets& triangles,
                   const Execution& execution = {});
 
@@ -58,7 +86,8 @@ struct TriangleMove {
 std::vector<TriangleMove> moves_into_places(const std::vector<std::uint8_t>& removed);
 
 // The triangles whose flag is 0. Rings close over those that go, and the last triangles move to
-// their places (moves_into_places). Complexity: one look at every flag, and O(triangles removed).
+// their places (moves_into_places). Complexity: one look at every flag, and O(triangles removed +
+// steep edges).
 LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
                      const std::vector<std::uint8_t>& removed);
 
@@ -69,39 +98,19 @@ LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
 inline double dihedral_cosine(const LinkedFacets& triangles, SideId a, SideId b) {
   const double cosine =
       dot(triangles.normals[triangle_of_side(a)], triangles.normals[triangle_of_side(b)]);
-  return triangles.ends(a)[0] == triangles.ends(b)[0] ? cosine : -cosine;
+  // From a table: a branch could not be foreseen.
+  constexpr std::array<double, 2> signs = {-1, 1};
+  return signs[triangles.ends(a)[0] == triangles.ends(b)[0] ? 1 : 0] * cosine;
 }
 
-// Calls visit(side) for the first (smallest) side of every edge of the triangles begin .. end.
-template <class Visit>
-void for_each_edge(const LinkedFacets& triangles, std::size_t begin, std::size_t end, Visit visit) {
-  // Which of two sides is the first cannot be foreseen: they are listed without a branch on it.
-  // What dihedral_cosine() is to read there lies here and there in memory: it is asked for in
-  // advance.
-  constexpr std::size_t sides_per_block = 96;
-  std::array<SideId, sides_per_block> sides;
-  const auto last = static_cast<SideId>(3 * end);
-  for (auto first = static_cast<SideId>(3 * begin); first < last;) {
-    const SideId next = std::min<SideId>(first + sides_per_block, last);
-    std::size_t count = 0;
-    for (; first < next; ++first) {
-      sides[count] = first;
-      count += triangles.links[first] >= first ? 1U : 0U;
-      __builtin_prefetch(&triangles.normals[triangle_of_side(triangles.links[first])]);
-      __builtin_prefetch(&triangles.corners[triangle_of_side(triangles.links[first])]);
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      const SideId side = sides[k];
-      SideId other = triangles.links[side];
-      while (other > side) other = triangles.links[other];
-      if (other == side) visit(side);
-    }
-  }
+// Whether the edge of the side is not two triangles with at most this dihedral cosine.
+inline bool is_steep(const LinkedFacets& triangles, SideId side, double largest_cosine) {
+  return !triangles.is_two_sided(side) ||
+         !(dihedral_cosine(triangles, side, triangles.links[side]) <= largest_cosine);
 }
 
-// The edges that are not two flat triangles: the first sides of those with another number of
-// triangles than two, or with a larger dihedral cosine than this. Ascending. Of candidates on the
-// samples of a surface few of all. Complexity: O(triangles), parallel.
+// The edges that are steep in this sense: like LinkedFacets::steep, with another limit. Complexity:
+// O(steep edges) for limits from steep_cosine on; O(triangles), parallel, for smaller ones.
 std::vector<SideId> steep_edges(const LinkedFacets& triangles, double largest_cosine,
                                 const Execution& execution = {});
 

@@ -16,7 +16,7 @@ LocalFacets FacetCollector::link(const TriangulationView& view, std::vector<Face
   sort_ids(facets);
   LocalFacets local;
   LinkedFacets& triangles = local.triangles;
-  triangles.facets = std::move(facets);
+  triangles.facets.assign(facets.begin(), facets.end());
   triangles.mirrors.reserve(triangles.facets.size());
   triangles.corners.reserve(triangles.facets.size());
   vertex_here_.resize(view.points().size());

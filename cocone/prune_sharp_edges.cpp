@@ -101,8 +101,15 @@ class Pruning {
 PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet candidates,
                                    const PruneOptions& options, const Execution& execution) {
   report_progress(execution, "prune_sharp_edges", 0);
-  LinkedFacets triangles = link_facets(triangulation, std::move(candidates), execution);
+  return prune_sharp_edges(triangulation,
+                           link_facets(triangulation, std::move(candidates), execution), options,
+                           execution);
+}
+
+PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, LinkedFacets candidates,
+                                   const PruneOptions& options, const Execution& execution) {
   report_progress(execution, "prune_sharp_edges", 0.5);
+  LinkedFacets triangles = std::move(candidates);
   PrunedCandidates result;
   const std::vector<SideId> steep = steep_edges(triangles, options.sharp_cosine, execution);
   result.umbrella = vertices_with_umbrella(triangles, steep, triangulation.num_vertices(),

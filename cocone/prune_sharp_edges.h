@@ -39,6 +39,11 @@ PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet 
                                    const PruneOptions& options = {},
                                    const Execution& execution = {});
 
+// The same of candidates that are linked: link_facets(triangulation, candidates).
+PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, LinkedFacets candidates,
+                                   const PruneOptions& options = {},
+                                   const Execution& execution = {});
+
 // On a part of the candidates. One flag per triangle: 1 = prune_sharp_edges would remove it, as far
 // as the edges with a vertex of `core` tell; all triangles at these vertices must be there.
 // `umbrella`: of all vertices. Triangles with one core vertex have an edge that is not looked at.

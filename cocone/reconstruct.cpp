@@ -167,8 +167,8 @@ class Reconstruction {
 
   // What close_by() would: nothing is left to be decided.
   void deliver_certain(GoodVertices good, const Execution& execution) {
-    forget_links();
-    deliver(surface_of(*triangulation_, surface_.halves, execution));
+    deliver(surface_of(*triangulation_, std::exchange(surface_.triangles, {}), surface_.halves,
+                       execution));
     ReconstructCounters& counters = result_.counters;
     counters.good_vertices = good.count;
     counters.demoted_vertices = good.folded.size();
@@ -180,7 +180,8 @@ class Reconstruction {
 
   void deliver_open_surface() {
     run_step(execution_, "cocone", [&](const Execution& nested) {
-      deliver(surface_of(*triangulation_, surface_.halves, nested));
+      deliver(surface_of(*triangulation_, std::exchange(surface_.triangles, {}), surface_.halves,
+                         nested));
       result_.counters.non_orientable_components = orient_surface(result_.mesh).non_orientable;
       canonicalize_triangles(result_.mesh, nested);
     });

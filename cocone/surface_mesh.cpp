@@ -7,6 +7,7 @@
 
 #include "cocone/shared_flags.h"
 #include "geom/parallel_list.h"
+#include "geom/triangle_order.h"
 
 namespace cocoon {
 namespace {
@@ -15,8 +16,7 @@ constexpr std::size_t elements_per_chunk = std::size_t{1} << 14;
 
 // The first input point of each used vertex, increasing.
 std::vector<PointId> used_points(const Triangulation& triangulation,
-                                 const std::vector<Triangle>& triangles,
-                                 const Execution& execution) {
+                                 std::span<const Triangle> triangles, const Execution& execution) {
   SharedFlags used(triangulation.num_vertices());
   parallel_chunks(execution, triangles.size(), elements_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
@@ -36,7 +36,7 @@ std::vector<PointId> used_points(const Triangulation& triangulation,
 }
 
 // From triangles with the vertices of the triangulation, counterclockwise seen from outside.
-SurfaceMesh mesh_of(const Triangulation& triangulation, std::vector<Triangle> triangles,
+SurfaceMesh mesh_of(const Triangulation& triangulation, std::span<const Triangle> triangles,
                     const Execution& execution) {
   SurfaceMesh surface;
   surface.point_of_vertex =
@@ -55,14 +55,13 @@ SurfaceMesh mesh_of(const Triangulation& triangulation, std::vector<Triangle> tr
                       number[v] = to;
                     }
                   });
-  parallel_chunks(execution, triangles.size(), elements_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t t = begin; t < end; ++t) {
-                      for (VertexId& v : triangles[t]) v = number[v];
-                    }
-                  });
-  surface.mesh.triangles = IdVector<TriangleId, Triangle>(std::move(triangles));
-  canonicalize_triangles(surface.mesh, execution);
+  surface.mesh.triangles = canonical_triangles(
+      triangles.size(), num_vertices,
+      [&](std::size_t t) {
+        const auto& [a, b, c] = triangles[t];
+        return Triangle{number[a], number[b], number[c]};
+      },
+      execution);
   return surface;
 }
 
@@ -98,7 +97,7 @@ void list_outer_facets(const Triangulation& triangulation,
 
 SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const FacetId> halves,
                        const Execution& execution) {
-  std::vector<Triangle> triangles(halves.size());
+  OverwriteVector<Triangle> triangles(halves.size());
   parallel_chunks(execution, halves.size(), elements_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
                     for (std::size_t t = begin; t < end; ++t) {
@@ -106,17 +105,33 @@ SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const Facet
                       triangles[t] = {a, c, b};
                     }
                   });
-  return mesh_of(triangulation, std::move(triangles), execution);
+  return mesh_of(triangulation, triangles, execution);
+}
+
+SurfaceMesh surface_of(const Triangulation& triangulation, LinkedFacets triangles,
+                       std::span<const FacetId> halves, const Execution& execution) {
+  OverwriteVector<Triangle> corners = std::move(triangles.corners);
+  parallel_chunks(execution, halves.size(), elements_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t t = begin; t < end; ++t) {
+                      // They are seen from behind the facet. Which half it is cannot be foreseen.
+                      const auto [a, b, c] = corners[t];
+                      const bool from_front = halves[t] == triangles.facets[t];
+                      corners[t] = {a, from_front ? c : b, from_front ? b : c};
+                    }
+                  });
+  triangles = {};
+  return mesh_of(triangulation, corners, execution);
 }
 
 SurfaceMesh surface_between(const Triangulation& triangulation, const CellMarks& marks,
                             const Execution& execution) {
-  std::vector<Triangle> triangles = parallel_list<Triangle>(
+  const std::vector<Triangle> triangles = parallel_list<Triangle>(
       execution, triangulation.num_finite_cells(), elements_per_chunk,
       [&](std::size_t begin, std::size_t end, std::vector<Triangle>& found) {
         list_outer_facets(triangulation, marks.reached, begin, end, found);
       });
-  return mesh_of(triangulation, std::move(triangles), execution);
+  return mesh_of(triangulation, triangles, execution);
 }
 
 }  // namespace cocoon

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "cocone/linked_facets.h"
 #include "cocone/mark_cells.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
@@ -25,6 +26,10 @@ struct SurfaceMesh {
 // function of the set of facets.
 SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const FacetId> halves,
                        const Execution& execution = {});
+
+// The same for who is done with the triangles that have these halves: without a look at cells.
+SurfaceMesh surface_of(const Triangulation& triangulation, LinkedFacets triangles,
+                       std::span<const FacetId> halves, const Execution& execution = {});
 
 // The boundary of the body: all facets between a cell reached by the peel and one not reached, with
 // normals away from the body. Every directed edge is balanced: as many triangles run through an

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "cocone/shared_flags.h"
 #include "geom/parallel_list.h"
 
 namespace cocoon {
 namespace {
 
-constexpr std::size_t triangles_per_chunk = 2048;
 constexpr std::size_t vertices_per_chunk = 2048;
 
 // Drops triangles without a partner at one of their spokes; true iff some survive.
@@ -91,20 +91,25 @@ struct Fans {
   }
 };
 
+// Those that have a flagged vertex; few have one.
+std::vector<std::uint32_t> triangles_at(const LinkedFacets& triangles, const VertexSet& flags) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    const auto& [a, b, c] = triangles.corners[t];
+    if ((flags[a] | flags[b] | flags[c]) != 0) found.push_back(t);
+  }
+  return found;
+}
+
 Fans fans_at(const LinkedFacets& triangles, const VertexSet& flags) {
   Fans fans{std::vector<std::uint32_t>(flags.size() + 2, 0), {}};
-  const auto is_flagged = [&](std::uint32_t t) {  // nearly none is
-    const auto& [a, b, c] = triangles.corners[t];
-    return (flags[a] | flags[b] | flags[c]) != 0;
-  };
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    if (!is_flagged(t)) continue;
+  const std::vector<std::uint32_t> found = triangles_at(triangles, flags);
+  for (const std::uint32_t t : found) {
     for (const VertexId v : triangles.corners[t]) fans.begins[v.index() + 2] += flags[v];
   }
   for (std::size_t v = 2; v < fans.begins.size(); ++v) fans.begins[v] += fans.begins[v - 1];
   fans.triangles.resize(fans.begins.back());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    if (!is_flagged(t)) continue;
+  for (const std::uint32_t t : found) {
     for (const VertexId v : triangles.corners[t]) {
       if (flags[v] != 0) fans.triangles[fans.begins[v.index() + 1]++] = t;
     }
@@ -127,24 +132,79 @@ IdVector<VertexId, Corners> corners_at(const LinkedFacets& triangles, std::size_
   return corners;
 }
 
-// Do the triangles around v, two at each spoke, make one single cycle? Each cycle has three at
-// least: so yes, unless the walk is back while three are left.
-bool is_one_cycle(const LinkedFacets& triangles, VertexId v, const Corners& corners) {
-  SideId corner = corners.one;
-  std::size_t arrived = next_corner(corner_of_side(corner));
-  for (std::uint32_t walked = 1; walked + 3 <= corners.count; ++walked) {
-    // Over the other of the two spokes into the next triangle.
-    const std::uint32_t t = triangle_of_side(corner);
-    const std::size_t leaving = 3 - corner_of_side(corner) - arrived;
-    const SideId crossed = triangles.links[3 * t + static_cast<SideId>(leaving)];
-    const Triangle& triangle = triangles.corners[triangle_of_side(crossed)];
+// On its way around a vertex, from a triangle to the next over a spoke with two of them.
+struct Turn {
+  VertexId center;
+  SideId corner;          // of the triangle it is at, there
+  std::uint32_t arrived;  // over the spoke opposite to this corner of it
+  std::uint32_t left;     // to be passed before it is certain that there is one cycle alone
+
+  void advance(const LinkedFacets& triangles) {
+    const std::uint32_t leaving = 3 - corner_of_side(corner) - arrived;
+    const SideId crossed = triangles.links[3 * triangle_of_side(corner) + leaving];
+    const std::uint32_t t = triangle_of_side(crossed);
     arrived = corner_of_side(crossed);
-    const std::size_t at =
-        triangle[next_corner(arrived)] == v ? next_corner(arrived) : previous_corner(arrived);
-    corner = 3 * triangle_of_side(crossed) + static_cast<SideId>(at);
-    if (corner == corners.one) return false;
+    corner = 3 * t + static_cast<SideId>(corner_at_vertex(triangles.corners[t], center));
+    --left;
   }
-  return true;
+};
+
+// Which of the vertices begin .. end - 1, two triangles at each spoke (is_regular(v)), have more
+// than one cycle of them: calls split(v). Each cycle has three triangles at least: there is one
+// alone, unless a walk is back while three are left. When walks end cannot be foreseen: those of a
+// block of vertices go on together, and who has arrived is left out without a branch.
+template <class IsRegular, class Split>
+void for_each_split(const LinkedFacets& triangles, const IdVector<VertexId, Corners>& corners,
+                    VertexId begin, VertexId end, IsRegular is_regular, Split split) {
+  constexpr std::size_t vertices_per_block = 128;
+  constexpr std::uint32_t smallest_cycle = 3;
+  std::array<Turn, vertices_per_block> turns;
+  for (VertexId first = begin; first < end;) {
+    const VertexId last = std::min(end, VertexId(first.index() + vertices_per_block));
+    std::size_t active = 0;
+    for (VertexId v = first; v < last; ++v) {
+      const auto& [count, one] = corners[v];
+      const bool walks = count >= 2 * smallest_cycle && is_regular(v);
+      const auto arrived = static_cast<std::uint32_t>(next_corner(corner_of_side(one)));
+      turns[active] = {v, one, arrived, count - smallest_cycle};
+      active += walks ? 1U : 0U;
+    }
+    first = last;
+    while (active != 0) {
+      std::size_t left = 0;
+      for (std::size_t k = 0; k < active; ++k) {
+        Turn turn = turns[k];
+        turn.advance(triangles);
+        const bool is_back = turn.corner == corners[turn.center].one;
+        if (is_back) split(turn.center);
+        turns[left] = turn;
+        left += turn.left != 0 && !is_back ? 1U : 0U;
+      }
+      active = left;
+    }
+  }
+}
+
+// The worst spoke of a vertex.
+enum class Spoke : std::uint8_t { flat, folded, open };  // open: not two triangles
+using Spokes = IdVector<VertexId, Spoke>;
+
+Spokes spokes_at(const LinkedFacets& triangles, const VertexSet& boundary,
+                 const GoodVertexOptions& options, const Execution& execution) {
+  // Folds are told by >=, creases and steep edges by >.
+  const double flat = std::min(std::nextafter(options.fold_cosine, -2), options.crease_cosine);
+  Spokes spokes(boundary.size(), Spoke::flat);
+  for (const SideId side : steep_edges(triangles, flat, execution)) {
+    const bool is_open = !triangles.is_two_sided(side);
+    const double cosine = is_open ? 0 : dihedral_cosine(triangles, side, triangles.links[side]);
+    for (const VertexId v : triangles.ends(side)) {
+      const bool is_folded =
+          cosine >= options.fold_cosine || (boundary[v] != 0 && cosine > options.crease_cosine);
+      const Spoke here = is_open ? Spoke::open : is_folded ? Spoke::folded : Spoke::flat;
+      spokes[v] = std::max(spokes[v], here);
+    }
+  }
+  return spokes;
 }
 
 }  // namespace
@@ -180,36 +240,25 @@ VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::span<const 
 GoodVertices good_vertices(const LinkedFacets& triangles, const VertexSet& boundary,
                            const GoodVertexOptions& options, const Execution& execution) {
   const std::size_t count = boundary.size();
-  SharedFlags open(count);  // some spoke has one triangle, or more than two
-  SharedFlags folded(count);
-  parallel_chunks(execution, triangles.size(), triangles_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for_each_edge(triangles, begin, end, [&](SideId side) {
-                      const bool regular = triangles.is_two_sided(side);
-                      const double cosine =
-                          regular ? dihedral_cosine(triangles, side, triangles.links[side]) : 0;
-                      for (const VertexId v : triangles.ends(side)) {
-                        if (!regular) {
-                          open.raise(v);
-                        } else if (cosine >= options.fold_cosine ||
-                                   (boundary[v] != 0 && cosine > options.crease_cosine)) {
-                          folded.raise(v);
-                        }
-                      }
-                    });
-                  });
+  const Spokes spokes = spokes_at(triangles, boundary, options, execution);
   const IdVector<VertexId, Corners> corners = corners_at(triangles, count);
   GoodVertices result{VertexSet(count, 0), IdVector<VertexId, SideId>(count), 0, {}};
   std::atomic<std::size_t> good = 0;
   const auto judge = [&](std::size_t begin, std::size_t end, std::vector<VertexId>& folded_here) {
-    std::size_t good_here = 0;
+    const auto is_regular = [&](VertexId v) { return spokes[v] != Spoke::open; };
     for (VertexId v(begin); v.index() < end; ++v) {
       result.corner_at[v] = corners[v].one;
-      if (corners[v].count < 3 || open.is_raised(v)) continue;
-      if (!is_one_cycle(triangles, v, corners[v])) continue;
-      result.good[v] = !folded.is_raised(v);
+      result.good[v] = corners[v].count >= 3 && is_regular(v) ? 1 : 0;
+    }
+    for_each_split(triangles, corners, VertexId(begin), VertexId(end), is_regular,
+                   [&](VertexId v) { result.good[v] = 0; });
+    std::size_t good_here = 0;
+    for (VertexId v(begin); v.index() < end; ++v) {
+      if (result.good[v] != 0 && spokes[v] == Spoke::folded) {
+        result.good[v] = 0;
+        folded_here.push_back(v);
+      }
       good_here += result.good[v];
-      if (folded.is_raised(v)) folded_here.push_back(v);
     }
     good += good_here;
   };

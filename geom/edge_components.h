@@ -104,8 +104,10 @@ class Seeds {
     const std::uint32_t word = sets_.word(join.triangle);
     const bool is_first =
         word == TurnedSets::word_of_root(join.triangle) && join.other != join.triangle;
-    sets_.hang(join.triangle, is_first ? told : word);
-    if (!is_first && word != told) chunk.meetings.emplace_back(word, told);
+    // Whether it is the first neighbor cannot be foreseen, that it says the same nearly always can.
+    const std::uint32_t kept = is_first ? told : word;
+    sets_.hang(join.triangle, kept);
+    if (kept != told) chunk.meetings.emplace_back(kept, told);
   }
 
   void join(std::uint32_t word, std::uint32_t other, Chunk& chunk);

@@ -31,6 +31,9 @@ struct OverwriteAllocator : std::allocator<T> {
   }
 };
 
+template <class T>
+using OverwriteVector = std::vector<T, OverwriteAllocator<T>>;
+
 // How IdVector stores its elements; specialized for types of which there are large arrays.
 template <class T>
 struct ElementStorage {
@@ -73,7 +76,7 @@ class IdVector {
   }
   // New elements have no value until they are assigned one. Only where ElementStorage says so.
   void resize_for_overwrite(std::size_t count) {
-    static_assert(std::is_same_v<Storage, std::vector<T, OverwriteAllocator<T>>>);
+    static_assert(std::is_same_v<Storage, OverwriteVector<T>>);
     data_.resize(count);
   }
   void clear() { data_.clear(); }

@@ -1,6 +1,7 @@
 #include "geom/linked_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include "geom/parallel_list.h"
@@ -30,13 +31,19 @@ IdVector<VertexId, VertexId> copy_points(const TriangleMesh& mesh, LinkedMesh& l
   return place;
 }
 
-void copy_triangles(const TriangleMesh& mesh, const IdVector<VertexId, VertexId>& place,
-                    LinkedMesh& linked, const Execution& execution) {
+// Returns where the triangles of each smallest vertex begin.
+std::vector<std::uint32_t> copy_triangles(const TriangleMesh& mesh,
+                                          const IdVector<VertexId, VertexId>& place,
+                                          LinkedMesh& linked, const Execution& execution) {
   const auto copy_of = [&](TriangleId t) {
     const auto& [a, b, c] = mesh.triangles[t];
     return Triangle{place[a], place[b], place[c]};
   };
-  sort_by_vertex(
+  struct Copy {
+    TriangleId original;
+    Triangle triangle;
+  };
+  std::vector<std::uint32_t> begins = sort_by_vertex<Copy>(
       mesh.triangles.size(), mesh.points.size(), execution,
       [&](std::size_t count) {
         linked.triangles.resize(count);
@@ -46,18 +53,24 @@ void copy_triangles(const TriangleMesh& mesh, const IdVector<VertexId, VertexId>
         for (TriangleId t(begin); t.index() < end; ++t) {
           const Triangle triangle = copy_of(t);
           if (repeats_a_vertex(triangle)) continue;
-          put(std::min({triangle[0], triangle[1], triangle[2]}), [&](std::uint32_t to) {
-            linked.triangles[to] = triangle;
-            linked.triangle_of[to] = t;
-          });
+          put(std::min({triangle[0], triangle[1], triangle[2]}), Copy{t, triangle});
         }
+      },
+      [&](std::uint32_t to) {
+        __builtin_prefetch(&linked.triangles[to], 1);
+        __builtin_prefetch(&linked.triangle_of[to], 1);
+      },
+      [&](std::uint32_t to, const Copy& copy) {
+        linked.triangles[to] = copy.triangle;
+        linked.triangle_of[to] = copy.original;
       });
-  if (linked.triangles.size() == mesh.triangles.size()) return;
+  if (linked.triangles.size() == mesh.triangles.size()) return begins;
   for (const TriangleId t : mesh.triangles.ids()) {
     if (!repeats_a_vertex(mesh.triangles[t])) continue;
     linked.improper.push_back(copy_of(t));
     linked.improper_of.push_back(t);
   }
+  return begins;
 }
 
 void list_corners(LinkedMesh& linked, const Execution& execution) {
@@ -75,19 +88,33 @@ void list_corners(LinkedMesh& linked, const Execution& execution) {
       });
 }
 
+// A regular edge is looked at from its first side, without a branch on which that is.
 std::vector<SideId> irregular_edges(const LinkedMesh& mesh, const Execution& execution) {
   constexpr std::size_t sides_per_chunk = std::size_t{1} << 14;
-  return parallel_list<SideId>(execution, mesh.links.size(), sides_per_chunk,
-                               [&](std::size_t begin, std::size_t end, std::vector<SideId>& found) {
-                                 for (auto side = static_cast<SideId>(begin); side < end; ++side) {
-                                   const SideId across = mesh.links[side];
-                                   const bool regular = across != side &&
-                                                        mesh.links[across] == side &&
-                                                        mesh.from(side) == mesh.to(across) &&
-                                                        mesh.apex(side) != mesh.apex(across);
-                                   if (!regular && mesh.is_first(side)) found.push_back(side);
-                                 }
-                               });
+  constexpr std::size_t sides_per_block = 128;
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<SideId>& found) {
+    std::array<SideId, sides_per_block> sides;
+    for (std::size_t first = begin; first < end; first += sides_per_block) {
+      const std::size_t last = std::min(first + sides_per_block, end);
+      std::size_t count = 0;
+      for (auto side = static_cast<SideId>(first); side < last; ++side) {
+        const SideId across = mesh.links[side];
+        sides[count] = side;
+        count += across >= side ? 1U : 0U;
+        __builtin_prefetch(&mesh.links[across]);
+        __builtin_prefetch(&mesh.triangles[triangle_of_side(across)]);
+      }
+      for (std::size_t k = 0; k < count; ++k) {
+        const SideId side = sides[k];
+        const SideId across = mesh.links[side];
+        const bool regular = across != side && mesh.links[across] == side &&
+                             mesh.from(side) == mesh.to(across) &&
+                             mesh.apex(side) != mesh.apex(across);
+        if (!regular && mesh.is_first(side)) found.push_back(side);
+      }
+    }
+  };
+  return parallel_list<SideId>(execution, mesh.links.size(), sides_per_chunk, find);
 }
 
 }  // namespace
@@ -95,8 +122,11 @@ std::vector<SideId> irregular_edges(const LinkedMesh& mesh, const Execution& exe
 LinkedMesh link_mesh(const TriangleMesh& mesh, const Execution& execution) {
   require_valid_triangles(mesh);
   LinkedMesh linked;
-  copy_triangles(mesh, copy_points(mesh, linked, execution), linked, execution);
-  linked.links = side_links(linked.triangles, linked.points.size(), execution);
+  {
+    const std::vector<std::uint32_t> begins =
+        copy_triangles(mesh, copy_points(mesh, linked, execution), linked, execution);
+    linked.links = side_links(linked.triangles, begins, execution);
+  }
   linked.irregular = irregular_edges(linked, execution);
   list_corners(linked, execution);
   return linked;

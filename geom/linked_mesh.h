@@ -18,20 +18,21 @@ struct LinkedMesh {
   // Copies, and what the originals are called; ids below are those of the copies.
   IdVector<VertexId, Point> points;  // grouped along a space-filling curve
   IdVector<VertexId, VertexId> vertex_of;
-  std::vector<Triangle> triangles;  // those with three different vertices, by their smallest one
-  std::vector<TriangleId> triangle_of;  // increasing among those with the same smallest vertex
+  OverwriteVector<Triangle>
+      triangles;  // those with three different vertices, by their smallest one
+  OverwriteVector<TriangleId> triangle_of;  // increasing among those with the same smallest vertex
 
   std::vector<Triangle> improper;  // the others: neither sides nor corners of them are linked
   std::vector<TriangleId> improper_of;
 
-  std::vector<SideId> links;  // of the sides on each edge: side_links.h
+  SideLinks links;  // of the sides on each edge: side_links.h
   // The first sides of all edges but those with two triangles, not one twice, that run through it
   // in opposite directions; increasing.
   std::vector<SideId> irregular;
 
   // The corners at each vertex as the sides opposite to them, increasing; use corners_at.
   std::vector<std::uint32_t> corner_begin;  // points + 1
-  std::vector<SideId> corners;
+  OverwriteVector<SideId> corners;
 
   std::span<const SideId> corners_at(VertexId v) const {
     const std::size_t begin = corner_begin[v.index()];

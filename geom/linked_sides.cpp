@@ -6,7 +6,7 @@ namespace cocoon {
 namespace {
 
 // Takes the side out of its ring.
-void unlink(SideId side, std::vector<SideId>& links) {
+void unlink(SideId side, SideLinks& links) {
   SideId before = side;
   while (links[before] != side) before = links[before];
   links[before] = links[side];

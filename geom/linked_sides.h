@@ -16,7 +16,7 @@ namespace cocoon {
 
 // A triangle that repeats a vertex has no edges: its sides are in no ring, and has_edge() is false.
 struct LinkedSides {
-  std::vector<SideId> links;  // rings in ascending order, as in side_links.h
+  SideLinks links;  // rings in ascending order, as in side_links.h
 
   static constexpr SideId no_side = 0xFFFFFFFFU;
 

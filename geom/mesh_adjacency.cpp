@@ -138,7 +138,7 @@ IdVector<TriangleId, std::array<TriangleId, 3>> neighbors_across_sides(const Tri
   neighbors.reserve(mesh.triangles.size());
   prefer_large_pages(neighbors.raw());
   neighbors.resize(mesh.triangles.size());
-  const std::vector<SideId> links = side_links(mesh.triangles.span(), mesh.points.size());
+  const SideLinks links = side_links(mesh.triangles.span(), mesh.points.size());
   for (const TriangleId t : mesh.triangles.ids()) {
     for (std::size_t i = 0; i < 3; ++i) {
       const auto side = static_cast<SideId>(3 * t.index() + i);

@@ -164,6 +164,7 @@ class Checker {
   // Irregular edges are few; they are looked at one by one.
   void check_edges() {
     at_overfull_ = IdVector<VertexId, char>(mesh_.points.size(), 0);
+    at_irregular_ = at_overfull_;
     for (Patch& patch : patches_) patch.edges = 3 * patch.triangles;  // sides with a partner
     std::vector<SideId> ring;
     std::vector<std::size_t> other_edges(patches_.size(), 0);  // without two triangles
@@ -180,6 +181,7 @@ class Checker {
         patches_[patch_[triangle_of_side(side)]].closed = false;
       }
       if (ring.size() > 2) overfull_.push_back(side);
+      at_irregular_[mesh_.from(side)] = at_irregular_[mesh_.to(side)] = 1;
       check_irregular_edge(ring);
     }
     for (std::size_t k = 0; k < patches_.size(); ++k) {
@@ -292,10 +294,13 @@ class Checker {
     count_boundary_curves();
   }
 
-  // Precondition: v has a triangle, and no spoke of v has more than two.
+  // Precondition: v has a triangle, and no spoke of v has more than two. If all its spokes are
+  // regular its triangles make cycles, each of three or more.
   bool walks_around(VertexId v) const {
     const std::span<const SideId> corners = mesh_.corners_at(v);
     std::size_t met = 1;
+    // From there on the first cycle must be the only one.
+    const std::size_t enough = at_irregular_[v] != 0 ? corners.size() + 1 : corners.size() - 2;
     const std::size_t opposite = corner_of_side(corners[0]);
     for (const std::size_t arrived : {next_corner(opposite), previous_corner(opposite)}) {
       SideId corner = corners[0];
@@ -305,13 +310,11 @@ class Checker {
         const SideId across = mesh_.links[crossed];
         if (across == crossed) break;  // an open edge; the other way remains
         const std::size_t entered = corner_of_side(across);
-        const Triangle& triangle = mesh_.triangles[triangle_of_side(across)];
-        const std::size_t at =
-            triangle[next_corner(entered)] == v ? next_corner(entered) : previous_corner(entered);
+        const std::size_t at = corner_at_vertex(mesh_.triangles[triangle_of_side(across)], v);
         corner = 3 * triangle_of_side(across) + static_cast<SideId>(at);
         spoke = 3 - entered - at;
         if (corner == corners[0]) return met == corners.size();
-        ++met;
+        if (++met == enough) return true;
       }
     }
     return met == corners.size();
@@ -406,8 +409,9 @@ class Checker {
   std::vector<Patch> components_;
   std::vector<SideId> overfull_;          // a side of each edge with more than two
   IdVector<VertexId, char> at_overfull_;  // ends of such edges
-  std::vector<VertexPair> open_;          // edges, as they were given
-  std::vector<TriangleId> duplicates_;    // as they were given
+  IdVector<VertexId, char> at_irregular_;
+  std::vector<VertexPair> open_;        // edges, as they were given
+  std::vector<TriangleId> duplicates_;  // as they were given
   std::size_t vertices_with_edges_ = 0;
   std::size_t unbalanced_overfull_edges_ = 0;
 };

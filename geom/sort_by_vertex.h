@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geom/execution.h"
+#include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/zeroed_array.h"
 
@@ -54,6 +55,35 @@ std::vector<std::uint32_t> sort_by_vertex(std::size_t num_sources, std::size_t n
     for_each(begin, end, [&](VertexId v, const auto& write) { write(places[v]++); });
   });
   return begins;
+}
+
+// The same of things that are copied to their places, which lie far apart in memory: put(vertex,
+// thing), and store(place, thing) is called some things later than ask(place), which asks for the
+// memory there.
+template <class Thing, class Allocate, class ForEach, class Ask, class Store>
+std::vector<std::uint32_t> sort_by_vertex(std::size_t num_sources, std::size_t num_vertices,
+                                          const Execution& execution, Allocate allocate,
+                                          ForEach for_each, Ask ask, Store store) {
+  constexpr std::size_t sources_per_block = 64;
+  struct Placed {
+    std::uint32_t place;
+    Thing thing;
+  };
+  return sort_by_vertex(num_sources, num_vertices, execution, allocate,
+                        [&](std::size_t begin, std::size_t end, auto put) {
+                          OverwriteVector<Placed> placed;
+                          for (std::size_t first = begin; first < end; first += sources_per_block) {
+                            placed.clear();
+                            for_each(first, std::min(first + sources_per_block, end),
+                                     [&](VertexId v, const Thing& thing) {
+                                       put(v, [&](std::uint32_t place) {
+                                         ask(place);
+                                         placed.push_back({place, thing});
+                                       });
+                                     });
+                            for (const Placed& p : placed) store(p.place, p.thing);
+                          }
+                        });
 }
 
 }  // namespace cocoon

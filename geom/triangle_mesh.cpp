@@ -1,13 +1,8 @@
 #include "geom/triangle_mesh.h"
 
-#include <algorithm>
-#include <cstdint>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "geom/errors.h"
-#include "geom/sort_by_vertex.h"
 #include "geom/triangle_order.h"
 
 namespace cocoon {
@@ -40,25 +35,9 @@ void require_valid_triangles(const TriangleMesh& mesh) {
 }
 
 void canonicalize_triangles(TriangleMesh& mesh, const Execution& execution) {
-  // A counting sort by the first vertex leaves a few triangles each to sort.
-  IdVector<TriangleId, Triangle> sorted;
-  const std::vector<std::uint32_t> begins = sort_by_vertex(
-      mesh.triangles.size(), mesh.points.size(), execution,
-      [&](std::size_t count) { sorted.resize(count); },
-      [&](std::size_t begin, std::size_t end, auto put) {
-        for (const Triangle& given : mesh.triangles.span().subspan(begin, end - begin)) {
-          const Triangle triangle = smallest_first(given);
-          put(triangle[0], [&](std::uint32_t place) { sorted[TriangleId(place)] = triangle; });
-        }
-      });
-  constexpr std::size_t vertices_per_chunk = std::size_t{1} << 14;
-  parallel_chunks(execution, mesh.points.size(), vertices_per_chunk,
-                  [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t v = begin; v < end; ++v) {
-                      std::sort(sorted.begin() + begins[v], sorted.begin() + begins[v + 1]);
-                    }
-                  });
-  mesh.triangles = std::move(sorted);
+  mesh.triangles = canonical_triangles(
+      mesh.triangles.size(), mesh.points.size(),
+      [&](std::size_t t) { return mesh.triangles[TriangleId(t)]; }, execution);
 }
 
 }  // namespace cocoon

@@ -27,6 +27,14 @@ constexpr bool repeats_a_vertex(const Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
+// Where the smallest vertex is; of equal ones the first. Which corner it is cannot be foreseen: by
+// sums, where compilers would make branches.
+constexpr std::size_t smallest_corner(const Triangle& t) {
+  const std::size_t second = t[1] < t[0] ? 1U : 0U;
+  const std::size_t third = t[2] < std::min(t[0], t[1]) ? 1U : 0U;
+  return 2 * third + (second & (third ^ 1U));
+}
+
 // The points of a triangle, in the order of its vertices. Precondition: they are there. O(1).
 inline std::array<Point, 3> corners_of(const TriangleMesh& mesh, TriangleId triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];

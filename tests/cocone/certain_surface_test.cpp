@@ -65,6 +65,10 @@ void expect_nothing_to_decide(const Extracted& e) {
   const SurfaceMesh shown = surface_of(e.s.triangulation, e.surface.halves);
   EXPECT_TRUE(body.mesh == shown.mesh);
   EXPECT_TRUE(body.point_of_vertex == shown.point_of_vertex);
+  const SurfaceMesh same =
+      surface_of(e.s.triangulation, e.surface.triangles, e.surface.halves, {.threads = 2});
+  EXPECT_TRUE(same.mesh == shown.mesh);
+  EXPECT_TRUE(same.triangulation_vertex == shown.triangulation_vertex);
   EXPECT_EQ(counters.unused_before, e.s.triangulation.num_vertices() - body.mesh.points.size());
 }
 

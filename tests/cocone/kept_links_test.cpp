@@ -2,8 +2,10 @@
 #include "cocone/kept_links.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +43,22 @@ std::map<FacetId, LinkedTriangle> by_facet(const LinkedFacets& linked) {
   return triangles;
 }
 
+// Each steep edge by its sides.
+using FacetSide = std::pair<FacetId, std::uint32_t>;
+std::set<std::vector<FacetSide>> steep_by_facets(const LinkedFacets& linked) {
+  std::set<std::vector<FacetSide>> steep;
+  for (const SideId first : linked.steep) {
+    EXPECT_TRUE(linked.is_first(first));
+    std::vector<FacetSide> sides;
+    for_each_side_at_edge(linked, first, [&](SideId side) {
+      sides.emplace_back(linked.facets[triangle_of_side(side)], corner_of_side(side));
+    });
+    std::sort(sides.begin(), sides.end());
+    EXPECT_TRUE(steep.insert(std::move(sides)).second);
+  }
+  return steep;
+}
+
 void run_steps(const std::vector<Point>& points, const std::vector<Point>& others, double reach,
                std::size_t count) {
   const std::size_t steps = count * test::long_factor();
@@ -65,6 +83,7 @@ void run_steps(const std::vector<Point>& points, const std::vector<Point>& other
       ASSERT_EQ(actual.set, left);
       ASSERT_EQ(actual.size(), expected.size());
       ASSERT_TRUE(by_facet(actual) == by_facet(expected));
+      ASSERT_EQ(steep_by_facets(actual), steep_by_facets(expected));
       // As after an extraction.
       std::vector<std::uint8_t> off_surface(actual.size());
       for (std::uint8_t& off : off_surface) off = random.below(20) == 0 ? 1 : 0;

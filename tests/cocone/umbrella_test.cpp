@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "cocone/cell_order.h"
 #include "cocone/prune_sharp_edges.h"
@@ -91,7 +92,7 @@ TEST(LinkedFacets, WithoutSomeTrianglesAreTheOthersLinked) {
     EXPECT_EQ(neighbors(left), neighbors(anew));
     const auto count_edges = [](const LinkedFacets& of) {
       std::size_t count = 0;
-      for_each_edge(of, 0, of.size(), [&](SideId) { ++count; });
+      for (SideId side = 0; side < of.links.size(); ++side) count += of.is_first(side) ? 1U : 0U;
       return count;
     };
     EXPECT_EQ(count_edges(left), count_edges(anew));
@@ -158,6 +159,61 @@ TEST(Umbrella, BoundarySamplesAtCreasesAreDemoted) {
   EXPECT_EQ(creased.count, 5U);
   EXPECT_EQ(creased.folded.size(), 1U);
   EXPECT_EQ(good_vertices(fans, boundary, {.fold_cosine = -0.5}).folded.size(), 6U);
+}
+
+// The number of cycles that the triangles at v make, two at each spoke; 0 if some spoke has another
+// number.
+std::size_t cycles_at(const LinkedFacets& triangles, VertexId v) {
+  std::vector<std::uint32_t> fan;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    const Triangle& corners = triangles.corners[t];
+    if (std::find(corners.begin(), corners.end(), v) != corners.end()) fan.push_back(t);
+  }
+  std::set<std::uint32_t> met;
+  std::size_t cycles = 0;
+  for (const std::uint32_t first : fan) {
+    cycles += met.contains(first) ? 0U : 1U;
+    for (std::vector<std::uint32_t> open = {first}; !open.empty();) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      if (!met.insert(t).second) continue;
+      for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
+        if (triangles.corners[t][corner_of_side(side)] == v) continue;
+        if (!triangles.is_two_sided(side)) return 0;
+        open.push_back(triangle_of_side(triangles.links[side]));
+      }
+    }
+  }
+  return cycles;
+}
+
+// Bodies that touch themselves at vertices and edges.
+TEST(Umbrella, OneCycleOfTrianglesIsGood) {
+  const Stages s(shapes::random_cube(400, 7));
+  Random random(3);
+  std::size_t pinched = 0;
+  for (const double share : {0.01, 0.05, 0.2}) {
+    IdVector<CellId, std::uint8_t> body(s.triangulation.num_cells(), 0);
+    for (const CellId c : s.triangulation.finite_cells()) {
+      body[c] = random.uniform(0, 1) < share ? 1 : 0;
+    }
+    FacetSet boundary(s.triangulation.num_cells());
+    for (const CellId c : s.triangulation.finite_cells()) {
+      for (int i = 0; i < 4; ++i) {
+        if (body[c] == body[s.triangulation.neighbor(c, i)]) continue;
+        boundary.insert(s.triangulation, facet_id(c, i));
+      }
+    }
+    const LinkedFacets triangles = link_facets(s.triangulation, boundary);
+    const GoodVertices good =
+        good_vertices(triangles, no_boundary(s.triangulation), {.fold_cosine = 2});
+    for (const VertexId v : s.triangulation.vertices()) {
+      const std::size_t cycles = cycles_at(triangles, v);
+      EXPECT_EQ(good.good[v] != 0, cycles == 1);
+      pinched += cycles > 1 ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(pinched, 20U);
 }
 
 TEST(PruneSharpEdges, AFlapStaysWhereItsFreeEdgesHaveNoUmbrella) {

@@ -39,6 +39,35 @@ Sorted sorted_by_vertex(const std::vector<std::vector<VertexId>>& sources, std::
   return sorted;
 }
 
+// The same by things that are copied later than their places are asked for.
+Sorted copied_by_vertex(const std::vector<std::vector<VertexId>>& sources, std::size_t num_vertices,
+                        int threads) {
+  Sorted sorted;
+  std::vector<std::uint8_t> is_asked;
+  sorted.begins = sort_by_vertex<Thing>(
+      sources.size(), num_vertices, Execution{.threads = threads},
+      [&](std::size_t count) {
+        sorted.things.resize(count);
+        is_asked.resize(count, 0);
+      },
+      [&](std::size_t begin, std::size_t end, auto put) {
+        for (std::size_t k = begin; k < end; ++k) {
+          auto thing = static_cast<std::uint32_t>(k);
+          for (const VertexId v : sources[k]) {
+            put(v, Thing{v, thing});
+            thing += 1000000;
+          }
+        }
+      },
+      [&](std::uint32_t place) { ++is_asked[place]; },
+      [&](std::uint32_t place, const Thing& thing) {
+        sorted.things[place] = thing;
+        ++is_asked[place];
+      });
+  EXPECT_EQ(is_asked, std::vector<std::uint8_t>(is_asked.size(), 2));
+  return sorted;
+}
+
 void expect_sorted(const std::vector<std::vector<VertexId>>& sources, std::size_t num_vertices) {
   std::vector<Thing> expected;
   for (std::size_t k = 0; k < sources.size(); ++k) {
@@ -53,7 +82,10 @@ void expect_sorted(const std::vector<std::vector<VertexId>>& sources, std::size_
   for (const int threads : {1, 2, 3, 11}) {
     SCOPED_TRACE(threads);
     const Sorted sorted = sorted_by_vertex(sources, num_vertices, threads);
+    const Sorted copied = copied_by_vertex(sources, num_vertices, threads);
     ASSERT_EQ(sorted.things, expected);
+    ASSERT_EQ(copied.things, expected);
+    ASSERT_EQ(copied.begins, sorted.begins);
     ASSERT_EQ(sorted.begins.size(), num_vertices + 1);
     for (std::size_t v = 0; v <= num_vertices; ++v) {
       const auto begin = std::find_if(expected.begin(), expected.end(),
