@@ -140,8 +140,8 @@ TriangleMesh run_stages(Points points, const Execution& execution, Times& times)
       timed(times, "cocones", [&] { return intersect_cocones(t, std::move(sides), execution); });
   const BoundarySamples boundary = timed(
       times, "boundary", [&] { return boundary_samples(t, dual, poles, cocones, {}, execution); });
-  FacetSet candidates = timed(times, "candidates", [&] {
-    return candidate_triangles(t, cocones, boundary.boundary, execution);
+  CandidateTriangles candidates = timed(times, "candidates", [&] {
+    return list_candidate_triangles(t, cocones, boundary.boundary, execution);
   });
   PrunedCandidates pruned = timed(
       times, "prune", [&] { return prune_sharp_edges(t, std::move(candidates), {}, execution); });

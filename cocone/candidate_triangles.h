@@ -1,10 +1,13 @@
 // Candidate triangles: the facets whose dual edges meet the cocones of their interior corners.
 #pragma once
 
+#include <vector>
+
 #include "cocone/cocones.h"
 #include "cocone/facet_set.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
+#include "geom/triangle_mesh.h"
 
 namespace cocoon {
 
@@ -15,5 +18,15 @@ namespace cocoon {
 // Source: Woo & Dey 2005, section 2.2; Dey & Giesen 2001 (with boundary).
 FacetSet candidate_triangles(const Triangulation& triangulation, const Cocones& cocones,
                              const VertexSet& boundary, const Execution& execution = {});
+
+// And as a list: what link_facets() takes.
+struct CandidateTriangles {
+  FacetSet set;
+  std::vector<FacetId> facets;    // canonical ids, ascending
+  std::vector<Triangle> corners;  // of each: Triangulation::facet_vertices
+};
+CandidateTriangles list_candidate_triangles(const Triangulation& triangulation,
+                                            const Cocones& cocones, const VertexSet& boundary,
+                                            const Execution& execution = {});
 
 }  // namespace cocoon

@@ -205,17 +205,17 @@ LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
   return finish_links(triangulation, std::move(triangles), begins, execution);
 }
 
-LinkedFacets link_facets(const Triangulation& triangulation, FacetSet set,
-                         std::span<const FacetId> facets, std::span<const Triangle> corners,
+LinkedFacets link_facets(const Triangulation& triangulation, CandidateTriangles candidates,
                          const Execution& execution) {
   LinkedFacets triangles;
-  triangles.set = std::move(set);
+  triangles.set = std::move(candidates.set);
   const std::vector<std::uint32_t> begins = sort_facets(
-      triangulation, facets.size(),
+      triangulation, candidates.facets.size(),
       [&](std::size_t k) {
-        return FoundFacet{facets[k], corners[k]};
+        return FoundFacet{candidates.facets[k], candidates.corners[k]};
       },
       triangles, execution);
+  candidates = {};  // large at a million points
   return finish_links(triangulation, std::move(triangles), begins, execution);
 }
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "cocone/candidate_triangles.h"
 #include "cocone/facet_set.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
@@ -66,10 +67,8 @@ struct LinkedFacets {
 LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
                          const Execution& execution = {});
 
-// The same for who has the canonical ids of the facets in the set, ascending, and of each its
-// corners: without a look at the cells that have none.
-LinkedFacets link_facets(const Triangulation& triangulation, FacetSet set,
-                         std::span<const FacetId> facets, std::span<const Triangle> corners,
+// The same for who has them as a list: without a look at the cells that have none.
+LinkedFacets link_facets(const Triangulation& triangulation, CandidateTriangles candidates,
                          const Execution& execution = {});
 
 // Fills in normals, links and steep edges of triangles with corners at these points. Complexity:

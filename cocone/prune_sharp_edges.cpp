@@ -96,20 +96,9 @@ class Pruning {
   std::vector<SideId> present_;
 };
 
-}  // namespace
-
-PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet candidates,
-                                   const PruneOptions& options, const Execution& execution) {
-  report_progress(execution, "prune_sharp_edges", 0);
-  return prune_sharp_edges(triangulation,
-                           link_facets(triangulation, std::move(candidates), execution), options,
-                           execution);
-}
-
-PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, LinkedFacets candidates,
-                                   const PruneOptions& options, const Execution& execution) {
+PrunedCandidates prune(const Triangulation& triangulation, LinkedFacets triangles,
+                       const PruneOptions& options, const Execution& execution) {
   report_progress(execution, "prune_sharp_edges", 0.5);
-  LinkedFacets triangles = std::move(candidates);
   PrunedCandidates result;
   const std::vector<SideId> steep = steep_edges(triangles, options.sharp_cosine, execution);
   result.umbrella = vertices_with_umbrella(triangles, steep, triangulation.num_vertices(),
@@ -124,6 +113,23 @@ PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, LinkedFac
   result.left = without(triangulation, std::move(triangles), removed);
   report_progress(execution, "prune_sharp_edges", 1);
   return result;
+}
+
+}  // namespace
+
+PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet candidates,
+                                   const PruneOptions& options, const Execution& execution) {
+  report_progress(execution, "prune_sharp_edges", 0);
+  return prune(triangulation, link_facets(triangulation, std::move(candidates), execution), options,
+               execution);
+}
+
+PrunedCandidates prune_sharp_edges(const Triangulation& triangulation,
+                                   CandidateTriangles candidates, const PruneOptions& options,
+                                   const Execution& execution) {
+  report_progress(execution, "prune_sharp_edges", 0);
+  return prune(triangulation, link_facets(triangulation, std::move(candidates), execution), options,
+               execution);
 }
 
 std::vector<std::uint8_t> prune_part(const LinkedFacets& triangles, const VertexSet& core,

@@ -39,9 +39,9 @@ PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet 
                                    const PruneOptions& options = {},
                                    const Execution& execution = {});
 
-// The same of candidates that are linked: link_facets(triangulation, candidates).
-PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, LinkedFacets candidates,
-                                   const PruneOptions& options = {},
+// The same for who has the candidates as a list.
+PrunedCandidates prune_sharp_edges(const Triangulation& triangulation,
+                                   CandidateTriangles candidates, const PruneOptions& options = {},
                                    const Execution& execution = {});
 
 // On a part of the candidates. One flag per triangle: 1 = prune_sharp_edges would remove it, as far

@@ -77,10 +77,10 @@ class Reconstruction {
       dual_.hard_centers = {};
     });
     run_step(execution_, "cocone", [&](const Execution& nested) {
-      FacetSet candidates =
-          candidate_triangles(*triangulation_, cocones, boundary_.boundary, nested);
+      CandidateTriangles candidates =
+          list_candidate_triangles(*triangulation_, cocones, boundary_.boundary, nested);
       cocones = {};
-      if (stages_ != nullptr) stages_->candidates = candidates;
+      if (stages_ != nullptr) stages_->candidates = candidates.set;
       PrunedCandidates pruned =
           prune_sharp_edges(*triangulation_, std::move(candidates), options_.prune, nested);
       if (stages_ != nullptr) stages_->left = pruned.left.set;

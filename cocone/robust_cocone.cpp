@@ -32,7 +32,7 @@ RoughSurface rough_surface(const Triangulation& triangulation, const Dual& dual,
       boundary_samples(triangulation, dual, poles, cocones, options.boundary, execution);
   if (labels.interior() == 0) return {VertexSet(triangulation.num_vertices(), 0), {}};
   PrunedCandidates pruned = prune_sharp_edges(
-      triangulation, candidate_triangles(triangulation, cocones, labels.boundary, execution),
+      triangulation, list_candidate_triangles(triangulation, cocones, labels.boundary, execution),
       options.prune, execution);
   const ManifoldSurface surface =
       extract_manifold(triangulation, std::move(pruned.left), pruned.umbrella, execution);

@@ -58,8 +58,8 @@ Sheet find_sheet(const Foundation& f, const RimSearch& search, const CloudSurfac
   boundary_options.radius_mode = search.radius_mode;
   BoundarySamples boundary =
       boundary_samples(f.triangulation, f.dual, f.poles, f.cocones, boundary_options, execution);
-  FacetSet candidates =
-      candidate_triangles(f.triangulation, f.cocones, boundary.boundary, execution);
+  CandidateTriangles candidates =
+      list_candidate_triangles(f.triangulation, f.cocones, boundary.boundary, execution);
   PrunedCandidates pruned = prune_sharp_edges(f.triangulation, std::move(candidates),
                                               options.reconstruct.prune, execution);
   const ManifoldSurface manifold =

@@ -76,7 +76,7 @@ TEST_F(LinkedFacetsTest, AreTheSameFromTheListOfFacets) {
   const LinkedFacets scanned = link_facets(triangulation, set);
   for (const int threads : {1, 2}) {
     const LinkedFacets listed =
-        link_facets(triangulation, set, facets, corners, {.threads = threads});
+        link_facets(triangulation, {set, facets, corners}, {.threads = threads});
     EXPECT_EQ(listed.set, scanned.set);
     EXPECT_EQ(listed.facets, scanned.facets);
     EXPECT_EQ(listed.mirrors, scanned.mirrors);
