@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "geom/id_vector.h"
 
@@ -96,8 +97,6 @@ std::uint8_t row_of_facet(const SeenFacet& seen, CornerSides sides) {
 // The facets of a range of cells that have bits.
 struct Rows {
   std::vector<FacetId> facets;
-  std::vector<FacetId> mirrors;
-  std::vector<Triangle> corners;
   std::vector<std::uint8_t> rows;
 };
 
@@ -111,12 +110,38 @@ Rows rows_of_cells(const Triangulation& triangulation, const IdVector<CellId, Co
     for (std::size_t k = 0; k < count; ++k) {
       const FacetId f = block[k].facet;
       found.facets.push_back(f);
-      found.mirrors.push_back(block[k].mirror);
-      found.corners.push_back(triangulation.facet_vertices(f));
       found.rows.push_back(row_of_facet(block[k], sides[cell_of(f)]));
     }
   }
   return found;
+}
+
+// Puts the parts of successive cells together. Ids of the other side and corners are looked up only
+// now: lists that grow leave memory behind that nobody else gets.
+Cocones put_together(const Triangulation& triangulation, std::vector<Rows> parts, double cosine,
+                     const Execution& execution) {
+  std::vector<std::size_t> places(parts.size() + 1, 0);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    places[k + 1] = places[k] + parts[k].facets.size();
+  }
+  Cocones cocones;
+  cocones.cosine = cosine;
+  cocones.facets.resize(places.back());
+  cocones.rows.resize(places.back());
+  cocones.mirrors.resize(places.back());
+  cocones.corners.resize(places.back());
+  parallel_chunks(execution, parts.size(), 1, [&](std::size_t part, std::size_t) {
+    Rows rows = std::move(parts[part]);
+    std::size_t place = places[part];
+    for (std::size_t k = 0; k < rows.facets.size(); ++k, ++place) {
+      const FacetId f = rows.facets[k];
+      cocones.facets[place] = f;
+      cocones.rows[place] = rows.rows[k];
+      cocones.mirrors[place] = triangulation.mirror(f);
+      cocones.corners[place] = triangulation.facet_vertices(f);
+    }
+  });
+  return cocones;
 }
 
 }  // namespace
@@ -138,20 +163,7 @@ Cocones intersect_cocones(const Triangulation& triangulation, ConeSides sides,
     found[begin / cells_per_chunk] = rows_of_cells(triangulation, sides.of_cells, begin, end);
   });
   sides.of_cells = {};
-  Cocones cocones{{}, {}, {}, {}, sides.cosine};
-  std::size_t facets = 0;
-  for (const Rows& part : found) facets += part.facets.size();
-  cocones.facets.reserve(facets);
-  cocones.mirrors.reserve(facets);
-  cocones.corners.reserve(facets);
-  cocones.rows.reserve(facets);
-  for (Rows& part : found) {
-    cocones.facets.insert(cocones.facets.end(), part.facets.begin(), part.facets.end());
-    cocones.mirrors.insert(cocones.mirrors.end(), part.mirrors.begin(), part.mirrors.end());
-    cocones.corners.insert(cocones.corners.end(), part.corners.begin(), part.corners.end());
-    cocones.rows.insert(cocones.rows.end(), part.rows.begin(), part.rows.end());
-    part = {};  // large at a million points: not both of all at once
-  }
+  Cocones cocones = put_together(triangulation, std::move(found), sides.cosine, execution);
   report_progress(execution, "intersect_cocones", 1);
   return cocones;
 }

@@ -16,6 +16,7 @@
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/execution.h"
+#include "geom/id_vector.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
@@ -28,9 +29,9 @@ struct CoconeOptions {
 // The facets whose dual edge meets the cocone of at least one of their corners: on the samples of a
 // surface few of all, about as many as the surface has triangles.
 struct Cocones {
-  std::vector<FacetId> facets;     // finite, canonical ids, ascending
-  std::vector<FacetId> mirrors;    // of each: as the cell behind it numbers it
-  std::vector<Triangle> corners;   // of each: Triangulation::facet_vertices
+  std::vector<FacetId> facets;        // finite, canonical ids, ascending
+  OverwriteVector<FacetId> mirrors;   // of each: as the cell behind it numbers it
+  OverwriteVector<Triangle> corners;  // of each: Triangulation::facet_vertices
   std::vector<std::uint8_t> rows;  // of each: bit j = it meets the cocone of vertex j of its cell
   double cosine = 0;               // as in the options: radii are taken for the same cone
 

@@ -75,6 +75,7 @@ class Reconstruction {
           boundary_samples(*triangulation_, dual_, poles_, cocones, options_.boundary, nested);
       dual_.rays = {};
       dual_.hard_centers = {};
+      if (stages_ == nullptr) poles_.heights = {};  // nobody else asks for them
     });
     run_step(execution_, "cocone", [&](const Execution& nested) {
       CandidateTriangles candidates =
