@@ -42,9 +42,13 @@ Vec3 oriented_normal(const IdVector<VertexId, Point>& points, const Triangle& co
   return order.sign * normal;
 }
 
+VertexId smallest(const Triangle& corners) {
+  return std::min({corners[0], corners[1], corners[2]});
+}
+
 struct FoundFacet {
   FacetId facet;
-  Triangle corners;
+  VertexId smallest;
 };
 
 std::vector<FoundFacet> list_facets(const Triangulation& triangulation, const FacetSet& facets,
@@ -54,18 +58,19 @@ std::vector<FoundFacet> list_facets(const Triangulation& triangulation, const Fa
       execution, triangulation.num_cells(), cells_per_chunk,
       [&](std::size_t begin, std::size_t end, std::vector<FoundFacet>& found) {
         facets.for_each(triangulation, begin, end, [&](FacetId f) {
-          found.push_back({f, triangulation.facet_vertices(f)});
+          found.push_back({f, smallest(triangulation.facet_vertices(f))});
         });
       });
 }
 
 // Puts facets, mirrors and corners in order, and returns where the triangles of each smallest
-// vertex begin. found(k): the k-th facet.
-template <class Found>
+// vertex begin. Of the k-th facet: the smallest vertex; then its id and corners.
+template <class SmallestOf, class FacetOf, class CornersOf>
 std::vector<std::uint32_t> sort_facets(const Triangulation& triangulation, std::size_t count,
-                                       const Found& found, LinkedFacets& triangles,
+                                       SmallestOf smallest_of, FacetOf facet_of,
+                                       CornersOf corners_of, LinkedFacets& triangles,
                                        const Execution& execution) {
-  return sort_by_vertex<FoundFacet>(
+  return sort_by_vertex<std::uint32_t>(
       count, triangulation.num_vertices(), execution,
       [&](std::size_t) {
         triangles.facets.resize(count);
@@ -74,8 +79,7 @@ std::vector<std::uint32_t> sort_facets(const Triangulation& triangulation, std::
       },
       [&](std::size_t begin, std::size_t end, auto put) {
         for (std::size_t k = begin; k < end; ++k) {
-          const FoundFacet f = found(k);
-          put(std::min({f.corners[0], f.corners[1], f.corners[2]}), f);
+          put(smallest_of(k), static_cast<std::uint32_t>(k));
         }
       },
       [&](std::uint32_t t) {
@@ -83,10 +87,11 @@ std::vector<std::uint32_t> sort_facets(const Triangulation& triangulation, std::
         __builtin_prefetch(&triangles.mirrors[t], 1);
         __builtin_prefetch(&triangles.corners[t], 1);
       },
-      [&](std::uint32_t t, const FoundFacet& f) {
-        triangles.facets[t] = f.facet;
-        triangles.mirrors[t] = triangulation.mirror(f.facet);
-        triangles.corners[t] = f.corners;
+      [&](std::uint32_t t, std::uint32_t k) {
+        const FacetId f = facet_of(k);
+        triangles.facets[t] = f;
+        triangles.mirrors[t] = triangulation.mirror(f);
+        triangles.corners[t] = corners_of(k);
       });
 }
 
@@ -133,9 +138,10 @@ std::vector<SideId> find_steep_edges(const LinkedFacets& triangles, double large
 }
 
 LinkedFacets finish_links(const Triangulation& triangulation, LinkedFacets triangles,
-                          const std::vector<std::uint32_t>& begins, const Execution& execution) {
+                          std::vector<std::uint32_t> begins, const Execution& execution) {
   // First: its scratch memory is as large as the normals.
   triangles.links = side_links(triangles.corners, begins, execution);
+  begins = std::vector<std::uint32_t>();
   find_normals(triangulation.points(), triangles, execution);
   triangles.steep = find_steep_edges(triangles, LinkedFacets::steep_cosine, execution);
   return triangles;
@@ -196,27 +202,28 @@ LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
                          const Execution& execution) {
   LinkedFacets triangles;
   triangles.set = std::move(facets);
-  std::vector<std::uint32_t> begins;
-  {
-    const std::vector<FoundFacet> found = list_facets(triangulation, triangles.set, execution);
-    begins = sort_facets(
-        triangulation, found.size(), [&](std::size_t k) { return found[k]; }, triangles, execution);
-  }
-  return finish_links(triangulation, std::move(triangles), begins, execution);
+  std::vector<FoundFacet> found = list_facets(triangulation, triangles.set, execution);
+  std::vector<std::uint32_t> begins = sort_facets(
+      triangulation, found.size(), [&](std::size_t k) { return found[k].smallest; },
+      [&](std::size_t k) { return found[k].facet; },
+      [&](std::size_t k) { return triangulation.facet_vertices(found[k].facet); }, triangles,
+      execution);
+  found = std::vector<FoundFacet>();
+  return finish_links(triangulation, std::move(triangles), std::move(begins), execution);
 }
 
 LinkedFacets link_facets(const Triangulation& triangulation, FacetSet set,
-                         std::span<const FacetId> facets, std::span<const Triangle> corners,
+                         std::vector<FacetId> facets, std::vector<Triangle> corners,
                          const Execution& execution) {
   LinkedFacets triangles;
   triangles.set = std::move(set);
-  const std::vector<std::uint32_t> begins = sort_facets(
-      triangulation, facets.size(),
-      [&](std::size_t k) {
-        return FoundFacet{facets[k], corners[k]};
-      },
+  std::vector<std::uint32_t> begins = sort_facets(
+      triangulation, facets.size(), [&](std::size_t k) { return smallest(corners[k]); },
+      [&](std::size_t k) { return facets[k]; }, [&](std::size_t k) { return corners[k]; },
       triangles, execution);
-  return finish_links(triangulation, std::move(triangles), begins, execution);
+  facets = std::vector<FacetId>();
+  corners = std::vector<Triangle>();
+  return finish_links(triangulation, std::move(triangles), std::move(begins), execution);
 }
 
 std::vector<TriangleMove> moves_into_places(const std::vector<std::uint8_t>& removed) {

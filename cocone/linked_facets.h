@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "cocone/facet_set.h"
@@ -67,9 +66,10 @@ LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
                          const Execution& execution = {});
 
 // The same for who has the canonical ids of the facets in the set, ascending, and of each its
-// corners: without a look at the cells that have none.
+// corners: without a look at the cells that have none. The lists are given up early: while links
+// and normals come, memory is short.
 LinkedFacets link_facets(const Triangulation& triangulation, FacetSet set,
-                         std::span<const FacetId> facets, std::span<const Triangle> corners,
+                         std::vector<FacetId> facets, std::vector<Triangle> corners,
                          const Execution& execution = {});
 
 // Fills in normals, links and steep edges of triangles with corners at these points. Complexity:
