@@ -141,7 +141,8 @@ LinkedFacets finish_links(const Triangulation& triangulation, LinkedFacets trian
                           std::vector<std::uint32_t> begins, const Execution& execution) {
   // First: its scratch memory is as large as the normals.
   triangles.links = side_links(triangles.corners, begins, execution);
-  begins = {};
+  // Not {}, which would keep the memory: it is short while links and normals come.
+  begins = std::vector<std::uint32_t>();
   find_normals(triangulation.points(), triangles, execution);
   triangles.steep = find_steep_edges(triangles, LinkedFacets::steep_cosine, execution);
   return triangles;
@@ -208,7 +209,7 @@ LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
       [&](std::size_t k) { return found[k].facet; },
       [&](std::size_t k) { return triangulation.facet_vertices(found[k].facet); }, triangles,
       execution);
-  found = {};
+  found = std::vector<FoundFacet>();
   return finish_links(triangulation, std::move(triangles), std::move(begins), execution);
 }
 
@@ -221,7 +222,7 @@ LinkedFacets link_facets(const Triangulation& triangulation, CandidateTriangles 
       [&](std::size_t k) { return smallest(candidates.corners[k]); },
       [&](std::size_t k) { return candidates.facets[k]; },
       [&](std::size_t k) { return candidates.corners[k]; }, triangles, execution);
-  candidates = {};  // memory is short while links and normals come
+  candidates = CandidateTriangles();
   return finish_links(triangulation, std::move(triangles), std::move(begins), execution);
 }
 

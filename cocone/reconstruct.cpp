@@ -73,8 +73,9 @@ class Reconstruction {
     run_step(execution_, "boundary", [&](const Execution& nested) {
       boundary_ =
           boundary_samples(*triangulation_, dual_, poles_, cocones, options_.boundary, nested);
-      dual_.rays = {};
-      dual_.hard_centers = {};
+      // Not {}, which would keep the memory.
+      dual_.rays = std::vector<Vec3>();
+      dual_.hard_centers = std::vector<Point>();
       if (stages_ == nullptr) poles_.heights = {};  // nobody else asks for them
     });
     run_step(execution_, "cocone", [&](const Execution& nested) {

@@ -104,7 +104,13 @@ SideLists list_opposite_sides(std::span<const Triangle> triangles, std::size_t n
   SideLists lists;
   lists.begins = sort_by_vertex(
       triangles.size(), num_vertices, execution,
-      [&](std::size_t count) { lists.sides.resize(count); },
+      [&](std::size_t count) {
+        // Room for three times as many, most of which is never touched: of millions so large a
+        // block goes back to the system when it is freed, and does not stay with the process while
+        // its memory is at its peak.
+        lists.sides.reserve(3 * count);
+        lists.sides.resize(count);
+      },
       [&](std::size_t begin, std::size_t end, auto put) {
         for (std::size_t t = begin; t < end; ++t) {
           const std::size_t i = smallest_corner(triangles[t]);

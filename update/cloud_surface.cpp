@@ -62,9 +62,10 @@ Sheet find_sheet(const Foundation& f, const RimSearch& search, const CloudSurfac
       list_candidate_triangles(f.triangulation, f.cocones, boundary.boundary, execution);
   PrunedCandidates pruned = prune_sharp_edges(f.triangulation, std::move(candidates),
                                               options.reconstruct.prune, execution);
-  const ManifoldSurface manifold =
+  ManifoldSurface manifold =
       extract_manifold(f.triangulation, std::move(pruned.left), pruned.umbrella, execution);
-  return {surface_of(f.triangulation, manifold.halves), std::move(boundary)};
+  return {surface_of(f.triangulation, std::move(manifold.triangles), manifold.halves, execution),
+          std::move(boundary)};
 }
 
 // Its rim, after trimming, without seams.
