@@ -43,11 +43,11 @@ struct ManifoldSurface {
 // likewise at other candidates. So the result is a function of the set of candidates.
 // Two candidates at an edge see each other without a turn; a turn through the cells is made only at
 // edges with more. The first walk, which is nearly always the only one, goes without rounds if its
-// result does not depend on them (walk_reach.h), on all threads. Complexity: O(candidates + vertices), and one byte per cell.
-// Source: Amenta, Choi, Dey & Leekha 2002 (manifold extraction); spec 5.3, variant W. Classes of
-// half-facets (spec 12) would need no rounds, but one tear that links the two sides makes them one
-// class, and then both sheets of every flat tetrahedron stay; in rounds a tear does harm only where
-// it is.
+// result does not depend on them (walk_reach.h), on all threads. Complexity: O(candidates +
+// vertices), and one byte per cell. Source: Amenta, Choi, Dey & Leekha 2002 (manifold extraction);
+// spec 5.3, variant W. Classes of half-facets (spec 12) would need no rounds, but one tear that
+// links the two sides makes them one class, and then both sheets of every flat tetrahedron stay; in
+// rounds a tear does harm only where it is.
 ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
                                  const VertexSet& umbrella, const Execution& execution = {});
 
