@@ -2,31 +2,9 @@
 
 namespace cocoon {
 
-namespace {
-
-// Calls visit(k) for the facets of `cocones` that are candidates.
-template <class Visit>
-void for_each_candidate(const Cocones& cocones, const VertexSet& boundary, Visit visit) {
-  for (std::size_t k = 0; k < cocones.facets.size(); ++k) {
-    const auto& [a, b, c] = cocones.corners[k];
-    const unsigned boundary_bits =
-        unsigned{boundary[a]} | unsigned{boundary[b]} << 1 | unsigned{boundary[c]} << 2;
-    const unsigned voters = 7U & ~boundary_bits;  // bit i: corner i votes
-    if (voters != 0 && (voters & ~cocones.met_corners(k)) == 0) visit(k);
-  }
-}
-
-}  // namespace
-
 FacetSet candidate_triangles(const Triangulation& triangulation, const Cocones& cocones,
                              const VertexSet& boundary, const Execution& execution) {
-  report_progress(execution, "candidate_triangles", 0);
-  FacetSet candidates(triangulation.num_cells());
-  for_each_candidate(cocones, boundary, [&](std::size_t k) {
-    candidates.insert(cocones.facets[k], cocones.mirrors[k]);
-  });
-  report_progress(execution, "candidate_triangles", 1);
-  return candidates;
+  return list_candidate_triangles(triangulation, cocones, boundary, execution).set;
 }
 
 CandidateTriangles list_candidate_triangles(const Triangulation& triangulation,
@@ -36,11 +14,16 @@ CandidateTriangles list_candidate_triangles(const Triangulation& triangulation,
   CandidateTriangles candidates{FacetSet(triangulation.num_cells()), {}, {}};
   candidates.facets.reserve(cocones.facets.size());
   candidates.corners.reserve(cocones.facets.size());
-  for_each_candidate(cocones, boundary, [&](std::size_t k) {
+  for (std::size_t k = 0; k < cocones.facets.size(); ++k) {
+    const auto& [a, b, c] = cocones.corners[k];
+    const unsigned boundary_bits =
+        unsigned{boundary[a]} | unsigned{boundary[b]} << 1 | unsigned{boundary[c]} << 2;
+    const unsigned voters = 7U & ~boundary_bits;  // bit i: corner i votes
+    if (voters == 0 || (voters & ~cocones.met_corners(k)) != 0) continue;
     candidates.set.insert(cocones.facets[k], cocones.mirrors[k]);
     candidates.facets.push_back(cocones.facets[k]);
     candidates.corners.push_back(cocones.corners[k]);
-  });
+  }
   report_progress(execution, "candidate_triangles", 1);
   return candidates;
 }
