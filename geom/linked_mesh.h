@@ -18,8 +18,8 @@ struct LinkedMesh {
   // Copies, and what the originals are called; ids below are those of the copies.
   IdVector<VertexId, Point> points;  // grouped along a space-filling curve
   IdVector<VertexId, VertexId> vertex_of;
-  OverwriteVector<Triangle>
-      triangles;  // those with three different vertices, by their smallest one
+  // Those with three different vertices, by their smallest one.
+  OverwriteVector<Triangle> triangles;
   OverwriteVector<TriangleId> triangle_of;  // increasing among those with the same smallest vertex
 
   std::vector<Triangle> improper;  // the others: neither sides nor corners of them are linked
