@@ -37,9 +37,9 @@ using KnownTriangle = std::array<PointId, 3>;
 // those in front of one OUT, if all their vertices are corners of triangles (a cell with a new
 // vertex may lie on either side). Infinite cells are not labeled (they are OUT anyway). If the
 // triangles bound a union of cells, no cell is told both. Without triangles nothing is known.
-// Complexity: O(cells + t) for t triangles, for bounded valence. Deterministic: independent of
-// their order. Source: ours, docs/stages/mark_cells.md.
-KnownSides known_sides(const Triangulation& triangulation,
-                       std::span<const KnownTriangle> triangles);
+// Complexity: O(cells + t) for t triangles, for bounded valence; in part parallel. Deterministic:
+// independent of their order and of the threads. Source: ours, docs/stages/mark_cells.md.
+KnownSides known_sides(const Triangulation& triangulation, std::span<const KnownTriangle> triangles,
+                       const Execution& execution = {});
 
 }  // namespace cocoon

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -112,6 +114,143 @@ TEST(KnownSides, WhatIsToldBothIsNotKnown) {
   EXPECT_GT(turned.contradictions, 0U);
   EXPECT_EQ(turned.cells, 2U);
   EXPECT_EQ(std::count(turned.labels.begin(), turned.labels.end(), CellLabel::in), 1);
+}
+
+// The definition, word by word: each intact vertex by itself.
+class PlainSides {
+ public:
+  PlainSides(const Triangulation& triangulation, const std::vector<KnownTriangle>& triangles)
+      : triangulation_(triangulation), told_(triangulation.num_cells()) {
+    for (const KnownTriangle& t : triangles) {
+      std::array<VertexId, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = triangulation.vertex_of_point()[t[k]];
+      ++count_[turned_to_smallest(corners)];
+      is_corner_.insert(corners.begin(), corners.end());
+    }
+    for (const VertexId v : is_corner_) {
+      if (is_intact(v)) tell(v);
+    }
+  }
+
+  KnownSides labels() const {
+    KnownSides known;
+    known.labels.resize(triangulation_.num_cells(), CellLabel::unmarked);
+    for (const CellId c : triangulation_.finite_cells()) {
+      known.contradictions += told_[c] == std::pair(true, true) ? 1U : 0U;
+      const auto& vertices = triangulation_.cell(c).vertices;
+      const bool is_of_corners = std::all_of(vertices.begin(), vertices.end(),
+                                             [&](VertexId v) { return is_corner_.contains(v); });
+      if (!is_of_corners || told_[c].first == told_[c].second) continue;
+      known.labels[c] = told_[c].first ? CellLabel::in : CellLabel::out;
+      ++known.cells;
+    }
+    return known;
+  }
+
+ private:
+  using Corners = std::array<VertexId, 3>;
+
+  static Corners turned_to_smallest(Corners t) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    return t;
+  }
+  // How often the facet of the finite cell is a triangle that the cell is behind of.
+  int count(FacetId f) const {
+    if (triangulation_.is_infinite(cell_of(f))) return 0;
+    const auto found = count_.find(turned_to_smallest(triangulation_.facet_vertices(f)));
+    return found == count_.end() ? 0 : found->second;
+  }
+  std::vector<FacetId> facets_at(VertexId v) const {
+    std::vector<FacetId> facets;
+    for (const CellId c : triangulation_.cells()) {
+      if (!has_vertex(triangulation_.cell(c), v)) continue;
+      for (int i = 0; i < 4; ++i) {
+        if (triangulation_.vertex(c, i) != v) facets.push_back(facet_id(c, i));
+      }
+    }
+    return facets;
+  }
+
+  bool is_intact(VertexId v) const {
+    int facets = 0;
+    for (const FacetId f : facets_at(v)) {
+      if (count(f) > 1) return false;
+      facets += count(f);
+    }
+    int triangles = 0;
+    std::map<VertexId, int> surplus;  // what runs to an edge at v, less what runs from it
+    for (const auto& [t, times] : count_) {
+      const auto at = std::find(t.begin(), t.end(), v);
+      if (at == t.end()) continue;
+      const auto k = static_cast<std::size_t>(at - t.begin());
+      triangles += times;
+      surplus[t[(k + 1) % 3]] -= times;
+      surplus[t[(k + 2) % 3]] += times;
+    }
+    return facets == triangles && std::all_of(surplus.begin(), surplus.end(),
+                                              [](const auto& entry) { return entry.second == 0; });
+  }
+
+  void tell(VertexId v) {
+    const std::vector<FacetId> facets = facets_at(v);
+    for (const FacetId f : facets) {
+      if (count(f) == 0) continue;
+      flood(facets, cell_of(f), &std::pair<bool, bool>::first);
+      flood(facets, cell_of(triangulation_.mirror(f)), &std::pair<bool, bool>::second);
+    }
+  }
+
+  // From a cell over these facets, but for triangles.
+  void flood(const std::vector<FacetId>& facets, CellId first, bool std::pair<bool, bool>::*side) {
+    std::set<CellId> reached = {first};
+    for (std::size_t before = 0; before != reached.size();) {
+      before = reached.size();
+      for (const FacetId f : facets) {
+        const FacetId mirror = triangulation_.mirror(f);
+        if (reached.contains(cell_of(f)) && count(f) + count(mirror) == 0) {
+          reached.insert(cell_of(mirror));
+        }
+      }
+    }
+    for (const CellId c : reached) told_[c].*side = true;
+  }
+
+  const Triangulation& triangulation_;
+  std::map<Corners, int> count_;
+  std::set<VertexId> is_corner_;
+  IdVector<CellId, std::pair<bool, bool>> told_;  // IN, OUT
+};
+
+// Also where some triangles are missing, turned, twice there or no facets any more.
+TEST(KnownSides, AreWhatEachVertexTellsByItself) {
+  std::size_t contradictions = 0;
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    Random random(seed);
+    const std::vector<Point> points =
+        shapes::joined(shapes::sphere(60, seed, 0.3), shapes::random_torus(250, 0.4, seed));
+    std::vector<KnownTriangle> triangles = triangles_of(reconstruct_tight(points));
+    const std::uint64_t one_of = seed % 2 == 0 ? 20 : 200;
+    for (KnownTriangle& t : triangles) {  // of the sphere all
+      if (t[0] < PointId(60U) || random.below(one_of) == 0) std::swap(t[0], t[1]);
+    }
+    std::erase_if(triangles, [&](const KnownTriangle&) { return random.below(one_of) == 0; });
+    triangles.push_back(triangles.front());
+    std::vector<Point> moved = points;
+    if (seed > 2) {
+      for (Point& p : moved) p = distance(p, {1, 0, 0}) < 0.5 ? p + Vec3{0, 0, 0.1} : p;
+    }
+    const Triangulation triangulation = delaunay(moved).triangulation;
+    const KnownSides plain = PlainSides(triangulation, triangles).labels();
+    EXPECT_GT(plain.cells, 100U);
+    for (const int threads : {1, 3}) {
+      const KnownSides known = known_sides(triangulation, triangles, {.threads = threads});
+      EXPECT_EQ(known.labels, plain.labels);
+      EXPECT_EQ(known.cells, plain.cells);
+      EXPECT_EQ(known.contradictions, plain.contradictions);
+    }
+    contradictions += plain.contradictions;
+  }
+  EXPECT_GT(contradictions, 0U);
 }
 
 TEST(KnownSides, AgreeWithTheMarksOfTheSurface) {
