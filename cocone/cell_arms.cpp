@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cocone/double_cone.h"
+#include "geom/vector_dispatch.h"
 
 // Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -94,16 +95,16 @@ HWY_AFTER_NAMESPACE();
 
 namespace cocoon {
 
-HWY_EXPORT(words_of_batches);
-HWY_EXPORT(sides_of_batches);
+COCOON_VECTOR_EXPORT(words_of_batches);
+COCOON_VECTOR_EXPORT(sides_of_batches);
 
 void arm_words(CellId first, const CellBlock& block, ArmWords& words) {
-  HWY_DYNAMIC_DISPATCH(words_of_batches)(first.value, block, words);
+  COCOON_VECTOR_CALL(words_of_batches)(first.value, block, words);
 }
 
 void arm_sides(const Triangulation& triangulation, const IdVector<VertexId, Vec3>& normals,
                double squared_cosine, CellId first, const CellBlock& block, ArmSides& arms) {
-  HWY_DYNAMIC_DISPATCH(sides_of_batches)
+  COCOON_VECTOR_CALL(sides_of_batches)
   (&triangulation.cell(first), block, normals.raw().data(), squared_cosine, arms);
 }
 

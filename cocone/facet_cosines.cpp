@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "geom/vector_dispatch.h"
+
 // Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cocone/facet_cosines.cpp"
@@ -94,10 +96,10 @@ HWY_AFTER_NAMESPACE();
 
 namespace cocoon {
 
-HWY_EXPORT(cosines_of_batches);
+COCOON_VECTOR_EXPORT(cosines_of_batches);
 
 void facet_cosines(const CellBlock& block, double flat_ratio, FacetCosines& result) {
-  HWY_DYNAMIC_DISPATCH(cosines_of_batches)(block, flat_ratio, result);
+  COCOON_VECTOR_CALL(cosines_of_batches)(block, flat_ratio, result);
 }
 
 }  // namespace cocoon

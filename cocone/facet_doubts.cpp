@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "geom/vector_dispatch.h"
+
 // Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cocone/facet_doubts.cpp"
@@ -151,7 +153,7 @@ HWY_AFTER_NAMESPACE();
 
 namespace cocoon {
 
-HWY_EXPORT(judge_batch);
+COCOON_VECTOR_EXPORT(judge_batch);
 
 namespace {
 
@@ -186,7 +188,7 @@ std::vector<FacetDoubts> facet_doubts(const Triangulation& triangulation, const 
           batch.squared_limits[i][lane] = limit * limit;
         }
       }
-      HWY_DYNAMIC_DISPATCH(judge_batch)(batch, limits);
+      COCOON_VECTOR_CALL(judge_batch)(batch, limits);
       for (std::size_t k = first; k < std::min(first + batch_size, end); ++k) {
         doubts[k] = static_cast<FacetDoubts>(batch.doubts[k - first] &
                                              (cocones.met_corners(k) | normals_disagree));

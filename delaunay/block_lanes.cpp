@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "geom/vector_dispatch.h"
+
 // Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "delaunay/block_lanes.cpp"
@@ -116,15 +118,15 @@ HWY_AFTER_NAMESPACE();
 
 namespace cocoon {
 
-HWY_EXPORT(centers_of_run);
-HWY_EXPORT(corners_of_run);
-HWY_EXPORT(corners_of_cells);
+COCOON_VECTOR_EXPORT(centers_of_run);
+COCOON_VECTOR_EXPORT(corners_of_run);
+COCOON_VECTOR_EXPORT(corners_of_cells);
 
 void load_centers(const Triangulation& triangulation, CellId first, std::size_t count,
                   const ReadSoon& soon, CellBlock& block) {
   block.size = count;
   const auto cells = triangulation.cell_records().span();
-  HWY_DYNAMIC_DISPATCH(centers_of_run)
+  COCOON_VECTOR_CALL(centers_of_run)
   (triangulation.points().raw().data(),
    cells.subspan(first.index(), triangulation.num_finite_cells() - first.index()), soon, block);
 }
@@ -132,14 +134,14 @@ void load_centers(const Triangulation& triangulation, CellId first, std::size_t 
 void load_corners(const Triangulation& triangulation, CellId first, std::size_t count,
                   CellBlock& block) {
   block.size = count;
-  HWY_DYNAMIC_DISPATCH(corners_of_run)
+  COCOON_VECTOR_CALL(corners_of_run)
   (triangulation.points().raw().data(), &triangulation.cell(first), block);
 }
 
 void load_corners(const Triangulation& triangulation, std::span<const CellId> cells,
                   CellBlock& block) {
   block.size = cells.size();
-  HWY_DYNAMIC_DISPATCH(corners_of_cells)
+  COCOON_VECTOR_CALL(corners_of_cells)
   (triangulation.points().raw().data(), triangulation.cell_records().raw().data(), cells.data(),
    block);
 }

@@ -9,6 +9,7 @@
 #include "geom/insphere.h"
 #include "geom/orient3d.h"
 #include "geom/perturbation.h"
+#include "geom/vector_dispatch.h"
 
 #ifndef COCOON_CONFLICT_SEARCH_ONCE
 #define COCOON_CONFLICT_SEARCH_ONCE
@@ -333,8 +334,8 @@ HWY_AFTER_NAMESPACE();
 
 namespace cocoon {
 
-HWY_EXPORT(find_zone);
-HWY_EXPORT(find_start);
+COCOON_VECTOR_EXPORT(find_zone);
+COCOON_VECTOR_EXPORT(find_start);
 
 // A finite cell is in conflict iff its (perturbed) circumsphere contains p. An infinite cell is
 // iff p lies beyond its hull facet; a point in the plane of the hull facet lies in the facet's
@@ -458,12 +459,12 @@ SearchView ConflictSearch::view(const Point& p, DelaunayCounters& counters) {
 
 CellId ConflictSearch::find_start(const Point& p, CellId hint, DelaunayCounters& counters) {
   SearchView search = view(p, counters);
-  return HWY_DYNAMIC_DISPATCH(find_start)(search, hint);
+  return COCOON_VECTOR_CALL(find_start)(search, hint);
 }
 
 bool ConflictSearch::find_zone(const Point& p, CellId start, DelaunayCounters& counters) {
   SearchView search = view(p, counters);
-  const bool is_found = HWY_DYNAMIC_DISPATCH(find_zone)(search, zone_, start);
+  const bool is_found = COCOON_VECTOR_CALL(find_zone)(search, zone_, start);
   if (!is_found) unmark_zone();
   return is_found;
 }

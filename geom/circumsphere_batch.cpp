@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <span>
 
+#include "geom/vector_dispatch.h"
+
 // Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "geom/circumsphere_batch.cpp"
@@ -39,10 +41,10 @@ HWY_AFTER_NAMESPACE();
 
 namespace cocoon {
 
-HWY_EXPORT(certified_centers);
+COCOON_VECTOR_EXPORT(certified_centers);
 
 void circumcenters_in_doubles(std::span<CircumcenterBatch> batches) {
-  HWY_DYNAMIC_DISPATCH(certified_centers)(batches);
+  COCOON_VECTOR_CALL(certified_centers)(batches);
 }
 
 }  // namespace cocoon

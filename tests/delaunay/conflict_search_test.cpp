@@ -11,6 +11,7 @@
 #include "delaunay/first_cells.h"
 #include "geom/orient3d.h"
 #include "geom/perturbation.h"
+#include "geom/vector_dispatch.h"
 #include "tests/gallery.h"
 #include "tests/geom/near_degenerate.h"
 
@@ -131,17 +132,16 @@ TEST(ConflictSearch, IsTheSameOnEveryInstructionSet) {
                                                 gallery::displaced_torus(2000)};
   for (const std::vector<Point>& points : sets) {
     const DelaunayResult expected = delaunay(points);
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    for (std::int64_t left = instruction_sets(); left != 0; left &= left - 1) {
+      const std::int64_t target = left & -left;
       SCOPED_TRACE(hwy::TargetName(target));
-      hwy::SetSupportedTargetsForTest(target);
-      hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+      chosen_instruction_set().Update(target);
       const DelaunayResult actual = delaunay(points);
       EXPECT_EQ(actual.triangulation.cell_records(), expected.triangulation.cell_records());
       EXPECT_EQ(actual.counters.walk_steps, expected.counters.walk_steps);
       EXPECT_EQ(actual.counters.exact_inspheres, expected.counters.exact_inspheres);
     }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    chosen_instruction_set().Update(instruction_sets());
   }
 }
 
