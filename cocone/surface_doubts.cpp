@@ -76,12 +76,17 @@ class Doubts {
     std::vector<Measured> parts((count + vertices_per_chunk - 1) / vertices_per_chunk);
     parallel_chunks(execution_, count, vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
       std::vector<double> lengths;
+      Measured& part = parts[begin / vertices_per_chunk];
+      part.lengths.reserve(4 * (end - begin));  // three edges for each vertex, as a rule
+      part.deviations.reserve(end - begin);
       for (VertexId v(begin); v.index() < end; ++v) {
-        measure_at(v, lengths, parts[begin / vertices_per_chunk]);
+        measure_at(v, lengths, part);
       }
     });
     std::vector<double> lengths;
     std::vector<double> deviations;
+    lengths.reserve(mesh_.links.size() / 2 + mesh_.irregular.size());
+    deviations.reserve(count);
     for (const Measured& part : parts) {
       lengths.insert(lengths.end(), part.lengths.begin(), part.lengths.end());
       deviations.insert(deviations.end(), part.deviations.begin(), part.deviations.end());

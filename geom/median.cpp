@@ -1,6 +1,7 @@
 #include "geom/median.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 
@@ -9,7 +10,7 @@ namespace cocoon {
 namespace {
 
 // The element of this rank, if it lies among those of about that rank in a sample, of which there
-// are few: one pass, and hardly a branch that is guessed wrong.
+// are few: one pass without a branch that could be guessed wrong.
 std::optional<double> find_by_sample(std::span<const double> values, std::size_t rank) {
   constexpr std::size_t sampled = 4096;
   constexpr std::size_t margin = 128;  // four times the deviation that a random sample has
@@ -23,9 +24,16 @@ std::optional<double> find_by_sample(std::span<const double> values, std::size_t
   const double high = sample[at + margin];
   std::vector<double> near;
   std::size_t below = 0;
-  for (const double value : values) {
-    below += value < low ? 1U : 0U;
-    if (value >= low && value <= high) near.push_back(value);
+  std::array<double, 1024> found;
+  for (std::size_t begin = 0; begin < values.size(); begin += found.size()) {
+    std::size_t count = 0;
+    for (const double value :
+         values.subspan(begin, std::min(found.size(), values.size() - begin))) {
+      below += value < low ? 1U : 0U;
+      found[count] = value;  // stays if it is one of those
+      count += value >= low && value <= high ? 1U : 0U;
+    }
+    near.insert(near.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
   }
   if (rank < below || rank - below >= near.size()) return std::nullopt;
   const auto position = near.begin() + static_cast<std::ptrdiff_t>(rank - below);
