@@ -13,56 +13,49 @@
 namespace cocoon {
 namespace {
 
-// The known labels of cells that touch a good vertex: others are left to the peel, and to the
-// clean-up, which has them of `marks`.
-IdVector<CellId, CellLabel> labels_before_the_rounds(const Triangulation& triangulation,
-                                                     const KnownSidesSource& known,
-                                                     CellMarks& marks, const Execution& execution) {
-  if (!known) return {};
-  marks.known = known(triangulation, execution).labels;
-  if (marks.known.empty()) return {};
-  IdVector<CellId, CellLabel> labels = marks.known;
-  for (const CellId c : triangulation.finite_cells()) {
-    if (labels[c] == CellLabel::unmarked) continue;
-    if (is_poor(triangulation, marks.good, c)) {
-      labels[c] = CellLabel::unmarked;
-    } else {
-      ++marks.known_cells;
-    }
-  }
-  return labels;
-}
+struct BeforeTheRounds {
+  IdVector<CellId, CellLabel> labels;  // empty: nothing is known
+  std::vector<VertexId> seeds;         // the first to have their turn
+};
 
-// The first to have their turn: the good ones of these, on the hull and at known cells.
-std::vector<VertexId> vertices_of_known_cells(const Triangulation& triangulation,
-                                              const IdVector<CellId, CellLabel>& known) {
-  std::vector<VertexId> seeds;
+// The known labels of cells that touch a good vertex: others are left to the peel, and to the
+// clean-up, which has them of `marks`. Seeds are the good vertices of those cells and on the hull.
+BeforeTheRounds before_the_rounds(const Triangulation& triangulation, const KnownSidesSource& known,
+                                  CellMarks& marks, const Execution& execution) {
+  BeforeTheRounds before;
+  VertexSet is_seed(triangulation.num_vertices(), 0);
   for (const CellId c : triangulation.infinite_cells()) {
-    for (int i = 0; i < 3; ++i) seeds.push_back(triangulation.vertex(c, i));
+    for (int i = 0; i < 3; ++i) is_seed[triangulation.vertex(c, i)] = 1;
   }
-  for (const CellId c : known.ids()) {
-    if (known[c] == CellLabel::unmarked) continue;
-    const auto& vertices = triangulation.cell(c).vertices;
-    seeds.insert(seeds.end(), vertices.begin(), vertices.end());
+  if (known) marks.known = known(triangulation, execution).labels;
+  before.labels = marks.known;
+  for (CellId c(0U); c.index() < before.labels.size(); ++c) {
+    if (before.labels[c] == CellLabel::unmarked) continue;
+    if (is_poor(triangulation, marks.good, c)) {
+      before.labels[c] = CellLabel::unmarked;
+      continue;
+    }
+    ++marks.known_cells;
+    for (const VertexId v : triangulation.cell(c).vertices) is_seed[v] = 1;
   }
-  return seeds;
+  for (const VertexId v : is_seed.ids()) {
+    if (is_seed[v] != 0 && marks.good[v] != 0) before.seeds.push_back(v);
+  }
+  return before;
 }
 
 // Where vertices disagree.
 void settle(const Triangulation& triangulation, const LinkedFacets& surface,
             const IdVector<VertexId, SideId>& corner_at, CarriedMarks carried,
             const KnownSidesSource& source, CellMarks& marks, const Execution& execution) {
-  const IdVector<CellId, CellLabel> known =
-      labels_before_the_rounds(triangulation, source, marks, execution);
-  const std::vector<VertexId> seeds = vertices_of_known_cells(triangulation, known);
-  const bool all_carried = std::all_of(seeds.begin(), seeds.end(), [&](VertexId v) {
-    return marks.good[v] == 0 || marks.visited[v] != 0;
-  });
+  const BeforeTheRounds before = before_the_rounds(triangulation, source, marks, execution);
+  const bool all_carried = std::all_of(before.seeds.begin(), before.seeds.end(),
+                                       [&](VertexId v) { return marks.visited[v] != 0; });
   if (!all_carried) {
     // The known cells tell of parts of the surface that the hull does not see.
-    carried = carry_marks(triangulation, surface, corner_at, known, marks, execution);
+    carried = carry_marks(triangulation, surface, corner_at, before.labels, marks, execution);
   }
-  settle_disputes(triangulation, surface, corner_at, carried, seeds, known, marks);
+  settle_disputes(triangulation, surface, corner_at, carried, before.seeds, before.labels, marks);
 }
 
 }  // namespace
