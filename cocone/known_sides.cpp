@@ -1,6 +1,7 @@
 #include "cocone/known_sides.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -69,46 +70,13 @@ class Fans {
   std::vector<Spoke> spokes_;
 };
 
-// Tells at once of most facets that they are no old triangles: an edge of them is no old edge.
-class EdgeFilter {
- public:
-  EdgeFilter(const Fans& fans, std::size_t num_vertices, const Execution& execution)
-      : ends_(num_vertices, 0) {
-    parallel_chunks(execution, num_vertices, coarse_grain(num_vertices),
-                    [&](std::size_t begin, std::size_t end) {
-                      for (VertexId v(begin); v.index() < end; ++v) {
-                        for (const Spoke& s : fans.at(v)) ends_[v] |= flag(s.from) | flag(s.to);
-                      }
-                    });
-  }
-
-  // Bit i: facet i of the finite cell may be an old triangle.
-  unsigned facets(const Cell& cell) const {
-    const auto& [a, b, c, d] = cell.vertices;
-    const unsigned ab = may_be_edge(a, b);
-    const unsigned ac = may_be_edge(a, c);
-    const unsigned ad = may_be_edge(a, d);
-    const unsigned bc = may_be_edge(b, c);
-    const unsigned bd = may_be_edge(b, d);
-    const unsigned cd = may_be_edge(c, d);
-    return (bc & cd & bd) | (ac & cd & ad) << 1 | (ab & bd & ad) << 2 | (ab & bc & ac) << 3;
-  }
-
- private:
-  static unsigned place(VertexId v) { return (v.value * 0x9E3779B1U) >> 26; }
-  static std::uint64_t flag(VertexId v) { return std::uint64_t{1} << place(v); }
-  unsigned may_be_edge(VertexId a, VertexId b) const {
-    return static_cast<unsigned>(ends_[a] >> place(b)) & 1U;
-  }
-
-  IdVector<VertexId, std::uint64_t> ends_;  // flags of all ends of old edges at each vertex
-};
-
 class Telling {
  public:
   Telling(const Triangulation& triangulation, std::span<const KnownTriangle> triangles,
-          const Execution& execution)
+          const FacetSet& likely, const Execution& execution)
       : triangulation_(triangulation),
+        triangles_(triangles),
+        likely_(likely),
         execution_(execution),
         fans_(triangulation, triangles, execution),
         facet_of_(triangles.size()),
@@ -123,43 +91,67 @@ class Telling {
   }
 
  private:
-  enum AtVertex : std::uint8_t { corner = 1, intact = 2 };
-  enum Told : std::uint8_t { out = 1, in = 2, both = 3, passed_on = 4 };
+  enum AtVertex : std::uint8_t { corner = 1, intact = 2, missing = 4 };
+  enum Told : std::uint8_t { out = 1, in = 2, both = 3 };
 
   struct Found {
     FacetId facet;  // seen from behind the triangle
     std::uint32_t triangle;
   };
 
-  // The old triangles that are facets.
+  // The old triangles that are facets: most of them are likely ones.
   void find_facets() {
-    const EdgeFilter edges(fans_, triangulation_.num_vertices(), execution_);
+    find_facets([&](std::size_t begin, std::size_t end, std::vector<Found>& found) {
+      likely_.for_each(triangulation_, begin, end, [&](FacetId f) { list_triangles(f, found); });
+    });
+    if (list_corners_of_missing()) {
+      find_facets([&](std::size_t begin, std::size_t end, std::vector<Found>& found) {
+        for (CellId c(begin); c.index() < end; ++c) list_missing_triangles(c, found);
+      });
+    }
+  }
+
+  // find(begin, end, found): among the facets of these cells.
+  template <class Find>
+  void find_facets(const Find& find) {
     const std::size_t cells = triangulation_.num_finite_cells();
-    const auto found =
-        parallel_list<Found>(execution_, cells, coarse_grain(cells),
-                             [&](std::size_t begin, std::size_t end, std::vector<Found>& facets) {
-                               for (CellId c(begin); c.index() < end; ++c) {
-                                 for (unsigned left = edges.facets(triangulation_.cell(c));
-                                      left != 0; left &= left - 1) {
-                                   list_triangles(facet_id(c, std::countr_zero(left)), facets);
-                                 }
-                               }
-                             });
-    for (const auto& [f, t] : found) {
+    for (const auto& [f, t] : parallel_list<Found>(execution_, cells, coarse_grain(cells), find)) {
       facet_of_[t] = f;
       facets_.insert(triangulation_, f);
     }
   }
 
-  // Those with the corners of f, if that is its smaller id. None has an infinite cell behind it.
+  // Those with the corners of f. None has an infinite cell behind it.
   void list_triangles(FacetId f, std::vector<Found>& found) const {
-    const FacetId mirror = triangulation_.mirror(f);
-    if (mirror < f) return;
     const auto [x, y, z] = triangulation_.facet_vertices(f);
     fans_.visit_triangles(x, y, z, [&](std::uint32_t t, bool is_seen_from_behind) {
-      const FacetId behind = is_seen_from_behind ? f : mirror;
+      const FacetId behind = is_seen_from_behind ? f : triangulation_.mirror(f);
       if (!triangulation_.is_infinite(cell_of(behind))) found.push_back({behind, t});
     });
+  }
+
+  // Of those that have not been found. False if there are none.
+  bool list_corners_of_missing() {
+    bool any = false;
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      if (!facet_of_[t].is_none()) continue;
+      for (const PointId p : triangles_[t]) at_[triangulation_.vertex_of_point()[p]] = missing;
+      any = true;
+    }
+    return any;
+  }
+
+  void list_missing_triangles(CellId c, std::vector<Found>& found) const {
+    const Cell& cell = triangulation_.cell(c);
+    const unsigned corners = vertices_with(missing, cell);
+    if (std::popcount(corners) < 3) return;
+    for (int i = 0; i < 4; ++i) {
+      const FacetId f = facet_id(c, i);
+      const bool has_corners = (corners | 1U << i) == 15U;
+      if (has_corners && f < triangulation_.mirror(f) && !likely_.contains(f)) {
+        list_triangles(f, found);
+      }
+    }
   }
 
   void find_intact() {
@@ -175,21 +167,38 @@ class Telling {
 
   bool is_intact(VertexId v) const {
     const std::span<const Spoke> fan = fans_.at(v);
+    return !fan.empty() && std::all_of(fan.begin(), fan.end(), [&](const Spoke& s) {
+      return !facet_of_[s.triangle].is_none();
+    }) && (is_one_cycle(fan) || is_balanced(fan));
+  }
+
+  // Whether one triangle after the other leads through all of them, as around nearly all vertices.
+  static bool is_one_cycle(std::span<const Spoke> fan) {
+    VertexId at = fan.front().to;
+    for (std::size_t count = 1; count < fan.size(); ++count) {
+      const auto next =
+          std::find_if(fan.begin(), fan.end(), [&](const Spoke& s) { return s.from == at; });
+      if (next == fan.begin() || next == fan.end()) return false;
+      at = next->to;
+    }
+    return at == fan.front().from;
+  }
+
+  static bool is_balanced(std::span<const Spoke> fan) {
     const auto count = [&](VertexId Spoke::*end, VertexId w) {
       return std::count_if(fan.begin(), fan.end(), [&](const Spoke& s) { return s.*end == w; });
     };
-    return !fan.empty() && std::all_of(fan.begin(), fan.end(), [&](const Spoke& s) {
-      return !facet_of_[s.triangle].is_none() &&
-             count(&Spoke::from, s.to) == count(&Spoke::to, s.to);
+    return std::all_of(fan.begin(), fan.end(), [&](const Spoke& s) {
+      return count(&Spoke::from, s.to) == count(&Spoke::to, s.to);
     });
   }
 
-  // Bit i: vertex i of the cell is intact.
-  unsigned intact_vertices(const Cell& cell) const {
+  // Bit i: vertex i of the cell has this flag.
+  unsigned vertices_with(unsigned flag, const Cell& cell) const {
     unsigned found = 0;
     for (unsigned i = 0; i < 4; ++i) {
       const VertexId v = cell.vertices[i];
-      if (v != infinite_vertex && (at_[v] & intact) != 0) found |= 1U << i;
+      if (v != infinite_vertex && (at_[v] & flag) != 0) found |= 1U << i;
     }
     return found;
   }
@@ -207,8 +216,8 @@ class Telling {
       told_[behind] = static_cast<std::uint8_t>(told_[behind] | in);
       told_[before] = static_cast<std::uint8_t>(told_[before] | out);
     }
-    return std::none_of(told_.begin(), told_.end(), [](std::uint8_t t) { return t == both; }) &&
-           pass_on();
+    pass_on();
+    return std::none_of(told_.begin(), told_.end(), [](std::uint8_t t) { return t == both; });
   }
 
   bool has_intact_vertex(FacetId f) const {
@@ -216,41 +225,39 @@ class Telling {
     return ((at_[x] | at_[y] | at_[z]) & intact) != 0;
   }
 
-  // In the order of memory, as far as it goes.
-  bool pass_on() {
-    std::vector<CellId> open;
+  // Each cell that is told passes it on once: in the order of memory, and in the end those that
+  // were told when their turn was over.
+  void pass_on() {
+    std::vector<CellId> late;
     for (const CellId c : triangulation_.cells()) {
-      if (told_[c] == 0) continue;
-      open.push_back(c);
-      while (!open.empty()) {
-        const CellId next = open.back();
-        open.pop_back();
-        if (!pass_on_from(next, c, open)) return false;
-      }
+      if (told_[c] != 0) pass_on_from(c, c, late);
     }
-    return true;
+    const CellId end(triangulation_.num_cells());
+    while (!late.empty()) {
+      const CellId c = late.back();
+      late.pop_back();
+      pass_on_from(c, end, late);
+    }
   }
 
-  // Cells after `at` have their turn later. False if a neighbor was told otherwise.
-  bool pass_on_from(CellId c, CellId at, std::vector<CellId>& open) {
-    if ((told_[c] & passed_on) != 0) return true;
-    const unsigned side = told_[c];
-    told_[c] = static_cast<std::uint8_t>(side | passed_on);
+  // Appends those before `turn` that had not been told anything. No branch depends on what a cell
+  // was told.
+  void pass_on_from(CellId c, CellId turn, std::vector<CellId>& late) {
     const Cell& cell = triangulation_.cell(c);
-    const unsigned intact_ones = intact_vertices(cell);
+    const unsigned intact_ones = vertices_with(intact, cell);
+    const unsigned side = told_[c];
+    std::array<CellId, 4> news;
+    std::size_t count = 0;
     for (unsigned i = 0; i < 4; ++i) {
       const bool is_old = ((unsigned{facets_.bits(c)} >> i) & 1U) != 0;
-      if (is_old || (intact_ones & ~(1U << i)) == 0) continue;
+      const bool is_passed = !is_old && (intact_ones & ~(1U << i)) != 0;
       const CellId behind = cell_of(cell.neighbors[i]);
-      std::uint8_t& told = told_[behind];
-      if (told == 0) {
-        told = static_cast<std::uint8_t>(side);
-        if (behind < at) open.push_back(behind);
-      } else if ((told & both) != side) {
-        return false;
-      }
+      const unsigned before = told_[behind];
+      told_[behind] = static_cast<std::uint8_t>(before | (is_passed ? side : 0U));
+      news[count] = behind;
+      count += is_passed && before == 0 && behind < turn ? 1U : 0U;
     }
-    return true;
+    late.insert(late.end(), news.begin(), news.begin() + static_cast<std::ptrdiff_t>(count));
   }
 
   void tell_by_vertices() {
@@ -281,7 +288,7 @@ class Telling {
     KnownSides known;
     known.labels = IdVector<CellId, CellLabel>(triangulation_.num_cells(), CellLabel::unmarked);
     for (const CellId c : triangulation_.finite_cells()) {
-      const unsigned told = told_[c] & both;
+      const unsigned told = told_[c];
       if (told == both) ++known.contradictions;
       if (told != out && told != in) continue;
       const auto& [v0, v1, v2, v3] = triangulation_.cell(c).vertices;
@@ -293,6 +300,8 @@ class Telling {
   }
 
   const Triangulation& triangulation_;
+  std::span<const KnownTriangle> triangles_;
+  const FacetSet& likely_;
   const Execution& execution_;
   Fans fans_;
   std::vector<FacetId> facet_of_;  // each old triangle seen from behind; none if it is no facet
@@ -304,9 +313,9 @@ class Telling {
 }  // namespace
 
 KnownSides known_sides(const Triangulation& triangulation, std::span<const KnownTriangle> triangles,
-                       const Execution& execution) {
+                       const FacetSet& likely, const Execution& execution) {
   if (triangles.empty()) return {};
-  return Telling(triangulation, triangles, execution).run();
+  return Telling(triangulation, triangles, likely, execution).run();
 }
 
 }  // namespace cocoon

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "cocone/cell_label.h"
+#include "cocone/facet_set.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
@@ -23,10 +24,11 @@ struct KnownSides {
   std::size_t contradictions = 0;  // cells told both: they stay unmarked
 };
 
-// What tells the sides of a triangulation's cells; asked only where something is in doubt. An empty
-// one knows nothing.
-using KnownSidesSource =
-    std::function<KnownSides(const Triangulation& triangulation, const Execution& execution)>;
+// What tells the sides of a triangulation's cells; asked only where something is in doubt.
+// `surface` is what the stages hold for the surface: it may tell where to look, not what is true.
+// An empty source knows nothing.
+using KnownSidesSource = std::function<KnownSides(
+    const Triangulation& triangulation, const FacetSet& surface, const Execution& execution)>;
 
 // Of an old mesh, on the surface still: corners as positions among the input points,
 // counterclockwise seen from outside.
@@ -37,9 +39,10 @@ using KnownTriangle = std::array<PointId, 3>;
 // those in front of one OUT, if all their vertices are corners of triangles (a cell with a new
 // vertex may lie on either side). Infinite cells are not labeled (they are OUT anyway). If the
 // triangles bound a union of cells, no cell is told both. Without triangles nothing is known.
-// Complexity: O(cells + t) for t triangles, for bounded valence; in part parallel. Deterministic:
-// independent of their order and of the threads. Source: ours, docs/stages/mark_cells.md.
+// Triangles are looked for in `likely` first, which changes nothing else. Complexity: O(cells + t)
+// for t triangles, for bounded valence; in part parallel. Deterministic: independent of their order
+// and of the threads. Source: ours, docs/stages/mark_cells.md.
 KnownSides known_sides(const Triangulation& triangulation, std::span<const KnownTriangle> triangles,
-                       const Execution& execution = {});
+                       const FacetSet& likely, const Execution& execution = {});
 
 }  // namespace cocoon

@@ -20,14 +20,15 @@ struct BeforeTheRounds {
 
 // The known labels of cells that touch a good vertex: others are left to the peel, and to the
 // clean-up, which has them of `marks`. Seeds are the good vertices of those cells and on the hull.
-BeforeTheRounds before_the_rounds(const Triangulation& triangulation, const KnownSidesSource& known,
-                                  CellMarks& marks, const Execution& execution) {
+BeforeTheRounds before_the_rounds(const Triangulation& triangulation, const FacetSet& surface,
+                                  const KnownSidesSource& known, CellMarks& marks,
+                                  const Execution& execution) {
   BeforeTheRounds before;
   VertexSet is_seed(triangulation.num_vertices(), 0);
   for (const CellId c : triangulation.infinite_cells()) {
     for (int i = 0; i < 3; ++i) is_seed[triangulation.vertex(c, i)] = 1;
   }
-  if (known) marks.known = known(triangulation, execution).labels;
+  if (known) marks.known = known(triangulation, surface, execution).labels;
   before.labels = marks.known;
   for (CellId c(0U); c.index() < before.labels.size(); ++c) {
     if (before.labels[c] == CellLabel::unmarked) continue;
@@ -48,7 +49,8 @@ BeforeTheRounds before_the_rounds(const Triangulation& triangulation, const Know
 void settle(const Triangulation& triangulation, const LinkedFacets& surface,
             const IdVector<VertexId, SideId>& corner_at, CarriedMarks carried,
             const KnownSidesSource& source, CellMarks& marks, const Execution& execution) {
-  const BeforeTheRounds before = before_the_rounds(triangulation, source, marks, execution);
+  const BeforeTheRounds before =
+      before_the_rounds(triangulation, surface.set, source, marks, execution);
   const bool all_carried = std::all_of(before.seeds.begin(), before.seeds.end(),
                                        [&](VertexId v) { return marks.visited[v] != 0; });
   if (!all_carried) {

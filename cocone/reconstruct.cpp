@@ -147,7 +147,7 @@ class Reconstruction {
     // The marking has asked already if good vertices disagreed.
     const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
     if (in_doubt && known && marks.known.empty()) {
-      marks.known = known(*triangulation_, execution).labels;
+      marks.known = known(*triangulation_, surface, execution).labels;
     }
     ReconstructCounters& counters = result_.counters;
     counters.clean_up =

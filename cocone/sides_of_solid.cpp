@@ -63,7 +63,8 @@ KnownSidesSource sides_told_by(TriangleMesh solid, Points samples,
     for (Point& p : solid.points) p = scale * p;
   }
   const auto kept = std::make_shared<const TriangleMesh>(std::move(solid));
-  return [kept, options](const Triangulation& triangulation, const Execution& execution) {
+  return [kept, options](const Triangulation& triangulation, const FacetSet&,
+                         const Execution& execution) {
     return sides_of_solid(triangulation, *kept, options, execution);
   };
 }

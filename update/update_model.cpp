@@ -98,11 +98,12 @@ class Update {
     if (result_.overlooked >= options_.overlooked.min_count) {
       warn(warning_of_overlooked(result_.overlooked));
     }
-    const KnownSidesSource known = [&](const Triangulation& triangulation,
+    const KnownSidesSource known = [&](const Triangulation& triangulation, const FacetSet& surface,
                                        const Execution& nested) {
       return known_sides(
           triangulation,
-          known_triangles(model_, result_.regions, result_.choice, result_.replacement), nested);
+          known_triangles(model_, result_.regions, result_.choice, result_.replacement), surface,
+          nested);
     };
     result_.reconstruction = parts.reconstruct(result_.replacement, known, execution);
     if (result_.reconstruction.status == SurfaceStatus::refuted) {

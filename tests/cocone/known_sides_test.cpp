@@ -30,9 +30,14 @@ std::vector<KnownTriangle> triangles_of(const ReconstructResult& result) {
   return known;
 }
 
+FacetSet no_facets(const Triangulation& triangulation) {
+  return FacetSet(triangulation.num_cells());
+}
+
 KnownSidesSource told_by(std::vector<KnownTriangle> triangles) {
-  return [triangles = std::move(triangles)](const Triangulation& triangulation, const Execution&) {
-    return known_sides(triangulation, triangles);
+  return [triangles = std::move(triangles)](const Triangulation& triangulation,
+                                            const FacetSet& surface, const Execution& execution) {
+    return known_sides(triangulation, triangles, surface, execution);
   };
 }
 
@@ -49,7 +54,7 @@ TEST(KnownSides, CellsBehindTheTrianglesAreInside) {
   const VertexId low_vertex = triangulation.vertex_of_point()[low];
   // The labels of the upper cell and the lower one.
   const auto known_by = [&](const std::vector<KnownTriangle>& triangles) {
-    const KnownSides known = known_sides(triangulation, triangles);
+    const KnownSides known = known_sides(triangulation, triangles, no_facets(triangulation));
     EXPECT_EQ(known.contradictions, 0U);
     std::pair<CellLabel, CellLabel> labels;
     for (const CellId cell : triangulation.finite_cells()) {
@@ -84,7 +89,7 @@ TEST(KnownSides, CellsBehindTheTrianglesAreInside) {
   // Some are there twice.
   both.insert(both.end(), lower.begin(), lower.end());
   EXPECT_EQ(known_by(both), std::pair(in, unmarked));
-  EXPECT_TRUE(known_sides(triangulation, {}).labels.empty());
+  EXPECT_TRUE(known_sides(triangulation, {}, no_facets(triangulation)).labels.empty());
 }
 
 // Of two bodies one is turned inside out: what lies between them is told both.
@@ -105,12 +110,12 @@ TEST(KnownSides, WhatIsToldBothIsNotKnown) {
   std::vector<KnownTriangle> triangles;
   add_body(0, triangles);
   add_body(4, triangles);
-  const KnownSides known = known_sides(triangulation, triangles);
+  const KnownSides known = known_sides(triangulation, triangles, no_facets(triangulation));
   EXPECT_EQ(known.contradictions, 0U);
   EXPECT_GT(known.cells, 2U);
   EXPECT_EQ(std::count(known.labels.begin(), known.labels.end(), CellLabel::in), 2);
   for (std::size_t t = 4; t < 8; ++t) std::swap(triangles[t][0], triangles[t][1]);
-  const KnownSides turned = known_sides(triangulation, triangles);
+  const KnownSides turned = known_sides(triangulation, triangles, no_facets(triangulation));
   EXPECT_GT(turned.contradictions, 0U);
   EXPECT_EQ(turned.cells, 2U);
   EXPECT_EQ(std::count(turned.labels.begin(), turned.labels.end(), CellLabel::in), 1);
@@ -242,8 +247,16 @@ TEST(KnownSides, AreWhatEachVertexTellsByItself) {
     const Triangulation triangulation = delaunay(moved).triangulation;
     const KnownSides plain = PlainSides(triangulation, triangles).labels();
     EXPECT_GT(plain.cells, 100U);
+    FacetSet some = no_facets(triangulation);
+    for (const CellId c : triangulation.finite_cells()) {
+      for (int i = 0; i < 4; ++i) {
+        if (random.below(3) == 0) some.insert(triangulation, facet_id(c, i));
+      }
+    }
     for (const int threads : {1, 3}) {
-      const KnownSides known = known_sides(triangulation, triangles, {.threads = threads});
+      const KnownSides known =
+          known_sides(triangulation, triangles, threads == 1 ? no_facets(triangulation) : some,
+                      {.threads = threads});
       EXPECT_EQ(known.labels, plain.labels);
       EXPECT_EQ(known.cells, plain.cells);
       EXPECT_EQ(known.contradictions, plain.contradictions);
@@ -260,7 +273,7 @@ TEST(KnownSides, AgreeWithTheMarksOfTheSurface) {
   const BoundarySamples labels = s.labels();
   const LinkedFacets surface = s.surface(labels);
   const CellMarks marks = mark_cells(s.triangulation, surface, labels.boundary);
-  const KnownSides known = known_sides(s.triangulation, triangles);
+  const KnownSides known = known_sides(s.triangulation, triangles, no_facets(s.triangulation));
   EXPECT_EQ(known.contradictions, 0U);
   EXPECT_GT(known.cells, points.size());
   for (const CellId c : s.triangulation.finite_cells()) {
@@ -287,7 +300,7 @@ CellMarks marks_by_rounds(const Stages& s, const LinkedFacets& surface,
   CellMarks rounds;
   rounds.good = marks.good;
   rounds.visited = VertexSet(s.triangulation.num_vertices(), 0);
-  rounds.labels = known_sides(s.triangulation, triangles).labels;
+  rounds.labels = known_sides(s.triangulation, triangles, no_facets(s.triangulation)).labels;
   std::vector<VertexId> seeds;
   for (const CellId c : s.triangulation.cells()) {
     const bool is_known = rounds.labels[c] != CellLabel::unmarked;
