@@ -117,15 +117,24 @@ class Peeling {
   // flood goes on from those with an unmarked neighbor, or with a good vertex that had no turn.
   void reach_marked_cells() {
     const bool all_visited = marks_.visited_vertices == marks_.good_vertices;
+    // Which cells are OUT cannot be foreseen: no branch depends on it.
+    for (const CellId c : marks_.labels.ids()) {
+      marks_.reached[c] = marks_.labels[c] == CellLabel::out ? 1 : 0;
+    }
+    if (all_visited) return reach_unmarked_cells();
     for (const CellId c : triangulation_.cells()) {
-      if (marks_.labels[c] == CellLabel::out) {
-        marks_.reached[c] = 1;
-        if (!all_visited && has_unvisited_vertex(c)) stack_.push_back(c);
-      } else if (marks_.labels[c] == CellLabel::unmarked) {
-        for (int i = 0; i < 4; ++i) {
-          const CellId behind = triangulation_.neighbor(c, i);
-          if (marks_.labels[behind] == CellLabel::out) stack_.push_back(behind);
-        }
+      if (marks_.reached[c] != 0 && has_unvisited_vertex(c)) stack_.push_back(c);
+    }
+    reach_unmarked_cells();
+  }
+
+  // What lies beside them is where the flood goes on.
+  void reach_unmarked_cells() {
+    for (const CellId c : triangulation_.cells()) {
+      if (marks_.labels[c] != CellLabel::unmarked) continue;
+      for (int i = 0; i < 4; ++i) {
+        const CellId behind = triangulation_.neighbor(c, i);
+        if (marks_.labels[behind] == CellLabel::out) stack_.push_back(behind);
       }
     }
   }
