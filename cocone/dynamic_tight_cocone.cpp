@@ -1,6 +1,7 @@
 #include "cocone/dynamic_tight_cocone.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "cocone/certified_surface.h"
 #include "cocone/compact_delaunay.h"
+#include "cocone/kept_body.h"
 #include "cocone/kept_links.h"
 #include "cocone/kept_marks.h"
 #include "cocone/known_candidates.h"
@@ -43,6 +45,9 @@ struct DynamicTightCocone::State {
   CertifiedSurface certified;
   KeptLinks links;  // while the surface is not certain, as the next
   KeptMarks marks;
+  FirstWalk first_walk = FirstWalk::at_once;    // of the surface that is not certain
+  KeptBody body;                                // while the surface is not certain, but smooth
+  std::optional<KeptBody::Change> body_change;  // what the last stages told instead of a mesh
   // The way back from vertex_of_point, if each vertex has one point; empty: not known.
   IdVector<VertexId, PointId> point_of_vertex;
 
@@ -51,8 +56,9 @@ struct DynamicTightCocone::State {
   void take(const ReconstructResult& result, ReconstructStages stages);
   void resume(SurfaceState surface);
   void look_for_certificate(const ReconstructResult& result, const CoconeSurface& surface);
+  bool take_body(const Triangulation& triangulation, const CellMarks& marks, bool may_edit);
   ReconstructResult run_later_stages(Points points, const KnownSidesSource& known,
-                                     const Execution& execution);
+                                     const Execution& execution, bool may_edit);
   void clear(std::size_t count);
   void forget_surface();
   // What a change of the triangulation does to the points, and how to take it back.
@@ -71,17 +77,26 @@ struct DynamicTightCocone::State {
   void undo(Step step, const DelaunayChange& change);
   void close_gaps(Step& step);
   ReconstructResult run_stages(Points points, const KnownSidesSource& known,
-                               const Execution& execution);
+                               const Execution& execution, bool may_edit);
   // Whether so many points are the vertices of a certain surface, each its own.
   bool is_certain(std::size_t points) const {
     return certified.exists() && !options.verify && points == delaunay.num_vertices() &&
            points == certified.num_vertices();
   }
+  bool is_smooth(std::size_t points) const {
+    return is_certain(points) || (body.exists() && points == delaunay.num_vertices());
+  }
   DelaunayChange carry_out(Step& step, const Execution& execution);
   ReconstructResult finish(Points points, Step step, const DelaunayChange& change,
-                           const Execution& execution, const KnownSidesSource& known);
+                           const Execution& execution, const KnownSidesSource& known,
+                           bool may_edit = false);
+  Edited edit_body(Points points, const ListEdit<PointId>& change, Step step,
+                   const DelaunayChange& done, const Execution& execution,
+                   const KnownSidesSource& known);
   void list_points_of_vertices(PointId first);
-  SurfaceEdit surface_edit(const ListEdit<PointId>& points, const Step& step);
+  void forget_points(std::span<const VertexId> removed);
+  SurfaceEdit surface_edit(const ListEdit<PointId>& points, std::span<const VertexId> touched,
+                           std::span<const std::array<VertexId, 3>> triangles);
   ReconstructResult counts(std::size_t points) const;
   IdVector<TriangleId, Triangle> numbered_triangles() const;
   ReconstructResult assemble(Points points) const;
@@ -104,13 +119,16 @@ void DynamicTightCocone::State::take(const ReconstructResult& result, Reconstruc
 // Where the counts leave hope.
 void DynamicTightCocone::State::look_for_certificate(const ReconstructResult& result,
                                                      const CoconeSurface& surface) {
+  first_walk = surface.first_walk;
   const ReconstructCounters& counters = result.counters;
   const bool hopeful = result.status == SurfaceStatus::ok && counters.surface_walks == 1 &&
                        counters.back_contacts == 0 && counters.poor_cells == 0 &&
                        counters.unvisited_vertices == 0 && counters.marking_rounds == 0;
   if (!hopeful || !certified.certify(delaunay, candidates, surface)) return;
+  first_walk = FirstWalk::at_once;
   links.clear();
   marks.clear();
+  body.clear();
 }
 
 void DynamicTightCocone::State::clear(std::size_t count) {
@@ -125,6 +143,8 @@ void DynamicTightCocone::State::forget_surface() {
   certified.clear();
   links.clear();
   marks.clear();
+  body.clear();
+  first_walk = FirstWalk::at_once;
   point_of_vertex.clear();
 }
 
@@ -186,6 +206,7 @@ DelaunayChange DynamicTightCocone::State::carry_out(Step& step, const Execution&
   if (certified.exists()) certified.update(delaunay, change, candidates);
   if (links.exists()) links.update(delaunay, change);
   if (marks.exists()) marks.update(delaunay, change, candidates);
+  if (body.exists()) body.update(delaunay, change);
   return change;
 }
 
@@ -193,7 +214,7 @@ DelaunayChange DynamicTightCocone::State::carry_out(Step& step, const Execution&
 ReconstructResult DynamicTightCocone::State::finish(Points points, Step step,
                                                     const DelaunayChange& change,
                                                     const Execution& execution,
-                                                    const KnownSidesSource& known) {
+                                                    const KnownSidesSource& known, bool may_edit) {
   ReconstructResult result;
   if (certified.exists() && !options.verify) {
     result = assemble(points);
@@ -202,7 +223,7 @@ ReconstructResult DynamicTightCocone::State::finish(Points points, Step step,
     // What is to be verified is computed as a whole.
     try {
       if (candidates.exists()) close_gaps(step);
-      result = run_stages(points, known, execution);
+      result = run_stages(points, known, execution, may_edit);
     } catch (...) {
       undo(std::move(step), change);
       throw;
@@ -248,15 +269,20 @@ void DynamicTightCocone::State::close_gaps(Step& step) {
   candidates.renumber(renumbering, delaunay);
   if (links.exists()) links.renumber(renumbering, delaunay);
   if (marks.exists()) marks.renumber(renumbering, delaunay);
+  if (body.exists()) body.renumber(renumbering, delaunay);
+  if (!point_of_vertex.empty()) {
+    for (const auto& [from, to] : renumbering.vertices) point_of_vertex[to] = point_of_vertex[from];
+    point_of_vertex.resize(delaunay.num_vertex_slots());
+  }
   rename_vertices(renumbering.vertices, step.slots, vertex_of_point.span());
   step.moved = std::move(renumbering.vertices);
 }
 
-// All stages after the triangulation.
+// All stages after the triangulation. may_edit: the mesh may be left out, see take_body().
 ReconstructResult DynamicTightCocone::State::run_stages(Points points,
                                                         const KnownSidesSource& known,
-                                                        const Execution& execution) {
-  if (candidates.exists()) return run_later_stages(points, known, execution);
+                                                        const Execution& execution, bool may_edit) {
+  if (candidates.exists()) return run_later_stages(points, known, execution, may_edit);
   ReconstructStages stages;
   ReconstructResult result =
       reconstruct_tight_again(compact_delaunay(delaunay, vertex_of_point).triangulation, points,
@@ -272,10 +298,23 @@ void DynamicTightCocone::State::resume(SurfaceState surface) {
   certified.resume(delaunay, std::move(surface.sides), std::move(surface.sheets));
 }
 
+// Keeps a smooth body. Tells what has changed since the last one instead of a mesh, if there was
+// one and that will do: then true.
+bool DynamicTightCocone::State::take_body(const Triangulation& triangulation,
+                                          const CellMarks& marked, bool may_edit) {
+  const KeptBody before = std::exchange(body, {});
+  if (marks.parts_of_good() != 1) return false;
+  body.keep(triangulation, delaunay.cells_at_vertices(), marked);
+  if (!may_edit || !before.exists() || !body.exists()) return false;
+  body_change = before.change_to(triangulation, marked.reached);
+  return true;
+}
+
 // Those from the extraction on, of the candidates that are known. Precondition: no gaps.
 ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
                                                               const KnownSidesSource& known,
-                                                              const Execution& execution) {
+                                                              const Execution& execution,
+                                                              bool may_edit) {
   KnownCandidates found = known_candidates(candidates);
   CoconeSurface surface;
   ReconstructResult result;
@@ -285,8 +324,15 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
       return marks.mark(triangulation, delaunay.cells_at_vertices(), input...);
     };
     found.left = links.link(*lent, candidates_left(candidates), execution);
+    found.first_walk = first_walk;
+    bool asked = false;
+    const BodyTaker take = [&](const Triangulation& triangulation, const CellMarks& marked) {
+      asked = true;
+      return take_body(triangulation, marked, may_edit);
+    };
     result = reconstruct_tight_from(*lent, std::move(found), points, known, options, execution,
-                                    mark, surface);
+                                    mark, take, surface);
+    if (!asked) body.clear();
   }
   if (!surface.triangles.facets.empty()) links.keep(std::move(surface.triangles));
   look_for_certificate(result, surface);
@@ -351,15 +397,19 @@ void DynamicTightCocone::State::list_points_of_vertices(PointId first) {
   }
 }
 
-// After a change from one certain surface to another one.
+// Slots of removed vertices may hold new ones.
+void DynamicTightCocone::State::forget_points(std::span<const VertexId> removed) {
+  for (const VertexId v : removed) point_of_vertex[v] = PointId();
+  point_of_vertex.resize(delaunay.num_vertex_slots());
+}
+
+// After a change from one smooth mesh to another one, once the points of what went are forgotten.
 DynamicTightCocone::SurfaceEdit DynamicTightCocone::State::surface_edit(
-    const ListEdit<PointId>& points, const Step& step) {
+    const ListEdit<PointId>& points, std::span<const VertexId> touched,
+    std::span<const std::array<VertexId, 3>> triangles) {
   SurfaceEdit edit;
   for (const PointId p : points.removed) edit.touched.push_back(VertexId(p.value));
-  // Slots of removed vertices may hold new ones.
-  for (const VertexId v : step.removed) point_of_vertex[v] = PointId();
-  point_of_vertex.resize(delaunay.num_vertex_slots());
-  for (const VertexId v : certified.touched()) {
+  for (const VertexId v : touched) {
     if (!point_of_vertex[v].is_none()) edit.touched.push_back(VertexId(point_of_vertex[v].value));
   }
   make_set(edit.touched);
@@ -368,11 +418,31 @@ DynamicTightCocone::SurfaceEdit DynamicTightCocone::State::surface_edit(
   if (!points.added.empty()) first = std::min(first, points.added.front());
   list_points_of_vertices(first);
   const auto number = [&](VertexId v) { return VertexId(point_of_vertex[v].value); };
-  for (const auto& [a, b, c] : certified.triangles_at_touched()) {
+  for (const auto& [a, b, c] : triangles) {
     edit.triangles.push_back(smallest_first({number(a), number(b), number(c)}));
   }
   std::sort(edit.triangles.begin(), edit.triangles.end(), precedes);
   return edit;
+}
+
+// What is left of an edit where the surface is not certain.
+DynamicTightCocone::Edited DynamicTightCocone::State::edit_body(
+    Points points, const ListEdit<PointId>& change, Step step, const DelaunayChange& done,
+    const Execution& execution, const KnownSidesSource& known) {
+  const bool may_edit = is_smooth(points.size());
+  if (may_edit) {
+    forget_points(step.removed);
+  } else {
+    point_of_vertex.clear();
+  }
+  body_change.reset();
+  Edited edited{finish(points, std::move(step), done, execution, known, may_edit), {}};
+  if (body_change) {
+    edited.edit = surface_edit(change, body_change->touched, body_change->triangles);
+  } else {
+    point_of_vertex.clear();
+  }
+  return edited;
 }
 
 DynamicTightCocone::DynamicTightCocone(const ReconstructOptions& options)
@@ -444,7 +514,7 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
                                                     const Execution& execution,
                                                     const KnownSidesSource& known) {
   State& state = *state_;
-  if (!is_certain()) {
+  if (!is_smooth()) {
     const IdVector<PointId, PointId> before = places_after(change.reversed(), points.size());
     return {replace(points, before.raw(), execution, known), {}};
   }
@@ -454,10 +524,12 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
   if (state.point_of_vertex.empty()) state.list_points_of_vertices(PointId(0));
   const DelaunayChange done = state.carry_out(step, execution);
   if (!state.is_certain(points.size())) {
-    state.point_of_vertex.clear();
-    return {state.finish(points, std::move(step), done, execution, known), {}};
+    return state.edit_body(points, change, std::move(step), done, execution, known);
   }
-  Edited edited{state.counts(points.size()), state.surface_edit(change, step)};
+  state.forget_points(step.removed);
+  Edited edited{state.counts(points.size()),
+                state.surface_edit(change, state.certified.touched(),
+                                   state.certified.triangles_at_touched())};
   edited.result.counters.delaunay = done.insertion;
   state.num_points = points.size();
   ++state.local_changes;
@@ -478,6 +550,7 @@ void DynamicTightCocone::complete(ReconstructResult& result) const {
   }
 }
 
+bool DynamicTightCocone::is_smooth() const { return state_->is_smooth(state_->num_points); }
 bool DynamicTightCocone::is_certain() const { return state_->is_certain(state_->num_points); }
 
 IdVector<TriangleId, Triangle> DynamicTightCocone::triangles() const {

@@ -118,7 +118,7 @@ class Reconstruction {
     boundary_.count = result_.counters.boundary_samples;
     run_step(execution_, "cocone", [&](const Execution& nested) {
       surface_ = extract_manifold(*triangulation_, std::move(candidates.left), candidates.umbrella,
-                                  nested);
+                                  candidates.first_walk, nested);
     });
     count_surface();
   }
@@ -155,7 +155,11 @@ class Reconstruction {
     if (options_.keep_cavities) {
       counters.cavities = open_cavities(*triangulation_, surface, marks);
     }
-    deliver(surface_between(*triangulation_, marks, execution));
+    if (take_body_ && has_umbrellas(marks) && take_body_(*triangulation_, marks)) {
+      result_.status = SurfaceStatus::ok;
+    } else {
+      deliver(surface_between(*triangulation_, marks, execution));
+    }
     counters.good_vertices = marks.good_vertices;
     counters.demoted_vertices = marks.folded.size();
     counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;
@@ -165,6 +169,20 @@ class Reconstruction {
     counters.poor_cells = marks.poor_cells;
     counters.deferred_seeds = marks.deferred_seeds;
     good_ = std::move(marks.good);
+  }
+
+  // Whether the boundary of the body is known to be one closed umbrella at each vertex: at good
+  // ones it is the surface that told all labels, and the clean-up has looked at the others and has
+  // found nothing to do.
+  bool has_umbrellas(const CellMarks& marks) const {
+    const CleanUpCounters& clean_up = result_.counters.clean_up;
+    const bool told = marks.rounds == 0 && marks.poor_cells == 0 && marks.known.empty() &&
+                      marks.visited_vertices == marks.good_vertices;
+    const bool all_good = marks.good_vertices == triangulation_->num_vertices();
+    const bool flawless = options_.clean_up.enabled && clean_up.undecided_cells == 0 &&
+                          clean_up.left_cells == 0 && clean_up.defects_before == 0 &&
+                          clean_up.unused_before == 0;
+    return told && (all_good || flawless) && result_.counters.cavities.cavities == 0;
   }
 
   // What close_by() would: nothing is left to be decided.
@@ -200,14 +218,18 @@ class Reconstruction {
     result_.mesh = {};
   }
 
-  // From now on this marks cells, and take_surface() has triangles.
-  void use(const Marking& marking) { marking_ = marking; }
+  // From now on these mark cells and are asked to take the body; take_surface() has triangles.
+  void use(const Marking& marking, const BodyTaker& take_body) {
+    marking_ = marking;
+    take_body_ = take_body;
+  }
   // From now on what is found is kept for `stages`.
   void keep_stages(ReconstructStages& stages) { stages_ = &stages; }
   CoconeSurface take_surface() {
     CoconeSurface surface;
     surface.halves = std::move(surface_.halves);
     surface.good = std::move(good_);
+    surface.first_walk = surface_.first_walk;
     surface.umbrellas = result_.counters.good_vertices + result_.counters.demoted_vertices;
     if (marking_) surface.triangles = std::move(surface_.triangles);
     return surface;
@@ -285,6 +307,7 @@ class Reconstruction {
   ConeSides sides_;
   BoundarySamples boundary_;
   Marking marking_;  // empty: mark_cells
+  BodyTaker take_body_;
   ManifoldSurface surface_;
   VertexSet good_;                                     // as the marks had them
   IdVector<VertexId, VertexId> triangulation_vertex_;  // of each vertex of the result
@@ -354,9 +377,9 @@ ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
                                          const KnownSidesSource& known,
                                          const ReconstructOptions& options,
                                          const Execution& execution, const Marking& marking,
-                                         CoconeSurface& surface) {
+                                         const BodyTaker& take_body, CoconeSurface& surface) {
   Reconstruction reconstruction(points, options, execution);
-  reconstruction.use(marking);
+  reconstruction.use(marking, take_body);
   reconstruction.refer_to(triangulation);
   reconstruction.extract_from(std::move(candidates));
   reconstruction.close_surface(known);

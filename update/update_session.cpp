@@ -139,10 +139,10 @@ ReconstructResult UpdateSession::reconstruction() const {
 }
 
 const ModelIndex& UpdateSession::index() {
-  const bool certain = surface_.is_certain() && points_are_vertices_;
-  if (!index_ && !certain) return index_.emplace(model_);
+  const bool smooth = surface_.is_smooth() && points_are_vertices_;
+  if (!index_ && !smooth) return index_.emplace(model_);
   if (!index_) return index_.emplace(ModelIndex::of_smooth(model_));
-  if (certain && !index_->can_edit()) index_->prepare_for_edits();
+  if (smooth && !index_->can_edit()) index_->prepare_for_edits();
   return *index_;
 }
 
@@ -216,7 +216,7 @@ SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
       [&](const Replacement& replacement, const KnownSidesSource& known, const Execution& nested) {
         return reconstruct(replacement, known, nested, pending);
       },
-      surface_.is_certain()};
+      surface_.is_smooth()};
   SessionUpdate update;
   try {
     update.result = update_model(model_, clouds, parts, options_, execution);
@@ -262,7 +262,7 @@ void UpdateSession::keep_edit(SessionUpdate& update, Pending pending) {
   push(result.reconstruction, std::move(edit));
 }
 
-// From one certain surface to the next one, with these points.
+// From one smooth mesh to the next one, with these points.
 MeshChange UpdateSession::carry_out(const MeshEdit& edit, std::vector<Point> points,
                                     IdVector<VertexId, VertexId> vertex_map) {
   MeshChange change;
