@@ -320,18 +320,20 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
   ReconstructResult result;
   {
     const LentDelaunay lent(delaunay, vertex_of_point);
-    const Marking mark = [&](const Triangulation& triangulation, const auto&... input) {
-      return marks.mark(triangulation, delaunay.cells_at_vertices(), input...);
-    };
     found.left = links.link(*lent, candidates_left(candidates), execution);
     found.first_walk = first_walk;
     bool asked = false;
-    const BodyTaker take = [&](const Triangulation& triangulation, const CellMarks& marked) {
-      asked = true;
-      return take_body(triangulation, marked, may_edit);
-    };
+    const LiveStages live{delaunay.cells_at_vertices(),
+                          [&](const Triangulation& triangulation, const auto&... input) {
+                            return marks.mark(triangulation, delaunay.cells_at_vertices(),
+                                              input...);
+                          },
+                          [&](const Triangulation& triangulation, const CellMarks& marked) {
+                            asked = true;
+                            return take_body(triangulation, marked, may_edit);
+                          }};
     result = reconstruct_tight_from(*lent, std::move(found), points, known, options, execution,
-                                    mark, take, surface);
+                                    live, surface);
     if (!asked) body.clear();
   }
   if (!surface.triangles.facets.empty()) links.keep(std::move(surface.triangles));

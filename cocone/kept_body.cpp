@@ -7,6 +7,7 @@
 
 #include "cocone/surface_walk.h"
 #include "delaunay/circulate.h"
+#include "geom/visit_where.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
@@ -44,9 +45,13 @@ class BoundaryChange {
 
   KeptBody::Change result() const {
     KeptBody::Change change;
-    for (const Touched& at : touched_) {
-      change.touched.push_back(at.vertex);
-      list_triangles(at, change.triangles);
+    constexpr std::size_t ahead = 8;  // vertices lie apart: their cells are asked for early
+    for (std::size_t k = 0; k < touched_.size(); ++k) {
+      if (k + ahead < touched_.size()) {
+        __builtin_prefetch(&triangulation_.cell(cell_of(touched_[k + ahead].facet)));
+      }
+      change.touched.push_back(touched_[k].vertex);
+      list_triangles(touched_[k], change.triangles);
     }
     return change;
   }
@@ -119,9 +124,9 @@ void KeptBody::renumber(const Renumbering& renumbering, const DynamicDelaunay& d
 KeptBody::Change KeptBody::change_to(const Triangulation& triangulation,
                                      const IdVector<CellId, std::uint8_t>& out) const {
   BoundaryChange change(triangulation, out);
-  for (const CellId c : out.ids()) {
-    if (out_[c] != out[c]) change.touch_at(c);
-  }
+  visit_where(
+      out.size(), [&](std::size_t c) { return out_[CellId(c)] != out[CellId(c)]; },
+      [&](std::size_t c) { change.touch_at(CellId(c)); });
   return change.result();
 }
 

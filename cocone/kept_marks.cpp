@@ -6,6 +6,7 @@
 
 #include "geom/disjoint_sets.h"
 #include "geom/sort_ids.h"
+#include "geom/visit_where.h"
 
 namespace cocoon {
 namespace {
@@ -94,12 +95,14 @@ class Labeling {
 // Joins good vertices by edges of the surface between them; returns how many parts there are.
 std::size_t join_good(const LinkedFacets& surface, const CellMarks& marks, DisjointSets& sets) {
   std::size_t parts = marks.good_vertices;
-  for (const Triangle& t : surface.corners) {
-    for (std::size_t i = 0; i < 3 && parts > 1; ++i) {
-      const VertexId a = t[i];
-      const VertexId b = t[next_corner(i)];
-      if ((marks.good[a] & marks.good[b]) != 0 && sets.join(a.value, b.value)) --parts;
-    }
+  const auto join = [&](VertexId a, VertexId b) {
+    if ((marks.good[a] & marks.good[b]) != 0 && sets.join(a.value, b.value)) --parts;
+  };
+  for (const auto& [a, b, c] : surface.corners) {
+    if (parts == 1) break;
+    join(a, b);
+    join(b, c);
+    if (marks.good[b] == 0) join(c, a);  // else these two are joined already
   }
   return parts;
 }
@@ -192,9 +195,12 @@ std::optional<CellMarks> KeptMarks::go_on(const Input& input, const GoodVertexOp
 // New ones, and those where a facet of the surface came or went.
 std::vector<CellId> KeptMarks::changed_cells(const FacetSet& surface) const {
   std::vector<CellId> changed;
-  for (const CellId c : cells_.ids()) {
-    if ((cells_[c] & (facet_bits | is_new)) != surface.bits(c)) changed.push_back(c);
-  }
+  visit_where(
+      cells_.size(),
+      [&](std::size_t c) {
+        return (cells_[CellId(c)] & (facet_bits | is_new)) != surface.bits(CellId(c));
+      },
+      [&](std::size_t c) { changed.push_back(CellId(c)); });
   return changed;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cocone/facet_size.h"
+#include "geom/visit_where.h"
 
 namespace cocoon {
 namespace {
@@ -68,9 +69,9 @@ class Peeling {
   // before.
   std::size_t find_poor_cells() {
     std::size_t found = 0;
-    for (const CellId c : triangulation_.finite_cells()) {
-      if (marks_.labels[c] != CellLabel::unmarked || poor_[c] != 0) continue;
-      if (!is_poor(triangulation_, marks_.good, c)) continue;
+    visit_unmarked([&](CellId c) {
+      if (poor_[c] != 0 || triangulation_.is_infinite(c)) return;
+      if (!is_poor(triangulation_, marks_.good, c)) return;
       poor_[c] = 1;
       ++found;
       FacetId smallest = facet_id(c, 0);
@@ -82,8 +83,16 @@ class Peeling {
         smallest = facet_id(c, i);
       }
       stops_.insert(triangulation_, smallest);
-    }
+    });
     return found;
+  }
+
+  template <class Visit>
+  void visit_unmarked(const Visit& visit) const {
+    const std::vector<CellLabel>& labels = marks_.labels.raw();
+    visit_where(
+        labels.size(), [&](std::size_t c) { return labels[c] == CellLabel::unmarked; },
+        [&](std::size_t c) { visit(CellId(c)); });
   }
 
   // What is known to be OUT at samples that are nowhere on the surface. Elsewhere it is a pocket of
@@ -130,13 +139,12 @@ class Peeling {
 
   // What lies beside them is where the flood goes on.
   void reach_unmarked_cells() {
-    for (const CellId c : triangulation_.cells()) {
-      if (marks_.labels[c] != CellLabel::unmarked) continue;
+    visit_unmarked([&](CellId c) {
       for (int i = 0; i < 4; ++i) {
         const CellId behind = triangulation_.neighbor(c, i);
         if (marks_.labels[behind] == CellLabel::out) stack_.push_back(behind);
       }
-    }
+    });
   }
 
   bool has_unvisited_vertex(CellId c) const {

@@ -128,7 +128,7 @@ class Reconstruction {
     const KnownSidesSource nothing;
     const KnownSidesSource& sides = options_.mode == Mode::paper ? nothing : known;
     run_step(execution_, "tight", [&](const Execution& nested) {
-      if (marking_) return close_by(mark_by_caller(sides, nested), sides, nested);
+      if (live_ != nullptr) return close_by(mark_by_caller(sides, nested), sides, nested);
       GoodVertices good =
           good_vertices(surface_.triangles, boundary_.boundary, options_.good_vertices, nested);
       if (is_certain(*triangulation_, surface_, good, nested)) {
@@ -150,12 +150,12 @@ class Reconstruction {
       marks.known = known(*triangulation_, execution).labels;
     }
     ReconstructCounters& counters = result_.counters;
-    counters.clean_up =
-        clean_up_cells(*triangulation_, poles_, marks, options_.clean_up, execution);
+    counters.clean_up = clean_up_cells(*triangulation_, poles_, marks, options_.clean_up,
+                                       live_ != nullptr ? &live_->cell_at : nullptr, execution);
     if (options_.keep_cavities) {
       counters.cavities = open_cavities(*triangulation_, surface, marks);
     }
-    if (take_body_ && has_umbrellas(marks) && take_body_(*triangulation_, marks)) {
+    if (live_ != nullptr && has_umbrellas(marks) && live_->take_body(*triangulation_, marks)) {
       result_.status = SurfaceStatus::ok;
     } else {
       deliver(surface_between(*triangulation_, marks, execution));
@@ -218,11 +218,8 @@ class Reconstruction {
     result_.mesh = {};
   }
 
-  // From now on these mark cells and are asked to take the body; take_surface() has triangles.
-  void use(const Marking& marking, const BodyTaker& take_body) {
-    marking_ = marking;
-    take_body_ = take_body;
-  }
+  // From now on this marks cells and is asked to take the body; take_surface() has triangles.
+  void use(const LiveStages& live) { live_ = &live; }
   // From now on what is found is kept for `stages`.
   void keep_stages(ReconstructStages& stages) { stages_ = &stages; }
   CoconeSurface take_surface() {
@@ -231,7 +228,7 @@ class Reconstruction {
     surface.good = std::move(good_);
     surface.first_walk = surface_.first_walk;
     surface.umbrellas = result_.counters.good_vertices + result_.counters.demoted_vertices;
-    if (marking_) surface.triangles = std::move(surface_.triangles);
+    if (live_ != nullptr) surface.triangles = std::move(surface_.triangles);
     return surface;
   }
   ReconstructResult take_result() {
@@ -247,8 +244,8 @@ class Reconstruction {
 
  private:
   CellMarks mark_by_caller(const KnownSidesSource& known, const Execution& execution) const {
-    return marking_(*triangulation_, surface_.triangles, boundary_.boundary, known,
-                    options_.good_vertices, execution);
+    return live_->mark(*triangulation_, surface_.triangles, boundary_.boundary, known,
+                       options_.good_vertices, execution);
   }
 
   // A third as much memory as the triangulation has. What is left of the links is the set of
@@ -306,8 +303,7 @@ class Reconstruction {
   Poles poles_;
   ConeSides sides_;
   BoundarySamples boundary_;
-  Marking marking_;  // empty: mark_cells
-  BodyTaker take_body_;
+  const LiveStages* live_ = nullptr;  // none: mark_cells, and a mesh
   ManifoldSurface surface_;
   VertexSet good_;                                     // as the marks had them
   IdVector<VertexId, VertexId> triangulation_vertex_;  // of each vertex of the result
@@ -376,10 +372,10 @@ ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
                                          KnownCandidates candidates, Points points,
                                          const KnownSidesSource& known,
                                          const ReconstructOptions& options,
-                                         const Execution& execution, const Marking& marking,
-                                         const BodyTaker& take_body, CoconeSurface& surface) {
+                                         const Execution& execution, const LiveStages& live,
+                                         CoconeSurface& surface) {
   Reconstruction reconstruction(points, options, execution);
-  reconstruction.use(marking, take_body);
+  reconstruction.use(live);
   reconstruction.refer_to(triangulation);
   reconstruction.extract_from(std::move(candidates));
   reconstruction.close_surface(known);

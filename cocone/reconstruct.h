@@ -192,16 +192,23 @@ using Marking = std::function<CellMarks(
 // Whoever takes a body instead of the mesh that bounds it (kept_body.h); false: does not want it.
 using BodyTaker = std::function<bool(const Triangulation& triangulation, const CellMarks& marks)>;
 
+// What is known of a triangulation that changes, and who wants what it gives.
+struct LiveStages {
+  const IdVector<VertexId, CellId>& cell_at;  // a cell at each vertex
+  Marking mark;
+  BodyTaker take_body;
+};
+
 // As reconstruct_tight_again of the triangulation, without these stages; fills in `surface`.
 // Where all labels come from good vertices, and each vertex has one closed umbrella of the body's
-// boundary, `take_body` is asked; if it takes the body the result has neither mesh nor anything by
-// vertex.
+// boundary, live.take_body is asked; if it takes the body the result has neither mesh nor anything
+// by vertex.
 ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
                                          KnownCandidates candidates, Points points,
                                          const KnownSidesSource& known,
                                          const ReconstructOptions& options,
-                                         const Execution& execution, const Marking& marking,
-                                         const BodyTaker& take_body, CoconeSurface& surface);
+                                         const Execution& execution, const LiveStages& live,
+                                         CoconeSurface& surface);
 
 // The Cocone surface with its boundary: open where the cloud is. As above without "tight".
 // Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Woo & Dey 2005, sections 2.1, 3.2.
