@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/certain_result.h"
 #include "cocone/certified_surface.h"
 #include "cocone/compact_delaunay.h"
 #include "cocone/kept_body.h"
@@ -15,6 +16,7 @@
 #include "cocone/known_candidates.h"
 #include "cocone/lent_delaunay.h"
 #include "cocone/live_candidates.h"
+#include "cocone/point_step.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/id_vector.h"
@@ -61,18 +63,7 @@ struct DynamicTightCocone::State {
                                      const Execution& execution, bool may_edit);
   void clear(std::size_t count);
   void forget_surface();
-  // What a change of the triangulation does to the points, and how to take it back.
-  struct Step {
-    std::vector<VertexId> removed;
-    std::vector<Point> removed_points;
-    std::vector<PointId> inserted;  // positions among the new points
-    std::vector<Point> inserted_points;
-    IdVector<PointId, VertexId> vertex_of_point;  // none: to be inserted
-    std::vector<Renumbering::Move> moved;         // vertices, after the change
-    std::size_t slots = 0;                        // of vertices, before they moved
-  };
-  Step plan(Points points, std::span<const PointId> old_position) const;
-  Step plan(Points points, const ListEdit<PointId>& change) const;
+  using Step = PointStep;
   DelaunayChange change_triangulation(const Step& step, const Execution& execution);
   void undo(Step step, const DelaunayChange& change);
   void close_gaps(Step& step);
@@ -95,11 +86,9 @@ struct DynamicTightCocone::State {
                    const KnownSidesSource& known);
   void list_points_of_vertices(PointId first);
   void forget_points(std::span<const VertexId> removed);
+  CertainView view() const { return {delaunay, vertex_of_point, candidates, certified}; }
   SurfaceEdit surface_edit(const ListEdit<PointId>& points, std::span<const VertexId> touched,
                            std::span<const std::array<VertexId, 3>> triangles);
-  ReconstructResult counts(std::size_t points) const;
-  IdVector<TriangleId, Triangle> numbered_triangles() const;
-  ReconstructResult assemble(Points points) const;
 };
 
 void DynamicTightCocone::State::take(std::size_t count, Triangulation triangulation) {
@@ -148,48 +137,6 @@ void DynamicTightCocone::State::forget_surface() {
   point_of_vertex.clear();
 }
 
-DynamicTightCocone::State::Step DynamicTightCocone::State::plan(
-    Points points, std::span<const PointId> old_position) const {
-  Step step;
-  step.vertex_of_point.resize(points.size());
-  std::vector<std::uint8_t> stays(delaunay.num_vertex_slots(), 0);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (old_position[i].is_none()) {
-      step.inserted.push_back(PointId(i));
-      step.inserted_points.push_back(points[i]);
-    } else {
-      const VertexId v = vertex_of_point[old_position[i]];
-      step.vertex_of_point[PointId(i)] = v;
-      stays[v.index()] = 1;
-    }
-  }
-  for (const VertexId v : vertex_of_point) {
-    if (stays[v.index()] != 0) continue;
-    stays[v.index()] = 1;  // listed once
-    step.removed.push_back(v);
-    step.removed_points.push_back(delaunay.point(v));
-  }
-  return step;
-}
-
-// Precondition: is_certain().
-DynamicTightCocone::State::Step DynamicTightCocone::State::plan(
-    Points points, const ListEdit<PointId>& change) const {
-  Step step;
-  for (const PointId p : change.removed) {
-    step.removed.push_back(vertex_of_point[p]);
-    step.removed_points.push_back(delaunay.point(vertex_of_point[p]));
-  }
-  step.inserted = change.added;
-  for (const PointId p : change.added) step.inserted_points.push_back(points[p.index()]);
-  step.vertex_of_point.resize(points.size());
-  for (const KeptRun& run : kept_runs(change, vertex_of_point.size())) {
-    std::copy_n(vertex_of_point.begin() + static_cast<std::ptrdiff_t>(run.from), run.count,
-                step.vertex_of_point.begin() + static_cast<std::ptrdiff_t>(run.to));
-  }
-  return step;
-}
-
 // Changes the triangulation, and follows the surface as far as it stays certain. The step gets
 // what vertex_of_point was.
 DelaunayChange DynamicTightCocone::State::carry_out(Step& step, const Execution& execution) {
@@ -217,7 +164,7 @@ ReconstructResult DynamicTightCocone::State::finish(Points points, Step step,
                                                     const KnownSidesSource& known, bool may_edit) {
   ReconstructResult result;
   if (certified.exists() && !options.verify) {
-    result = assemble(points);
+    result = certain_result(view(), points);
     ++local_changes;
   } else {
     // What is to be verified is computed as a whole.
@@ -341,52 +288,6 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
   return result;
 }
 
-// What the result has besides mesh and vertices.
-ReconstructResult DynamicTightCocone::State::counts(std::size_t points) const {
-  ReconstructResult result;
-  result.points = points;
-  result.vertices = delaunay.num_vertices();
-  result.duplicates = points - result.vertices;
-  result.tetrahedra = candidates.num_finite_cells();
-  candidates.count(result.counters);
-  certified.count(result.counters);
-  result.unused_points = result.vertices - certified.num_vertices();
-  return result;
-}
-
-// What is certified by mesh vertices, in canonical order.
-IdVector<TriangleId, Triangle> DynamicTightCocone::State::numbered_triangles() const {
-  IdVector<VertexId, VertexId> number(delaunay.num_vertex_slots());
-  std::size_t count = 0;
-  for (const VertexId v : vertex_of_point) {
-    if (number[v].is_none() && certified.has(v)) number[v] = VertexId(count++);
-  }
-  TriangleMesh mesh;
-  mesh.points.resize(count);
-  for (const auto& [a, b, c] : certified.triangles(delaunay.view())) {
-    mesh.triangles.push_back({number[a], number[b], number[c]});
-  }
-  canonicalize_triangles(mesh);
-  return std::move(mesh.triangles);
-}
-
-// The result from what is certified. Complexity: O(n).
-ReconstructResult DynamicTightCocone::State::assemble(Points points) const {
-  ReconstructResult result = counts(points.size());
-  VertexSet listed(delaunay.num_vertex_slots(), 0);
-  for (const PointId p : vertex_of_point.ids()) {
-    const VertexId v = vertex_of_point[p];
-    if (listed[v] != 0 || !certified.has(v)) continue;
-    listed[v] = 1;
-    result.mesh.points.push_back(points[p.index()]);
-    result.point_of_vertex.push_back(p);
-    result.normals.push_back(candidates.normal(v));
-    result.boundary_sample.push_back(candidates.is_boundary(v) ? 1 : 0);
-  }
-  result.mesh.triangles = numbered_triangles();
-  return result;
-}
-
 // Precondition: is_certain().
 void DynamicTightCocone::State::list_points_of_vertices(PointId first) {
   point_of_vertex.resize(delaunay.num_vertex_slots());
@@ -506,7 +407,7 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
                                               const KnownSidesSource& known) {
   State& state = *state_;
   if (!state.is_live() || working_scale(points) != 1) return reconstruct(points, execution, known);
-  State::Step step = state.plan(points, old_position);
+  State::Step step = plan_step(state.delaunay, state.vertex_of_point, points, old_position);
   const DelaunayChange change = state.carry_out(step, execution);
   state.point_of_vertex.clear();
   return state.finish(points, std::move(step), change, execution, known);
@@ -520,7 +421,7 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
     const IdVector<PointId, PointId> before = places_after(change.reversed(), points.size());
     return {replace(points, before.raw(), execution, known), {}};
   }
-  State::Step step = state.plan(points, change);
+  State::Step step = plan_step(state.delaunay, state.vertex_of_point, points, change);
   if (!keeps_scale(points, step.inserted_points))
     return {reconstruct(points, execution, known), {}};
   if (state.point_of_vertex.empty()) state.list_points_of_vertices(PointId(0));
@@ -529,7 +430,7 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
     return state.edit_body(points, change, std::move(step), done, execution, known);
   }
   state.forget_points(step.removed);
-  Edited edited{state.counts(points.size()),
+  Edited edited{certain_counts(state.view(), points.size()),
                 state.surface_edit(change, state.certified.touched(),
                                    state.certified.triangles_at_touched())};
   edited.result.counters.delaunay = done.insertion;
@@ -557,7 +458,7 @@ bool DynamicTightCocone::is_certain() const { return state_->is_certain(state_->
 
 IdVector<TriangleId, Triangle> DynamicTightCocone::triangles() const {
   assert(is_certain());
-  return state_->numbered_triangles();
+  return certain_triangles(state_->view());
 }
 
 }  // namespace cocoon
