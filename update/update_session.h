@@ -101,7 +101,7 @@ class UpdateSession {
   SessionSnapshot release() &&;
 
   // Updates that can be taken back; each holds what went and came, or a copy of the model if its
-  // surface was not certain.
+  // surface was neither certain nor smooth.
   static constexpr std::size_t max_undo_levels = 16;
 
  private:
