@@ -58,8 +58,12 @@ bool CertifiedSurface::certify(const DynamicDelaunay& delaunay, const LiveCandid
     if (delaunay.contains(v) && !has(v)) off_surface.push_back(v);
   }
   off_surface_ = off_surface.size();
-  exists_ =
-      num_vertices() == surface.umbrellas && leaves_no_candidate(delaunay, candidates, off_surface);
+  if (num_vertices() != surface.umbrellas) {
+    wrong_turn_ = find_open_turn(view, candidates, surface.halves);
+    clear();
+    return false;
+  }
+  exists_ = leaves_no_candidate(delaunay, candidates, off_surface);
   if (exists_) {
     sides_.resize(view.cell_records().size(), 0);
     for (const FacetId f : surface.halves) insert(view, f);
@@ -94,6 +98,21 @@ void CertifiedSurface::begin_sheets(const DynamicDelaunay& delaunay, const Cocon
     }
   }
   count_sheets();
+}
+
+// One at a corner without an umbrella; none if there is none.
+CertifiedSurface::Turn CertifiedSurface::find_open_turn(const TriangulationView& view,
+                                                        const LiveCandidates& candidates,
+                                                        std::span<const FacetId> halves) const {
+  const auto is_open = [&](VertexId v) { return has(v) && !candidates.has_umbrella(v); };
+  bool any = false;  // costs less to know than to look at all facets
+  for (const VertexId v : sheets_.ids()) any = any || is_open(v);
+  for (const FacetId f : any ? halves : std::span<const FacetId>()) {
+    for (const VertexId v : view.facet_vertices(f)) {
+      if (is_open(v)) return {f, v};
+    }
+  }
+  return {};
 }
 
 // None if there is none.

@@ -50,13 +50,13 @@ class CertifiedSurface {
 
   // Whether a surface is known.
   bool exists() const { return exists_; }
-  // Forgets everything, but for the edge that certify() asks first.
+  // Forgets everything, but for the place that certify() asks first.
   void clear();
 
   // Looks for the certificate in the whole triangulation, for a surface that the stages found in
   // one walk, with no poor cell, no good vertex unvisited, and no rounds of marks. Returns
-  // exists(). An edge at which 3 did not hold is asked first the next time: if it still does not,
-  // nothing else needs to be asked.
+  // exists(). An edge at which 3 did not hold, or a corner at which 1 did not, is asked first the
+  // next time: if it still does not, nothing else needs to be asked.
   // Complexity: O(n), and the stars of vertices off the surface.
   bool certify(const DynamicDelaunay& delaunay, const LiveCandidates& candidates,
                const CoconeSurface& surface);
@@ -105,6 +105,8 @@ class CertifiedSurface {
   bool is_still_refuted(const TriangulationView& view, const LiveCandidates& candidates,
                         std::span<const FacetId> halves) const;
   void begin_sheets(const DynamicDelaunay& delaunay, const CoconeSurface& surface);
+  Turn find_open_turn(const TriangulationView& view, const LiveCandidates& candidates,
+                      std::span<const FacetId> halves) const;
   Turn find_wrong_turn(const TriangulationView& view, const LiveCandidates& candidates,
                        std::span<const FacetId> halves) const;
   void count_sheets();

@@ -32,9 +32,10 @@ namespace {
 class CleanUp {
  public:
   CleanUp(const Triangulation& triangulation, const Poles& poles, CellMarks& marks,
-          const CleanUpOptions& options, const Execution& execution)
+          const CleanUpOptions& options, const IdVector<VertexId, CellId>* cell_at,
+          const Execution& execution)
       : triangulation_(triangulation),
-        stars_(triangulation),
+        stars_(triangulation, cell_at),
         poles_(poles),
         marks_(marks),
         options_(options),
@@ -475,11 +476,19 @@ class CleanUp {
 CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Poles& poles,
                                CellMarks& marks, const CleanUpOptions& options,
                                const Execution& execution) {
+  return clean_up_cells(triangulation, poles, marks, options, nullptr, execution);
+}
+
+CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Poles& poles,
+                               CellMarks& marks, const CleanUpOptions& options,
+                               const IdVector<VertexId, CellId>* cell_at,
+                               const Execution& execution) {
   if (!options.enabled) return {};
   const bool all_good = marks.good_vertices == triangulation.num_vertices();
   if (all_good && marks.conflicts == 0) return {};  // every vertex has one disk around it
   report_progress(execution, "clean_up_cells", 0);
-  const CleanUpCounters counters = CleanUp(triangulation, poles, marks, options, execution).run();
+  const CleanUpCounters counters =
+      CleanUp(triangulation, poles, marks, options, cell_at, execution).run();
   report_progress(execution, "clean_up_cells", 1);
   return counters;
 }

@@ -153,4 +153,11 @@ CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Poles& 
                                CellMarks& marks, const CleanUpOptions& options = {},
                                const Execution& execution = {});
 
+// The same for who knows a cell at each vertex: without a look at all cells for that. None: not
+// known.
+CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Poles& poles,
+                               CellMarks& marks, const CleanUpOptions& options,
+                               const IdVector<VertexId, CellId>* cell_at,
+                               const Execution& execution = {});
+
 }  // namespace cocoon

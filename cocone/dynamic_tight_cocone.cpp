@@ -1,18 +1,22 @@
 #include "cocone/dynamic_tight_cocone.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "cocone/certain_result.h"
 #include "cocone/certified_surface.h"
 #include "cocone/compact_delaunay.h"
+#include "cocone/kept_body.h"
 #include "cocone/kept_links.h"
 #include "cocone/kept_marks.h"
 #include "cocone/known_candidates.h"
 #include "cocone/lent_delaunay.h"
 #include "cocone/live_candidates.h"
+#include "cocone/point_step.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/id_vector.h"
@@ -43,6 +47,9 @@ struct DynamicTightCocone::State {
   CertifiedSurface certified;
   KeptLinks links;  // while the surface is not certain, as the next
   KeptMarks marks;
+  FirstWalk first_walk = FirstWalk::at_once;    // of the surface that is not certain
+  KeptBody body;                                // while the surface is not certain, but smooth
+  std::optional<KeptBody::Change> body_change;  // what the last stages told instead of a mesh
   // The way back from vertex_of_point, if each vertex has one point; empty: not known.
   IdVector<VertexId, PointId> point_of_vertex;
 
@@ -51,40 +58,37 @@ struct DynamicTightCocone::State {
   void take(const ReconstructResult& result, ReconstructStages stages);
   void resume(SurfaceState surface);
   void look_for_certificate(const ReconstructResult& result, const CoconeSurface& surface);
+  bool take_body(const Triangulation& triangulation, const CellMarks& marks, bool may_edit);
   ReconstructResult run_later_stages(Points points, const KnownSidesSource& known,
-                                     const Execution& execution);
+                                     const Execution& execution, bool may_edit);
   void clear(std::size_t count);
   void forget_surface();
-  // What a change of the triangulation does to the points, and how to take it back.
-  struct Step {
-    std::vector<VertexId> removed;
-    std::vector<Point> removed_points;
-    std::vector<PointId> inserted;  // positions among the new points
-    std::vector<Point> inserted_points;
-    IdVector<PointId, VertexId> vertex_of_point;  // none: to be inserted
-    std::vector<Renumbering::Move> moved;         // vertices, after the change
-    std::size_t slots = 0;                        // of vertices, before they moved
-  };
-  Step plan(Points points, std::span<const PointId> old_position) const;
-  Step plan(Points points, const ListEdit<PointId>& change) const;
+  using Step = PointStep;
   DelaunayChange change_triangulation(const Step& step, const Execution& execution);
   void undo(Step step, const DelaunayChange& change);
   void close_gaps(Step& step);
   ReconstructResult run_stages(Points points, const KnownSidesSource& known,
-                               const Execution& execution);
+                               const Execution& execution, bool may_edit);
   // Whether so many points are the vertices of a certain surface, each its own.
   bool is_certain(std::size_t points) const {
     return certified.exists() && !options.verify && points == delaunay.num_vertices() &&
            points == certified.num_vertices();
   }
+  bool is_smooth(std::size_t points) const {
+    return is_certain(points) || (body.exists() && points == delaunay.num_vertices());
+  }
   DelaunayChange carry_out(Step& step, const Execution& execution);
   ReconstructResult finish(Points points, Step step, const DelaunayChange& change,
-                           const Execution& execution, const KnownSidesSource& known);
+                           const Execution& execution, const KnownSidesSource& known,
+                           bool may_edit = false);
+  Edited edit_body(Points points, const ListEdit<PointId>& change, Step step,
+                   const DelaunayChange& done, const Execution& execution,
+                   const KnownSidesSource& known);
   void list_points_of_vertices(PointId first);
-  SurfaceEdit surface_edit(const ListEdit<PointId>& points, const Step& step);
-  ReconstructResult counts(std::size_t points) const;
-  IdVector<TriangleId, Triangle> numbered_triangles() const;
-  ReconstructResult assemble(Points points) const;
+  void forget_points(std::span<const VertexId> removed);
+  CertainView view() const { return {delaunay, vertex_of_point, candidates, certified}; }
+  SurfaceEdit surface_edit(const ListEdit<PointId>& points, std::span<const VertexId> touched,
+                           std::span<const std::array<VertexId, 3>> triangles);
 };
 
 void DynamicTightCocone::State::take(std::size_t count, Triangulation triangulation) {
@@ -104,13 +108,16 @@ void DynamicTightCocone::State::take(const ReconstructResult& result, Reconstruc
 // Where the counts leave hope.
 void DynamicTightCocone::State::look_for_certificate(const ReconstructResult& result,
                                                      const CoconeSurface& surface) {
+  first_walk = surface.first_walk;
   const ReconstructCounters& counters = result.counters;
   const bool hopeful = result.status == SurfaceStatus::ok && counters.surface_walks == 1 &&
                        counters.back_contacts == 0 && counters.poor_cells == 0 &&
                        counters.unvisited_vertices == 0 && counters.marking_rounds == 0;
   if (!hopeful || !certified.certify(delaunay, candidates, surface)) return;
+  first_walk = FirstWalk::at_once;
   links.clear();
   marks.clear();
+  body.clear();
 }
 
 void DynamicTightCocone::State::clear(std::size_t count) {
@@ -125,49 +132,9 @@ void DynamicTightCocone::State::forget_surface() {
   certified.clear();
   links.clear();
   marks.clear();
+  body.clear();
+  first_walk = FirstWalk::at_once;
   point_of_vertex.clear();
-}
-
-DynamicTightCocone::State::Step DynamicTightCocone::State::plan(
-    Points points, std::span<const PointId> old_position) const {
-  Step step;
-  step.vertex_of_point.resize(points.size());
-  std::vector<std::uint8_t> stays(delaunay.num_vertex_slots(), 0);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (old_position[i].is_none()) {
-      step.inserted.push_back(PointId(i));
-      step.inserted_points.push_back(points[i]);
-    } else {
-      const VertexId v = vertex_of_point[old_position[i]];
-      step.vertex_of_point[PointId(i)] = v;
-      stays[v.index()] = 1;
-    }
-  }
-  for (const VertexId v : vertex_of_point) {
-    if (stays[v.index()] != 0) continue;
-    stays[v.index()] = 1;  // listed once
-    step.removed.push_back(v);
-    step.removed_points.push_back(delaunay.point(v));
-  }
-  return step;
-}
-
-// Precondition: is_certain().
-DynamicTightCocone::State::Step DynamicTightCocone::State::plan(
-    Points points, const ListEdit<PointId>& change) const {
-  Step step;
-  for (const PointId p : change.removed) {
-    step.removed.push_back(vertex_of_point[p]);
-    step.removed_points.push_back(delaunay.point(vertex_of_point[p]));
-  }
-  step.inserted = change.added;
-  for (const PointId p : change.added) step.inserted_points.push_back(points[p.index()]);
-  step.vertex_of_point.resize(points.size());
-  for (const KeptRun& run : kept_runs(change, vertex_of_point.size())) {
-    std::copy_n(vertex_of_point.begin() + static_cast<std::ptrdiff_t>(run.from), run.count,
-                step.vertex_of_point.begin() + static_cast<std::ptrdiff_t>(run.to));
-  }
-  return step;
 }
 
 // Changes the triangulation, and follows the surface as far as it stays certain. The step gets
@@ -186,6 +153,7 @@ DelaunayChange DynamicTightCocone::State::carry_out(Step& step, const Execution&
   if (certified.exists()) certified.update(delaunay, change, candidates);
   if (links.exists()) links.update(delaunay, change);
   if (marks.exists()) marks.update(delaunay, change, candidates);
+  if (body.exists()) body.update(delaunay, change);
   return change;
 }
 
@@ -193,16 +161,16 @@ DelaunayChange DynamicTightCocone::State::carry_out(Step& step, const Execution&
 ReconstructResult DynamicTightCocone::State::finish(Points points, Step step,
                                                     const DelaunayChange& change,
                                                     const Execution& execution,
-                                                    const KnownSidesSource& known) {
+                                                    const KnownSidesSource& known, bool may_edit) {
   ReconstructResult result;
   if (certified.exists() && !options.verify) {
-    result = assemble(points);
+    result = certain_result(view(), points);
     ++local_changes;
   } else {
     // What is to be verified is computed as a whole.
     try {
       if (candidates.exists()) close_gaps(step);
-      result = run_stages(points, known, execution);
+      result = run_stages(points, known, execution, may_edit);
     } catch (...) {
       undo(std::move(step), change);
       throw;
@@ -248,15 +216,20 @@ void DynamicTightCocone::State::close_gaps(Step& step) {
   candidates.renumber(renumbering, delaunay);
   if (links.exists()) links.renumber(renumbering, delaunay);
   if (marks.exists()) marks.renumber(renumbering, delaunay);
+  if (body.exists()) body.renumber(renumbering, delaunay);
+  if (!point_of_vertex.empty()) {
+    for (const auto& [from, to] : renumbering.vertices) point_of_vertex[to] = point_of_vertex[from];
+    point_of_vertex.resize(delaunay.num_vertex_slots());
+  }
   rename_vertices(renumbering.vertices, step.slots, vertex_of_point.span());
   step.moved = std::move(renumbering.vertices);
 }
 
-// All stages after the triangulation.
+// All stages after the triangulation. may_edit: the mesh may be left out, see take_body().
 ReconstructResult DynamicTightCocone::State::run_stages(Points points,
                                                         const KnownSidesSource& known,
-                                                        const Execution& execution) {
-  if (candidates.exists()) return run_later_stages(points, known, execution);
+                                                        const Execution& execution, bool may_edit) {
+  if (candidates.exists()) return run_later_stages(points, known, execution, may_edit);
   ReconstructStages stages;
   ReconstructResult result =
       reconstruct_tight_again(compact_delaunay(delaunay, vertex_of_point).triangulation, points,
@@ -272,70 +245,46 @@ void DynamicTightCocone::State::resume(SurfaceState surface) {
   certified.resume(delaunay, std::move(surface.sides), std::move(surface.sheets));
 }
 
+// Keeps a smooth body. Tells what has changed since the last one instead of a mesh, if there was
+// one and that will do: then true.
+bool DynamicTightCocone::State::take_body(const Triangulation& triangulation,
+                                          const CellMarks& marked, bool may_edit) {
+  const KeptBody before = std::exchange(body, {});
+  if (marks.parts_of_good() != 1) return false;
+  body.keep(triangulation, delaunay.cells_at_vertices(), marked);
+  if (!may_edit || !before.exists() || !body.exists()) return false;
+  body_change = before.change_to(triangulation, marked.reached);
+  return true;
+}
+
 // Those from the extraction on, of the candidates that are known. Precondition: no gaps.
 ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
                                                               const KnownSidesSource& known,
-                                                              const Execution& execution) {
+                                                              const Execution& execution,
+                                                              bool may_edit) {
   KnownCandidates found = known_candidates(candidates);
   CoconeSurface surface;
   ReconstructResult result;
   {
     const LentDelaunay lent(delaunay, vertex_of_point);
-    const Marking mark = [&](const Triangulation& triangulation, const auto&... input) {
-      return marks.mark(triangulation, delaunay.cells_at_vertices(), input...);
-    };
     found.left = links.link(*lent, candidates_left(candidates), execution);
+    found.first_walk = first_walk;
+    bool asked = false;
+    const LiveStages live{delaunay.cells_at_vertices(),
+                          [&](const Triangulation& triangulation, const auto&... input) {
+                            return marks.mark(triangulation, delaunay.cells_at_vertices(),
+                                              input...);
+                          },
+                          [&](const Triangulation& triangulation, const CellMarks& marked) {
+                            asked = true;
+                            return take_body(triangulation, marked, may_edit);
+                          }};
     result = reconstruct_tight_from(*lent, std::move(found), points, known, options, execution,
-                                    mark, surface);
+                                    live, surface);
+    if (!asked) body.clear();
   }
   if (!surface.triangles.facets.empty()) links.keep(std::move(surface.triangles));
   look_for_certificate(result, surface);
-  return result;
-}
-
-// What the result has besides mesh and vertices.
-ReconstructResult DynamicTightCocone::State::counts(std::size_t points) const {
-  ReconstructResult result;
-  result.points = points;
-  result.vertices = delaunay.num_vertices();
-  result.duplicates = points - result.vertices;
-  result.tetrahedra = candidates.num_finite_cells();
-  candidates.count(result.counters);
-  certified.count(result.counters);
-  result.unused_points = result.vertices - certified.num_vertices();
-  return result;
-}
-
-// What is certified by mesh vertices, in canonical order.
-IdVector<TriangleId, Triangle> DynamicTightCocone::State::numbered_triangles() const {
-  IdVector<VertexId, VertexId> number(delaunay.num_vertex_slots());
-  std::size_t count = 0;
-  for (const VertexId v : vertex_of_point) {
-    if (number[v].is_none() && certified.has(v)) number[v] = VertexId(count++);
-  }
-  TriangleMesh mesh;
-  mesh.points.resize(count);
-  for (const auto& [a, b, c] : certified.triangles(delaunay.view())) {
-    mesh.triangles.push_back({number[a], number[b], number[c]});
-  }
-  canonicalize_triangles(mesh);
-  return std::move(mesh.triangles);
-}
-
-// The result from what is certified. Complexity: O(n).
-ReconstructResult DynamicTightCocone::State::assemble(Points points) const {
-  ReconstructResult result = counts(points.size());
-  VertexSet listed(delaunay.num_vertex_slots(), 0);
-  for (const PointId p : vertex_of_point.ids()) {
-    const VertexId v = vertex_of_point[p];
-    if (listed[v] != 0 || !certified.has(v)) continue;
-    listed[v] = 1;
-    result.mesh.points.push_back(points[p.index()]);
-    result.point_of_vertex.push_back(p);
-    result.normals.push_back(candidates.normal(v));
-    result.boundary_sample.push_back(candidates.is_boundary(v) ? 1 : 0);
-  }
-  result.mesh.triangles = numbered_triangles();
   return result;
 }
 
@@ -351,15 +300,19 @@ void DynamicTightCocone::State::list_points_of_vertices(PointId first) {
   }
 }
 
-// After a change from one certain surface to another one.
+// Slots of removed vertices may hold new ones.
+void DynamicTightCocone::State::forget_points(std::span<const VertexId> removed) {
+  for (const VertexId v : removed) point_of_vertex[v] = PointId();
+  point_of_vertex.resize(delaunay.num_vertex_slots());
+}
+
+// After a change from one smooth mesh to another one, once the points of what went are forgotten.
 DynamicTightCocone::SurfaceEdit DynamicTightCocone::State::surface_edit(
-    const ListEdit<PointId>& points, const Step& step) {
+    const ListEdit<PointId>& points, std::span<const VertexId> touched,
+    std::span<const std::array<VertexId, 3>> triangles) {
   SurfaceEdit edit;
   for (const PointId p : points.removed) edit.touched.push_back(VertexId(p.value));
-  // Slots of removed vertices may hold new ones.
-  for (const VertexId v : step.removed) point_of_vertex[v] = PointId();
-  point_of_vertex.resize(delaunay.num_vertex_slots());
-  for (const VertexId v : certified.touched()) {
+  for (const VertexId v : touched) {
     if (!point_of_vertex[v].is_none()) edit.touched.push_back(VertexId(point_of_vertex[v].value));
   }
   make_set(edit.touched);
@@ -368,11 +321,31 @@ DynamicTightCocone::SurfaceEdit DynamicTightCocone::State::surface_edit(
   if (!points.added.empty()) first = std::min(first, points.added.front());
   list_points_of_vertices(first);
   const auto number = [&](VertexId v) { return VertexId(point_of_vertex[v].value); };
-  for (const auto& [a, b, c] : certified.triangles_at_touched()) {
+  for (const auto& [a, b, c] : triangles) {
     edit.triangles.push_back(smallest_first({number(a), number(b), number(c)}));
   }
   std::sort(edit.triangles.begin(), edit.triangles.end(), precedes);
   return edit;
+}
+
+// What is left of an edit where the surface is not certain.
+DynamicTightCocone::Edited DynamicTightCocone::State::edit_body(
+    Points points, const ListEdit<PointId>& change, Step step, const DelaunayChange& done,
+    const Execution& execution, const KnownSidesSource& known) {
+  const bool may_edit = is_smooth(points.size());
+  if (may_edit) {
+    forget_points(step.removed);
+  } else {
+    point_of_vertex.clear();
+  }
+  body_change.reset();
+  Edited edited{finish(points, std::move(step), done, execution, known, may_edit), {}};
+  if (body_change) {
+    edited.edit = surface_edit(change, body_change->touched, body_change->triangles);
+  } else {
+    point_of_vertex.clear();
+  }
+  return edited;
 }
 
 DynamicTightCocone::DynamicTightCocone(const ReconstructOptions& options)
@@ -434,7 +407,7 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
                                               const KnownSidesSource& known) {
   State& state = *state_;
   if (!state.is_live() || working_scale(points) != 1) return reconstruct(points, execution, known);
-  State::Step step = state.plan(points, old_position);
+  State::Step step = plan_step(state.delaunay, state.vertex_of_point, points, old_position);
   const DelaunayChange change = state.carry_out(step, execution);
   state.point_of_vertex.clear();
   return state.finish(points, std::move(step), change, execution, known);
@@ -444,20 +417,22 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
                                                     const Execution& execution,
                                                     const KnownSidesSource& known) {
   State& state = *state_;
-  if (!is_certain()) {
+  if (!is_smooth()) {
     const IdVector<PointId, PointId> before = places_after(change.reversed(), points.size());
     return {replace(points, before.raw(), execution, known), {}};
   }
-  State::Step step = state.plan(points, change);
+  State::Step step = plan_step(state.delaunay, state.vertex_of_point, points, change);
   if (!keeps_scale(points, step.inserted_points))
     return {reconstruct(points, execution, known), {}};
   if (state.point_of_vertex.empty()) state.list_points_of_vertices(PointId(0));
   const DelaunayChange done = state.carry_out(step, execution);
   if (!state.is_certain(points.size())) {
-    state.point_of_vertex.clear();
-    return {state.finish(points, std::move(step), done, execution, known), {}};
+    return state.edit_body(points, change, std::move(step), done, execution, known);
   }
-  Edited edited{state.counts(points.size()), state.surface_edit(change, step)};
+  state.forget_points(step.removed);
+  Edited edited{certain_counts(state.view(), points.size()),
+                state.surface_edit(change, state.certified.touched(),
+                                   state.certified.triangles_at_touched())};
   edited.result.counters.delaunay = done.insertion;
   state.num_points = points.size();
   ++state.local_changes;
@@ -478,11 +453,12 @@ void DynamicTightCocone::complete(ReconstructResult& result) const {
   }
 }
 
+bool DynamicTightCocone::is_smooth() const { return state_->is_smooth(state_->num_points); }
 bool DynamicTightCocone::is_certain() const { return state_->is_certain(state_->num_points); }
 
 IdVector<TriangleId, Triangle> DynamicTightCocone::triangles() const {
   assert(is_certain());
-  return state_->numbered_triangles();
+  return certain_triangles(state_->view());
 }
 
 }  // namespace cocoon

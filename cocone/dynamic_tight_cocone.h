@@ -67,17 +67,19 @@ class DynamicTightCocone {
     ReconstructResult result;
     std::optional<SurfaceEdit> edit;
   };
-  // As replace(), for a change that keeps the order of the points that stay. Where the surface
-  // stays certain and each point is a vertex of the mesh, before and after (vertex i: point i),
-  // only what the edit did is told. Precondition: points that stay are equal before and after.
-  // Complexity: then as the change of the triangulation, and a pass over the numbers of the points.
+  // As replace(), for a change that keeps the order of the points that stay. Where is_smooth()
+  // before and after, only what the edit did is told. Precondition: points that stay are equal
+  // before and after. Complexity: where the surface stays certain, as the change of the
+  // triangulation, and a pass over the numbers of the points.
   Edited edit(Points points, const ListEdit<PointId>& change, const Execution& execution = {},
               const KnownSidesSource& known = {});
   // Adds what an edit left out, but for the mesh. Precondition: the result is that of the points so
   // far, each a vertex of the mesh. Complexity: O(n).
   void complete(ReconstructResult& result) const;
-  // Whether the points so far are the vertices of a certain surface, each its own: what edit()
-  // asks for.
+  // Whether the points so far are known to be the vertices of a smooth mesh, vertex i point i:
+  // closed and connected, with one umbrella at each. What edit() asks for.
+  bool is_smooth() const;
+  // The same for a certain surface.
   bool is_certain() const;
   // Then its triangles by points, in canonical order. Complexity: O(n).
   IdVector<TriangleId, Triangle> triangles() const;

@@ -18,11 +18,12 @@ constexpr std::size_t triangles_per_chunk = std::size_t{1} << 14;
 class Walk {
  public:
   Walk(const Triangulation& triangulation, const LinkedFacets& candidates,
-       const VertexSet& umbrella, const Execution& execution)
+       const VertexSet& umbrella, FirstWalk first_walk, const Execution& execution)
       : triangulation_(triangulation),
         candidates_(candidates),
         umbrella_(umbrella),
         execution_(execution),
+        first_walk_(first_walk),
         states_(candidates.size(), walk_state::open),
         on_surface_(triangulation.num_vertices(), 0) {}
 
@@ -50,6 +51,7 @@ class Walk {
     for (std::uint8_t& state : states_) state = is_kept(state) ? 0 : 1;
     return std::move(states_);
   }
+  FirstWalk first_walk() const { return first_walk_; }
   std::size_t walks() const { return walks_; }
   std::size_t unwalked() const { return unwalked_; }
   std::size_t back_contacts() const { return back_contacts_; }
@@ -112,7 +114,8 @@ class Walk {
     };
     // Nearly always the first walk covers all: sort only what it leaves.
     const Half first = std::min_element(starts.begin(), starts.end(), earlier)->half;
-    if (walks_ > 0 || !reach_from(first)) walk(first);
+    const bool may_reach = walks_ == 0 && first_walk_ == FirstWalk::at_once;
+    if (!may_reach || !reach_from(first)) walk(first);
     std::erase_if(starts, [&](const Start& start) { return !may_start(start.half); });
     std::sort(starts.begin(), starts.end(), earlier);
     for (const Start& start : starts) {
@@ -126,7 +129,10 @@ class Walk {
   bool reach_from(Half start) {
     std::optional<std::vector<std::uint8_t>> states =
         walk_reach(triangulation_, candidates_, umbrella_, start, execution_);
-    if (!states) return false;
+    if (!states) {
+      first_walk_ = FirstWalk::in_rounds;
+      return false;
+    }
     ++walks_;
     states_ = std::move(*states);
     if (std::find(states_.begin(), states_.end(), walk_state::open) == states_.end()) return true;
@@ -254,6 +260,7 @@ class Walk {
   const LinkedFacets& candidates_;
   const VertexSet& umbrella_;
   const Execution& execution_;
+  FirstWalk first_walk_;
   std::vector<std::uint8_t> states_;  // per triangle
   VertexSet on_surface_;
   std::size_t walks_ = 0;
@@ -264,13 +271,15 @@ class Walk {
 }  // namespace
 
 ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
-                                 const VertexSet& umbrella, const Execution& execution) {
+                                 const VertexSet& umbrella, FirstWalk first_walk,
+                                 const Execution& execution) {
   report_progress(execution, "extract_manifold", 0);
   ManifoldSurface surface;
   std::vector<std::uint8_t> off_surface;
   {
-    Walk walk(triangulation, candidates, umbrella, execution);
+    Walk walk(triangulation, candidates, umbrella, first_walk, execution);
     walk.run();
+    surface.first_walk = walk.first_walk();
     surface.halves = walk.halves();
     surface.walks = walk.walks();
     surface.unwalked = walk.unwalked();
@@ -285,6 +294,12 @@ ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacet
   surface.halves.resize(surface.triangles.size());
   report_progress(execution, "extract_manifold", 1);
   return surface;
+}
+
+ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
+                                 const VertexSet& umbrella, const Execution& execution) {
+  return extract_manifold(triangulation, std::move(candidates), umbrella, FirstWalk::at_once,
+                          execution);
 }
 
 }  // namespace cocoon

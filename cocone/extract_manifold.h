@@ -20,6 +20,10 @@
 
 namespace cocoon {
 
+// How the first walk went, which makes no difference to its result: at once (walk_reach.h), or in
+// rounds because that was not possible.
+enum class FirstWalk { at_once, in_rounds };
+
 struct ManifoldSurface {
   LinkedFacets triangles;
   // Of each triangle, at its place: the facet seen from the side on which the walk came. Normals of
@@ -31,6 +35,7 @@ struct ManifoldSurface {
   // Times that a walk met a facet it had taken from its other side: 0 where the surface has two
   // sides, small where the candidates are torn, large where the surface is one-sided.
   std::size_t back_contacts = 0;
+  FirstWalk first_walk = FirstWalk::at_once;
 };
 
 // A walk goes in rounds: all facets kept in the last round turn about their edges at once; what is
@@ -50,5 +55,11 @@ struct ManifoldSurface {
 // rounds a tear does harm only where it is.
 ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
                                  const VertexSet& umbrella, const Execution& execution = {});
+
+// The same for who knows how it will go, for instance because nearly the same candidates went so
+// before: what will fail is not tried. Complexity: the same.
+ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
+                                 const VertexSet& umbrella, FirstWalk first_walk,
+                                 const Execution& execution = {});
 
 }  // namespace cocoon

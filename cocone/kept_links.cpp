@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geom/sort_ids.h"
+#include "geom/visit_where.h"
 
 namespace cocoon {
 namespace {
@@ -160,15 +161,16 @@ bool KeptLinks::is_kept(const FacetSet& facets, FacetId facet, FacetId mirror) c
 std::vector<FacetId> KeptLinks::new_facets(const Triangulation& triangulation,
                                            const FacetSet& facets) const {
   std::vector<FacetId> found;
-  for (const CellId c : triangulation.cells()) {
-    const unsigned here = facets.bits(c);
-    if ((here & ~unsigned{cells_[c]}) == 0 && cells_[c] < is_new) continue;
+  const auto is_changed = [&](std::size_t cell) {
+    const unsigned before = cells_[CellId(cell)];
+    return ((facets.bits(CellId(cell)) & ~before) | (before & is_new)) != 0;
+  };
+  visit_where(triangulation.num_cells(), is_changed, [&](std::size_t cell) {
     for (int i = 0; i < 4; ++i) {
-      const FacetId f = facet_id(c, i);
-      if (((here >> i) & 1U) == 0) continue;
-      found.push_back(triangulation.canonical(f));
+      const FacetId f = facet_id(CellId(cell), i);
+      if (facets.contains(f)) found.push_back(triangulation.canonical(f));
     }
-  }
+  });
   make_set(found);
   std::erase_if(found, [&](FacetId f) {
     const bool was_there = ((unsigned{cells_[cell_of(f)]} >> index_of(f)) & 1U) != 0;

@@ -6,6 +6,7 @@
 
 #include "geom/disjoint_sets.h"
 #include "geom/sort_ids.h"
+#include "geom/visit_where.h"
 
 namespace cocoon {
 namespace {
@@ -91,18 +92,24 @@ class Labeling {
   CellMarks& marks_;
 };
 
-// Whether each good vertex is joined to a good one on the hull by edges between good ones.
-bool hang_together_with_hull(const Triangulation& triangulation, const LinkedFacets& surface,
-                             const CellMarks& marks) {
-  DisjointSets sets(triangulation.num_vertices());
+// Joins good vertices by edges of the surface between them; returns how many parts there are.
+std::size_t join_good(const LinkedFacets& surface, const CellMarks& marks, DisjointSets& sets) {
   std::size_t parts = marks.good_vertices;
-  for (const Triangle& t : surface.corners) {
-    for (std::size_t i = 0; i < 3 && parts > 1; ++i) {
-      const VertexId a = t[i];
-      const VertexId b = t[next_corner(i)];
-      if ((marks.good[a] & marks.good[b]) != 0 && sets.join(a.value, b.value)) --parts;
-    }
+  const auto join = [&](VertexId a, VertexId b) {
+    if ((marks.good[a] & marks.good[b]) != 0 && sets.join(a.value, b.value)) --parts;
+  };
+  for (const auto& [a, b, c] : surface.corners) {
+    if (parts == 1) break;
+    join(a, b);
+    join(b, c);
+    if (marks.good[b] == 0) join(c, a);  // else these two are joined already
   }
+  return parts;
+}
+
+// Whether each of the parts has a good vertex on the hull.
+bool are_on_hull(const Triangulation& triangulation, const CellMarks& marks, std::size_t parts,
+                 DisjointSets& sets) {
   std::vector<std::uint32_t> seen;
   for (const CellId c : triangulation.infinite_cells()) {
     for (int i = 0; i < 3 && seen.size() < parts; ++i) {
@@ -156,6 +163,8 @@ CellMarks KeptMarks::mark(const Triangulation& triangulation,
     ++local_marks_;
   } else {
     marks = mark_cells(triangulation, surface, boundary, known, options, execution);
+    DisjointSets sets(triangulation.num_vertices());
+    parts_ = join_good(surface, *marks, sets);
   }
   keep(surface.set, *marks);
   return std::move(*marks);
@@ -175,7 +184,9 @@ std::optional<CellMarks> KeptMarks::go_on(const Input& input, const GoodVertexOp
   for (const CellId c : cells_.ids()) marks.labels[c] = label_of(cells_[c]);
   for (const CellId c : cells) marks.labels[c] = CellLabel::unmarked;
   if (!Labeling(input.triangulation, input.surface.set, marks).run(cells)) return {};
-  if (!hang_together_with_hull(input.triangulation, input.surface, marks)) return {};
+  DisjointSets sets(input.triangulation.num_vertices());
+  parts_ = join_good(input.surface, marks, sets);
+  if (!are_on_hull(input.triangulation, marks, parts_, sets)) return {};
   marks.visited = marks.good;
   marks.visited_vertices = marks.good_vertices;
   return marks;
@@ -184,9 +195,12 @@ std::optional<CellMarks> KeptMarks::go_on(const Input& input, const GoodVertexOp
 // New ones, and those where a facet of the surface came or went.
 std::vector<CellId> KeptMarks::changed_cells(const FacetSet& surface) const {
   std::vector<CellId> changed;
-  for (const CellId c : cells_.ids()) {
-    if ((cells_[c] & (facet_bits | is_new)) != surface.bits(c)) changed.push_back(c);
-  }
+  visit_where(
+      cells_.size(),
+      [&](std::size_t c) {
+        return (cells_[CellId(c)] & (facet_bits | is_new)) != surface.bits(CellId(c));
+      },
+      [&](std::size_t c) { changed.push_back(CellId(c)); });
   return changed;
 }
 

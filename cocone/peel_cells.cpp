@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cocone/facet_size.h"
+#include "geom/visit_where.h"
 
 namespace cocoon {
 namespace {
@@ -68,9 +69,9 @@ class Peeling {
   // before.
   std::size_t find_poor_cells() {
     std::size_t found = 0;
-    for (const CellId c : triangulation_.finite_cells()) {
-      if (marks_.labels[c] != CellLabel::unmarked || poor_[c] != 0) continue;
-      if (!is_poor(triangulation_, marks_.good, c)) continue;
+    visit_unmarked([&](CellId c) {
+      if (poor_[c] != 0 || triangulation_.is_infinite(c)) return;
+      if (!is_poor(triangulation_, marks_.good, c)) return;
       poor_[c] = 1;
       ++found;
       FacetId smallest = facet_id(c, 0);
@@ -82,8 +83,16 @@ class Peeling {
         smallest = facet_id(c, i);
       }
       stops_.insert(triangulation_, smallest);
-    }
+    });
     return found;
+  }
+
+  template <class Visit>
+  void visit_unmarked(const Visit& visit) const {
+    const std::vector<CellLabel>& labels = marks_.labels.raw();
+    visit_where(
+        labels.size(), [&](std::size_t c) { return labels[c] == CellLabel::unmarked; },
+        [&](std::size_t c) { visit(CellId(c)); });
   }
 
   // What is known to be OUT at samples that are nowhere on the surface. Elsewhere it is a pocket of
@@ -117,17 +126,25 @@ class Peeling {
   // flood goes on from those with an unmarked neighbor, or with a good vertex that had no turn.
   void reach_marked_cells() {
     const bool all_visited = marks_.visited_vertices == marks_.good_vertices;
-    for (const CellId c : triangulation_.cells()) {
-      if (marks_.labels[c] == CellLabel::out) {
-        marks_.reached[c] = 1;
-        if (!all_visited && has_unvisited_vertex(c)) stack_.push_back(c);
-      } else if (marks_.labels[c] == CellLabel::unmarked) {
-        for (int i = 0; i < 4; ++i) {
-          const CellId behind = triangulation_.neighbor(c, i);
-          if (marks_.labels[behind] == CellLabel::out) stack_.push_back(behind);
-        }
-      }
+    // Which cells are OUT cannot be foreseen: no branch depends on it.
+    for (const CellId c : marks_.labels.ids()) {
+      marks_.reached[c] = marks_.labels[c] == CellLabel::out ? 1 : 0;
     }
+    if (all_visited) return reach_unmarked_cells();
+    for (const CellId c : triangulation_.cells()) {
+      if (marks_.reached[c] != 0 && has_unvisited_vertex(c)) stack_.push_back(c);
+    }
+    reach_unmarked_cells();
+  }
+
+  // What lies beside them is where the flood goes on.
+  void reach_unmarked_cells() {
+    visit_unmarked([&](CellId c) {
+      for (int i = 0; i < 4; ++i) {
+        const CellId behind = triangulation_.neighbor(c, i);
+        if (marks_.labels[behind] == CellLabel::out) stack_.push_back(behind);
+      }
+    });
   }
 
   bool has_unvisited_vertex(CellId c) const {

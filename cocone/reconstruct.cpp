@@ -118,7 +118,7 @@ class Reconstruction {
     boundary_.count = result_.counters.boundary_samples;
     run_step(execution_, "cocone", [&](const Execution& nested) {
       surface_ = extract_manifold(*triangulation_, std::move(candidates.left), candidates.umbrella,
-                                  nested);
+                                  candidates.first_walk, nested);
     });
     count_surface();
   }
@@ -128,7 +128,7 @@ class Reconstruction {
     const KnownSidesSource nothing;
     const KnownSidesSource& sides = options_.mode == Mode::paper ? nothing : known;
     run_step(execution_, "tight", [&](const Execution& nested) {
-      if (marking_) return close_by(mark_by_caller(sides, nested), sides, nested);
+      if (live_ != nullptr) return close_by(mark_by_caller(sides, nested), sides, nested);
       GoodVertices good =
           good_vertices(surface_.triangles, boundary_.boundary, options_.good_vertices, nested);
       if (is_certain(*triangulation_, surface_, good, nested)) {
@@ -150,12 +150,16 @@ class Reconstruction {
       marks.known = known(*triangulation_, surface, execution).labels;
     }
     ReconstructCounters& counters = result_.counters;
-    counters.clean_up =
-        clean_up_cells(*triangulation_, poles_, marks, options_.clean_up, execution);
+    counters.clean_up = clean_up_cells(*triangulation_, poles_, marks, options_.clean_up,
+                                       live_ != nullptr ? &live_->cell_at : nullptr, execution);
     if (options_.keep_cavities) {
       counters.cavities = open_cavities(*triangulation_, surface, marks);
     }
-    deliver(surface_between(*triangulation_, marks, execution));
+    if (live_ != nullptr && has_umbrellas(marks) && live_->take_body(*triangulation_, marks)) {
+      result_.status = SurfaceStatus::ok;
+    } else {
+      deliver(surface_between(*triangulation_, marks, execution));
+    }
     counters.good_vertices = marks.good_vertices;
     counters.demoted_vertices = marks.folded.size();
     counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;
@@ -165,6 +169,20 @@ class Reconstruction {
     counters.poor_cells = marks.poor_cells;
     counters.deferred_seeds = marks.deferred_seeds;
     good_ = std::move(marks.good);
+  }
+
+  // Whether the boundary of the body is known to be one closed umbrella at each vertex: at good
+  // ones it is the surface that told all labels, and the clean-up has looked at the others and has
+  // found nothing to do.
+  bool has_umbrellas(const CellMarks& marks) const {
+    const CleanUpCounters& clean_up = result_.counters.clean_up;
+    const bool told = marks.rounds == 0 && marks.poor_cells == 0 && marks.known.empty() &&
+                      marks.visited_vertices == marks.good_vertices;
+    const bool all_good = marks.good_vertices == triangulation_->num_vertices();
+    const bool flawless = options_.clean_up.enabled && clean_up.undecided_cells == 0 &&
+                          clean_up.left_cells == 0 && clean_up.defects_before == 0 &&
+                          clean_up.unused_before == 0;
+    return told && (all_good || flawless) && result_.counters.cavities.cavities == 0;
   }
 
   // What close_by() would: nothing is left to be decided.
@@ -200,16 +218,17 @@ class Reconstruction {
     result_.mesh = {};
   }
 
-  // From now on this marks cells, and take_surface() has triangles.
-  void use(const Marking& marking) { marking_ = marking; }
+  // From now on this marks cells and is asked to take the body; take_surface() has triangles.
+  void use(const LiveStages& live) { live_ = &live; }
   // From now on what is found is kept for `stages`.
   void keep_stages(ReconstructStages& stages) { stages_ = &stages; }
   CoconeSurface take_surface() {
     CoconeSurface surface;
     surface.halves = std::move(surface_.halves);
     surface.good = std::move(good_);
+    surface.first_walk = surface_.first_walk;
     surface.umbrellas = result_.counters.good_vertices + result_.counters.demoted_vertices;
-    if (marking_) surface.triangles = std::move(surface_.triangles);
+    if (live_ != nullptr) surface.triangles = std::move(surface_.triangles);
     return surface;
   }
   ReconstructResult take_result() {
@@ -225,8 +244,8 @@ class Reconstruction {
 
  private:
   CellMarks mark_by_caller(const KnownSidesSource& known, const Execution& execution) const {
-    return marking_(*triangulation_, surface_.triangles, boundary_.boundary, known,
-                    options_.good_vertices, execution);
+    return live_->mark(*triangulation_, surface_.triangles, boundary_.boundary, known,
+                       options_.good_vertices, execution);
   }
 
   // A third as much memory as the triangulation has. What is left of the links is the set of
@@ -284,7 +303,7 @@ class Reconstruction {
   Poles poles_;
   ConeSides sides_;
   BoundarySamples boundary_;
-  Marking marking_;  // empty: mark_cells
+  const LiveStages* live_ = nullptr;  // none: mark_cells, and a mesh
   ManifoldSurface surface_;
   VertexSet good_;                                     // as the marks had them
   IdVector<VertexId, VertexId> triangulation_vertex_;  // of each vertex of the result
@@ -353,10 +372,10 @@ ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
                                          KnownCandidates candidates, Points points,
                                          const KnownSidesSource& known,
                                          const ReconstructOptions& options,
-                                         const Execution& execution, const Marking& marking,
+                                         const Execution& execution, const LiveStages& live,
                                          CoconeSurface& surface) {
   Reconstruction reconstruction(points, options, execution);
-  reconstruction.use(marking);
+  reconstruction.use(live);
   reconstruction.refer_to(triangulation);
   reconstruction.extract_from(std::move(candidates));
   reconstruction.close_surface(known);

@@ -11,6 +11,7 @@
 #include "cocone/boundary_samples.h"
 #include "cocone/clean_up_cells.h"
 #include "cocone/cocones.h"
+#include "cocone/extract_manifold.h"
 #include "cocone/facet_set.h"
 #include "cocone/linked_facets.h"
 #include "cocone/peel_cells.h"
@@ -150,6 +151,7 @@ struct CoconeSurface {
   std::vector<FacetId> halves;  // its facets, seen from the side of the walk
   VertexSet good;               // see umbrella.h; empty if nothing was marked
   std::size_t umbrellas = 0;    // vertices that it has one closed umbrella at, good or not
+  FirstWalk first_walk = FirstWalk::at_once;
   // Its facets linked; of reconstruct_tight_from only, and if anything was marked.
   LinkedFacets triangles;
 };
@@ -177,8 +179,9 @@ struct KnownCandidates {
   IdVector<VertexId, Vec3> normals;  // of the poles
   VertexSet boundary;
   VertexSet umbrella;
-  LinkedFacets left;             // candidates after pruning
-  ReconstructCounters counters;  // of these stages
+  LinkedFacets left;                          // candidates after pruning
+  ReconstructCounters counters;               // of these stages
+  FirstWalk first_walk = FirstWalk::at_once;  // as far as it can be told
 };
 
 // A way to what mark_cells gives (kept_marks.h).
@@ -186,12 +189,25 @@ using Marking = std::function<CellMarks(
     const Triangulation& triangulation, const LinkedFacets& surface, const VertexSet& boundary,
     const KnownSidesSource& known, const GoodVertexOptions& options, const Execution& execution)>;
 
+// Whoever takes a body instead of the mesh that bounds it (kept_body.h); false: does not want it.
+using BodyTaker = std::function<bool(const Triangulation& triangulation, const CellMarks& marks)>;
+
+// What is known of a triangulation that changes, and who wants what it gives.
+struct LiveStages {
+  const IdVector<VertexId, CellId>& cell_at;  // a cell at each vertex
+  Marking mark;
+  BodyTaker take_body;
+};
+
 // As reconstruct_tight_again of the triangulation, without these stages; fills in `surface`.
+// Where all labels come from good vertices, and each vertex has one closed umbrella of the body's
+// boundary, live.take_body is asked; if it takes the body the result has neither mesh nor anything
+// by vertex.
 ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
                                          KnownCandidates candidates, Points points,
                                          const KnownSidesSource& known,
                                          const ReconstructOptions& options,
-                                         const Execution& execution, const Marking& marking,
+                                         const Execution& execution, const LiveStages& live,
                                          CoconeSurface& surface);
 
 // The Cocone surface with its boundary: open where the cloud is. As above without "tight".

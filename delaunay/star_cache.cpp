@@ -15,7 +15,7 @@ constexpr std::size_t few = 1024;
 
 std::span<const CellId> StarCache::star(VertexId v) {
   if (all_.has_value()) return all_->star(v);
-  if (first_cell_.empty()) find_first_cells();
+  if (place_.empty()) begin();
   if (place_[v] == not_found) {
     place_[v] = static_cast<std::uint32_t>(stars_.size());
     stars_.push_back(collect(v));
@@ -64,11 +64,14 @@ std::vector<CellId> StarCache::cells_at(std::span<const VertexId> vertices) {
   return cells;
 }
 
-void StarCache::find_first_cells() {
-  const std::size_t count = triangulation_.num_vertices();
-  first_cell_.resize(count);
-  place_.resize(count, not_found);
+void StarCache::begin() {
+  place_.resize(triangulation_.num_vertices(), not_found);
   seen_ = ZeroedArray<CellId, std::uint8_t>(triangulation_.num_cells());
+  if (cell_at_ == nullptr) find_first_cells();
+}
+
+void StarCache::find_first_cells() {
+  first_cell_.resize(triangulation_.num_vertices());
   for (const CellId c : triangulation_.finite_cells()) {
     for (const VertexId v : triangulation_.cell(c).vertices) first_cell_[v] = c;
   }
@@ -76,7 +79,7 @@ void StarCache::find_first_cells() {
 
 // From cell to cell through the facets at v.
 std::vector<CellId> StarCache::collect(VertexId v) {
-  std::vector<CellId> cells{first_cell_[v]};
+  std::vector<CellId> cells{cell_at_ != nullptr ? (*cell_at_)[v] : first_cell_[v]};
   seen_[cells[0]] = 1;
   for (std::size_t next = 0; next < cells.size(); ++next) {
     const Cell& cell = triangulation_.cell(cells[next]);

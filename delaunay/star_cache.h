@@ -20,6 +20,10 @@ class StarCache {
  public:
   // Keeps a reference, which must outlive the object. O(1); the first question costs O(cells).
   explicit StarCache(const Triangulation& triangulation) : triangulation_(triangulation) {}
+  // The same for who knows a cell at each vertex, which must stay so: the first question costs
+  // O(vertices). None: not known.
+  StarCache(const Triangulation& triangulation, const IdVector<VertexId, CellId>* cell_at)
+      : triangulation_(triangulation), cell_at_(cell_at) {}
 
   // All cells, finite and infinite, that have v as a vertex, in increasing order. Valid as long as
   // the object. O(star log star) the first time, then O(1). When a sixteenth of all stars (and
@@ -41,11 +45,13 @@ class StarCache {
   bool are_many(std::size_t count) const;
   // The same of their cells, counted at each vertex.
   bool are_many_cells(std::size_t count) const;
+  void begin();
   void find_first_cells();
   std::vector<CellId> collect(VertexId v);
 
   const Triangulation& triangulation_;
-  IdVector<VertexId, CellId> first_cell_;
+  const IdVector<VertexId, CellId>* cell_at_ = nullptr;
+  IdVector<VertexId, CellId> first_cell_;    // if there are none
   IdVector<VertexId, std::uint32_t> place_;  // in stars_
   std::deque<std::vector<CellId>> stars_;
   std::size_t cells_of_stars_ = 0;  // with multiplicity

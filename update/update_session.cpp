@@ -72,6 +72,7 @@ UpdateSession::UpdateSession(Points points, const UpdateOptions& options,
   reconstruction_ = surface_.reconstruct(points, execution, known);
   model_ = std::move(reconstruction_.mesh);
   reconstruction_.mesh = {};
+  model_is_surface_ = true;
   points_are_vertices_ = model_.points.size() == points.size();
   if (points_are_vertices_) return;
   points_.assign(points.begin(), points.end());
@@ -99,6 +100,7 @@ UpdateSession::UpdateSession(SessionSnapshot snapshot, const UpdateOptions& opti
   require(surface_.triangles() == model_.triangles, "the model is not the surface of its points");
   require(index_.emplace(ModelIndex::of_smooth(model_)).is_really_smooth(),
           "the model is not a closed surface without contacts");
+  model_is_surface_ = true;
 }
 
 // If they tell nothing: each point is the vertex in its place.
@@ -139,10 +141,10 @@ ReconstructResult UpdateSession::reconstruction() const {
 }
 
 const ModelIndex& UpdateSession::index() {
-  const bool certain = surface_.is_certain() && points_are_vertices_;
-  if (!index_ && !certain) return index_.emplace(model_);
+  const bool smooth = is_smooth();
+  if (!index_ && !smooth) return index_.emplace(model_);
   if (!index_) return index_.emplace(ModelIndex::of_smooth(model_));
-  if (certain && !index_->can_edit()) index_->prepare_for_edits();
+  if (smooth && !index_->can_edit()) index_->prepare_for_edits();
   return *index_;
 }
 
@@ -166,11 +168,12 @@ std::vector<PointId> UpdateSession::positions_after(const Replacement& replaceme
   return after;
 }
 
-// If all points are vertices, and no two of those that stay are one: what goes, and what comes
-// behind all the others.
+// If the model is the surface, all points are vertices, and no two of those that stay are one: what
+// goes, and what comes behind all the others.
 std::optional<ListEdit<PointId>> UpdateSession::edit_of_points(
     const Replacement& replacement) const {
-  if (!points_are_vertices_ || !replacement.kept_are_distinct) return {};
+  if (!model_is_surface_ || !points_are_vertices_) return {};
+  if (!replacement.kept_are_distinct) return {};
   ListEdit<PointId> edit;
   edit.removed.reserve(replacement.removed.size());
   for (const VertexId v : replacement.removed) edit.removed.push_back(PointId(v.value));
@@ -216,7 +219,7 @@ SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
       [&](const Replacement& replacement, const KnownSidesSource& known, const Execution& nested) {
         return reconstruct(replacement, known, nested, pending);
       },
-      surface_.is_certain()};
+      is_smooth()};
   SessionUpdate update;
   try {
     update.result = update_model(model_, clouds, parts, options_, execution);
@@ -262,7 +265,7 @@ void UpdateSession::keep_edit(SessionUpdate& update, Pending pending) {
   push(result.reconstruction, std::move(edit));
 }
 
-// From one certain surface to the next one, with these points.
+// From one smooth mesh to the next one, with these points.
 MeshChange UpdateSession::carry_out(const MeshEdit& edit, std::vector<Point> points,
                                     IdVector<VertexId, VertexId> vertex_map) {
   MeshChange change;
@@ -291,6 +294,7 @@ void UpdateSession::keep_body(SessionUpdate& update, std::vector<PointId> positi
   before.points = std::exchange(points_, std::exchange(result.replacement.points, {}));
   before.point_of_vertex = std::exchange(point_of_vertex_, result.reconstruction.point_of_vertex);
   before.points_are_vertices = points_are_vertices_;
+  before.is_surface = std::exchange(model_is_surface_, true);
   forget_points_of_vertices();
   // Equal points were merged, so those of the new model differ.
   index_ = ModelIndex(model_, IndexBefore{*index_, before.model, update.change, true});
@@ -337,6 +341,7 @@ MeshChange UpdateSession::undo_to(Body& before, const Execution& execution) {
   }
   points_ = std::move(before.points);
   points_are_vertices_ = before.points_are_vertices;
+  model_is_surface_ = before.is_surface;
   point_of_vertex_ = std::move(before.point_of_vertex);
   return change;
 }

@@ -101,7 +101,7 @@ class UpdateSession {
   SessionSnapshot release() &&;
 
   // Updates that can be taken back; each holds what went and came, or a copy of the model if its
-  // surface was not certain.
+  // surface was neither certain nor smooth.
   static constexpr std::size_t max_undo_levels = 16;
 
  private:
@@ -110,6 +110,7 @@ class UpdateSession {
     TriangleMesh model;
     std::vector<Point> points;
     bool points_are_vertices = false;
+    bool is_surface = false;  // see model_is_surface_
     IdVector<VertexId, PointId> point_of_vertex;
     IdVector<VertexId, VertexId> next_vertex;  // of the model, in the one after it
     std::vector<PointId> position_after;       // of each point, among those after
@@ -128,6 +129,10 @@ class UpdateSession {
     std::vector<PointId> position_after;                     // if edit() was not asked
   };
 
+  // Whether the model is known to be a smooth mesh, and its points those of the surface.
+  bool is_smooth() const {
+    return model_is_surface_ && points_are_vertices_ && surface_.is_smooth();
+  }
   const ModelIndex& index();
   void take_points_of_model();
   PointId point_of_vertex(VertexId v) const {
@@ -152,6 +157,7 @@ class UpdateSession {
 
   UpdateOptions options_;
   TriangleMesh model_;
+  bool model_is_surface_ = false;     // it is the mesh of surface_, and not one that was given
   bool points_are_vertices_ = false;  // point i is vertex i of the model, and there are no others
   std::vector<Point> points_;         // if not
   IdVector<VertexId, PointId> point_of_vertex_;  // if not

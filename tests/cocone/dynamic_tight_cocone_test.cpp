@@ -6,10 +6,12 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geom/errors.h"
+#include "geom/list_edit.h"
 #include "geom/random.h"
 #include "tests/cocone/equal_reconstructions.h"
 #include "tests/gallery.h"
@@ -209,6 +211,95 @@ TEST(DynamicTightCocone, ASurfaceBecomesCertainAgain) {
   is_local_and_equal(cocone, changing, expected);
   changing.change([](const Point& p) { return p.z > 0.99; }, {});
   EXPECT_TRUE(is_local_and_equal(cocone, changing, expected));
+}
+
+// Carries an edit out and returns the whole result, if only what it did was told.
+std::optional<ReconstructResult> edited(DynamicTightCocone& cocone, const TriangleMesh& before,
+                                        const std::vector<Point>& points,
+                                        const ListEdit<PointId>& change) {
+  DynamicTightCocone::Edited done = cocone.edit(points, change);
+  if (!done.edit) return {};
+  EXPECT_TRUE(done.result.mesh.triangles.empty());
+  TriangleMesh& mesh = done.result.mesh;
+  mesh.points = IdVector<VertexId, Point>(points);
+  const IdVector<PointId, PointId> after = places_after(change, before.points.size());
+  for (const Triangle& t : before.triangles) {
+    Triangle now;
+    bool stays = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& touched = done.edit->touched;
+      stays = stays && !std::binary_search(touched.begin(), touched.end(), t[i]);
+      now[i] = VertexId(after[PointId(t[i].value)].value);
+    }
+    if (stays) mesh.triangles.push_back(now);
+  }
+  for (const Triangle& t : done.edit->triangles) mesh.triangles.push_back(t);
+  canonicalize_triangles(mesh);
+  cocone.complete(done.result);
+  return std::move(done.result);
+}
+
+// How many edits told what they did, of certain surfaces and of others.
+struct ToldEdits {
+  std::size_t certain = 0;
+  std::size_t others = 0;
+};
+
+// As change_here_and_there, by edits; each is taken back, and sometimes done again.
+ToldEdits edit_here_and_there(std::vector<Point> points, double noise, std::uint64_t seed) {
+  const std::size_t n = points.size();
+  Random random(seed);
+  DynamicTightCocone cocone;
+  ReconstructResult expected = cocone.reconstruct(points);
+  ToldEdits told;
+  const auto edit_and_compare = [&](const std::vector<Point>& next,
+                                    const ListEdit<PointId>& change) {
+    const bool was_smooth = cocone.is_smooth();
+    const std::optional<ReconstructResult> actual = edited(cocone, expected.mesh, next, change);
+    expected = reconstruct_tight(next, cocone.options());
+    if (!actual) return;
+    EXPECT_TRUE(was_smooth);
+    expect_equal_reconstruction(*actual, expected);
+    ++(cocone.is_certain() ? told.certain : told.others);
+  };
+  for (std::size_t step = 0; step < 30 * test::long_factor(); ++step) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", step " + std::to_string(step));
+    const Point center = points[random.below(points.size())];
+    const double reach = spacing_on_sphere(n) * (1 + 2 * random.uniform());
+    std::vector<Point> next;
+    ListEdit<PointId> change;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (distance(points[i], center) < reach && random.below(2) == 0) {
+        change.removed.push_back(PointId(i));
+        change.added.push_back(PointId(next.size()));
+        next.push_back(points[i] + noise * spacing_on_sphere(n) * random.on_unit_sphere());
+      } else {
+        next.push_back(points[i]);
+      }
+    }
+    edit_and_compare(next, change);
+    const bool stays = random.below(2) == 0;
+    if (!stays) edit_and_compare(points, change.reversed());
+    if (stays) points = std::move(next);
+    if (::testing::Test::HasFailure()) return told;
+  }
+  return told;
+}
+
+// Where the surface is not certain the body tells what an edit did to the mesh.
+TEST(DynamicTightCocone, EditsTellWhatTheyDid) {
+  ToldEdits told;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const double noise = 0.2 + 0.05 * static_cast<double>(seed % 5);
+    Random random(seed);
+    std::vector<Point> points = gallery::even_sphere(400);
+    for (Point& p : points) p = p + noise * spacing_on_sphere(400) * random.on_unit_sphere();
+    const ToldEdits more = edit_here_and_there(std::move(points), 0.2, seed);
+    told = {told.certain + more.certain, told.others + more.others};
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(told.certain, 100U);
+  EXPECT_GT(told.others, 20U);
 }
 
 struct StopAfter : Progress {

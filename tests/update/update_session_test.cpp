@@ -1,6 +1,7 @@
 // A session gives what starting over gives, after whatever came before.
 #include "update/update_session.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
@@ -124,6 +125,22 @@ TEST(UpdateSession, RandomStepsOnCadPoints) {
   const TriangleMesh part = read_mesh(std::string(COCOON_TEST_DATA) + "/models/anchor_dense.off");
   UpdateSession session(part.points.span());
   EXPECT_GT(run_steps(session, 12, 5), 1U);
+}
+
+// Its triangles may be in any order, also when it comes back.
+TEST(UpdateSession, AMeshThatWasGivenIsNoReconstruction) {
+  Random random(8);
+  TriangleMesh mesh = reconstruct_tight(gallery::even_sphere(700)).mesh;
+  std::reverse(mesh.triangles.begin(), mesh.triangles.end());
+  UpdateSession session(mesh);
+  for (int step = 0; step < 5; ++step) {
+    const double edge = mean_edge(mesh);
+    const VertexId center(random.below(mesh.points.size()));
+    EXPECT_TRUE(apply_and_compare(
+        session, {scan_of(mesh, center, 6 * edge, 0.1 * edge, 0.15 * edge, random)}, {}));
+    session.undo();
+    EXPECT_TRUE(session.model() == mesh);
+  }
 }
 
 TEST(UpdateSession, GoesOnFromASnapshot) {

@@ -1,0 +1,39 @@
+// A change of points as one of a triangulation.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "delaunay/dynamic_delaunay.h"
+#include "delaunay/renumbering.h"
+#include "geom/id_vector.h"
+#include "geom/ids.h"
+#include "geom/list_edit.h"
+#include "geom/point.h"
+
+namespace cocoon {
+
+// What a change of the triangulation does to the points, and how to take it back.
+struct PointStep {
+  std::vector<VertexId> removed;
+  std::vector<Point> removed_points;
+  std::vector<PointId> inserted;  // positions among the new points
+  std::vector<Point> inserted_points;
+  IdVector<PointId, VertexId> vertex_of_point;  // none: to be inserted
+  std::vector<Renumbering::Move> moved;         // vertices, after the change
+  std::size_t slots = 0;                        // of vertices, before they moved
+};
+
+// From the points that have these vertices to others; old_position[i]: where points[i] was, none if
+// it is new. Complexity: O(n), a look at each point.
+PointStep plan_step(const DynamicDelaunay& delaunay,
+                    const IdVector<PointId, VertexId>& vertex_of_point, Points points,
+                    std::span<const PointId> old_position);
+// The same for points that stay in their order. Precondition: each vertex has one point.
+// Complexity: O(change), and a copy of vertex_of_point.
+PointStep plan_step(const DynamicDelaunay& delaunay,
+                    const IdVector<PointId, VertexId>& vertex_of_point, Points points,
+                    const ListEdit<PointId>& change);
+
+}  // namespace cocoon
