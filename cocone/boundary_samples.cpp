@@ -40,13 +40,9 @@ struct Conditions {
   // Calls visit(p, q, agree) for p in N_q as facet k tells it, with what their normals do.
   template <class Visit>
   void for_each_neighbor(std::size_t k, Visit visit) const {
-    const Triangle& corners = cocones.corners[k];
-    const auto agree = [&](std::size_t i) { return (doubts[k] >> (3 + i) & 1U) == 0; };
-    for (unsigned met = cocones.met_corners(k); met != 0; met &= met - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(met));
-      visit(corners[next_corner(i)], corners[i], agree(i));
-      visit(corners[previous_corner(i)], corners[i], agree(previous_corner(i)));
-    }
+    for_each_cocone_neighbor(cocones, k, [&](VertexId p, VertexId q, std::size_t i) {
+      visit(p, q, (doubts[k] >> (3 + i) & 1U) == 0);
+    });
   }
 };
 

@@ -77,15 +77,15 @@ inline bool normals_agree(const Poles& poles, VertexId p, VertexId q,
   return std::abs(dot(poles.normals[p], poles.normals[q])) >= options.alpha_cosine;
 }
 
-// Calls visit(p, q) for p in N_q as facet k of `cocones` tells it; a pair may come up for several
-// facets.
+// Calls visit(p, q, i) for p in N_q as facet k of `cocones` tells it, these being its corners i and
+// i + 1 (modulo 3) in one order or the other; a pair may come up for several facets.
 template <class Visit>
 void for_each_cocone_neighbor(const Cocones& cocones, std::size_t k, Visit visit) {
   const Triangle& corners = cocones.corners[k];
   for (unsigned met = cocones.met_corners(k); met != 0; met &= met - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(met));
-    visit(corners[next_corner(i)], corners[i]);
-    visit(corners[previous_corner(i)], corners[i]);
+    visit(corners[next_corner(i)], corners[i], i);
+    visit(corners[previous_corner(i)], corners[i], previous_corner(i));
   }
 }
 

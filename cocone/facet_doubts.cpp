@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "geom/vector_dispatch.h"
 
@@ -12,27 +13,25 @@
 // clang-format off: must come after foreach_target.h
 #include <hwy/highway.h>
 
-#include "geom/vector_lanes-inl.h"
+#include "delaunay/gather-inl.h"
 // clang-format on
 
-#ifndef COCOON_FACET_BATCH
-#define COCOON_FACET_BATCH
+#ifndef COCOON_JUDGED_FACETS
+#define COCOON_JUDGED_FACETS
 namespace cocoon::facet_doubts_detail {
 
-inline constexpr std::size_t batch_size = circumcenter_batch_size;
-
-// Facets in SIMD lanes, by corner.
-struct FacetBatch {
-  alignas(64) std::array<BatchOfPoints, 3> corners;
-  alignas(64) std::array<BatchOfPoints, 3> normals;
-  alignas(64) std::array<std::array<double, batch_size>, 3> squared_limits;  // (rho h_p)^2
-  // Out: byte i = doubts of facet i, whatever cocones it meets.
-  std::array<FacetDoubts, batch_size> doubts;
+// Facets by their corners, and what is known of these.
+struct JudgedFacets {
+  std::span<const Triangle> facets;
+  const Point* points;
+  const Vec3* normals;
+  const double* heights;
 };
 
 struct Limits {
   double alpha_cosine;
   double cone_cosine;
+  double rho;
   RadiusMode mode;
 };
 
@@ -50,6 +49,45 @@ using namespace facet_doubts_detail;
 constexpr double least_squared_sine = 0x1p-20;
 constexpr double room = 1 + 0x1p-10;
 
+// What facets look at is asked for so many facets before: later the processor would wait for it.
+constexpr std::size_t facets_ahead = 48;
+
+// The facets k, k + 1, ... in lanes, by corner; the last facet stands for those behind it.
+struct Corners {
+  std::array<Vectors, 3> points;
+  std::array<Vectors, 3> normals;
+  std::array<Vector, 3> heights;
+};
+
+template <class FacetAt>
+HWY_INLINE Corners gather_corners(const JudgedFacets& judged, FacetAt facet_at) {
+  const Lanes d;
+  Corners corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto vertex_at = [&](std::size_t lane) { return facet_at(lane)[i].index(); };
+    corners.points[i] = gather([&](std::size_t lane) { return &judged.points[vertex_at(lane)].x; });
+    corners.normals[i] =
+        gather([&](std::size_t lane) { return &judged.normals[vertex_at(lane)].x; });
+    alignas(64) std::array<double, circumcenter_batch_size> heights;
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+      heights[lane] = judged.heights[vertex_at(lane)];
+    }
+    corners.heights[i] = hn::Load(d, heights.data());
+  }
+  return corners;
+}
+
+HWY_INLINE Corners corners_of(const JudgedFacets& judged, std::size_t k) {
+  const std::size_t count = judged.facets.size();
+  if (k + hn::Lanes(Lanes()) <= count) {
+    return gather_corners(judged,
+                          [&](std::size_t i) -> const Triangle& { return judged.facets[k + i]; });
+  }
+  return gather_corners(judged, [&](std::size_t i) -> const Triangle& {
+    return judged.facets[std::min(k + i, count - 1)];
+  });
+}
+
 // The circumcircle of each facet.
 struct Circles {
   Vectors first;   // the lexicographically smallest corner
@@ -60,10 +98,9 @@ struct Circles {
   Mask is_sound;  // not thin
 };
 
-HWY_INLINE Circles circles_of(const FacetBatch& batch, std::size_t lane) {
+HWY_INLINE Circles circles_of(const Corners& corners) {
   const Lanes d;
-  Vectors p = load(batch.corners[0], lane), q = load(batch.corners[1], lane);
-  Vectors r = load(batch.corners[2], lane);
+  auto [p, q, r] = corners.points;
   order(p, q);
   order(q, r);
   order(p, q);
@@ -114,35 +151,52 @@ HWY_INLINE Mask surely_within_in_cocone(const Circles& circles, Vector along, Ve
       steep, hn::Lt(hn::Mul(hn::Set(d, room), squared_length), hn::Mul(limit, squared_steepness)));
 }
 
-void judge_batch(FacetBatch& batch, const Limits& limits) {
+// Byte i: bit i of the doubts of each of the facets in lanes, whatever cocones they meet.
+HWY_INLINE std::uint64_t doubts_in_lanes(const Corners& corners, const Limits& limits) {
   const Lanes d;
   const Vector cone_cosine = hn::Set(d, limits.cone_cosine);
   const Vector alpha_cosine = hn::Set(d, limits.alpha_cosine);
-  std::uint64_t doubts = 0;  // byte i: bit i of the doubts of each facet
-  for (std::size_t first = 0; first < batch_size; first += hn::Lanes(d)) {
-    const Circles circles = circles_of(batch, first);
-    std::array<Vectors, 3> normals;
-    for (std::size_t i = 0; i < 3; ++i) {
-      normals[i] = load(batch.normals[i], first);
-      const Vectors from_first = minus(load(batch.corners[i], first), circles.first);
-      const Vector along = dot(minus(circles.offset, from_first), normals[i]);
-      const Vector tilt = dot(circles.normal, normals[i]);
-      const Vector limit = hn::Load(d, &batch.squared_limits[i][first]);
-      const Mask within = limits.mode == RadiusMode::tangent_plane
-                              ? surely_within_in_plane(circles, along, tilt, limit)
-                              : surely_within_in_cocone(circles, along, tilt, limit, cone_cosine);
-      doubts |= std::uint64_t{lane_bits(hn::Not(hn::And(circles.is_sound, within)))}
-                << (8 * i + first);
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vector cosine = dot(normals[i], normals[(i + 1) % 3]);
-      const Mask agree = hn::Ge(hn::Abs(cosine), alpha_cosine);
-      doubts |= std::uint64_t{lane_bits(hn::Not(agree))} << (8 * (3 + i) + first);
+  const Circles circles = circles_of(corners);
+  const auto& normals = corners.normals;
+  std::uint64_t doubts = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vectors from_first = minus(corners.points[i], circles.first);
+    const Vector along = dot(minus(circles.offset, from_first), normals[i]);
+    const Vector tilt = dot(circles.normal, normals[i]);
+    const Vector height = hn::Mul(hn::Set(d, limits.rho), corners.heights[i]);
+    const Vector limit = hn::Mul(height, height);
+    const Mask within = limits.mode == RadiusMode::tangent_plane
+                            ? surely_within_in_plane(circles, along, tilt, limit)
+                            : surely_within_in_cocone(circles, along, tilt, limit, cone_cosine);
+    doubts |= std::uint64_t{lane_bits(hn::Not(hn::And(circles.is_sound, within)))} << (8 * i);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector cosine = dot(normals[i], normals[(i + 1) % 3]);
+    const Mask agree = hn::Ge(hn::Abs(cosine), alpha_cosine);
+    doubts |= std::uint64_t{lane_bits(hn::Not(agree))} << (8 * (3 + i));
+  }
+  return doubts;
+}
+
+HWY_INLINE void ask_for(const JudgedFacets& judged, std::size_t first, std::size_t end) {
+  for (std::size_t k = first; k < end; ++k) {
+    for (const VertexId v : judged.facets[k]) {
+      __builtin_prefetch(&judged.points[v.index()]);
+      __builtin_prefetch(&judged.normals[v.index()]);
+      __builtin_prefetch(&judged.heights[v.index()]);
     }
   }
-  doubts = transposed_bits(doubts);
-  for (std::size_t i = 0; i < batch_size; ++i) {
-    batch.doubts[i] = static_cast<FacetDoubts>(doubts >> (8 * i));
+}
+
+// Of each facet, whatever cocones it meets.
+void judge_facets(const JudgedFacets& judged, const Limits& limits, FacetDoubts* doubts) {
+  const std::size_t count = judged.facets.size();
+  for (std::size_t k = 0; k < count; k += hn::Lanes(Lanes())) {
+    ask_for(judged, k + facets_ahead, std::min(k + facets_ahead + hn::Lanes(Lanes()), count));
+    const std::uint64_t bytes = transposed_bits(doubts_in_lanes(corners_of(judged, k), limits));
+    for (std::size_t i = 0; i < std::min(hn::Lanes(Lanes()), count - k); ++i) {
+      doubts[k + i] = static_cast<FacetDoubts>(bytes >> (8 * i));
+    }
   }
 }
 
@@ -153,49 +207,25 @@ HWY_AFTER_NAMESPACE();
 
 namespace cocoon {
 
-COCOON_VECTOR_EXPORT(judge_batch);
-
-namespace {
-
-using namespace facet_doubts_detail;
-
-constexpr std::size_t facets_per_chunk = 2048;
-
-void put(const Vec3& value, std::size_t lane, BatchOfPoints& batch) {
-  batch[0][lane] = value.x;
-  batch[1][lane] = value.y;
-  batch[2][lane] = value.z;
-}
-
-}  // namespace
+COCOON_VECTOR_EXPORT(judge_facets);
 
 std::vector<FacetDoubts> facet_doubts(const Triangulation& triangulation, const Poles& poles,
                                       const Cocones& cocones, const BoundaryOptions& options,
                                       const Execution& execution) {
-  const Limits limits{options.alpha_cosine, cocones.cosine, options.radius_mode};
-  const std::size_t count = cocones.facets.size();
-  std::vector<FacetDoubts> doubts(count);
+  using namespace facet_doubts_detail;
+  constexpr std::size_t facets_per_chunk = 2048;
+  const Limits limits{options.alpha_cosine, cocones.cosine, options.rho, options.radius_mode};
+  std::vector<FacetDoubts> doubts(cocones.facets.size());
   const auto judge = [&](std::size_t begin, std::size_t end) {
-    FacetBatch batch;
-    for (std::size_t first = begin; first < end; first += batch_size) {
-      for (std::size_t lane = 0; lane < batch_size; ++lane) {
-        const Triangle& corners = cocones.corners[std::min(first + lane, end - 1)];
-        for (std::size_t i = 0; i < 3; ++i) {
-          const VertexId v = corners[i];
-          const double limit = options.rho * poles.heights[v];
-          put(triangulation.point(v), lane, batch.corners[i]);
-          put(poles.normals[v], lane, batch.normals[i]);
-          batch.squared_limits[i][lane] = limit * limit;
-        }
-      }
-      COCOON_VECTOR_CALL(judge_batch)(batch, limits);
-      for (std::size_t k = first; k < std::min(first + batch_size, end); ++k) {
-        doubts[k] = static_cast<FacetDoubts>(batch.doubts[k - first] &
-                                             (cocones.met_corners(k) | normals_disagree));
-      }
+    const JudgedFacets judged{std::span(cocones.corners).subspan(begin, end - begin),
+                              triangulation.points().raw().data(), poles.normals.raw().data(),
+                              poles.heights.raw().data()};
+    COCOON_VECTOR_CALL(judge_facets)(judged, limits, &doubts[begin]);
+    for (std::size_t k = begin; k < end; ++k) {
+      doubts[k] &= static_cast<FacetDoubts>(cocones.met_corners(k) | normals_disagree);
     }
   };
-  parallel_chunks(execution, count, facets_per_chunk, judge);
+  parallel_chunks(execution, doubts.size(), facets_per_chunk, judge);
   return doubts;
 }
 

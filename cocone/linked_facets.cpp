@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "cocone/corner_normals.h"
 #include "geom/parallel_list.h"
 #include "geom/sort_by_vertex.h"
 
@@ -12,35 +13,6 @@ namespace cocoon {
 namespace {
 
 constexpr std::size_t triangles_per_chunk = 2048;
-
-// Which is nearly always told by x: a branch that is foreseen, and none on the answer.
-bool precedes(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a < b; }
-
-// How three corners are put in order, by the answers to 0 < 1, 1 < 2 and 0 < 2.
-struct CornerOrder {
-  std::array<std::uint8_t, 3> corners;
-  double sign;  // -1: they are turned
-};
-constexpr std::array<CornerOrder, 8> corner_orders = {{{{2, 1, 0}, -1},
-                                                       {{2, 0, 1}, 1},
-                                                       {{1, 2, 0}, 1},
-                                                       {{}, 1},
-                                                       {{}, 1},
-                                                       {{0, 2, 1}, -1},
-                                                       {{1, 0, 2}, -1},
-                                                       {{0, 1, 2}, 1}}};
-
-// The unit normal of the corners in lexicographic order, turned as the corners run.
-Vec3 oriented_normal(const IdVector<VertexId, Point>& points, const Triangle& corners) {
-  const std::array<const Point*, 3> p = {&points[corners[0]], &points[corners[1]],
-                                         &points[corners[2]]};
-  const unsigned answers = (precedes(*p[0], *p[1]) ? 1U : 0U) | (precedes(*p[1], *p[2]) ? 2U : 0U) |
-                           (precedes(*p[0], *p[2]) ? 4U : 0U);
-  const CornerOrder& order = corner_orders[answers];
-  const Point& first = *p[order.corners[0]];
-  const Vec3 normal = unit(cross(*p[order.corners[1]] - first, *p[order.corners[2]] - first));
-  return order.sign * normal;
-}
 
 VertexId smallest(const Triangle& corners) {
   return std::min({corners[0], corners[1], corners[2]});
@@ -100,9 +72,7 @@ void find_normals(const IdVector<VertexId, Point>& points, LinkedFacets& triangl
   triangles.normals.resize(triangles.size());
   parallel_chunks(execution, triangles.size(), triangles_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t t = begin; t < end; ++t) {
-                      triangles.normals[t] = oriented_normal(points, triangles.corners[t]);
-                    }
+                    corner_normals(points, triangles.corners, begin, end, triangles.normals);
                   });
 }
 

@@ -229,7 +229,7 @@ std::vector<VertexId> LiveCandidates::judge(Part& part, const Execution& executi
   std::vector<VertexId> failing;
   for (std::size_t k = 0; k < part.cocones.facets.size(); ++k) {
     if (!part.has(patch.is_core, part.cocones.facets[k])) continue;
-    for_each_cocone_neighbor(part.cocones, k, [&](VertexId p, VertexId q) {
+    for_each_cocone_neighbor(part.cocones, k, [&](VertexId p, VertexId q, std::size_t) {
       if (patch.is_core[p] != 0 || part.states[p] != SampleState::interior) return;
       if (normals_agree(part.poles, p, q, options_.boundary)) return;
       failing.push_back(patch.vertex_in_whole[p]);
@@ -248,7 +248,7 @@ std::vector<VertexId> LiveCandidates::take_in(Part& part) const {
   std::vector<Support> supports;
   for (std::size_t k = 0; k < part.cocones.facets.size(); ++k) {
     if (!part.has(patch.is_core, part.cocones.facets[k])) continue;
-    for_each_cocone_neighbor(part.cocones, k, [&](VertexId p, VertexId q) {
+    for_each_cocone_neighbor(part.cocones, k, [&](VertexId p, VertexId q, std::size_t) {
       if (part.states[p] != SampleState::pending) return;
       if (part.states[q] == SampleState::ratio_fails) return;
       if (normals_agree(part.poles, p, q, options_.boundary)) supports.push_back({p, q});

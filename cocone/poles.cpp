@@ -119,8 +119,8 @@ void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& p
   const double squared_cosine = sides != nullptr ? sides->cosine * sides->cosine : 0;
   SharedMaxima squared(count, execution);
   const ReadSoon soon{poles.normals.raw().data(), squared.values()};
-  // Calls visit(cell, lower arms, k) for cell k of a block; corners with arms of extreme lengths
-  // are left to visit_unsafe(c, p).
+  // Calls visit(cells, lower arms) for blocks of cells; corners with arms of extreme lengths are
+  // left to visit_unsafe(c, p).
   const auto for_each_lower_arm = [&](auto visit, auto visit_unsafe) {
     const auto visit_cells = [&](std::size_t begin, std::size_t end) {
       CellBlock block;
@@ -131,12 +131,12 @@ void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& p
         if (sides != nullptr) {
           take_cone_sides(triangulation, dual, poles.normals, arms, first, size, *sides);
         }
+        const auto cells = triangulation.cell_records().span().subspan(first.index(), size);
+        visit(cells, arms.lower);
         for (std::size_t k = 0; k < size; ++k) {
-          const CellId c(first.index() + k);
-          const Cell& cell = triangulation.cell(c);
-          visit(cell, arms.lower, k);
           for (unsigned rest = arms.unsafe[k]; rest != 0; rest &= rest - 1) {
-            visit_unsafe(c, cell.vertices[static_cast<std::size_t>(std::countr_zero(rest))]);
+            const auto j = static_cast<std::size_t>(std::countr_zero(rest));
+            visit_unsafe(CellId(first.index() + k), cells[k].vertices[j]);
           }
         }
       });
@@ -147,8 +147,8 @@ void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& p
     return dot(arm.safe(), poles.normals[p]) < 0;
   };
   std::atomic<bool> any_far = false;
-  const auto raise_all = [&](const Cell& cell, const SquaredArms& lower, std::size_t k) {
-    for (std::size_t j = 0; j < 4; ++j) squared.raise(cell.vertices[j], lower.at(k, j));
+  const auto raise_all = [&](std::span<const Cell> cells, const SquaredArms& lower) {
+    squared.raise_corners(cells, [&](std::size_t k, std::size_t j) { return lower.at(k, j); });
   };
   for_each_lower_arm(raise_all, [&](CellId c, VertexId p) {
     const Arm arm = arm_of(triangulation, dual, c, p);
@@ -158,7 +158,7 @@ void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& p
   });
   SharedMaxima far(any_far ? count : 0, execution);
   if (any_far) {
-    for_each_lower_arm([](const Cell&, const SquaredArms&, std::size_t) {},
+    for_each_lower_arm([](std::span<const Cell>, const SquaredArms&) {},
                        [&](CellId c, VertexId p) {
                          const Arm arm = arm_of(triangulation, dual, c, p);
                          if (arm.is_far() && is_lower(p, arm)) {
