@@ -214,8 +214,8 @@ class Doubts {
     doubts_.unused_points = result_.unused_points;
     if (result_.unused_points == 0 || mesh_.points.empty()) return;
     const std::vector<Point> unused = unused_points();
-    // A tree pays for many searches only.
-    constexpr std::size_t few = 32;
+    // A tree of a million vertices takes as long to build as some 150 looks at each of them.
+    constexpr std::size_t few = 128;
     std::optional<NearestPointTree> tree;
     if (unused.size() > few) tree.emplace(mesh_.points.span());
     for (const Point& p : unused) {
