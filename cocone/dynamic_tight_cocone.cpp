@@ -63,10 +63,9 @@ struct DynamicTightCocone::State {
                                      const Execution& execution, bool may_edit);
   void clear(std::size_t count);
   void forget_surface();
-  using Step = PointStep;
-  DelaunayChange change_triangulation(const Step& step, const Execution& execution);
-  void undo(Step step, const DelaunayChange& change);
-  void close_gaps(Step& step);
+  DelaunayChange change_triangulation(const PointStep& step, const Execution& execution);
+  void undo(PointStep step, const DelaunayChange& change);
+  void close_gaps(PointStep& step);
   ReconstructResult run_stages(Points points, const KnownSidesSource& known,
                                const Execution& execution, bool may_edit);
   // Whether so many points are the vertices of a certain surface, each its own.
@@ -74,14 +73,16 @@ struct DynamicTightCocone::State {
     return certified.exists() && !options.verify && points == delaunay.num_vertices() &&
            points == certified.num_vertices();
   }
+  // What is to be verified is computed as a whole.
   bool is_smooth(std::size_t points) const {
-    return is_certain(points) || (body.exists() && points == delaunay.num_vertices());
+    return is_certain(points) ||
+           (body.exists() && !options.verify && points == delaunay.num_vertices());
   }
-  DelaunayChange carry_out(Step& step, const Execution& execution);
-  ReconstructResult finish(Points points, Step step, const DelaunayChange& change,
+  DelaunayChange carry_out(PointStep& step, const Execution& execution);
+  ReconstructResult finish(Points points, PointStep step, const DelaunayChange& change,
                            const Execution& execution, const KnownSidesSource& known,
                            bool may_edit = false);
-  Edited edit_body(Points points, const ListEdit<PointId>& change, Step step,
+  Edited edit_body(Points points, const ListEdit<PointId>& change, PointStep step,
                    const DelaunayChange& done, const Execution& execution,
                    const KnownSidesSource& known);
   void list_points_of_vertices(PointId first);
@@ -139,7 +140,7 @@ void DynamicTightCocone::State::forget_surface() {
 
 // Changes the triangulation, and follows the surface as far as it stays certain. The step gets
 // what vertex_of_point was.
-DelaunayChange DynamicTightCocone::State::carry_out(Step& step, const Execution& execution) {
+DelaunayChange DynamicTightCocone::State::carry_out(PointStep& step, const Execution& execution) {
   DelaunayChange change = change_triangulation(step, execution);
   for (std::size_t k = 0; k < step.inserted.size(); ++k) {
     step.vertex_of_point[step.inserted[k]] = change.vertex_of_point[k];
@@ -158,7 +159,7 @@ DelaunayChange DynamicTightCocone::State::carry_out(Step& step, const Execution&
 }
 
 // The result after a step.
-ReconstructResult DynamicTightCocone::State::finish(Points points, Step step,
+ReconstructResult DynamicTightCocone::State::finish(Points points, PointStep step,
                                                     const DelaunayChange& change,
                                                     const Execution& execution,
                                                     const KnownSidesSource& known, bool may_edit) {
@@ -182,7 +183,7 @@ ReconstructResult DynamicTightCocone::State::finish(Points points, Step step,
 }
 
 // If it throws the points are as before, but cells may have other numbers.
-DelaunayChange DynamicTightCocone::State::change_triangulation(const Step& step,
+DelaunayChange DynamicTightCocone::State::change_triangulation(const PointStep& step,
                                                                const Execution& execution) {
   try {
     return delaunay.replace(step.removed, step.inserted_points, execution);
@@ -194,7 +195,7 @@ DelaunayChange DynamicTightCocone::State::change_triangulation(const Step& step,
 
 // After a change that was done: the points from before come back. Those that were removed may get
 // other vertices than they had.
-void DynamicTightCocone::State::undo(Step step, const DelaunayChange& change) {
+void DynamicTightCocone::State::undo(PointStep step, const DelaunayChange& change) {
   forget_surface();
   const std::size_t slots = std::max(step.slots, delaunay.num_vertex_slots());
   std::vector<VertexId> inserted = change.inserted;
@@ -209,7 +210,7 @@ void DynamicTightCocone::State::undo(Step step, const DelaunayChange& change) {
 
 // Of the triangulation and of what is known by slot. Precondition: there is no certificate, or it
 // is not needed any more.
-void DynamicTightCocone::State::close_gaps(Step& step) {
+void DynamicTightCocone::State::close_gaps(PointStep& step) {
   certified.clear();
   step.slots = delaunay.num_vertex_slots();
   Renumbering renumbering = delaunay.close_gaps();
@@ -288,7 +289,7 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
   return result;
 }
 
-// Precondition: is_certain().
+// Precondition: each vertex has one point.
 void DynamicTightCocone::State::list_points_of_vertices(PointId first) {
   point_of_vertex.resize(delaunay.num_vertex_slots());
   constexpr std::size_t ahead = 16;  // vertices come in any order: asked for early
@@ -330,7 +331,7 @@ DynamicTightCocone::SurfaceEdit DynamicTightCocone::State::surface_edit(
 
 // What is left of an edit where the surface is not certain.
 DynamicTightCocone::Edited DynamicTightCocone::State::edit_body(
-    Points points, const ListEdit<PointId>& change, Step step, const DelaunayChange& done,
+    Points points, const ListEdit<PointId>& change, PointStep step, const DelaunayChange& done,
     const Execution& execution, const KnownSidesSource& known) {
   const bool may_edit = is_smooth(points.size());
   if (may_edit) {
@@ -407,7 +408,7 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
                                               const KnownSidesSource& known) {
   State& state = *state_;
   if (!state.is_live() || working_scale(points) != 1) return reconstruct(points, execution, known);
-  State::Step step = plan_step(state.delaunay, state.vertex_of_point, points, old_position);
+  PointStep step = plan_step(state.delaunay, state.vertex_of_point, points, old_position);
   const DelaunayChange change = state.carry_out(step, execution);
   state.point_of_vertex.clear();
   return state.finish(points, std::move(step), change, execution, known);
@@ -421,11 +422,16 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
     const IdVector<PointId, PointId> before = places_after(change.reversed(), points.size());
     return {replace(points, before.raw(), execution, known), {}};
   }
-  State::Step step = plan_step(state.delaunay, state.vertex_of_point, points, change);
+  PointStep step = plan_step(state.delaunay, state.vertex_of_point, points, change);
   if (!keeps_scale(points, step.inserted_points))
     return {reconstruct(points, execution, known), {}};
   if (state.point_of_vertex.empty()) state.list_points_of_vertices(PointId(0));
   const DelaunayChange done = state.carry_out(step, execution);
+  if (done.inserted.size() != step.inserted.size()) {
+    // A point that came is a vertex that was to go: it stays as it was, and no edit would see it.
+    state.point_of_vertex.clear();
+    return {state.finish(points, std::move(step), done, execution, known), {}};
+  }
   if (!state.is_certain(points.size())) {
     return state.edit_body(points, change, std::move(step), done, execution, known);
   }

@@ -68,9 +68,11 @@ class DynamicTightCocone {
     std::optional<SurfaceEdit> edit;
   };
   // As replace(), for a change that keeps the order of the points that stay. Where is_smooth()
-  // before and after, only what the edit did is told. Precondition: points that stay are equal
-  // before and after. Complexity: where the surface stays certain, as the change of the
-  // triangulation, and a pass over the numbers of the points.
+  // before and after, only what the edit did is told as a rule; not of the first body after a
+  // certain surface, of a change of about half of the points, or where a point that went comes back
+  // as the vertex it was. Precondition: points that stay are equal before and after. Complexity:
+  // where the surface stays certain, as the change of the triangulation, and a pass over the
+  // numbers of the points.
   Edited edit(Points points, const ListEdit<PointId>& change, const Execution& execution = {},
               const KnownSidesSource& known = {});
   // Adds what an edit left out, but for the mesh. Precondition: the result is that of the points so

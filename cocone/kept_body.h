@@ -1,13 +1,14 @@
 // The body of a changing triangulation, and what a change does to its boundary: without a look at
 // the boundary as a whole.
 //
-// A boundary is smooth if it is connected, and each vertex of the triangulation has one closed
-// umbrella of its facets. Let it be so before and after a change, and let a cell be changed if it
-// is new or on the other side. A vertex is touched if a facet of the boundary after the change has
-// it and a changed cell. At every other vertex the facets after the change have cells as they were,
-// on their sides: they were facets before. One closed umbrella is no proper part of another one,
-// so they are all: the boundary is as it was there. A new vertex has new cells alone.
-// Source: ours, docs/stages/live_update.md.
+// A boundary is smooth if each vertex of the triangulation has one closed umbrella of its facets;
+// it is connected, too, which whoever edits its mesh relies on. Let it be smooth before and after a
+// change, and let a cell be changed if it is new or on the other side. A vertex is touched if a
+// facet of the boundary after the change has it and a changed cell. At every other vertex both
+// cells of each facet after the change are as they were and on their sides; they shared the facet
+// before, so it was one of the boundary. One closed umbrella is no proper part of another one, so
+// they are all: the boundary is as it was there. A new vertex has new cells alone; a point that
+// came and is an old vertex is none. Source: ours, docs/stages/live_update.md.
 #pragma once
 
 #include <array>
@@ -31,9 +32,10 @@ class KeptBody {
   void clear() { out_ = {}; }
 
   // Keeps the body of these marks if its boundary is seen to be connected: each vertex that is not
-  // good has a facet of it with one that is. `cell_at`: a cell at each vertex. Precondition: each
-  // vertex has one closed umbrella of the boundary, and the good ones hang together by edges of it.
-  // Complexity: a byte of each cell, and the stars of vertices that are not good.
+  // good has a facet of it with one that is; and if there are few of these (4096 at most).
+  // `cell_at`: a cell at each vertex. Precondition: each vertex has one closed umbrella of the
+  // boundary, and the good ones hang together by edges of it. Complexity: a byte of each cell, and
+  // the stars of vertices that are not good.
   void keep(const Triangulation& triangulation, const IdVector<VertexId, CellId>& cell_at,
             const CellMarks& marks);
   // After a change of the triangulation, and when gaps are closed. Complexity: O(change).
@@ -42,7 +44,7 @@ class KeptBody {
 
   struct Change {
     std::vector<VertexId> touched;
-    // All triangles at these, counterclockwise seen from outside.
+    // All triangles with one of these, counterclockwise seen from outside.
     std::vector<std::array<VertexId, 3>> triangles;
   };
   // From the kept body to another one with a smooth boundary; `out`: 1 = a cell is not of it.

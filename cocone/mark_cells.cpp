@@ -30,7 +30,8 @@ BeforeTheRounds before_the_rounds(const Triangulation& triangulation, const Face
   }
   if (known) marks.known = known(triangulation, surface, execution).labels;
   before.labels = marks.known;
-  for (CellId c(0U); c.index() < before.labels.size(); ++c) {
+  const std::size_t labeled = before.labels.empty() ? 0 : triangulation.num_finite_cells();
+  for (const CellId c : id_range<CellId>(labeled)) {
     if (before.labels[c] == CellLabel::unmarked) continue;
     if (is_poor(triangulation, marks.good, c)) {
       before.labels[c] = CellLabel::unmarked;

@@ -12,7 +12,7 @@ constexpr std::int64_t baseline = HWY_ENABLED_BASELINE;
 
 #if HWY_ARCH_X86
 
-// Conversions of half floats, for which the compilers have no name.
+// Conversions of half floats, for which older compilers have no name.
 bool has_f16c() {
   unsigned eax = 0;
   unsigned ebx = 0;

@@ -302,6 +302,45 @@ TEST(DynamicTightCocone, EditsTellWhatTheyDid) {
   EXPECT_GT(told.others, 20U);
 }
 
+// What is left without the points that go is flat, so their vertices stay. They have no new cells,
+// and an edit would not see them come.
+TEST(DynamicTightCocone, PointsThatComeBackAsTheirVerticesAreNotLost) {
+  const std::vector<Point> points = gallery::even_sphere(400);
+  DynamicTightCocone cocone;
+  cocone.reconstruct(points);
+  ListEdit<PointId> change;
+  for (std::size_t i = 3; i < points.size(); ++i) {
+    change.removed.push_back(PointId(i));
+    change.added.push_back(PointId(i));
+  }
+  const DynamicTightCocone::Edited edited = cocone.edit(points, change);
+  EXPECT_FALSE(edited.edit.has_value());
+  expect_equal_reconstruction(edited.result, reconstruct_tight(points));
+}
+
+// An edit has no mesh to be verified.
+TEST(DynamicTightCocone, WhatIsToBeVerifiedIsNoEdit) {
+  std::size_t not_certain = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    Random random(seed);
+    std::vector<Point> points = gallery::even_sphere(400);
+    for (Point& p : points) p = p + 0.3 * spacing_on_sphere(400) * random.on_unit_sphere();
+    DynamicTightCocone cocone({.verify = true});
+    cocone.reconstruct(points);
+    for (std::size_t step = 0; step < 3; ++step) {
+      const PointId moved(random.below(points.size()));
+      points[moved.index()] =
+          points[moved.index()] + 0.1 * spacing_on_sphere(400) * random.on_unit_sphere();
+      const DynamicTightCocone::Edited edited = cocone.edit(points, {{moved}, {moved}});
+      EXPECT_FALSE(edited.edit.has_value());
+      EXPECT_EQ(edited.result.verification.triangles, edited.result.mesh.triangles.size());
+      EXPECT_FALSE(edited.result.mesh.triangles.empty());
+      not_certain += edited.result.counters.boundary_samples > 0 ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(not_certain, 10U);
+}
+
 struct StopAfter : Progress {
   explicit StopAfter(int n) : left(n) {}
   bool report(std::string_view, double) override { return --left > 0; }
