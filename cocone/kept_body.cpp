@@ -60,17 +60,13 @@ class BoundaryChange {
   // Around the vertex; each with the first of its touched corners.
   void list_triangles(const Touched& at, std::vector<std::array<VertexId, 3>>& triangles) const {
     const VertexId v = at.vertex;
-    const std::array<VertexId, 3> first = triangulation_.facet_vertices(at.facet);
-    VertexId end = first[0] == v ? first[1] : first[0];
-    FacetId f = at.facet;
-    do {
+    walk_around(triangulation_, out_, v, at.facet, [&](FacetId f, VertexId) {
       const std::array<VertexId, 3> corners = triangulation_.facet_vertices(f);
       const bool is_first = std::none_of(corners.begin(), corners.end(),
                                          [&](VertexId w) { return w < v && is_touched_[w] != 0; });
       if (is_first) triangles.push_back(corners);
-      f = next_surface_facet(triangulation_, out_, f, v, end);
-      end = third_vertex(triangulation_, f, v, end);
-    } while (f != at.facet);
+      return true;
+    });
   }
 
   const Triangulation& triangulation_;

@@ -20,16 +20,12 @@ bool is_simple_cycle(const Triangulation& triangulation, const IdVector<CellId, 
                      VertexId v, FacetId first, std::uint32_t facets,
                      std::vector<VertexId>& edge_ends) {
   edge_ends.clear();
-  const auto corners = triangulation.facet_vertices(first);
-  VertexId end = corners[0] == v ? corners[1] : corners[0];
-  FacetId f = first;
-  do {
+  const bool is_simple = walk_around(triangulation, out, v, first, [&](FacetId, VertexId end) {
     if (std::find(edge_ends.begin(), edge_ends.end(), end) != edge_ends.end()) return false;
     edge_ends.push_back(end);
-    f = next_surface_facet(triangulation, out, f, v, end);
-    end = third_vertex(triangulation, f, v, end);
-  } while (f != first);
-  return edge_ends.size() == facets;
+    return true;
+  });
+  return is_simple && edge_ends.size() == facets;
 }
 
 }  // namespace

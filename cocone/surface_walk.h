@@ -24,4 +24,22 @@ inline FacetId next_surface_facet(const Triangulation& triangulation,
   return f;
 }
 
+// visit(f, end) for the surface facets around v, one after the other, from `first` on until it
+// comes again or visit returns false: the walk goes on over the edge from v to `end`. Returns
+// whether it came again. Precondition: `first` is on the surface and has v. Complexity: O(cells
+// around v).
+template <class Visit>
+bool walk_around(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
+                 VertexId v, FacetId first, Visit visit) {
+  const auto corners = triangulation.facet_vertices(first);
+  VertexId end = corners[0] == v ? corners[1] : corners[0];
+  FacetId f = first;
+  do {
+    if (!visit(f, end)) return false;
+    f = next_surface_facet(triangulation, out, f, v, end);
+    end = third_vertex(triangulation, f, v, end);
+  } while (f != first);
+  return true;
+}
+
 }  // namespace cocoon
