@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "cocone/surface_walk.h"
-#include "delaunay/circulate.h"
 #include "geom/visit_where.h"
 #include "geom/zeroed_array.h"
 

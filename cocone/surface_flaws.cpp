@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "cocone/surface_walk.h"
-#include "delaunay/circulate.h"
 
 namespace cocoon {
 namespace {
