@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cocone/cell_order.h"
+#include "cocone/good_parts.h"
 #include "delaunay/circulate.h"
 #include "geom/disjoint_sets.h"
 #include "geom/sort_ids.h"
@@ -25,18 +26,6 @@ FacetId first_met(const TriangulationView& view, const LiveCandidates& candidate
     third = view.vertex(c, index_of(f));
     f = view.mirror(g);
   }
-}
-
-// Joins those of the three vertices that are good; returns how many parts there are fewer for that.
-template <class IsGood>
-std::size_t join_good(DisjointSets& parts, const std::array<VertexId, 3>& v, IsGood is_good) {
-  std::size_t fewer = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const VertexId a = v[i];
-    const VertexId b = v[(i + 1) % 3];
-    if (is_good(a) && is_good(b) && parts.join(a.value, b.value)) ++fewer;
-  }
-  return fewer;
 }
 
 }  // namespace

@@ -73,10 +73,8 @@ struct DynamicTightCocone::State {
     return certified.exists() && !options.verify && points == delaunay.num_vertices() &&
            points == certified.num_vertices();
   }
-  // What is to be verified is computed as a whole.
   bool is_smooth(std::size_t points) const {
-    return is_certain(points) ||
-           (body.exists() && !options.verify && points == delaunay.num_vertices());
+    return is_certain(points) || (body.exists() && points == delaunay.num_vertices());
   }
   DelaunayChange carry_out(PointStep& step, const Execution& execution);
   ReconstructResult finish(Points points, PointStep step, const DelaunayChange& change,
@@ -246,12 +244,12 @@ void DynamicTightCocone::State::resume(SurfaceState surface) {
   certified.resume(delaunay, std::move(surface.sides), std::move(surface.sheets));
 }
 
-// Keeps a smooth body. Tells what has changed since the last one instead of a mesh, if there was
-// one and that will do: then true.
+// Keeps a smooth body, unless its mesh is to be verified as a whole. Tells what has changed since
+// the last one instead of a mesh, if there was one and that will do: then true.
 bool DynamicTightCocone::State::take_body(const Triangulation& triangulation,
                                           const CellMarks& marked, bool may_edit) {
   const KeptBody before = std::exchange(body, {});
-  if (marks.parts_of_good() != 1) return false;
+  if (options.verify || marks.parts_of_good() != 1) return false;
   body.keep(triangulation, delaunay.cells_at_vertices(), marked);
   if (!may_edit || !before.exists() || !body.exists()) return false;
   body_change = before.change_to(triangulation, marked.reached);

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "cocone/good_parts.h"
 #include "geom/disjoint_sets.h"
 #include "geom/sort_ids.h"
 #include "geom/visit_where.h"
@@ -93,18 +94,18 @@ class Labeling {
 };
 
 // Joins good vertices by edges of the surface between them; returns how many parts there are.
-std::size_t join_good(const LinkedFacets& surface, const CellMarks& marks, DisjointSets& sets) {
+std::size_t join_all_good(const LinkedFacets& surface, const CellMarks& marks, DisjointSets& sets) {
   std::size_t parts = marks.good_vertices;
-  const auto join = [&](VertexId a, VertexId b) {
-    if ((marks.good[a] & marks.good[b]) != 0 && sets.join(a.value, b.value)) --parts;
-  };
-  for (const auto& [a, b, c] : surface.corners) {
+  for (const Triangle& corners : surface.corners) {
     if (parts == 1) break;
-    join(a, b);
-    join(b, c);
-    if (marks.good[b] == 0) join(c, a);  // else these two are joined already
+    parts -= join_good(sets, corners, [&](VertexId v) { return marks.good[v] != 0; });
   }
   return parts;
+}
+
+// Whether labels were told at once, by all good vertices.
+bool are_told_at_once(const CellMarks& marks) {
+  return marks.rounds == 0 && marks.visited_vertices == marks.good_vertices;
 }
 
 // Whether each of the parts has a good vertex on the hull.
@@ -163,8 +164,11 @@ CellMarks KeptMarks::mark(const Triangulation& triangulation,
     ++local_marks_;
   } else {
     marks = mark_cells(triangulation, surface, boundary, known, options, execution);
-    DisjointSets sets(triangulation.num_vertices());
-    parts_ = join_good(surface, *marks, sets);
+    parts_ = 0;
+    if (are_told_at_once(*marks)) {
+      DisjointSets sets(triangulation.num_vertices());
+      parts_ = join_all_good(surface, *marks, sets);
+    }
   }
   keep(surface.set, *marks);
   return std::move(*marks);
@@ -185,7 +189,7 @@ std::optional<CellMarks> KeptMarks::go_on(const Input& input, const GoodVertexOp
   for (const CellId c : cells) marks.labels[c] = CellLabel::unmarked;
   if (!Labeling(input.triangulation, input.surface.set, marks).run(cells)) return {};
   DisjointSets sets(input.triangulation.num_vertices());
-  parts_ = join_good(input.surface, marks, sets);
+  parts_ = join_all_good(input.surface, marks, sets);
   if (!are_on_hull(input.triangulation, marks, parts_, sets)) return {};
   marks.visited = marks.good;
   marks.visited_vertices = marks.good_vertices;
@@ -254,7 +258,7 @@ std::vector<VertexId> KeptMarks::find_good(const Input& input, const VertexSet& 
 
 void KeptMarks::keep(const FacetSet& surface, const CellMarks& marks) {
   clear();
-  exists_ = marks.rounds == 0 && marks.visited_vertices == marks.good_vertices;
+  exists_ = are_told_at_once(marks);
   if (!exists_) return;
   cells_.resize(marks.labels.size());
   for (const CellId c : cells_.ids()) {

@@ -56,7 +56,7 @@ class KeptMarks {
                  const KnownSidesSource& known, const GoodVertexOptions& options,
                  const Execution& execution = {});
   // Into how many parts the good vertices of the last marks fall, by edges of the surface between
-  // them.
+  // them; 0: not known, since they disagreed.
   std::size_t parts_of_good() const { return parts_; }
   // Calls of mark() that went on from what was kept.
   std::size_t local_marks() const { return local_marks_; }

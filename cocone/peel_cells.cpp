@@ -130,15 +130,11 @@ class Peeling {
     for (const CellId c : marks_.labels.ids()) {
       marks_.reached[c] = marks_.labels[c] == CellLabel::out ? 1 : 0;
     }
-    if (all_visited) return reach_unmarked_cells();
-    for (const CellId c : triangulation_.cells()) {
-      if (marks_.reached[c] != 0 && has_unvisited_vertex(c)) stack_.push_back(c);
+    if (!all_visited) {
+      for (const CellId c : triangulation_.cells()) {
+        if (marks_.reached[c] != 0 && has_unvisited_vertex(c)) stack_.push_back(c);
+      }
     }
-    reach_unmarked_cells();
-  }
-
-  // What lies beside them is where the flood goes on.
-  void reach_unmarked_cells() {
     visit_unmarked([&](CellId c) {
       for (int i = 0; i < 4; ++i) {
         const CellId behind = triangulation_.neighbor(c, i);
