@@ -43,11 +43,9 @@ void words_of_batches(std::uint32_t first_cell, const CellBlock& block, ArmWords
 // The normals at corner j of the `lanes` cells from k on; the last cell stands for those behind it.
 HWY_INLINE Vectors normals_at(const Vec3* normals, const Cell* cells, std::size_t count,
                               std::size_t k, std::size_t j) {
-  const auto normal_of = [&](const Cell& cell) { return &normals[cell.vertices[j].index()].x; };
-  if (k + hn::Lanes(Lanes()) <= count) {
-    return gather([&](std::size_t i) { return normal_of(cells[k + i]); });
-  }
-  return gather([&](std::size_t i) { return normal_of(cells[std::min(k + i, count - 1)]); });
+  return with_places(k, count, [&](auto place) {
+    return gather([&](std::size_t i) { return &normals[cells[place(i)].vertices[j].index()].x; });
+  });
 }
 
 void sides_of_batches(const Cell* cells, const CellBlock& block, const Vec3* normals,

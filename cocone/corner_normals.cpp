@@ -58,20 +58,17 @@ void write_normals(const Point* points, std::span<const Triangle> triangles, std
          triangles.subspan(ahead, std::min(lanes, triangles.size() - ahead))) {
       for (const VertexId v : later) __builtin_prefetch(&points[v.index()]);
     }
+    const Vectors found = with_places(t, end, [&](auto place) {
+      return normals_of(points,
+                        [&](std::size_t i) -> const Triangle& { return triangles[place(i)]; });
+    });
     if (t + lanes <= end) {
-      const Vectors found =
-          normals_of(points, [&](std::size_t i) -> const Triangle& { return triangles[t + i]; });
       hn::StoreInterleaved3(found.x, found.y, found.z, d, &normals[t].x);
       continue;
     }
-    alignas(64) BatchOfPoints found;
-    store(normals_of(points,
-                     [&](std::size_t i) -> const Triangle& {
-                       return triangles[std::min(t + i, end - 1)];
-                     }),
-          found, 0);
-    for (std::size_t i = 0; t + i < end; ++i)
-      normals[t + i] = {found[0][i], found[1][i], found[2][i]};
+    alignas(64) BatchOfPoints rest;
+    store(found, rest, 0);
+    for (std::size_t i = 0; t + i < end; ++i) normals[t + i] = {rest[0][i], rest[1][i], rest[2][i]};
   }
 }
 

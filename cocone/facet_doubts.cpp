@@ -78,13 +78,9 @@ HWY_INLINE Corners gather_corners(const JudgedFacets& judged, FacetAt facet_at) 
 }
 
 HWY_INLINE Corners corners_of(const JudgedFacets& judged, std::size_t k) {
-  const std::size_t count = judged.facets.size();
-  if (k + hn::Lanes(Lanes()) <= count) {
-    return gather_corners(judged,
-                          [&](std::size_t i) -> const Triangle& { return judged.facets[k + i]; });
-  }
-  return gather_corners(judged, [&](std::size_t i) -> const Triangle& {
-    return judged.facets[std::min(k + i, count - 1)];
+  return with_places(k, judged.facets.size(), [&](auto place) {
+    return gather_corners(
+        judged, [&](std::size_t i) -> const Triangle& { return judged.facets[place(i)]; });
   });
 }
 

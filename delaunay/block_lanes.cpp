@@ -34,14 +34,9 @@ HWY_INLINE std::array<Vectors, 4> gather_corners(const Point* points, CellAt cel
 template <class CellAt>
 HWY_INLINE std::array<Vectors, 4> load_lanes(const Point* points, CellAt cell_at, std::size_t k,
                                              CellBlock& block) {
-  std::array<Vectors, 4> corners;
-  if (k + hn::Lanes(Lanes()) <= block.size) [[likely]] {
-    corners = gather_corners(points, [&](std::size_t i) -> const Cell& { return cell_at(k + i); });
-  } else {
-    corners = gather_corners(points, [&](std::size_t i) -> const Cell& {
-      return cell_at(std::min(k + i, block.size - 1));
-    });
-  }
+  const auto corners = with_places(k, block.size, [&](auto place) {
+    return gather_corners(points, [&](std::size_t i) -> const Cell& { return cell_at(place(i)); });
+  });
   CircumcenterBatch& batch = block.batches[k / circumcenter_batch_size];
   for (std::size_t j = 0; j < 4; ++j) {
     store(corners[j], batch.corners[j], k % circumcenter_batch_size);

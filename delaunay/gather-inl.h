@@ -7,6 +7,7 @@
 #define COCOON_GATHER_INL_H
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <hwy/highway.h>
@@ -61,6 +62,16 @@ HWY_INLINE Vectors gather(AddressOf address_of) {
 }
 
 #endif
+
+// use(place) for the lanes that hold the elements k, k + 1, ... of `count`: place(i) is that of
+// lane i. The last element stands for those behind it.
+template <class Use>
+HWY_INLINE auto with_places(std::size_t k, std::size_t count, Use use) {
+  if (k + hn::Lanes(Lanes()) <= count) [[likely]] {
+    return use([k](std::size_t i) { return k + i; });
+  }
+  return use([k, count](std::size_t i) { return std::min(k + i, count - 1); });
+}
 
 }  // namespace cocoon::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
