@@ -13,6 +13,7 @@
 #include "cocone/kept_body.h"
 #include "cocone/kept_links.h"
 #include "cocone/kept_marks.h"
+#include "cocone/kept_sides.h"
 #include "cocone/known_candidates.h"
 #include "cocone/lent_delaunay.h"
 #include "cocone/live_candidates.h"
@@ -48,7 +49,7 @@ struct DynamicTightCocone::State {
   KeptLinks links;  // while the surface is not certain, as the next
   KeptMarks marks;
   FirstWalk first_walk = FirstWalk::at_once;    // of the surface that is not certain
-  KeptBody body;                                // while the surface is not certain, but smooth
+  KeptBody body;                                // while the surface is not certain
   std::optional<KeptBody::Change> body_change;  // what the last stages told instead of a mesh
   // The way back from vertex_of_point, if each vertex has one point; empty: not known.
   IdVector<VertexId, PointId> point_of_vertex;
@@ -58,31 +59,32 @@ struct DynamicTightCocone::State {
   void take(const ReconstructResult& result, ReconstructStages stages);
   void resume(SurfaceState surface);
   void look_for_certificate(const ReconstructResult& result, const CoconeSurface& surface);
-  bool take_body(const Triangulation& triangulation, const CellMarks& marks, bool may_edit);
-  ReconstructResult run_later_stages(Points points, const KnownSidesSource& known,
+  bool take_body(const Triangulation& triangulation, const CellMarks& marks, bool is_flawed,
+                 bool may_edit);
+  KnownSidesSource sides_of(const OldSurface& old) const;
+  ReconstructResult run_later_stages(Points points, const OldSurface& old,
                                      const Execution& execution, bool may_edit);
   void clear(std::size_t count);
   void forget_surface();
   DelaunayChange change_triangulation(const PointStep& step, const Execution& execution);
   void undo(PointStep step, const DelaunayChange& change);
   void close_gaps(PointStep& step);
-  ReconstructResult run_stages(Points points, const KnownSidesSource& known,
-                               const Execution& execution, bool may_edit);
+  ReconstructResult run_stages(Points points, const OldSurface& old, const Execution& execution,
+                               bool may_edit);
   // Whether so many points are the vertices of a certain surface, each its own.
   bool is_certain(std::size_t points) const {
     return certified.exists() && !options.verify && points == delaunay.num_vertices() &&
            points == certified.num_vertices();
   }
   bool is_smooth(std::size_t points) const {
-    return is_certain(points) || (body.exists() && points == delaunay.num_vertices());
+    return is_certain(points) || (body.is_smooth() && points == delaunay.num_vertices());
   }
   DelaunayChange carry_out(PointStep& step, const Execution& execution);
   ReconstructResult finish(Points points, PointStep step, const DelaunayChange& change,
-                           const Execution& execution, const KnownSidesSource& known,
+                           const Execution& execution, const OldSurface& old,
                            bool may_edit = false);
   Edited edit_body(Points points, const ListEdit<PointId>& change, PointStep step,
-                   const DelaunayChange& done, const Execution& execution,
-                   const KnownSidesSource& known);
+                   const DelaunayChange& done, const Execution& execution, const OldSurface& old);
   void list_points_of_vertices(PointId first);
   void forget_points(std::span<const VertexId> removed);
   CertainView view() const { return {delaunay, vertex_of_point, candidates, certified}; }
@@ -160,7 +162,7 @@ DelaunayChange DynamicTightCocone::State::carry_out(PointStep& step, const Execu
 ReconstructResult DynamicTightCocone::State::finish(Points points, PointStep step,
                                                     const DelaunayChange& change,
                                                     const Execution& execution,
-                                                    const KnownSidesSource& known, bool may_edit) {
+                                                    const OldSurface& old, bool may_edit) {
   ReconstructResult result;
   if (certified.exists() && !options.verify) {
     result = certain_result(view(), points);
@@ -169,7 +171,7 @@ ReconstructResult DynamicTightCocone::State::finish(Points points, PointStep ste
     // What is to be verified is computed as a whole.
     try {
       if (candidates.exists()) close_gaps(step);
-      result = run_stages(points, known, execution, may_edit);
+      result = run_stages(points, old, execution, may_edit);
     } catch (...) {
       undo(std::move(step), change);
       throw;
@@ -225,14 +227,13 @@ void DynamicTightCocone::State::close_gaps(PointStep& step) {
 }
 
 // All stages after the triangulation. may_edit: the mesh may be left out, see take_body().
-ReconstructResult DynamicTightCocone::State::run_stages(Points points,
-                                                        const KnownSidesSource& known,
+ReconstructResult DynamicTightCocone::State::run_stages(Points points, const OldSurface& old,
                                                         const Execution& execution, bool may_edit) {
-  if (candidates.exists()) return run_later_stages(points, known, execution, may_edit);
+  if (candidates.exists()) return run_later_stages(points, old, execution, may_edit);
   ReconstructStages stages;
   ReconstructResult result =
       reconstruct_tight_again(compact_delaunay(delaunay, vertex_of_point).triangulation, points,
-                              known, options, execution, stages);
+                              old.sides, options, execution, stages);
   take(result, std::move(stages));
   return result;
 }
@@ -244,21 +245,28 @@ void DynamicTightCocone::State::resume(SurfaceState surface) {
   certified.resume(delaunay, std::move(surface.sides), std::move(surface.sheets));
 }
 
-// Keeps a smooth body, unless its mesh is to be verified as a whole. Tells what has changed since
-// the last one instead of a mesh, if there was one and that will do: then true.
+// Keeps the body, as one that is not smooth if its mesh is to be verified as a whole. Tells what
+// has changed since the last one instead of a mesh, if that will do: then true.
 bool DynamicTightCocone::State::take_body(const Triangulation& triangulation,
-                                          const CellMarks& marked, bool may_edit) {
-  const KeptBody before = std::exchange(body, {});
-  if (options.verify || marks.parts_of_good() != 1) return false;
-  body.keep(triangulation, delaunay.cells_at_vertices(), marked);
-  if (!may_edit || !before.exists() || !body.exists()) return false;
-  body_change = before.change_to(triangulation, marked.reached);
+                                          const CellMarks& marked, bool is_flawed, bool may_edit) {
+  auto change = body.take(triangulation, delaunay.cells_at_vertices(), marked.reached,
+                          !is_flawed && !options.verify);
+  if (!may_edit || !change) return false;
+  body_change = std::move(change);
   return true;
 }
 
+// The same faster where the body that the old surface bounds is kept.
+KnownSidesSource DynamicTightCocone::State::sides_of(const OldSurface& old) const {
+  if (!old.sides || !old.triangles.at || !body.exists()) return old.sides;
+  return [&](const Triangulation& triangulation, const auto&...) {
+    return kept_sides(triangulation, delaunay.cells_at_vertices(), body.before(triangulation),
+                      old.triangles);
+  };
+}
+
 // Those from the extraction on, of the candidates that are known. Precondition: no gaps.
-ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
-                                                              const KnownSidesSource& known,
+ReconstructResult DynamicTightCocone::State::run_later_stages(Points points, const OldSurface& old,
                                                               const Execution& execution,
                                                               bool may_edit) {
   KnownCandidates found = known_candidates(candidates);
@@ -269,17 +277,17 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points,
     found.left = links.link(*lent, candidates_left(candidates), execution);
     found.first_walk = first_walk;
     bool asked = false;
-    const LiveStages live{delaunay.cells_at_vertices(),
-                          [&](const Triangulation& triangulation, const auto&... input) {
-                            return marks.mark(triangulation, delaunay.cells_at_vertices(),
-                                              input...);
-                          },
-                          [&](const Triangulation& triangulation, const CellMarks& marked) {
-                            asked = true;
-                            return take_body(triangulation, marked, may_edit);
-                          }};
-    result = reconstruct_tight_from(*lent, std::move(found), points, known, options, execution,
-                                    live, surface);
+    const LiveStages live{
+        delaunay.cells_at_vertices(),
+        [&](const Triangulation& triangulation, const auto&... input) {
+          return marks.mark(triangulation, delaunay.cells_at_vertices(), input...);
+        },
+        [&](const Triangulation& triangulation, const CellMarks& marked, bool is_flawed) {
+          asked = true;
+          return take_body(triangulation, marked, is_flawed, may_edit);
+        }};
+    result = reconstruct_tight_from(*lent, std::move(found), points, sides_of(old), options,
+                                    execution, live, surface);
     if (!asked) body.clear();
   }
   if (!surface.triangles.facets.empty()) links.keep(std::move(surface.triangles));
@@ -330,7 +338,7 @@ DynamicTightCocone::SurfaceEdit DynamicTightCocone::State::surface_edit(
 // What is left of an edit where the surface is not certain.
 DynamicTightCocone::Edited DynamicTightCocone::State::edit_body(
     Points points, const ListEdit<PointId>& change, PointStep step, const DelaunayChange& done,
-    const Execution& execution, const KnownSidesSource& known) {
+    const Execution& execution, const OldSurface& old) {
   const bool may_edit = is_smooth(points.size());
   if (may_edit) {
     forget_points(step.removed);
@@ -338,7 +346,7 @@ DynamicTightCocone::Edited DynamicTightCocone::State::edit_body(
     point_of_vertex.clear();
   }
   body_change.reset();
-  Edited edited{finish(points, std::move(step), done, execution, known, may_edit), {}};
+  Edited edited{finish(points, std::move(step), done, execution, old, may_edit), {}};
   if (body_change) {
     edited.edit = surface_edit(change, body_change->touched, body_change->triangles);
   } else {
@@ -402,36 +410,37 @@ ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution
 }
 
 ReconstructResult DynamicTightCocone::replace(Points points, std::span<const PointId> old_position,
-                                              const Execution& execution,
-                                              const KnownSidesSource& known) {
+                                              const Execution& execution, const OldSurface& old) {
   State& state = *state_;
-  if (!state.is_live() || working_scale(points) != 1) return reconstruct(points, execution, known);
+  if (!state.is_live() || working_scale(points) != 1) {
+    return reconstruct(points, execution, old.sides);
+  }
   PointStep step = plan_step(state.delaunay, state.vertex_of_point, points, old_position);
   const DelaunayChange change = state.carry_out(step, execution);
   state.point_of_vertex.clear();
-  return state.finish(points, std::move(step), change, execution, known);
+  return state.finish(points, std::move(step), change, execution, old);
 }
 
 DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdit<PointId>& change,
                                                     const Execution& execution,
-                                                    const KnownSidesSource& known) {
+                                                    const OldSurface& old) {
   State& state = *state_;
   if (!is_smooth()) {
     const IdVector<PointId, PointId> before = places_after(change.reversed(), points.size());
-    return {replace(points, before.raw(), execution, known), {}};
+    return {replace(points, before.raw(), execution, old), {}};
   }
   PointStep step = plan_step(state.delaunay, state.vertex_of_point, points, change);
   if (!keeps_scale(points, step.inserted_points))
-    return {reconstruct(points, execution, known), {}};
+    return {reconstruct(points, execution, old.sides), {}};
   if (state.point_of_vertex.empty()) state.list_points_of_vertices(PointId(0));
   const DelaunayChange done = state.carry_out(step, execution);
   if (done.inserted.size() != step.inserted.size()) {
     // A point that came is a vertex that was to go: it stays as it was, and no edit would see it.
     state.point_of_vertex.clear();
-    return {state.finish(points, std::move(step), done, execution, known), {}};
+    return {state.finish(points, std::move(step), done, execution, old), {}};
   }
   if (!state.is_certain(points.size())) {
-    return state.edit_body(points, change, std::move(step), done, execution, known);
+    return state.edit_body(points, change, std::move(step), done, execution, old);
   }
   state.forget_points(step.removed);
   Edited edited{certain_counts(state.view(), points.size()),
@@ -442,6 +451,8 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
   ++state.local_changes;
   return edited;
 }
+
+void DynamicTightCocone::forget_body() { state_->body.clear(); }
 
 void DynamicTightCocone::complete(ReconstructResult& result) const {
   const State& state = *state_;

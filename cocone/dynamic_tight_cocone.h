@@ -51,7 +51,7 @@ class DynamicTightCocone {
   // Precondition: equal coordinates at both positions, no position twice.
   // Complexity: the triangulation changes in O(k log n) expected for k points that come or go.
   ReconstructResult replace(Points points, std::span<const PointId> old_position,
-                            const Execution& execution = {}, const KnownSidesSource& known = {});
+                            const Execution& execution = {}, const OldSurface& old = {});
 
   // What edit() did to a mesh whose vertices are all points, each its own.
   struct SurfaceEdit {
@@ -74,7 +74,10 @@ class DynamicTightCocone {
   // where the surface stays certain, as the change of the triangulation, and a pass over the
   // numbers of the points.
   Edited edit(Points points, const ListEdit<PointId>& change, const Execution& execution = {},
-              const KnownSidesSource& known = {});
+              const OldSurface& old = {});
+  // To be told if the mesh is not what the last call found, as where sides were known for it that
+  // the call was not told. Then it is not smooth, unless it is certain, which leaves no choice.
+  void forget_body();
   // Adds what an edit left out, but for the mesh. Precondition: the result is that of the points so
   // far, each a vertex of the mesh. Complexity: O(n).
   void complete(ReconstructResult& result) const;

@@ -2,127 +2,211 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <utility>
 
-#include "cocone/surface_walk.h"
+#include "cocone/surface_fan.h"
+#include "geom/disjoint_sets.h"
 #include "geom/visit_where.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
 namespace {
 
-constexpr std::uint8_t is_new = 2;
+constexpr unsigned is_out = 16;
+constexpr unsigned is_new = 32;
 
-// With many of them a body is not worth keeping.
-constexpr std::size_t most_not_good = 4096;
+// What is kept of a cell.
+std::uint8_t byte_of(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
+                     CellId c) {
+  unsigned byte = out[c] != 0 ? is_out : 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    const CellId behind = triangulation.neighbor(c, static_cast<int>(i));
+    byte |= (out[behind] != out[c] ? 1U : 0U) << i;
+  }
+  return static_cast<std::uint8_t>(byte);
+}
 
-// A touched vertex, and a facet of the boundary there, seen from the body.
-struct Touched {
-  VertexId vertex;
-  FacetId facet;
-};
+// visit(f) for the facets of the boundary of one of its cells.
+template <class Visit>
+void for_facets(CellId c, unsigned byte, const Visit& visit) {
+  if ((byte & is_out) != 0) return;
+  for (int i = 0; i < 4; ++i) {
+    if (((byte >> i) & 1U) != 0) visit(facet_id(c, i));
+  }
+}
 
-class BoundaryChange {
- public:
-  BoundaryChange(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out)
-      : triangulation_(triangulation), out_(out), is_touched_(triangulation.num_vertices()) {}
-
-  void touch_at(CellId c) {
-    for (int i = 0; i < 4; ++i) {
-      const FacetId f = facet_id(c, i);
-      const FacetId behind = triangulation_.mirror(f);
-      if (out_[c] == out_[cell_of(behind)]) continue;
-      const FacetId inner = out_[c] == 0 ? f : behind;
-      for (const VertexId v : triangulation_.facet_vertices(f)) {
-        if (is_touched_[v] != 0) continue;
-        is_touched_[v] = 1;
-        touched_.push_back({v, inner});
-      }
+// Each vertex once.
+std::vector<VertexId> corners_of(const Triangulation& triangulation,
+                                 std::span<const CellId> cells) {
+  ZeroedArray<VertexId, std::uint8_t> met(triangulation.num_vertices());
+  std::vector<VertexId> corners;
+  for (const CellId c : cells) {
+    for (const VertexId v : triangulation.cell(c).vertices) {
+      if (v == infinite_vertex || std::exchange(met[v], std::uint8_t{1}) != 0) continue;
+      corners.push_back(v);
     }
   }
+  return corners;
+}
 
-  KeptBody::Change result() const {
-    KeptBody::Change change;
-    constexpr std::size_t ahead = 8;  // vertices lie apart: their cells are asked for early
-    for (std::size_t k = 0; k < touched_.size(); ++k) {
-      if (k + ahead < touched_.size()) {
-        __builtin_prefetch(&triangulation_.cell(cell_of(touched_[k + ahead].facet)));
-      }
-      change.touched.push_back(touched_[k].vertex);
-      list_triangles(touched_[k], change.triangles);
-    }
-    return change;
+// Whether the vertices of the triangles hang together by their edges.
+bool hang_together(std::size_t num_vertices, std::span<const std::array<VertexId, 3>> triangles) {
+  DisjointSets sets(num_vertices);
+  ZeroedArray<VertexId, std::uint8_t> met(num_vertices);
+  std::size_t parts = 0;
+  for (const auto& corners : triangles) {
+    for (const VertexId v : corners) parts += std::exchange(met[v], std::uint8_t{1}) == 0 ? 1U : 0U;
+    parts -= sets.join(corners[0].value, corners[1].value) ? 1U : 0U;
+    parts -= sets.join(corners[0].value, corners[2].value) ? 1U : 0U;
   }
-
- private:
-  // Around the vertex; each with the first of its touched corners.
-  void list_triangles(const Touched& at, std::vector<std::array<VertexId, 3>>& triangles) const {
-    const VertexId v = at.vertex;
-    walk_around(triangulation_, out_, v, at.facet, [&](FacetId f, VertexId) {
-      const std::array<VertexId, 3> corners = triangulation_.facet_vertices(f);
-      const bool is_first = std::none_of(corners.begin(), corners.end(),
-                                         [&](VertexId w) { return w < v && is_touched_[w] != 0; });
-      if (is_first) triangles.push_back(corners);
-      return true;
-    });
-  }
-
-  const Triangulation& triangulation_;
-  const IdVector<CellId, std::uint8_t>& out_;
-  ZeroedArray<VertexId, std::uint8_t> is_touched_;
-  std::vector<Touched> touched_;
-};
-
-// Whether each of the vertices, which have these stars, has a facet of the boundary with a good
-// one.
-bool are_beside_good(const Triangulation& triangulation, const CellMarks& marks,
-                     std::span<const CellId> stars, std::span<const VertexId> vertices) {
-  ZeroedArray<VertexId, std::uint8_t> is_beside(triangulation.num_vertices());
-  for (const CellId c : stars) {
-    for (int i = 0; i < 4; ++i) {
-      if (marks.reached[c] == marks.reached[triangulation.neighbor(c, i)]) continue;
-      const auto [a, b, d] = triangulation.facet_vertices(facet_id(c, i));
-      if ((marks.good[a] | marks.good[b] | marks.good[d]) == 0) continue;
-      is_beside[a] = is_beside[b] = is_beside[d] = 1;
-    }
-  }
-  return std::all_of(vertices.begin(), vertices.end(),
-                     [&](VertexId v) { return is_beside[v] != 0; });
+  return parts <= 1;
 }
 
 }  // namespace
 
-void KeptBody::keep(const Triangulation& triangulation, const IdVector<VertexId, CellId>& cell_at,
-                    const CellMarks& marks) {
-  clear();
-  std::vector<VertexId> not_good;
-  for (const VertexId v : triangulation.vertices()) {
-    if (marks.good[v] == 0) not_good.push_back(v);
+std::optional<KeptBody::Change> KeptBody::take(const Triangulation& triangulation,
+                                               const IdVector<VertexId, CellId>& cell_at,
+                                               const IdVector<CellId, std::uint8_t>& out,
+                                               bool may_be_smooth) {
+  if (!exists()) cells_.resize(out.size(), is_new);
+  const std::vector<CellId> changed = changed_cells(out);
+  if (std::exchange(is_smooth_, false) && may_be_smooth) {
+    return go_on(triangulation, cell_at, out, changed);
   }
-  if (not_good.size() > most_not_good) return;
-  const std::span<const CellId> stars = stars_.stars(triangulation, cell_at, not_good);
-  if (are_beside_good(triangulation, marks, stars, not_good)) out_ = marks.reached;
+  renew(triangulation, out, changed);
+  is_smooth_ = may_be_smooth && has_umbrellas(triangulation, out) && is_connected(triangulation);
+  return {};
 }
 
 void KeptBody::update(const DynamicDelaunay& delaunay, const DelaunayChange& change) {
-  out_.resize(delaunay.view().cell_records().size(), is_new);
-  for (const CellId c : change.deleted) out_[c] = is_new;
-  for (const CellId c : change.created) out_[c] = is_new;
+  cells_.resize(delaunay.view().cell_records().size(), is_new);
+  for (const CellId c : change.deleted) cells_[c] = is_new;
+  for (const CellId c : change.created) cells_[c] = is_new;
 }
 
 void KeptBody::renumber(const Renumbering& renumbering, const DynamicDelaunay& delaunay) {
-  for (const auto& [a, b] : renumbering.cells) std::swap(out_[a], out_[b]);
-  out_.resize(delaunay.view().cell_records().size());
+  for (const auto& [a, b] : renumbering.cells) std::swap(cells_[a], cells_[b]);
+  cells_.resize(delaunay.view().cell_records().size());
 }
 
-KeptBody::Change KeptBody::change_to(const Triangulation& triangulation,
-                                     const IdVector<CellId, std::uint8_t>& out) const {
-  BoundaryChange change(triangulation, out);
+BodyBefore KeptBody::before(const Triangulation& triangulation) const {
+  constexpr auto label_of = [](unsigned byte) {
+    const CellLabel side = (byte & is_out) != 0 ? CellLabel::out : CellLabel::in;
+    return (byte & is_new) != 0 ? CellLabel::unmarked : side;
+  };
+  BodyBefore body;
+  body.labels.resize(cells_.size());
+  for (const CellId c : cells_.ids()) body.labels[c] = label_of(cells_[c]);
+  for (const CellId c : triangulation.infinite_cells()) body.labels[c] = CellLabel::unmarked;
   visit_where(
-      out.size(), [&](std::size_t c) { return out_[CellId(c)] != out[CellId(c)]; },
-      [&](std::size_t c) { change.touch_at(CellId(c)); });
-  return change.result();
+      cells_.size(), [&](std::size_t c) { return (cells_[CellId(c)] & is_new) != 0; },
+      [&](std::size_t c) { body.created.push_back(CellId(c)); });
+  return body;
+}
+
+std::optional<KeptBody::Change> KeptBody::go_on(const Triangulation& triangulation,
+                                                const IdVector<VertexId, CellId>& cell_at,
+                                                const IdVector<CellId, std::uint8_t>& out,
+                                                std::span<const CellId> changed) {
+  const std::vector<VertexId> corners = corners_of(triangulation, changed);
+  ZeroedArray<VertexId, SurfaceFan> fans(triangulation.num_vertices());
+  ZeroedArray<VertexId, std::uint8_t> is_touched(triangulation.num_vertices());
+  std::vector<std::pair<FacetId, bool>> facets;  // at the corners, and whether it came
+  for (const CellId c : stars_.stars(triangulation, cell_at, corners)) {
+    for_facets(c, byte_of(triangulation, out, c), [&](FacetId f) {
+      const bool came = !is_old(triangulation, out, f);
+      facets.emplace_back(f, came);
+      for (const VertexId v : triangulation.facet_vertices(f)) {
+        fans[v] = {fans[v].facets + 1, f};
+        if (came) is_touched[v] = 1;
+      }
+    });
+  }
+  Change change;
+  std::vector<VertexId> edge_ends;
+  const bool has_umbrellas = std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
+    if (is_touched[v] == 0) return fans[v].facets != 0;
+    change.touched.push_back(v);
+    return is_one_umbrella(triangulation, out, v, fans[v], edge_ends);
+  });
+  bool meets_old = change.touched.empty();
+  for (const auto& [f, came] : facets) {
+    const std::array<VertexId, 3> t = triangulation.facet_vertices(f);
+    if ((is_touched[t[0]] | is_touched[t[1]] | is_touched[t[2]]) == 0) continue;
+    change.triangles.push_back(t);
+    meets_old = meets_old || !came;
+  }
+  renew(triangulation, out, changed);
+  is_smooth_ = has_umbrellas &&
+               ((meets_old && hang_together(triangulation.num_vertices(), change.triangles)) ||
+                is_connected(triangulation));
+  if (!is_smooth_) return {};
+  return change;
+}
+
+// New ones, and those that are on another side now.
+std::vector<CellId> KeptBody::changed_cells(const IdVector<CellId, std::uint8_t>& out) const {
+  std::vector<CellId> changed;
+  visit_where(
+      out.size(),
+      [&](std::size_t c) {
+        return (cells_[CellId(c)] & (is_out | is_new)) != (out[CellId(c)] != 0 ? is_out : 0U);
+      },
+      [&](std::size_t c) { changed.push_back(CellId(c)); });
+  return changed;
+}
+
+// Whether a facet of the boundary was one before the change.
+bool KeptBody::is_old(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
+                      FacetId f) const {
+  const auto had = [&](FacetId half) {
+    const unsigned byte = cells_[cell_of(half)];
+    const unsigned side = out[cell_of(half)] != 0 ? is_out : 0U;
+    return (byte & (is_out | is_new)) == side && ((byte >> index_of(half)) & 1U) != 0;
+  };
+  return had(f) || had(triangulation.mirror(f));
+}
+
+// What is kept becomes that of the body of the cells that are not `out`.
+void KeptBody::renew(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
+                     std::span<const CellId> changed) {
+  for (const CellId c : changed) {
+    cells_[c] = byte_of(triangulation, out, c);
+    for (int i = 0; i < 4; ++i) {
+      const CellId behind = triangulation.neighbor(c, i);
+      cells_[behind] = byte_of(triangulation, out, behind);
+    }
+  }
+}
+
+// Whether each vertex has one closed umbrella of the boundary.
+bool KeptBody::has_umbrellas(const Triangulation& triangulation,
+                             const IdVector<CellId, std::uint8_t>& out) const {
+  ZeroedArray<VertexId, SurfaceFan> fans(triangulation.num_vertices());
+  for (const CellId c : triangulation.finite_cells()) {
+    for_facets(c, cells_[c], [&](FacetId f) {
+      for (const VertexId v : triangulation.facet_vertices(f)) fans[v] = {fans[v].facets + 1, f};
+    });
+  }
+  std::vector<VertexId> edge_ends;
+  for (const VertexId v : triangulation.vertices()) {
+    if (!is_one_umbrella(triangulation, out, v, fans[v], edge_ends)) return false;
+  }
+  return true;
+}
+
+// Of all vertices: they are on the boundary.
+bool KeptBody::is_connected(const Triangulation& triangulation) const {
+  DisjointSets sets(triangulation.num_vertices());
+  std::size_t parts = triangulation.num_vertices();
+  for (const CellId c : triangulation.finite_cells()) {
+    for_facets(c, cells_[c], [&](FacetId f) {
+      const std::array<VertexId, 3> t = triangulation.facet_vertices(f);
+      parts -= sets.join(t[0].value, t[1].value) ? 1U : 0U;
+      parts -= sets.join(t[0].value, t[2].value) ? 1U : 0U;
+    });
+  }
+  return parts <= 1;
 }
 
 }  // namespace cocoon

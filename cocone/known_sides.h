@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "cocone/cell_label.h"
 #include "cocone/facet_set.h"
@@ -33,6 +34,20 @@ using KnownSidesSource = std::function<KnownSides(
 // Of an old mesh, on the surface still: corners as positions among the input points,
 // counterclockwise seen from outside.
 using KnownTriangle = std::array<PointId, 3>;
+
+// Triangles for those who know where a mesh has changed (kept_sides.h).
+struct KnownTriangles {
+  // The input points at which a triangle of the old mesh is not known; each may come several times.
+  std::function<std::vector<PointId>()> torn;
+  // All known triangles at these points (ascending), each once.
+  std::function<std::vector<KnownTriangle>(std::span<const PointId> points)> at;
+};
+
+// An old surface.
+struct OldSurface {
+  KnownSidesSource sides;
+  KnownTriangles triangles;  // what `sides` tells is what these tell; may be empty
+};
 
 // A vertex is intact if all triangles at it are facets and leave no gap: as many run to each edge
 // there as run from it. They divide the cells around it; those behind a triangle are labeled IN,

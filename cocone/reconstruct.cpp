@@ -155,7 +155,8 @@ class Reconstruction {
     if (options_.keep_cavities) {
       counters.cavities = open_cavities(*triangulation_, surface, marks);
     }
-    if (live_ != nullptr && has_umbrellas(marks) && live_->take_body(*triangulation_, marks)) {
+    if (live_ != nullptr &&
+        live_->take_body(*triangulation_, marks, is_flawed(counters.clean_up))) {
       result_.status = SurfaceStatus::ok;
     } else {
       deliver(surface_between(*triangulation_, marks, execution));
@@ -171,18 +172,9 @@ class Reconstruction {
     good_ = std::move(marks.good);
   }
 
-  // Whether the boundary of the body is known to be one closed umbrella at each vertex: at good
-  // ones it is the surface that told all labels, and the clean-up has looked at the others and has
-  // found nothing to do.
-  bool has_umbrellas(const CellMarks& marks) const {
-    const CleanUpCounters& clean_up = result_.counters.clean_up;
-    const bool told = marks.rounds == 0 && marks.poor_cells == 0 && marks.known.empty() &&
-                      marks.visited_vertices == marks.good_vertices;
-    const bool all_good = marks.good_vertices == triangulation_->num_vertices();
-    const bool flawless = options_.clean_up.enabled && clean_up.undecided_cells == 0 &&
-                          clean_up.left_cells == 0 && clean_up.defects_before == 0 &&
-                          clean_up.unused_before == 0;
-    return told && (all_good || flawless) && result_.counters.cavities.cavities == 0;
+  // Whether the clean-up has seen the boundary of the body be no closed umbrella at some vertex.
+  static bool is_flawed(const CleanUpCounters& clean_up) {
+    return clean_up.left_cells + clean_up.defects_after + clean_up.unused_after != 0;
   }
 
   // What close_by() would: nothing is left to be decided.

@@ -189,8 +189,10 @@ using Marking = std::function<CellMarks(
     const Triangulation& triangulation, const LinkedFacets& surface, const VertexSet& boundary,
     const KnownSidesSource& known, const GoodVertexOptions& options, const Execution& execution)>;
 
-// Whoever takes a body instead of the mesh that bounds it (kept_body.h); false: does not want it.
-using BodyTaker = std::function<bool(const Triangulation& triangulation, const CellMarks& marks)>;
+// Whoever keeps a body (kept_body.h), and may take it instead of the mesh that bounds it: then each
+// vertex has one closed umbrella of that. `is_flawed`: that is not so. False: the mesh is needed.
+using BodyTaker =
+    std::function<bool(const Triangulation& triangulation, const CellMarks& marks, bool is_flawed)>;
 
 // What is known of a triangulation that changes, and who wants what it gives.
 struct LiveStages {
@@ -200,9 +202,7 @@ struct LiveStages {
 };
 
 // As reconstruct_tight_again of the triangulation, without these stages; fills in `surface`.
-// Where all labels come from good vertices, and each vertex has one closed umbrella of the body's
-// boundary, live.take_body is asked; if it takes the body the result has neither mesh nor anything
-// by vertex.
+// If live.take_body takes the body the result has neither mesh nor anything by vertex.
 ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
                                          KnownCandidates candidates, Points points,
                                          const KnownSidesSource& known,

@@ -123,6 +123,29 @@ MeshEdit mesh_edit(const ModelIndex& before, ListEdit<VertexId> vertices,
   return edit;
 }
 
+bool leads_to(const MeshEdit& edit, const ModelIndex& after,
+              const IdVector<VertexId, VertexId>& vertex_map, std::span<const VertexId> touched,
+              std::span<const Triangle> triangles) {
+  std::vector<VertexId> now = edit.vertices.added;
+  for (const VertexId v : touched) {
+    if (!vertex_map[v].is_none()) now.push_back(vertex_map[v]);
+  }
+  make_set(now);
+  const auto all_have_one_of = [](std::span<const VertexId> vertices,
+                                  std::span<const Triangle> changed) {
+    return std::all_of(changed.begin(), changed.end(), [&](const Triangle& t) {
+      return std::any_of(t.begin(), t.end(), [&](VertexId v) {
+        return std::binary_search(vertices.begin(), vertices.end(), v);
+      });
+    });
+  };
+  if (!all_have_one_of(touched, edit.removed) || !all_have_one_of(now, edit.added)) return false;
+  const std::vector<TriangleId> found = triangles_at(after, now);
+  return std::equal(
+      found.begin(), found.end(), triangles.begin(), triangles.end(),
+      [&](TriangleId t, const Triangle& u) { return after.mesh().triangles[t] == u; });
+}
+
 void edit_triangles(IdVector<TriangleId, Triangle>& triangles, const MeshEdit& edit,
                     const IdVector<VertexId, VertexId>& vertex_map) {
   const EditedIds<VertexId> vertices(edit.vertices, vertex_map);

@@ -34,6 +34,13 @@ MeshEdit mesh_edit(const ModelIndex& before, ListEdit<VertexId> vertices,
                    std::span<const Point> added_points, std::span<const VertexId> touched,
                    std::span<const Triangle> triangles);
 
+// Whether an edit that was carried out leads to what an edit with these `touched` and `triangles`
+// leads to; `after`: the index of the mesh now. New vertices may lie anywhere. Complexity: O(k log
+// k) for k triangles that changed or are at these vertices.
+bool leads_to(const MeshEdit& edit, const ModelIndex& after,
+              const IdVector<VertexId, VertexId>& vertex_map, std::span<const VertexId> touched,
+              std::span<const Triangle> triangles);
+
 // Carries the edit out on the triangles. `vertex_map`: places_after(edit.vertices). Complexity:
 // O(t), a pass in place.
 void edit_triangles(IdVector<TriangleId, Triangle>& triangles, const MeshEdit& edit,

@@ -206,21 +206,4 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   return result;
 }
 
-std::vector<KnownTriangle> known_triangles(const TriangleMesh& model, const Regions& regions,
-                                           const RegionChoice& choice,
-                                           const Replacement& replacement) {
-  std::vector<KnownTriangle> known;
-  for (const TriangleId t : model.triangles.ids()) {
-    const RegionId region = regions.region_of_facet[t];
-    if (region.is_none() || choice.replaced[region] != 0) continue;
-    KnownTriangle corners;
-    std::transform(model.triangles[t].begin(), model.triangles[t].end(), corners.begin(),
-                   [&](VertexId v) { return replacement.point_of_vertex[v]; });
-    const bool stays =
-        std::none_of(corners.begin(), corners.end(), [](PointId p) { return p.is_none(); });
-    if (stays) known.push_back(corners);
-  }
-  return known;
-}
-
 }  // namespace cocoon

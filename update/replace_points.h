@@ -63,10 +63,4 @@ Replacement replace_points(const ModelIndex& model, const Regions& regions,
                            std::span<const std::vector<Point>> clouds,
                            const ReplaceOptions& options = {});
 
-// The model's triangles in kept regions, off the border, whose corners all stay, by the updated
-// points: their places in the surface are known. Complexity: O(t).
-std::vector<KnownTriangle> known_triangles(const TriangleMesh& model, const Regions& regions,
-                                           const RegionChoice& choice,
-                                           const Replacement& replacement);
-
 }  // namespace cocoon

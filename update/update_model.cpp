@@ -8,6 +8,7 @@
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "geom/sort_ids.h"
+#include "update/kept_surface.h"
 #include "update/model_index.h"
 #include "update/ordinary_size.h"
 #include "update/update_messages.h"
@@ -98,14 +99,8 @@ class Update {
     if (result_.overlooked >= options_.overlooked.min_count) {
       warn(warning_of_overlooked(result_.overlooked));
     }
-    const KnownSidesSource known = [&](const Triangulation& triangulation, const FacetSet& surface,
-                                       const Execution& nested) {
-      return known_sides(
-          triangulation,
-          known_triangles(model_, result_.regions, result_.choice, result_.replacement), surface,
-          nested);
-    };
-    result_.reconstruction = parts.reconstruct(result_.replacement, known, execution);
+    const KeptSurface kept(index, result_.regions, result_.choice, result_.replacement);
+    result_.reconstruction = parts.reconstruct(result_.replacement, kept.told(), execution);
     if (result_.reconstruction.status == SurfaceStatus::refuted) {
       return fail(UpdateStatus::refuted, result_.reconstruction.verification.failure);
     }
@@ -484,8 +479,8 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
   std::optional<ModelIndex> index;
   const UpdateParts parts{
       [&]() -> const ModelIndex& { return index.emplace(model); },
-      [&](const Replacement& replacement, const KnownSidesSource& known, const Execution& nested) {
-        return reconstruct_tight_again(replacement.points, known, options.reconstruct, nested);
+      [&](const Replacement& replacement, const OldSurface& old, const Execution& nested) {
+        return reconstruct_tight_again(replacement.points, old.sides, options.reconstruct, nested);
       }};
   return update_model(model, clouds, parts, options, execution);
 }

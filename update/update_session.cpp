@@ -182,26 +182,26 @@ std::optional<ListEdit<PointId>> UpdateSession::edit_of_points(
   return edit;
 }
 
-ReconstructResult UpdateSession::reconstruct(const Replacement& replacement,
-                                             const KnownSidesSource& known,
+ReconstructResult UpdateSession::reconstruct(const Replacement& replacement, const OldSurface& old,
                                              const Execution& execution, Pending& pending) {
   ReconstructResult result;
   if (surface_.num_points() == 0) {
-    result = surface_.reconstruct(replacement.points, execution, known);
+    result = surface_.reconstruct(replacement.points, execution, old.sides);
   } else if (pending.points = edit_of_points(replacement); pending.points) {
     DynamicTightCocone::Edited edited =
-        surface_.edit(replacement.points, *pending.points, execution, known);
+        surface_.edit(replacement.points, *pending.points, execution, old);
     pending.surface = std::move(edited.edit);
     result = std::move(edited.result);
   } else {
-    result = surface_.replace(replacement.points, old_positions(replacement), execution, known);
+    result = surface_.replace(replacement.points, old_positions(replacement), execution, old);
   }
   if (!pending.surface) pending.position_after = positions_after(replacement);
   pending.done = true;
   return result;
 }
 
-// The points of the surface are again those of the model.
+// The points of the surface are again those of the model. Nobody knows what sides were known for
+// that.
 void UpdateSession::take_back(const Pending& pending) {
   if (!pending.done) return;
   if (pending.points) {
@@ -209,6 +209,7 @@ void UpdateSession::take_back(const Pending& pending) {
   } else {
     surface_.replace(points(), pending.position_after);
   }
+  surface_.forget_body();
 }
 
 SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
@@ -216,8 +217,8 @@ SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
   Pending pending;
   const UpdateParts parts{
       [&]() -> const ModelIndex& { return index(); },
-      [&](const Replacement& replacement, const KnownSidesSource& known, const Execution& nested) {
-        return reconstruct(replacement, known, nested, pending);
+      [&](const Replacement& replacement, const OldSurface& old, const Execution& nested) {
+        return reconstruct(replacement, old, nested, pending);
       },
       is_smooth()};
   SessionUpdate update;
@@ -322,14 +323,21 @@ MeshChange UpdateSession::undo_edit(const MeshEdit& edit, const Execution& execu
   ListEdit<PointId> points;
   for (const VertexId v : edit.vertices.removed) points.removed.push_back(PointId(v.value));
   for (const VertexId v : edit.vertices.added) points.added.push_back(PointId(v.value));
-  surface_.edit(before.span(), points, execution);
+  const DynamicTightCocone::Edited edited = surface_.edit(before.span(), points, execution);
   IdVector<VertexId, VertexId> vertex_map = places_after(edit.vertices, model_.points.size());
-  return carry_out(edit, std::move(before.raw()), std::move(vertex_map));
+  MeshChange change = carry_out(edit, std::move(before.raw()), std::move(vertex_map));
+  const bool is_found =
+      edited.edit && index_ &&
+      leads_to(edit, *index_, change.vertex_map, edited.edit->touched, edited.edit->triangles);
+  if (!is_found) surface_.forget_body();
+  return change;
 }
 
 MeshChange UpdateSession::undo_to(Body& before, const Execution& execution) {
-  surface_.replace(before.points_are_vertices ? before.model.points.span() : Points(before.points),
-                   before.position_after, execution);
+  const ReconstructResult found = surface_.replace(
+      before.points_are_vertices ? before.model.points.span() : Points(before.points),
+      before.position_after, execution);
+  if (found.mesh.triangles != before.model.triangles) surface_.forget_body();
   IdVector<VertexId, VertexId> vertex_map(model_.points.size());
   for (const VertexId v : before.next_vertex.ids()) {
     if (!before.next_vertex[v].is_none()) vertex_map[before.next_vertex[v]] = v;

@@ -139,7 +139,7 @@ class UpdateSession {
     return points_are_vertices_ ? PointId(v.value) : point_of_vertex_[v];
   }
   IdVector<VertexId, PointId> points_of_vertices() const;
-  ReconstructResult reconstruct(const Replacement& replacement, const KnownSidesSource& known,
+  ReconstructResult reconstruct(const Replacement& replacement, const OldSurface& old,
                                 const Execution& execution, Pending& pending);
   std::optional<ListEdit<PointId>> edit_of_points(const Replacement& replacement) const;
   std::vector<PointId> old_positions(const Replacement& replacement) const;

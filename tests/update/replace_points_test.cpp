@@ -4,36 +4,15 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "tests/update/hand_made_models.h"
-#include "update/overlapping_facets.h"
-#include "update/trace_border.h"
+#include "tests/update/replaced_disk.h"
 
 namespace cocoon {
 namespace {
 
-// A plane, the rim of a round cloud, and the choice "inside is replaced". Vertices go by the sides
-// of the rim, on which there are no samples.
-struct Scene {
-  TriangleMesh model = testing::grid_plane(20);
-  std::vector<CloudRim> rims = {testing::rim_of({testing::circle(60, {10, 10, 0}, 6.3)})};
-  std::vector<std::vector<Point>> clouds = {{{10, 10, 2}, {11, 10, 2}, {9.5, 10, 1.5}}};
-  Regions regions;
-  RegionChoice choice;
-
-  Scene() {
-    const ModelIndex index(model);
-    const Border border = trace_border(index, rims[0], overlapping_facets(index, rims[0]));
-    regions = segment_model(model, border.facets);
-    choice.replaced = IdVector<RegionId, std::uint8_t>(regions.regions.size(), 0);
-    choice.replaced[regions.group_of_vertex[testing::nearest_vertex(model, {10, 10, 0})]] = 1;
-  }
-  Replacement replace(const ReplaceOptions& options = {.scanned = {.rim_zone = 0}}) const {
-    return replace_points(ModelIndex(model), regions, choice, rims, clouds, options);
-  }
-};
+using testing::ReplacedDisk;
 
 TEST(ReplacePoints, RemovesWhatLiesInsideTheRimAndNothingElse) {
-  const Scene scene;
+  const ReplacedDisk scene;
   const Replacement result = scene.replace();
   std::size_t inside = 0;
   for (const VertexId v : scene.model.points.ids()) {
@@ -49,7 +28,7 @@ TEST(ReplacePoints, RemovesWhatLiesInsideTheRimAndNothingElse) {
 }
 
 TEST(ReplacePoints, KeptVerticesComeFirstInOrderWithTheirBits) {
-  const Scene scene;
+  const ReplacedDisk scene;
   const Replacement result = scene.replace();
   PointId last;
   for (const VertexId v : scene.model.points.ids()) {
@@ -66,31 +45,8 @@ TEST(ReplacePoints, KeptVerticesComeFirstInOrderWithTheirBits) {
   }
 }
 
-TEST(ReplacePoints, TrianglesOfKeptRegionsAreKnown) {
-  const Scene scene;
-  const Replacement result = scene.replace();
-  std::size_t far = 0;
-  for (const Triangle& t : scene.model.triangles) {
-    far += std::all_of(t.begin(), t.end(), [&](VertexId v) {
-      return distance(scene.model.points[v], {10, 10, 0}) > 8;
-    });
-  }
-  const std::vector<KnownTriangle> known =
-      known_triangles(scene.model, scene.regions, scene.choice, result);
-  EXPECT_GE(known.size(), far);
-  for (const KnownTriangle& t : known) {
-    for (const PointId p : t) {
-      ASSERT_LT(p.index(), result.kept);
-      EXPECT_GT(distance(result.points[p.index()], {10, 10, 0}), 6.3);
-    }
-    const Point& a = result.points[t[0].index()];
-    const Vec3 normal = cross(result.points[t[1].index()] - a, result.points[t[2].index()] - a);
-    EXPECT_GT(normal.z, 0);  // turned as in the model
-  }
-}
-
 TEST(ReplacePoints, EqualPointsAreMerged) {
-  Scene scene;
+  ReplacedDisk scene;
   scene.clouds[0].push_back({0, 0, 0});    // a kept vertex
   scene.clouds[0].push_back({10, 10, 2});  // a cloud point
   scene.clouds.push_back({{11, 10, 2}, {0, 20, -0.0}});
@@ -112,7 +68,7 @@ TEST(ReplacePoints, EqualPointsAreMerged) {
 }
 
 TEST(ReplacePoints, TellsWhoWasRemoved) {
-  const Replacement result = Scene().replace();
+  const Replacement result = ReplacedDisk().replace();
   std::vector<VertexId> removed;
   for (const VertexId v : result.point_of_vertex.ids()) {
     if (result.point_of_vertex[v].is_none()) removed.push_back(v);
@@ -122,7 +78,7 @@ TEST(ReplacePoints, TellsWhoWasRemoved) {
 }
 
 TEST(ReplacePoints, UnusedVerticesAreNotCarriedOver) {
-  Scene scene;
+  ReplacedDisk scene;
   scene.model.points.push_back({100, 100, 100});
   scene.regions.group_of_vertex.push_back({});
   const Replacement result = scene.replace();
@@ -131,7 +87,7 @@ TEST(ReplacePoints, UnusedVerticesAreNotCarriedOver) {
 }
 
 TEST(ReplacePoints, ThinningDropsKeptVerticesNearTheCloud) {
-  Scene scene;
+  ReplacedDisk scene;
   scene.clouds[0].push_back({2, 3.1, 0});
   EXPECT_EQ(scene.replace().thinned, 0U);
   const Replacement thinned = scene.replace({.thinning_distance = 0.5, .scanned = {.rim_zone = 0}});
@@ -142,7 +98,7 @@ TEST(ReplacePoints, ThinningDropsKeptVerticesNearTheCloud) {
 // At the very rim the samples tell: a vertex inside it without a sample stays, one outside with a
 // sample goes; whatever is farther from it goes by its side.
 TEST(ReplacePoints, AtTheRimSamplesTell) {
-  Scene scene;
+  ReplacedDisk scene;
   const auto at = [](std::size_t x, std::size_t y) { return VertexId(y * 21 + x); };
   const VertexId inside = at(10, 16);   // 0.3 inside a rim of radius 6.3
   const VertexId outside = at(15, 14);  // 0.1 outside
