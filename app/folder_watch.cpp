@@ -25,13 +25,14 @@ std::vector<fs::path> FolderWatch::poll() {
     throw FileError(folder_.string() + ": cannot read this folder: " + error.message());
   }
   const auto now = fs::file_time_type::clock::now();
+  const auto seen_now = std::chrono::steady_clock::now();
   std::map<fs::path, Seen> seen;
   std::vector<std::pair<fs::file_time_type, fs::path>> complete;
   waiting_ = 0;
   for (; entries != fs::directory_iterator(); entries.increment(error)) {
     const fs::path path = entries->path();
     if (!may_be_cloud(path) || !entries->is_regular_file(error)) continue;
-    Seen file{fs::file_size(path, error), {}, false};
+    Seen file{fs::file_size(path, error), {}, seen_now, false};
     if (error) continue;  // gone meanwhile
     file.changed = fs::last_write_time(path, error);
     if (error) continue;
@@ -39,8 +40,10 @@ std::vector<fs::path> FolderWatch::poll() {
     const bool same = before != seen_.end() && before->second.size == file.size &&
                       before->second.changed == file.changed;
     file.reported = same && before->second.reported;
+    if (same) file.since = before->second.since;
     if (!file.reported) {
-      if (same && now - file.changed >= settle_) {
+      // The clock that gave the file its time may be ahead.
+      if (same && (now - file.changed >= settle_ || seen_now - file.since >= settle_)) {
         file.reported = true;
         complete.emplace_back(file.changed, path);
       } else {

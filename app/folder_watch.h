@@ -10,7 +10,8 @@ namespace cocoon::app {
 
 // A file counts as complete when two polls in a row see the same length and time of change, and
 // that time is at least `settle` ago: a file that is renamed into the folder is, at the second
-// poll; one that is being written there is not before its writer has paused for that long. Files
+// poll; one that is being written there is not before its writer has paused for that long. So is
+// one that polls have seen unchanged for as long: its time may be from a clock that is ahead. Files
 // whose names begin with a dot, and what is no point format, are not looked at. A file that changes
 // later, or comes again under its old name, is a new one.
 class FolderWatch {
@@ -28,8 +29,8 @@ class FolderWatch {
   struct Seen {
     std::uintmax_t size = 0;
     std::filesystem::file_time_type changed;
+    std::chrono::steady_clock::time_point since;  // seen with that size and time
     bool reported = false;
-    friend bool operator==(const Seen&, const Seen&) = default;
   };
   std::filesystem::path folder_;
   std::chrono::milliseconds settle_;

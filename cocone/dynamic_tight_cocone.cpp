@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/boundary_samples.h"
 #include "cocone/certain_result.h"
 #include "cocone/certified_surface.h"
+#include "cocone/cocones.h"
 #include "cocone/compact_delaunay.h"
 #include "cocone/kept_body.h"
 #include "cocone/kept_links.h"
@@ -18,8 +20,10 @@
 #include "cocone/lent_delaunay.h"
 #include "cocone/live_candidates.h"
 #include "cocone/point_step.h"
+#include "cocone/poles.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
+#include "delaunay/voronoi_dual.h"
 #include "geom/id_vector.h"
 #include "geom/sort_ids.h"
 #include "geom/triangle_order.h"
@@ -85,6 +89,7 @@ struct DynamicTightCocone::State {
                            bool may_edit = false);
   Edited edit_body(Points points, const ListEdit<PointId>& change, PointStep step,
                    const DelaunayChange& done, const Execution& execution, const OldSurface& old);
+  void judge_points(ReconstructResult& result) const;
   void list_points_of_vertices(PointId first);
   void forget_points(std::span<const VertexId> removed);
   CertainView view() const { return {delaunay, vertex_of_point, candidates, certified}; }
@@ -197,7 +202,9 @@ DelaunayChange DynamicTightCocone::State::change_triangulation(const PointStep& 
 // other vertices than they had.
 void DynamicTightCocone::State::undo(PointStep step, const DelaunayChange& change) {
   forget_surface();
-  const std::size_t slots = std::max(step.slots, delaunay.num_vertex_slots());
+  std::size_t slots = std::max(step.slots, delaunay.num_vertex_slots());
+  // If all points were replaced there may be fewer slots than before.
+  for (const VertexId v : step.removed) slots = std::max(slots, v.index() + 1);
   std::vector<VertexId> inserted = change.inserted;
   rename_vertices(step.moved, slots, inserted);
   const DelaunayChange back = delaunay.replace(inserted, step.removed_points);
@@ -293,6 +300,23 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points, con
   if (!surface.triangles.facets.empty()) links.keep(std::move(surface.triangles));
   look_for_certificate(result, surface);
   return result;
+}
+
+// Normals and boundary samples anew: an operation that was cancelled leaves the triangulation
+// alone.
+void DynamicTightCocone::State::judge_points(ReconstructResult& result) const {
+  const Triangulation t = compact_delaunay(delaunay, vertex_of_point).triangulation;
+  const ReconstructOptions effective = effective_options(options);
+  const Dual dual = voronoi_dual(t);
+  const Poles poles = compute_poles(t, dual);
+  const VertexSet boundary =
+      boundary_samples(t, dual, poles, intersect_cocones(t, dual, poles, effective.cocone),
+                       effective.boundary)
+          .boundary;
+  for (const VertexId v : t.vertex_of_point()) {
+    result.normals.push_back(poles.normals[v]);
+    result.boundary_sample.push_back(boundary[v]);
+  }
 }
 
 // Precondition: each vertex has one point.
@@ -412,8 +436,8 @@ ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution
 ReconstructResult DynamicTightCocone::replace(Points points, std::span<const PointId> old_position,
                                               const Execution& execution, const OldSurface& old) {
   State& state = *state_;
-  if (!state.is_live() || working_scale(points) != 1) {
-    return reconstruct(points, execution, old.sides);
+  if (!state.is_live() || points.empty() || working_scale(points) != 1) {
+    return reconstruct(points, execution, old.sides);  // of no points: throws
   }
   PointStep step = plan_step(state.delaunay, state.vertex_of_point, points, old_position);
   const DelaunayChange change = state.carry_out(step, execution);
@@ -425,7 +449,7 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
                                                     const Execution& execution,
                                                     const OldSurface& old) {
   State& state = *state_;
-  if (!is_smooth()) {
+  if (!is_smooth() || points.empty()) {
     const IdVector<PointId, PointId> before = places_after(change.reversed(), points.size());
     return {replace(points, before.raw(), execution, old), {}};
   }
@@ -456,13 +480,13 @@ void DynamicTightCocone::forget_body() { state_->body.clear(); }
 
 void DynamicTightCocone::complete(ReconstructResult& result) const {
   const State& state = *state_;
-  assert(state.candidates.exists() && state.num_points == state.delaunay.num_vertices());
+  assert(state.num_points == state.delaunay.num_vertices());
   result.point_of_vertex.clear();
+  for (const PointId p : state.vertex_of_point.ids()) result.point_of_vertex.push_back(p);
   result.normals.clear();
   result.boundary_sample.clear();
-  for (const PointId p : state.vertex_of_point.ids()) {
-    const VertexId v = state.vertex_of_point[p];
-    result.point_of_vertex.push_back(p);
+  if (!state.candidates.exists()) return state.judge_points(result);
+  for (const VertexId v : state.vertex_of_point) {
     result.normals.push_back(state.candidates.normal(v));
     result.boundary_sample.push_back(state.candidates.is_boundary(v) ? 1 : 0);
   }

@@ -58,6 +58,7 @@ struct DynamicDelaunay::State {
   bool plan_removal(std::span<const VertexId> vertices) { return remover.plan(vertices, cell_at); }
   void commit_removal(std::span<const VertexId> vertices, DelaunayChange& change);
   void undo(DelaunayChange& change);
+  bool remove_inserted(DelaunayChange& change);
 
   void follow(const CellExchange& exchange);
   void rename(VertexId from, VertexId to);
@@ -236,21 +237,29 @@ void DynamicDelaunay::State::commit_removal(std::span<const VertexId> vertices,
 // this leads to the cells that were there before.
 void DynamicDelaunay::State::undo(DelaunayChange& change) {
   update_cells_at_vertices();
-  std::vector<VertexId> inserted;
-  for (const VertexId v : change.inserted) {
-    if (!cell_at[v].is_none()) inserted.push_back(v);
-  }
-  if (!inserted.empty()) {
-    plan_removal(inserted);
-    commit_removal(inserted, change);
-  }
-  free_vertices.insert(free_vertices.end(), change.inserted.rbegin(), change.inserted.rend());
+  // Where removed points have come again the new vertices have to go first. Where what stays does
+  // not span space without the removed ones, these have to come first: none has come again then.
+  const bool took_back = remove_inserted(change);
   for (const VertexId v : change.removed) {
     if (!cell_at[v].is_none()) continue;
     insert_vertex(v, inserter.find_start(points[v], last_created, change.insertion),
                   change.insertion);
   }
   update_cells_at_vertices();
+  if (!took_back) remove_inserted(change);
+  free_vertices.insert(free_vertices.end(), change.inserted.rbegin(), change.inserted.rend());
+}
+
+// False, and nothing was done, if the others do not span space.
+bool DynamicDelaunay::State::remove_inserted(DelaunayChange& change) {
+  std::vector<VertexId> inserted;
+  for (const VertexId v : change.inserted) {
+    if (!cell_at[v].is_none()) inserted.push_back(v);
+  }
+  if (inserted.empty()) return true;
+  if (!plan_removal(inserted)) return false;
+  commit_removal(inserted, change);
+  return true;
 }
 
 // --- Operations ------------------------------------------------------------------------------
@@ -331,7 +340,7 @@ DelaunayChange DynamicDelaunay::replace(std::span<const VertexId> vertices, Poin
       state.insert_then_remove(points, execution, change);
     }
     report_progress(execution, "delaunay", 1);
-  } catch (const Error&) {
+  } catch (...) {
     state.undo(change);
     throw;
   }

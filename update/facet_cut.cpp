@@ -11,6 +11,9 @@ namespace cocoon {
 
 namespace {
 
+// In steps. Sums of 4 million sides fit into 62 bits, whatever the scale of the model.
+constexpr double longest_side = 0x1p40;
+
 // The facets near those that pull, as nodes of a graph.
 class Zone {
  public:
@@ -124,7 +127,7 @@ FacetCut label_all(const TriangleSet& border, const Zone& zone,
 std::int64_t side_in_steps(const ModelIndex& model, TriangleId t, std::size_t i,
                            double steps_per_unit) {
   const double steps = side_length(model.mesh(), t, i) * steps_per_unit;
-  return std::max<std::int64_t>(1, std::llround(steps));
+  return std::llround(std::clamp(steps, 1.0, longest_side));
 }
 
 FacetCut facet_cut(const ModelIndex& model, const TriangleSet& border,

@@ -31,7 +31,7 @@ struct FacetCut {
   std::vector<HalfedgeId> sides;  // between both sides, of the facets on the source side
 };
 
-// The length of a side in steps, at least one.
+// The length of a side in steps, at least one, at most 2^40.
 std::int64_t side_in_steps(const ModelIndex& model, TriangleId t, std::size_t i,
                            double steps_per_unit);
 

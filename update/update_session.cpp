@@ -29,6 +29,13 @@ void drop_values_by_vertex(ReconstructResult& result) {
   result.boundary_sample = {};
 }
 
+// Whoever goes on from a certain surface takes it for the model, which a mesh that was given is
+// not.
+void forget_certificate(DynamicTightCocone::Snapshot& snapshot) {
+  snapshot.surface.sides = {};
+  snapshot.surface.sheets = {};
+}
+
 }  // namespace
 
 void check_snapshot(const SessionSnapshot& snapshot, const Execution& execution) {
@@ -364,6 +371,7 @@ IdVector<VertexId, PointId> UpdateSession::points_of_vertices() const {
 SessionSnapshot UpdateSession::snapshot() const {
   DynamicTightCocone::Snapshot surface;
   if (surface_.num_points() != 0) surface = surface_.snapshot();
+  if (points_are_vertices_ && !model_is_surface_) forget_certificate(surface);
   return {model_,
           {points().begin(), points().end()},
           points_of_vertices(),
@@ -376,6 +384,7 @@ SessionSnapshot UpdateSession::release() && {
   index_.reset();
   DynamicTightCocone::Snapshot surface;
   if (surface_.num_points() != 0) surface = std::move(surface_).release();
+  if (points_are_vertices_ && !model_is_surface_) forget_certificate(surface);
   IdVector<VertexId, PointId> points_of_vertices = this->points_of_vertices();
   std::vector<Point> points = points_are_vertices_ ? model_.points.raw() : std::move(points_);
   reconstruction_ = {};

@@ -380,5 +380,63 @@ TEST(DynamicTightCocone, CancelledOnATornSurfaceItGoesOnFromThePointsBefore) {
   EXPECT_FALSE(is_local_and_equal(cocone, changing, expected));
 }
 
+// Fewer points come than were there, all of them new: ids of vertices before are beyond those
+// after.
+TEST(DynamicTightCocone, CancelledWhenFewOtherPointsCameItGoesOnFromThePointsBefore) {
+  ChangingPoints changing(gallery::even_sphere(300));
+  DynamicTightCocone cocone;
+  cocone.reconstruct(changing.points);
+  const ChangingPoints before = changing;
+  changing.change([](const Point&) { return true; }, gallery::even_sphere(20));
+  int cancelled = 0;
+  for (int n = 1;; ++n) {
+    StopAfter progress(n);
+    try {
+      cocone.replace(changing.points, changing.old_position, {1, &progress});
+      break;
+    } catch (const Cancelled&) {
+      ++cancelled;
+      ChangingPoints again = before;
+      again.change([](const Point&) { return false; }, {});
+      ReconstructResult expected;
+      is_local_and_equal(cocone, again, expected);
+    }
+  }
+  EXPECT_GT(cancelled, 10);
+}
+
+// As delaunay() does.
+TEST(DynamicTightCocone, RefusesToHaveNoPoints) {
+  ChangingPoints changing(gallery::even_sphere(300));
+  DynamicTightCocone cocone;
+  cocone.reconstruct(changing.points);
+  ASSERT_TRUE(cocone.is_smooth());
+  EXPECT_THROW(cocone.replace({}, {}), InputError);
+  ListEdit<PointId> all;
+  for (std::size_t i = 0; i < changing.points.size(); ++i) all.removed.push_back(PointId(i));
+  EXPECT_THROW(cocone.edit({}, all), InputError);
+  changing.change([](const Point& p) { return p.x > 0.99; }, {{1, 0, 0}});
+  ReconstructResult expected;
+  EXPECT_TRUE(is_local_and_equal(cocone, changing, expected));
+}
+
+// Nothing is known of the samples then but their triangulation.
+TEST(DynamicTightCocone, CompletesAResultAfterACancelledChange) {
+  Random random(2);
+  for (const double noise : {0.0, 0.2}) {
+    std::vector<Point> points = gallery::even_sphere(400);
+    for (Point& p : points) p = p + noise * spacing_on_sphere(400) * random.on_unit_sphere();
+    DynamicTightCocone cocone({.mode = Mode::paper});
+    ReconstructResult result = cocone.reconstruct(points);
+    const ReconstructResult expected = result;
+    ASSERT_EQ(expected.unused_points, 0U);
+    const std::vector<Point> fewer(points.begin() + 1, points.end());
+    StopAfter progress(1);
+    EXPECT_THROW(cocone.edit(fewer, {{PointId(0)}, {}}, {1, &progress}), Cancelled);
+    cocone.complete(result);
+    expect_equal_reconstruction(result, expected);
+  }
+}
+
 }  // namespace
 }  // namespace cocoon

@@ -342,6 +342,35 @@ TEST(DynamicDelaunay, CancellationChangesNothing) {
   expect_fresh(dynamic);
 }
 
+// What stays spans space only with the points that come: those that went have to be there again
+// before these can go.
+TEST(DynamicDelaunay, CancelledAtTheEndWhenWhatStaysIsFlat) {
+  DynamicDelaunay dynamic;
+  dynamic.insert(gallery::plane_and_apex(6));
+  const std::vector<VertexId> live = live_vertices(dynamic);
+  const Triangulation original = canonical_order(dynamic.freeze().triangulation);
+  const VertexId apex =
+      *std::find_if(live.begin(), live.end(), [&](VertexId v) { return dynamic.point(v).z != 0; });
+  int reports = 0;
+  for (int at = 1;; ++at) {
+    CancelAt progress(at);
+    try {
+      dynamic.replace(std::vector{apex}, std::vector<Point>{{1, 2, 7}, {2, 1, 6}},
+                      {.progress = &progress});
+      break;
+    } catch (const Cancelled&) {
+      ++reports;
+    }
+    EXPECT_TRUE(live_vertices(dynamic) == live);
+    const Triangulation now = canonical_order(dynamic.freeze().triangulation);
+    EXPECT_TRUE(now.points() == original.points());
+    EXPECT_TRUE(now.cell_records() == original.cell_records());
+    expect_consistent(dynamic);
+  }
+  EXPECT_EQ(reports, 3);  // the start, the points, the end
+  expect_fresh(dynamic);
+}
+
 TEST(DynamicDelaunay, MovesWithItsMemory) {
   DynamicDelaunay first;
   first.insert(gallery::uniform_cube(50));

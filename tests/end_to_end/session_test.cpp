@@ -255,6 +255,23 @@ TEST(Watch, WaitsForTheEndOfAFile) {
   EXPECT_EQ(content_of(watched.mesh), watched.expected({north}));
 }
 
+// The time of a file may be that of another machine.
+TEST(Watch, TakesAFileFromAClockThatIsAhead) {
+  const Watched watched;
+  const TemporaryFolder outputs;
+  watched.put("1.xyz", north);
+  std::filesystem::last_write_time(
+      watched.drop + "/1.xyz",
+      std::filesystem::file_time_type::clock::now() + std::chrono::hours(24));
+  const RunningProgram program(outputs, watched.once());
+  const bool stopped = wait_for([&] {
+    return content_of(outputs.file("stdout")).find("1 cloud applied") != std::string::npos;
+  });
+  EXPECT_TRUE(stopped);
+  if (!stopped) program.send(SIGKILL);
+  program.wait();
+}
+
 // Killed at any moment, it neither loses a cloud nor applies one twice.
 TEST(Watch, ResumesAfterAKill) {
   const Watched watched;

@@ -1,8 +1,10 @@
 #include "geom/execution.h"
 
+#include <fstream>
 #include <gtest/gtest.h>
 #include <string>
 #include <string_view>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -60,6 +62,44 @@ TEST(RunStep, ACancelledStepHasNoEnd) {
   Recorder recorder("all/count 0");
   EXPECT_THROW(run_step(Execution{1, &recorder}, "all", forty_two), Cancelled);
   EXPECT_EQ(recorder.heard, (std::vector<std::string>{"all 0", "all/count 0"}));
+}
+
+// In bytes, of this process; 0: the system does not tell.
+double resident_memory() {
+  std::ifstream statm("/proc/self/statm");
+  double size = 0;
+  double resident = 0;
+  statm >> size >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+// A program that waits for work runs for months.
+TEST(ParallelChunks, TakesNoMemoryForGood) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers keep memory that was given back";
+#endif
+  std::vector<double> numbers(64);
+  const auto run = [&](int times) {
+    for (int k = 0; k < times; ++k) {
+      parallel_chunks({2}, numbers.size(), 4, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) numbers[i] += 1;
+      });
+    }
+  };
+  run(200);
+  const double before = resident_memory();
+  run(1500);
+  EXPECT_LT(resident_memory() - before, 2e6);
+  EXPECT_EQ(numbers.front() + numbers.back(), 3400);
+}
+
+// A loop in a task of another one.
+TEST(ParallelChunks, CanBeNested) {
+  std::vector<double> numbers(256);
+  parallel_chunks({2}, 16, 1, [&](std::size_t begin, std::size_t) {
+    parallel_chunks({2}, 16, 1, [&](std::size_t i, std::size_t) { numbers[16 * begin + i] += 1; });
+  });
+  EXPECT_EQ(numbers, std::vector<double>(256, 1));
 }
 
 }  // namespace

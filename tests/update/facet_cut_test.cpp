@@ -88,5 +88,17 @@ TEST(FacetCut, WithoutPullsNothingIsOnTheSourceSide) {
   EXPECT_TRUE(cut.sides.empty());
 }
 
+// Parts of a model may be so far away that sums of lengths are beyond all integers.
+TEST(FacetCut, SidesMayBeOfAnyLength) {
+  Plane plane;
+  for (Point& p : plane.mesh.points) p = 1e30 * p;
+  const ModelIndex model(plane.mesh);
+  const std::int64_t longest = side_in_steps(model, plane.at(1, 1), 0, steps);
+  EXPECT_EQ(longest, std::int64_t{1} << 40);
+  const std::vector<FacetPull> pulls{{plane.at(3, 3), 4 * longest}, {plane.at(9, 9), -4 * longest}};
+  const FacetCut cut = facet_cut(model, plane.border, pulls, steps);
+  EXPECT_EQ(cut.source_facets, 1U);  // three sides cost less than the pull
+}
+
 }  // namespace
 }  // namespace cocoon

@@ -143,6 +143,24 @@ TEST(UpdateSession, AMeshThatWasGivenIsNoReconstruction) {
   }
 }
 
+// The surface of its points is certain, but another mesh than the model.
+TEST(UpdateSession, GoesOnFromASnapshotOfAMeshThatCameBack) {
+  Random random(8);
+  TriangleMesh mesh = reconstruct_tight(gallery::even_sphere(700)).mesh;
+  std::reverse(mesh.triangles.begin(), mesh.triangles.end());
+  const double edge = mean_edge(mesh);
+  const Clouds clouds{scan_of(mesh, VertexId(50), 6 * edge, 0.1 * edge, 0.15 * edge, random)};
+  for (const bool is_released : {false, true}) {
+    UpdateSession session(mesh);
+    ASSERT_EQ(session.apply(clouds).result.status, UpdateStatus::ok);
+    session.undo();
+    SessionSnapshot snapshot = is_released ? std::move(session).release() : session.snapshot();
+    UpdateSession again(std::move(snapshot));
+    EXPECT_TRUE(again.model() == mesh);
+    EXPECT_TRUE(apply_and_compare(again, clouds));
+  }
+}
+
 TEST(UpdateSession, GoesOnFromASnapshot) {
   Random random(6);
   UpdateSession session(gallery::even_sphere(600));
@@ -264,6 +282,7 @@ TEST(UpdateSession, CancelledAnywhereItStaysAsItWas) {
     clouds = random_scans(session.model(), random);
   }
   const TriangleMesh before = session.model();
+  const ReconstructResult reconstruction_before = session.reconstruction();
   int cancelled = 0;
   for (int n = 1;; n += 3) {
     StopAfter progress(n);
@@ -274,19 +293,23 @@ TEST(UpdateSession, CancelledAnywhereItStaysAsItWas) {
       ++cancelled;
       ASSERT_TRUE(session.model() == before);
       ASSERT_EQ(session.undo_levels(), 0U);
+      expect_equal_reconstruction(session.reconstruction(), reconstruction_before);
     }
   }
   EXPECT_GT(cancelled, 10);
   const TriangleMesh after = session.model();
+  const ReconstructResult reconstruction_after = session.reconstruction();
   for (int n = 1; session.undo_levels() > 0; n += 3) {
     StopAfter progress(n);
     try {
       session.undo({1, &progress});
     } catch (const Cancelled&) {
       ASSERT_TRUE(session.model() == after);
+      expect_equal_reconstruction(session.reconstruction(), reconstruction_after);
     }
   }
   EXPECT_TRUE(session.model() == before);
+  expect_equal_reconstruction(session.reconstruction(), reconstruction_before);
   apply_and_compare(session, clouds);
 }
 
