@@ -107,7 +107,6 @@ void KeptBody::keep(const Triangulation& triangulation, const IdVector<VertexId,
 
 void KeptBody::update(const DynamicDelaunay& delaunay, const DelaunayChange& change) {
   out_.resize(delaunay.view().cell_records().size(), is_new);
-  for (const CellId c : change.deleted) out_[c] = is_new;
   for (const CellId c : change.created) out_[c] = is_new;
 }
 

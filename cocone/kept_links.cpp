@@ -139,9 +139,9 @@ void KeptLinks::keep(LinkedFacets triangles) {
 }
 
 void KeptLinks::update(const DynamicDelaunay& delaunay, const DelaunayChange& change) {
+  // Cells are created in slots of deleted ones, of this change or earlier ones, or in new slots.
   cells_.resize(std::max(cells_.size(), delaunay.view().cell_records().size()), is_new);
   for (const CellId c : change.deleted) cells_[c] = is_new;
-  for (const CellId c : change.created) cells_[c] = is_new;
 }
 
 void KeptLinks::renumber(const Renumbering& renumbering, const DynamicDelaunay& delaunay) {
