@@ -100,6 +100,10 @@ TEST(SplitNonmanifold, SeamsGetMidpoints) {
   const SplitSurface split = split_nonmanifold(mesh);
   EXPECT_EQ(split.split_edges, 1U);
   EXPECT_EQ(split.midpoints, 1U);
+  // The edge is one of the grid, upwards: its midpoint stands for the lower end.
+  const VertexId midpoint(split.mesh.points.size() - 1);
+  EXPECT_EQ(split.mesh.points[midpoint], (Point{2, 2, 1.5}));
+  EXPECT_EQ(mesh.points[split.source[midpoint]], (Point{2, 2, 1}));
   EXPECT_TRUE(mesh_check(split.mesh).is_closed_manifold());
   expect_same_surface(split, mesh);
 }

@@ -116,6 +116,18 @@ TEST(ChooseRegions, RejectsLoopsOfDifferentSegmentations) {
   EXPECT_THROW(choose_regions(wrong_cloud, 1), InputError);
 }
 
+TEST(ChooseRegions, SidesAreToldByTwoRegionsThatManyEdgesSee) {
+  const double narrow = ChoiceOptions{}.narrow_margin / degree;
+  EXPECT_TRUE(tells_sides_apart(loop(0, {10, 11 + narrow})));
+  EXPECT_FALSE(tells_sides_apart(loop(0, {10, 9 + narrow})));
+  EXPECT_FALSE(tells_sides_apart(loop(0, {10, -1})));
+  RegionAngles few = loop(0, {10, 170});
+  few.regions[RegionId(1U)] = {170 * degree * 49, 49};  // of 100
+  EXPECT_FALSE(tells_sides_apart(few));
+  few.regions[RegionId(1U)] = {170 * degree * 50, 50};
+  EXPECT_TRUE(tells_sides_apart(few));
+}
+
 TEST(ChooseRegions, NoLoops) {
   const RegionChoice choice = choose_regions({}, 2);
   EXPECT_TRUE(choice.replaced.empty());

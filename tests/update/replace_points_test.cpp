@@ -89,6 +89,22 @@ TEST(ReplacePoints, TrianglesOfKeptRegionsAreKnown) {
   }
 }
 
+// Those with three corners that stay, in a region that does, by the definition.
+TEST(ReplacePoints, OtherTrianglesAreNotKnownEvenIfTheirCornersStay) {
+  const Scene scene;
+  Replacement none_removed;
+  for (const VertexId v : scene.model.points.ids()) {
+    none_removed.point_of_vertex.push_back(PointId(v.value));
+  }
+  std::size_t expected = 0;
+  for (const TriangleId t : scene.model.triangles.ids()) {
+    const RegionId region = scene.regions.region_of_facet[t];
+    expected += !region.is_none() && scene.choice.replaced[region] == 0 ? 1U : 0U;
+  }
+  EXPECT_EQ(known_triangles(scene.model, scene.regions, scene.choice, none_removed).size(),
+            expected);
+}
+
 TEST(ReplacePoints, EqualPointsAreMerged) {
   Scene scene;
   scene.clouds[0].push_back({0, 0, 0});    // a kept vertex
@@ -137,6 +153,10 @@ TEST(ReplacePoints, ThinningDropsKeptVerticesNearTheCloud) {
   const Replacement thinned = scene.replace({.thinning_distance = 0.5, .scanned = {.rim_zone = 0}});
   EXPECT_EQ(thinned.thinned, 1U);
   EXPECT_TRUE(thinned.point_of_vertex[VertexId(3 * 21 + 2)].is_none());
+  // A cloud without points thins nothing.
+  scene.clouds.emplace_back();
+  scene.rims.push_back(scene.rims[0]);
+  EXPECT_EQ(scene.replace({.thinning_distance = 0.5, .scanned = {.rim_zone = 0}}).thinned, 1U);
 }
 
 // At the very rim the samples tell: a vertex inside it without a sample stays, one outside with a

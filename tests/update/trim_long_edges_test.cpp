@@ -71,6 +71,31 @@ TEST(TrimLongEdges, OpensABridgedHole) {
   EXPECT_EQ(trimmed.mesh.triangles.size(), kept.size());
 }
 
+// Neither are they long, however far their corners are, nor do they make others so.
+TEST(TrimLongEdges, TrianglesThatRepeatAVertexDoNotMatter) {
+  Random random(9);
+  TriangleMesh mesh = testing::grid_plane(12);
+  for (Point& p : mesh.points) p = p + random.uniform(0, 0.5) * random.on_unit_sphere();
+  const TrimOptions options{.max_edge = 2, .min_cluster = 1};
+  TriangleMesh expected = trim_long_edges(mesh, options).mesh;
+  EXPECT_LT(expected.triangles.size(), mesh.triangles.size());
+  std::vector<Triangle> added;
+  const std::size_t count = mesh.points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const VertexId v(i);
+    added.push_back({v, v, VertexId(count - 1)});
+    for (int k = 1; k <= 9; ++k) {  // close to v
+      const VertexId near = mesh.points.push_back(mesh.points[v] + Vec3{0, 0, 1e-6 * k});
+      added.push_back({v, near, near});
+    }
+  }
+  for (const Triangle& t : added) {
+    mesh.triangles.push_back(t);
+    expected.triangles.push_back(t);
+  }
+  EXPECT_EQ(trim_long_edges(mesh, options).mesh.triangles, expected.triangles);
+}
+
 TEST(TrimLongEdges, KeepsAnEvenSurface) {
   for (const TriangleMesh& mesh : {testing::sphere(4), testing::grid_plane(12)}) {
     EXPECT_EQ(trim_long_edges(mesh).mesh.triangles, mesh.triangles);
