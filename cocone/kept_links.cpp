@@ -119,7 +119,7 @@ class Relinking {
     });
     for (const SideId side : local.steep) {
       const SideId here = 3 * near[triangle_of_side(side)] + corner_of_side(side);
-      if (is_linked_anew(here)) steep.push_back(triangles_.first_at_edge(here));
+      if (is_linked_anew(here)) steep.push_back(here);  // the first there as in `local`
     }
     std::sort(steep.begin(), steep.end());
   }

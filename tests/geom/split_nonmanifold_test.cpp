@@ -139,6 +139,29 @@ TEST(SplitNonmanifold, BoundariesOfRandomBodiesBecomeManifolds) {
   EXPECT_GT(midpoints, 10U);
 }
 
+// Then two triangles at an edge may run through it in the same direction.
+TEST(SplitNonmanifold, TrianglesTurnedAtRandomBecomeManifolds) {
+  Random random(8);
+  std::size_t midpoints = 0;
+  for (const auto& points : {gallery::uniform_cube(300, 2), gallery::integer_grid(6)}) {
+    const Triangulation triangulation = delaunay(points).triangulation;
+    IdVector<CellId, std::uint8_t> out(triangulation.num_cells(), 1);
+    for (const CellId c : triangulation.finite_cells()) out[c] = random.below(2) == 0 ? 0 : 1;
+    TriangleMesh mesh = boundary_of(triangulation, out);
+    for (Triangle& t : mesh.triangles) {
+      if (random.below(3) == 0) std::swap(t[0], t[1]);
+    }
+    const SplitSurface split = split_nonmanifold(mesh);
+    const MeshReport report = mesh_check(split.mesh);
+    EXPECT_TRUE(report.edge_manifold && report.vertex_manifold);
+    EXPECT_GE(report.open_edges, split.unpaired_sides);  // midpoints cut some in two
+    const double area = mesh_measure(mesh).area;
+    EXPECT_NEAR(mesh_measure(split.mesh).area, area, 1e-12 * area);
+    midpoints += split.midpoints;
+  }
+  EXPECT_GT(midpoints, 10U);
+}
+
 // What the reconstruction makes of points that are samples of no surface.
 TEST(SplitNonmanifold, SurfacesOfRubbishBecomeManifolds) {
   std::size_t edges = 0;

@@ -107,6 +107,16 @@ TEST_F(TextFormats, StlTextThatEndsEarlyIsRefused) {
             ":6: a facet has fewer than three corners");
 }
 
+// As a binary file may begin.
+TEST_F(TextFormats, BinaryStlThatBeginsWithSolidIsNoText) {
+  std::string damaged = "solid by another program";
+  damaged.resize(80, ' ');
+  damaged += std::string("\2\0\0\0", 4) + std::string(50, '\0');  // of two facets one
+  EXPECT_EQ(message("a.stl", damaged),
+            ": is no STL file, or damaged: as binary STL it announces 2 facets, which take 184 "
+            "bytes, but has 134");
+}
+
 TEST_F(TextFormats, DegenerateFacesAreLeftOutAndCounted) {
   MeshReadReport report;
   const TriangleMesh mesh =

@@ -71,6 +71,24 @@ TEST(TrimLongEdges, OpensABridgedHole) {
   EXPECT_EQ(trimmed.mesh.triangles.size(), kept.size());
 }
 
+// A tent over a cell: all its edges to the top are long, and none of its triangles is at a rim.
+TEST(TrimLongEdges, WhatNoRimIsAtStaysIfClustersAreOff) {
+  TriangleMesh mesh = testing::grid_plane(10);
+  const VertexId top = mesh.points.push_back({4.5, 4.5, 9});
+  IdVector<TriangleId, Triangle> triangles;
+  for (const Triangle& t : mesh.triangles) {
+    const Point c = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
+    if (distance(c, {4.5, 4.5, 0}) > 0.5) triangles.push_back(t);
+  }
+  const std::array<VertexId, 4> base = {testing::vertex(4 * 11 + 4), testing::vertex(4 * 11 + 5),
+                                        testing::vertex(5 * 11 + 5), testing::vertex(5 * 11 + 4)};
+  for (std::size_t k = 0; k < 4; ++k) triangles.push_back({base[k], base[(k + 1) % 4], top});
+  ASSERT_EQ(triangles.size(), 202U);
+  mesh.triangles = triangles;
+  EXPECT_EQ(trim_long_edges(mesh, {.max_edge = 3, .min_cluster = 4}).in_clusters, 4U);
+  EXPECT_EQ(trim_long_edges(mesh, {.max_edge = 3, .min_cluster = 5}).mesh.triangles, triangles);
+}
+
 // Neither are they long, however far their corners are, nor do they make others so.
 TEST(TrimLongEdges, TrianglesThatRepeatAVertexDoNotMatter) {
   Random random(9);
