@@ -117,6 +117,19 @@ TEST_F(TextFormats, BinaryStlThatBeginsWithSolidIsNoText) {
             "bytes, but has 134");
 }
 
+TEST_F(TextFormats, BinaryStlOfWhatIsNotFiniteIsRefused) {
+  std::string facet(50, '\0');
+  facet[24 + 3] = '\x7f';  // of the second corner x: infinite
+  facet[24 + 2] = '\x80';
+  EXPECT_TRUE(message("a.stl", std::string(80, ' ') + std::string("\1\0\0\0", 4) + facet)
+                  .starts_with(": point 1 (counted from 0) has a coordinate that is not a finite"));
+}
+
+TEST_F(TextFormats, OffFacesHaveNoNegativeNumberOfCorners) {
+  EXPECT_TRUE(message("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 1 2\n")
+                  .starts_with(":6: a face begins with its number of corners"));
+}
+
 TEST_F(TextFormats, DegenerateFacesAreLeftOutAndCounted) {
   MeshReadReport report;
   const TriangleMesh mesh =

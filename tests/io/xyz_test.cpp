@@ -80,6 +80,8 @@ TEST_F(Xyz, RefusesWhatItCannotBeSureOf) {
             ":2: has 4 columns, earlier lines have 3; " + decimal_comma);
   EXPECT_EQ(message("id,x,y,z\n1,2,3,4\n"),
             ":1: the header does not name x, y, z as the first three columns; reorder the columns");
+  EXPECT_EQ(message("\"y\",\"x\",\"z\"\n1,2,3\n"),
+            ":1: the header does not name x, y, z as the first three columns; reorder the columns");
   EXPECT_EQ(message("# c\n3\n1 2 3\n4 5 6\n"),
             ":2: announces 3 points, but 2 follow; the file is cut off");
   EXPECT_EQ(message("1 2 3\n4 5\n"), ":2: a row needs three numbers x y z, this one has 2");

@@ -128,6 +128,23 @@ TEST(ChooseRegions, SidesAreToldByTwoRegionsThatManyEdgesSee) {
   EXPECT_TRUE(tells_sides_apart(few));
 }
 
+// Where the sides were decided otherwise the angles may speak against it: no margin is below zero.
+TEST(ChooseRegions, DecidedRegionsAreTaken) {
+  const std::vector<RegionAngles> loops = {loop(0, {10, 170, 20})};
+  using Decided = IdVector<RegionId, std::uint8_t>;
+  const std::vector<Decided> as_angles = {Decided(std::vector<std::uint8_t>{1, 0, 1})};
+  const RegionChoice choice = choose_regions(loops, 1, {}, as_angles);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{1, 0, 1}));
+  EXPECT_NEAR(choice.clouds[0].margin, 155 * degree, 1e-12);
+  const std::vector<Decided> otherwise = {Decided(std::vector<std::uint8_t>{0, 1, 0})};
+  const RegionChoice other = choose_regions(loops, 1, {}, otherwise);
+  EXPECT_EQ(replaced(other), (std::vector<int>{0, 1, 0}));
+  EXPECT_EQ(other.clouds[0].margin, 0);
+  // Also of a region that no edge sees.
+  const std::vector<RegionAngles> unseen = {loop(0, {10, 170, -1})};
+  EXPECT_EQ(replaced(choose_regions(unseen, 1, {}, as_angles)), (std::vector<int>{1, 0, 1}));
+}
+
 TEST(ChooseRegions, NoLoops) {
   const RegionChoice choice = choose_regions({}, 2);
   EXPECT_TRUE(choice.replaced.empty());
