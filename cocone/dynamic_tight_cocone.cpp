@@ -7,11 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/boundary_samples.h"
 #include "cocone/certain_result.h"
 #include "cocone/certified_surface.h"
-#include "cocone/cocones.h"
 #include "cocone/compact_delaunay.h"
+#include "cocone/judge_points.h"
 #include "cocone/kept_body.h"
 #include "cocone/kept_links.h"
 #include "cocone/kept_marks.h"
@@ -20,10 +19,8 @@
 #include "cocone/lent_delaunay.h"
 #include "cocone/live_candidates.h"
 #include "cocone/point_step.h"
-#include "cocone/poles.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
-#include "delaunay/voronoi_dual.h"
 #include "geom/id_vector.h"
 #include "geom/sort_ids.h"
 #include "geom/triangle_order.h"
@@ -89,7 +86,6 @@ struct DynamicTightCocone::State {
                            bool may_edit = false);
   Edited edit_body(Points points, const ListEdit<PointId>& change, PointStep step,
                    const DelaunayChange& done, const Execution& execution, const OldSurface& old);
-  void judge_points(ReconstructResult& result) const;
   void list_points_of_vertices(PointId first);
   void forget_points(std::span<const VertexId> removed);
   CertainView view() const { return {delaunay, vertex_of_point, candidates, certified}; }
@@ -302,23 +298,6 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points, con
   return result;
 }
 
-// Normals and boundary samples anew: an operation that was cancelled leaves the triangulation
-// alone.
-void DynamicTightCocone::State::judge_points(ReconstructResult& result) const {
-  const Triangulation t = compact_delaunay(delaunay, vertex_of_point).triangulation;
-  const ReconstructOptions effective = effective_options(options);
-  const Dual dual = voronoi_dual(t);
-  const Poles poles = compute_poles(t, dual);
-  const VertexSet boundary =
-      boundary_samples(t, dual, poles, intersect_cocones(t, dual, poles, effective.cocone),
-                       effective.boundary)
-          .boundary;
-  for (const VertexId v : t.vertex_of_point()) {
-    result.normals.push_back(poles.normals[v]);
-    result.boundary_sample.push_back(boundary[v]);
-  }
-}
-
 // Precondition: each vertex has one point.
 void DynamicTightCocone::State::list_points_of_vertices(PointId first) {
   point_of_vertex.resize(delaunay.num_vertex_slots());
@@ -485,7 +464,10 @@ void DynamicTightCocone::complete(ReconstructResult& result) const {
   for (const PointId p : state.vertex_of_point.ids()) result.point_of_vertex.push_back(p);
   result.normals.clear();
   result.boundary_sample.clear();
-  if (!state.candidates.exists()) return state.judge_points(result);
+  if (!state.candidates.exists()) {  // an operation was cancelled
+    return judge_points(compact_delaunay(state.delaunay, state.vertex_of_point).triangulation,
+                        state.options, result);
+  }
   for (const VertexId v : state.vertex_of_point) {
     result.normals.push_back(state.candidates.normal(v));
     result.boundary_sample.push_back(state.candidates.is_boundary(v) ? 1 : 0);

@@ -80,7 +80,6 @@ std::optional<KeptBody::Change> KeptBody::take(const Triangulation& triangulatio
 
 void KeptBody::update(const DynamicDelaunay& delaunay, const DelaunayChange& change) {
   cells_.resize(delaunay.view().cell_records().size(), is_new);
-  for (const CellId c : change.deleted) cells_[c] = is_new;
   for (const CellId c : change.created) cells_[c] = is_new;
 }
 

@@ -119,7 +119,7 @@ class Relinking {
     });
     for (const SideId side : local.steep) {
       const SideId here = 3 * near[triangle_of_side(side)] + corner_of_side(side);
-      if (is_linked_anew(here)) steep.push_back(triangles_.first_at_edge(here));
+      if (is_linked_anew(here)) steep.push_back(here);  // the first there as in `local`
     }
     std::sort(steep.begin(), steep.end());
   }
@@ -139,9 +139,9 @@ void KeptLinks::keep(LinkedFacets triangles) {
 }
 
 void KeptLinks::update(const DynamicDelaunay& delaunay, const DelaunayChange& change) {
+  // Cells are created in slots of deleted ones, of this change or earlier ones, or in new slots.
   cells_.resize(std::max(cells_.size(), delaunay.view().cell_records().size()), is_new);
   for (const CellId c : change.deleted) cells_[c] = is_new;
-  for (const CellId c : change.created) cells_[c] = is_new;
 }
 
 void KeptLinks::renumber(const Renumbering& renumbering, const DynamicDelaunay& delaunay) {

@@ -135,9 +135,7 @@ void KeptMarks::update(const DynamicDelaunay& delaunay, const DelaunayChange& ch
                        const LiveCandidates& candidates) {
   cells_.resize(delaunay.view().cell_records().size(), 0);
   vertices_.resize(delaunay.num_vertex_slots(), 0);
-  for (const CellId c : change.deleted) cells_[c] = 0;
   for (const CellId c : change.created) cells_[c] = is_new;
-  for (const VertexId v : change.removed) vertices_[v] = 0;
   for (const VertexId v : candidates.changed()) {
     vertices_[v] = static_cast<std::uint8_t>(vertices_[v] | has_changed);
   }

@@ -120,7 +120,7 @@ class HeaderReader {
     element.name = fields.word();
     element.line = line_;
     std::int64_t count = 0;
-    if (element.name.empty() || !fields.integer(count) || count < 0) {
+    if (!fields.integer(count) || count < 0) {
       fail("an element needs a name and a count from 0 to 2^63 - 1");
     }
     element.count = static_cast<std::size_t>(count);

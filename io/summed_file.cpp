@@ -18,7 +18,6 @@ void Checksum::add(std::string_view bytes) {
     bytes.remove_prefix(taken);
     if (num_begun_ < begun_.size()) return;
     add_word(begun_.data());
-    num_begun_ = 0;
   }
   const std::size_t whole = bytes.size() / 8 * 8;
   for (std::size_t i = 0; i < whole; i += 8) add_word(bytes.data() + i);

@@ -44,7 +44,6 @@ struct RegionSum {
   double angle = 0;       // all loops
   std::size_t edges = 0;  // all loops
   double difference = 0;  // from the midpoint, deciding loops
-  std::size_t deciding_edges = 0;
 };
 
 // By how much the regions outside a cloud have larger angles than those under it, over all edges.
@@ -116,7 +115,6 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
       sum.edges += mean.edges;
       if (!range.decides) continue;
       sum.difference += mean.sum - static_cast<double>(mean.edges) * range.midpoint();
-      sum.deciding_edges += mean.edges;
     }
   }
 
@@ -125,8 +123,7 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
     for (const RegionId r : sums[c].ids()) {
       const RegionSum& sum = sums[c][r];
       if (sum.edges == 0) continue;
-      const bool under =
-          is_decided(c) ? decided[c][r] != 0 : sum.deciding_edges > 0 && sum.difference < 0;
+      const bool under = is_decided(c) ? decided[c][r] != 0 : sum.difference < 0;
       choice.clouds[c].regions.push_back(
           {r, sum.angle / static_cast<double>(sum.edges), sum.edges, under});
       if (under) choice.replaced[r] = 1;

@@ -2,6 +2,8 @@
 #include "cocone/kept_marks.h"
 
 #include <gtest/gtest.h>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,12 +19,48 @@
 namespace cocoon {
 namespace {
 
+// Into how many parts the good vertices fall, by edges of the surface between them.
+std::size_t parts_of_good(const LinkedFacets& surface, const VertexSet& good) {
+  std::map<VertexId, std::set<VertexId>> joined;
+  std::set<VertexId> left;
+  for (const VertexId v : good.ids()) {
+    if (good[v] != 0) left.insert(v);
+  }
+  for (const Triangle& corners : surface.corners) {
+    for (const VertexId v : corners) {
+      if (good[v] != 0) joined[v].insert(corners.begin(), corners.end());
+    }
+  }
+  std::size_t parts = 0;
+  for (; !left.empty(); ++parts) {
+    std::vector<VertexId> part{*left.begin()};
+    left.erase(left.begin());
+    while (!part.empty()) {
+      const VertexId v = part.back();
+      part.pop_back();
+      for (const VertexId w : joined[v]) {
+        if (left.erase(w) != 0) part.push_back(w);
+      }
+    }
+  }
+  return parts;
+}
+
 class LiveMarks {
  public:
   explicit LiveMarks(const std::vector<Point>& points) : samples_(points) {}
 
   void change(double reach, const std::vector<Point>& others, Random& random) {
     samples_.change(reach, others, random, [&](const auto& what) { follow(what); });
+  }
+
+  // All beyond a distance from the origin go.
+  void remove_beyond(double reach) {
+    std::vector<VertexId> removed;
+    for (const VertexId v : id_range<VertexId>(samples_.delaunay().num_vertex_slots())) {
+      if (norm(samples_.delaunay().point(v)) > reach) removed.push_back(v);
+    }
+    samples_.replace(removed, {}, [&](const auto& what) { follow(what); });
   }
 
   void expect_marks_of_the_stage() {
@@ -56,6 +94,8 @@ class LiveMarks {
     ASSERT_EQ(actual.rounds, expected.rounds);
     ASSERT_EQ(actual.conflicts, expected.conflicts);
     ASSERT_EQ(actual.known_cells, expected.known_cells);
+    const bool at_once = expected.rounds == 0 && expected.visited == expected.good;
+    ASSERT_EQ(kept_.parts_of_good(), at_once ? parts_of_good(surface, expected.good) : 0);
   }
 
   LiveSamples samples_;
@@ -112,6 +152,18 @@ TEST(KeptMarks, WhereASurfaceIsNotReached) {
   const std::vector<Point> outer = shapes::sphere(1000, 3);
   const std::vector<Point> both = shapes::joined(outer, shapes::sphere(400, 4, 0.4));
   run_steps(both, both, 0.7, 30);
+}
+
+// The hull sees a surface only when what is around it has gone: then it has marks everywhere.
+TEST(KeptMarks, WhereASurfaceIsReachedLater) {
+  std::vector<Point> points = shapes::sphere(500, 3);
+  for (const double x : {-3.0, 3.0}) {
+    for (const double y : {-3.0, 3.0}) points.insert(points.end(), {{x, y, -3}, {x, y, 3}});
+  }
+  LiveMarks live(points);
+  live.expect_marks_of_the_stage();
+  live.remove_beyond(2);
+  live.expect_marks_of_the_stage();
 }
 
 TEST(KeptMarks, OnABox) {

@@ -36,6 +36,13 @@ class LiveSamples {
     for (const Point& p : others) {
       if (distance(p, center) < reach && random.below(3) != 0) inserted.push_back(p);
     }
+    replace(removed, inserted, follow);
+  }
+
+  // The same for a change of one's own.
+  template <class Follow>
+  void replace(const std::vector<VertexId>& removed, const std::vector<Point>& inserted,
+               Follow follow) {
     const DelaunayChange change = delaunay_.replace(removed, inserted);
     candidates_.update(delaunay_, change);
     follow(change);

@@ -150,10 +150,13 @@ TEST(Removal, TenThousandOperations) {
   DynamicDelaunay dynamic;
   dynamic.insert(Points(pool).first(60));
   RemovalCounters removal;
+  std::size_t largest = 0;
   for (int step = 0; step < 10000; ++step) {
     const std::vector<VertexId> live = live_vertices(dynamic);
     if (random.below(2) == 0 && live.size() > 20) {
-      removal += dynamic.remove(std::vector{live[random.below(live.size())]}).removal;
+      const DelaunayChange change = dynamic.remove(std::vector{live[random.below(live.size())]});
+      removal += change.removal;
+      largest = std::max(largest, change.removal.largest_hole);
     } else {
       dynamic.insert(std::vector{pool[random.below(pool.size())]});
     }
@@ -162,6 +165,7 @@ TEST(Removal, TenThousandOperations) {
   }
   expect_fresh(dynamic);
   EXPECT_GT(removal.holes, 4000U);
+  EXPECT_EQ(removal.largest_hole, largest);
   EXPECT_GT(removal.flat_borders, 5U);
 }
 

@@ -58,6 +58,24 @@ TEST(SignedDistance, ThinSpikeIsRightBesideItsTip) {
   EXPECT_LT(distances[3], 0);
 }
 
+// Of a spike without a base; on one side of it many triangles meet in the tip, whose normals would
+// outweigh the others if angles did not count.
+TEST(SignedDistance, ManyNarrowTrianglesDoNotMatter) {
+  TriangleMesh spike;
+  const VertexId tip = spike.points.push_back({0, 0, 10});
+  const VertexId back = spike.points.push_back({0, 0.1, 0});
+  std::vector<VertexId> front;
+  for (int k = 0; k <= 64; ++k) front.push_back(spike.points.push_back({k / 32.0 - 1, -0.1, 0}));
+  for (std::size_t k = 0; k < 64; ++k) spike.triangles.push_back({front[k], front[k + 1], tip});
+  spike.triangles.push_back({front.back(), back, tip});
+  spike.triangles.push_back({back, front.front(), tip});
+  const std::vector<Point> points = {{0, 0.02, 10.1}, {0, -0.02, 10.1}, {0, 0, 9.9}};
+  const std::vector<double> distances = signed_distances(spike, points);
+  EXPECT_GT(distances[0], 0);
+  EXPECT_GT(distances[1], 0);
+  EXPECT_LT(distances[2], 0);
+}
+
 // An L-shaped prism whose reflex edge has a vertex in the middle, off the edge by a rounding error:
 // the sliver between them has a normal that says nothing, and half of the angles at that vertex.
 TEST(SignedDistance, SliversOfRoundingErrorsDoNotMatter) {

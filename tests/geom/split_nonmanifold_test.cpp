@@ -100,6 +100,10 @@ TEST(SplitNonmanifold, SeamsGetMidpoints) {
   const SplitSurface split = split_nonmanifold(mesh);
   EXPECT_EQ(split.split_edges, 1U);
   EXPECT_EQ(split.midpoints, 1U);
+  // The edge is one of the grid, upwards: its midpoint stands for the lower end.
+  const VertexId midpoint(split.mesh.points.size() - 1);
+  EXPECT_EQ(split.mesh.points[midpoint], (Point{2, 2, 1.5}));
+  EXPECT_EQ(mesh.points[split.source[midpoint]], (Point{2, 2, 1}));
   EXPECT_TRUE(mesh_check(split.mesh).is_closed_manifold());
   expect_same_surface(split, mesh);
 }
@@ -132,6 +136,29 @@ TEST(SplitNonmanifold, BoundariesOfRandomBodiesBecomeManifolds) {
     }
   }
   EXPECT_GT(edges, 1000U);
+  EXPECT_GT(midpoints, 10U);
+}
+
+// Then two triangles at an edge may run through it in the same direction.
+TEST(SplitNonmanifold, TrianglesTurnedAtRandomBecomeManifolds) {
+  Random random(8);
+  std::size_t midpoints = 0;
+  for (const auto& points : {gallery::uniform_cube(300, 2), gallery::integer_grid(6)}) {
+    const Triangulation triangulation = delaunay(points).triangulation;
+    IdVector<CellId, std::uint8_t> out(triangulation.num_cells(), 1);
+    for (const CellId c : triangulation.finite_cells()) out[c] = random.below(2) == 0 ? 0 : 1;
+    TriangleMesh mesh = boundary_of(triangulation, out);
+    for (Triangle& t : mesh.triangles) {
+      if (random.below(3) == 0) std::swap(t[0], t[1]);
+    }
+    const SplitSurface split = split_nonmanifold(mesh);
+    const MeshReport report = mesh_check(split.mesh);
+    EXPECT_TRUE(report.edge_manifold && report.vertex_manifold);
+    EXPECT_GE(report.open_edges, split.unpaired_sides);  // midpoints cut some in two
+    const double area = mesh_measure(mesh).area;
+    EXPECT_NEAR(mesh_measure(split.mesh).area, area, 1e-12 * area);
+    midpoints += split.midpoints;
+  }
   EXPECT_GT(midpoints, 10U);
 }
 

@@ -30,6 +30,18 @@ TEST(NumberText, ReadsTheNearestDouble) {
   EXPECT_EQ(parsed("1.7976931348623157e308"), std::numeric_limits<double>::max());
 }
 
+// Behind a number without a point it is a comment.
+TEST(NumberText, SpecialNamesFollowAPoint) {
+  EXPECT_TRUE(std::isinf(parsed("1.#INF")));
+  const std::string text = "1#INF";
+  const char* at = text.data();
+  double value = 0;
+  EXPECT_TRUE(parse_double(at, text.data() + text.size(), value));
+  EXPECT_EQ(value, 1);
+  EXPECT_EQ(at, text.data() + 1);
+  EXPECT_EQ(without_comment("2 1#INF"), "2 1");
+}
+
 TEST(NumberText, TooLargeIsInfiniteAndTooSmallIsZero) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(parsed("1e400"), infinity);

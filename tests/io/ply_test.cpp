@@ -199,6 +199,25 @@ TEST(Ply, RefusesWhatIsAmbiguousOrDamaged) {
             ":3: a second format line; the header is damaged");
   EXPECT_EQ(message("ply\nformat ascii 1.0\nproperty int x\nend_header\n"),
             ":3: a property before the first element");
+  EXPECT_EQ(message("ply\nformat ascii 1.0\nelement\nend_header\n"),
+            ":3: an element needs a name and a count from 0 to 2^63 - 1");
+  EXPECT_EQ(message("ply\nformat ascii 1.0\nelement 1\nend_header\n"),
+            ":3: an element needs a name and a count from 0 to 2^63 - 1");
+  EXPECT_EQ(message(" ply\nformat ascii 1.0\nend_header\n"),
+            ":1: is no PLY file: its first line is not 'ply'; check the extension");
+}
+
+TEST(Ply, BlankLinesAreSkippedAndSurplusValuesCounted) {
+  const TemporaryFolder folder;
+  const auto path =
+      folder.write("a.ply", header("ascii", "\nelement vertex 3\n" + xyz + " \t\nelement face 2\n" +
+                                                "property list uchar int vertex_index\n\n") +
+                                "0 0 0\n\n1 0 0 7\n0 1 0\n\n3 0 1 2\n3 2 1 0 8 9\n");
+  MeshReadReport report;
+  const TriangleMesh mesh = read_mesh(path, report);
+  EXPECT_EQ(mesh.points.size(), 3U);
+  EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}, {2, 1, 0}}));
+  EXPECT_EQ(report.surplus_lines, 2U);
 }
 
 }  // namespace

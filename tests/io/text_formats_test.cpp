@@ -107,6 +107,29 @@ TEST_F(TextFormats, StlTextThatEndsEarlyIsRefused) {
             ":6: a facet has fewer than three corners");
 }
 
+// As a binary file may begin.
+TEST_F(TextFormats, BinaryStlThatBeginsWithSolidIsNoText) {
+  std::string damaged = "solid by another program";
+  damaged.resize(80, ' ');
+  damaged += std::string("\2\0\0\0", 4) + std::string(50, '\0');  // of two facets one
+  EXPECT_EQ(message("a.stl", damaged),
+            ": is no STL file, or damaged: as binary STL it announces 2 facets, which take 184 "
+            "bytes, but has 134");
+}
+
+TEST_F(TextFormats, BinaryStlOfWhatIsNotFiniteIsRefused) {
+  std::string facet(50, '\0');
+  facet[24 + 3] = '\x7f';  // of the second corner x: infinite
+  facet[24 + 2] = '\x80';
+  EXPECT_TRUE(message("a.stl", std::string(80, ' ') + std::string("\1\0\0\0", 4) + facet)
+                  .starts_with(": point 1 (counted from 0) has a coordinate that is not a finite"));
+}
+
+TEST_F(TextFormats, OffFacesHaveNoNegativeNumberOfCorners) {
+  EXPECT_TRUE(message("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 1 2\n")
+                  .starts_with(":6: a face begins with its number of corners"));
+}
+
 TEST_F(TextFormats, DegenerateFacesAreLeftOutAndCounted) {
   MeshReadReport report;
   const TriangleMesh mesh =

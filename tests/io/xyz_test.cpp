@@ -80,10 +80,13 @@ TEST_F(Xyz, RefusesWhatItCannotBeSureOf) {
             ":2: has 4 columns, earlier lines have 3; " + decimal_comma);
   EXPECT_EQ(message("id,x,y,z\n1,2,3,4\n"),
             ":1: the header does not name x, y, z as the first three columns; reorder the columns");
+  EXPECT_EQ(message("\"y\",\"x\",\"z\"\n1,2,3\n"),
+            ":1: the header does not name x, y, z as the first three columns; reorder the columns");
   EXPECT_EQ(message("# c\n3\n1 2 3\n4 5 6\n"),
             ":2: announces 3 points, but 2 follow; the file is cut off");
   EXPECT_EQ(message("1 2 3\n4 5\n"), ":2: a row needs three numbers x y z, this one has 2");
   EXPECT_EQ(message("1 2 3\n7\n4 5 6\n"), ":2: a row needs three numbers x y z, this one has 1");
+  EXPECT_EQ(message("2\n7\n4 5 6\n"), ":2: a row needs three numbers x y z, this one has 1");
   EXPECT_EQ(message("2\n\nC 1 2 3\n"), ":3: column 1 is not a decimal number: 'C'");
   EXPECT_EQ(message("1 2 3\n1 0x1 3\n"), ":2: column 2 is not a decimal number: '0x1'");
   EXPECT_EQ(message("1 2 3\n1,,3\n"), ":2: column 2 is not a decimal number: ''");

@@ -116,6 +116,35 @@ TEST(ChooseRegions, RejectsLoopsOfDifferentSegmentations) {
   EXPECT_THROW(choose_regions(wrong_cloud, 1), InputError);
 }
 
+TEST(ChooseRegions, SidesAreToldByTwoRegionsThatManyEdgesSee) {
+  const double narrow = ChoiceOptions{}.narrow_margin / degree;
+  EXPECT_TRUE(tells_sides_apart(loop(0, {10, 11 + narrow})));
+  EXPECT_FALSE(tells_sides_apart(loop(0, {10, 9 + narrow})));
+  EXPECT_FALSE(tells_sides_apart(loop(0, {10, -1})));
+  RegionAngles few = loop(0, {10, 170});
+  few.regions[RegionId(1U)] = {170 * degree * 49, 49};  // of 100
+  EXPECT_FALSE(tells_sides_apart(few));
+  few.regions[RegionId(1U)] = {170 * degree * 50, 50};
+  EXPECT_TRUE(tells_sides_apart(few));
+}
+
+// Where the sides were decided otherwise the angles may speak against it: no margin is below zero.
+TEST(ChooseRegions, DecidedRegionsAreTaken) {
+  const std::vector<RegionAngles> loops = {loop(0, {10, 170, 20})};
+  using Decided = IdVector<RegionId, std::uint8_t>;
+  const std::vector<Decided> as_angles = {Decided(std::vector<std::uint8_t>{1, 0, 1})};
+  const RegionChoice choice = choose_regions(loops, 1, {}, as_angles);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{1, 0, 1}));
+  EXPECT_NEAR(choice.clouds[0].margin, 155 * degree, 1e-12);
+  const std::vector<Decided> otherwise = {Decided(std::vector<std::uint8_t>{0, 1, 0})};
+  const RegionChoice other = choose_regions(loops, 1, {}, otherwise);
+  EXPECT_EQ(replaced(other), (std::vector<int>{0, 1, 0}));
+  EXPECT_EQ(other.clouds[0].margin, 0);
+  // Also of a region that no edge sees.
+  const std::vector<RegionAngles> unseen = {loop(0, {10, 170, -1})};
+  EXPECT_EQ(replaced(choose_regions(unseen, 1, {}, as_angles)), (std::vector<int>{1, 0, 1}));
+}
+
 TEST(ChooseRegions, NoLoops) {
   const RegionChoice choice = choose_regions({}, 2);
   EXPECT_TRUE(choice.replaced.empty());

@@ -36,6 +36,23 @@ TEST(KeptSurface, TrianglesOfKeptRegionsAreKnown) {
   }
 }
 
+// By the definition.
+TEST(KeptSurface, OtherTrianglesAreNotKnownEvenIfTheirCornersStay) {
+  const ReplacedDisk scene;
+  Replacement none_removed;
+  for (const VertexId v : scene.model.points.ids()) {
+    none_removed.point_of_vertex.push_back(PointId(v.value));
+  }
+  std::size_t expected = 0;
+  for (const TriangleId t : scene.model.triangles.ids()) {
+    const RegionId region = scene.regions.region_of_facet[t];
+    expected += !region.is_none() && scene.choice.replaced[region] == 0 ? 1U : 0U;
+  }
+  const ModelIndex index(scene.model);
+  const KeptSurface kept(index, scene.regions, scene.choice, none_removed);
+  EXPECT_EQ(kept.triangles().size(), expected);
+}
+
 // Each kept point either has all its triangles, or is told to be torn.
 TEST(KeptSurface, TellsWhereTrianglesAreMissing) {
   const ReplacedDisk scene;

@@ -93,6 +93,29 @@ TEST(ReplacePoints, ThinningDropsKeptVerticesNearTheCloud) {
   const Replacement thinned = scene.replace({.thinning_distance = 0.5, .scanned = {.rim_zone = 0}});
   EXPECT_EQ(thinned.thinned, 1U);
   EXPECT_TRUE(thinned.point_of_vertex[VertexId(3 * 21 + 2)].is_none());
+  // A cloud without points thins nothing.
+  scene.clouds.emplace_back();
+  scene.rims.push_back(scene.rims[0]);
+  EXPECT_EQ(scene.replace({.thinning_distance = 0.5, .scanned = {.rim_zone = 0}}).thinned, 1U);
+}
+
+TEST(ReplacePoints, VerticesInTheBorderAreDecidedWhetherThinnedOrNot) {
+  const TriangleMesh model = testing::grid_plane(10);
+  const std::vector<CloudRim> rims = {testing::rim_of({testing::circle(24, {5, 5, 0.02}, 0.4)})};
+  const std::vector<std::vector<Point>> clouds = {{{5, 5.2, 1}, {5.1, 5, 1}, {4.9, 5, 1}}};
+  const ModelIndex index(model);
+  const Border border = trace_border(index, rims[0], overlapping_facets(index, rims[0]));
+  const Regions regions = segment_model(model, border.facets);
+  ASSERT_EQ(regions.border_vertices, 1U);
+  RegionChoice choice;
+  choice.replaced = IdVector<RegionId, std::uint8_t>(regions.regions.size(), 0);
+  for (const double thinning : {0.0, 0.5}) {
+    const Replacement result =
+        replace_points(index, regions, choice, rims, clouds,
+                       {.thinning_distance = thinning, .scanned = {.rim_zone = 0}});
+    EXPECT_EQ(result.border_replaced, 1U);
+    EXPECT_EQ(result.border_kept, 0U);
+  }
 }
 
 // At the very rim the samples tell: a vertex inside it without a sample stays, one outside with a

@@ -115,6 +115,42 @@ TEST(MarkRimGaps, ShortStretchesBetweenSeamsAreSeams) {
   EXPECT_EQ(gaps, 36U);
 }
 
+// The samples of an edge itself are not beyond it, however far that reaches.
+TEST(MarkRimGaps, TheEndsOfAnEdgeAreNoCloudBeyondIt) {
+  const TriangleMesh floor = testing::grid_plane(1);
+  CloudRim rim = cloud_rim(floor);
+  ASSERT_EQ(rim.loops.size(), 1U);
+  mark_rim_gaps(floor.points.raw(), rim, {.reach = 1.2});
+  EXPECT_EQ(rim.gap_edges + rim.gap_loops, 0U);
+}
+
+// Of two pin-holes far from the rim one has cloud in it, a median edge beyond its edges.
+TEST(MarkRimGaps, PinHolesThatAreGapsGo) {
+  const TriangleMesh floor = testing::grid_plane(20);
+  CloudRim rim = cloud_rim(floor);
+  const auto hole = [](const Point& at) {
+    const std::vector<Point> corners = {at, at + Vec3{0, 2, 0}, at + Vec3{2, 2, 0},
+                                        at + Vec3{2, 0, 0}};
+    std::vector<Point> apexes;
+    RimLoop loop;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Point middle = 0.5 * (corners[k] + corners[(k + 1) % 4]);
+      apexes.push_back(middle + (middle - (at + Vec3{1, 1, 0})));
+    }
+    loop.points = corners;
+    loop.apexes = apexes;
+    return loop;
+  };
+  rim.pin_hole_loops = {hole({5, 5, 0}), hole({12, 12, 0})};
+  std::vector<Point> cloud = floor.points.raw();
+  std::erase_if(cloud, [](const Point& p) { return p == Point{6, 6, 0} || p == Point{13, 13, 0}; });
+  cloud.push_back({6, 6, 0.1});
+  mark_rim_gaps(cloud, rim);
+  ASSERT_EQ(rim.pin_hole_loops.size(), 1U);
+  EXPECT_EQ(rim.pin_hole_loops[0].points[0], (Point{12, 12, 0}));
+  EXPECT_EQ(rim.gap_loops, 0U);
+}
+
 TEST(MarkRimGaps, AFreeRimHasNone) {
   const TriangleMesh floor = testing::grid_plane(10);
   CloudRim rim = cloud_rim(floor);

@@ -58,6 +58,23 @@ TEST(ScanRows, AreToldFromEvenAndFromRandomSamples) {
   EXPECT_FALSE(lies_in_rows({}, least));
 }
 
+TEST(ScanRows, AFourthOfTheTrianglesIsEnough) {
+  TriangleMesh mesh;
+  const auto add = [&](double along) {
+    const VertexId first = mesh.points.push_back({0, 0, 0});
+    mesh.points.push_back({along, 0, 0});
+    mesh.points.push_back({along / 2, 1, 0});
+    mesh.triangles.push_back({first, VertexId(first.index() + 1), VertexId(first.index() + 2)});
+  };
+  add(0.3);
+  for (int i = 0; i < 3; ++i) add(1);
+  EXPECT_TRUE(lies_in_rows(mesh, 3));
+  add(0);  // two corners are equal: counts for nothing
+  EXPECT_TRUE(lies_in_rows(mesh, 3));
+  add(1);
+  EXPECT_FALSE(lies_in_rows(mesh, 3));
+}
+
 // The distance of rows is 1 everywhere: so none of those kept is closer than a half to another, and
 // each of those left out is.
 TEST(ScanRows, ThinnedSamplesAreApartAndCoverTheOthers) {

@@ -71,6 +71,49 @@ TEST(TrimLongEdges, OpensABridgedHole) {
   EXPECT_EQ(trimmed.mesh.triangles.size(), kept.size());
 }
 
+// A tent over a cell: all its edges to the top are long, and none of its triangles is at a rim.
+TEST(TrimLongEdges, WhatNoRimIsAtStaysIfClustersAreOff) {
+  TriangleMesh mesh = testing::grid_plane(10);
+  const VertexId top = mesh.points.push_back({4.5, 4.5, 9});
+  IdVector<TriangleId, Triangle> triangles;
+  for (const Triangle& t : mesh.triangles) {
+    const Point c = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
+    if (distance(c, {4.5, 4.5, 0}) > 0.5) triangles.push_back(t);
+  }
+  const std::array<VertexId, 4> base = {testing::vertex(4 * 11 + 4), testing::vertex(4 * 11 + 5),
+                                        testing::vertex(5 * 11 + 5), testing::vertex(5 * 11 + 4)};
+  for (std::size_t k = 0; k < 4; ++k) triangles.push_back({base[k], base[(k + 1) % 4], top});
+  ASSERT_EQ(triangles.size(), 202U);
+  mesh.triangles = triangles;
+  EXPECT_EQ(trim_long_edges(mesh, {.max_edge = 3, .min_cluster = 4}).in_clusters, 4U);
+  EXPECT_EQ(trim_long_edges(mesh, {.max_edge = 3, .min_cluster = 5}).mesh.triangles, triangles);
+}
+
+// Neither are they long, however far their corners are, nor do they make others so.
+TEST(TrimLongEdges, TrianglesThatRepeatAVertexDoNotMatter) {
+  Random random(9);
+  TriangleMesh mesh = testing::grid_plane(12);
+  for (Point& p : mesh.points) p = p + random.uniform(0, 0.5) * random.on_unit_sphere();
+  const TrimOptions options{.max_edge = 2, .min_cluster = 1};
+  TriangleMesh expected = trim_long_edges(mesh, options).mesh;
+  EXPECT_LT(expected.triangles.size(), mesh.triangles.size());
+  std::vector<Triangle> added;
+  const std::size_t count = mesh.points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const VertexId v(i);
+    added.push_back({v, v, VertexId(count - 1)});
+    for (int k = 1; k <= 9; ++k) {  // close to v
+      const VertexId near = mesh.points.push_back(mesh.points[v] + Vec3{0, 0, 1e-6 * k});
+      added.push_back({v, near, near});
+    }
+  }
+  for (const Triangle& t : added) {
+    mesh.triangles.push_back(t);
+    expected.triangles.push_back(t);
+  }
+  EXPECT_EQ(trim_long_edges(mesh, options).mesh.triangles, expected.triangles);
+}
+
 TEST(TrimLongEdges, KeepsAnEvenSurface) {
   for (const TriangleMesh& mesh : {testing::sphere(4), testing::grid_plane(12)}) {
     EXPECT_EQ(trim_long_edges(mesh).mesh.triangles, mesh.triangles);
