@@ -9,9 +9,10 @@
 //                         -cos(angle c s d)
 //
 // Flat cells (ball_cosines.h) have no say and are no poles; balls meet through them.
-// Infinity is OUT and decided cells have the side of their label, both with weight 1. Thin cells
-// (doubtful_region.h) have that of theirs with weight mark_credit, but none at vertices where
-// labels are in conflict: good vertices are not always right there.
+// Infinity is OUT and decided cells have the side of their label, both with weight 1; infinite
+// cells tell that to opposite poles only, having no balls. Thin cells (doubtful_region.h) have that
+// of theirs with weight mark_credit, but none at vertices where labels are in conflict: good
+// vertices are not always right there.
 #pragma once
 
 #include "cocone/ball_cosines.h"
