@@ -1,11 +1,15 @@
 #include "cocone/facet_doubts.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <utility>
 #include <vector>
 
 #include "cocone/boundary_samples.h"
+#include "geom/random.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 #include "tests/gallery.h"
@@ -143,6 +147,82 @@ TEST(FacetDoubts, ThinFacetsAndLostScalesAreInDoubt) {
     EXPECT_EQ(doubts[k] & 7U, needle.cocones.met_corners(k));
   }
   EXPECT_EQ(thin, 1);
+}
+
+// Normals nearly in the planes of facets, or as steep as the cone: each leans so off one of the
+// facets at its sample. Heights so large that nothing but a guard leaves a doubt, and others.
+void make_steep(Stages& s, std::uint64_t seed) {
+  Random random(seed);
+  for (std::size_t k = 0; k < s.cocones.facets.size(); ++k) {
+    const Triangle& corners = s.cocones.corners[k];
+    std::array<Point, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = s.triangulation.point(corners[i]);
+    const Vec3 facet_normal = unit(cross(p[1] - p[0], p[2] - p[0]));
+    const VertexId v = corners[random.below(3)];
+    const double beside = std::exp2(random.uniform(-13, -7)) * (random.uniform() < 0.5 ? -1 : 1);
+    const double sine = (random.uniform() < 0.5 ? s.cocones.cosine : 0) + beside;
+    const double sign = random.uniform() < 0.5 ? -1 : 1;
+    s.poles.normals[v] =
+        std::sqrt(1 - sine * sine) * unit(p[1] - p[0]) + sign * sine * facet_normal;
+    s.poles.heights[v] = std::exp(random.uniform(-3, 60));
+  }
+}
+
+// How far a facet is from where there is no doubt about one corner: above 1 there is. By the
+// formulas of the header, one by one, and with the room for roundings.
+double doubt_by_definition(const Stages& s, std::size_t k, std::size_t i,
+                           const BoundaryOptions& options) {
+  std::array<Point, 3> p;
+  for (std::size_t j = 0; j < 3; ++j) p[j] = s.triangulation.point(s.cocones.corners[k][j]);
+  std::sort(p.begin(), p.end());
+  const VertexId v = s.cocones.corners[k][i];
+  const Vec3 normal = s.poles.normals[v];
+  const Vec3 u = p[1] - p[0], w = p[2] - p[0];
+  const Vec3 facet_normal = cross(u, w);
+  const double sine_of_facet = norm(facet_normal) / (norm(u) * norm(w));
+  const Vec3 to_center = (1 / (2 * squared_norm(facet_normal))) *
+                         cross(squared_norm(u) * w - squared_norm(w) * u, facet_normal);
+  const double radius = norm(to_center);
+  const double along = std::abs(dot(p[0] + to_center - s.triangulation.point(v), normal));
+  const double tilt = std::abs(dot(facet_normal, normal)) / norm(facet_normal);
+  const bool in_plane = options.radius_mode == RadiusMode::tangent_plane;
+  const double steepness = in_plane ? tilt : tilt - s.cocones.cosine;
+  const double reach = (in_plane ? 0 : s.cocones.cosine * radius) + along;
+  const double limit = options.rho * s.poles.heights[v] / std::sqrt(1 + 0x1p-10);
+  const double least_sine = 0x1p-10;
+  if (steepness <= 0) return 2;
+  return std::max({std::hypot(radius, reach / steepness) / limit, least_sine / steepness,
+                   least_sine / sine_of_facet});
+}
+
+TEST(FacetDoubts, AreThoseOfTheirDefinition) {
+  Counts counts;
+  int guarded = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    for (const auto& points : {shapes::noisy_sphere(1000, 0.05, seed), gallery::uniform_cube(1000),
+                               shapes::latitude_sphere(4, 3000)}) {
+      for (const RadiusMode mode : {RadiusMode::tangent_plane, RadiusMode::cocone}) {
+        const BoundaryOptions options{.rho = 0.3, .radius_mode = mode};
+        Stages s(points);
+        make_steep(s, seed);
+        const std::vector<FacetDoubts> doubts = doubts_of(s, options);
+        for (std::size_t k = 0; k < doubts.size(); ++k) {
+          for (std::size_t i = 0; i < 3; ++i) {
+            const double expected = doubt_by_definition(s, k, i, options);
+            if ((s.cocones.met_corners(k) >> i & 1U) == 0 || std::abs(expected - 1) < 1e-6)
+              continue;
+            EXPECT_EQ(doubts[k] >> i & 1U, expected > 1 ? 1U : 0U) << expected;
+            ++(expected > 1 ? counts.doubtful : counts.certain);
+            const VertexId v = s.cocones.corners[k][i];
+            if (expected > 1 && s.poles.heights[v] > 1e15) ++guarded;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(counts.certain, 10000);
+  EXPECT_GT(counts.doubtful, 10000);
+  EXPECT_GT(guarded, 1000);
 }
 
 TEST(FacetDoubts, ThreadsDoNotShow) {
