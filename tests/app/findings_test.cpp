@@ -116,5 +116,38 @@ TEST(Findings, UnusedPointsAreOneOrMany) {
   EXPECT_EQ(said(doubts, " ("), "2 of 10 points are not on the surface; the farthest is 0.5");
 }
 
+TEST(Findings, CountsAndRatiosAreThoseOfTheDoubts) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.boundary_samples = 1;
+  doubts.gap_samples = 2;
+  doubts.bad_edges = 3;
+  doubts.pinched_vertices = 4;
+  doubts.unused_points = 5;
+  doubts.sparse = doubts.unused = doubts.contacts = one_spot;
+  const std::vector<Finding> findings = findings_of(doubts, 10, NoiseFilter::used);
+  ASSERT_EQ(findings.size(), 3U);
+  const auto says = [](const Finding& finding, const std::string& text) {
+    return finding.message.find(text) != std::string::npos;
+  };
+  EXPECT_EQ(findings[0].count, 3U);
+  EXPECT_TRUE(says(findings[0], "is 0.5 (5.0 times the median)")) << findings[0].message;
+  EXPECT_EQ(findings[1].count, 5U);
+  EXPECT_TRUE(says(findings[1], "is 0.5 (5.0 times the spacing) off")) << findings[1].message;
+  EXPECT_EQ(findings[2].count, 7U);
+  doubts.spacing = 0;  // there is no surface
+  EXPECT_TRUE(findings_of(doubts, 10, NoiseFilter::used).empty());
+}
+
+// Normal noise makes a roughness of 0.7 times its deviation, in spacings (surface_doubts.h).
+TEST(Findings, NoiseIsToldAboveAFifthOfTheSpacing) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.roughness = 0.7 * 0.19;
+  EXPECT_TRUE(findings_of(doubts, 10, NoiseFilter::not_used).empty());
+  doubts.roughness = 0.7 * 0.21;
+  EXPECT_EQ(said(doubts, ";"), "noise is about 21 % of the spacing 0.1");
+}
+
 }  // namespace
 }  // namespace cocoon::app

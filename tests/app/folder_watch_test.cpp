@@ -1,0 +1,108 @@
+#include "app/folder_watch.h"
+
+#include <chrono>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "geom/errors.h"
+#include "tests/io/temporary_folder.h"
+
+namespace cocoon::app {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Writes a file that changed so long ago; negative: its clock is ahead.
+void put(const TemporaryFolder& folder, const std::string& name, std::chrono::seconds ago,
+         const std::string& content = "1 2 3\n") {
+  const std::filesystem::path path = folder.write(name, content);
+  std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now() - ago);
+}
+
+std::vector<std::string> names(const std::vector<std::filesystem::path>& paths) {
+  std::vector<std::string> result;
+  for (const auto& path : paths) result.push_back(path.filename().string());
+  return result;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(FolderWatch, AFileIsToldAtTheSecondPollAndOnce) {
+  const TemporaryFolder folder;
+  FolderWatch watch(folder.path(), 10s);
+  EXPECT_EQ(names(watch.poll()), Names{});
+  put(folder, "a.xyz", 60s);
+  EXPECT_EQ(names(watch.poll()), Names{});
+  EXPECT_EQ(watch.waiting(), 1U);
+  EXPECT_EQ(names(watch.poll()), Names{"a.xyz"});
+  EXPECT_EQ(watch.waiting(), 0U);
+  EXPECT_EQ(names(watch.poll()), Names{});
+  EXPECT_EQ(watch.waiting(), 0U);
+}
+
+TEST(FolderWatch, OneThatChangedJustNowWaits) {
+  const TemporaryFolder folder;
+  FolderWatch watch(folder.path(), 3600s);
+  put(folder, "a.xyz", 60s);
+  put(folder, "ahead.xyz", -7200s);
+  for (int poll = 0; poll < 3; ++poll) EXPECT_EQ(names(watch.poll()), Names{});
+  EXPECT_EQ(watch.waiting(), 2U);
+}
+
+TEST(FolderWatch, TheEarliestChangedIsFirstThenByName) {
+  const TemporaryFolder folder;
+  FolderWatch watch(folder.path(), 10s);
+  const auto changed = std::filesystem::file_time_type::clock::now() - 50s;
+  for (const char* name : {"c.xyz", "a.xyz", "b.xyz"}) {
+    put(folder, name, 50s);
+    std::filesystem::last_write_time(folder / name, changed);
+  }
+  put(folder, "d.xyz", 70s);
+  put(folder, "e.xyz", 40s);
+  watch.poll();
+  EXPECT_EQ(names(watch.poll()), (Names{"d.xyz", "a.xyz", "b.xyz", "c.xyz", "e.xyz"}));
+}
+
+// Another length or another time is enough; so is that it was gone.
+TEST(FolderWatch, AFileThatChangesIsANewOne) {
+  const TemporaryFolder folder;
+  FolderWatch watch(folder.path(), 10s);
+  const auto expect_new = [&] {
+    EXPECT_EQ(names(watch.poll()), Names{});
+    EXPECT_EQ(watch.waiting(), 1U);
+    EXPECT_EQ(names(watch.poll()), Names{"a.xyz"});
+  };
+  put(folder, "a.xyz", 60s);
+  expect_new();
+  const auto changed = std::filesystem::last_write_time(folder / "a.xyz");
+  put(folder, "a.xyz", 60s, "1 2 3\n4 5 6\n");
+  std::filesystem::last_write_time(folder / "a.xyz", changed);
+  expect_new();
+  std::filesystem::last_write_time(folder / "a.xyz", changed + 20s);
+  expect_new();
+  std::filesystem::remove(folder / "a.xyz");
+  EXPECT_EQ(names(watch.poll()), Names{});
+  put(folder, "a.xyz", 60s);
+  expect_new();
+}
+
+TEST(FolderWatch, OtherFilesAreNotLookedAt) {
+  const TemporaryFolder folder;
+  FolderWatch watch(folder.path(), 10s);
+  put(folder, ".hidden.xyz", 60s);
+  put(folder, "notes.md", 60s);
+  std::filesystem::create_directory(folder / "folder.xyz");
+  watch.poll();
+  EXPECT_EQ(watch.waiting(), 0U);
+  EXPECT_EQ(names(watch.poll()), Names{});
+}
+
+TEST(FolderWatch, AFolderThatIsGoneIsAnError) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(FolderWatch(folder / "missing", 10s).poll(), FileError);
+}
+
+}  // namespace
+}  // namespace cocoon::app

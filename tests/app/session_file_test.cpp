@@ -1,0 +1,52 @@
+#include "app/session_file.h"
+
+#include <functional>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "tests/cocone/sample_shapes.h"
+#include "tests/io/temporary_folder.h"
+
+namespace cocoon::app {
+namespace {
+
+// Each by itself: what a session remembers of its parameters.
+const std::vector<std::function<void(SurfaceArguments&)>> settings{
+    [](SurfaceArguments& a) { a.mode = "paper"; },
+    [](SurfaceArguments& a) { a.alpha_deg = 25; },
+    [](SurfaceArguments& a) { a.cocone_angle_deg = 20; },
+    [](SurfaceArguments& a) { a.sharp_angle_deg = 80; },
+    [](SurfaceArguments& a) { a.alpha_deg = 0; },
+};
+
+TEST(SessionFile, EachParameterCounts) {
+  for (const auto& set : settings) {
+    SurfaceArguments given;
+    set(given);
+    EXPECT_FALSE(same_parameters(given, {}));
+    EXPECT_TRUE(same_parameters(given, given));
+  }
+  SurfaceArguments other_rho;
+  other_rho.rho = 0.2;
+  EXPECT_TRUE(same_parameters(other_rho, {}));
+}
+
+TEST(SessionFile, KeepsParametersAndNotes) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "session").string();
+  SavedSession session;
+  session.snapshot.points = shapes::sphere(4, 1);
+  session.notes = {"one", "", "three words here"};
+  for (const auto& set : settings) {
+    session.parameters = {};
+    set(session.parameters);
+    save_session(path, session);
+    const SavedSession loaded = load_session(path);
+    EXPECT_TRUE(same_parameters(loaded.parameters, session.parameters));
+    EXPECT_EQ(loaded.notes, session.notes);
+    EXPECT_EQ(loaded.snapshot.points, session.snapshot.points);
+  }
+}
+
+}  // namespace
+}  // namespace cocoon::app
