@@ -162,11 +162,6 @@ CellMarks KeptMarks::mark(const Triangulation& triangulation,
     ++local_marks_;
   } else {
     marks = mark_cells(triangulation, surface, boundary, known, options, execution);
-    parts_ = 0;
-    if (are_told_at_once(*marks)) {
-      DisjointSets sets(triangulation.num_vertices());
-      parts_ = join_all_good(surface, *marks, sets);
-    }
   }
   keep(surface.set, *marks);
   return std::move(*marks);
@@ -187,8 +182,8 @@ std::optional<CellMarks> KeptMarks::go_on(const Input& input, const GoodVertexOp
   for (const CellId c : cells) marks.labels[c] = CellLabel::unmarked;
   if (!Labeling(input.triangulation, input.surface.set, marks).run(cells)) return {};
   DisjointSets sets(input.triangulation.num_vertices());
-  parts_ = join_all_good(input.surface, marks, sets);
-  if (!are_on_hull(input.triangulation, marks, parts_, sets)) return {};
+  const std::size_t parts = join_all_good(input.surface, marks, sets);
+  if (!are_on_hull(input.triangulation, marks, parts, sets)) return {};
   marks.visited = marks.good;
   marks.visited_vertices = marks.good_vertices;
   return marks;

@@ -55,9 +55,6 @@ class KeptMarks {
                  const LinkedFacets& surface, const VertexSet& boundary,
                  const KnownSidesSource& known, const GoodVertexOptions& options,
                  const Execution& execution = {});
-  // Into how many parts the good vertices of the last marks fall, by edges of the surface between
-  // them; 0: not known, since they disagreed.
-  std::size_t parts_of_good() const { return parts_; }
   // Calls of mark() that went on from what was kept.
   std::size_t local_marks() const { return local_marks_; }
 
@@ -77,7 +74,6 @@ class KeptMarks {
   void keep(const FacetSet& surface, const CellMarks& marks);
 
   bool exists_ = false;
-  std::size_t parts_ = 0;
   std::size_t local_marks_ = 0;
   IdVector<CellId, std::uint8_t> cells_;  // facets of the surface, label, and whether it is new
   IdVector<VertexId, std::uint8_t> vertices_;  // good, folded, and whether something changed

@@ -2,8 +2,6 @@
 #include "cocone/kept_marks.h"
 
 #include <gtest/gtest.h>
-#include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,33 +16,6 @@
 
 namespace cocoon {
 namespace {
-
-// Into how many parts the good vertices fall, by edges of the surface between them.
-std::size_t parts_of_good(const LinkedFacets& surface, const VertexSet& good) {
-  std::map<VertexId, std::set<VertexId>> joined;
-  std::set<VertexId> left;
-  for (const VertexId v : good.ids()) {
-    if (good[v] != 0) left.insert(v);
-  }
-  for (const Triangle& corners : surface.corners) {
-    for (const VertexId v : corners) {
-      if (good[v] != 0) joined[v].insert(corners.begin(), corners.end());
-    }
-  }
-  std::size_t parts = 0;
-  for (; !left.empty(); ++parts) {
-    std::vector<VertexId> part{*left.begin()};
-    left.erase(left.begin());
-    while (!part.empty()) {
-      const VertexId v = part.back();
-      part.pop_back();
-      for (const VertexId w : joined[v]) {
-        if (left.erase(w) != 0) part.push_back(w);
-      }
-    }
-  }
-  return parts;
-}
 
 class LiveMarks {
  public:
@@ -94,8 +65,6 @@ class LiveMarks {
     ASSERT_EQ(actual.rounds, expected.rounds);
     ASSERT_EQ(actual.conflicts, expected.conflicts);
     ASSERT_EQ(actual.known_cells, expected.known_cells);
-    const bool at_once = expected.rounds == 0 && expected.visited == expected.good;
-    ASSERT_EQ(kept_.parts_of_good(), at_once ? parts_of_good(surface, expected.good) : 0);
   }
 
   LiveSamples samples_;
