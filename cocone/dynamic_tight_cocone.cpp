@@ -60,8 +60,8 @@ struct DynamicTightCocone::State {
   void take(const ReconstructResult& result, ReconstructStages stages);
   void resume(SurfaceState surface);
   void look_for_certificate(const ReconstructResult& result, const CoconeSurface& surface);
-  bool take_body(const Triangulation& triangulation, const CellMarks& marks, bool is_flawed,
-                 bool may_edit);
+  bool take_body(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
+                 bool is_flawed, bool may_edit);
   KnownSidesSource sides_of(const OldSurface& old) const;
   ReconstructResult run_later_stages(Points points, const OldSurface& old,
                                      const Execution& execution, bool may_edit);
@@ -251,9 +251,10 @@ void DynamicTightCocone::State::resume(SurfaceState surface) {
 // Keeps the body, as one that is not smooth if its mesh is to be verified as a whole. Tells what
 // has changed since the last one instead of a mesh, if that will do: then true.
 bool DynamicTightCocone::State::take_body(const Triangulation& triangulation,
-                                          const CellMarks& marked, bool is_flawed, bool may_edit) {
-  auto change = body.take(triangulation, delaunay.cells_at_vertices(), marked.reached,
-                          !is_flawed && !options.verify);
+                                          const IdVector<CellId, std::uint8_t>& out, bool is_flawed,
+                                          bool may_edit) {
+  auto change =
+      body.take(triangulation, delaunay.cells_at_vertices(), out, !is_flawed && !options.verify);
   if (!may_edit || !change) return false;
   body_change = std::move(change);
   return true;
@@ -285,9 +286,10 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points, con
         [&](const Triangulation& triangulation, const auto&... input) {
           return marks.mark(triangulation, delaunay.cells_at_vertices(), input...);
         },
-        [&](const Triangulation& triangulation, const CellMarks& marked, bool is_flawed) {
+        [&](const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
+            bool is_flawed) {
           asked = true;
-          return take_body(triangulation, marked, is_flawed, may_edit);
+          return take_body(triangulation, out, is_flawed, may_edit);
         }};
     result = reconstruct_tight_from(*lent, std::move(found), points, sides_of(old), options,
                                     execution, live, surface);

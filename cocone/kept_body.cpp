@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "cocone/good_parts.h"
 #include "cocone/surface_fan.h"
 #include "geom/disjoint_sets.h"
 #include "geom/visit_where.h"
@@ -49,16 +50,18 @@ std::vector<VertexId> corners_of(const Triangulation& triangulation,
   return corners;
 }
 
-// Whether the vertices of the triangles hang together by their edges.
-bool hang_together(std::size_t num_vertices, std::span<const std::array<VertexId, 3>> triangles) {
+// Whether the vertices of triangles hang together by their edges: of those that
+// for_triangles(visit) has visit(corners) called for.
+template <class ForTriangles>
+bool hang_together(std::size_t num_vertices, const ForTriangles& for_triangles) {
   DisjointSets sets(num_vertices);
   ZeroedArray<VertexId, std::uint8_t> met(num_vertices);
   std::size_t parts = 0;
-  for (const auto& corners : triangles) {
-    for (const VertexId v : corners) parts += std::exchange(met[v], std::uint8_t{1}) == 0 ? 1U : 0U;
-    parts -= sets.join(corners[0].value, corners[1].value) ? 1U : 0U;
-    parts -= sets.join(corners[0].value, corners[2].value) ? 1U : 0U;
-  }
+  for_triangles([&](const std::array<VertexId, 3>& corners) {
+    const auto is_first = [&](VertexId v) { return std::exchange(met[v], std::uint8_t{1}) == 0; };
+    for (const VertexId v : corners) parts += is_first(v) ? 1U : 0U;
+    parts -= join_good(sets, corners, [](VertexId) { return true; });
+  });
   return parts <= 1;
 }
 
@@ -116,7 +119,7 @@ std::optional<KeptBody::Change> KeptBody::go_on(const Triangulation& triangulati
       const bool came = !is_old(triangulation, out, f);
       facets.emplace_back(f, came);
       for (const VertexId v : triangulation.facet_vertices(f)) {
-        fans[v] = {fans[v].facets + 1, f};
+        fans[v].add(f);
         if (came) is_touched[v] = 1;
       }
     });
@@ -136,9 +139,12 @@ std::optional<KeptBody::Change> KeptBody::go_on(const Triangulation& triangulati
     meets_old = meets_old || !came;
   }
   renew(triangulation, out, changed);
-  is_smooth_ = has_umbrellas &&
-               ((meets_old && hang_together(triangulation.num_vertices(), change.triangles)) ||
-                is_connected(triangulation));
+  const auto is_connected_here = [&] {
+    return hang_together(triangulation.num_vertices(), [&](const auto& visit) {
+      for (const auto& triangle : change.triangles) visit(triangle);
+    });
+  };
+  is_smooth_ = has_umbrellas && ((meets_old && is_connected_here()) || is_connected(triangulation));
   if (!is_smooth_) return {};
   return change;
 }
@@ -184,7 +190,7 @@ bool KeptBody::has_umbrellas(const Triangulation& triangulation,
   ZeroedArray<VertexId, SurfaceFan> fans(triangulation.num_vertices());
   for (const CellId c : triangulation.finite_cells()) {
     for_facets(c, cells_[c], [&](FacetId f) {
-      for (const VertexId v : triangulation.facet_vertices(f)) fans[v] = {fans[v].facets + 1, f};
+      for (const VertexId v : triangulation.facet_vertices(f)) fans[v].add(f);
     });
   }
   std::vector<VertexId> edge_ends;
@@ -194,18 +200,12 @@ bool KeptBody::has_umbrellas(const Triangulation& triangulation,
   return true;
 }
 
-// Of all vertices: they are on the boundary.
 bool KeptBody::is_connected(const Triangulation& triangulation) const {
-  DisjointSets sets(triangulation.num_vertices());
-  std::size_t parts = triangulation.num_vertices();
-  for (const CellId c : triangulation.finite_cells()) {
-    for_facets(c, cells_[c], [&](FacetId f) {
-      const std::array<VertexId, 3> t = triangulation.facet_vertices(f);
-      parts -= sets.join(t[0].value, t[1].value) ? 1U : 0U;
-      parts -= sets.join(t[0].value, t[2].value) ? 1U : 0U;
-    });
-  }
-  return parts <= 1;
+  return hang_together(triangulation.num_vertices(), [&](const auto& visit) {
+    for (const CellId c : triangulation.finite_cells()) {
+      for_facets(c, cells_[c], [&](FacetId f) { visit(triangulation.facet_vertices(f)); });
+    }
+  });
 }
 
 }  // namespace cocoon

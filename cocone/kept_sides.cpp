@@ -97,14 +97,14 @@ class KeptSides {
     for (const CellId c : stars_) {
       known.labels[c] = CellLabel::unmarked;
       if (triangulation_.is_infinite(c)) continue;
-      const unsigned told = told_[c];
-      if (told == told_both) ++known.contradictions;
-      if (told != told_out && told != told_in) continue;
+      if (told_[c] == told_both) ++known.contradictions;
+      const CellLabel label = label_told(told_[c]);
+      if (label == CellLabel::unmarked) continue;
       const auto& vertices = triangulation_.cell(c).vertices;
       const bool is_of_corners = std::all_of(vertices.begin(), vertices.end(), [&](VertexId v) {
         return is_asked_[v] == 0 || old.is_corner(v);
       });
-      if (is_of_corners) known.labels[c] = told == told_out ? CellLabel::out : CellLabel::in;
+      if (is_of_corners) known.labels[c] = label;
     }
     for (const CellLabel label : known.labels)
       known.cells += label != CellLabel::unmarked ? 1U : 0U;

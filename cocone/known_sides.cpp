@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "cocone/half_star.h"
@@ -176,12 +175,12 @@ class Telling {
     KnownSides known;
     known.labels = IdVector<CellId, CellLabel>(triangulation_.num_cells(), CellLabel::unmarked);
     for (const CellId c : triangulation_.finite_cells()) {
-      const unsigned told = told_[c];
-      if (told == told_both) ++known.contradictions;
-      if (told != told_out && told != told_in) continue;
+      if (told_[c] == told_both) ++known.contradictions;
+      const CellLabel label = label_told(told_[c]);
+      if (label == CellLabel::unmarked) continue;
       const auto& [v0, v1, v2, v3] = triangulation_.cell(c).vertices;
       if ((at_[v0] & at_[v1] & at_[v2] & at_[v3] & corner) == 0) continue;
-      known.labels[c] = told == told_out ? CellLabel::out : CellLabel::in;
+      known.labels[c] = label;
       ++known.cells;
     }
     return known;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "cocone/cell_label.h"
 #include "cocone/facet_set.h"
 #include "cocone/half_star.h"
 #include "cocone/known_sides.h"
@@ -18,6 +19,11 @@ namespace cocoon {
 
 // What cells were told by old triangles: bits.
 enum Told : std::uint8_t { told_out = 1, told_in = 2, told_both = 3 };
+
+// What it was told, told nothing or both: unmarked.
+inline CellLabel label_told(unsigned told) {
+  return told == told_out ? CellLabel::out : told == told_in ? CellLabel::in : CellLabel::unmarked;
+}
 
 class OldTriangles {
  public:

@@ -156,7 +156,7 @@ class Reconstruction {
       counters.cavities = open_cavities(*triangulation_, surface, marks);
     }
     if (live_ != nullptr &&
-        live_->take_body(*triangulation_, marks, is_flawed(counters.clean_up))) {
+        live_->take_body(*triangulation_, marks.reached, is_flawed(counters.clean_up))) {
       result_.status = SurfaceStatus::ok;
     } else {
       deliver(surface_between(*triangulation_, marks, execution));

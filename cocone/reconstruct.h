@@ -190,9 +190,10 @@ using Marking = std::function<CellMarks(
     const KnownSidesSource& known, const GoodVertexOptions& options, const Execution& execution)>;
 
 // Whoever keeps a body (kept_body.h), and may take it instead of the mesh that bounds it: then each
-// vertex has one closed umbrella of that. `is_flawed`: that is not so. False: the mesh is needed.
-using BodyTaker =
-    std::function<bool(const Triangulation& triangulation, const CellMarks& marks, bool is_flawed)>;
+// vertex has one closed umbrella of that. `out`: 1 = a cell is not of the body. `is_flawed`: the
+// clean-up has seen a vertex without such an umbrella. False: the mesh is needed.
+using BodyTaker = std::function<bool(const Triangulation& triangulation,
+                                     const IdVector<CellId, std::uint8_t>& out, bool is_flawed)>;
 
 // What is known of a triangulation that changes, and who wants what it gives.
 struct LiveStages {

@@ -17,6 +17,11 @@ namespace cocoon {
 struct SurfaceFan {
   std::uint32_t facets;
   FacetId first;
+
+  void add(FacetId f) {
+    ++facets;
+    first = f;
+  }
 };
 
 // Whether they are one closed umbrella: a walk around v from facet to facet, on the side of

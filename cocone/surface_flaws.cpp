@@ -15,9 +15,7 @@ SurfaceFlaws find_surface_flaws(const Triangulation& triangulation, const Doubtf
     for (int i = 0; i < 4; ++i) {
       if (out[triangulation.neighbor(c, i)] == 0) continue;
       for (const VertexId v : triangulation.facet_vertices(facet_id(c, i))) {
-        if (!region.contains(v)) continue;
-        ++fans[v].facets;
-        fans[v].first = facet_id(c, i);
+        if (region.contains(v)) fans[v].add(facet_id(c, i));
       }
     }
   }
