@@ -76,8 +76,9 @@ class DynamicTightCocone {
   // numbers of the points.
   Edited edit(Points points, const ListEdit<PointId>& change, const Execution& execution = {},
               const OldSurface& old = {});
-  // To be told if the mesh is not what the last call found, as where sides were known for it that
-  // the call was not told. Then it is not smooth, unless it is certain, which leaves no choice.
+  // To be called if the caller's mesh is not what the last call found, as where sides were known for
+  // it that the call was not told: is_smooth() is false then, unless the surface is certain, which
+  // leaves no choice. Of an old surface that is handed over only `sides` is asked the next time.
   void forget_body();
   // Adds what an edit left out, but for the mesh. Precondition: the result is that of the points so
   // far, each a vertex of the mesh. Complexity: O(n).

@@ -43,10 +43,11 @@ struct KnownTriangles {
   std::function<std::vector<KnownTriangle>(std::span<const PointId> points)> at;
 };
 
-// An old surface.
+// An old surface, and what is known of it.
 struct OldSurface {
   KnownSidesSource sides;
-  KnownTriangles triangles;  // what `sides` tells is what these tell; may be empty
+  // Those that `sides` tells from, if it does; for who keeps the body that the surface bounds.
+  KnownTriangles triangles = {};
 };
 
 // A vertex is intact if all triangles at it are facets and leave no gap: as many run to each edge

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "cocone/mark_cells.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/point.h"

@@ -95,8 +95,7 @@ struct UpdateParts {
   // The index of the model; called once, after the clouds' surfaces.
   std::function<const ModelIndex&()> index;
   // reconstruct_tight_again of the updated points and what is known of the model. May leave out the
-  // mesh, and what the result has of each vertex, if each point is a vertex. old.triangles may be
-  // asked if kept vertices are distinct: `before` are vertices of the model.
+  // mesh, and what the result has of each vertex, if each point is a vertex.
   std::function<ReconstructResult(const Replacement& replacement, const OldSurface& old,
                                   const Execution& execution)>
       reconstruct;
