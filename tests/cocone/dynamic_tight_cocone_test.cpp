@@ -16,6 +16,7 @@
 #include "tests/cocone/equal_reconstructions.h"
 #include "tests/gallery.h"
 #include "tests/long_tests.h"
+#include "tests/stop_after.h"
 
 namespace cocoon {
 namespace {
@@ -341,12 +342,6 @@ TEST(DynamicTightCocone, WhatIsToBeVerifiedIsNoEdit) {
   EXPECT_GT(not_certain, 10U);
 }
 
-struct StopAfter : Progress {
-  explicit StopAfter(int n) : left(n) {}
-  bool report(std::string_view, double) override { return --left > 0; }
-  int left;
-};
-
 // Stages over the whole borrow the triangulation, and vertices move into gaps for that: wherever it
 // is cancelled, the points before are there again.
 TEST(DynamicTightCocone, CancelledOnATornSurfaceItGoesOnFromThePointsBefore) {
@@ -356,24 +351,21 @@ TEST(DynamicTightCocone, CancelledOnATornSurfaceItGoesOnFromThePointsBefore) {
   ChangingPoints changing(points);
   DynamicTightCocone cocone;
   cocone.reconstruct(changing.points);
-  int cancelled = 0;
-  for (int n = 1;; ++n) {
-    const ChangingPoints before = changing;
-    changing.change([&](const Point& p) { return p.z > 0.9 || random.below(40) == 0; },
-                    {rough_sample(700, 0.5, random), rough_sample(700, 0.5, random)});
-    StopAfter progress(n);
-    try {
-      cocone.replace(changing.points, changing.old_position, {1, &progress});
-      break;
-    } catch (const Cancelled&) {
-      ++cancelled;
-      changing = before;
-      changing.change([](const Point&) { return false; }, {});
-      ReconstructResult expected;
-      EXPECT_FALSE(is_local_and_equal(cocone, changing, expected)) << "after " << n;
-      EXPECT_GT(expected.counters.poor_cells, 0U);
-    }
-  }
+  ChangingPoints before = changing;
+  const int cancelled = test::stop_everywhere(
+      [&](Progress& progress) {
+        before = changing;
+        changing.change([&](const Point& p) { return p.z > 0.9 || random.below(40) == 0; },
+                        {rough_sample(700, 0.5, random), rough_sample(700, 0.5, random)});
+        cocone.replace(changing.points, changing.old_position, {1, &progress});
+      },
+      [&](int n) {
+        changing = before;
+        changing.change([](const Point&) { return false; }, {});
+        ReconstructResult expected;
+        EXPECT_FALSE(is_local_and_equal(cocone, changing, expected)) << "after " << n;
+        EXPECT_GT(expected.counters.poor_cells, 0U);
+      });
   EXPECT_GT(cancelled, 10);
   changing.change([](const Point&) { return false; }, {rough_sample(700, 0.5, random)});
   ReconstructResult expected;
@@ -388,20 +380,16 @@ TEST(DynamicTightCocone, CancelledWhenFewOtherPointsCameItGoesOnFromThePointsBef
   cocone.reconstruct(changing.points);
   const ChangingPoints before = changing;
   changing.change([](const Point&) { return true; }, gallery::even_sphere(20));
-  int cancelled = 0;
-  for (int n = 1;; ++n) {
-    StopAfter progress(n);
-    try {
-      cocone.replace(changing.points, changing.old_position, {1, &progress});
-      break;
-    } catch (const Cancelled&) {
-      ++cancelled;
-      ChangingPoints again = before;
-      again.change([](const Point&) { return false; }, {});
-      ReconstructResult expected;
-      is_local_and_equal(cocone, again, expected);
-    }
-  }
+  const int cancelled = test::stop_everywhere(
+      [&](Progress& progress) {
+        cocone.replace(changing.points, changing.old_position, {1, &progress});
+      },
+      [&](int) {
+        ChangingPoints again = before;
+        again.change([](const Point&) { return false; }, {});
+        ReconstructResult expected;
+        is_local_and_equal(cocone, again, expected);
+      });
   EXPECT_GT(cancelled, 10);
 }
 
@@ -431,7 +419,7 @@ TEST(DynamicTightCocone, CompletesAResultAfterACancelledChange) {
     const ReconstructResult expected = result;
     ASSERT_EQ(expected.unused_points, 0U);
     const std::vector<Point> fewer(points.begin() + 1, points.end());
-    StopAfter progress(1);
+    test::StopAfter progress(1);
     EXPECT_THROW(cocone.edit(fewer, {{PointId(0)}, {}}, {1, &progress}), Cancelled);
     cocone.complete(result);
     expect_equal_reconstruction(result, expected);

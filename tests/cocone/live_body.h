@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "cocone/lent_delaunay.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/point_hash.h"
 #include "geom/random.h"
+#include "tests/cocone/lend.h"
 
 namespace cocoon {
 
@@ -51,12 +51,7 @@ class LiveBody {
 
   template <class Visit>
   void lend(Visit visit) {
-    IdVector<PointId, VertexId> vertex_of_point;
-    for (std::size_t v = 0; v < delaunay_.num_vertices(); ++v) {
-      vertex_of_point.push_back(VertexId(v));
-    }
-    const LentDelaunay lent(delaunay_, vertex_of_point);
-    visit(*lent);
+    cocoon::lend(delaunay_, visit);
   }
 
   const DynamicDelaunay& delaunay() const { return delaunay_; }

@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "cocone/lent_delaunay.h"
 #include "cocone/live_candidates.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/random.h"
+#include "tests/cocone/lend.h"
 
 namespace cocoon {
 
@@ -54,12 +54,7 @@ class LiveSamples {
   // Calls visit(triangulation): the points are its vertices, in their order.
   template <class Visit>
   void lend(Visit visit) {
-    IdVector<PointId, VertexId> vertex_of_point;
-    for (std::size_t v = 0; v < delaunay_.num_vertices(); ++v) {
-      vertex_of_point.push_back(VertexId(v));
-    }
-    const LentDelaunay lent(delaunay_, vertex_of_point);
-    visit(*lent);
+    cocoon::lend(delaunay_, visit);
   }
 
   const DynamicDelaunay& delaunay() const { return delaunay_; }

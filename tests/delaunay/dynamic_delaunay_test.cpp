@@ -17,6 +17,7 @@
 #include "tests/delaunay/dynamic_checks.h"
 #include "tests/gallery.h"
 #include "tests/named_set.h"
+#include "tests/stop_after.h"
 
 namespace cocoon {
 namespace {
@@ -275,16 +276,6 @@ TEST(DynamicDelaunay, KeepsIdsAndUsesFreeOnesAgain) {
   EXPECT_EQ(dynamic.point(live[60]), kept);
 }
 
-// Cancels at the given report.
-class CancelAt : public Progress {
- public:
-  explicit CancelAt(int report) : report_(report) {}
-  bool report(std::string_view, double) override { return --report_ != 0; }
-
- private:
-  int report_;
-};
-
 TEST(DynamicDelaunay, RefusalsChangeNothing) {
   DynamicDelaunay dynamic;
   const std::vector<Point> points = gallery::plane_and_apex(6);
@@ -317,29 +308,30 @@ TEST(DynamicDelaunay, RefusalsChangeNothing) {
   EXPECT_EQ(empty.num_vertices(), 0U);
 }
 
+// Replaces, cancelled at each report in turn, until it comes to an end. Returns how often it was.
+int replace_cancelled_everywhere(DynamicDelaunay& dynamic, const std::vector<VertexId>& removed,
+                                 const std::vector<Point>& inserted) {
+  const std::vector<VertexId> live = live_vertices(dynamic);
+  const Triangulation original = canonical_order(dynamic.freeze().triangulation);
+  const int reports = test::stop_everywhere(
+      [&](Progress& progress) { dynamic.replace(removed, inserted, {.progress = &progress}); },
+      [&](int) {
+        EXPECT_TRUE(live_vertices(dynamic) == live);
+        const Triangulation now = canonical_order(dynamic.freeze().triangulation);
+        EXPECT_TRUE(now.points() == original.points());
+        EXPECT_TRUE(now.cell_records() == original.cell_records());
+        expect_consistent(dynamic);
+      });
+  expect_fresh(dynamic);
+  return reports;
+}
+
 TEST(DynamicDelaunay, CancellationChangesNothing) {
   DynamicDelaunay dynamic;
   dynamic.insert(gallery::uniform_cube(2000));
-  const std::vector<VertexId> live = live_vertices(dynamic);
-  const Triangulation original = canonical_order(dynamic.freeze().triangulation);
   const std::vector<VertexId> removed = patch(dynamic, {0, 0, 0}, 300);
-  int reports = 0;
-  for (int at = 1;; ++at) {
-    CancelAt progress(at);
-    try {
-      dynamic.replace(removed, gallery::uniform_cube(9000, 8), {.progress = &progress});
-      break;
-    } catch (const Cancelled&) {
-      ++reports;
-    }
-    EXPECT_TRUE(live_vertices(dynamic) == live);
-    const Triangulation now = canonical_order(dynamic.freeze().triangulation);
-    EXPECT_TRUE(now.points() == original.points());
-    EXPECT_TRUE(now.cell_records() == original.cell_records());
-    expect_consistent(dynamic);
-  }
-  EXPECT_GE(reports, 4);  // the start, two batches, the end
-  expect_fresh(dynamic);
+  // The start, two batches, the end.
+  EXPECT_GE(replace_cancelled_everywhere(dynamic, removed, gallery::uniform_cube(9000, 8)), 4);
 }
 
 // What stays spans space only with the points that come: those that went have to be there again
@@ -348,27 +340,10 @@ TEST(DynamicDelaunay, CancelledAtTheEndWhenWhatStaysIsFlat) {
   DynamicDelaunay dynamic;
   dynamic.insert(gallery::plane_and_apex(6));
   const std::vector<VertexId> live = live_vertices(dynamic);
-  const Triangulation original = canonical_order(dynamic.freeze().triangulation);
   const VertexId apex =
       *std::find_if(live.begin(), live.end(), [&](VertexId v) { return dynamic.point(v).z != 0; });
-  int reports = 0;
-  for (int at = 1;; ++at) {
-    CancelAt progress(at);
-    try {
-      dynamic.replace(std::vector{apex}, std::vector<Point>{{1, 2, 7}, {2, 1, 6}},
-                      {.progress = &progress});
-      break;
-    } catch (const Cancelled&) {
-      ++reports;
-    }
-    EXPECT_TRUE(live_vertices(dynamic) == live);
-    const Triangulation now = canonical_order(dynamic.freeze().triangulation);
-    EXPECT_TRUE(now.points() == original.points());
-    EXPECT_TRUE(now.cell_records() == original.cell_records());
-    expect_consistent(dynamic);
-  }
-  EXPECT_EQ(reports, 3);  // the start, the points, the end
-  expect_fresh(dynamic);
+  // The start, the points, the end.
+  EXPECT_EQ(replace_cancelled_everywhere(dynamic, {apex}, {{1, 2, 7}, {2, 1, 6}}), 3);
 }
 
 TEST(DynamicDelaunay, MovesWithItsMemory) {

@@ -111,5 +111,35 @@ TEST(MeshEdit, LeadsFromOneMeshToTheOtherAndBack) {
   }
 }
 
+// An edit that was carried out leads to what other looks at the mesh tell, or it does not.
+TEST(MeshEdit, LeadsToWhatIsTold) {
+  Random random(2);
+  const Change change = random_change(5, random);
+  const IdVector<VertexId, VertexId> vertex_map =
+      places_after(change.vertices, change.before.points.size());
+  const MeshEdit edit = mesh_edit(ModelIndex::of_smooth(change.before), change.vertices, vertex_map,
+                                  change.added_points, change.touched, change.triangles);
+  const ModelIndex after = ModelIndex::of_smooth(change.after);
+  const auto leads = [&](const std::vector<VertexId>& touched,
+                         const std::vector<Triangle>& triangles) {
+    return leads_to(edit, after, vertex_map, touched, triangles);
+  };
+  EXPECT_TRUE(leads(change.touched, change.triangles));
+  // Told of more than has changed: it leads there, too, if they are told as they are.
+  std::vector<VertexId> everywhere;
+  for (const VertexId v : change.before.points.ids()) everywhere.push_back(v);
+  EXPECT_TRUE(leads(everywhere, change.after.triangles.raw()));
+  // A triangle that is not there, one that is left out, one that is turned.
+  std::vector<Triangle> other = change.triangles;
+  other.pop_back();
+  EXPECT_FALSE(leads(change.touched, other));
+  other.push_back(change.triangles.back());
+  std::swap(other.back()[1], other.back()[2]);
+  EXPECT_FALSE(leads(change.touched, other));
+  // Nothing is told where something went.
+  EXPECT_FALSE(leads({}, {}));
+  EXPECT_FALSE(leads(change.vertices.removed, {}));
+}
+
 }  // namespace
 }  // namespace cocoon

@@ -15,6 +15,7 @@
 #include "io/sample_models.h"
 #include "tests/gallery.h"
 #include "tests/long_tests.h"
+#include "tests/stop_after.h"
 #include "tests/update/session_checks.h"
 
 namespace cocoon {
@@ -267,13 +268,6 @@ TEST(UpdateSession, ExtremeCoordinatesWorkToo) {
               reconstruct_tight(gallery::scaled(gallery::even_sphere(400), size)).mesh);
 }
 
-// Stops at the n-th report.
-struct StopAfter : Progress {
-  explicit StopAfter(int n) : left(n) {}
-  bool report(std::string_view, double) override { return --left > 0; }
-  int left;
-};
-
 TEST(UpdateSession, CancelledAnywhereItStaysAsItWas) {
   UpdateSession session(gallery::even_sphere(400));
   Random random(8);
@@ -283,31 +277,29 @@ TEST(UpdateSession, CancelledAnywhereItStaysAsItWas) {
   }
   const TriangleMesh before = session.model();
   const ReconstructResult reconstruction_before = session.reconstruction();
-  int cancelled = 0;
-  for (int n = 1;; n += 3) {
-    StopAfter progress(n);
-    try {
-      session.apply(clouds, {1, &progress});
-      break;
-    } catch (const Cancelled&) {
-      ++cancelled;
-      ASSERT_TRUE(session.model() == before);
-      ASSERT_EQ(session.undo_levels(), 0U);
-      expect_equal_reconstruction(session.reconstruction(), reconstruction_before);
-    }
-  }
+  const int cancelled = test::stop_everywhere(
+      [&](Progress& progress) {
+        session.apply(clouds, {1, &progress});
+      },
+      [&](int) {
+        ASSERT_TRUE(session.model() == before);
+        ASSERT_EQ(session.undo_levels(), 0U);
+        expect_equal_reconstruction(session.reconstruction(), reconstruction_before);
+      },
+      3);
   EXPECT_GT(cancelled, 10);
   const TriangleMesh after = session.model();
   const ReconstructResult reconstruction_after = session.reconstruction();
-  for (int n = 1; session.undo_levels() > 0; n += 3) {
-    StopAfter progress(n);
-    try {
-      session.undo({1, &progress});
-    } catch (const Cancelled&) {
-      ASSERT_TRUE(session.model() == after);
-      expect_equal_reconstruction(session.reconstruction(), reconstruction_after);
-    }
-  }
+  test::stop_everywhere(
+      [&](Progress& progress) {
+        session.undo({1, &progress});
+      },
+      [&](int) {
+        ASSERT_TRUE(session.model() == after);
+        expect_equal_reconstruction(session.reconstruction(), reconstruction_after);
+      },
+      3);
+  EXPECT_EQ(session.undo_levels(), 0U);
   EXPECT_TRUE(session.model() == before);
   expect_equal_reconstruction(session.reconstruction(), reconstruction_before);
   apply_and_compare(session, clouds);
