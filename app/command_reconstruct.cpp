@@ -19,6 +19,7 @@
 #include "cocone/robust_cocone.h"
 #include "geom/counted.h"
 #include "geom/mesh_check.h"
+#include "io/lock_file.h"
 #include "io/mesh_file.h"
 
 namespace cocoon::app {
@@ -132,6 +133,8 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   require_outputs(job, {{arguments.mesh, mesh_extensions}, {arguments.session, {}}});
   require_possible_noise_filter(arguments);
   require_possible_session(arguments);
+  std::optional<LockFile> lock;
+  if (!arguments.session.empty()) lock.emplace(arguments.session);
   const bool tight = arguments.surface == "tight";
   const StageOptions stages = options_of(arguments);
   const ReconstructOptions& options = stages.surface;

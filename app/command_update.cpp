@@ -9,6 +9,7 @@
 #include "app/pending_clouds.h"
 #include "app/session_file.h"
 #include "app/updating.h"
+#include "io/lock_file.h"
 
 namespace cocoon::app {
 
@@ -54,6 +55,7 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
 // Reads the session, updates it, and writes it back together with the mesh.
 void update_session(const UpdateArguments& arguments, const std::optional<StrayOptions>& filter,
                     Job& job) {
+  const LockFile lock(arguments.session);
   const Execution quiet{job.execution().threads};
   ResumedSession resumed;
   timed(job.execution(), "read", [&] {

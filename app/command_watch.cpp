@@ -18,6 +18,7 @@
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "io/file_bytes.h"
+#include "io/lock_file.h"
 #include "io/mesh_file.h"
 #include "io/summed_file.h"
 
@@ -57,6 +58,7 @@ class Watch {
   }
 
   void run() {
+    const LockFile lock(session_file_);
     begin();
     follow_folder();
     if (state_.pending > 0) save_whole();

@@ -1,11 +1,11 @@
 #include "io/atomic_file.h"
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 #include "io/file_bytes.h"
 
@@ -33,19 +33,18 @@ std::filesystem::path follow_links(std::filesystem::path path) {
                                "); check the folder, its permissions and the free space");
 }
 
-void remove_file(const std::filesystem::path& path) noexcept { ::unlink(path.c_str()); }
-
 }  // namespace
 
-FileBatch::~FileBatch() {
-  for (const Waiting& file : waiting_) remove_file(file.temporary);
-}
-
 void FileBatch::commit() {
+  for (Waiting& file : waiting_) {
+    if (const int error = file.part.give_name()) {
+      throw_write_error(file.target, "cannot be written", error);
+    }
+  }
   while (!waiting_.empty()) {
-    const Waiting& file = waiting_.front();
-    if (::rename(file.temporary.c_str(), file.place.c_str()) != 0) {
-      throw_write_error(file.target, "cannot be replaced", errno);
+    Waiting& file = waiting_.front();
+    if (const int error = file.part.rename_to_place()) {
+      throw_write_error(file.target, "cannot be replaced", error);
     }
     waiting_.erase(waiting_.begin());
   }
@@ -54,38 +53,21 @@ void FileBatch::commit() {
 AtomicFile::AtomicFile(const std::filesystem::path& target) : target_(target) {
   struct stat status = {};
   const bool exists = ::stat(target_.c_str(), &status) == 0;
-  if (exists && S_ISDIR(status.st_mode)) fail("cannot be written", EISDIR);
+  if (exists && S_ISDIR(status.st_mode)) require(EISDIR);
   if (exists && !S_ISREG(status.st_mode)) {
-    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor_ < 0) fail("cannot be written", errno);
+    direct_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (direct_ < 0) require(errno);
     return;
   }
-  final_ = follow_links(target_);
-  open_temporary();
-  if (exists && ::fchmod(descriptor_, status.st_mode & 0777) != 0) {
-    fail("cannot be given the permissions of the file it replaces", errno);
+  require(part_.open(follow_links(target_)));
+  if (exists) {
+    require(part_.set_permissions(status.st_mode & 0777),
+            "cannot be given the permissions of the file it replaces");
   }
 }
 
-AtomicFile::~AtomicFile() { discard(); }
-
-void AtomicFile::open_temporary() {
-  static std::atomic<unsigned> serial{0};
-  constexpr int most_tries = 1000;           // leftovers of a killed process with our id
-  constexpr std::size_t longest_name = 200;  // of the 255 bytes that file systems admit
-  for (int i = 0; i < most_tries; ++i) {
-    std::string name = ".";
-    name += final_.filename().string().substr(0, longest_name);
-    name += ".cocoon-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".part";
-    const std::filesystem::path candidate = final_.parent_path() / name;
-    descriptor_ = ::open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ >= 0) {
-      temporary_ = candidate;
-      return;
-    }
-    if (errno != EEXIST) fail("cannot be written", errno);
-  }
-  fail("cannot be written", EEXIST);
+AtomicFile::~AtomicFile() {
+  if (direct_ >= 0) ::close(direct_);
 }
 
 void AtomicFile::write(std::string_view bytes) {
@@ -94,44 +76,28 @@ void AtomicFile::write(std::string_view bytes) {
 }
 
 void AtomicFile::flush() {
-  const char* at = buffer_.data();
-  std::size_t left = buffer_.size();
-  while (left > 0) {
-    const ssize_t written = ::write(descriptor_, at, left);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail("cannot be written", errno);
-    at += written;
-    left -= static_cast<std::size_t>(written);
-  }
+  require(direct_ >= 0 ? write_all(direct_, buffer_) : part_.write(buffer_));
   buffer_.clear();
 }
 
 void AtomicFile::commit(FileBatch* batch) {
   flush();
-  const bool direct = temporary_.empty();
-  if (!direct && ::fsync(descriptor_) != 0) fail("cannot be written", errno);
-  const int closed = ::close(descriptor_);
-  descriptor_ = -1;
-  if (closed != 0) fail("cannot be written", errno);
-  if (direct) return;
-  if (batch != nullptr) {
-    batch->waiting_.push_back({target_, final_, temporary_});
-    temporary_.clear();
+  if (direct_ >= 0) {
+    require(::close(std::exchange(direct_, -1)) != 0 ? errno : 0);
     return;
   }
-  if (::rename(temporary_.c_str(), final_.c_str()) != 0) fail("cannot be replaced", errno);
-  temporary_.clear();
+  require(part_.complete());
+  if (batch != nullptr) {
+    batch->waiting_.push_back({target_, std::move(part_)});
+    return;
+  }
+  require(part_.give_name());
+  require(part_.rename_to_place(), "cannot be replaced");
 }
 
-void AtomicFile::discard() noexcept {
-  if (descriptor_ >= 0) ::close(descriptor_);
-  descriptor_ = -1;
-  if (!temporary_.empty()) remove_file(temporary_);
-  temporary_.clear();
-}
-
-void AtomicFile::fail(const char* action, int error_number) {
-  discard();
+void AtomicFile::require(int error_number, const char* action) {
+  if (error_number == 0) return;
+  part_.discard();
   throw_write_error(target_, action, error_number);
 }
 

@@ -1,15 +1,14 @@
 // Output that appears complete or not at all: bytes go to a temporary file beside the target, which
 // is renamed over the target when all is written.
 //
-//   - The temporary lies in the target's folder (a rename across file systems would be a copy) and
-//     is called ".NAME.cocoon-PID-N.part". It is removed if anything fails; only a process that is
-//     killed leaves it behind. The old file is never touched before the rename.
+//   - The temporary lies in the target's folder, without a name until just before the rename where
+//     the system can do that (io/part_file.h). It is removed if anything fails. The old file is
+//     never touched before the rename.
 //   - The bytes are on the disk (fsync) before the rename, so that after a power cut the name holds
 //     the old file or the new one, never half of one. The folder itself is not synced: the cut may
 //     bring back the old file.
 //   - A new file gets the permissions that the umask gives; a replaced file keeps its own. Owner
-//   and
-//     extended attributes are not kept, and hard links to the old file keep the old bytes.
+//     and extended attributes are not kept, and hard links to the old file keep the old bytes.
 //   - A symbolic link stays: the file it leads to is replaced.
 //   - A target that exists and is no regular file (/dev/stdout, a pipe) cannot be replaced: it is
 //     opened and written directly, and a failure may leave a part in it.
@@ -22,16 +21,16 @@
 #include <string_view>
 #include <vector>
 
+#include "io/part_file.h"
+
 namespace cocoon {
 
-// Files that wait to appear together: complete and on the disk, each as the temporary file beside
-// its target. What can fail while a job writes its outputs (a full disk above all) fails before the
-// first target is touched.
+// Files that wait to appear together: complete and on the disk, each as a temporary file. What can
+// fail while a job writes its outputs (a full disk above all) fails before the first target is
+// touched.
 class FileBatch {
  public:
-  FileBatch() = default;
-  // Without commit(): removes the temporary files.
-  ~FileBatch();
+  FileBatch() = default;  // without commit() the temporary files are removed
   FileBatch(const FileBatch&) = delete;
   FileBatch& operator=(const FileBatch&) = delete;
 
@@ -44,8 +43,7 @@ class FileBatch {
   friend class AtomicFile;
   struct Waiting {
     std::filesystem::path target;  // as the caller named it
-    std::filesystem::path place;   // behind all symbolic links
-    std::filesystem::path temporary;
+    PartFile part;
   };
   std::vector<Waiting> waiting_;
 };
@@ -80,15 +78,13 @@ class AtomicFile {
  private:
   static constexpr std::size_t buffer_limit = std::size_t{1} << 16;
 
-  void open_temporary();
   void flush();
-  void discard() noexcept;
-  [[noreturn]] void fail(const char* action, int error_number);
+  // If there is an error, throws FileError and removes the temporary file.
+  void require(int error_number, const char* action = "cannot be written");
 
-  std::filesystem::path target_;     // as the caller named it, for messages
-  std::filesystem::path final_;      // behind all symbolic links
-  std::filesystem::path temporary_;  // empty: written directly
-  int descriptor_ = -1;
+  std::filesystem::path target_;  // as the caller named it, for messages
+  PartFile part_;
+  int direct_ = -1;  // what is written directly: its descriptor
   std::string buffer_;
 };
 

@@ -207,6 +207,30 @@ TEST(Watch, KeepsGoingOnBadFilesAndStopsOnASignal) {
   }
 }
 
+// Nobody else may use the session meanwhile: what one wrote the other would overwrite.
+TEST(Watch, HoldsItsSession) {
+  const Watched watched;
+  const TemporaryFolder outputs;
+  const RunningProgram program(outputs, watched.arguments);
+  ASSERT_TRUE(wait_for(
+      [&] { return content_of(outputs.file("stdout")).find("triangles") != std::string::npos; }));
+  const std::string session = watched.mesh + ".session";
+  const std::string updated = watched.folder.file("updated.ply");
+  const std::string cloud = watched.folder.write("south.xyz", south);
+  const std::string model = watched.arguments[1];
+  for (const std::vector<std::string>& arguments :
+       {watched.once(),
+        std::vector<std::string>{"update", "--session", session, cloud, "-o", updated},
+        std::vector<std::string>{"reconstruct", model, "--session", session, "-o", updated}}) {
+    expect_error(run_program(arguments), 1, session + ": is in use by another run");
+  }
+  program.send(SIGTERM);
+  EXPECT_EQ(program.wait().exit_code, 0);
+  const ProgramRun run = run_program({"update", "--session", session, cloud, "-o", updated});
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_FALSE(std::filesystem::exists(session + ".lock"));
+}
+
 // What is doubtful is told of the model, and once of what clouds made of it.
 TEST(Watch, TellsFindings) {
   const auto tells_of_parts = [](const std::string& text) {

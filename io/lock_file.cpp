@@ -1,0 +1,51 @@
+#include "io/lock_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <string>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "io/file_bytes.h"
+
+namespace cocoon {
+
+namespace {
+
+// Has somebody removed the file that was opened, or put another one in its place?
+bool is_still_there(int descriptor, const std::filesystem::path& path) {
+  struct stat opened = {};
+  struct stat there = {};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &there) == 0 &&
+         opened.st_dev == there.st_dev && opened.st_ino == there.st_ino;
+}
+
+}  // namespace
+
+LockFile::LockFile(const std::filesystem::path& file) : lock_(file) {
+  lock_ += ".lock";
+  const auto fail = [&](const std::string& why) {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    throw file_error(file, why);
+  };
+  do {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    descriptor_ = ::open(lock_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) continue;
+    if (errno == EWOULDBLOCK) {
+      fail("is in use by another run of cocoon; wait until that is done, or stop it");
+    }
+    fail("cannot be locked by " + lock_.filename().string() + " beside it (" +
+         std::strerror(errno) + "); check the folder and its permissions");
+  } while (!is_still_there(descriptor_, lock_));
+}
+
+// Who has opened it meanwhile sees that it is gone.
+LockFile::~LockFile() {
+  ::unlink(lock_.c_str());
+  ::close(descriptor_);
+}
+
+}  // namespace cocoon

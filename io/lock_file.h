@@ -1,0 +1,28 @@
+// Holds a file for this process as long as the object lives, by a lock (flock) on "FILE.lock"
+// beside it: the file itself is replaced when it is written, and a lock would go with the old one.
+//
+//   - The lock ends with the process, however it ends; a ".lock" that a killed process has left
+//     behind is taken over.
+//   - It keeps out those who ask for it, nobody else.
+#pragma once
+
+#include <filesystem>
+
+namespace cocoon {
+
+class LockFile {
+ public:
+  // Throws FileError, one line, if another process (or object) holds it, or if there can be no
+  // lock: the folder is missing or not writable.
+  explicit LockFile(const std::filesystem::path& file);
+  // Removes "FILE.lock".
+  ~LockFile();
+  LockFile(const LockFile&) = delete;
+  LockFile& operator=(const LockFile&) = delete;
+
+ private:
+  std::filesystem::path lock_;
+  int descriptor_ = -1;
+};
+
+}  // namespace cocoon
