@@ -91,20 +91,27 @@ class KeptSides {
     }
   }
 
+  // As the rule of known_sides.h has it. Vertices that are not asked are intact.
+  bool is_to_be_believed(const OldTriangles& old, const Cell& cell) const {
+    bool all_are_corners = true;
+    bool all_corners_are_intact = true;
+    for (const VertexId v : cell.vertices) {
+      if (is_asked_[v] == 0) continue;
+      const bool is_corner = old.is_corner(v);
+      all_are_corners = all_are_corners && is_corner;
+      all_corners_are_intact = all_corners_are_intact && (!is_corner || old.is_intact(v));
+    }
+    return all_are_corners || all_corners_are_intact;
+  }
+
   KnownSides labels(const OldTriangles& old) {
     KnownSides known;
     known.labels = std::move(before_.labels);
     for (const CellId c : stars_) {
-      known.labels[c] = CellLabel::unmarked;
       if (triangulation_.is_infinite(c)) continue;
       if (told_[c] == told_both) ++known.contradictions;
-      const CellLabel label = label_told(told_[c]);
-      if (label == CellLabel::unmarked) continue;
-      const auto& vertices = triangulation_.cell(c).vertices;
-      const bool is_of_corners = std::all_of(vertices.begin(), vertices.end(), [&](VertexId v) {
-        return is_asked_[v] == 0 || old.is_corner(v);
-      });
-      if (is_of_corners) known.labels[c] = label;
+      const bool is_believed = is_to_be_believed(old, triangulation_.cell(c));
+      known.labels[c] = is_believed ? label_told(told_[c]) : CellLabel::unmarked;
     }
     for (const CellLabel label : known.labels)
       known.cells += label != CellLabel::unmarked ? 1U : 0U;

@@ -171,15 +171,18 @@ class Telling {
     }
   }
 
+  bool is_to_be_believed(const Cell& cell) const {
+    const unsigned corners = vertices_with(corner, cell);
+    return corners == 15 || corners == vertices_with(intact, cell);
+  }
+
   KnownSides labels() const {
     KnownSides known;
     known.labels = IdVector<CellId, CellLabel>(triangulation_.num_cells(), CellLabel::unmarked);
     for (const CellId c : triangulation_.finite_cells()) {
       if (told_[c] == told_both) ++known.contradictions;
       const CellLabel label = label_told(told_[c]);
-      if (label == CellLabel::unmarked) continue;
-      const auto& [v0, v1, v2, v3] = triangulation_.cell(c).vertices;
-      if ((at_[v0] & at_[v1] & at_[v2] & at_[v3] & corner) == 0) continue;
+      if (label == CellLabel::unmarked || !is_to_be_believed(triangulation_.cell(c))) continue;
       known.labels[c] = label;
       ++known.cells;
     }

@@ -50,14 +50,15 @@ struct OldSurface {
   KnownTriangles triangles = {};
 };
 
-// A vertex is intact if all triangles at it are facets and leave no gap: as many run to each edge
-// there as run from it. They divide the cells around it; those behind a triangle are labeled IN,
-// those in front of one OUT, if all their vertices are corners of triangles (a cell with a new
-// vertex may lie on either side). Infinite cells are not labeled (they are OUT anyway). If the
-// triangles bound a union of cells, no cell is told both. Without triangles nothing is known.
-// Triangles are looked for in `likely` first, which changes nothing else. Complexity: O(cells + t)
-// for t triangles, for bounded valence; in part parallel. Deterministic: independent of their order
-// and of the threads. Source: ours, docs/stages/mark_cells.md.
+// A vertex is intact if there are triangles at it, all are facets, and they leave no gap: as many
+// run to each edge there as run from it. They divide the cells around it; those behind a triangle
+// are labeled IN, those in front of one OUT. A cell with new vertices may lie on either side: it is
+// labeled only if every corner of a triangle that it has is intact, for where a vertex keeps all
+// its triangles the surface has not changed. Infinite cells are not labeled (they are OUT anyway).
+// If the triangles bound a union of cells, no cell is told both. Without triangles nothing is
+// known. Triangles are looked for in `likely` first, which changes nothing else. Complexity:
+// O(cells + t) for t triangles, for bounded valence; in part parallel. Deterministic: independent
+// of their order and of the threads. Source: ours, docs/stages/mark_cells.md.
 KnownSides known_sides(const Triangulation& triangulation, std::span<const KnownTriangle> triangles,
                        const FacetSet& likely, const Execution& execution = {});
 

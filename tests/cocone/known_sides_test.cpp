@@ -71,8 +71,8 @@ TEST(KnownSides, CellsBehindTheTrianglesAreInside) {
   std::vector<KnownTriangle> both = {{a, b, top}, {b, c, top}, {c, a, top},
                                      {a, low, b}, {b, low, c}, {c, low, a}};
   EXPECT_EQ(known_by(both), std::pair(in, in));
-  // The other one has a vertex that is no corner: it may be new.
-  EXPECT_EQ(known_by(lower), std::pair(unmarked, in));
+  // Also with a vertex that is no corner: it is new.
+  EXPECT_EQ(known_by(lower), std::pair(out, in));
   std::vector<KnownTriangle> turned = both;
   for (KnownTriangle& t : turned) std::swap(t[0], t[1]);
   EXPECT_EQ(known_by(turned), std::pair(unmarked, unmarked));
@@ -110,15 +110,37 @@ TEST(KnownSides, WhatIsToldBothIsNotKnown) {
   std::vector<KnownTriangle> triangles;
   add_body(0, triangles);
   add_body(4, triangles);
+  const auto body_of = [](PointId p) { return p < PointId(8U) ? p.value / 4 : 2; };
+  // Calls visit(cell, whether it has vertices of the first body, of the second one).
+  const auto visit_cells = [&](const auto& visit) {
+    for (const CellId c : triangulation.finite_cells()) {
+      std::array<bool, 3> meets{};
+      for (const VertexId v : triangulation.cell(c).vertices) {
+        meets[body_of(triangulation.point_of_vertex(v))] = true;
+      }
+      visit(c, meets[0], meets[1]);
+    }
+  };
   const KnownSides known = known_sides(triangulation, triangles, no_facets(triangulation));
   EXPECT_EQ(known.contradictions, 0U);
-  EXPECT_GT(known.cells, 2U);
   EXPECT_EQ(std::count(known.labels.begin(), known.labels.end(), CellLabel::in), 2);
   for (std::size_t t = 4; t < 8; ++t) std::swap(triangles[t][0], triangles[t][1]);
   const KnownSides turned = known_sides(triangulation, triangles, no_facets(triangulation));
   EXPECT_GT(turned.contradictions, 0U);
-  EXPECT_EQ(turned.cells, 2U);
-  EXPECT_EQ(std::count(turned.labels.begin(), turned.labels.end(), CellLabel::in), 1);
+  using enum CellLabel;
+  visit_cells([&](CellId c, bool meets_first, bool meets_second) {
+    if (!meets_first && !meets_second) {
+      EXPECT_EQ(known.labels[c], unmarked);
+      EXPECT_EQ(turned.labels[c], unmarked);
+    } else if (meets_first && meets_second) {
+      EXPECT_EQ(known.labels[c], out);
+      EXPECT_EQ(turned.labels[c], unmarked);
+    } else {
+      EXPECT_NE(known.labels[c], unmarked);
+      const CellLabel opposite = known.labels[c] == in ? out : in;
+      EXPECT_EQ(turned.labels[c], meets_first ? known.labels[c] : opposite);
+    }
+  });
 }
 
 // The definition, word by word: each intact vertex by itself.
@@ -142,10 +164,13 @@ class PlainSides {
     known.labels.resize(triangulation_.num_cells(), CellLabel::unmarked);
     for (const CellId c : triangulation_.finite_cells()) {
       known.contradictions += told_[c] == std::pair(true, true) ? 1U : 0U;
-      const auto& vertices = triangulation_.cell(c).vertices;
-      const bool is_of_corners = std::all_of(vertices.begin(), vertices.end(),
-                                             [&](VertexId v) { return is_corner_.contains(v); });
-      if (!is_of_corners || told_[c].first == told_[c].second) continue;
+      std::size_t corners = 0;
+      std::size_t intact = 0;
+      for (const VertexId v : triangulation_.cell(c).vertices) {
+        corners += is_corner_.contains(v) ? 1U : 0U;
+        intact += is_corner_.contains(v) && is_intact(v) ? 1U : 0U;
+      }
+      if (told_[c].first == told_[c].second || (corners < 4 && intact < corners)) continue;
       known.labels[c] = told_[c].first ? CellLabel::in : CellLabel::out;
       ++known.cells;
     }
