@@ -117,6 +117,8 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/scanned_replaced", replacement.scanned_replaced);
   report.set("update/unscanned_kept", replacement.unscanned_kept);
   report.set("update/overlooked", result.overlooked);
+  report.set("update/far_losses", result.unscanned.far);
+  report.set("update/unscanned_losses", result.unscanned.vertices);
   report.set("update/thinned_points", replacement.thinned);
   report.set("update/duplicate_points", replacement.duplicates);
   report.set("update/updated_points", replacement.points.size());

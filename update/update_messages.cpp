@@ -17,10 +17,14 @@ std::string name_of_cloud(std::size_t cloud, std::size_t clouds) {
   return "cloud " + std::to_string(cloud + 1) + " of " + std::to_string(clouds);
 }
 
+std::string place_name(const Point& at) {
+  std::string name = "(";
+  name += rounded(at.x) + ", " + rounded(at.y) + ", " + rounded(at.z) + ")";
+  return name;
+}
+
 std::string name_of_loop(const RimLoop& loop) {
-  const Point& p = loop.points.front();
-  return "loop of " + std::to_string(loop.size()) + " edges at (" + rounded(p.x) + ", " +
-         rounded(p.y) + ", " + rounded(p.z) + ")";
+  return "loop of " + std::to_string(loop.size()) + " edges at " + place_name(loop.points.front());
 }
 
 std::string reason_of_closed_cloud(const CloudRim& rim) {
@@ -99,6 +103,15 @@ std::string warning_of_overlooked(std::size_t vertices) {
   return counted(vertices, "vertex of the model stays", "vertices of the model stay") +
          " in the midst of the new samples: a part of the rim was not found, or the wrong region "
          "chosen; sample more densely at sharp edges and thin walls, and look at the result";
+}
+
+std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at) {
+  const bool one = losses.vertices == 1;
+  return counted(losses.vertices, "vertex of the model is gone", "vertices of the model are gone") +
+         " though nothing was scanned within " + rounded(reach) + " spacings of " +
+         (one ? "it; it is " : "them; the farthest is ") + rounded(losses.distance) +
+         " spacings from all samples, at " + place_name(at) +
+         "; look at the result, and scan there, too, or let the cloud reach less far";
 }
 
 std::vector<std::string> warnings_of_surface(const CloudSurface& surface) {

@@ -8,11 +8,15 @@
 #include "update/cloud_surface.h"
 #include "update/cut_regions.h"
 #include "update/split_regions.h"
+#include "update/unscanned_losses.h"
 
 namespace cocoon {
 
 // Four digits.
 std::string rounded(double value);
+
+// "(0, 1, 2)".
+std::string place_name(const Point& at);
 
 // "cloud 2 of 3".
 std::string name_of_cloud(std::size_t cloud, std::size_t clouds);
@@ -40,6 +44,8 @@ std::string warning_of_split(const SplitRegion& split);
 std::vector<std::string> warnings_of_cut(const RegionCut& cut);
 std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points);
 std::string warning_of_overlooked(std::size_t vertices);
+// `at`: the place of the farthest vertex; `reach`: UnscannedOptions::reach.
+std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at);
 // What was unusual about the surface of a cloud.
 std::vector<std::string> warnings_of_surface(const CloudSurface& surface);
 

@@ -20,6 +20,11 @@ namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
+// V - E + F where each edge has two triangles.
+std::ptrdiff_t euler_number(std::size_t vertices, std::size_t triangles) {
+  return static_cast<std::ptrdiff_t>(vertices) - static_cast<std::ptrdiff_t>(triangles / 2);
+}
+
 // The state of one update; its steps return false when the result is final.
 class Update {
  public:
@@ -100,7 +105,8 @@ class Update {
       warn(warning_of_overlooked(result_.overlooked));
     }
     const KeptSurface kept(index, result_.regions, result_.choice, result_.replacement);
-    result_.reconstruction = parts.reconstruct(result_.replacement, kept.told(), execution);
+    UpdatedSurface surface = parts.reconstruct(result_.replacement, kept.told(), execution);
+    result_.reconstruction = std::move(surface.result);
     if (result_.reconstruction.status == SurfaceStatus::refuted) {
       return fail(UpdateStatus::refuted, result_.reconstruction.verification.failure);
     }
@@ -114,6 +120,8 @@ class Update {
       warn(warning_of_unused_points(result_.reconstruction.unused_points,
                                     result_.replacement.points.size()));
     }
+    count_topology(surface.triangles);
+    look_for_losses(index);
     return true;
   }
 
@@ -142,6 +150,24 @@ class Update {
   void warn(std::string message) { result_.warnings.push_back(std::move(message)); }
   void warn_of_cloud(std::size_t c, const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) warn(name_of_cloud(c) + ": " + warning);
+  }
+
+  void count_topology(std::size_t triangles) {
+    const Replacement& replacement = result_.replacement;
+    result_.euler_before =
+        euler_number(model_.points.size() - replacement.unused_vertices, model_.triangles.size());
+    result_.euler =
+        euler_number(replacement.points.size() - result_.reconstruction.unused_points, triangles);
+  }
+
+  void look_for_losses(const ModelIndex& index) {
+    const std::vector<VertexId> lost = lost_vertices(index, result_.replacement, result_.vertex_map,
+                                                     result_.reconstruction.unused_points == 0);
+    result_.unscanned = unscanned_losses(index, lost, scans_of(clouds_, result_.clouds),
+                                         result_.euler > result_.euler_before, options_.unscanned);
+    if (result_.unscanned.vertices == 0) return;
+    warn(warning_of_unscanned(result_.unscanned, options_.unscanned.reach,
+                              model_.points[result_.unscanned.farthest]));
   }
 
   // Calls visit(cloud, loop) for the loops that take part in the border.
@@ -480,7 +506,10 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
   const UpdateParts parts{
       [&]() -> const ModelIndex& { return index.emplace(model); },
       [&](const Replacement& replacement, const OldSurface& old, const Execution& nested) {
-        return reconstruct_tight_again(replacement.points, old.sides, options.reconstruct, nested);
+        ReconstructResult result =
+            reconstruct_tight_again(replacement.points, old.sides, options.reconstruct, nested);
+        const std::size_t triangles = result.mesh.triangles.size();
+        return UpdatedSurface{std::move(result), triangles};
       }};
   return update_model(model, clouds, parts, options, execution);
 }

@@ -33,6 +33,7 @@
 #include "update/shared_edges.h"
 #include "update/split_regions.h"
 #include "update/trace_border.h"
+#include "update/unscanned_losses.h"
 #include "update/update_status.h"
 
 namespace cocoon {
@@ -50,6 +51,7 @@ struct UpdateOptions {
   ChoiceOptions choice;
   ReplaceOptions replace;
   OverlookedOptions overlooked;
+  UnscannedOptions unscanned;
   ReconstructOptions reconstruct;  // of the updated model: the defaults for closed models
 };
 
@@ -69,6 +71,11 @@ struct UpdateResult {
   IdVector<VertexId, VertexId> vertex_map;
   Replacement replacement;     // counts, and the updated points
   std::size_t overlooked = 0;  // see overlooked_vertices.h
+  UnscannedLosses unscanned;
+  // V - E + F, from the numbers of vertices in use and of triangles, of a mesh with two triangles
+  // at each edge: 2 for each part, less 2 for each handle.
+  std::ptrdiff_t euler_before = 0;
+  std::ptrdiff_t euler = 0;
   // Of the updated points, without its mesh; counts of duplicates and unused points are here.
   ReconstructResult reconstruction;
 };
@@ -88,6 +95,12 @@ struct UpdateResult {
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateOptions& options = {}, const Execution& execution = {});
 
+// The updated surface, and how many triangles it has, whether or not its mesh is there.
+struct UpdatedSurface {
+  ReconstructResult result;
+  std::size_t triangles = 0;
+};
+
 // The two parts of an update that cost in proportion to the model and not to the change. Whoever
 // keeps what they need from one update to the next (update_session.h) puts in something faster that
 // gives the same.
@@ -96,8 +109,8 @@ struct UpdateParts {
   std::function<const ModelIndex&()> index;
   // reconstruct_tight_again of the updated points and what is known of the model. May leave out the
   // mesh, and what the result has of each vertex, if each point is a vertex.
-  std::function<ReconstructResult(const Replacement& replacement, const OldSurface& old,
-                                  const Execution& execution)>
+  std::function<UpdatedSurface(const Replacement& replacement, const OldSurface& old,
+                               const Execution& execution)>
       reconstruct;
   // Whether the coordinates of the model are known to be of ordinary size.
   bool ordinary_size = false;

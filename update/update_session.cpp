@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geom/errors.h"
+#include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {
@@ -207,6 +208,18 @@ ReconstructResult UpdateSession::reconstruct(const Replacement& replacement, con
   return result;
 }
 
+// Of the surface that it led to.
+std::size_t UpdateSession::num_triangles(const ReconstructResult& result,
+                                         const Pending& pending) const {
+  if (!pending.surface) return result.mesh.triangles.size();
+  std::vector<TriangleId> before;
+  for (const VertexId v : pending.surface->touched) {
+    index_->for_each_triangle_at(v, [&](TriangleId t) { before.push_back(t); });
+  }
+  make_set(before);
+  return model_.triangles.size() - before.size() + pending.surface->triangles.size();
+}
+
 // The points of the surface are again those of the model. Nobody knows what sides were known for
 // that.
 void UpdateSession::take_back(const Pending& pending) {
@@ -225,7 +238,9 @@ SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
   const UpdateParts parts{
       [&]() -> const ModelIndex& { return index(); },
       [&](const Replacement& replacement, const OldSurface& old, const Execution& nested) {
-        return reconstruct(replacement, old, nested, pending);
+        ReconstructResult result = reconstruct(replacement, old, nested, pending);
+        const std::size_t triangles = num_triangles(result, pending);
+        return UpdatedSurface{std::move(result), triangles};
       },
       is_smooth()};
   SessionUpdate update;

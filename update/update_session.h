@@ -141,6 +141,7 @@ class UpdateSession {
   IdVector<VertexId, PointId> points_of_vertices() const;
   ReconstructResult reconstruct(const Replacement& replacement, const OldSurface& old,
                                 const Execution& execution, Pending& pending);
+  std::size_t num_triangles(const ReconstructResult& result, const Pending& pending) const;
   std::optional<ListEdit<PointId>> edit_of_points(const Replacement& replacement) const;
   std::vector<PointId> old_positions(const Replacement& replacement) const;
   std::vector<PointId> positions_after(const Replacement& replacement) const;

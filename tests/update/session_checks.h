@@ -84,6 +84,11 @@ inline void expect_equal_reports(const UpdateResult& actual, const UpdateResult&
   EXPECT_EQ(actual.replacement.replaced, expected.replacement.replaced);
   EXPECT_EQ(actual.replacement.kept, expected.replacement.kept);
   EXPECT_EQ(actual.replacement.duplicates, expected.replacement.duplicates);
+  EXPECT_EQ(actual.unscanned.far, expected.unscanned.far);
+  EXPECT_EQ(actual.unscanned.vertices, expected.unscanned.vertices);
+  EXPECT_EQ(actual.unscanned.farthest, expected.unscanned.farthest);
+  EXPECT_EQ(actual.euler_before, expected.euler_before);
+  EXPECT_EQ(actual.euler, expected.euler);
   ASSERT_EQ(actual.clouds.size(), expected.clouds.size());
   for (std::size_t c = 0; c < actual.clouds.size(); ++c) {
     EXPECT_EQ(actual.clouds[c].overlapping_facets, expected.clouds[c].overlapping_facets);

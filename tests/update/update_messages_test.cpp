@@ -23,5 +23,15 @@ TEST(UpdateMessages, CutsAndScanEndsAreSaid) {
   EXPECT_TRUE(says(warnings_of_cut(cut), "1 facet)"));
 }
 
+TEST(UpdateMessages, LossesHaveAPlace) {
+  EXPECT_EQ(warning_of_unscanned({.far = 3, .vertices = 2, .distance = 4.25}, 3, {1, 2.5, -3}),
+            "2 vertices of the model are gone though nothing was scanned within 3 spacings of "
+            "them; the farthest is 4.25 spacings from all samples, at (1, 2.5, -3); look at the "
+            "result, and scan there, too, or let the cloud reach less far");
+  EXPECT_TRUE(says({warning_of_unscanned({.vertices = 1, .distance = 5}, 3, {})},
+                   "1 vertex of the model is gone though nothing was scanned within 3 spacings of "
+                   "it; it is 5 spacings"));
+}
+
 }  // namespace
 }  // namespace cocoon
