@@ -14,6 +14,7 @@
 #include "app/pending_clouds.h"
 #include "app/session_file.h"
 #include "app/standard_streams.h"
+#include "app/update_report.h"
 #include "app/updating.h"
 #include "geom/counted.h"
 #include "geom/errors.h"
@@ -212,6 +213,8 @@ class Watch {
                     update.result.reconstruction.points - update.result.replacement.kept,
                     update.result.replacement.replaced, update.change.added.size(),
                     update.change.removed.size(), time.count());
+    const std::string topology = topology_change(update.result);
+    if (!topology.empty()) line += "; " + topology;
     if (filter_) line += fmt::format("; {} left out as noise", told_strays(strays));
     for (const std::string& warning : update.result.warnings) {
       line += "; warning: " + with_cloud_names(warning, {name});

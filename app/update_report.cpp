@@ -117,6 +117,8 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/scanned_replaced", replacement.scanned_replaced);
   report.set("update/unscanned_kept", replacement.unscanned_kept);
   report.set("update/overlooked", result.overlooked);
+  report.set("update/model_euler", result.euler_before);
+  report.set("update/updated_euler", result.euler);
   report.set("update/far_losses", result.unscanned.far);
   report.set("update/unscanned_losses", result.unscanned.vertices);
   report.set("update/thinned_points", replacement.thinned);
@@ -162,6 +164,13 @@ void say_update(Job& job, const UpdateRecord& record) {
   job.say("{} of {} groups replaced: {} points out, {} points in all",
           result.replaced_groups.size(), result.regions.regions.size(), result.replacement.replaced,
           result.replacement.points.size());
+  const std::string change = topology_change(result);
+  if (!change.empty()) job.say("{}", change);
+}
+
+std::string topology_change(const UpdateResult& result) {
+  if (result.euler == result.euler_before) return "";
+  return fmt::format("topology: Euler characteristic {} -> {}", result.euler_before, result.euler);
 }
 
 }  // namespace cocoon::app

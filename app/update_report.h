@@ -31,6 +31,9 @@ struct UpdateRecord {
   std::span<const StraySamples> strays = {};
 };
 
+// "topology: Euler characteristic 0 -> 2": a handle went, or a part came; empty: it is as before.
+std::string topology_change(const UpdateResult& result);
+
 // The sections "input", "delaunay", "surface" and "update".
 void add_update(JsonReport& report, const UpdateRecord& record);
 

@@ -45,10 +45,10 @@ struct UnscannedLosses {
 
 // Of the lost vertices those that no sample is near. That is as it should be where material was
 // taken away or filled in: there the surface keeps its handles, and samples off the model lie
-// around. If handles went, or parts came (`lost_handles`: the Euler number rose), or where all
-// samples around lie on the model, something went that nobody scanned: a handle that begins under
-// the cloud, an island in a scan whose rim was not found, what was left over and no longer makes a
-// surface. Vertices that hang together by edges of the model went for one reason.
+// around. If handles went, or parts came (`lost_handles`: the Euler characteristic rose), or where
+// all samples around lie on the model, something went that nobody scanned: a handle that begins
+// under the cloud, an island in a scan whose rim was not found, what was left over and no longer
+// makes a surface. Vertices that hang together by edges of the model went for one reason.
 // Complexity: O(n log n) for n samples, lost vertices and their triangles, if there are any; what
 // NearFacets takes if any is far. Deterministic. Source: ours.
 UnscannedLosses unscanned_losses(const ModelIndex& model, std::span<const VertexId> lost,

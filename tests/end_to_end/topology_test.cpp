@@ -1,0 +1,92 @@
+// What `update` and `watch` say where the topology of the model changes.
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "io/point_file.h"
+#include "tests/run_program.h"
+#include "tests/update/ball_with_handle.h"
+
+namespace cocoon {
+namespace {
+
+using test::run_program;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+
+constexpr const char* unscanned = "though nothing was scanned within 3 spacings of them";
+
+bool says(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+// The part of the text from the first of these words to the end of its line.
+std::string line_from(const std::string& text, const std::string& words) {
+  const std::size_t at = text.find(words);
+  return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
+}
+
+struct HandleOff {
+  TemporaryFolder folder;
+  std::string model = folder.file("model.ply");
+  std::string session = folder.file("session");
+  std::string drop = folder.file("drop");
+  std::string cloud = drop + "/top.xyz";
+  std::string out = folder.file("out.ply");
+
+  HandleOff() {
+    std::filesystem::create_directory(drop);
+    write_points(folder.file("points.xyz"), testing::ball_with_handle());
+    write_points(cloud, testing::top_of_ball(7));
+    EXPECT_EQ(
+        run_program({"reconstruct", folder.file("points.xyz"), "-o", model, "--session", session})
+            .exit_code,
+        0);
+  }
+  static Json report_of(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--json", "-"});
+    return Json::parse(run_program(arguments).out);
+  }
+};
+
+TEST(Topology, WhatAnUpdateChangesIsSaid) {
+  const HandleOff scene;
+  const Json report = HandleOff::report_of({"update", scene.model, scene.cloud, "-o", scene.out});
+  EXPECT_EQ(report["update"]["model_euler"], 0);
+  EXPECT_EQ(report["update"]["updated_euler"], 2);
+  EXPECT_EQ(report["surface"]["genus"], 0);
+  EXPECT_GT(report["update"]["unscanned_losses"].get<int>(), 100);
+  EXPECT_TRUE(says(report["warnings"].dump(), unscanned));
+
+  const std::string said = run_program({"update", scene.model, scene.cloud, "-o", scene.out}).out;
+  EXPECT_EQ(line_from(said, "topology: "), "topology: Euler characteristic 0 -> 2");
+  // Once more the same place: nothing changes.
+  const std::string again = run_program({"update", scene.out, scene.cloud, "-o", scene.out}).out;
+  EXPECT_FALSE(says(again, "topology: ")) << again;
+  EXPECT_FALSE(says(again, unscanned)) << again;
+}
+
+// From scratch, by a session and by watching: the same words.
+TEST(Topology, LossesAreSaidByAllThatUpdate) {
+  const HandleOff scene;
+  const std::string words = "vertices of the model are gone";
+  const std::string said =
+      line_from(run_program({"update", scene.model, scene.cloud, "-o", scene.out}).out, words);
+  EXPECT_TRUE(says(said, unscanned));
+  const std::string by_session =
+      run_program({"update", "--session", scene.session, scene.cloud, "-o", scene.out}).out;
+  EXPECT_EQ(line_from(by_session, words), said);
+  EXPECT_TRUE(says(by_session, "topology: Euler characteristic 0 -> 2"));
+  const std::string watched =
+      run_program({"watch", scene.model, scene.drop, "-o", scene.folder.file("w.ply"), "--once",
+                   "--poll", "0.02", "--settle", "0.05"})
+          .out;
+  const std::string line = line_from(watched, "top.xyz: ");
+  EXPECT_TRUE(says(line, said)) << line;
+  EXPECT_TRUE(says(line, "topology: Euler characteristic 0 -> 2")) << line;
+}
+
+}  // namespace
+}  // namespace cocoon
