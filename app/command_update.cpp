@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/densify.h"
 #include "app/files.h"
+#include "app/model_file.h"
 #include "app/pending_clouds.h"
 #include "app/session_file.h"
 #include "app/updating.h"
@@ -28,7 +29,9 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
     dense = read_densified(job, arguments.model, *arguments.densify);
     input.model.points = IdVector<VertexId, Point>(dense.points);
   } else {
-    input.model = read_shape(job, arguments.model, "input", properties_of(0));
+    ModelFile file = read_model(job, arguments.model, "input", properties_of(0));
+    input.model = std::move(file.mesh);
+    input.vertex_of_file = std::move(file.vertex_of);
   }
   for (const std::string& cloud : arguments.clouds) {
     input.cloud_names.push_back(cloud);
@@ -37,17 +40,23 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
   }
   if (!input.model.triangles.empty()) return input;
 
-  input.file_points = arguments.densify ? dense.mesh_vertices : input.model.points.size();
   ReconstructResult initial = initial_model(job, arguments.model, input.model.points.raw(),
                                             dense.sides, options.reconstruct);
   if (!input.properties.empty()) {
     std::vector<RowOrigin> origins;
     for (const PointId point : initial.point_of_vertex) origins.push_back({0, point.index()});
-    const std::vector<std::string> left_out = std::move(input.properties[0].left_out);
-    input.properties[0] = gather_properties({input.properties.data(), 1}, origins).properties;
-    input.properties[0].left_out = left_out;
+    select_rows(input.properties[0], origins);
   }
-  input.point_of_vertex = std::move(initial.point_of_vertex);
+  IdVector<PointId, VertexId> vertex_of_point(input.model.points.size());
+  for (const VertexId v : initial.point_of_vertex.ids()) {
+    vertex_of_point[initial.point_of_vertex[v]] = v;
+  }
+  if (arguments.densify) {
+    for (const PointId p : dense.point_of_vertex)
+      input.vertex_of_file.push_back(vertex_of_point[p]);
+  } else {
+    input.vertex_of_file = IdVector<VertexId, VertexId>(std::move(vertex_of_point.raw()));
+  }
   input.model = std::move(initial.mesh);
   return input;
 }

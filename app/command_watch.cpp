@@ -11,6 +11,7 @@
 #include "app/files.h"
 #include "app/folder_watch.h"
 #include "app/interrupt.h"
+#include "app/model_file.h"
 #include "app/pending_clouds.h"
 #include "app/session_file.h"
 #include "app/standard_streams.h"
@@ -134,7 +135,7 @@ class Watch {
     if (arguments_.densify) {
       dense = read_densified(job_, arguments_.model, *arguments_.densify);
     } else {
-      TriangleMesh mesh = read_shape(job_, arguments_.model, "input");
+      TriangleMesh mesh = read_model(job_, arguments_.model, "input").mesh;
       if (!mesh.triangles.empty()) {
         state_.session.emplace(std::move(mesh), options_);
         return;

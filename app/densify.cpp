@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/files.h"
+#include "app/model_file.h"
 #include "cocone/sides_of_solid.h"
 #include "geom/counted.h"
 #include "geom/dense_samples.h"
@@ -12,7 +13,8 @@
 namespace cocoon::app {
 
 DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) {
-  TriangleMesh mesh = read_shape(job, path, "input");
+  ModelFile model = read_model(job, path, "input");
+  TriangleMesh& mesh = model.mesh;
   if (mesh.triangles.empty()) {
     throw InputError(path + ": --densify needs a mesh, and this file has no triangles");
   }
@@ -26,7 +28,11 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
           counted(mesh.points.size(), "vertex", "vertices"));
   DensifiedMesh dense;
   dense.points = mesh.points.raw();
-  dense.mesh_vertices = mesh.points.size();
+  if (model.vertex_of.empty()) {
+    for (const VertexId v : mesh.points.ids()) dense.point_of_vertex.push_back(PointId(v.value));
+  } else {
+    for (const VertexId v : model.vertex_of) dense.point_of_vertex.push_back(PointId(v.value));
+  }
   dense.points.insert(dense.points.end(), added.begin(), added.end());
   if (mesh_check(mesh, {}, job.execution()).balanced) {
     dense.sides = sides_told_by(std::move(mesh), dense.points);

@@ -1,25 +1,26 @@
 // --densify: a mesh as a dense sampling of its surface.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "app/job.h"
 #include "cocone/known_sides.h"
+#include "geom/id_vector.h"
+#include "geom/ids.h"
 #include "geom/point.h"
 
 namespace cocoon::app {
 
 struct DensifiedMesh {
-  std::vector<Point> points;      // vertices of the mesh, then samples between them
-  std::size_t mesh_vertices = 0;  // how many of them are the first
+  std::vector<Point> points;                    // vertices of the mesh, then samples between them
+  IdVector<VertexId, PointId> point_of_vertex;  // of each vertex of the file, which of them it is
   KnownSidesSource sides;  // where the mesh has inside and outside; empty if it is not closed
 };
 
-// Reads a mesh, as stage "read", and adds samples about `spacing` apart, as stage "dense_samples";
-// their number goes to the report and the summary. Warns of a mesh that is not closed. Throws
-// InputError if the file has no triangles, or if the spacing is too small for it.
+// Reads a mesh (read_model), as stage "read", and adds samples about `spacing` apart, as stage
+// "dense_samples"; their number goes to the report and the summary. Warns of a mesh that is not
+// closed. Throws InputError if the file has no triangles, or if the spacing is too small for it.
 DensifiedMesh read_densified(Job& job, const std::string& path, double spacing);
 
 }  // namespace cocoon::app

@@ -30,11 +30,11 @@ namespace {
 // Where the vertices of the model's file went.
 IdVector<VertexId, VertexId> map_of_file(const UpdateInput& input,
                                          const IdVector<VertexId, VertexId>& vertex_map) {
-  if (input.point_of_vertex.empty()) return vertex_map;
-  IdVector<VertexId, VertexId> map(input.file_points);
-  for (const VertexId v : vertex_map.ids()) {
-    const PointId point = input.point_of_vertex[v];
-    if (point.index() < input.file_points) map[VertexId(point.value)] = vertex_map[v];
+  if (input.vertex_of_file.empty()) return vertex_map;
+  IdVector<VertexId, VertexId> map(input.vertex_of_file.size());
+  for (const VertexId v : map.ids()) {
+    const VertexId of_model = input.vertex_of_file[v];
+    if (!of_model.is_none()) map[v] = vertex_map[of_model];
   }
   return map;
 }

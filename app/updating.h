@@ -33,10 +33,9 @@ struct UpdateInput {
   std::vector<std::vector<Point>> clouds;
   // Of the model and of each cloud, to be carried to the output; empty: nothing is carried.
   std::vector<VertexProperties> properties;
-  // Of a model made from the points of its file: how many the file has, and which of them, or of
-  // the samples behind them, each vertex of `model` is. Empty: the vertices are those of the file.
-  std::size_t file_points = 0;
-  IdVector<VertexId, PointId> point_of_vertex = {};
+  // Of each vertex or point of the model's file the vertex of `model`, or none, where they differ.
+  // Empty: the vertices are those of the file.
+  IdVector<VertexId, VertexId> vertex_of_file = {};
   // What was left out of each cloud; empty: they were not filtered.
   std::vector<StraySamples> strays = {};
 };

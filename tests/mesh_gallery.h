@@ -50,6 +50,20 @@ inline TriangleMesh cube(double size = 1) {
   return mesh;
 }
 
+// The same surface, but each triangle has corners of its own.
+inline TriangleMesh unshared(const TriangleMesh& mesh) {
+  TriangleMesh soup;
+  for (const Triangle& t : mesh.triangles) {
+    Triangle own;
+    for (std::size_t i = 0; i < 3; ++i) {
+      own[i] = VertexId(soup.points.size());
+      soup.points.push_back(mesh.points[t[i]]);
+    }
+    soup.triangles.push_back(own);
+  }
+  return soup;
+}
+
 // Both meshes in one, nothing shared.
 inline TriangleMesh join(const TriangleMesh& a, const TriangleMesh& b) {
   TriangleMesh mesh = a;

@@ -1,0 +1,36 @@
+#include "app/model_file.h"
+
+#include <utility>
+#include <vector>
+
+#include "app/carried_properties.h"
+#include "app/files.h"
+#include "geom/counted.h"
+#include "geom/mesh_check.h"
+#include "geom/weld_vertices.h"
+
+namespace cocoon::app {
+
+ModelFile read_model(Job& job, const std::string& path, const std::string& section,
+                     VertexProperties* properties) {
+  ModelFile model{read_shape(job, path, section, properties), {}};
+  if (model.mesh.triangles.empty()) return model;
+  WeldedMesh welded = weld_vertices(model.mesh);
+  if (welded.welded == 0) return model;
+  const std::size_t open = mesh_check(model.mesh, {}, job.execution()).open_edges;
+  if (open == 0 || mesh_check(welded.mesh, {}, job.execution()).open_edges >= open) return model;
+
+  job.report().set(section + "/welded_vertices", welded.welded);
+  job.say(
+      "{}: {} at the place of another one taken as one with it, since triangles do not share "
+      "vertices there",
+      path, counted(welded.welded, "vertex", "vertices"));
+  if (properties != nullptr) {
+    std::vector<RowOrigin> origins;
+    for (const VertexId source : welded.source) origins.push_back({0, source.index()});
+    select_rows(*properties, origins);
+  }
+  return {std::move(welded.mesh), std::move(welded.vertex_of)};
+}
+
+}  // namespace cocoon::app
