@@ -46,7 +46,9 @@ void add_boundary(JsonReport& report, const ReconstructResult& surface,
 }  // namespace
 
 void run_boundary(const BoundaryArguments& arguments, Job& job) {
-  require_outputs(job, {{arguments.mesh, mesh_extensions}, {arguments.loops, {".obj"}}});
+  require_outputs(
+      job, {{arguments.mesh, mesh_extensions, arguments.points}, {arguments.loops, {".obj"}}},
+      {arguments.points});
   StageOptions stages;
   stages.surface = surface_options(arguments.parameters, open_cloud_defaults());
   set_radius(stages.surface, arguments.radius);

@@ -71,7 +71,7 @@ void add_certificate(JsonReport& report, const Certificate& certificate,
 }  // namespace
 
 void run_check(const CheckArguments& arguments, Job& job) {
-  require_outputs(job, {});
+  require_outputs(job, {}, {arguments.mesh});
   const TriangleMesh mesh = read_shape(job, arguments.mesh, "input");
   if (mesh.triangles.empty()) {
     throw InputError(arguments.mesh + ": holds no triangles; a mesh is needed");

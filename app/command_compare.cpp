@@ -27,7 +27,7 @@ void say_distances(Job& job, const std::string& name, const DirectedDistance& di
 }  // namespace
 
 void run_compare(const CompareArguments& arguments, Job& job) {
-  require_outputs(job, {});
+  require_outputs(job, {}, {arguments.a, arguments.b});
   const TriangleMesh a = read_shape(job, arguments.a, "input/a");
   const TriangleMesh b = read_shape(job, arguments.b, "input/b");
   for (const auto& [name, shape] : {std::pair(&arguments.a, &a), std::pair(&arguments.b, &b)}) {

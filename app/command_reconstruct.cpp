@@ -130,7 +130,8 @@ ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
 }  // namespace
 
 void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
-  require_outputs(job, {{arguments.mesh, mesh_extensions}, {arguments.session, {}}});
+  require_outputs(job, {{arguments.mesh, mesh_extensions, arguments.points}, {arguments.session}},
+                  {arguments.points});
   require_possible_noise_filter(arguments);
   require_possible_session(arguments);
   std::optional<LockFile> lock;

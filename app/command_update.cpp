@@ -95,10 +95,14 @@ void update_session(const UpdateArguments& arguments, const std::optional<StrayO
 }  // namespace
 
 void run_update(const UpdateArguments& arguments, Job& job) {
-  require_outputs(job, {{arguments.mesh, mesh_extensions},
-                        {arguments.map, {}},
-                        {arguments.html, {}},
-                        {arguments.session, {}}});
+  std::vector<std::string> inputs = arguments.clouds;
+  if (!arguments.model.empty()) inputs.push_back(arguments.model);
+  require_outputs(job,
+                  {{arguments.mesh, mesh_extensions, arguments.model},
+                   {arguments.map},
+                   {arguments.html},
+                   {arguments.session}},
+                  inputs);
   const std::optional<StrayOptions> filter = cloud_filter(arguments.filter);
   if (!arguments.session.empty()) {
     update_session(arguments, filter, job);

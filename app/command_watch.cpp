@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <fmt/format.h>
+#include <limits>
 #include <thread>
 #include <utility>
 
@@ -53,10 +55,11 @@ class Watch {
         session_file_(arguments.session.empty() ? arguments.mesh + ".session" : arguments.session),
         options_(update_options(arguments.parameters)),
         filter_(cloud_filter(arguments.filter)) {
-    require_outputs(job, {{arguments.mesh, mesh_extensions}, {session_file_, {}}});
-    if (!fs::is_directory(arguments.folder)) {
-      throw FileError(arguments.folder + ": there is no such folder; make it first");
-    }
+    require_outputs(job, {{arguments.mesh, mesh_extensions, arguments.model}, {session_file_}},
+                    {arguments.model});
+    require_folder(arguments.folder);
+    constexpr std::size_t most_notes = std::numeric_limits<std::uint32_t>::max();
+    require_possible_name(pending_cloud_file(session_file_, most_notes));
   }
 
   void run() {

@@ -1,6 +1,7 @@
 #include "app/files.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -40,6 +41,7 @@ void require_extension(const OutputFile& output) {
 }
 
 void require_writable(const std::string& path) {
+  require_possible_name(path);
   std::error_code ignored;
   const fs::path target(path);
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
@@ -56,26 +58,56 @@ void require_writable(const std::string& path) {
 
 }  // namespace
 
-void require_outputs(const Job& job, const std::vector<OutputFile>& outputs) {
-  std::vector<std::string> paths;
-  for (const OutputFile& output : outputs) {
-    if (output.path.empty()) continue;
-    require_extension(output);
-    paths.push_back(output.path);
-  }
-  if (!job.shared().json.empty() && job.shared().json != "-") paths.push_back(job.shared().json);
+void require_outputs(const Job& job, std::vector<OutputFile> outputs,
+                     const std::vector<std::string>& inputs) {
+  if (job.shared().json != "-") outputs.push_back({job.shared().json});
+  std::erase_if(outputs, [](const OutputFile& output) { return output.path.empty(); });
   std::vector<fs::path> targets;
-  for (const std::string& path : paths) {
-    require_writable(path);
-    const fs::path target = fs::weakly_canonical(path);
+  for (const OutputFile& output : outputs) {
+    require_extension(output);
+    require_writable(output.path);
+    const fs::path target = place_of(output.path);
     if (std::find(targets.begin(), targets.end(), target) != targets.end()) {
-      throw UsageError(path + ": two outputs cannot be the same file");
+      throw UsageError(output.path + ": two outputs cannot be the same file");
+    }
+    for (const std::string& input : inputs) {
+      if (input == output.may_replace || place_of(input) != target) continue;
+      throw UsageError(output.path + ": is an input and would be overwritten; name another file");
     }
     targets.push_back(target);
   }
 }
 
+fs::path place_of(const std::string& path) {
+  constexpr int most_links = 40;  // as the kernel's own limit
+  std::error_code error;
+  fs::path place = fs::absolute(path, error);
+  for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(place, error)); ++i) {
+    place = place.parent_path() / fs::read_symlink(place, error);
+  }
+  const fs::path found = fs::weakly_canonical(place, error);
+  return error ? fs::path(path) : found;
+}
+
+void require_possible_name(const std::string& path) {
+  if (access(path.c_str(), F_OK) == 0) return;
+  if (errno == ENAMETOOLONG) {
+    throw FileError(path + ": this name is too long; use one of at most 255 bytes");
+  }
+  if (errno == ELOOP) {
+    throw FileError(path + ": is a loop of symbolic links; use another name");
+  }
+}
+
+void require_folder(const std::string& path) {
+  require_possible_name(path);
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return;
+  throw FileError(path + ": there is no such folder; make it first");
+}
+
 void make_folder(const std::string& path) {
+  require_possible_name(path);
   std::error_code error;
   fs::create_directories(path, error);
   if (error) throw FileError(path + ": cannot make this folder: " + error.message());

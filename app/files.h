@@ -1,6 +1,7 @@
 // Which files a command reads and writes, checked before any work is done.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,16 +15,29 @@ namespace cocoon::app {
 
 inline const std::vector<std::string> mesh_extensions = {".ply", ".obj", ".off", ".stl"};
 
-// One file to write, and the extensions that its format can have (empty: any).
+// One file to write.
 struct OutputFile {
-  std::string path;  // empty: not wanted
-  std::vector<std::string> extensions;
+  std::string path;                          // empty: not wanted
+  std::vector<std::string> extensions = {};  // that its format can have; empty: any
+  std::string may_replace = {};              // the one input that it may be; empty: none
 };
 
 // Checks what a command is going to write, so that nobody waits an hour for "no such folder".
-// Throws UsageError if two of the files are the same or an extension is none of those listed, and
-// FileError if a file cannot be made there. The report file of the job is one of them.
-void require_outputs(const Job& job, const std::vector<OutputFile>& outputs);
+// Throws UsageError if two of the files, or one of them and an input, are the same, by whatever
+// names and links, or if an extension is none of those listed, and FileError if a file cannot be
+// made there. The report file of the job is one of them.
+void require_outputs(const Job& job, std::vector<OutputFile> outputs,
+                     const std::vector<std::string>& inputs = {});
+
+// Where a file lies or would lie, behind all symbolic links: one place has one such path, however
+// it is spelled. For paths that cannot be looked up, the path as it is.
+std::filesystem::path place_of(const std::string& path);
+
+// Throws FileError if there can be no file of this name: it is too long, or a loop of links.
+void require_possible_name(const std::string& path);
+
+// Throws FileError if there is no such folder.
+void require_folder(const std::string& path);
 
 // Makes the folder, and those it lies in, if needed. Throws FileError.
 void make_folder(const std::string& path);

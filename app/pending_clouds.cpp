@@ -20,10 +20,6 @@ constexpr std::string_view magic = "COCOONCL";
 constexpr std::uint32_t version = 1;
 constexpr std::size_t header_size = 48;
 
-fs::path path_of(const std::string& session, std::size_t notes) {
-  return fmt::format("{}.cloud-{}", session, notes);
-}
-
 // What stands for the notes before a cloud.
 std::uint64_t history_of(std::span<const std::string> notes) {
   std::string text;
@@ -69,9 +65,13 @@ PendingCloud load_pending_cloud(const fs::path& path, std::span<const std::strin
 
 }  // namespace
 
+std::string pending_cloud_file(const std::string& session, std::size_t notes) {
+  return fmt::format("{}.cloud-{}", session, notes);
+}
+
 void save_pending_cloud(const std::string& session, std::span<const std::string> notes,
                         const PendingCloud& cloud, FileBatch& batch) {
-  SummedFile file(path_of(session, notes.size()));
+  SummedFile file(pending_cloud_file(session, notes.size()));
   file.append(magic);
   file.append(version);
   file.append(std::uint32_t{cloud.rho ? 1U : 0U});
@@ -90,7 +90,7 @@ std::vector<PendingCloud> load_pending_clouds(const std::string& session,
   std::vector<std::string> before(notes.begin(), notes.end());
   std::vector<PendingCloud> clouds;
   for (;;) {
-    const fs::path path = path_of(session, before.size());
+    const fs::path path = pending_cloud_file(session, before.size());
     if (!fs::exists(path)) return clouds;
     clouds.push_back(load_pending_cloud(path, before));
     before.push_back(clouds.back().note);
@@ -141,7 +141,7 @@ void resume_session(const std::string& path, SavedSession saved, const SurfaceAr
       throw InputError(fmt::format(
           "{}: a cloud that was applied before is refused now ({}): {}; "
           "begin again from the model",
-          path_of(path, resumed.notes.size()).string(), name_of(result.status), result.message));
+          pending_cloud_file(path, resumed.notes.size()), name_of(result.status), result.message));
     }
     resumed.notes.push_back(cloud.note);
   }

@@ -36,6 +36,9 @@ struct PendingCloud {
   std::optional<double> rho;  // that it was applied with
 };
 
+// Its name: SESSION.cloud-K.
+std::string pending_cloud_file(const std::string& session, std::size_t notes);
+
 // `notes`: those before it. The file waits for the batch to be put in place. Errors: FileError.
 void save_pending_cloud(const std::string& session, std::span<const std::string> notes,
                         const PendingCloud& cloud, FileBatch& batch);

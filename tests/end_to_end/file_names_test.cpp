@@ -1,0 +1,132 @@
+// Names of files: the same file by two names, inputs named as outputs, and names that cannot be.
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "tests/run_program.h"
+#include "tests/test_clouds.h"
+
+namespace cocoon::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+// Runs the program in a folder, so that names can be relative.
+class RunsInAFolder : public testing::Test {
+ protected:
+  RunsInAFolder() {
+    folder.write("points.xyz", whole_sphere(1500));
+    folder.write("cap.xyz", sphere_cap(6000, 0.8, 0.3));
+    fs::current_path(folder.file(""));
+  }
+  ~RunsInAFolder() override { fs::current_path(before_); }
+
+  TemporaryFolder folder;
+
+ private:
+  fs::path before_ = fs::current_path();
+};
+
+using TwoNames = RunsInAFolder;
+using InputsAsOutputs = RunsInAFolder;
+using LongNames = RunsInAFolder;
+
+TEST_F(TwoNames, OfOneOutputAreRefusedBeforeItExists) {
+  fs::create_symlink("w.ply", "link");
+  fs::create_directory_symlink(".", "here");
+  for (const std::string& name :
+       {std::string("./w.ply"), std::string("here/w.ply"),
+        std::string("here/../") + fs::current_path().filename().string() + "/w.ply",
+        folder.file("w.ply"), std::string("link")}) {
+    SCOPED_TRACE(name);
+    expect_error(run_program({"update", "points.xyz", "cap.xyz", "-o", "w.ply", "--html", name}), 2,
+                 name + ": two outputs cannot be the same file");
+    expect_error(run_program({"reconstruct", "points.xyz", "-o", "w.ply", "--json", name}), 2,
+                 "same file");
+  }
+  EXPECT_EQ(folder.names(), (Names{"cap.xyz", "here", "link", "points.xyz"}));
+}
+
+TEST_F(InputsAsOutputs, AreRefused) {
+  ASSERT_EQ(run_program({"reconstruct", "points.xyz", "-o", "m.ply"}).exit_code, 0);
+  fs::create_symlink("cap.xyz", "link");
+  const std::vector<Names> command_lines = {
+      {"update", "m.ply", "cap.xyz", "-o", "w.ply", "--map", "cap.xyz"},
+      {"update", "m.ply", "cap.xyz", "-o", "w.ply", "--map", "m.ply"},
+      {"update", "m.ply", "cap.xyz", "-o", "w.ply", "--html", "./cap.xyz"},
+      {"update", "m.ply", "cap.xyz", "-o", "w.ply", "--html", "link"},
+      {"update", "m.ply", "cap.xyz", "-o", "w.ply", "--json", "m.ply"},
+      {"update", "points.xyz", "m.ply", "-o", "m.ply"},
+      {"update", "--session", "points.xyz", "points.xyz", "-o", "w.ply"},
+      {"reconstruct", "points.xyz", "-o", "w.ply", "--session", "points.xyz"},
+      {"reconstruct", "points.xyz", "-o", "w.ply", "--json", "points.xyz"},
+      {"boundary", "points.xyz", "-o", "w.ply", "--json", "points.xyz"},
+      {"delaunay", "points.xyz", "-o", "w.tet", "--json", "points.xyz"},
+      {"check", "m.ply", "--json", "m.ply"},
+      {"compare", "points.xyz", "m.ply", "--json", "m.ply"},
+      {"watch", "m.ply", ".", "-o", "w.ply", "--once", "--session", "m.ply"},
+  };
+  const Names before = folder.names();
+  const std::string points = content_of("points.xyz");
+  const std::string model = content_of("m.ply");
+  for (const Names& arguments : command_lines) {
+    std::string line;
+    for (const std::string& argument : arguments) line += argument + " ";
+    SCOPED_TRACE(line);
+    expect_error(run_program(arguments), 2, "is an input and would be overwritten");
+  }
+  EXPECT_EQ(folder.names(), before);
+  EXPECT_EQ(content_of("points.xyz"), points);
+  EXPECT_EQ(content_of("m.ply"), model);
+}
+
+TEST_F(InputsAsOutputs, AMeshMayTakeThePlaceOfItsModel) {
+  ASSERT_EQ(run_program({"reconstruct", "points.xyz", "-o", "m.ply"}).exit_code, 0);
+  EXPECT_EQ(run_program({"update", "m.ply", "cap.xyz", "-o", "./m.ply"}).exit_code, 0);
+  EXPECT_EQ(run_program({"reconstruct", "m.ply", "-o", "m.ply"}).exit_code, 0);
+}
+
+TEST_F(LongNames, AreToldInOneLine) {
+  const std::string name(256, 'n');
+  const std::string mesh = name + ".ply";
+  const std::vector<Names> command_lines = {
+      {"reconstruct", "points.xyz", "-o", mesh},
+      {"reconstruct", "points.xyz", "-o", "w.ply", "--json", name},
+      {"reconstruct", "points.xyz", "-o", "w.ply", "--session", name},
+      {"reconstruct", "points.xyz", "-o", name + "/w.ply"},
+      {"boundary", "points.xyz", "-o", "w.ply", "--loops", name + ".obj"},
+      {"update", "points.xyz", "cap.xyz", "-o", "w.ply", "--map", name},
+      {"update", "points.xyz", "cap.xyz", "-o", "w.ply", "--html", name},
+      {"update", "--session", name, "cap.xyz", "-o", "w.ply"},
+      {"watch", "points.xyz", name, "-o", "w.ply", "--once"},
+      {"watch", "points.xyz", ".", "-o", std::string(245, 'n') + ".ply", "--once"},
+      {"watch", "points.xyz", ".", "-o", std::string(240, 'n') + ".ply", "--once"},
+      {"demo", "-o", name},
+      {"sample", "block", "-o", name, "--points", "600", "--cloud-points", "900"},
+  };
+  const Names before = folder.names();
+  for (const Names& arguments : command_lines) {
+    std::string line;
+    for (const std::string& argument : arguments) line += argument + " ";
+    SCOPED_TRACE(line);
+    expect_error(run_program(arguments), 1, "this name is too long; use one of at most 255 bytes");
+  }
+  EXPECT_EQ(folder.names(), before);
+  expect_error(run_program({"check", mesh}), 1, "File name too long");
+
+  const std::string longest = std::string(251, 'n') + ".ply";
+  EXPECT_EQ(run_program({"reconstruct", "points.xyz", "-o", longest}).exit_code, 0);
+}
+
+TEST_F(LongNames, LoopsOfLinksAreToldInOneLine) {
+  fs::create_symlink("loop.ply", "loop.ply");
+  expect_error(run_program({"reconstruct", "points.xyz", "-o", "loop.ply"}), 1,
+               "loop.ply: is a loop of symbolic links");
+  expect_error(run_program({"watch", "points.xyz", "loop.ply", "-o", "w.ply", "--once"}), 1,
+               "loop.ply: is a loop of symbolic links");
+}
+
+}  // namespace
+}  // namespace cocoon::test
