@@ -1,8 +1,14 @@
 // The program `cocoon`: reads the command line, runs the command, turns errors into exit codes.
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <fmt/format.h>
 #include <new>
 #include <string>
+#include <string_view>
+#include <unistd.h>
 #include <variant>
 
 #include "app/commands.h"
@@ -16,13 +22,51 @@ namespace {
 
 enum ExitCode { done = 0, cannot_be_done = 1, wrong_command_line = 2 };
 
+// Once: if several threads fail, the others wait for the end of the program.
 int report_error(const std::string& message, ExitCode code) {
+  static std::atomic_flag is_told;
+  while (is_told.test_and_set()) ::pause();
   std::string line = "cocoon: " + message;
   for (char& c : line) {
     if (c == '\n' || c == '\r') c = ' ';  // one line, whatever a file name contains
   }
   print_error(line + "\n");
   return code;
+}
+
+// Without the destructors of the libraries: threads of oneTBB may be on their way still.
+[[noreturn]] void end_with_error(const std::string& message) {
+  report_error(message, cannot_be_done);
+  std::fflush(stdout);
+  ::_exit(cannot_be_done);
+}
+
+[[noreturn]] void end_for_lack_of_memory() {
+  end_with_error("not enough memory for this input; use fewer points or a larger machine");
+}
+
+[[noreturn]] void end_for_lack_of_threads() {
+  end_with_error(
+      "no further thread can be started: the limit on memory or on threads is too low (ulimit -v, "
+      "ulimit -u); raise it, or use --threads 1");
+}
+
+// oneTBB has no type of its own for what it throws when the system gives it no further thread.
+bool is_lack_of_threads(const std::exception& error) {
+  return std::string_view(error.what()).starts_with("pthread_create has failed");
+}
+
+// A thread of oneTBB that is refused memory or another thread throws where nobody can catch it.
+void end_where_nobody_catches() {
+  try {
+    if (std::current_exception()) std::rethrow_exception(std::current_exception());
+  } catch (const std::bad_alloc&) {
+    end_for_lack_of_memory();
+  } catch (const std::exception& error) {
+    if (is_lack_of_threads(error)) end_for_lack_of_threads();
+  } catch (...) {
+  }
+  std::abort();
 }
 
 void run(const DemoArguments& arguments, Job& job) { run_demo(arguments, job); }
@@ -54,9 +98,13 @@ int run_command_line(const CommandLine& line) {
   } catch (const Error& error) {
     return report_error(error.what(), cannot_be_done);
   } catch (const std::bad_alloc&) {
-    return report_error("not enough memory for this input; use fewer points or a larger machine",
+    end_for_lack_of_memory();
+  } catch (const std::filesystem::filesystem_error& error) {
+    return report_error(fmt::format("{}: {}; check the name and the permissions",
+                                    error.path1().string(), error.code().message()),
                         cannot_be_done);
   } catch (const std::exception& error) {
+    if (is_lack_of_threads(error)) end_for_lack_of_threads();
     return report_error(fmt::format("internal error: {}; please report it", error.what()),
                         cannot_be_done);
   }
@@ -64,6 +112,7 @@ int run_command_line(const CommandLine& line) {
 
 int main_of_program(int argc, const char* const* argv) {
   open_standard_streams();
+  std::set_terminate(end_where_nobody_catches);
   try {
     const Request request = parse_command_line(argc, argv);
     if (const auto* text = std::get_if<TextRequest>(&request)) {

@@ -72,6 +72,22 @@ TEST(Faults, MemoryThatRunsOutIsSaid) {
   }
 }
 
+// However little there is: enough, or one line. Each thread wants some megabytes for its stack.
+TEST(Faults, ThreadsThatCannotBeStartedAreSaid) {
+  if (!address_space_can_be_limited) GTEST_SKIP() << "a sanitizer owns the address space";
+  const OldOutput old(3000);
+  static std::size_t megabytes;
+  for (megabytes = 12; megabytes < 64; megabytes += 2) {
+    const ProgramRun run =
+        run_program({"reconstruct", old.cloud, "-o", old.target, "--threads", "8", "--quiet"},
+                    [] { limit_to(RLIMIT_AS, megabytes << 20); });
+    if (run.exit_code == 0) continue;
+    SCOPED_TRACE(megabytes);
+    const bool threads = run.error.find("thread can be started") != std::string::npos;
+    expect_error(run, 1, threads ? "--threads 1" : "not enough memory");
+  }
+}
+
 TEST(Faults, TargetsThatCannotBeWritten) {
   const OldOutput old(500);
   const Names targets = {old.folder.file("cloud.xyz/out.ply"), old.folder.file("none/out.ply"),
