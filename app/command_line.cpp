@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <fmt/format.h>
 #include <memory>
 
@@ -29,6 +31,19 @@ CLI::Validator between(double low, double high) {
                                                          : fmt::format("{} is not {}", text, range);
           },
           range};
+}
+
+// CLI11 takes "", negative numbers and those that are too large for some whole number.
+CLI::Validator whole_number() {
+  return {[](const std::string& text) {
+            std::uint64_t value = 0;
+            const char* end = text.data() + text.size();
+            const auto read = std::from_chars(text.data(), end, value);
+            return read.ec == std::errc() && read.ptr == end
+                       ? std::string()
+                       : fmt::format("'{}' is no whole number from 0 to below 2^64", text);
+          },
+          "0 to below 2^64"};
 }
 
 void add_shared_options(CLI::App& app, SharedArguments& shared) {
@@ -192,7 +207,9 @@ void add_demo_and_sample(CLI::App& app, Command& chosen, SharedArguments& shared
   sub->add_option("--cloud-points", sample.cloud_points,
                   "Points of all clouds together (the paper's number)")
       ->check(CLI::Range(std::size_t{4}, most_sample_points));
-  sub->add_option("--seed", sample.seed, "Seed of the random placement");
+  sub->add_option("--seed", sample.seed, "Seed of the random placement")
+      ->check(whole_number())
+      ->type_name("N");
 }
 
 void add_densify(CLI::App& sub, const std::string& mesh, std::optional<double>& spacing) {

@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <map>
 #include <string>
 #include <variant>
@@ -115,6 +116,9 @@ TEST(CommandLine, SampleAndDemo) {
   EXPECT_EQ(sample.points, 100U);
   EXPECT_EQ(sample.cloud_points, 50U);
   EXPECT_EQ(sample.seed, 7U);
+  const auto largest =
+      parsed<SampleArguments>({"sample", "block", "--seed", "18446744073709551615"});
+  EXPECT_EQ(largest.seed, std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(parsed<DemoArguments>({"demo", "-o", "there"}).folder, "there");
 }
 
@@ -178,6 +182,24 @@ TEST(CommandLine, WrongOnesAreUsageErrorsOfOneLine) {
       {"watch", "m.ply", "scans", "-o", "u.ply", "--poll", "0"},
       {"sample", "teapot"},
       {"sample", "block", "--points", "-5"},
+      {"sample", "block", "--points", ""},
+      {"sample", "block", "--points", "18446744073709551626"},
+      {"sample", "block", "--cloud-points", "-5"},
+      {"sample", "block", "--cloud-points", ""},
+      {"sample", "block", "--seed", "-1"},
+      {"sample", "block", "--seed", ""},
+      {"sample", "block", "--seed", " 7"},
+      {"sample", "block", "--seed", "7 8"},
+      {"sample", "block", "--seed", "7.5"},
+      {"sample", "block", "--seed", "18446744073709551616"},
+      {"compare", "a.ply", "b.ply", "--samples", "-1"},
+      {"compare", "a.ply", "b.ply", "--samples", ""},
+      {"compare", "a.ply", "b.ply", "--samples", "18446744073709551626"},
+      {"watch", "m.ply", "scans", "-o", "u.ply", "--save-every", "-1"},
+      {"watch", "m.ply", "scans", "-o", "u.ply", "--save-every", ""},
+      {"reconstruct", "a.xyz", "-o", "a.ply", "--noise-neighbors", ""},
+      {"reconstruct", "a.xyz", "-o", "a.ply", "--noise-neighbors", "18446744073709551626"},
+      {"demo", "--threads", ""},
       {"demo", "--threads", "-1"},
       {"demo", "--threads", "many"},
       {"check", "m.ply", "--require", "beautiful"},
