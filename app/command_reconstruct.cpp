@@ -26,16 +26,21 @@ namespace cocoon::app {
 
 namespace {
 
+void append_thresholds(ThresholdUse use, const ReconstructArguments& arguments,
+                       std::vector<std::string>& names) {
+  const std::vector<std::string> given = given_thresholds(use, arguments.thresholds);
+  names.insert(names.end(), given.begin(), given.end());
+}
+
 // What is set of the noise filter needs one. Noise is filtered before anything else is built, which
 // neither the open surface nor a session, which keeps the triangulation of all points, has a place
 // for.
 void require_possible_noise_filter(const ReconstructArguments& arguments) {
   if (arguments.noise == "none") {
-    std::vector<std::string> given = given_thresholds(ThresholdUse::outliers, arguments.thresholds);
-    const std::vector<std::string> more =
-        given_thresholds(ThresholdUse::noise, arguments.thresholds);
-    given.insert(given.end(), more.begin(), more.end());
-    if (!arguments.noise_keep_good) given.insert(given.begin(), "--noise-skin-only");
+    std::vector<std::string> given;
+    if (!arguments.noise_keep_good) given.push_back("--noise-skin-only");
+    append_thresholds(ThresholdUse::outliers, arguments, given);
+    append_thresholds(ThresholdUse::noise, arguments, given);
     if (given.empty()) return;
     throw UsageError(fmt::format("{} needs --noise robust", given.front()));
   }
@@ -48,17 +53,29 @@ void require_possible_noise_filter(const ReconstructArguments& arguments) {
   }
 }
 
+// Given options of the stages that close a surface.
+std::vector<std::string> of_tight_surfaces(const ReconstructArguments& arguments) {
+  std::vector<std::string> names;
+  if (!arguments.deferred_seeding) names.push_back("--no-deferred-seeding");
+  if (arguments.cavities) names.push_back("--cavities");
+  if (!arguments.clean_up) names.push_back("--no-clean-up");
+  append_thresholds(ThresholdUse::tight, arguments, names);
+  return names;
+}
+
+void require_use_of_options(const ReconstructArguments& arguments) {
+  if (arguments.surface == "tight") return;
+  const std::vector<std::string> names = of_tight_surfaces(arguments);
+  if (!names.empty()) throw UsageError(names.front() + " needs --surface tight");
+}
+
 // Given options that a session does not keep: it has the parameters of surface_options.h only.
 std::vector<std::string> unknown_to_sessions(const ReconstructArguments& arguments) {
   std::vector<std::string> names;
   if (!arguments.radius.empty()) names.push_back("--radius");
-  if (!arguments.deferred_seeding) names.push_back("--no-deferred-seeding");
-  if (arguments.cavities) names.push_back("--cavities");
-  if (!arguments.clean_up) names.push_back("--no-clean-up");
-  for (const ThresholdUse use : {ThresholdUse::cocone, ThresholdUse::tight}) {
-    const std::vector<std::string> given = given_thresholds(use, arguments.thresholds);
-    names.insert(names.end(), given.begin(), given.end());
-  }
+  append_thresholds(ThresholdUse::cocone, arguments, names);
+  const std::vector<std::string> tight = of_tight_surfaces(arguments);
+  names.insert(names.end(), tight.begin(), tight.end());
   return names;
 }
 
@@ -133,6 +150,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   require_outputs(job, {{arguments.mesh, mesh_extensions, arguments.points}, {arguments.session}},
                   {arguments.points});
   require_possible_noise_filter(arguments);
+  require_use_of_options(arguments);
   require_possible_session(arguments);
   std::optional<LockFile> lock;
   if (!arguments.session.empty()) lock.emplace(arguments.session);

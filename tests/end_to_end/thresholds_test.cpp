@@ -163,6 +163,19 @@ TEST(Thresholds, CavitiesAreAnOption) {
   EXPECT_EQ(surface_with({"--cavities", "--mode", "paper"})["parameters"]["cavities"], false);
 }
 
+TEST(Thresholds, OfClosedSurfacesAreNoneOfOpenOnes) {
+  const TemporaryFolder folder;
+  for (const std::vector<std::string>& option : {std::vector<std::string>{"--cavities"},
+                                                 {"--no-clean-up"},
+                                                 {"--no-deferred-seeding"},
+                                                 {"--idle-cost", "1"}}) {
+    std::vector<std::string> arguments{"reconstruct",        plate,       "-o",
+                                       folder.file("m.ply"), "--surface", "cocone"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    expect_error(run_program(arguments), 2, option.front() + " needs --surface tight");
+  }
+}
+
 TEST(Thresholds, AreNotKeptBySessions) {
   const TemporaryFolder folder;
   const std::string session = folder.file("s.session");
