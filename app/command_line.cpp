@@ -265,7 +265,8 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
   add_mesh_output(*sub, update.mesh, update.ascii);
   add_densify(*sub, "MODEL", update.densify);
   sub->add_option("--map", update.map,
-                  "Write one line per vertex or point of MODEL: its new index, or -1")
+                  "Write one line per vertex or point of MODEL: its new index, or -1; not for STL, "
+                  "which keeps no numbers of vertices")
       ->type_name("FILE");
   sub->add_option("--html", update.html, "Write a report that a browser opens offline")
       ->type_name("FILE");

@@ -10,11 +10,20 @@
 #include "app/pending_clouds.h"
 #include "app/session_file.h"
 #include "app/updating.h"
+#include "io/file_format.h"
 #include "io/lock_file.h"
 
 namespace cocoon::app {
 
 namespace {
+
+// The map names vertices of the mesh by number.
+void require_numbered_vertices(const UpdateArguments& arguments) {
+  if (arguments.map.empty() || format_of(arguments.mesh) != FileFormat::stl) return;
+  throw UsageError(arguments.mesh +
+                   ": STL does not keep the numbers of vertices that --map writes; use .ply, .obj "
+                   "or .off, or leave out --map");
+}
 
 // The model and the clouds; a model given as points, or made dense, is reconstructed.
 UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& options, Job& job) {
@@ -95,6 +104,7 @@ void update_session(const UpdateArguments& arguments, const std::optional<StrayO
 }  // namespace
 
 void run_update(const UpdateArguments& arguments, Job& job) {
+  require_numbered_vertices(arguments);
   std::vector<std::string> inputs = arguments.clouds;
   if (!arguments.model.empty()) inputs.push_back(arguments.model);
   require_outputs(job,

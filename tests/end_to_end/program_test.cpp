@@ -229,6 +229,19 @@ TEST(Program, TheMapHasALineForEachPointOfTheModel) {
   EXPECT_EQ(std::set<int>(places.begin(), places.end()).count(0), 1U);
 }
 
+// STL has corners, not vertices with numbers.
+TEST(Program, ThereIsNoMapOfAMeshWithoutNumbers) {
+  const TemporaryFolder folder;
+  const std::string model = folder.write("model.xyz", whole_sphere(2000));
+  const std::string cloud = folder.write("bump.xyz", sphere_cap(6000, 0.8, 0.3));
+  const Names update = {"update", model, cloud, "-o", folder.file("new.STL")};
+  Names with_map = update;
+  with_map.insert(with_map.end(), {"--map", folder.file("map.txt")});
+  expect_error(run_program(with_map), 2, "new.STL: STL does not keep the numbers of vertices");
+  EXPECT_EQ(folder.names(), (Names{"bump.xyz", "model.xyz"}));
+  EXPECT_EQ(run_program(update).exit_code, 0);
+}
+
 TEST(Program, UpdateMayOverwriteItsOwnModel) {
   const TemporaryFolder folder;
   const std::string model = folder.file("model.ply");
