@@ -80,7 +80,7 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
   }
   add_reconstruction(job.report(), surface, certificate);
   add_boundary(job.report(), surface, boundary);
-  job.say("{} -> {}", surface_summary(certificate), arguments.mesh);
+  job.say_outputs("{} -> {}", surface_summary(certificate), arguments.mesh);
   job.say("{}, {} ({})", counted(surface.counters.boundary_samples, "boundary sample"),
           counted(boundary.loops.size(), "loop"), counted(boundary.pin_holes, "pin-hole"));
   for (const BoundaryLoop& loop : boundary.loops) {

@@ -46,8 +46,8 @@ void run_delaunay(const DelaunayArguments& arguments, Job& job) {
   report.set("delaunay/hull_triangles",
              triangulation.num_cells() - triangulation.num_finite_cells());
   if (thread_count(job.execution()) == 1) add_counters(report, result.counters);
-  job.say("{} points ({} duplicates), {} tetrahedra -> {}", triangulation.num_vertices(),
-          triangulation.num_duplicates(), triangulation.num_finite_cells(), arguments.file);
+  job.say_outputs("{} points ({} duplicates), {} tetrahedra -> {}", triangulation.num_vertices(),
+                  triangulation.num_duplicates(), triangulation.num_finite_cells(), arguments.file);
   job.finish();
 }
 

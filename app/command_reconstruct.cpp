@@ -200,7 +200,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   add_reconstruction(job.report(), result, certificate);
   job.say("{} points ({} duplicates, {} not on the surface), {} tetrahedra", result.points,
           result.duplicates, result.unused_points, result.tetrahedra);
-  job.say("{} -> {}", surface_summary(certificate), arguments.mesh);
+  job.say_outputs("{} -> {}", surface_summary(certificate), arguments.mesh);
   std::vector<Finding> findings =
       findings_of(doubts, result.points - result.duplicates, noise_filter_of(arguments));
   const bool parted = certificate.edge_manifold && certificate.vertex_manifold;

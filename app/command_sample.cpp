@@ -41,16 +41,16 @@ void run_sample(const SampleArguments& arguments, Job& job) {
   job.report().set("sample/clouds", cloud_sizes);
   job.report().set("sample/replaced_points", model.replaced.size());
   job.report().set("sample/truth_triangles", model.truth.triangles.size());
-  job.say("{}: {} initial points -> {}", arguments.name, model.initial.size(),
-          in_folder(folder, "initial.xyz"));
+  job.say_outputs("{}: {} initial points -> {}", arguments.name, model.initial.size(),
+                  in_folder(folder, "initial.xyz"));
   for (std::size_t c = 0; c < model.clouds.size(); ++c) {
-    job.say("cloud {}: {} points -> {}", c + 1, model.clouds[c].size(),
-            in_folder(folder, fmt::format("cloud-{}.xyz", c + 1)));
+    job.say_outputs("cloud {}: {} points -> {}", c + 1, model.clouds[c].size(),
+                    in_folder(folder, fmt::format("cloud-{}.xyz", c + 1)));
   }
-  job.say("true updated surface: {} triangles -> {}", model.truth.triangles.size(),
-          in_folder(folder, "truth.ply"));
-  job.say("{} initial points are made wrong by the change -> {}", model.replaced.size(),
-          in_folder(folder, "replaced.txt"));
+  job.say_outputs("true updated surface: {} triangles -> {}", model.truth.triangles.size(),
+                  in_folder(folder, "truth.ply"));
+  job.say_outputs("{} initial points are made wrong by the change -> {}", model.replaced.size(),
+                  in_folder(folder, "replaced.txt"));
   job.finish();
 }
 

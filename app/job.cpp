@@ -18,6 +18,10 @@ Job::Job(const std::string& command, const SharedArguments& shared)
 
 void Job::say_line(const std::string& line) {
   if (shared_.quiet || shared_.json == "-") return;
+  if (lines_wait_) {
+    waiting_lines_ += line + "\n";
+    return;
+  }
   progress_line_.clear();
   print_output(line + "\n");
 }
@@ -57,6 +61,7 @@ void Job::finish(const std::string& copy_of_report) {
     write_file(shared_.json, text, outputs());
   }
   if (!copy_of_report.empty()) write_file(copy_of_report, text, outputs());
+  print_output(waiting_lines_);
   flush_output();
   outputs_.commit();
 }

@@ -28,6 +28,13 @@ class Job {
   void say(fmt::format_string<Values...> format, Values&&... values) {
     say_line(fmt::format(format, std::forward<Values>(values)...));
   }
+  // Such a line that tells of outputs: it, and all lines behind it, are printed when the outputs
+  // are complete (finish), for until then none of them may appear.
+  template <class... Values>
+  void say_outputs(fmt::format_string<Values...> format, Values&&... values) {
+    lines_wait_ = true;
+    say_line(fmt::format(format, std::forward<Values>(values)...));
+  }
   // Such a line that begins with "warning: ", also kept for the reports.
   void warn(const std::string& warning);
   const std::vector<std::string>& warnings() const { return warnings_; }
@@ -53,6 +60,8 @@ class Job {
   JsonReport report_;
   FileBatch outputs_;
   std::vector<std::string> warnings_;
+  bool lines_wait_ = false;
+  std::string waiting_lines_;
 };
 
 // Highest amount of memory that the program has used so far, in bytes.

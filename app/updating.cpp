@@ -269,7 +269,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
                  job.outputs());
     }
   });
-  job.say("{} -> {}", surface_summary(certificate), output.mesh);
+  job.say_outputs("{} -> {}", surface_summary(certificate), output.mesh);
 }
 
 }  // namespace cocoon::app

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -269,6 +270,35 @@ TEST(Program, SampleWritesTheModelAndItsTruth) {
   const std::string replaced = content_of(folder.file("block/replaced.txt"));
   EXPECT_EQ(std::count(replaced.begin(), replaced.end(), '\n'),
             report["sample"]["replaced_points"]);
+}
+
+// The report is the last of the outputs; none appears, so none may be told of.
+TEST(Program, OutputsThatDoNotAppearAreNotSaid) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(800));
+  const std::string cap = folder.write("cap.xyz", sphere_cap(6000, 0.8, 0.3));
+  const std::vector<Names> command_lines = {
+      {"reconstruct", cloud, "-o", folder.file("out.ply")},
+      {"boundary", cap, "-o", folder.file("out.ply")},
+      {"delaunay", cloud, "-o", folder.file("out.tet")},
+      {"update", cloud, cap, "-o", folder.file("out.ply"), "--verbose"},
+      {"sample", "block", "-o", folder.file(""), "--points", "600", "--cloud-points", "900"},
+  };
+  for (const Names& arguments : command_lines) {
+    SCOPED_TRACE(arguments[0]);
+    ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    EXPECT_NE(run.out.find(" -> " + folder.file("")), std::string::npos) << run.out;
+    for (const char* name : {"out.ply", "out.tet"}) std::filesystem::remove(folder.file(name));
+    const Names before = folder.names();
+    Names failing = arguments;
+    failing.insert(failing.end(), {"--json", "/dev/full"});
+    run = run_program(failing);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.error.find("/dev/full: cannot be written"), std::string::npos) << run.error;
+    EXPECT_EQ(run.out.find("->"), std::string::npos) << run.out;
+    EXPECT_EQ(folder.names(), before);
+  }
 }
 
 TEST(Program, QuietIsSilent) {
