@@ -281,7 +281,10 @@ void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) 
       app, "watch", "Update a model by every cloud that appears in a folder", chosen, shared, sub);
   sub->add_option("MODEL", watch.model, "Mesh, or a point cloud that is reconstructed first")
       ->required();
-  sub->add_option("DIR", watch.folder, "Folder into which scanners drop their clouds")->required();
+  sub->add_option("DIR", watch.folder,
+                  "Folder into which scanners drop their clouds; MODEL and what is written are no "
+                  "clouds if they lie there")
+      ->required();
   add_mesh_output(*sub, watch.mesh, watch.ascii);
   add_densify(*sub, "MODEL", watch.densify);
   sub->add_option("--session", watch.session,

@@ -72,7 +72,7 @@ class Watch {
 
   // Until it is time to stop.
   void follow_folder() {
-    FolderWatch folder(arguments_.folder, to_milliseconds(arguments_.settle));
+    FolderWatch folder(arguments_.folder, to_milliseconds(arguments_.settle), own_files());
     for (;;) {
       for (const fs::path& path : folder.poll()) {
         look_at(path);
@@ -95,6 +95,13 @@ class Watch {
   }
 
  private:
+  // What may lie in the folder, and is no cloud.
+  std::vector<fs::path> own_files() const {
+    std::vector<fs::path> files = {arguments_.model, arguments_.mesh, session_file_};
+    if (!job_.shared().json.empty()) files.emplace_back(job_.shared().json);
+    return files;
+  }
+
   static std::chrono::milliseconds to_milliseconds(double seconds) {
     return std::chrono::milliseconds(static_cast<long>(1000 * seconds));
   }

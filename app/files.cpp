@@ -78,7 +78,7 @@ void require_outputs(const Job& job, std::vector<OutputFile> outputs,
   }
 }
 
-fs::path place_of(const std::string& path) {
+fs::path place_of(const fs::path& path) {
   constexpr int most_links = 40;  // as the kernel's own limit
   std::error_code error;
   fs::path place = fs::absolute(path, error);
@@ -86,7 +86,7 @@ fs::path place_of(const std::string& path) {
     place = place.parent_path() / fs::read_symlink(place, error);
   }
   const fs::path found = fs::weakly_canonical(place, error);
-  return error ? fs::path(path) : found;
+  return error ? path : found;
 }
 
 void require_possible_name(const std::string& path) {

@@ -31,7 +31,7 @@ void require_outputs(const Job& job, std::vector<OutputFile> outputs,
 
 // Where a file lies or would lie, behind all symbolic links: one place has one such path, however
 // it is spelled. For paths that cannot be looked up, the path as it is.
-std::filesystem::path place_of(const std::string& path);
+std::filesystem::path place_of(const std::filesystem::path& path);
 
 // Throws FileError if there can be no file of this name: it is too long, or a loop of links.
 void require_possible_name(const std::string& path);

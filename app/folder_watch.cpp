@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/files.h"
 #include "geom/errors.h"
 #include "io/file_format.h"
 
@@ -18,6 +19,16 @@ bool may_be_cloud(const fs::path& path) {
 
 }  // namespace
 
+FolderWatch::FolderWatch(fs::path folder, std::chrono::milliseconds settle,
+                         const std::vector<fs::path>& no_clouds)
+    : folder_(std::move(folder)), settle_(settle) {
+  for (const fs::path& path : no_clouds) no_clouds_.push_back(place_of(path));
+}
+
+bool FolderWatch::is_no_cloud(const fs::path& path) const {
+  return std::find(no_clouds_.begin(), no_clouds_.end(), place_of(path)) != no_clouds_.end();
+}
+
 std::vector<fs::path> FolderWatch::poll() {
   std::error_code error;
   fs::directory_iterator entries(folder_, error);
@@ -32,7 +43,7 @@ std::vector<fs::path> FolderWatch::poll() {
   for (; entries != fs::directory_iterator(); entries.increment(error)) {
     const fs::path path = entries->path();
     if (!may_be_cloud(path) || !entries->is_regular_file(error)) continue;
-    Seen file{fs::file_size(path, error), {}, seen_now, false};
+    Seen file{fs::file_size(path, error), {}, seen_now};
     if (error) continue;  // gone meanwhile
     file.changed = fs::last_write_time(path, error);
     if (error) continue;
@@ -41,7 +52,8 @@ std::vector<fs::path> FolderWatch::poll() {
                       before->second.changed == file.changed;
     file.reported = same && before->second.reported;
     if (same) file.since = before->second.since;
-    if (!file.reported) {
+    file.is_no_cloud = before != seen_.end() ? before->second.is_no_cloud : is_no_cloud(path);
+    if (!file.reported && !file.is_no_cloud) {
       // The clock that gave the file its time may be ahead.
       if (same && (now - file.changed >= settle_ || seen_now - file.since >= settle_)) {
         file.reported = true;

@@ -16,8 +16,9 @@ namespace cocoon::app {
 // later, or comes again under its old name, is a new one.
 class FolderWatch {
  public:
-  FolderWatch(std::filesystem::path folder, std::chrono::milliseconds settle)
-      : folder_(std::move(folder)), settle_(settle) {}
+  // `no_clouds`: files that are not looked at either, wherever they lie, by any name.
+  FolderWatch(std::filesystem::path folder, std::chrono::milliseconds settle,
+              const std::vector<std::filesystem::path>& no_clouds = {});
 
   // The files that have become complete, the earliest changed first, then by name; each once.
   // Throws FileError if the folder cannot be read.
@@ -31,9 +32,13 @@ class FolderWatch {
     std::filesystem::file_time_type changed;
     std::chrono::steady_clock::time_point since;  // seen with that size and time
     bool reported = false;
+    bool is_no_cloud = false;
   };
+  bool is_no_cloud(const std::filesystem::path& path) const;
+
   std::filesystem::path folder_;
   std::chrono::milliseconds settle_;
+  std::vector<std::filesystem::path> no_clouds_;  // their places (files.h)
   std::map<std::filesystem::path, Seen> seen_;
   std::size_t waiting_ = 0;
 };

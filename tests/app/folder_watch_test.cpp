@@ -42,6 +42,27 @@ TEST(FolderWatch, AFileIsToldAtTheSecondPollAndOnce) {
   EXPECT_EQ(watch.waiting(), 0U);
 }
 
+// By any name, and also if they come into being later.
+TEST(FolderWatch, FilesOfOursAreNoClouds) {
+  const TemporaryFolder folder;
+  const TemporaryFolder elsewhere;
+  namespace fs = std::filesystem;
+  fs::create_symlink(elsewhere / "mesh.ply", folder / "link.ply");
+  fs::create_directory_symlink(folder.path(), elsewhere / "here");
+  FolderWatch watch(folder.path(), 10s,
+                    {elsewhere / "mesh.ply", elsewhere / "here" / "out.ply", "model.xyz"});
+  put(elsewhere, "mesh.ply", 60s);
+  put(folder, "out.ply", 60s);
+  put(folder, "model.xyz", 60s);  // not the one that is meant
+  EXPECT_EQ(names(watch.poll()), Names{});
+  EXPECT_EQ(watch.waiting(), 1U);
+  EXPECT_EQ(names(watch.poll()), Names{"model.xyz"});
+  put(folder, "out.ply", 50s, "4 5 6\n");
+  EXPECT_EQ(names(watch.poll()), Names{});
+  EXPECT_EQ(watch.waiting(), 0U);
+  EXPECT_EQ(names(watch.poll()), Names{});
+}
+
 TEST(FolderWatch, OneThatChangedJustNowWaits) {
   const TemporaryFolder folder;
   FolderWatch watch(folder.path(), 3600s);

@@ -258,6 +258,25 @@ TEST(Watch, TellsFindings) {
   EXPECT_EQ(tells_of_parts(run.out), 1U) << run.out;
 }
 
+// Its own mesh, report and model, with the endings of clouds, are none.
+TEST(Watch, DoesNotTakeItsOwnFilesForClouds) {
+  const Watched watched;
+  watched.put("1.xyz", north);
+  watched.put("model.xyz", whole_sphere(1500));
+  const std::string mesh = watched.drop + "/live.ply";
+  for (int run_number = 0; run_number < 2; ++run_number) {
+    const ProgramRun run =
+        run_program({"watch", watched.drop + "/model.xyz", watched.drop, "-o", mesh, "--settle",
+                     "0.05", "--poll", "0.02", "--json", watched.drop + "/report.txt", "--once"});
+    ASSERT_EQ(run.exit_code, 0) << run.error;
+    EXPECT_EQ(run.out.find("not applied"), std::string::npos) << run.out;
+    const char* counts[] = {"1 cloud applied, 0 refused, 0 known from before",
+                            "0 clouds applied, 0 refused, 1 known from before"};
+    EXPECT_NE(run.out.find(counts[run_number]), std::string::npos) << run.out;
+  }
+  EXPECT_EQ(content_of(mesh), watched.expected({north}));
+}
+
 // A file that is written slowly is taken when it is complete, not before.
 TEST(Watch, WaitsForTheEndOfAFile) {
   const Watched watched;
