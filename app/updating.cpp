@@ -141,6 +141,20 @@ UpdateOptions update_options(const SurfaceArguments& arguments) {
   return options;
 }
 
+namespace {
+
+// Points that the model leaves out are no part of what is updated: nobody else would tell.
+void warn_of_unused(Job& job, const std::string& name, const ReconstructResult& model,
+                    Points points) {
+  MeshReport certificate;
+  for (const Finding& finding :
+       findings_of_update(model, points, NoiseFilter::no_option, job.execution(), certificate)) {
+    if (finding.kind == "unused") job.warn(fmt::format("{}: {}", name, finding.message));
+  }
+}
+
+}  // namespace
+
 ReconstructResult initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
                                 const KnownSidesSource& known, const ReconstructOptions& options) {
   ReconstructResult result =
@@ -153,6 +167,7 @@ ReconstructResult initial_model(Job& job, const std::string& name, const std::ve
   job.report().set("initial_model/duplicates", result.duplicates);
   job.report().set("initial_model/unused_points", result.unused_points);
   job.report().set("initial_model/triangles", result.mesh.triangles.size());
+  if (result.unused_points > 0) warn_of_unused(job, name, result, points);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/point_file.h"
+#include "tests/gallery.h"
 #include "tests/run_program.h"
 #include "tests/update/ball_with_handle.h"
 
@@ -86,6 +87,24 @@ TEST(Topology, LossesAreSaidByAllThatUpdate) {
   const std::string line = line_from(watched, "top.xyz: ");
   EXPECT_TRUE(says(line, said)) << line;
   EXPECT_TRUE(says(line, "topology: Euler characteristic 0 -> 2")) << line;
+}
+
+// A cavity cannot be scanned, and is filled: what made it is told before the update.
+TEST(Topology, WhatTheModelLeavesOutIsSaid) {
+  const TemporaryFolder folder;
+  std::vector<Point> points = gallery::even_sphere(2000);
+  std::vector<Point> cap;
+  for (const Point& p : gallery::even_sphere(2500)) {
+    if (p.z > 0.8) cap.push_back(p);
+  }
+  for (const Point& p : gallery::even_sphere(500)) points.push_back(0.5 * p);
+  write_points(folder.file("hollow.xyz"), points);
+  write_points(folder.file("cap.xyz"), cap);
+  const std::string said = run_program({"update", folder.file("hollow.xyz"), folder.file("cap.xyz"),
+                                        "-o", folder.file("out.ply")})
+                               .out;
+  EXPECT_TRUE(says(said, "hollow.xyz: 500 of 2500 points are not on the surface")) << said;
+  EXPECT_TRUE(says(said, "inner surfaces")) << said;
 }
 
 }  // namespace
