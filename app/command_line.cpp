@@ -2,13 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <fmt/format.h>
 #include <memory>
 
 #include "app/check_requirements.h"
 #include "app/thresholds.h"
+#include "io/number_text.h"
 #include "io/sample_models.h"
 
 namespace cocoon::app {
@@ -37,9 +37,10 @@ CLI::Validator between(double low, double high) {
 CLI::Validator whole_number() {
   return {[](const std::string& text) {
             std::uint64_t value = 0;
-            const char* end = text.data() + text.size();
-            const auto read = std::from_chars(text.data(), end, value);
-            return read.ec == std::errc() && read.ptr == end
+            const char* at = text.data();
+            const char* end = at + text.size();
+            const bool has_sign = text.starts_with('-') || text.starts_with('+');
+            return !has_sign && parse_integer(at, end, value) && at == end
                        ? std::string()
                        : fmt::format("'{}' is no whole number from 0 to below 2^64", text);
           },

@@ -144,14 +144,18 @@ ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
   return std::move(result.surface);
 }
 
+void require_possible_options(const ReconstructArguments& arguments) {
+  require_possible_noise_filter(arguments);
+  require_use_of_options(arguments);
+  require_possible_session(arguments);
+}
+
 }  // namespace
 
 void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   require_outputs(job, {{arguments.mesh, mesh_extensions, arguments.points}, {arguments.session}},
                   {arguments.points});
-  require_possible_noise_filter(arguments);
-  require_use_of_options(arguments);
-  require_possible_session(arguments);
+  require_possible_options(arguments);
   std::optional<LockFile> lock;
   if (!arguments.session.empty()) lock.emplace(arguments.session);
   const bool tight = arguments.surface == "tight";

@@ -156,6 +156,10 @@ void say_update(Job& job, const UpdateRecord& record) {
             counted(record.clouds[c].size(), "point"), counted(cloud.loops.size(), "boundary loop"),
             counted(cloud.boundary_points, "point"),
             counted(cloud.overlapping_facets.size(), "facet"));
+    if (cloud.surface.trials.size() > 1) {
+      job.say("  rim found with rho {:.4g} after {} trials", cloud.surface.rho,
+              cloud.surface.trials.size());
+    }
     for (const GroupAngle& group : cloud.groups) {
       job.say("  group {}: mean angle {:.2f} degrees, {}", group.group.value, group.mean_angle_deg,
               group.under_cloud ? "replaced" : "kept");

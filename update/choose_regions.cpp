@@ -82,6 +82,14 @@ bool tells_sides_apart(const RegionAngles& loop, const ChoiceOptions& options) {
   return range.decides && range.margin() > options.narrow_margin;
 }
 
+bool sees_under(const RegionAngles& loop, RegionId under, RegionId outside,
+                const ChoiceOptions& options) {
+  const AngleMean& below = loop.regions[under];
+  const AngleMean& beyond = loop.regions[outside];
+  return below.edges > 0 && beyond.edges > 0 &&
+         beyond.mean() - below.mean() > options.narrow_margin;
+}
+
 RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num_clouds,
                             const ChoiceOptions& options,
                             std::span<const IdVector<RegionId, std::uint8_t>> decided) {

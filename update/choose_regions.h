@@ -26,6 +26,11 @@ struct ChoiceOptions {
 // any region, with means farther apart than narrow_margin. Complexity: O(regions).
 bool tells_sides_apart(const RegionAngles& loop, const ChoiceOptions& options = {});
 
+// Whether the loop sees the region `under` it at a smaller mean angle than `outside`, by more than
+// narrow_margin, with edges at both. Complexity: O(1).
+bool sees_under(const RegionAngles& loop, RegionId under, RegionId outside,
+                const ChoiceOptions& options = {});
+
 enum class ChoiceStatus {
   ok,
   ambiguous,  // a loop's regions have equal angles: nothing is replaced

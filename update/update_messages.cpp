@@ -99,6 +99,15 @@ std::string warning_of_unused_points(std::size_t unused, std::size_t updated_poi
          (unused == 1 ? " is" : " are") + " not on the surface";
 }
 
+std::string warning_of_shared_regions(std::size_t regions) {
+  return "clouds overlap each other: " + counted(regions, "region lies", "regions lie") +
+         " under more than one";
+}
+
+std::string warning_of_narrow_margin(double degrees) {
+  return "its regions differ by only " + rounded(degrees) + " degrees; look at the result";
+}
+
 std::string warning_of_overlooked(std::size_t vertices) {
   return counted(vertices, "vertex of the model stays", "vertices of the model stay") +
          " in the midst of the new samples: a part of the rim was not found, or the wrong region "
@@ -116,10 +125,6 @@ std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, co
 
 std::vector<std::string> warnings_of_surface(const CloudSurface& surface) {
   std::vector<std::string> warnings;
-  if (surface.trials.size() > 1) {
-    warnings.push_back("rim found with rho " + rounded(surface.rho) + " after " +
-                       std::to_string(surface.trials.size()) + " trials");
-  }
   const auto warn_of = [&](std::size_t count, const char* one, const char* many) {
     if (count > 0) warnings.push_back(counted(count, one, many));
   };

@@ -43,6 +43,10 @@ std::string reason_of_empty_surface(std::size_t updated_points);
 std::string warning_of_split(const SplitRegion& split);
 std::vector<std::string> warnings_of_cut(const RegionCut& cut);
 std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points);
+// Regions under more than one cloud.
+std::string warning_of_shared_regions(std::size_t regions);
+// Mean angles of regions, in degrees, that hardly differ.
+std::string warning_of_narrow_margin(double degrees);
 std::string warning_of_overlooked(std::size_t vertices);
 // `at`: the place of the farthest vertex; `reach`: UnscannedOptions::reach.
 std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at);

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "geom/counted.h"
 #include "geom/errors.h"
 #include "geom/sort_ids.h"
 #include "update/kept_surface.h"
@@ -19,11 +18,6 @@ namespace cocoon {
 namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
-
-// V - E + F where each edge has two triangles.
-std::ptrdiff_t euler_number(std::size_t vertices, std::size_t triangles) {
-  return static_cast<std::ptrdiff_t>(vertices) - static_cast<std::ptrdiff_t>(triangles / 2);
-}
 
 // The state of one update; its steps return false when the result is final.
 class Update {
@@ -120,7 +114,11 @@ class Update {
       warn(warning_of_unused_points(result_.reconstruction.unused_points,
                                     result_.replacement.points.size()));
     }
-    count_topology(surface.triangles);
+    result_.euler_before = euler_number(model_.points.size() - result_.replacement.unused_vertices,
+                                        model_.triangles.size());
+    result_.euler =
+        euler_number(result_.replacement.points.size() - result_.reconstruction.unused_points,
+                     surface.triangles);
     look_for_losses(index);
     return true;
   }
@@ -150,14 +148,6 @@ class Update {
   void warn(std::string message) { result_.warnings.push_back(std::move(message)); }
   void warn_of_cloud(std::size_t c, const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) warn(name_of_cloud(c) + ": " + warning);
-  }
-
-  void count_topology(std::size_t triangles) {
-    const Replacement& replacement = result_.replacement;
-    result_.euler_before =
-        euler_number(model_.points.size() - replacement.unused_vertices, model_.triangles.size());
-    result_.euler =
-        euler_number(replacement.points.size() - result_.reconstruction.unused_points, triangles);
   }
 
   void look_for_losses(const ModelIndex& index) {
@@ -403,14 +393,10 @@ class Update {
   // Whether the loop sees the part under the cloud at a clearly smaller angle than the other one.
   bool labels_agree(const DividedLoop& loop, const RegionAngles& angles) const {
     if (!tells_sides_apart(angles, options_.choice)) return false;
-    for (const SplitRegion& part : result_.split) {
-      if (part.outside != loop.region) continue;
-      const AngleMean& under = angles.regions[part.under];
-      const AngleMean& outside = angles.regions[part.outside];
-      return under.edges > 0 && outside.edges > 0 &&
-             outside.mean() - under.mean() > options_.choice.narrow_margin;
-    }
-    return false;
+    return std::any_of(result_.split.begin(), result_.split.end(), [&](const SplitRegion& part) {
+      return part.outside == loop.region &&
+             sees_under(angles, part.under, part.outside, options_.choice);
+    });
   }
 
   bool fail_divided(const DividedLoop& loop, const std::string& why) {
@@ -438,17 +424,13 @@ class Update {
         if (++clouds_over[r.index()] == 2) ++seen_by_several;
       }
       if (choice.clouds[c].margin < options_.choice.narrow_margin) {
-        warn(name_of_cloud(c) + ": its regions differ by only " + rounded(report.margin_deg) +
-             " degrees; look at the result");
+        warn(name_of_cloud(c) + ": " + warning_of_narrow_margin(report.margin_deg));
       }
     }
     for (const RegionId r : choice.replaced.ids()) {
       if (choice.replaced[r] != 0) result_.replaced_groups.push_back(r);
     }
-    if (seen_by_several > 0) {
-      warn("clouds overlap each other: " + counted(seen_by_several, "region lies", "regions lie") +
-           " under more than one");
-    }
+    if (seen_by_several > 0) warn(warning_of_shared_regions(seen_by_several));
     if (choice.kept_largest) {
       warn("all regions lie under clouds; the one with the largest angle is kept");
     }

@@ -55,6 +55,11 @@ struct UpdateOptions {
   ReconstructOptions reconstruct;  // of the updated model: the defaults for closed models
 };
 
+// V - E + F of a mesh with two triangles at each edge: 2 for each part, less 2 for each handle.
+inline std::ptrdiff_t euler_number(std::size_t vertices, std::size_t triangles) {
+  return static_cast<std::ptrdiff_t>(vertices) - static_cast<std::ptrdiff_t>(triangles / 2);
+}
+
 struct UpdateResult {
   UpdateStatus status = UpdateStatus::ok;
   std::string message;  // why it is not ok: one line that says what, where and what to do
@@ -72,8 +77,7 @@ struct UpdateResult {
   Replacement replacement;     // counts, and the updated points
   std::size_t overlooked = 0;  // see overlooked_vertices.h
   UnscannedLosses unscanned;
-  // V - E + F, from the numbers of vertices in use and of triangles, of a mesh with two triangles
-  // at each edge: 2 for each part, less 2 for each handle.
+  // Euler numbers, from the numbers of vertices in use and of triangles.
   std::ptrdiff_t euler_before = 0;
   std::ptrdiff_t euler = 0;
   // Of the updated points, without its mesh; counts of duplicates and unused points are here.

@@ -89,8 +89,8 @@ TEST(Topology, LossesAreSaidByAllThatUpdate) {
   EXPECT_TRUE(says(line, "topology: Euler characteristic 0 -> 2")) << line;
 }
 
-// A cavity cannot be scanned, and is filled: what made it is told before the update.
-TEST(Topology, WhatTheModelLeavesOutIsSaid) {
+// A cavity cannot be scanned, and is filled: what made it is told, of points before the update.
+TEST(Topology, ACavityThatIsFilledIsSaid) {
   const TemporaryFolder folder;
   std::vector<Point> points = gallery::even_sphere(2000);
   std::vector<Point> cap;
@@ -105,6 +105,15 @@ TEST(Topology, WhatTheModelLeavesOutIsSaid) {
                                .out;
   EXPECT_TRUE(says(said, "hollow.xyz: 500 of 2500 points are not on the surface")) << said;
   EXPECT_TRUE(says(said, "inner surfaces")) << said;
+
+  const std::string mesh = folder.file("hollow.ply");
+  ASSERT_EQ(
+      run_program({"reconstruct", folder.file("hollow.xyz"), "--cavities", "-o", mesh}).exit_code,
+      0);
+  const std::string of_mesh =
+      run_program({"update", mesh, folder.file("cap.xyz"), "-o", folder.file("out.ply")}).out;
+  EXPECT_TRUE(says(of_mesh, "500 vertices of the model are gone though nothing was scanned"))
+      << of_mesh;
 }
 
 }  // namespace

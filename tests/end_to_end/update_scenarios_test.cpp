@@ -457,10 +457,6 @@ TEST(UpdateScenarios, ALostCavityIsReported) {
       });
   EXPECT_EQ(mesh_check(result.mesh).components, 1U);
   EXPECT_EQ(result.reconstruction.unused_points, cavity.points.size());
-  EXPECT_GT(result.unscanned.vertices, cavity.points.size() / 2);
-  EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const auto& warning) {
-    return warning.find("though nothing was scanned") != std::string::npos;
-  }));
   const std::string warning = std::to_string(cavity.points.size()) + " of " +
                               std::to_string(result.replacement.points.size()) +
                               " updated points are not on the surface";

@@ -128,6 +128,15 @@ TEST(ChooseRegions, SidesAreToldByTwoRegionsThatManyEdgesSee) {
   EXPECT_TRUE(tells_sides_apart(few));
 }
 
+TEST(ChooseRegions, ALoopSeesARegionUnderItAtASmallerAngle) {
+  const double narrow = ChoiceOptions().narrow_margin * 180 / std::numbers::pi;
+  EXPECT_TRUE(sees_under(loop(0, {10, 11 + narrow}), RegionId(0U), RegionId(1U)));
+  EXPECT_FALSE(sees_under(loop(0, {10, 9 + narrow}), RegionId(0U), RegionId(1U)));
+  EXPECT_FALSE(sees_under(loop(0, {10, 11 + narrow}), RegionId(1U), RegionId(0U)));
+  EXPECT_FALSE(sees_under(loop(0, {-1, 90}), RegionId(0U), RegionId(1U)));
+  EXPECT_FALSE(sees_under(loop(0, {10, -1}), RegionId(0U), RegionId(1U)));
+}
+
 // Where the sides were decided otherwise the angles may speak against it: no margin is below zero.
 TEST(ChooseRegions, DecidedRegionsAreTaken) {
   const std::vector<RegionAngles> loops = {loop(0, {10, 170, 20})};
