@@ -55,8 +55,7 @@ class Watch {
         session_file_(arguments.session.empty() ? arguments.mesh + ".session" : arguments.session),
         options_(update_options(arguments.parameters)),
         filter_(cloud_filter(arguments.filter)) {
-    require_outputs(job, {{arguments.mesh, mesh_extensions, arguments.model}, {session_file_}},
-                    {arguments.model});
+    require_outputs(job, {{arguments.mesh, mesh_extensions}, {session_file_}}, {arguments.model});
     require_folder(arguments.folder);
     constexpr std::size_t most_notes = std::numeric_limits<std::uint32_t>::max();
     require_possible_name(pending_cloud_file(session_file_, most_notes));

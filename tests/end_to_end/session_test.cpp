@@ -207,6 +207,15 @@ TEST(Watch, KeepsGoingOnBadFilesAndStopsOnASignal) {
   }
 }
 
+// A session resumes with the model that it began with, which therefore stays.
+TEST(Watch, DoesNotReplaceItsModel) {
+  const Watched watched;
+  const std::string mesh = watched.folder.file("model.ply");
+  ASSERT_EQ(run_program({"reconstruct", watched.arguments[1], "-o", mesh}).exit_code, 0);
+  expect_error(run_program({"watch", mesh, watched.drop, "-o", mesh, "--once"}), 2,
+               "is an input and would be overwritten");
+}
+
 // Nobody else may use the session meanwhile: what one wrote the other would overwrite.
 TEST(Watch, HoldsItsSession) {
   const Watched watched;
