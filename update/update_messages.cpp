@@ -28,9 +28,9 @@ std::string name_of_loop(const RimLoop& loop) {
 }
 
 std::string reason_of_closed_cloud(const CloudRim& rim) {
-  return "has no open rim (" + std::to_string(rim.pin_holes) + " pin-holes, " +
-         std::to_string(rim.gap_loops) +
-         " seams): it is closed; give only the changed part with some of its surroundings";
+  return "has no open rim (" + counted(rim.pin_holes, "pin-hole") + ", " +
+         counted(rim.gap_loops, "seam") +
+         "): it is closed; give only the changed part with some of its surroundings";
 }
 
 std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_points,

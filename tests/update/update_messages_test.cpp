@@ -33,5 +33,12 @@ TEST(UpdateMessages, LossesHaveAPlace) {
                    "it; it is 5 spacings"));
 }
 
+TEST(UpdateMessages, PinHolesAndSeamsAreCounted) {
+  CloudRim rim;
+  rim.pin_holes = 2;
+  rim.gap_loops = 1;
+  EXPECT_NE(reason_of_closed_cloud(rim).find("(2 pin-holes, 1 seam):"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace cocoon
