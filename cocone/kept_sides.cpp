@@ -20,7 +20,7 @@ class KeptSides {
       : triangulation_(triangulation),
         cell_at_(cell_at),
         before_(std::move(before)),
-        is_asked_(triangulation.num_vertices()),
+        at_(triangulation.num_vertices()),
         told_(triangulation.num_cells()) {
     list_asked(triangles.torn());
     triangles_ = triangles.at(asked_points());
@@ -36,14 +36,20 @@ class KeptSides {
     tell_what_was();
     HalfStar half(triangulation_, old.facets());
     for (const VertexId v : asked_) {
+      if (!old.is_corner(v)) continue;
+      at_[v] |= corner;
       if (!old.is_intact(v)) continue;
+      at_[v] |= intact;
       old.tell_around(v, told_in, half, told_);
       old.tell_around(v, told_out, half, told_);
     }
-    return labels(old);
+    return labels();
   }
 
  private:
+  // 0: not asked.
+  enum AtVertex : std::uint8_t { asked = 1, corner = 2, intact = 4 };
+
   void list_asked(std::span<const PointId> torn) {
     for (const PointId p : torn) ask(triangulation_.vertex_of_point()[p]);
     for (const CellId c : before_.created) {
@@ -53,14 +59,14 @@ class KeptSides {
     }
   }
   void ask(VertexId v) {
-    if (std::exchange(is_asked_[v], std::uint8_t{1}) == 0) asked_.push_back(v);
+    if (std::exchange(at_[v], std::uint8_t{asked}) == 0) asked_.push_back(v);
   }
 
   std::vector<PointId> asked_points() const {
     const auto& vertex_of_point = triangulation_.vertex_of_point();
     std::vector<PointId> points;
     for (const PointId p : vertex_of_point.ids()) {
-      if (is_asked_[vertex_of_point[p]] != 0) points.push_back(p);
+      if (at_[vertex_of_point[p]] != 0) points.push_back(p);
     }
     return points;
   }
@@ -73,7 +79,7 @@ class KeptSides {
         const FacetId f = facet_id(c, i);
         if (triangulation_.mirror(f) < f) continue;  // the other cell is a finite one of these, too
         const auto [x, y, z] = triangulation_.facet_vertices(f);
-        if ((is_asked_[x] | is_asked_[y] | is_asked_[z]) != 0) old.find(f, found);
+        if ((at_[x] | at_[y] | at_[z]) != 0) old.find(f, found);
       }
     }
     for (const OldTriangles::Found& one : found) old.enter(one);
@@ -85,33 +91,32 @@ class KeptSides {
       const CellLabel label = before_.labels[c];
       if (label == CellLabel::unmarked) continue;
       const auto& vertices = triangulation_.cell(c).vertices;
-      const bool is_told = std::any_of(vertices.begin(), vertices.end(),
-                                       [&](VertexId v) { return is_asked_[v] == 0; });
+      const bool is_told =
+          std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) { return at_[v] == 0; });
       if (is_told) told_[c] = label == CellLabel::out ? told_out : told_in;
     }
   }
 
-  // As the rule of known_sides.h has it. Vertices that are not asked are intact.
-  bool is_to_be_believed(const OldTriangles& old, const Cell& cell) const {
-    bool all_are_corners = true;
-    bool all_corners_are_intact = true;
-    for (const VertexId v : cell.vertices) {
-      if (is_asked_[v] == 0) continue;
-      const bool is_corner = old.is_corner(v);
-      all_are_corners = all_are_corners && is_corner;
-      all_corners_are_intact = all_corners_are_intact && (!is_corner || old.is_intact(v));
+  // Bit i: vertex i of the cell has this flag, or is not asked, and so is all that it was.
+  unsigned vertices_with(unsigned flag, const Cell& cell) const {
+    unsigned found = 0;
+    for (unsigned i = 0; i < 4; ++i) {
+      const unsigned here = at_[cell.vertices[i]];
+      if (here == 0 || (here & flag) != 0) found |= 1U << i;
     }
-    return all_are_corners || all_corners_are_intact;
+    return found;
   }
 
-  KnownSides labels(const OldTriangles& old) {
+  KnownSides labels() {
     KnownSides known;
     known.labels = std::move(before_.labels);
     for (const CellId c : stars_) {
       if (triangulation_.is_infinite(c)) continue;
       if (told_[c] == told_both) ++known.contradictions;
-      const bool is_believed = is_to_be_believed(old, triangulation_.cell(c));
-      known.labels[c] = is_believed ? label_told(told_[c]) : CellLabel::unmarked;
+      const Cell& cell = triangulation_.cell(c);
+      known.labels[c] = is_believed(vertices_with(corner, cell), vertices_with(intact, cell))
+                            ? label_told(told_[c])
+                            : CellLabel::unmarked;
     }
     for (const CellLabel label : known.labels)
       known.cells += label != CellLabel::unmarked ? 1U : 0U;
@@ -121,7 +126,7 @@ class KeptSides {
   const Triangulation& triangulation_;
   const IdVector<VertexId, CellId>& cell_at_;
   BodyBefore before_;
-  ZeroedArray<VertexId, std::uint8_t> is_asked_;
+  ZeroedArray<VertexId, std::uint8_t> at_;
   std::vector<VertexId> asked_;
   std::vector<KnownTriangle> triangles_;  // at these
   std::span<const CellId> stars_;         // of these

@@ -171,18 +171,15 @@ class Telling {
     }
   }
 
-  bool is_to_be_believed(const Cell& cell) const {
-    const unsigned corners = vertices_with(corner, cell);
-    return corners == 15 || corners == vertices_with(intact, cell);
-  }
-
   KnownSides labels() const {
     KnownSides known;
     known.labels = IdVector<CellId, CellLabel>(triangulation_.num_cells(), CellLabel::unmarked);
     for (const CellId c : triangulation_.finite_cells()) {
       if (told_[c] == told_both) ++known.contradictions;
       const CellLabel label = label_told(told_[c]);
-      if (label == CellLabel::unmarked || !is_to_be_believed(triangulation_.cell(c))) continue;
+      if (label == CellLabel::unmarked) continue;
+      const Cell& cell = triangulation_.cell(c);
+      if (!is_believed(vertices_with(corner, cell), vertices_with(intact, cell))) continue;
       known.labels[c] = label;
       ++known.cells;
     }

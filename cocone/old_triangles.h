@@ -25,6 +25,12 @@ inline CellLabel label_told(unsigned told) {
   return told == told_out ? CellLabel::out : told == told_in ? CellLabel::in : CellLabel::unmarked;
 }
 
+// Whether a cell is labeled as it was told: all four vertices are corners of old triangles, or
+// those that are are intact (known_sides.h). Bit i: vertex i of the cell is one.
+inline bool is_believed(unsigned corners, unsigned intact) {
+  return corners == 15 || corners == intact;
+}
+
 class OldTriangles {
  public:
   // Keeps references, which must outlive the object. Complexity: O(cells + triangles).
