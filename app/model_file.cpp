@@ -6,6 +6,7 @@
 #include "app/carried_properties.h"
 #include "app/files.h"
 #include "geom/counted.h"
+#include "geom/equal_points.h"
 #include "geom/mesh_check.h"
 #include "geom/weld_vertices.h"
 
@@ -15,10 +16,12 @@ ModelFile read_model(Job& job, const std::string& path, const std::string& secti
                      VertexProperties* properties) {
   ModelFile model{read_shape(job, path, section, properties), {}};
   if (model.mesh.triangles.empty()) return model;
-  WeldedMesh welded = weld_vertices(model.mesh);
-  if (welded.welded == 0) return model;
+  const std::vector<RepeatedPoint> repeated = repeated_points(model.mesh.points.span());
+  if (repeated.empty()) return model;
   const std::size_t open = mesh_check(model.mesh, {}, job.execution()).open_edges;
-  if (open == 0 || mesh_check(welded.mesh, {}, job.execution()).open_edges >= open) return model;
+  if (open == 0) return model;
+  WeldedMesh welded = weld_vertices(model.mesh, repeated);
+  if (mesh_check(welded.mesh, {}, job.execution()).open_edges >= open) return model;
 
   job.report().set(section + "/welded_vertices", welded.welded);
   job.say(

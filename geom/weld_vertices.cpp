@@ -1,13 +1,8 @@
 #include "geom/weld_vertices.h"
 
-#include <vector>
-
-#include "geom/equal_points.h"
-
 namespace cocoon {
 
-WeldedMesh weld_vertices(const TriangleMesh& mesh) {
-  const std::vector<RepeatedPoint> repeated = repeated_points(mesh.points.span());
+WeldedMesh weld_vertices(const TriangleMesh& mesh, std::span<const RepeatedPoint> repeated) {
   WeldedMesh result;
   result.welded = repeated.size();
 

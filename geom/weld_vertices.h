@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
+#include "geom/equal_points.h"
 #include "geom/id_vector.h"
 #include "geom/triangle_mesh.h"
 
@@ -18,8 +20,8 @@ struct WeldedMesh {
 };
 
 // Welds exactly: equal coordinates (0 and -0 are), no tolerance. Triangles that are equal then stay
-// both. Preconditions: finite coordinates; triangles name vertices that are there. Complexity: as
-// repeated_points, and O(v + t). Deterministic: a function of the mesh.
-WeldedMesh weld_vertices(const TriangleMesh& mesh);
+// both. `repeated`: repeated_points of the vertices. Preconditions: finite coordinates; triangles
+// name vertices that are there. Complexity: O(v + t). Deterministic: a function of the mesh.
+WeldedMesh weld_vertices(const TriangleMesh& mesh, std::span<const RepeatedPoint> repeated);
 
 }  // namespace cocoon

@@ -9,10 +9,14 @@
 namespace cocoon {
 namespace {
 
+WeldedMesh weld(const TriangleMesh& mesh) {
+  return weld_vertices(mesh, repeated_points(mesh.points.span()));
+}
+
 TEST(WeldVertices, TrianglesThatShareNoVerticesBecomeASurface) {
   const TriangleMesh soup = gallery::unshared(gallery::cube());
   EXPECT_EQ(mesh_check(soup).open_edges, 36U);
-  const WeldedMesh welded = weld_vertices(soup);
+  const WeldedMesh welded = weld(soup);
   EXPECT_TRUE(mesh_check(welded.mesh).is_closed_manifold());
   EXPECT_EQ(welded.mesh.points.size(), 8U);
   EXPECT_EQ(welded.welded, 28U);
@@ -31,7 +35,7 @@ TEST(WeldVertices, TrianglesThatShareNoVerticesBecomeASurface) {
 TEST(WeldVertices, ZeroHasNoSignAndTrianglesOfOnePlaceGo) {
   const TriangleMesh mesh = gallery::make_mesh(
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, 0}, {2, 2, 2}}, {{0, 1, 2}, {0, 1, 3}});
-  const WeldedMesh welded = weld_vertices(mesh);
+  const WeldedMesh welded = weld(mesh);
   EXPECT_EQ(welded.mesh.points.size(), 4U);
   EXPECT_EQ(welded.mesh.triangles.size(), 1U);
   EXPECT_EQ(welded.left_out_triangles, 1U);
@@ -39,8 +43,8 @@ TEST(WeldVertices, ZeroHasNoSignAndTrianglesOfOnePlaceGo) {
 }
 
 TEST(WeldVertices, LeavesAMeshWithoutEqualPointsAsItIs) {
-  EXPECT_EQ(weld_vertices(gallery::cube()).mesh, gallery::cube());
-  EXPECT_EQ(weld_vertices({}).mesh, TriangleMesh());
+  EXPECT_EQ(weld(gallery::cube()).mesh, gallery::cube());
+  EXPECT_EQ(weld({}).mesh, TriangleMesh());
 }
 
 }  // namespace
