@@ -8,6 +8,7 @@
 
 #include "geom/counted.h"
 #include "geom/errors.h"
+#include "io/atomic_file.h"
 #include "io/file_format.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"
@@ -79,13 +80,9 @@ void require_outputs(const Job& job, std::vector<OutputFile> outputs,
 }
 
 fs::path place_of(const fs::path& path) {
-  constexpr int most_links = 40;  // as the kernel's own limit
   std::error_code error;
-  fs::path place = fs::absolute(path, error);
-  for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(place, error)); ++i) {
-    place = place.parent_path() / fs::read_symlink(place, error);
-  }
-  const fs::path found = fs::weakly_canonical(place, error);
+  const fs::path absolute = fs::absolute(path, error);
+  const fs::path found = fs::weakly_canonical(follow_links(absolute), error);
   return error ? path : found;
 }
 

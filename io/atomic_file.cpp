@@ -15,16 +15,9 @@ namespace {
 
 constexpr int most_links = 40;  // as the kernel's own limit
 
-// The path behind all symbolic links in the last component, also if it does not exist yet.
-std::filesystem::path follow_links(std::filesystem::path path) {
-  for (int i = 0; i < most_links; ++i) {
-    std::error_code error;
-    if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path, error))) return path;
-    const std::filesystem::path leads_to = std::filesystem::read_symlink(path, error);
-    if (error) return path;
-    path = path.parent_path() / leads_to;  // an absolute leads_to replaces all
-  }
-  throw file_error(path, "is a loop of symbolic links; write to another name");
+bool is_link(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::is_symlink(std::filesystem::symlink_status(path, error));
 }
 
 [[noreturn]] void throw_write_error(const std::filesystem::path& target, const char* action,
@@ -34,6 +27,16 @@ std::filesystem::path follow_links(std::filesystem::path path) {
 }
 
 }  // namespace
+
+std::filesystem::path follow_links(std::filesystem::path path) {
+  for (int i = 0; i < most_links && is_link(path); ++i) {
+    std::error_code error;
+    const std::filesystem::path leads_to = std::filesystem::read_symlink(path, error);
+    if (error) return path;
+    path = path.parent_path() / leads_to;  // an absolute leads_to replaces all
+  }
+  return path;
+}
 
 void FileBatch::commit() {
   for (Waiting& file : waiting_) {
@@ -59,7 +62,11 @@ AtomicFile::AtomicFile(const std::filesystem::path& target) : target_(target) {
     if (direct_ < 0) require(errno);
     return;
   }
-  require(part_.open(follow_links(target_)));
+  const std::filesystem::path place = follow_links(target_);
+  if (is_link(place)) {
+    throw file_error(place, "is a loop of symbolic links; write to another name");
+  }
+  require(part_.open(place));
   if (exists) {
     require(part_.set_permissions(status.st_mode & 0777),
             "cannot be given the permissions of the file it replaces");

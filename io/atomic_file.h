@@ -25,6 +25,10 @@
 
 namespace cocoon {
 
+// The path behind all symbolic links in the last component, also if it does not exist yet; one that
+// is a link still for a loop of them.
+std::filesystem::path follow_links(std::filesystem::path path);
+
 // Files that wait to appear together: complete and on the disk, each as a temporary file. What can
 // fail while a job writes its outputs (a full disk above all) fails before the first target is
 // touched.
