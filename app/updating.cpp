@@ -1,5 +1,6 @@
 #include "app/updating.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "app/carried_properties.h"
@@ -21,6 +22,7 @@
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
 #include "update/lost_triangles.h"
+#include "update/update_messages.h"
 #include "update/vertex_origins.h"
 
 namespace cocoon::app {
@@ -84,7 +86,12 @@ MeshReport report_doubts(Job& job, UpdateResult& result, NoiseFilter filter, boo
   std::erase_if(findings, [&](const Finding& f) { return parted && f.kind == "contacts"; });
   add_findings(job.report(), findings);
   for (const Finding& finding : findings) {
-    if (finding.kind != "unused") result.warnings.push_back(finding.message);
+    // The same without places.
+    if (finding.kind == "unused") {
+      std::erase(result.warnings,
+                 warning_of_unused_points(surface.unused_points, result.replacement.points.size()));
+    }
+    result.warnings.push_back(finding.message);
   }
   return certificate;
 }
@@ -95,19 +102,34 @@ void report_lost_triangles(Job& job, const UpdateInput& input, const MeshChange&
   constexpr double many = 0.1;  // of the triangles
   constexpr std::size_t few = 20;
   constexpr double large = 0.02;  // of the area
-  const LostTriangles found = lost_triangles(input.model, change);
+  constexpr double coarse = 3;    // spacings of a scan
+  const LostTriangles found =
+      lost_triangles(input.model, result.replacement.point_of_vertex, change.triangle_map);
   job.report().set("update/staying_triangles", found.staying);
   job.report().set("update/lost_triangles", found.lost.size());
   const auto lost = static_cast<double>(found.lost.size());
   if (found.lost.size() < few || lost < many * static_cast<double>(found.staying)) return;
-  const double astray = astray_area(input.model, found.lost, result.mesh) / found.staying_area;
-  job.report().set("update/astray_area_share", astray);
-  if (!(astray > large)) return;
-  result.warnings.push_back(
-      fmt::format("{:.0f} % of the surface of {} is not kept though nothing was scanned there: it "
-                  "has too few vertices; make it dense first (--densify SPACING, about that of "
-                  "the scans)",
-                  100 * astray, input.model_name));
+  const std::vector<Scan> scans = scans_of(input.clouds, result.clouds);
+  const AstrayTriangles astray = astray_triangles(input.model, found.lost, result.mesh, scans);
+  const double share = astray.area / found.staying_area;
+  job.report().set("update/astray_area_share", share);
+  if (!(share > large)) return;
+  const bool is_coarse = std::all_of(scans.begin(), scans.end(), [&](const Scan& scan) {
+    return astray.longest_side > coarse * scan.spacing;
+  });
+  std::string warning =
+      fmt::format("{:.0f} % of the surface of {} is not kept though nothing was scanned there",
+                  100 * share, input.model_name);
+  if (is_coarse) {
+    warning +=
+        ": it has too few vertices; make it dense first (--densify SPACING, about that of "
+        "the scans)";
+  } else {
+    const Triangle& corners = input.model.triangles[astray.largest];
+    warning += fmt::format(" ({}, as at {}); look at the result", counted(astray.count, "triangle"),
+                           place(input.model.points[corners[0]]));
+  }
+  result.warnings.push_back(std::move(warning));
 }
 
 // What the session keeps of its last update.

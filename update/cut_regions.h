@@ -32,6 +32,9 @@ struct CutOptions {
   // The rim does not tell its sides apart if the cut costs more than this share of what the facets
   // on its weaker side say.
   double max_doubt = 0.7;
+  // And it is as good as whole up to this one, so that nobody need look at the result: most right
+  // updates with a cut have less than half of it, wrong ones more than twice as much.
+  double clear_doubt = 0.05;
   // Of rims with no larger share of seams no loop is lost (as CloudSurfaceOptions::max_gap_share):
   // where scans end is looked for only if what would go reaches beyond the box of the samples.
   double clear_gap_share = 0.05;

@@ -3,35 +3,78 @@
 #include <algorithm>
 
 #include "geom/closest_facet.h"
+#include "geom/median.h"
+#include "geom/nearest_point.h"
 #include "geom/triangles_by_area.h"
 
 namespace cocoon {
 
-LostTriangles lost_triangles(const TriangleMesh& model, const MeshChange& change) {
+namespace {
+
+// Where samples lie near.
+class ScannedPlaces {
+ public:
+  ScannedPlaces(std::span<const Scan> scans, double reach) : scans_(scans), reach_(reach) {
+    for (const Scan& scan : scans) samples_.emplace_back(scan.samples);
+  }
+  bool contain(const Point& place) const {
+    for (std::size_t c = 0; c < scans_.size(); ++c) {
+      const double limit = reach_ * scans_[c].spacing;
+      if (samples_[c].nearest(place).squared_distance <= limit * limit) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::span<const Scan> scans_;
+  double reach_;
+  std::vector<NearestPointTree> samples_;
+};
+
+}  // namespace
+
+LostTriangles lost_triangles(const TriangleMesh& model,
+                             const IdVector<VertexId, PointId>& point_of_vertex,
+                             const IdVector<TriangleId, TriangleId>& triangle_map) {
   LostTriangles result;
   for (const TriangleId t : model.triangles.ids()) {
     const Triangle& corners = model.triangles[t];
     const bool stays = std::none_of(corners.begin(), corners.end(),
-                                    [&](VertexId v) { return change.vertex_map[v].is_none(); });
+                                    [&](VertexId v) { return point_of_vertex[v].is_none(); });
     if (!stays) continue;
     ++result.staying;
     result.staying_area += area_of(model, t);
-    if (change.triangle_map[t].is_none()) result.lost.push_back(t);
+    if (triangle_map[t].is_none()) result.lost.push_back(t);
   }
   return result;
 }
 
-double astray_area(const TriangleMesh& model, std::span<const TriangleId> triangles,
-                   const TriangleMesh& updated, double tolerance) {
+AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const TriangleId> triangles,
+                                 const TriangleMesh& updated, std::span<const Scan> scans,
+                                 const AstrayOptions& options) {
   const ClosestFacetTree tree(updated);
-  double area = 0;
+  const ScannedPlaces scanned(scans, options.reach);
+  AstrayTriangles result;
+  std::vector<double> sides;
+  double largest = 0;
   for (const TriangleId t : triangles) {
     const auto [a, b, c] = corners_of(model, t);
-    const double limit = tolerance * std::max({distance(a, b), distance(b, c), distance(c, a)});
+    const double side = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    const double limit = options.tolerance * side;
     const Point middle = a + (1.0 / 3) * ((b - a) + (c - a));
-    if (tree.closest(middle).squared_distance > limit * limit) area += area_of(model, t);
+    if (tree.closest(middle).squared_distance <= limit * limit) continue;
+    if (scanned.contain(middle)) continue;
+    const double area = area_of(model, t);
+    ++result.count;
+    result.area += area;
+    sides.push_back(side);
+    if (area > largest) {
+      largest = area;
+      result.largest = t;
+    }
   }
-  return area;
+  result.longest_side = median(std::move(sides));
+  return result;
 }
 
 }  // namespace cocoon

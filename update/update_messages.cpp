@@ -80,9 +80,9 @@ std::string warning_of_split(const SplitRegion& split) {
          "); look at the result";
 }
 
-std::vector<std::string> warnings_of_cut(const RegionCut& cut) {
+std::vector<std::string> warnings_of_cut(const RegionCut& cut, const CutOptions& options) {
   std::vector<std::string> warnings;
-  if (cut.cut_edges > 0) {
+  if (cut.cut_edges > 0 && cut.doubt() > options.clear_doubt) {
     warnings.push_back(
         "parts of its rim are missing; the model is cut there by the shortest way (" +
         counted(cut.cut_edges, "edge") + "); look at the result");

@@ -41,7 +41,8 @@ std::string reason_of_ambiguity(double margin);
 std::string reason_of_empty_surface(std::size_t updated_points);
 
 std::string warning_of_split(const SplitRegion& split);
-std::vector<std::string> warnings_of_cut(const RegionCut& cut);
+// Of what the cut costs only if its doubt is more than options.clear_doubt.
+std::vector<std::string> warnings_of_cut(const RegionCut& cut, const CutOptions& options);
 std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points);
 // Regions under more than one cloud.
 std::string warning_of_shared_regions(std::size_t regions);

@@ -16,11 +16,23 @@ bool says(const std::vector<std::string>& warnings, const std::string& words) {
 
 TEST(UpdateMessages, CutsAndScanEndsAreSaid) {
   RegionCut cut;
-  EXPECT_TRUE(warnings_of_cut(cut).empty());
+  EXPECT_TRUE(warnings_of_cut(cut, {}).empty());
   cut.cut_edges = 3;
-  EXPECT_TRUE(says(warnings_of_cut(cut), "3 edges"));
+  EXPECT_TRUE(says(warnings_of_cut(cut, {}), "3 edges"));
   cut.scan_ends = 1;
-  EXPECT_TRUE(says(warnings_of_cut(cut), "1 facet)"));
+  EXPECT_TRUE(says(warnings_of_cut(cut, {}), "1 facet)"));
+}
+
+// One edge is missing in a rim of a hundred: it says where its sides are.
+TEST(UpdateMessages, ACutThatHardlyCostsAnythingIsNotSaid) {
+  RegionCut cut;
+  cut.cut_edges = 1;
+  cut.seeds_under = cut.seeds_outside = 100;
+  cut.cut_length = 4;
+  EXPECT_TRUE(warnings_of_cut(cut, {}).empty());
+  cut.contradicted = 2;
+  EXPECT_TRUE(says(warnings_of_cut(cut, {}), "1 edge)"));
+  EXPECT_TRUE(warnings_of_cut(cut, {.clear_doubt = 0.1}).empty());
 }
 
 TEST(UpdateMessages, LossesHaveAPlace) {
