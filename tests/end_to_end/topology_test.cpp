@@ -114,6 +114,10 @@ TEST(Topology, ACavityThatIsFilledIsSaid) {
       run_program({"update", mesh, folder.file("cap.xyz"), "-o", folder.file("out.ply")}).out;
   EXPECT_TRUE(says(of_mesh, "500 vertices of the model are gone though nothing was scanned"))
       << of_mesh;
+  // Once, with a place and what may be the reason.
+  const std::string unused = line_from(of_mesh, "not on the surface");
+  EXPECT_TRUE(says(unused, "the farthest is ")) << of_mesh;
+  EXPECT_EQ(of_mesh.find("not on the surface"), of_mesh.rfind("not on the surface")) << of_mesh;
 }
 
 }  // namespace
