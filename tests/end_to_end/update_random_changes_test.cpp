@@ -1,6 +1,7 @@
 // Real shapes, changed at random places and scanned anew there: ideal, with noise, out of register.
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ struct RandomChangeCase {
   std::string file;  // of tests/data
   Scan scan;
 };
+void PrintTo(const RandomChangeCase& change, std::ostream* out) {
+  constexpr const char* names[] = {"ideal", "noisy", "displaced"};
+  *out << change.file << ", " << names[static_cast<std::size_t>(change.scan)];
+}
 
 class UpdateRandomChanges : public ::testing::TestWithParam<RandomChangeCase> {
  protected:

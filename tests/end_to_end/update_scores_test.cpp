@@ -3,6 +3,7 @@
 // wrong points a quarter would be so few that a single one on the border weighs more than the goal
 // allows. bench/update_scores_bench.cpp makes the table of many seeds at full size.
 #include <gtest/gtest.h>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct ScoredModel {
   std::uint64_t seed;
   std::size_t groups;
 };
+void PrintTo(const ScoredModel& model, std::ostream* out) { *out << model.name; }
 
 std::vector<Point> wrong_points(const SampleModel& sample) {
   std::vector<Point> points;

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <ostream>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -24,6 +25,7 @@ struct FuzzTarget {
   const char* name;
   void (*run)(Bytes bytes);
 };
+inline void PrintTo(const FuzzTarget& target, std::ostream* out) { *out << target.name; }
 
 // All targets; the folders of tests/data/fuzz have their names.
 std::span<const FuzzTarget> fuzz_targets();

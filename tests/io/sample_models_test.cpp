@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <ostream>
 
 #include "geom/closest_facet.h"
 #include "geom/errors.h"
@@ -168,6 +169,7 @@ struct PaperCounts {
   std::size_t removed;
   std::size_t clouds;
 };
+void PrintTo(const PaperCounts& model, std::ostream* out) { *out << model.name; }
 constexpr PaperCounts paper_counts[] = {{"block", 5991, 11488, 422, 1},
                                         {"airbag", 28650, 34866, 2557, 3},
                                         {"golf-club", 49380, 4572, 382, 1},
