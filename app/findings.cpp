@@ -1,5 +1,6 @@
 #include "app/findings.h"
 
+#include <cmath>
 #include <fmt/format.h>
 
 #include "geom/counted.h"
@@ -19,18 +20,31 @@ std::string sparse_samples(const SurfaceDoubts& d) {
   return fmt::format("{} ({} beside gaps)", samples, counted(d.gap_samples, "more is", "more are"));
 }
 
+// How many times something is longer: one may be astronomically far away.
+std::string ratio(double times) {
+  return times < 1e6 ? fmt::format("{:.1f}", times) : fmt::format("{:.3g}", times);
+}
+
+// Of doubles some are so far apart that their distance is none.
+std::string longest_edge(const DoubtfulSpot& spot, double spacing) {
+  if (!std::isfinite(spot.size)) {
+    return "too long to be measured, since a point lies too far from the others (leave it out)";
+  }
+  return fmt::format("{:.3g} ({} times the median)", spot.size, ratio(spot.size / spacing));
+}
+
 // `many`: so many samples fail that scans may overlap without agreeing.
 Finding sparse_finding(const SurfaceDoubts& d, bool many, NoiseFilter filter) {
   return {
       "sparse",
-      fmt::format(
-          "samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
-          "there is {:.3g} ({:.1f} times the median), near {}; {}{}",
-          sparse_samples(d), d.sparse[0].size, d.sparse[0].size / d.spacing, place(d.sparse[0].at),
-          filter == NoiseFilter::no_noise ? "a smaller SPACING of --densify may help"
-                                          : "scan such places more densely",
-          many && filter == NoiseFilter::not_used ? ", or try --noise robust if scans overlap there"
-                                                  : ""),
+      fmt::format("samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
+                  "there is {}, near {}; {}{}",
+                  sparse_samples(d), longest_edge(d.sparse[0], d.spacing), place(d.sparse[0].at),
+                  filter == NoiseFilter::no_noise ? "a smaller SPACING of --densify may help"
+                                                  : "scan such places more densely",
+                  many && filter == NoiseFilter::not_used
+                      ? ", or try --noise robust if scans overlap there"
+                      : ""),
       d.boundary_samples + d.gap_samples, d.sparse};
 }
 
@@ -74,14 +88,14 @@ const char* reason_of_unused(NoiseFilter filter) {
 }
 
 Finding unused_finding(const SurfaceDoubts& d, std::size_t points, NoiseFilter filter) {
-  return {
-      "unused",
-      fmt::format("{} of {} points {} not on the surface; {} is {:.3g} ({:.1f} times the "
-                  "spacing) off, at {}; {}",
-                  d.unused_points, points, d.unused_points == 1 ? "is" : "are",
-                  d.unused_points == 1 ? "it" : "the farthest", d.unused[0].size,
-                  d.unused[0].size / d.spacing, place(d.unused[0].at), reason_of_unused(filter)),
-      d.unused_points, d.unused};
+  return {"unused",
+          fmt::format("{} of {} points {} not on the surface; {} is {:.3g} ({} times the "
+                      "spacing) off, at {}; {}",
+                      d.unused_points, points, d.unused_points == 1 ? "is" : "are",
+                      d.unused_points == 1 ? "it" : "the farthest", d.unused[0].size,
+                      ratio(d.unused[0].size / d.spacing), place(d.unused[0].at),
+                      reason_of_unused(filter)),
+          d.unused_points, d.unused};
 }
 
 // "3 edges and 1 vertex"; only what there is

@@ -1,6 +1,7 @@
 #include "app/findings.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <string>
 
 namespace cocoon::app {
@@ -114,6 +115,25 @@ TEST(Findings, UnusedPointsAreOneOrMany) {
   EXPECT_EQ(said(doubts, " ("), "1 of 10 points is not on the surface; it is 0.5");
   doubts.unused_points = 2;
   EXPECT_EQ(said(doubts, " ("), "2 of 10 points are not on the surface; the farthest is 0.5");
+}
+
+// No fifty digits, and no "inf".
+TEST(Findings, LengthsBeyondAllMeasureAreReadable) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.unused = doubts.sparse = one_spot;
+  doubts.unused_points = doubts.boundary_samples = 1;
+  doubts.unused[0].size = 1e50;
+  doubts.sparse[0].size = std::numeric_limits<double>::infinity();
+  const std::vector<Finding> findings = findings_of(doubts, 10, NoiseFilter::used);
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_NE(
+      findings[0].message.find("there is too long to be measured, since a point lies too far"),
+      std::string::npos)
+      << findings[0].message;
+  EXPECT_NE(findings[1].message.find("it is 1e+50 (1e+51 times the spacing) off"),
+            std::string::npos)
+      << findings[1].message;
 }
 
 TEST(Findings, CountsAndRatiosAreThoseOfTheDoubts) {
