@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "geom/errors.h"
+#include "geom/room_to_grow.h"
 #include "io/file_bytes.h"
 #include "io/summed_file.h"
 #include "io/triangulation_block.h"
@@ -98,6 +99,7 @@ void append_surface(SummedFile& file, const SurfaceState& surface) {
 // The next `count` records, made of numbers of type T.
 template <class T, class Container>
 void fill(SummedReader& file, Container& records, std::size_t count) {
+  records.reserve(with_room_to_grow(count));
   records.resize(count);
   file.fill<T>(std::span(records.begin(), records.end()));
 }

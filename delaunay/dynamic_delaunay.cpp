@@ -15,6 +15,7 @@
 #include "delaunay/insertion_order.h"
 #include "delaunay/locate.h"
 #include "geom/errors.h"
+#include "geom/room_to_grow.h"
 #include "geom/sort_ids.h"
 #include "geom/spatial_order.h"
 
@@ -77,10 +78,12 @@ void DynamicDelaunay::State::adopt(Triangulation triangulation) {
   points.push_back({});
   pool.cells = std::move(arrays.cells);
   pool.marks.clear();
+  pool.marks.reserve(with_room_to_grow(pool.cells.size()));
   pool.marks.resize(pool.cells.size(), CellMark::untested);
   pool.free.clear();
   free_vertices.clear();
   cell_at.clear();
+  cell_at.reserve(with_room_to_grow(num_vertices));
   cell_at.resize(num_vertices);
   for (const CellId c : pool.cells.ids()) {
     for (const VertexId v : pool.cells[c].vertices) {

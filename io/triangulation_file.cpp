@@ -9,6 +9,7 @@
 #include "delaunay/check_delaunay.h"
 #include "geom/large_pages.h"
 #include "geom/parallel_reduce.h"
+#include "geom/room_to_grow.h"
 #include "io/byte_order.h"
 #include "io/file_bytes.h"
 #include "io/summed_file.h"
@@ -68,8 +69,11 @@ Header read_header(SummedReader& file, std::size_t size) {
 UncheckedTriangulation read_rest(SummedReader& file, std::size_t size) {
   const Header header = read_header(file, size);
   TriangulationArrays arrays;
+  // Whoever reads a triangulation may insert into it: its infinite vertex has a place of its own.
+  arrays.points.reserve(with_room_to_grow(header.vertices + 1));
   arrays.points.resize(header.vertices);
   file.fill<double>(arrays.points.span());
+  arrays.cells.reserve(with_room_to_grow(header.cells));
   arrays.cells.resize_for_overwrite(header.cells);
   prefer_large_pages(arrays.cells.raw());
   file.fill<std::uint32_t>(arrays.cells.span());
