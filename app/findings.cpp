@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "geom/counted.h"
+#include "geom/place_name.h"
 
 namespace cocoon::app {
 
@@ -37,14 +38,14 @@ std::string longest_edge(const DoubtfulSpot& spot, double spacing) {
 Finding sparse_finding(const SurfaceDoubts& d, bool many, NoiseFilter filter) {
   return {
       "sparse",
-      fmt::format("samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
-                  "there is {}, near {}; {}{}",
-                  sparse_samples(d), longest_edge(d.sparse[0], d.spacing), place(d.sparse[0].at),
-                  filter == NoiseFilter::no_noise ? "a smaller SPACING of --densify may help"
-                                                  : "scan such places more densely",
-                  many && filter == NoiseFilter::not_used
-                      ? ", or try --noise robust if scans overlap there"
-                      : ""),
+      fmt::format(
+          "samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
+          "there is {}, near {}; {}{}",
+          sparse_samples(d), longest_edge(d.sparse[0], d.spacing), place_name(d.sparse[0].at),
+          filter == NoiseFilter::no_noise ? "a smaller SPACING of --densify may help"
+                                          : "scan such places more densely",
+          many && filter == NoiseFilter::not_used ? ", or try --noise robust if scans overlap there"
+                                                  : ""),
       d.boundary_samples + d.gap_samples, d.sparse};
 }
 
@@ -59,13 +60,14 @@ Finding noise_finding(const SurfaceDoubts& d, NoiseFilter filter) {
 }
 
 Finding fragments_finding(const SurfaceDoubts& d, NoiseFilter filter) {
-  return {"fragments",
-          fmt::format("{} beside the main surface; {} has {} and is {:.3g} across, near {}; add "
-                      "samples there or remove stray ones{}",
-                      counted(d.fragments, "small part"), d.fragments == 1 ? "it" : "the largest",
-                      counted(d.dust[0].count, "triangle"), d.dust[0].size, place(d.dust[0].at),
-                      filter == NoiseFilter::of_strays ? " (as --noise robust does)" : ""),
-          d.fragments, d.dust};
+  return {
+      "fragments",
+      fmt::format("{} beside the main surface; {} has {} and is {:.3g} across, near {}; add "
+                  "samples there or remove stray ones{}",
+                  counted(d.fragments, "small part"), d.fragments == 1 ? "it" : "the largest",
+                  counted(d.dust[0].count, "triangle"), d.dust[0].size, place_name(d.dust[0].at),
+                  filter == NoiseFilter::of_strays ? " (as --noise robust does)" : ""),
+      d.fragments, d.dust};
 }
 
 const char* reason_of_unused(NoiseFilter filter) {
@@ -93,7 +95,7 @@ Finding unused_finding(const SurfaceDoubts& d, std::size_t points, NoiseFilter f
                       "spacing) off, at {}; {}",
                       d.unused_points, points, d.unused_points == 1 ? "is" : "are",
                       d.unused_points == 1 ? "it" : "the farthest", d.unused[0].size,
-                      ratio(d.unused[0].size / d.spacing), place(d.unused[0].at),
+                      ratio(d.unused[0].size / d.spacing), place_name(d.unused[0].at),
                       reason_of_unused(filter)),
           d.unused_points, d.unused};
 }
@@ -109,25 +111,20 @@ std::string contacts_of(const SurfaceDoubts& d) {
 Finding contacts_finding(const SurfaceDoubts& d) {
   return {"contacts",
           fmt::format("the surface touches itself at {}, as near {}; --manifold parts the sheets",
-                      contacts_of(d), place(d.contacts[0].at)),
+                      contacts_of(d), place_name(d.contacts[0].at)),
           d.bad_edges + d.pinched_vertices, d.contacts};
 }
 
 }  // namespace
 
-std::string place(const Point& at) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", at.x, at.y, at.z);
-}
-
-std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, NoiseFilter filter) {
-  constexpr double noise_limit = 0.2;    // where reconstructions through all points begin to fail
-  constexpr double sparse_share = 0.05;  // of the points
+std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, NoiseFilter filter,
+                                 const FindingLimits& limits) {
   std::vector<Finding> findings;
   if (d.spacing == 0) return findings;
   const bool many =
-      static_cast<double>(d.boundary_samples) > sparse_share * static_cast<double>(points);
+      static_cast<double>(d.boundary_samples) > limits.sparse_share * static_cast<double>(points);
   if (many || d.gap_samples > 0) findings.push_back(sparse_finding(d, many, filter));
-  if (noise_of(d.roughness) > noise_limit) findings.push_back(noise_finding(d, filter));
+  if (noise_of(d.roughness) > limits.noise) findings.push_back(noise_finding(d, filter));
   if (d.fragments > 0) findings.push_back(fragments_finding(d, filter));
   if (!d.unused.empty()) findings.push_back(unused_finding(d, points, filter));
   if (!d.contacts.empty()) findings.push_back(contacts_finding(d));

@@ -10,9 +10,6 @@
 
 namespace cocoon::app {
 
-// As messages name it: "(1, 2.5, -3)".
-std::string place(const Point& at);
-
 struct Finding {
   std::string kind;     // stable: "sparse", "noise", "fragments", "unused", "contacts"
   std::string message;  // one line: what, how much, where, what to do
@@ -29,9 +26,16 @@ enum class NoiseFilter {
   of_strays,  // not used; it would leave out stray samples only
 };
 
+struct FindingLimits {
+  // Noise as a share of the spacing: here surfaces through all points begin to fail.
+  double noise = 0.2;
+  // The share of the points that are boundary samples: places here and there have less.
+  double sparse_share = 0.05;
+};
+
 // Nothing for a surface that is what it should be. `points`: how many there were, duplicates apart.
 std::vector<Finding> findings_of(const SurfaceDoubts& doubts, std::size_t points,
-                                 NoiseFilter filter);
+                                 NoiseFilter filter, const FindingLimits& limits = {});
 
 // As the array "findings" of the report, which is empty if there are none: kind, message, count,
 // spots (at, count, size).

@@ -9,6 +9,7 @@
 #include "cocone/sample_doubts.h"
 #include "geom/counted.h"
 #include "geom/errors.h"
+#include "geom/place_name.h"
 
 namespace cocoon::app {
 
@@ -80,11 +81,11 @@ std::string ratios_said(const SampleDoubts& doubts, double rho) {
     return fmt::format(
         "normals of neighbors differ by more than --alpha wherever --rho {:.3g} is "
         "met, as near {} (try a larger one)",
-        rho, place(doubts.best));
+        rho, place_name(doubts.best));
   }
   return fmt::format(
       "the smallest ratio of radius to height is {:.3g}, near {}, and --rho is {:.3g}",
-      doubts.least_ratio, place(doubts.best), rho);
+      doubts.least_ratio, place_name(doubts.best), rho);
 }
 
 // How far apart they are and where, and what to do.
@@ -93,7 +94,7 @@ std::string samples_said(const SampleDoubts& doubts, double rho) {
   const bool no_layer = doubts.height > of_volumes;
   const bool rho_may_help = doubts.least_ratio > rho && doubts.least_ratio < 1;
   return fmt::format("their spacing is {:.3g} (median) and reaches {:.3g}, near {}; {}",
-                     doubts.spacing, doubts.sparse[0].size, place(doubts.sparse[0].at),
+                     doubts.spacing, doubts.sparse[0].size, place_name(doubts.sparse[0].at),
                      no_layer ? (rho_may_help ? "scan more densely there, or try a larger --rho"
                                               : "scan more densely there")
                               : fmt::format("the medial axis is only {:.2g} spacings away: they "

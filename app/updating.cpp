@@ -18,6 +18,7 @@
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
+#include "geom/place_name.h"
 #include "geom/signed_distance.h"
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
@@ -99,23 +100,23 @@ MeshReport report_doubts(Job& job, UpdateResult& result, NoiseFilter filter, boo
 // Of a model that is sampled densely hardly any triangle is lost beside the change.
 void report_lost_triangles(Job& job, const UpdateInput& input, const MeshChange& change,
                            UpdateResult& result) {
-  constexpr double many = 0.1;  // of the triangles
-  constexpr std::size_t few = 20;
-  constexpr double large = 0.02;  // of the area
-  constexpr double coarse = 3;    // spacings of a scan
+  const AstrayOptions options;
   const LostTriangles found =
       lost_triangles(input.model, result.replacement.point_of_vertex, change.triangle_map);
   job.report().set("update/staying_triangles", found.staying);
   job.report().set("update/lost_triangles", found.lost.size());
-  const auto lost = static_cast<double>(found.lost.size());
-  if (found.lost.size() < few || lost < many * static_cast<double>(found.staying)) return;
+  const double least = options.min_lost_share * static_cast<double>(found.staying);
+  if (found.lost.size() < options.min_lost || static_cast<double>(found.lost.size()) < least) {
+    return;
+  }
   const std::vector<Scan> scans = scans_of(input.clouds, result.clouds);
-  const AstrayTriangles astray = astray_triangles(input.model, found.lost, result.mesh, scans);
+  const AstrayTriangles astray =
+      astray_triangles(input.model, found.lost, result.mesh, scans, options);
   const double share = astray.area / found.staying_area;
   job.report().set("update/astray_area_share", share);
-  if (!(share > large)) return;
+  if (!(share > options.min_area_share)) return;
   const bool is_coarse = std::all_of(scans.begin(), scans.end(), [&](const Scan& scan) {
-    return astray.longest_side > coarse * scan.spacing;
+    return astray.longest_side > options.coarse_ratio * scan.spacing;
   });
   std::string warning =
       fmt::format("{:.0f} % of the surface of {} is not kept though nothing was scanned there",
@@ -127,7 +128,7 @@ void report_lost_triangles(Job& job, const UpdateInput& input, const MeshChange&
   } else {
     const Triangle& corners = input.model.triangles[astray.largest];
     warning += fmt::format(" ({}, as at {}); look at the result", counted(astray.count, "triangle"),
-                           place(input.model.points[corners[0]]));
+                           place_name(input.model.points[corners[0]]));
   }
   result.warnings.push_back(std::move(warning));
 }

@@ -81,7 +81,6 @@ class LiveCandidates {
   bool is_infinite(CellId c) const { return (known_.cell_flags[c] & cell_flag::infinite) != 0; }
   std::size_t num_vertices() const { return num_vertices_; }
   std::size_t num_boundary() const { return counts_.boundary; }
-  std::size_t num_umbrellas() const { return counts_.umbrellas; }
   std::size_t num_finite_cells() const { return counts_.finite_cells; }
   // All of it, by slot; slots not in use have no meaning.
   const CandidateState& state() const { return known_; }

@@ -16,20 +16,6 @@ Vec3 scaled(const Vec3& v) {
   return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 
-// The normals of the two half planes, both turned the same way about the edge: the angle between
-// them is the wedge angle.
-struct WedgeNormals {
-  Vec3 a;
-  Vec3 b;
-};
-
-WedgeNormals wedge_normals(const Point& edge_from, const Point& edge_to, const Point& apex_a,
-                           const Point& apex_b) {
-  const Vec3 edge = scaled(edge_to - edge_from);
-  return {scaled(cross(edge, scaled(apex_a - edge_from))),
-          scaled(cross(edge, scaled(apex_b - edge_from)))};
-}
-
 // acos loses half the digits near 0 and pi; atan2 does not. NaN where an angle is not defined.
 double angle_between(const Vec3& u, const Vec3& v) {
   if (u == Vec3{} || v == Vec3{}) return std::nan("");
@@ -38,23 +24,12 @@ double angle_between(const Vec3& u, const Vec3& v) {
 
 }  // namespace
 
-double line_angle(const Vec3& u, const Vec3& v) {
-  const Vec3 s = scaled(u);
-  const Vec3 t = scaled(v);
-  if (s == Vec3{} || t == Vec3{}) return std::nan("");
-  return std::atan2(norm(cross(s, t)), std::fabs(dot(s, t)));
-}
-
 double wedge_angle(const Point& edge_from, const Point& edge_to, const Point& apex_a,
                    const Point& apex_b) {
-  const WedgeNormals n = wedge_normals(edge_from, edge_to, apex_a, apex_b);
-  return angle_between(n.a, n.b);
-}
-
-double wedge_cosine(const Point& edge_from, const Point& edge_to, const Point& apex_a,
-                    const Point& apex_b) {
-  const WedgeNormals n = wedge_normals(edge_from, edge_to, apex_a, apex_b);
-  return std::clamp(dot(n.a, n.b) / (norm(n.a) * norm(n.b)), -1.0, 1.0);
+  // The normals of the two half planes, both turned the same way about the edge.
+  const Vec3 edge = scaled(edge_to - edge_from);
+  return angle_between(scaled(cross(edge, scaled(apex_a - edge_from))),
+                       scaled(cross(edge, scaled(apex_b - edge_from))));
 }
 
 double literal_dihedral(const Point& edge_from, const Point& edge_to, const Point& apex_a,

@@ -31,19 +31,6 @@ inline void reverse_each(std::span<char> numbers, std::size_t width) {
   }
 }
 
-// The numbers of type T that the records are made of, one after the other, from the bytes of a
-// file. Precondition: there are as many bytes as `records` has. Complexity: O(bytes), a copy where
-// the order is this machine's.
-template <class T, class Record>
-void load_numbers(const char* bytes, std::endian order, std::span<Record> records) {
-  static_assert(std::is_arithmetic_v<T> && std::is_trivially_copyable_v<Record> &&
-                sizeof(Record) % sizeof(T) == 0);
-  if (records.empty()) return;
-  std::memcpy(static_cast<void*>(records.data()), bytes, records.size_bytes());
-  if (order == std::endian::native) return;
-  reverse_each({reinterpret_cast<char*>(records.data()), records.size_bytes()}, sizeof(T));
-}
-
 template <class T>
 void append_little_endian(std::string& bytes, T value) {
   static_assert(std::is_arithmetic_v<T>);

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "geom/counted.h"
+#include "geom/place_name.h"
 
 namespace cocoon {
 
@@ -15,12 +16,6 @@ std::string rounded(double value) {
 
 std::string name_of_cloud(std::size_t cloud, std::size_t clouds) {
   return "cloud " + std::to_string(cloud + 1) + " of " + std::to_string(clouds);
-}
-
-std::string place_name(const Point& at) {
-  std::string name = "(";
-  name += rounded(at.x) + ", " + rounded(at.y) + ", " + rounded(at.z) + ")";
-  return name;
 }
 
 std::string name_of_loop(const RimLoop& loop) {

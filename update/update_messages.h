@@ -15,9 +15,6 @@ namespace cocoon {
 // Four digits.
 std::string rounded(double value);
 
-// "(0, 1, 2)".
-std::string place_name(const Point& at);
-
 // "cloud 2 of 3".
 std::string name_of_cloud(std::size_t cloud, std::size_t clouds);
 // "loop of 31 edges at (0, 1, 2)".
