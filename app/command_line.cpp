@@ -89,8 +89,9 @@ void add_surface_options(CLI::App& app, SurfaceArguments& parameters, const std:
       ->check(between(0, 180))
       ->type_name("DEGREES");
   app.add_option("--mode", parameters.mode,
-                 "paper: the published algorithms alone; robust (default): with our repairs, each "
-                 "counted in the report")
+                 "paper: the published reconstruction alone, and in updates the published way to "
+                 "locate a rim on the model; robust (default): with our repairs, each counted in "
+                 "the report")
       ->check(CLI::IsMember({"paper", "robust"}));
   add_verify(app, parameters.verify);
 }
