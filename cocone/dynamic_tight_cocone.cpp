@@ -61,7 +61,7 @@ struct DynamicTightCocone::State {
   void resume(SurfaceState surface);
   void look_for_certificate(const ReconstructResult& result, const CoconeSurface& surface);
   bool take_body(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
-                 bool is_flawed, bool may_edit);
+                 bool is_flawed, bool may_edit, const Execution& execution);
   KnownSidesSource sides_of(const OldSurface& old) const;
   ReconstructResult run_later_stages(Points points, const OldSurface& old,
                                      const Execution& execution, bool may_edit);
@@ -252,9 +252,9 @@ void DynamicTightCocone::State::resume(SurfaceState surface) {
 // has changed since the last one instead of a mesh, if that will do: then true.
 bool DynamicTightCocone::State::take_body(const Triangulation& triangulation,
                                           const IdVector<CellId, std::uint8_t>& out, bool is_flawed,
-                                          bool may_edit) {
-  auto change =
-      body.take(triangulation, delaunay.cells_at_vertices(), out, !is_flawed && !options.verify);
+                                          bool may_edit, const Execution& execution) {
+  auto change = body.take(triangulation, delaunay.cells_at_vertices(), out,
+                          !is_flawed && !options.verify, execution);
   if (!may_edit || !change) return false;
   body_change = std::move(change);
   return true;
@@ -289,7 +289,7 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points, con
         [&](const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
             bool is_flawed) {
           asked = true;
-          return take_body(triangulation, out, is_flawed, may_edit);
+          return take_body(triangulation, out, is_flawed, may_edit, execution);
         }};
     result = reconstruct_tight_from(*lent, std::move(found), points, sides_of(old), options,
                                     execution, live, surface);

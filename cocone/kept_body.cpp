@@ -7,6 +7,8 @@
 #include "cocone/good_parts.h"
 #include "cocone/surface_fan.h"
 #include "geom/disjoint_sets.h"
+#include "geom/parallel_reduce.h"
+#include "geom/sort_by_vertex.h"
 #include "geom/visit_where.h"
 #include "geom/zeroed_array.h"
 
@@ -34,6 +36,31 @@ void for_facets(CellId c, unsigned byte, const Visit& visit) {
   for (int i = 0; i < 4; ++i) {
     if (((byte >> i) & 1U) != 0) visit(facet_id(c, i));
   }
+}
+
+// The edge opposite to a vertex in a triangle.
+struct OppositeEdge {
+  VertexId from;
+  VertexId to;
+};
+
+// Whether the triangles around a vertex are one closed umbrella: their edges opposite to it make
+// one cycle, with no vertex twice. Sorts them. Complexity: O(k log k).
+bool is_one_cycle(std::span<OppositeEdge> edges) {
+  const auto before = [](const OppositeEdge& a, const OppositeEdge& b) { return a.from < b.from; };
+  std::sort(edges.begin(), edges.end(), before);
+  if (edges.empty()) return false;
+  std::size_t met = 0;
+  std::size_t at = 0;
+  do {
+    if (at + 1 < edges.size() && edges[at + 1].from == edges[at].from) return false;
+    const OppositeEdge wanted{edges[at].to, {}};
+    const auto next = std::lower_bound(edges.begin(), edges.end(), wanted, before);
+    if (next == edges.end() || next->from != wanted.from) return false;
+    at = static_cast<std::size_t>(next - edges.begin());
+    ++met;
+  } while (at != 0 && met < edges.size());
+  return at == 0 && met == edges.size();
 }
 
 // Each vertex once.
@@ -70,14 +97,15 @@ bool hang_together(std::size_t num_vertices, const ForTriangles& for_triangles) 
 std::optional<KeptBody::Change> KeptBody::take(const Triangulation& triangulation,
                                                const IdVector<VertexId, CellId>& cell_at,
                                                const IdVector<CellId, std::uint8_t>& out,
-                                               bool may_be_smooth) {
+                                               bool may_be_smooth, const Execution& execution) {
   if (!exists()) cells_.resize(out.size(), is_new);
   const std::vector<CellId> changed = changed_cells(out);
   if (std::exchange(is_smooth_, false) && may_be_smooth) {
-    return go_on(triangulation, cell_at, out, changed);
+    return go_on(triangulation, cell_at, out, changed, execution);
   }
-  renew(triangulation, out, changed);
-  is_smooth_ = may_be_smooth && has_umbrellas(triangulation, out) && is_connected(triangulation);
+  renew(triangulation, out, changed, execution);
+  is_smooth_ =
+      may_be_smooth && has_umbrellas(triangulation, execution) && is_connected(triangulation);
   return {};
 }
 
@@ -109,7 +137,8 @@ BodyBefore KeptBody::before(const Triangulation& triangulation) const {
 std::optional<KeptBody::Change> KeptBody::go_on(const Triangulation& triangulation,
                                                 const IdVector<VertexId, CellId>& cell_at,
                                                 const IdVector<CellId, std::uint8_t>& out,
-                                                std::span<const CellId> changed) {
+                                                std::span<const CellId> changed,
+                                                const Execution& execution) {
   const std::vector<VertexId> corners = corners_of(triangulation, changed);
   ZeroedArray<VertexId, SurfaceFan> fans(triangulation.num_vertices());
   ZeroedArray<VertexId, std::uint8_t> is_touched(triangulation.num_vertices());
@@ -138,7 +167,7 @@ std::optional<KeptBody::Change> KeptBody::go_on(const Triangulation& triangulati
     change.triangles.push_back(t);
     meets_old = meets_old || !came;
   }
-  renew(triangulation, out, changed);
+  renew(triangulation, out, changed, execution);
   const auto is_connected_here = [&] {
     return hang_together(triangulation.num_vertices(), [&](const auto& visit) {
       for (const auto& triangle : change.triangles) visit(triangle);
@@ -174,7 +203,16 @@ bool KeptBody::is_old(const Triangulation& triangulation, const IdVector<CellId,
 
 // What is kept becomes that of the body of the cells that are not `out`.
 void KeptBody::renew(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
-                     std::span<const CellId> changed) {
+                     std::span<const CellId> changed, const Execution& execution) {
+  const std::size_t cells = cells_.size();
+  if (changed.size() > cells / 8) {  // each once, instead of those around changed ones
+    parallel_chunks(execution, cells, coarse_grain(cells), [&](std::size_t begin, std::size_t end) {
+      for (CellId c(begin); c.index() < end; ++c) {
+        cells_[c] = byte_of(triangulation, out, c);
+      }
+    });
+    return;
+  }
   for (const CellId c : changed) {
     cells_[c] = byte_of(triangulation, out, c);
     for (int i = 0; i < 4; ++i) {
@@ -185,19 +223,25 @@ void KeptBody::renew(const Triangulation& triangulation, const IdVector<CellId, 
 }
 
 // Whether each vertex has one closed umbrella of the boundary.
-bool KeptBody::has_umbrellas(const Triangulation& triangulation,
-                             const IdVector<CellId, std::uint8_t>& out) const {
-  ZeroedArray<VertexId, SurfaceFan> fans(triangulation.num_vertices());
-  for (const CellId c : triangulation.finite_cells()) {
-    for_facets(c, cells_[c], [&](FacetId f) {
-      for (const VertexId v : triangulation.facet_vertices(f)) fans[v].add(f);
-    });
-  }
-  std::vector<VertexId> edge_ends;
-  for (const VertexId v : triangulation.vertices()) {
-    if (!is_one_umbrella(triangulation, out, v, fans[v], edge_ends)) return false;
-  }
-  return true;
+bool KeptBody::has_umbrellas(const Triangulation& triangulation, const Execution& execution) const {
+  const std::size_t vertices = triangulation.num_vertices();
+  OverwriteVector<OppositeEdge> edges;
+  const std::vector<std::uint32_t> begins = sort_by_vertex(
+      triangulation.num_finite_cells(), vertices, execution,
+      [&](std::size_t count) { edges.resize(count); },
+      [&](std::size_t begin, std::size_t end, const auto& put) {
+        for (CellId c(begin); c.index() < end; ++c) {
+          for_facets(c, cells_[c], [&](FacetId f) {
+            const auto [x, y, z] = triangulation.facet_vertices(f);
+            put(x, [&, y, z](std::uint32_t place) { edges[place] = {y, z}; });
+            put(y, [&, z, x](std::uint32_t place) { edges[place] = {z, x}; });
+            put(z, [&, x, y](std::uint32_t place) { edges[place] = {x, y}; });
+          });
+        }
+      });
+  return vertices == first_failing(execution, vertices, [&](std::size_t v) {
+           return is_one_cycle(std::span(edges).subspan(begins[v], begins[v + 1] - begins[v]));
+         });
 }
 
 bool KeptBody::is_connected(const Triangulation& triangulation) const {

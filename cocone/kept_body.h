@@ -30,6 +30,7 @@
 #include "delaunay/dynamic_delaunay.h"
 #include "delaunay/renumbering.h"
 #include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 
@@ -52,10 +53,11 @@ class KeptBody {
   // this is looked at; where it was before and is now, what has changed is told. `cell_at`: a cell
   // at each vertex. Complexity: a byte of each cell, and the cells at the corners of changed ones;
   // a look at all cells if the triangles at touched vertices do not hang together; O(n) for the
-  // first body, and for one that may be smooth after one that was not.
+  // first body, and for one that may be smooth after one that was not: these looks are parallel.
   std::optional<Change> take(const Triangulation& triangulation,
                              const IdVector<VertexId, CellId>& cell_at,
-                             const IdVector<CellId, std::uint8_t>& out, bool may_be_smooth);
+                             const IdVector<CellId, std::uint8_t>& out, bool may_be_smooth,
+                             const Execution& execution = {});
 
   // After a change of the triangulation, and when gaps are closed. Complexity: O(change).
   void update(const DynamicDelaunay& delaunay, const DelaunayChange& change);
@@ -68,14 +70,13 @@ class KeptBody {
   std::optional<Change> go_on(const Triangulation& triangulation,
                               const IdVector<VertexId, CellId>& cell_at,
                               const IdVector<CellId, std::uint8_t>& out,
-                              std::span<const CellId> changed);
+                              std::span<const CellId> changed, const Execution& execution);
   std::vector<CellId> changed_cells(const IdVector<CellId, std::uint8_t>& out) const;
   bool is_old(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
               FacetId f) const;
   void renew(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
-             std::span<const CellId> changed);
-  bool has_umbrellas(const Triangulation& triangulation,
-                     const IdVector<CellId, std::uint8_t>& out) const;
+             std::span<const CellId> changed, const Execution& execution);
+  bool has_umbrellas(const Triangulation& triangulation, const Execution& execution) const;
   bool is_connected(const Triangulation& triangulation) const;
 
   // Of a cell: bits 0 to 3, the facets of the boundary; whether it is out, and whether it is new.
