@@ -58,7 +58,7 @@ struct BoundaryLoops {
 // Complexity: O(triangles + vertices + rim log rim). Independent of the numbering of the mesh.
 // Source: Woo & Dey 2005, section 3.2. There a boundary edge joins two boundary samples; that also
 // returns chords across corners and misses edges whose end was taken for interior, so the
-// combinatorial definition is used (spec 7.2).
+// combinatorial definition is used (docs/stages/boundary_loops.md).
 BoundaryLoops boundary_loops(const TriangleMesh& open_surface,
                              const BoundaryLoopOptions& options = {});
 

@@ -30,7 +30,7 @@ struct CarriedMarks {
 // them. Fills in labels and visited vertices. `corner_at`: as in GoodVertices. Precondition: good
 // vertices are known.
 // Complexity: O(cells), in the order of memory; what concerns the surface alone is parallel.
-// Source: spec 6.2 and section 12; the pass is ours.
+// Source: Dey & Goswami 2003 (Tight Cocone, marking); the pass is ours, docs/stages/mark_cells.md.
 CarriedMarks carry_marks(const Triangulation& triangulation, const LinkedFacets& surface,
                          const IdVector<VertexId, SideId>& corner_at,
                          const IdVector<CellId, CellLabel>& known, CellMarks& marks,

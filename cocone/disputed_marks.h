@@ -17,7 +17,8 @@ namespace cocoon {
 // cells have before the rounds; may be empty. Precondition: marks come from carry_marks, good seeds
 // are visited, and good vertices on the hull and of known cells are seeds.
 // Complexity: O(vertices) for the rounds in which they have their turns, O(star) for each vertex
-// that is asked. Independent of order. Source: spec 6.1, 6.2, section 12; the shortcut is ours.
+// that is asked. Independent of order. Source: Dey & Goswami 2003 (Tight Cocone, marking); rounds
+// and shortcut are ours, docs/stages/mark_cells.md.
 void settle_disputes(const Triangulation& triangulation, const LinkedFacets& surface,
                      const IdVector<VertexId, SideId>& corner_at, const CarriedMarks& carried,
                      std::span<const VertexId> seeds, const IdVector<CellId, CellLabel>& known,

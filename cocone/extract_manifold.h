@@ -50,9 +50,10 @@ struct ManifoldSurface {
 // edges with more. The first walk, which is nearly always the only one, goes without rounds if its
 // result does not depend on them (walk_reach.h), on all threads. Complexity: O(candidates +
 // vertices), and one byte per cell. Source: Amenta, Choi, Dey & Leekha 2002 (manifold extraction);
-// spec 5.3, variant W. Classes of half-facets (spec 12) would need no rounds, but one tear that
-// links the two sides makes them one class, and then both sheets of every flat tetrahedron stay; in
-// rounds a tear does harm only where it is.
+// the walk about edges is that of the Tight Cocone program (Dey & Goswami 2003), the rounds are
+// ours (docs/stages/extract_manifold.md). Classes of half-facets would need no rounds, but one tear
+// that links the two sides makes them one class, and then both sheets of every flat tetrahedron
+// stay; in rounds a tear does harm only where it is.
 ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
                                  const VertexSet& umbrella, const Execution& execution = {});
 

@@ -72,7 +72,8 @@ inline bool is_contradicted(const CellMarks& marks, VertexId v) {
 // One pass over the cells (carried_marks.h) gives the same labels where no two vertices disagree;
 // of the others those are asked, round by round, whom the disagreement touches (disputed_marks.h).
 // Complexity: O(cells). Rounds read only earlier rounds: independent of order.
-// Source: Dey & Goswami 2003 (Tight Cocone, marking); spec 6.1, 6.2, section 12.
+// Source: Dey & Goswami 2003 (Tight Cocone, marking); rounds and majorities are ours,
+// docs/stages/mark_cells.md.
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      const VertexSet& boundary, const GoodVertexOptions& options = {},
                      const Execution& execution = {});

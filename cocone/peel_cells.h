@@ -33,7 +33,8 @@ struct CavityCounters {
 // `marks.rounds` tells whether the labels are those of the one pass of mark_cells, which lead from
 // every OUT cell to infinity: then there is nothing to flood but what is not labeled.
 // Complexity: O(cells + d log d) for d facets of unvisited cells. Independent of order.
-// Source: Dey & Goswami 2003 (Tight Cocone, peeling); spec 6.3, 6.6, section 12.
+// Source: Dey & Goswami 2003 (Tight Cocone, peeling); rounds and deferred seeds are ours,
+// docs/stages/peel_cells.md.
 CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface, CellMarks marks,
                      const PeelOptions& options = {}, const Execution& execution = {});
 
@@ -44,7 +45,7 @@ CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface
 // the peel goes on, and so it does with what is found behind them: bodies within cavities. Repeated
 // until nothing changes. Where `marks.reached` differs from the labels (clean_up_cells) the labels
 // follow. Complexity: O(cells) for each depth of nesting. Independent of order.
-// Precondition: marks come from peel_cells. Source: spec 6.7.
+// Precondition: marks come from peel_cells. Source: ours, docs/stages/peel_cells.md.
 CavityCounters open_cavities(const Triangulation& triangulation, const FacetSet& surface,
                              CellMarks& marks);
 

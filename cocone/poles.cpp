@@ -21,8 +21,8 @@ namespace {
 
 constexpr std::size_t cells_per_chunk = 4096;
 constexpr std::size_t vertices_per_chunk = 2048;
-// A shorter sum of k unit normals than this times k means that they cancel (spec: thresholds from
-// 1e-8 to 0.3 gave the same labels on eleven test sets up to one sample).
+// A shorter sum of k unit normals than this times k means that they cancel (thresholds from 1e-8
+// to 0.3 gave the same labels on eleven test sets up to one sample).
 constexpr double cancelling_sum = 0.1;
 
 Vec3 principal_direction(std::span<const Vec3> directions) {

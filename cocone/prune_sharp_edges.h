@@ -34,7 +34,7 @@ struct PrunedCandidates {
 // dihedral at an edge can only fall: the result does not depend on order.
 // Complexity: O(candidates + vertices) and one byte per cell; the first two steps parallel.
 // Source: Amenta, Choi, Dey & Leekha 2002; Woo & Dey 2005, section 2.2; guard by umbrellas and
-// thresholds after the practice of the Cocone programs (spec 5.2).
+// thresholds after the Tight Cocone program (docs/stages/prune_sharp_edges.md).
 PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet candidates,
                                    const PruneOptions& options = {},
                                    const Execution& execution = {});

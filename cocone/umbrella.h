@@ -20,7 +20,8 @@ namespace cocoon {
 // one look at every edge settles nearly all vertices.
 // Greatest fixed point: independent of order. Complexity: O(triangles + vertices) for bounded
 // valence; parallel over edges.
-// Source: Cocone's safety check as in Dey's Tight Cocone; spec 5.2.1.
+// Source: the safety check of the Tight Cocone program (Dey & Goswami 2003); to find umbrellas
+// without a search is ours.
 VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::size_t num_vertices,
                                  double sharp_cosine, const Execution& execution = {});
 

@@ -250,4 +250,15 @@ TEST(Architecture, NothingUnfinishedAndNothingOfOneMachine) {
   }
 }
 
+// A source is cited by its paper or by a page of docs/, not by a text that readers do not have.
+TEST(Architecture, NothingRefersToAnUnpublishedText) {
+  // In two parts, so that this file does not contain what it forbids.
+  const std::regex forbidden(std::string("\\b[Ss]pe") + "c(ification)?,? ([0-9]|section)");
+  for (const SourceFile& source : sources_of(all_layers)) {
+    for (std::size_t i = 0; i < source.lines.size(); ++i) {
+      EXPECT_FALSE(std::regex_search(source.lines[i], forbidden)) << place(source, i);
+    }
+  }
+}
+
 }  // namespace

@@ -33,7 +33,8 @@ void expect_closed(const ReconstructResult& result, const Expected& expected, co
   EXPECT_TRUE(report.is_closed_manifold()) << name;
 }
 
-// What two independent programs made of these sets (spec, section 10).
+// What two independent programs made of these sets: the Tight Cocone program, and a prototype on
+// CGAL's triangulation.
 TEST(ReconstructTight, CleanClosedSurfacesUseEverySample) {
   for (const std::size_t n : {500UL, 10000UL}) {
     const ReconstructResult sphere = reconstruct_tight(shapes::sphere(n, 1));
