@@ -3,7 +3,9 @@
 // For x relative to the sample p and C = cos(theta): x lies above the double cone's apex part if
 // x . n > C |x|, below if x . n < -C |x|, else in the cocone (closed). Both nappes of the open
 // double cone are convex, so a segment with ends x and y meets the cocone unless both ends lie in
-// the same nappe. Compared in squares: no root is taken.
+// the same nappe. Compared in squares: no root is taken. Complexity: O(1) each.
+// Source: Amenta, Choi, Dey & Leekha 2002 (cocone); the test by sides is ours,
+// docs/stages/cocones.md.
 #pragma once
 
 #include <cstdint>

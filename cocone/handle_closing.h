@@ -29,9 +29,10 @@ class HandleClosing {
   // energy by all of handle_cost but max_closing_rise at most; empty if there are none. The
   // labeling is as before. Cells at the loop's vertices change sides one by one, each time the one
   // with the least change (ties by cell_order.h) of those that hang together with the other side,
-  // until the energy has risen by max_rise. Where it then was lowest after it fell by handle_cost
-  // is gone back to, and what lowers the energy by going back alone does. Flat cells, and those
-  // with a vertex that is left alone, do not change. Complexity: k flips of w cells at the loop,
+  // until the energy has risen by max_rise. Of the states in which the handle is closed (the energy
+  // has fallen by handle_cost), the one with the lowest energy is restored. Then cells whose return
+  // to their old side lowers the energy return, one by one. Flat cells, and those with a vertex
+  // that is left alone, do not change. Complexity: k flips of w cells at the loop,
   // each followed by the changes of what has a vertex in common: O(k w stars).
   // Source: Kernighan & Lin 1970 (the best of a series of moves each of which may be a loss).
   std::vector<CellId> find(std::span<const VertexId> loop, std::uint8_t side);

@@ -1,4 +1,5 @@
 // Where the surface between two sides has a handle of the least girth (clean_up_cells.h, step 6).
+// Source: ours, docs/stages/clean_up_cells.md.
 #pragma once
 
 #include <cstdint>

@@ -149,7 +149,7 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
 // The Cocone surface as the marking had it.
 struct CoconeSurface {
   std::vector<FacetId> halves;  // its facets, seen from the side of the walk
-  VertexSet good;               // see umbrella.h; empty if nothing was marked
+  VertexSet good;               // see umbrella.h; empty if the surface was not to be closed
   std::size_t umbrellas = 0;    // vertices that it has one closed umbrella at, good or not
   FirstWalk first_walk = FirstWalk::at_once;
   // Its facets linked; of reconstruct_tight_from only, and if anything was marked.

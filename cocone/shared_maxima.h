@@ -1,5 +1,5 @@
 // Maxima, one per vertex, that several threads raise at once. The largest value stays, so the order
-// in which they are raised does not show.
+// in which they are raised does not show. Complexity: O(1) for each value, O(vertices) to begin.
 #pragma once
 
 #include <atomic>

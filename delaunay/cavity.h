@@ -1,5 +1,6 @@
 // Bowyer-Watson insertion of one point: find the cells whose circumsphere contains it, remove
 // them, and fill the hole with the cells that join its border to the point.
+// Source: Bowyer 1981 and Watson 1981.
 #pragma once
 
 #include <array>

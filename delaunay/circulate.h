@@ -1,5 +1,6 @@
-// Walking around a vertex or an edge of a triangulation. Small inline functions; the Cocone stages
-// are written with them.
+// Walking around a vertex or an edge of a triangulation. Small inline functions, for checks,
+// queries and experiments, and for the stages of Cocone that turn about edges or look at stars; the
+// others are passes over all cells or facets.
 //
 //   around an edge ab: the facets at ab, in rotation. A facet is named as seen from the cell that
 //   comes after it; crossing that cell gives the next one:

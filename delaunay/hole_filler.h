@@ -28,6 +28,8 @@ struct HoleFilling {
 // border of H, hence in L, and its sphere is empty of S, hence of L: it is a cell of Delaunay(L).
 // The perturbation is a function of coordinates alone, so that ties are broken in the same way.
 // Infinite cells are cells like others: they have empty half-spaces in place of spheres.
+// Source: Devillers & Teillaud 2003 (the perturbation that makes the filling unique); holes of many
+// vertices at once are ours, docs/stages/dynamic_delaunay.md.
 class HoleFiller {
  public:
   HoleFiller() : inserter_(pool_, points_) {}

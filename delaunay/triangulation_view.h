@@ -7,7 +7,7 @@ namespace cocoon {
 
 // Two pointers: pass it by value or const reference. Names points and cells as Triangulation does,
 // but a growing triangulation also has free cell slots, and its infinite cells lie anywhere: ask
-// is_free and is_infinite. Valid until the triangulation changes.
+// is_free and is_infinite. Valid until the triangulation changes. Complexity: O(1) each.
 class TriangulationView {
  public:
   // Implicit, so that whatever reads a view takes a triangulation.

@@ -1,4 +1,5 @@
 // The Voronoi diagram of the vertices, read off the Delaunay triangulation.
+// Source: the textbook duality; which centers can be trusted is ours, docs/stages/voronoi_dual.md.
 #pragma once
 
 #include <array>

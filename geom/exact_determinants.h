@@ -11,6 +11,7 @@
 //   insphere         <= 4 * 2^(128K-2 + 192K-3)  = 2^(320K-3)    fits 5K
 // so every sum below is exact. K = 1 serves grids and single-precision scans, K = 2 nearly all
 // doubles of one scale, K = 33 every call with finite coordinates (2^1024 / 2^-1074 = 2^2098).
+// Complexity: O(K^2) word products each, so O(1) for a given K.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // Random numbers that are the same bits on every machine and with every standard library (the
 // distributions of <random> are not). For sample models, tests and insertion rounds; not for
-// secrets.
+// secrets. Complexity: O(1) each, expected where numbers are drawn until they fit; shuffle O(n).
 #pragma once
 
 #include <array>

@@ -12,7 +12,7 @@ namespace cocoon {
 // are i, i/t, i//n or i/t/n, with i counted from 1, or from -1 backwards. All other statements are
 // skipped. A backslash at the end of a line continues it; # starts a comment. Texture coordinates
 // and normals do not split vertices. Throws FileError with the line for what is no number, an index
-// 0, or if there is no vertex at all.
+// 0, or if there is no vertex at all. Complexity: O(bytes).
 PolygonSoup read_obj(const FileBytes& file);
 
 void write_obj(AtomicFile& file, const TriangleMesh& mesh);

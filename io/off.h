@@ -12,7 +12,7 @@ namespace cocoon {
 // position, what follows (normal, color, texture) is not read, nor are colors behind faces. The
 // keyword may be missing, and the counts may stand on its line; # starts a comment. One vertex and
 // one face a line. Throws FileError with the line for what is no number, damaged or cut off, and
-// for 4OFF, nOFF and OFF BINARY, which are not read.
+// for 4OFF, nOFF and OFF BINARY, which are not read. Complexity: O(bytes).
 PolygonSoup read_off(const FileBytes& file);
 
 void write_off(AtomicFile& file, const TriangleMesh& mesh);

@@ -14,7 +14,7 @@ namespace cocoon {
 // -1 starts a new strip). All other elements and properties are skipped, but the properties of
 // vertices are kept if `keep_properties`. docs/formats.md lists the dialects. Throws FileError with
 // the line (ascii) or element and byte (binary) for what is damaged, cut off or ambiguous (an
-// element or one of these properties given twice).
+// element or one of these properties given twice). Complexity: O(bytes).
 PolygonSoup read_ply(const FileBytes& file, bool keep_properties);
 
 // Writes points, with their properties behind x, y, z, and triangles; a mesh without triangles gets

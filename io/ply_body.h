@@ -12,7 +12,7 @@
 //   line()                      of the element, 0 in a binary file
 //   end_element()
 // All but append() throw FileError if the value cannot be what is asked for; all do if it is
-// missing.
+// missing. Complexity: O(bytes passed) each.
 #pragma once
 
 #include <bit>

@@ -14,6 +14,7 @@ namespace cocoon {
 // file of exactly 84 + 50 n bytes that announces n facets is binary, whatever its first word;
 // another one that begins with "solid" is text. Throws FileError for what is neither, damaged, cut
 // off (also a text without its last endsolid: it may be half a file).
+// Complexity: O(bytes) expected: corners are welded by a hash table.
 PolygonSoup read_stl(const FileBytes& file);
 
 // Binary (or, with options.ascii, text), with unit normals, zero for a degenerate triangle. Binary

@@ -14,7 +14,7 @@ namespace cocoon {
 
 struct OverlookedOptions {
   // A vertex has been scanned anew if a sample is as close as this share of the median edge of the
-  // cloud's surface (as ScannedOptions::sample_reach).
+  // cloud's surface. (ScannedOptions::sample_reach is a share of the model's spacing.)
   double reach = 0.36;
   // It is overlooked if it stays and is farther from the rims than this many of these edges.
   double min_rim_distance = 3;

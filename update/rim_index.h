@@ -20,6 +20,8 @@ struct RimSide {
 };
 
 // Copies what it needs of the rims. Safe to query from many threads.
+// Source: ours, docs/stages/replace_points.md; the wedge angle is that of Woo & Dey 2005,
+// section 3.4.
 class RimIndex {
  public:
   // Edges with cloud beyond them (RimLoop::gap) are left out: they are no end of the cloud.

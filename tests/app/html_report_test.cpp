@@ -132,7 +132,7 @@ TEST(HtmlReport, IndexBeyondThePointsIsAnError) {
 }
 
 // The page asks for nothing; that the viewer asks for nothing either is seen in a browser
-// (tests/report). Its one address names a language of documents.
+// (tests/app/viewer). Its one address names a language of documents.
 TEST(HtmlReport, OpensWithoutANetwork) {
   std::string html = html_page(tetrahedron_page(), JsonReport());
   const std::string language = "http://www.w3.org/1999/xhtml";
