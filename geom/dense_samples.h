@@ -34,8 +34,7 @@ inline constexpr double most_dense_samples = 1e8;
 // Throws InputError if the spacing is not a positive number, if it would take more than
 // most_dense_samples, or if a triangle names a vertex that is not there; Cancelled.
 // Complexity: O(t log t + trials n) for n samples. Deterministic.
-// Source: dart throwing: Cook, Stochastic sampling in computer graphics (1986); on meshes: Cline et
-// al., Dart throwing on surfaces (2009).
+// Source: dart throwing: Cook 1986; on meshes: Cline et al. 2009; sharp edges first is ours.
 std::vector<Point> dense_samples(const TriangleMesh& mesh, const DenseSampleOptions& options,
                                  const Execution& execution = {});
 

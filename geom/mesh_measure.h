@@ -36,8 +36,7 @@ struct MeshMeasure {
 // is not closed it depends on that center. Sums are compensated, so that they are right to about
 // the rounding of one addition (relative to the area, or to area times box size).
 // Complexity: O(t log t). Deterministic: sums run in the order of triangles and edges.
-// Source of the summation: Neumaier, Rundungsfehleranalyse einiger Verfahren zur Summation
-// endlicher Summen (ZAMM 1974).
+// Source of the summation: Neumaier 1974.
 MeshMeasure mesh_measure(const TriangleMesh& mesh);
 
 }  // namespace cocoon

@@ -42,7 +42,7 @@ struct ClosestPoint {
 
 // The point of the closed triangle closest to p; also for degenerate triangles (then of their
 // longest edge, or their single point). Complexity: O(1).
-// Source: the Voronoi regions of a triangle, Ericson, Real-Time Collision Detection (2005), 5.1.5.
+// Source: the Voronoi regions of a triangle, Ericson 2005, section 5.1.5.
 ClosestPoint closest_point_on_triangle(const Point& p, const TrianglePoints& triangle);
 
 }  // namespace cocoon

@@ -16,8 +16,7 @@ namespace cocoon {
 // grid points, and if the solid reaches the border of its box.
 // Complexity: (box / cell)^3 steps; calls of the function near the surface, one in 64 elsewhere.
 // Deterministic.
-// Source: Doi & Koide, An efficient method of triangulating equi-valued surfaces by using
-// tetrahedral cells (IEICE 1991); the subdivision is Kuhn's.
+// Source: Doi & Koide 1991; the subdivision into tetrahedra is that of Kuhn 1960.
 TriangleMesh polygonize(const ImplicitSolid& solid, double cell);
 
 }  // namespace cocoon

@@ -21,8 +21,8 @@ using SurfaceRegion = std::function<bool(const Point&)>;
 // fine mesh of the surface, or of a part of it with all of the region: the random points start
 // there. Throws InputError if so little of the mesh lies in the region, less than a quarter, that
 // five times as many points do not fall into it. Complexity: O(count log count). Deterministic from
-// the state of `random`. Source: Yuksel, Sample elimination for generating Poisson disk sample sets
-// (CGF 2015), with its weights (alpha = 8, no beta and gamma).
+// the state of `random`. Source: Yuksel 2015 (sample elimination), with its weights (alpha = 8, no
+// beta and gamma).
 std::vector<Point> sample_surface(const ImplicitSolid& solid, const TriangleMesh& mesh,
                                   const SurfaceRegion& region, std::size_t count, Random& random,
                                   const Execution& execution = {});

@@ -11,7 +11,7 @@ namespace cocoon::ref {
 // Same result as delaunay(points) as a set of cells; layout as cgal_delaunay.
 // Errors: InputError as delaunay() (not finite, fewer than four different points, coplanar).
 // Complexity: O(n^5); meant for n <= 30.
-// Source: Delaunay, Sur la sphere vide (1934).
+// Source: Delaunay 1934.
 Triangulation brute_force_delaunay(Points points);
 
 }  // namespace cocoon::ref

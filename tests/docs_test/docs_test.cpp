@@ -69,6 +69,53 @@ TEST(Documents, NamedSourcesExist) {
   }
 }
 
+// Names of authors as texts cite them: "Doi & Koide", "Cline et al.", "Cook 1986".
+std::set<std::string> authors_in(const std::string& text, bool with_years) {
+  const std::string name = "([A-Z][^ ,.;:()*|]*[a-z])";  // not a venue, as SoCG
+  std::set<std::string> names = matches(text, name + " (?:&|et al)");
+  names.merge(matches(text, " & " + name));
+  if (with_years) names.merge(matches(text, name + ",? (?:19|20)[0-9]{2}\\b"));
+  return names;
+}
+
+// The comments of a source from each "Source" to the end of the comment, one line each.
+std::string sources_named_in(const fs::path& path) {
+  std::ifstream stream(path);
+  std::string sources;
+  bool inside = false;
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t begin = line.find("//");
+    const std::size_t source = line.find("Source", begin);
+    if (begin == line.npos || line.find_first_not_of(' ') != begin) {
+      if (inside) sources += '\n';
+      inside = false;
+    } else if (inside) {
+      sources += line.substr(begin + 2);
+    } else if (source != line.npos) {
+      inside = true;
+      sources += line.substr(source);
+    }
+  }
+  return sources;
+}
+
+TEST(Documents, BibliographyHasAllAuthors) {
+  const std::string bibliography = content_of((root / "docs/bibliography.md").string());
+  for (const char* folder : {"geom", "delaunay", "cocone", "update", "io", "app", "ref", "bench"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (entry.path().extension() != ".h") continue;
+      for (const std::string& author : authors_in(sources_named_in(entry.path()), true)) {
+        EXPECT_NE(bibliography.find(author), std::string::npos) << entry.path() << ": " << author;
+      }
+    }
+  }
+  for (const fs::path& document : documents()) {
+    for (const std::string& author : authors_in(content_of(document.string()), false)) {
+      EXPECT_NE(bibliography.find(author), std::string::npos) << document << ": " << author;
+    }
+  }
+}
+
 TEST(Documents, CommandsAndOptionsOfTheReadmeAreThoseOfTheProgram) {
   const std::string readme = content_of((root / "README.md").string());
   for (const std::string& command : matches(readme, "\n    cocoon ([a-z]+)")) {
