@@ -1,7 +1,7 @@
 // How well the update does on the procedural models of the paper's examples, where the truth is
 // known: all models, over many seeds, with ideal scans, with registration errors and with noise.
 //
-//   ./dev bench update_scores                                the table of docs/update.md
+//   ./dev bench update_scores                                the table of bench/update_quality.md
 //   build/release/bench/update_scores_bench SEEDS [MODEL] [SIZE]   fewer seeds, one model, a share
 //                                                            of the paper's counts
 #include <algorithm>
