@@ -23,7 +23,7 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("perturbed_inspheres", c.delaunay.perturbed_inspheres);
   set("hull_vertices", c.hull_vertices);
   set("degenerate_poles", c.degenerate_poles);
-  set("dual_extended_precision", c.dual_extended_precision);
+  set("exact_centers", c.exact_centers);
   set("dual_facet_fallbacks", c.dual_facet_fallbacks);
   set("boundary_samples", c.boundary_samples);
   set("ratio_failed", c.ratio_failed);

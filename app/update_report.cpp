@@ -45,9 +45,9 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("pin_holes", cloud.surface.rim.pin_holes);
   entry.set("opened_pin_holes", opened_pin_holes(cloud));
   entry.set("rim_edges", cloud.surface.rim.rim_edges);
-  entry.set("gap_edges", cloud.surface.rim.gap_edges);
+  entry.set("seam_edges", cloud.surface.rim.seam_edges);
   entry.set("shared_edges", cloud.surface.rim.shared_edges);
-  entry.set("gap_loops", cloud.surface.rim.gap_loops);
+  entry.set("seam_loops", cloud.surface.rim.seam_loops);
   entry.set("seamed_loops", cloud.surface.rim.seamed_loops);
   entry.set("cut_edges", cloud.cut.cut_edges);
   entry.set("cut_length", cloud.cut.cut_length);

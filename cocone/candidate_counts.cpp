@@ -5,7 +5,7 @@ namespace cocoon {
 void CandidateCounts::report(ReconstructCounters& counters) const {
   counters.hull_vertices = hull_vertices;
   counters.degenerate_poles = degenerate;
-  counters.dual_extended_precision = exact_centers;
+  counters.exact_centers = exact_centers;
   counters.dual_facet_fallbacks = facet_centers;
   counters.boundary_samples = boundary;
   counters.ratio_failed = ratio_failed;

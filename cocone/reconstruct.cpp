@@ -59,7 +59,7 @@ class Reconstruction {
       poles_ = compute_poles(*triangulation_, options_.cocone.cosine, dual_, sides_, nested);
     });
     ReconstructCounters& counters = result_.counters;
-    counters.dual_extended_precision = dual_.extended_precision;
+    counters.exact_centers = dual_.exact_centers;
     counters.dual_facet_fallbacks = dual_.facet_fallbacks;
     counters.hull_vertices = poles_.hull_vertices;
     counters.degenerate_poles = poles_.degenerate_vertices;

@@ -70,7 +70,7 @@ struct ReconstructCounters {
   DelaunayCounters delaunay;
   std::size_t hull_vertices = 0;
   std::size_t degenerate_poles = 0;         // hull normals that cancel
-  std::size_t dual_extended_precision = 0;  // circumcenters recomputed
+  std::size_t exact_centers = 0;  // circumcenters recomputed
   std::size_t dual_facet_fallbacks = 0;     // circumcenters of a facet instead
   std::size_t boundary_samples = 0;
   std::size_t ratio_failed = 0;

@@ -18,7 +18,7 @@ constexpr std::size_t grain = 8192;  // cells per chunk of the parallel loop
 // Notes down how a center or direction was obtained.
 void count_level(CenterLevel level, CellId c, HardCenters& hard) {
   if (level == CenterLevel::doubles) return;
-  ++(level == CenterLevel::exact ? hard.extended_precision : hard.facet_fallbacks);
+  ++(level == CenterLevel::exact ? hard.exact_centers : hard.facet_fallbacks);
   hard.cells.push_back(c);
 }
 
@@ -77,7 +77,7 @@ Vec3 ray_direction(const Triangulation& triangulation, CellId cell, HardCenters&
 // Puts the notes of successive cells behind those that the dual has.
 void append(std::span<const HardCenters> parts, Dual& dual) {
   for (const HardCenters& part : parts) {
-    dual.extended_precision += part.extended_precision;
+    dual.exact_centers += part.exact_centers;
     dual.facet_fallbacks += part.facet_fallbacks;
     dual.not_in_doubles.insert(dual.not_in_doubles.end(), part.cells.begin(), part.cells.end());
     dual.hard_centers.insert(dual.hard_centers.end(), part.centers.begin(), part.centers.end());

@@ -29,14 +29,14 @@ struct RimLoop {
   // Of a one-sided part of the surface: the normals agree from edge to edge, but somewhere the
   // surface has gone over to the other side of the body.
   bool one_sided = false;
-  // 1 where the cloud goes on beyond E_i (rim_gaps.h): not the end of the cloud, but a seam in its
+  // 1 where the cloud goes on beyond E_i (rim_seams.h): not the end of the cloud, but a seam in its
   // surface; and where another cloud does (shared_edges.h). Empty: nowhere.
-  std::vector<std::uint8_t> gap;
+  std::vector<std::uint8_t> inner;
 
-  bool is_gap(std::size_t i) const { return !gap.empty() && gap[i] != 0; }
+  bool is_inner(std::size_t i) const { return !inner.empty() && inner[i] != 0; }
   // b_i lies between two such edges: it says nothing about where the cloud ends.
-  bool is_gap_point(std::size_t i) const {
-    return is_gap(i) && is_gap(i > 0 ? i - 1 : points.size() - 1);
+  bool is_inner_point(std::size_t i) const {
+    return is_inner(i) && is_inner(i > 0 ? i - 1 : points.size() - 1);
   }
   std::size_t size() const { return points.size(); }
   std::size_t next(std::size_t i) const { return i + 1 < points.size() ? i + 1 : 0; }
@@ -45,7 +45,7 @@ struct RimLoop {
 struct CloudRim {
   std::vector<RimLoop> loops;
   // Too small to be rims, unless the model goes on through them (pin_holes.h); without seams, once
-  // mark_rim_gaps() has been here.
+  // mark_rim_seams() has been here.
   std::vector<RimLoop> pin_hole_loops = {};
   double spacing = 0;  // median length of the rim edges; of all surface edges if there is no loop
   double median_edge = 0;  // of the surface: shorter where rim edges bridge dents
@@ -53,17 +53,17 @@ struct CloudRim {
   // What was left out, see RimOptions.
   std::size_t pin_holes = 0;         // loops too small to be a rim, seams among them
   std::size_t small_components = 0;  // parts of the surface too small to be the patch
-  std::size_t gap_loops = 0;         // taken out by mark_rim_gaps()
+  std::size_t seam_loops = 0;        // taken out by mark_rim_seams()
   std::size_t seamed_loops = 0;      // left in by it, though they are seams for the most part
   std::size_t rim_edges = 0;         // of all loops that it looked at
-  std::size_t gap_edges = 0;         // of these, edges with cloud beyond them
+  std::size_t seam_edges = 0;        // of these, edges with cloud beyond them
   std::size_t non_orientable = 0;    // one-sided parts: their normals are not reliable
 
   std::size_t shared_edges = 0;  // marked by mark_shared_edges()
 
   // Whether parts of it are no end of what was scanned: the surface of the cloud broke up somewhere
   // inside it, or another cloud goes on beyond it.
-  bool is_partial() const { return gap_edges > 0 || shared_edges > 0; }
+  bool is_partial() const { return seam_edges > 0 || shared_edges > 0; }
 };
 
 struct RimOptions {

@@ -85,7 +85,7 @@ Trial find_rim(const Scan& scan, Sheet found, const RimSearch& search,
     surface.boundary_sample[v] = boundary.boundary[sheet.triangulation_vertex[v]];
   }
   surface.rim = cloud_rim(surface.mesh, trimmed.sides, options.rim);
-  mark_rim_gaps(scan.cloud, surface.rim, options.gaps);
+  mark_rim_seams(scan.cloud, surface.rim, options.seams);
   surface.rho = search.rho;
   surface.boundary_samples = boundary.count;
   surface.trimmed = trimmed.at_rim + trimmed.in_clusters;
@@ -98,12 +98,12 @@ Trial find_rim(const Scan& scan, Sheet found, const RimSearch& search,
                   .triangles = surface.mesh.triangles.size(),
                   .trimmed = surface.trimmed,
                   .loops = rim.loops.size(),
-                  .gap_loops = rim.gap_loops,
+                  .seam_loops = rim.seam_loops,
                   .seamed_loops = rim.seamed_loops,
                   .pin_holes = rim.pin_holes};
   if (rim.rim_edges > 0) {
-    trial.report.gap_share =
-        static_cast<double>(rim.gap_edges) / static_cast<double>(rim.rim_edges);
+    trial.report.seam_share =
+        static_cast<double>(rim.seam_edges) / static_cast<double>(rim.rim_edges);
   }
   if (rim.median_edge > 0) trial.report.stretch = rim.spacing / rim.median_edge;
   return trial;
@@ -129,7 +129,7 @@ class Preference {
 
   bool good_enough(const Trial& trial) const {
     return trial.surface.status == CloudStatus::ok &&
-           trial.report.gap_share <= options_.max_gap_share;
+           trial.report.seam_share <= options_.max_seam_share;
   }
   bool operator()(const Trial& a, const Trial& b) const {
     if (a.surface.status != b.surface.status) {
@@ -144,7 +144,7 @@ class Preference {
     return status == CloudStatus::ok ? 0 : status == CloudStatus::cloud_closed ? 1 : 2;
   }
   double doubt(const RimTrial& trial) const {
-    return trial.gap_share + options_.stretch_weight * (trial.stretch - 1);
+    return trial.seam_share + options_.stretch_weight * (trial.stretch - 1);
   }
 
   const CloudSurfaceOptions& options_;
@@ -169,7 +169,7 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   // Without a rim or a seam the surface is closed: look more closely. Else the seams are in the
   // way.
   const bool is_closed = found.front().surface.status == CloudStatus::cloud_closed &&
-                         found.front().report.gap_share <= options.max_gap_share;
+                         found.front().report.seam_share <= options.max_seam_share;
   bool done = preference.good_enough(found.front());
   for (const RimSearch& search : is_closed ? options.finer : options.coarser) {
     if (done) break;

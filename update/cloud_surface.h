@@ -11,7 +11,7 @@
 #include "geom/id_vector.h"
 #include "geom/triangle_mesh.h"
 #include "update/cloud_rim.h"
-#include "update/rim_gaps.h"
+#include "update/rim_seams.h"
 #include "update/scan_rows.h"
 #include "update/trim_long_edges.h"
 
@@ -30,21 +30,21 @@ struct CloudSurfaceOptions {
   RimSearch start;
   // Tried in this order while no rim is found: finer eyes for gently curved patches.
   std::vector<RimSearch> finer = {{.rho = 0.2}, {.rho = 0.13}, {.rho = 0.1}};
-  // Tried in this order while there is no surface, or more than max_gap_share of the rim edges are
+  // Tried in this order while there is no surface, or more than max_seam_share of the rim edges are
   // seams inside the cloud: patience with sharp edges, thin walls and noise. Too much of it closes
   // holes and dents of the rim with long edges.
   std::vector<RimSearch> coarser = {
       {.rho = 0.5},
       {.rho = 0.83, .alpha_cosine = 0.5, .radius_mode = RadiusMode::tangent_plane},
       {.rho = 1.5, .alpha_cosine = 0.5, .radius_mode = RadiusMode::tangent_plane}};
-  double max_gap_share = 0.05;
+  double max_seam_share = 0.05;
   // If no trial is good enough: how many seams, as a share of the rim edges, weigh as much as rim
   // edges twice as long as those of the surface.
   double stretch_weight = 0.2;
   RowOptions rows;
   TrimOptions trim;
   RimOptions rim;
-  RimGapOptions gaps;
+  RimSeamOptions seams;
 };
 
 enum class CloudStatus {
@@ -60,11 +60,11 @@ struct RimTrial {
   std::size_t triangles = 0;  // after trimming
   std::size_t trimmed = 0;
   std::size_t loops = 0;  // that are rims
-  std::size_t gap_loops = 0;
+  std::size_t seam_loops = 0;
   std::size_t seamed_loops = 0;
   std::size_t pin_holes = 0;
-  double gap_share = 0;  // of the rim edges of all loops
-  double stretch = 1;    // median edge of the rim, over that of the surface
+  double seam_share = 0;  // of the rim edges of all loops
+  double stretch = 1;     // median edge of the rim, over that of the surface
 };
 
 struct CloudSurface {
@@ -83,7 +83,7 @@ struct CloudSurface {
 
 // Reconstructs `cloud` alone. One triangulation and one set of poles and cocones serve all trials:
 // only the labels of samples and what follows from them differ. The first trial is taken if it
-// finds a rim with at most max_gap_share seams. If it finds none, the finer ones follow up to the
+// finds a rim with at most max_seam_share seams. If it finds none, the finer ones follow up to the
 // first that does; if it has too many seams or no surface, the coarser ones up to the first that
 // is good enough; if none is, the one whose rim is the least doubtful: with the smallest sum of its
 // share of seams and stretch_weight (stretch - 1).

@@ -174,7 +174,7 @@ void certain_border(const ModelIndex& model, const CloudRim& rim, std::span<cons
     const RimLoop& loop = rim.loops[l];
     if (loops[l].begin.empty()) continue;
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      if (loop.is_gap(i)) continue;
+      if (loop.is_inner(i)) continue;
       const std::span<const TriangleId> facets = loops[l].facets_of(i);
       const double edge = distance(loop.points[i], loop.points[loop.next(i)]);
       if (way_length(model, facets) > options.max_detour * (edge + rim.spacing)) continue;
@@ -193,8 +193,8 @@ RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
   seeds.pull_by_rims(rims, options.seed_reach, cut);
   seeds.label(cut);
   const auto is_clear = [&](const CloudRim& rim) {
-    return static_cast<double>(rim.gap_edges) <=
-           options.clear_gap_share * static_cast<double>(rim.rim_edges);
+    return static_cast<double>(rim.seam_edges) <=
+           options.clear_seam_share * static_cast<double>(rim.rim_edges);
   };
   const std::vector<TriangleId> under = members(cut.under);
   if (std::all_of(rims.begin(), rims.end(), is_clear) &&

@@ -35,9 +35,9 @@ struct CutOptions {
   // And it is as good as whole up to this one, so that nobody need look at the result: most right
   // updates with a cut have less than half of it, wrong ones more than twice as much.
   double clear_doubt = 0.05;
-  // Of rims with no larger share of seams no loop is lost (as CloudSurfaceOptions::max_gap_share):
+  // Of rims with no larger share of seams no loop is lost (as CloudSurfaceOptions::max_seam_share):
   // where scans end is looked for only if what would go reaches beyond the box of the samples.
-  double clear_gap_share = 0.05;
+  double clear_seam_share = 0.05;
   ScanEndOptions ends = {};
 };
 

@@ -226,8 +226,8 @@ void gather_by_loop(const CloudRim& rim, const std::vector<RimPoint>& points,
     overlap.star_misses += location.star_miss ? 1 : 0;
     overlap.facing_away += location.facing_away ? 1 : 0;
     overlap.steep += location.steep ? 1 : 0;
-    if (rim.loops[points[k].loop].is_gap_point(points[k].index)) {
-      ++loop.gap_points;
+    if (rim.loops[points[k].loop].is_inner_point(points[k].index)) {
+      ++loop.inner_points;
       continue;
     }
     if (location.facet.triangle.is_none()) {
@@ -243,7 +243,7 @@ void gather_by_loop(const CloudRim& rim, const std::vector<RimPoint>& points,
 }
 
 LoopMatch match_of(const LoopOverlap& loop, double max_share) {
-  const std::size_t points = loop.facets.size() - loop.gap_points;
+  const std::size_t points = loop.facets.size() - loop.inner_points;
   const double allowed = max_share * static_cast<double>(points);
   if (static_cast<double>(loop.unmatched - loop.covered) > allowed) return LoopMatch::off_model;
   if (static_cast<double>(points - loop.unmatched) <= allowed) return LoopMatch::covered;
@@ -344,7 +344,7 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
     queries.push_back({loop.points[i], signs[k] * loop.normals[i],
                        std::max(rim.spacing, facet_spacing(model.mesh(), closest[k].triangle)),
                        closest[k]});
-    if (!loop.is_gap_point(i)) chosen.push_back(k);
+    if (!loop.is_inner_point(i)) chosen.push_back(k);
   }
   const Locator locator(model, options);
   std::vector<Location> located(points.size());
@@ -390,7 +390,7 @@ void excuse_covered_points(std::span<const CloudRim> rims,
       LoopOverlap& loop = overlaps[c].loops[l];
       loop.covered = 0;
       for (std::size_t i = 0; i < loop.facets.size(); ++i) {
-        if (!loop.facets[i].is_none() || rims[c].loops[l].is_gap_point(i)) continue;
+        if (!loop.facets[i].is_none() || rims[c].loops[l].is_inner_point(i)) continue;
         if (is_covered(rims[c].loops[l].points[i])) ++loop.covered;
       }
     }

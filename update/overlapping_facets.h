@@ -51,8 +51,8 @@ struct LoopOverlap {
   LoopMatch match = LoopMatch::on_model;
   std::vector<TriangleId> facets;  // per rim point: the overlapping facet, or `none`
   std::vector<Point> feet;         // per rim point: its closest point on that facet
-  std::size_t gap_points = 0;      // not looked for: between edges with cloud beyond them
-  std::size_t unmatched = 0;       // points without a facet, gap points left aside
+  std::size_t inner_points = 0;    // not looked for: between edges with cloud beyond them
+  std::size_t unmatched = 0;       // points without a facet, inner points left aside
   std::size_t covered = 0;         // of these: points on another cloud, see excuse_covered_points()
 };
 

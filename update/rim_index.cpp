@@ -26,7 +26,7 @@ RimIndex::RimIndex(std::span<const CloudRim> rims) {
   for (std::size_t r = 0; r < rims.size(); ++r) {
     for (const RimLoop& loop : rims[r].loops) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        if (loop.is_gap(i)) continue;
+        if (loop.is_inner(i)) continue;
         const Point& from = loop.points[i];
         const Point& to = loop.points[loop.next(i)];
         const Vec3 along = unit(to - from);

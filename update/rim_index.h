@@ -24,7 +24,7 @@ struct RimSide {
 // section 3.4.
 class RimIndex {
  public:
-  // Edges with cloud beyond them (RimLoop::gap) are left out: they are no end of the cloud.
+  // Edges with cloud beyond them (RimLoop::inner) are left out: they are no end of the cloud.
   // Complexity: O(n log n) for n rim edges.
   explicit RimIndex(std::span<const CloudRim> rims);
 

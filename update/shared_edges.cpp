@@ -7,7 +7,7 @@
 #include "geom/disjoint_sets.h"
 #include "geom/nearest_point.h"
 #include "update/reached_cells.h"
-#include "update/rim_gaps.h"
+#include "update/rim_seams.h"
 
 namespace cocoon {
 
@@ -61,9 +61,9 @@ std::vector<std::size_t> mark_shared_edges(std::size_t c, std::span<const Scan> 
       if (tree.nearest(p.place).squared_distance > reach * reach) continue;
       shares = true;
       RimLoop& loop = rim.loops[p.loop];
-      if (loop.is_gap(p.edge)) continue;
-      loop.gap.resize(loop.size(), 0);
-      loop.gap[p.edge] = 1;
+      if (loop.is_inner(p.edge)) continue;
+      loop.inner.resize(loop.size(), 0);
+      loop.inner[p.edge] = 1;
       ++rim.shared_edges;
     }
     if (shares) others.push_back(other);

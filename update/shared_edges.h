@@ -13,19 +13,18 @@ namespace cocoon {
 
 struct SharedEdgeOptions {
   // A rim edge is shared with another cloud that has a sample within `reach` spacings of the point
-  // one spacing outward from its midpoint, as in RimGapOptions. The spacing is the larger one of
+  // one spacing outward from its midpoint, as in RimSeamOptions. The spacing is the larger one of
   // the rim's and the other cloud's.
   double reach = 0.85;
 };
 
-// Marks the edges of `rim`, that of scans[c], that are shared as gaps (RimLoop::gap) and counts
-// those that were none (CloudRim::shared_edges). Returns the other clouds with such samples, in
-// increasing order.
-// Why: what several scans that overlap each other show ends where all of them end. The rim of one
-// in the midst of another tells nothing about the model, whether it is near it or far away.
-// Complexity: O(samples + clouds * rim edges + m log m) for the m rim edges and samples near each
-// other. Deterministic. Source: ours; clouds that overlap each other do not occur in Woo & Dey
-// 2005.
+// Marks the edges of `rim`, that of scans[c], that are shared as inner ones (RimLoop::inner) and
+// counts those that were none (CloudRim::shared_edges). Returns the other clouds with such samples,
+// in increasing order. Why: what several scans that overlap each other show ends where all of them
+// end. The rim of one in the midst of another tells nothing about the model, whether it is near it
+// or far away. Complexity: O(samples + clouds * rim edges + m log m) for the m rim edges and
+// samples near each other. Deterministic. Source: ours; clouds that overlap each other do not occur
+// in Woo & Dey 2005.
 std::vector<std::size_t> mark_shared_edges(std::size_t c, std::span<const Scan> scans,
                                            CloudRim& rim, const SharedEdgeOptions& options = {});
 

@@ -24,7 +24,7 @@ std::string name_of_loop(const RimLoop& loop) {
 
 std::string reason_of_closed_cloud(const CloudRim& rim) {
   return "has no open rim (" + counted(rim.pin_holes, "pin-hole") + ", " +
-         counted(rim.gap_loops, "seam") +
+         counted(rim.seam_loops, "seam") +
          "): it is closed; give only the changed part with some of its surroundings";
 }
 
@@ -123,7 +123,7 @@ std::vector<std::string> warnings_of_surface(const CloudSurface& surface) {
   const auto warn_of = [&](std::size_t count, const char* one, const char* many) {
     if (count > 0) warnings.push_back(counted(count, one, many));
   };
-  warn_of(surface.rim.gap_loops, "loop is a seam inside the cloud (a sharp edge?), not its rim",
+  warn_of(surface.rim.seam_loops, "loop is a seam inside the cloud (a sharp edge?), not its rim",
           "loops are seams inside the cloud (sharp edges?), not its rim");
   warn_of(
       surface.rim.seamed_loops,

@@ -86,7 +86,7 @@ void expect_same(const DynamicDelaunay& delaunay, const LiveCandidates& live,
   live.count(counters);
   EXPECT_EQ(counters.hull_vertices, expected.hull_vertices);
   EXPECT_EQ(counters.degenerate_poles, expected.degenerate_poles);
-  EXPECT_EQ(counters.dual_extended_precision, expected.dual_extended_precision);
+  EXPECT_EQ(counters.exact_centers, expected.exact_centers);
   EXPECT_EQ(counters.dual_facet_fallbacks, expected.dual_facet_fallbacks);
   EXPECT_EQ(counters.boundary_samples, expected.boundary_samples);
   EXPECT_EQ(counters.ratio_failed, expected.ratio_failed);

@@ -102,7 +102,7 @@ TEST(Poles, SameWithALeanDual) {
       ConeSides sides;
       const Poles poles = compute_poles(s.triangulation, 0.4, lean, sides, {.threads = threads});
       EXPECT_TRUE(lean.is_lean());
-      EXPECT_EQ(lean.extended_precision, s.dual.extended_precision);
+      EXPECT_EQ(lean.exact_centers, s.dual.exact_centers);
       EXPECT_EQ(lean.facet_fallbacks, s.dual.facet_fallbacks);
       EXPECT_EQ(lean.not_in_doubles, s.dual.not_in_doubles);
       for (const CellId c : s.triangulation.cells()) {

@@ -59,7 +59,7 @@ TEST(VoronoiDual, SameBitsForEveryThreadCountAndVertexNumbering) {
   const Dual one = voronoi_dual(triangulation, {.threads = 1});
   const Dual two = voronoi_dual(triangulation, {.threads = 2});
   EXPECT_EQ(one.centers, two.centers);
-  EXPECT_EQ(one.extended_precision, two.extended_precision);
+  EXPECT_EQ(one.exact_centers, two.exact_centers);
 
   // The same cells with their vertices rotated in place: still positively oriented.
   IdVector<CellId, Cell> cells = triangulation.cell_records();
@@ -101,7 +101,7 @@ TEST(VoronoiDual, ScalingByAPowerOfTwo) {
 TEST(VoronoiDual, SliversAreRecomputedExactly) {
   const Triangulation triangulation = ref::cgal_delaunay(gallery::ulp_pairs(1000));
   const Dual dual = voronoi_dual(triangulation);
-  EXPECT_GT(dual.extended_precision, 0U);
+  EXPECT_GT(dual.exact_centers, 0U);
   EXPECT_EQ(dual.facet_fallbacks, 0U);
   for (const CellId c : triangulation.cells()) {
     EXPECT_TRUE(is_finite(dual.centers[c]));
@@ -153,7 +153,7 @@ TEST(VoronoiDual, CellsOneByOne) {
     });
     std::erase_if(some, [&](CellId c) { return triangulation.is_infinite(c); });
     EXPECT_EQ(met, some);
-    EXPECT_EQ(dual.not_in_doubles.size(), dual.extended_precision + dual.facet_fallbacks);
+    EXPECT_EQ(dual.not_in_doubles.size(), dual.exact_centers + dual.facet_fallbacks);
     EXPECT_TRUE(std::is_sorted(dual.not_in_doubles.begin(), dual.not_in_doubles.end()));
     for (const CellId c : dual.not_in_doubles) {
       if (triangulation.is_infinite(c)) continue;

@@ -66,7 +66,7 @@ TEST_P(UpdateOverlappingClouds, EndWhereAllOfThemEnd) {
   testing::expect_local_update(part.model, part.clouds, result, SlabWithPocket::in_pocket,
                                SlabWithPocket::is_far);
   EXPECT_EQ(mesh_check(result.mesh).euler, 2);
-  EXPECT_GT(result.clouds[1].surface.rim.gap_edges, 0U);  // torn
+  EXPECT_GT(result.clouds[1].surface.rim.seam_edges, 0U);  // torn
   for (const CloudReport& cloud : result.clouds) EXPECT_GT(cloud.surface.rim.shared_edges, 5U);
 
   // Each by itself is cut across by the shortest way, and leaves old vertices over the pocket.

@@ -117,7 +117,7 @@ TEST_P(UpdateThinWalls, WithTornRims) {
                    folder.file("new.ply"), "--json", "-"});
   ASSERT_EQ(run.exit_code, 0) << run.error;
   const nlohmann::json cloud = nlohmann::json::parse(run.out)["update"]["clouds"][0];
-  EXPECT_GT(cloud["gap_edges"].get<int>(), 30);  // torn
+  EXPECT_GT(cloud["seam_edges"].get<int>(), 30);  // torn
 
   const TriangleMesh updated = read_mesh(folder.file("new.ply"));
   const MeshReport check = mesh_check(updated);

@@ -94,7 +94,7 @@ TEST(CloudSurface, ASharpFoldIsNoRim) {
   ASSERT_EQ(surface.status, CloudStatus::ok);
   ASSERT_EQ(surface.rim.loops.size(), 1U);
   EXPECT_GT(surface.rim.loops[0].perimeter, 120);
-  EXPECT_LE(surface.trials.back().gap_share, 0.3);
+  EXPECT_LE(surface.trials.back().seam_share, 0.3);
 }
 
 TEST(CloudSurface, AClosedCloudHasNoRim) {

@@ -29,10 +29,10 @@ CloudRim torn_rim(std::size_t first, std::size_t last) {
   CloudRim rim = rim_of({circle(60, middle, radius)});
   rim.median_edge = rim.spacing;
   RimLoop& loop = rim.loops[0];
-  loop.gap.assign(loop.size(), 0);
-  for (std::size_t i = first; i < last; ++i) loop.gap[i] = 1;
+  loop.inner.assign(loop.size(), 0);
+  for (std::size_t i = first; i < last; ++i) loop.inner[i] = 1;
   rim.rim_edges = loop.size();
-  rim.gap_edges = last - first;
+  rim.seam_edges = last - first;
   return rim;
 }
 
@@ -106,7 +106,7 @@ TEST(CutRegions, AStretchInTheWrongPlaceIsOutvoted) {
     loop.points[i] = loop.points[i] + out;
     loop.apexes[i] = loop.points[i] + out;  // the cloud seems to be outside there
   }
-  loop.gap[12] = loop.gap[15] = 1;
+  loop.inner[12] = loop.inner[15] = 1;
   const Case plane(grid_plane(30), rim);
   const RegionCut cut = plane.cut();
   EXPECT_GT(cut.contradicted + cut.cut_length, 0);
@@ -215,11 +215,11 @@ TEST(CutRegions, JoinedCloudsAreCutAsOne) {
   const ModelIndex model(mesh);
   std::vector<CloudRim> rims(2, torn_rim(0, 0));
   for (std::size_t i = 0; i < 60; ++i) {
-    rims[0].loops[0].gap[i] = i >= 28 ? 1 : 0;
-    rims[1].loops[0].gap[i] = i < 32 && i > 2 ? 1 : 0;
+    rims[0].loops[0].inner[i] = i >= 28 ? 1 : 0;
+    rims[1].loops[0].inner[i] = i < 32 && i > 2 ? 1 : 0;
   }
   for (CloudRim& rim : rims) {
-    rim.gap_edges = 0;
+    rim.seam_edges = 0;
     rim.shared_edges = 30;
   }
   std::vector<Border> borders;
@@ -257,9 +257,9 @@ TEST(CutRegions, RegionsLieAsAWholeUnderEachCloud) {
     rims.back().median_edge = rims.back().spacing;
   }
   for (const std::size_t c : {std::size_t{1}, std::size_t{2}}) {
-    rims[c].loops[0].gap.assign(60, 0);
-    for (std::size_t i = 0; i < 10; ++i) rims[c].loops[0].gap[30 * c - 20 + i] = 1;
-    rims[c].gap_edges = 10;
+    rims[c].loops[0].inner.assign(60, 0);
+    for (std::size_t i = 0; i < 10; ++i) rims[c].loops[0].inner[30 * c - 20 + i] = 1;
+    rims[c].seam_edges = 10;
   }
   std::vector<Border> borders;
   for (const CloudRim& rim : rims) {

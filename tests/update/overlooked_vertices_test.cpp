@@ -23,7 +23,7 @@ struct ScannedPlane {
     TriangleMesh surface = testing::grid_plane(10);
     for (Point& p : surface.points) p = p + Vec3{5, 5, 0.1};
     rims = {cloud_rim(surface)};
-    rims[0].gap_edges = 1;
+    rims[0].seam_edges = 1;
     clouds = {surface.points.raw()};
     for (const VertexId v : model.points.ids()) {
       replacement.point_of_vertex.push_back(PointId(v.index()));
@@ -44,9 +44,9 @@ TEST(OverlookedVertices, ThoseThatStayAmongSamplesFarFromTheRim) {
     if (scene.model.points[v].x > 9.5) scene.replacement.point_of_vertex[v] = PointId();
   }
   EXPECT_EQ(scene.count(), 10U);
-  scene.rims[0].gap_edges = 0;  // nothing is torn
+  scene.rims[0].seam_edges = 0;  // nothing is torn
   EXPECT_EQ(scene.count(), 0U);
-  scene.rims[0].gap_edges = 1;
+  scene.rims[0].seam_edges = 1;
   scene.rims[0].loops.clear();
   EXPECT_EQ(scene.count(), 0U);
 }
@@ -58,7 +58,7 @@ TEST(OverlookedVertices, AreCountedWhereTheScanIsTornAndWarnedOf) {
   const auto warns = [&](const UpdateOptions& options, bool torn) {
     const UpdateResult result = update_model(model, sample.clouds, options);
     EXPECT_EQ(result.status, UpdateStatus::ok);
-    EXPECT_EQ(result.clouds[0].surface.rim.gap_edges > 0, torn);
+    EXPECT_EQ(result.clouds[0].surface.rim.seam_edges > 0, torn);
     bool found = false;
     for (const std::string& warning : result.warnings) {
       found = found || warning.find("in the midst of the new samples") != std::string::npos;

@@ -44,10 +44,10 @@ TEST(SharedEdges, AreThoseThatAnotherCloudGoesOnBeyond) {
     const Point& b = loop.points[loop.next(i)];
     const double x = 0.5 * (a.x + b.x);
     if (a.x == 10 && b.x == 10) {
-      EXPECT_TRUE(loop.is_gap(i)) << a.y;  // in the midst of the other square
+      EXPECT_TRUE(loop.is_inner(i)) << a.y;  // in the midst of the other square
     }
     if (x < 5 || (a.y == 0 && b.y == 0)) {
-      EXPECT_FALSE(loop.is_gap(i)) << x << " " << a.y;  // the other one ends beside it, or before
+      EXPECT_FALSE(loop.is_inner(i)) << x << " " << a.y;  // the other one ends beside it, or before
     }
   }
   EXPECT_GE(squares.rims[0].shared_edges, 10U);
@@ -74,7 +74,7 @@ TEST(SharedEdges, SeamsAreNotCountedAgain) {
   Squares squares;
   squares.add({0, 0, 0});
   squares.add({6.4, 0.3, 0.2});
-  squares.rims[0].loops[0].gap.assign(40, 1);
+  squares.rims[0].loops[0].inner.assign(40, 1);
   EXPECT_EQ(squares.mark(0), (std::vector<std::size_t>{1}));
   EXPECT_EQ(squares.rims[0].shared_edges, 0U);
 }

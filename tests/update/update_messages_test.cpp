@@ -48,7 +48,7 @@ TEST(UpdateMessages, LossesHaveAPlace) {
 TEST(UpdateMessages, PinHolesAndSeamsAreCounted) {
   CloudRim rim;
   rim.pin_holes = 2;
-  rim.gap_loops = 1;
+  rim.seam_loops = 1;
   EXPECT_NE(reason_of_closed_cloud(rim).find("(2 pin-holes, 1 seam):"), std::string::npos);
 }
 

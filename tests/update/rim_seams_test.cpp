@@ -1,4 +1,4 @@
-#include "update/rim_gaps.h"
+#include "update/rim_seams.h"
 
 #include <gtest/gtest.h>
 #include <vector>
@@ -23,25 +23,25 @@ struct FoldedSheet {
   }
 };
 
-TEST(MarkRimGaps, EdgesWithCloudBeyondThem) {
+TEST(MarkRimSeams, EdgesWithCloudBeyondThem) {
   const FoldedSheet sheet;
   CloudRim rim = cloud_rim(sheet.floor);
   ASSERT_EQ(rim.loops.size(), 1U);
-  mark_rim_gaps(sheet.cloud, rim);
+  mark_rim_seams(sheet.cloud, rim);
   ASSERT_EQ(rim.loops.size(), 1U);
   const RimLoop& loop = rim.loops[0];
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const bool at_fold = loop.points[i].x == 10 && loop.points[loop.next(i)].x == 10;
-    EXPECT_EQ(loop.is_gap(i), at_fold) << i;
+    EXPECT_EQ(loop.is_inner(i), at_fold) << i;
     const bool between = loop.points[i].x == 10 && loop.points[i].y > 0 && loop.points[i].y < 10;
-    EXPECT_EQ(loop.is_gap_point(i), between) << i;
+    EXPECT_EQ(loop.is_inner_point(i), between) << i;
   }
   EXPECT_EQ(rim.rim_edges, 40U);
-  EXPECT_EQ(rim.gap_edges, 10U);
-  EXPECT_EQ(rim.gap_loops, 0U);
+  EXPECT_EQ(rim.seam_edges, 10U);
+  EXPECT_EQ(rim.seam_loops, 0U);
 }
 
-TEST(MarkRimGaps, ALoopOfSuchEdgesIsNoRim) {
+TEST(MarkRimSeams, ALoopOfSuchEdgesIsNoRim) {
   const TriangleMesh floor = testing::grid_plane(6);
   std::vector<Point> cloud;  // the floor goes on all around; its surface does not
   for (int x = -3; x <= 9; ++x) {
@@ -50,9 +50,9 @@ TEST(MarkRimGaps, ALoopOfSuchEdgesIsNoRim) {
     }
   }
   CloudRim rim = cloud_rim(floor);
-  mark_rim_gaps(cloud, rim);
+  mark_rim_seams(cloud, rim);
   EXPECT_TRUE(rim.loops.empty());
-  EXPECT_EQ(rim.gap_loops, 1U);
+  EXPECT_EQ(rim.seam_loops, 1U);
 }
 
 // A square surface in the middle of one side of its cloud: the cloud ends along x = 0, and goes on
@@ -69,29 +69,29 @@ struct SquareAtAnEnd {
   }
 };
 
-TEST(MarkRimGaps, TheRimInALoopThatIsMostlySeamStays) {
+TEST(MarkRimSeams, TheRimInALoopThatIsMostlySeamStays) {
   const SquareAtAnEnd scene;
   CloudRim rim = cloud_rim(scene.square);
   ASSERT_EQ(rim.loops.size(), 1U);
-  mark_rim_gaps(scene.cloud, rim);
+  mark_rim_seams(scene.cloud, rim);
   EXPECT_EQ(rim.rim_edges, 48U);
-  EXPECT_EQ(rim.gap_edges, 36U);
-  EXPECT_EQ(rim.gap_loops, 0U);
+  EXPECT_EQ(rim.seam_edges, 36U);
+  EXPECT_EQ(rim.seam_loops, 0U);
   EXPECT_EQ(rim.seamed_loops, 1U);
   ASSERT_EQ(rim.loops.size(), 1U);
   const RimLoop& loop = rim.loops[0];
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const bool is_end = loop.points[i].x == 0 && loop.points[loop.next(i)].x == 0;
-    EXPECT_EQ(loop.is_gap(i), !is_end) << i;
+    EXPECT_EQ(loop.is_inner(i), !is_end) << i;
   }
 }
 
-TEST(MarkRimGaps, AShortEndOfALoopThatIsMostlySeamIsNoRim) {
+TEST(MarkRimSeams, AShortEndOfALoopThatIsMostlySeamIsNoRim) {
   const SquareAtAnEnd scene;
-  const auto loops_with = [&](const RimGapOptions& options) {
+  const auto loops_with = [&](const RimSeamOptions& options) {
     CloudRim rim = cloud_rim(scene.square);
-    mark_rim_gaps(scene.cloud, rim, options);
-    EXPECT_EQ(rim.loops.size() + rim.gap_loops, 1U);
+    mark_rim_seams(scene.cloud, rim, options);
+    EXPECT_EQ(rim.loops.size() + rim.seam_loops, 1U);
     EXPECT_EQ(rim.loops.size(), rim.seamed_loops);
     return rim.loops.size();
   };
@@ -103,29 +103,29 @@ TEST(MarkRimGaps, AShortEndOfALoopThatIsMostlySeamIsNoRim) {
 }
 
 // A few edges by chance without a sample in reach beyond them are none of the rim.
-TEST(MarkRimGaps, ShortStretchesBetweenSeamsAreSeams) {
+TEST(MarkRimSeams, ShortStretchesBetweenSeamsAreSeams) {
   SquareAtAnEnd scene;
   std::erase_if(scene.cloud, [](const Point& p) { return p.x > 12 && p.y > 4 && p.y < 8; });
   CloudRim rim = cloud_rim(scene.square);
-  mark_rim_gaps(scene.cloud, rim);
+  mark_rim_seams(scene.cloud, rim);
   ASSERT_EQ(rim.loops.size(), 1U);
-  EXPECT_LT(rim.gap_edges, 36U);
-  std::size_t gaps = 0;
-  for (std::size_t i = 0; i < rim.loops[0].size(); ++i) gaps += rim.loops[0].is_gap(i) ? 1U : 0U;
-  EXPECT_EQ(gaps, 36U);
+  EXPECT_LT(rim.seam_edges, 36U);
+  std::size_t inner = 0;
+  for (std::size_t i = 0; i < rim.loops[0].size(); ++i) inner += rim.loops[0].is_inner(i) ? 1U : 0U;
+  EXPECT_EQ(inner, 36U);
 }
 
 // The samples of an edge itself are not beyond it, however far that reaches.
-TEST(MarkRimGaps, TheEndsOfAnEdgeAreNoCloudBeyondIt) {
+TEST(MarkRimSeams, TheEndsOfAnEdgeAreNoCloudBeyondIt) {
   const TriangleMesh floor = testing::grid_plane(1);
   CloudRim rim = cloud_rim(floor);
   ASSERT_EQ(rim.loops.size(), 1U);
-  mark_rim_gaps(floor.points.raw(), rim, {.reach = 1.2});
-  EXPECT_EQ(rim.gap_edges + rim.gap_loops, 0U);
+  mark_rim_seams(floor.points.raw(), rim, {.reach = 1.2});
+  EXPECT_EQ(rim.seam_edges + rim.seam_loops, 0U);
 }
 
 // Of two pin-holes far from the rim one has cloud in it, a median edge beyond its edges.
-TEST(MarkRimGaps, PinHolesThatAreGapsGo) {
+TEST(MarkRimSeams, PinHolesThatAreSeamsGo) {
   const TriangleMesh floor = testing::grid_plane(20);
   CloudRim rim = cloud_rim(floor);
   const auto hole = [](const Point& at) {
@@ -145,18 +145,18 @@ TEST(MarkRimGaps, PinHolesThatAreGapsGo) {
   std::vector<Point> cloud = floor.points.raw();
   std::erase_if(cloud, [](const Point& p) { return p == Point{6, 6, 0} || p == Point{13, 13, 0}; });
   cloud.push_back({6, 6, 0.1});
-  mark_rim_gaps(cloud, rim);
+  mark_rim_seams(cloud, rim);
   ASSERT_EQ(rim.pin_hole_loops.size(), 1U);
   EXPECT_EQ(rim.pin_hole_loops[0].points[0], (Point{12, 12, 0}));
-  EXPECT_EQ(rim.gap_loops, 0U);
+  EXPECT_EQ(rim.seam_loops, 0U);
 }
 
-TEST(MarkRimGaps, AFreeRimHasNone) {
+TEST(MarkRimSeams, AFreeRimHasNone) {
   const TriangleMesh floor = testing::grid_plane(10);
   CloudRim rim = cloud_rim(floor);
-  mark_rim_gaps(floor.points.raw(), rim);
+  mark_rim_seams(floor.points.raw(), rim);
   ASSERT_EQ(rim.loops.size(), 1U);
-  EXPECT_EQ(rim.gap_edges, 0U);
+  EXPECT_EQ(rim.seam_edges, 0U);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "update/rim_gaps.h"
+#include "update/rim_seams.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -43,46 +43,46 @@ bool has_cloud_beyond(const NearestPointTree& tree, Points samples, const RimLoo
   return nearest.squared_distance <= reach * reach * spacing * spacing;
 }
 
-std::size_t gap_edges(const RimLoop& loop) {
-  return static_cast<std::size_t>(std::count(loop.gap.begin(), loop.gap.end(), 1));
+std::size_t inner_edges(const RimLoop& loop) {
+  return static_cast<std::size_t>(std::count(loop.inner.begin(), loop.inner.end(), 1));
 }
 
-bool is_gap(const RimLoop& loop, const RimGapOptions& options) {
-  return static_cast<double>(gap_edges(loop)) >
-         options.max_gap_share * static_cast<double>(loop.size());
+bool is_seam(const RimLoop& loop, const RimSeamOptions& options) {
+  return static_cast<double>(inner_edges(loop)) >
+         options.max_seam_share * static_cast<double>(loop.size());
 }
 
-// The flags of the loop with shorter stretches than that many edges between two gaps marked, too.
+// The flags of the loop, with those marked, too, that lie between two marked ones and are fewer.
 std::vector<std::uint8_t> without_short_runs(const RimLoop& loop, std::size_t shortest) {
   const std::size_t size = loop.size();
-  std::vector<std::uint8_t> gap = loop.gap;
-  const auto first = std::find(gap.begin(), gap.end(), 1);
-  if (first == gap.end()) return gap;
-  const auto start = static_cast<std::size_t>(first - gap.begin());
+  std::vector<std::uint8_t> inner = loop.inner;
+  const auto first = std::find(inner.begin(), inner.end(), 1);
+  if (first == inner.end()) return inner;
+  const auto start = static_cast<std::size_t>(first - inner.begin());
   std::size_t run = 0;
-  for (std::size_t k = 1; k <= size; ++k) {  // ends at the gap where it begins
-    if (loop.gap[(start + k) % size] == 0) {
+  for (std::size_t k = 1; k <= size; ++k) {  // ends at the edge where it begins
+    if (loop.inner[(start + k) % size] == 0) {
       ++run;
       continue;
     }
     for (std::size_t back = 1; run < shortest && back <= run; ++back) {
-      gap[(start + k - back) % size] = 1;
+      inner[(start + k - back) % size] = 1;
     }
     run = 0;
   }
-  return gap;
+  return inner;
 }
 
 // Finds the rim in a loop that is mostly seam. Returns whether there is one.
-bool keep_rim_of_seam(RimLoop& loop, double median_edge, const RimGapOptions& options) {
+bool keep_rim_of_seam(RimLoop& loop, double median_edge, const RimSeamOptions& options) {
   if (options.min_rim_run == 0) return false;
-  std::vector<std::uint8_t> gap = without_short_runs(loop, options.min_rim_run);
+  std::vector<std::uint8_t> inner = without_short_runs(loop, options.min_rim_run);
   double length = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    if (gap[i] == 0) length += distance(loop.points[i], loop.points[loop.next(i)]);
+    if (inner[i] == 0) length += distance(loop.points[i], loop.points[loop.next(i)]);
   }
   if (length < options.min_rim_length * median_edge || length == 0) return false;
-  loop.gap = std::move(gap);
+  loop.inner = std::move(inner);
   return true;
 }
 
@@ -92,36 +92,36 @@ Point place_beyond(const RimLoop& loop, std::size_t i, double spacing) {
   return 0.5 * (loop.points[i] + loop.points[loop.next(i)]) + spacing * outward(loop, i);
 }
 
-void mark_rim_gaps(Points cloud, CloudRim& rim, const RimGapOptions& options) {
+void mark_rim_seams(Points cloud, CloudRim& rim, const RimSeamOptions& options) {
   const std::vector<Point> samples = samples_beyond(cloud, rim, options.reach);
   std::optional<NearestPointTree> tree;
   if (!samples.empty()) tree.emplace(samples);
   const auto mark = [&](RimLoop& loop, double spacing) {
-    loop.gap.assign(loop.size(), 0);
+    loop.inner.assign(loop.size(), 0);
     for (std::size_t i = 0; tree && i < loop.size(); ++i) {
-      if (has_cloud_beyond(*tree, samples, loop, i, spacing, options.reach)) loop.gap[i] = 1;
+      if (has_cloud_beyond(*tree, samples, loop, i, spacing, options.reach)) loop.inner[i] = 1;
     }
   };
   for (RimLoop& loop : rim.loops) mark(loop, rim.spacing);
   for (RimLoop& loop : rim.pin_hole_loops) mark(loop, rim.median_edge);
   rim.rim_edges = 0;
-  rim.gap_edges = 0;
+  rim.seam_edges = 0;
   for (const RimLoop& loop : rim.loops) {
     rim.rim_edges += loop.size();
-    rim.gap_edges += gap_edges(loop);
+    rim.seam_edges += inner_edges(loop);
   }
   std::vector<RimLoop> rims;
   for (RimLoop& loop : rim.loops) {
-    const bool seam = is_gap(loop, options);
-    if (seam && !keep_rim_of_seam(loop, rim.median_edge, options)) {
-      ++rim.gap_loops;
+    const bool is_mostly_seam = is_seam(loop, options);
+    if (is_mostly_seam && !keep_rim_of_seam(loop, rim.median_edge, options)) {
+      ++rim.seam_loops;
       continue;
     }
-    rim.seamed_loops += seam ? 1U : 0U;
+    rim.seamed_loops += is_mostly_seam ? 1U : 0U;
     rims.push_back(std::move(loop));
   }
   rim.loops = std::move(rims);
-  std::erase_if(rim.pin_hole_loops, [&](const RimLoop& loop) { return is_gap(loop, options); });
+  std::erase_if(rim.pin_hole_loops, [&](const RimLoop& loop) { return is_seam(loop, options); });
 }
 
 }  // namespace cocoon
