@@ -166,17 +166,16 @@ class Disputes {
   // What the vertices tell the cell whose turn it is.
   void settle(CellId c) {
     const Round turn = turn_of(c);
-    bool out = false;
-    bool in = false;
+    LabelCount count;
     for (const VertexId v : triangulation_.cell(c).vertices) {
       if (turn_[v] != turn) continue;
       const bool should = should_be_out(v, c);
       CellLabel told = should ? decisions_[v].of_out : decisions_[v].of_in;
       if (told == CellLabel::unmarked) told = should ? CellLabel::out : CellLabel::in;
-      (told == CellLabel::out ? out : in) = true;
+      count.add(told);
     }
-    marks_.conflicts += out && in ? 1U : 0U;
-    const CellLabel label = out ? CellLabel::out : CellLabel::in;
+    marks_.conflicts += count.mixed() ? 1U : 0U;
+    const CellLabel label = count.majority();
     if (label != marks_.labels[c]) {
       settled_[c] = label;
       changed_.push_back(c);

@@ -7,8 +7,11 @@
 #include "cocone/carried_marks.h"
 #include "cocone/disputed_marks.h"
 #include "cocone/half_labels.h"
+#include "cocone/half_star.h"
 #include "cocone/known_sides.h"
 #include "delaunay/circulate.h"
+#include "delaunay/star_cache.h"
+#include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {
@@ -20,15 +23,12 @@ struct BeforeTheRounds {
 
 // The known labels of cells that touch a good vertex: others are left to the peel, and to the
 // clean-up, which has them of `marks`. Seeds are the good vertices of those cells and on the hull.
-BeforeTheRounds before_the_rounds(const Triangulation& triangulation, const FacetSet& surface,
-                                  const KnownSidesSource& known, CellMarks& marks,
-                                  const Execution& execution) {
+BeforeTheRounds before_the_rounds(const Triangulation& triangulation, CellMarks& marks) {
   BeforeTheRounds before;
   VertexSet is_seed(triangulation.num_vertices(), 0);
   for (const CellId c : triangulation.infinite_cells()) {
     for (int i = 0; i < 3; ++i) is_seed[triangulation.vertex(c, i)] = 1;
   }
-  if (known) marks.known = known(triangulation, surface, execution).labels;
   before.labels = marks.known;
   const std::size_t labeled = before.labels.empty() ? 0 : triangulation.num_finite_cells();
   for (const CellId c : id_range<CellId>(labeled)) {
@@ -46,15 +46,55 @@ BeforeTheRounds before_the_rounds(const Triangulation& triangulation, const Face
   return before;
 }
 
+// Of the good vertices those that known cells may refute: at all others the labels that were
+// carried fit the surface, and what is known of their cells.
+std::vector<VertexId> may_be_refuted(const Triangulation& triangulation,
+                                     const CarriedMarks& carried, const CellMarks& marks) {
+  std::vector<VertexId> asked = carried.disputed;
+  for (const CellId c : triangulation.finite_cells()) {
+    if (marks.known[c] == CellLabel::unmarked || marks.known[c] == marks.labels[c]) continue;
+    for (const VertexId v : triangulation.cell(c).vertices) {
+      if (marks.good[v] != 0) asked.push_back(v);
+    }
+  }
+  make_set(asked);
+  return asked;
+}
+
+// A closed umbrella may be no part of the surface. Where known cells tell both sides in one half of
+// the star, or one side in both, it is not, and its vertex is not good.
+void demote_refuted(const Triangulation& triangulation, const FacetSet& surface,
+                    const CarriedMarks& carried, CellMarks& marks) {
+  StarCache stars(triangulation);
+  HalfStar half(triangulation, surface);
+  for (const VertexId v : may_be_refuted(triangulation, carried, marks)) {
+    const std::span<const CellId> star = stars.star(v);
+    half.flood(v, star.front());
+    LabelCount flooded;
+    LabelCount rest;
+    for (const CellId c : star) {
+      const CellLabel side = triangulation.is_infinite(c) ? CellLabel::out : marks.known[c];
+      (half.contains(c) ? flooded : rest).add(side);
+    }
+    if (!label_halves(flooded, rest).conflict) continue;
+    marks.good[v] = 0;
+    ++marks.refuted_vertices;
+  }
+  marks.good_vertices -= marks.refuted_vertices;
+}
+
 // Where vertices disagree.
 void settle(const Triangulation& triangulation, const LinkedFacets& surface,
             const IdVector<VertexId, SideId>& corner_at, CarriedMarks carried,
             const KnownSidesSource& source, CellMarks& marks, const Execution& execution) {
-  const BeforeTheRounds before =
-      before_the_rounds(triangulation, surface.set, source, marks, execution);
+  if (source) {
+    marks.known = source(triangulation, surface.set, execution).labels;
+    if (!marks.known.empty()) demote_refuted(triangulation, surface.set, carried, marks);
+  }
+  const BeforeTheRounds before = before_the_rounds(triangulation, marks);
   const bool all_carried = std::all_of(before.seeds.begin(), before.seeds.end(),
                                        [&](VertexId v) { return marks.visited[v] != 0; });
-  if (!all_carried) {
+  if (!all_carried || marks.refuted_vertices > 0) {
     // The known cells tell of parts of the surface that the hull does not see.
     carried = carry_marks(triangulation, surface, corner_at, before.labels, marks, execution);
   }
@@ -119,17 +159,17 @@ void MarkingRounds::propose(VertexId v, CellLabel flooded, CellLabel rest) {
 }
 
 void MarkingRounds::apply(std::vector<CellId>& out_cells) {
-  constexpr std::uint8_t both = 3;
   for (const Proposal& p : proposals_) {
     told_[p.cell] =
-        static_cast<std::uint8_t>(told_[p.cell] | (p.label == CellLabel::out ? 1U : 2U));
+        static_cast<std::uint8_t>(told_[p.cell] + (p.label == CellLabel::out ? 1U : 16U));
   }
   for (const Proposal& p : proposals_) {
     std::uint8_t& told = told_[p.cell];
     if (told == 0) continue;  // done: cells are proposed several times
-    marks_.conflicts += told == both;
-    marks_.labels[p.cell] = (told & 1U) != 0 ? CellLabel::out : CellLabel::in;
-    if ((told & 1U) != 0) out_cells.push_back(p.cell);
+    const LabelCount count{told & 15U, std::size_t{told} >> 4};
+    marks_.conflicts += count.mixed() ? 1U : 0U;
+    marks_.labels[p.cell] = count.majority();
+    if (marks_.labels[p.cell] == CellLabel::out) out_cells.push_back(p.cell);
     told = 0;
   }
   proposals_.clear();

@@ -39,11 +39,12 @@ struct CellMarks {
 
   std::size_t good_vertices = 0;
   std::size_t visited_vertices = 0;
-  std::size_t rounds = 0;          // 0: no two vertices disagreed, one pass decided
-  std::size_t known_cells = 0;     // that had their labels before the rounds
-  std::size_t conflicts = 0;       // halves, or cells, that were told both; see below
-  std::size_t deferred_seeds = 0;  // of peel_cells
-  std::size_t poor_cells = 0;      // of peel_cells: cells without a good vertex
+  std::size_t refuted_vertices = 0;  // closed umbrellas that known cells contradict: not good
+  std::size_t rounds = 0;            // 0: no two vertices disagreed, one pass decided
+  std::size_t known_cells = 0;       // that had their labels before the rounds
+  std::size_t conflicts = 0;         // halves, or cells, that were told both; see below
+  std::size_t deferred_seeds = 0;    // of peel_cells
+  std::size_t poor_cells = 0;        // of peel_cells: cells without a good vertex
 };
 
 // Whether no vertex of a finite cell is good: none can tell on which side the cell is. O(1).
@@ -67,7 +68,8 @@ inline bool is_contradicted(const CellMarks& marks, VertexId v) {
 // vertices (at first: of infinite cells) are all decided from the labels of earlier rounds, then
 // their stars are labeled. A half that holds OUT cells and no IN cells is outside, and the other
 // way round; where both labels occur the half's majority counts, a tie is OUT, and it is counted as
-// a conflict. Nothing is overwritten; a cell told both in one round is OUT, also counted.
+// a conflict. Nothing is overwritten; a cell told both in one round takes what most of its vertices
+// say, of two and two OUT, also counted.
 // A vertex whose star is labeled already passes on the turn and is not examined for conflicts.
 // One pass over the cells (carried_marks.h) gives the same labels where no two vertices disagree;
 // of the others those are asked, round by round, whom the disagreement touches (disputed_marks.h).
@@ -81,7 +83,8 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
 // The same with sides that are known beforehand. Here they count only where vertices disagree (the
 // clean-up heeds CellMarks::known elsewhere, too), which is where marks may have gone astray: then
 // the known cells that touch a good vertex have their labels before the first round, and their good
-// vertices are among the first.
+// vertices are among the first. Good vertices whose halves known cells contradict are no longer
+// good (refuted_vertices).
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      const VertexSet& boundary, const KnownSidesSource& known,
                      const GoodVertexOptions& options = {}, const Execution& execution = {});

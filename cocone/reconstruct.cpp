@@ -167,6 +167,7 @@ class Reconstruction {
     counters.marking_rounds = marks.rounds;
     counters.marking_conflicts = marks.conflicts;
     counters.known_cells = marks.known_cells;
+    counters.refuted_vertices = marks.refuted_vertices;
     counters.poor_cells = marks.poor_cells;
     counters.deferred_seeds = marks.deferred_seeds;
     good_ = std::move(marks.good);
@@ -219,7 +220,9 @@ class Reconstruction {
     surface.halves = std::move(surface_.halves);
     surface.good = std::move(good_);
     surface.first_walk = surface_.first_walk;
-    surface.umbrellas = result_.counters.good_vertices + result_.counters.demoted_vertices;
+    const ReconstructCounters& counters = result_.counters;
+    surface.umbrellas =
+        counters.good_vertices + counters.demoted_vertices + counters.refuted_vertices;
     if (live_ != nullptr) surface.triangles = std::move(surface_.triangles);
     return surface;
   }

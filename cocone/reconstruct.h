@@ -69,9 +69,9 @@ ReconstructOptions open_cloud_defaults();
 struct ReconstructCounters {
   DelaunayCounters delaunay;
   std::size_t hull_vertices = 0;
-  std::size_t degenerate_poles = 0;         // hull normals that cancel
-  std::size_t exact_centers = 0;  // circumcenters recomputed
-  std::size_t dual_facet_fallbacks = 0;     // circumcenters of a facet instead
+  std::size_t degenerate_poles = 0;      // hull normals that cancel
+  std::size_t exact_centers = 0;         // circumcenters recomputed
+  std::size_t dual_facet_fallbacks = 0;  // circumcenters of a facet instead
   std::size_t boundary_samples = 0;
   std::size_t ratio_failed = 0;
   std::size_t recovered_samples = 0;  // interior by the second phase
@@ -88,7 +88,8 @@ struct ReconstructCounters {
   std::size_t unvisited_vertices = 0;  // good ones that no mark reached
   std::size_t marking_rounds = 0;
   std::size_t marking_conflicts = 0;
-  std::size_t known_cells = 0;  // labeled beforehand, see mark_cells.h
+  std::size_t known_cells = 0;       // labeled beforehand, see mark_cells.h
+  std::size_t refuted_vertices = 0;  // no good ones, since known cells contradict them
   std::size_t poor_cells = 0;
   std::size_t deferred_seeds = 0;
   CleanUpCounters clean_up;

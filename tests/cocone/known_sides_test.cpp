@@ -239,14 +239,18 @@ CellMarks marks_by_rounds(const Stages& s, const LinkedFacets& surface,
 }
 
 // Where vertices disagree, only they are asked: with the same result as all rounds, also if what is
-// known is partly wrong. False if nobody disagreed.
+// known is partly wrong. Of a quarter of the body nothing is known: there they go on to disagree,
+// while elsewhere those that known cells refute are not good. False if nobody disagreed.
 bool is_settled_as_by_the_rounds(const Stages& s, std::vector<KnownTriangle> triangles,
                                  std::uint64_t seed, CellMarks& marks) {
   Random random(seed);
   for (KnownTriangle& t : triangles) {
     if (random.below(50) == 0) std::swap(t[0], t[1]);
   }
-  std::erase_if(triangles, [&](const KnownTriangle&) { return random.below(4) == 0; });
+  std::erase_if(triangles, [&](const KnownTriangle& t) {
+    const Point& p = s.triangulation.point(s.triangulation.vertex_of_point()[t[0]]);
+    return (p.x > 0 && p.y > 0) || random.below(4) == 0;
+  });
   const BoundarySamples labels = s.labels();
   const LinkedFacets surface = s.surface(labels);
   marks = mark_cells(s.triangulation, surface, labels.boundary, told_by(triangles));
@@ -257,21 +261,26 @@ bool is_settled_as_by_the_rounds(const Stages& s, std::vector<KnownTriangle> tri
   EXPECT_EQ(marks.visited_vertices, rounds.visited_vertices);
   EXPECT_EQ(marks.rounds, rounds.rounds);
   EXPECT_EQ(marks.conflicts, rounds.conflicts);
-  EXPECT_GT(marks.conflicts, 0U);
+  EXPECT_GT(marks.refuted_vertices, 0U);
+  EXPECT_EQ(marks.good_vertices, static_cast<std::size_t>(std::count(
+                                     marks.good.begin(), marks.good.end(), std::uint8_t{1})));
   return true;
 }
 
 TEST(KnownSides, DisputesAreSettledAsByTheRounds) {
   std::size_t disputed = 0;
+  std::size_t conflicts = 0;
   for (const std::uint64_t seed : {1U, 5U, 9U, 13U}) {
     const std::vector<Point> points = shapes::noisy_sphere(3000, 0.02, seed);
     CellMarks marks;
     if (is_settled_as_by_the_rounds(Stages(points), triangles_of(reconstruct_tight(points)), seed,
                                     marks)) {
       ++disputed;
+      conflicts += marks.conflicts;
     }
   }
   EXPECT_GT(disputed, 2U);
+  EXPECT_GT(conflicts, 0U);
 }
 
 // A surface inside the body, which the hull does not see: known cells tell where it is.
@@ -281,12 +290,15 @@ TEST(KnownSides, DisputesAroundCavitiesAreSettledAsByTheRounds) {
     const std::vector<Point> points =
         shapes::joined(shapes::noisy_sphere(3000, 0.02, seed), shapes::sphere(600, seed, 0.5));
     const Stages s(points);
-    const CellMarks alone = mark_cells(s.triangulation, s.surface(s.labels()), s.labels().boundary);
     CellMarks marks;
     const ReconstructResult before = reconstruct_tight(points, {.keep_cavities = true});
     if (!is_settled_as_by_the_rounds(s, triangles_of(before), seed, marks)) continue;
     ++disputed;
-    EXPECT_GT(marks.visited_vertices, alone.visited_vertices + 500);
+    std::size_t inside = 0;
+    for (const VertexId v : s.triangulation.vertices()) {
+      if (norm(s.triangulation.point(v)) < 0.6) inside += marks.visited[v];
+    }
+    EXPECT_GT(inside, 300U);  // of 600, some of them next to what is told wrongly
   }
   EXPECT_GT(disputed, 2U);
 }
@@ -343,7 +355,7 @@ TEST(KnownSides, AMeshIsGivenAgain) {
       }
     }
   }
-  EXPECT_GT(known_cells, 10000U);
+  EXPECT_GT(known_cells, 9000U);
   EXPECT_GT(stirred, 4U);
 }
 
