@@ -5,6 +5,7 @@
 
 #include "app/surface_report.h"
 #include "geom/counted.h"
+#include "update/update_messages.h"
 
 namespace cocoon::app {
 
@@ -61,6 +62,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("trimmed_triangles", cloud.surface.trimmed);
   entry.set("rim_spacing", cloud.surface.rim.spacing);
   entry.set("largest_distance", cloud.largest_distance);
+  entry.set("median_distance", cloud.median_distance);
   entry.set("overlapping_facets", cloud.overlapping_facets.size());
   entry.set("border_facets", cloud.border_facets);
   entry.set("border_walks", cloud.walks);
@@ -116,7 +118,7 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/border_replaced", replacement.border_replaced);
   report.set("update/scanned_replaced", replacement.scanned_replaced);
   report.set("update/unscanned_kept", replacement.unscanned_kept);
-  report.set("update/overlooked", result.overlooked);
+  report.set("update/overlooked", result.overlooked.count);
   report.set("update/model_euler", result.euler_before);
   report.set("update/updated_euler", result.euler);
   report.set("update/far_losses", result.unscanned.far);
@@ -160,6 +162,7 @@ void say_update(Job& job, const UpdateRecord& record) {
       job.say("  rim found with rho {:.4g} after {} trials", cloud.surface.rho,
               cloud.surface.trials.size());
     }
+    for (const std::string& note : notes_of_surface(cloud.surface)) job.say("  {}", note);
     for (const GroupAngle& group : cloud.groups) {
       job.say("  group {}: mean angle {:.2f} degrees, {}", group.group.value, group.mean_angle_deg,
               group.under_cloud ? "replaced" : "kept");

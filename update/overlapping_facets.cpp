@@ -218,6 +218,7 @@ std::vector<std::uint32_t> main_components(const ModelIndex& model, const CloudR
 void gather_by_loop(const CloudRim& rim, const std::vector<RimPoint>& points,
                     const std::vector<Location>& located, Overlap& overlap) {
   overlap.loops.resize(rim.loops.size());
+  std::vector<double> distances;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Location& location = located[k];
     LoopOverlap& loop = overlap.loops[points[k].loop];
@@ -236,9 +237,10 @@ void gather_by_loop(const CloudRim& rim, const std::vector<RimPoint>& points,
       continue;
     }
     overlap.facets.push_back(location.facet.triangle);
-    overlap.largest_distance =
-        std::max(overlap.largest_distance, std::sqrt(location.facet.squared_distance));
+    distances.push_back(std::sqrt(location.facet.squared_distance));
+    overlap.largest_distance = std::max(overlap.largest_distance, distances.back());
   }
+  overlap.median_distance = median(std::move(distances));
   make_set(overlap.facets);
 }
 

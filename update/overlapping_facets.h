@@ -39,6 +39,9 @@ struct OverlapOptions {
   std::size_t one_sided_window = 2;
   // A loop with a larger share of unmatched points does not lie on the model.
   double max_unmatched_share = 0.1;
+  // A rim whose matched points lie farther off the model than this many spacings (the median of
+  // them) leaves a step there: that is worth a warning. Goals hold up to half a spacing.
+  double step_distance = 0.75;
 };
 
 enum class LoopMatch {
@@ -70,7 +73,9 @@ struct Overlap {
   std::size_t facing_away = 0;     // rim points whose closest facet of all faces the other way
   std::size_t steep = 0;           // rim points with a facet below min_normal_cosine
   std::size_t relocated = 0;       // rim points moved to the part of the model the others are on
-  double largest_distance = 0;     // of a matched rim point from its facet
+  // Of matched rim points from their facets.
+  double largest_distance = 0;
+  double median_distance = 0;
 };
 
 // The overlapping facet of each rim point, and which loops lie on the model at all.

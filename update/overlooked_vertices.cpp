@@ -29,19 +29,20 @@ class ScannedPlaces {
 
 }  // namespace
 
-std::size_t overlooked_vertices(const ModelIndex& model, const Replacement& replacement,
-                                std::span<const CloudRim> rims,
-                                std::span<const std::vector<Point>> clouds,
-                                const OverlookedOptions& options) {
+OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacement& replacement,
+                                       std::span<const CloudRim> rims,
+                                       std::span<const std::vector<Point>> clouds,
+                                       const OverlookedOptions& options) {
   const auto is_partial = [](const CloudRim& rim) { return rim.is_partial(); };
-  if (std::none_of(rims.begin(), rims.end(), is_partial)) return 0;
+  if (std::none_of(rims.begin(), rims.end(), is_partial)) return {};
   const RimIndex rim_index(rims);
-  if (rim_index.empty()) return 0;
+  if (rim_index.empty()) return {};
   std::vector<ScannedPlaces> scans;
   for (std::size_t c = 0; c < clouds.size(); ++c) {
     if (!clouds[c].empty()) scans.emplace_back(clouds[c], options.reach * rims[c].median_edge);
   }
-  std::size_t count = 0;
+  OverlookedVertices found;
+  double farthest = options.min_rim_distance;
   for (const VertexId v : model.mesh().points.ids()) {
     if (replacement.point_of_vertex[v].is_none()) continue;
     const Point& p = model.mesh().points[v];
@@ -49,9 +50,14 @@ std::size_t overlooked_vertices(const ModelIndex& model, const Replacement& repl
     for (const ScannedPlaces& scan : scans) scanned = scanned || scan.covers(p);
     if (!scanned) continue;
     const RimSide side = rim_index.side_of(p);
-    count += side.distance > options.min_rim_distance * rims[side.rim].median_edge ? 1U : 0U;
+    const double edges = side.distance / rims[side.rim].median_edge;
+    if (!(edges > options.min_rim_distance)) continue;
+    ++found.count;
+    if (!(edges > farthest)) continue;
+    farthest = edges;
+    found.farthest = v;
   }
-  return count;
+  return found;
 }
 
 }  // namespace cocoon

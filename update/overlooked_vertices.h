@@ -23,16 +23,21 @@ struct OverlookedOptions {
   std::size_t min_count = 8;
 };
 
-// How many vertices of the model stay although they have been scanned anew far from the rim. Where
+struct OverlookedVertices {
+  std::size_t count = 0;
+  VertexId farthest = {};  // from the rims, in median edges; of several the first
+};
+
+// Which vertices of the model stay although they have been scanned anew far from the rim. Where
 // a cloud lies on the model as it was, both have the same surface, and the old samples of it go; so
 // there are none unless a part of the rim is missing, or the wrong region was chosen. They show
 // regions that stay wrongly, not those that go wrongly. Looked for where a rim is partial
-// (CloudRim::is_partial): else all are whole, and the result is 0.
+// (CloudRim::is_partial): else all are whole, and there are none.
 // rims[i] belongs to clouds[i]; those that formed the border.
 // Complexity: O(v + n log n) for v vertices and n samples. Deterministic. Source: ours.
-std::size_t overlooked_vertices(const ModelIndex& model, const Replacement& replacement,
-                                std::span<const CloudRim> rims,
-                                std::span<const std::vector<Point>> clouds,
-                                const OverlookedOptions& options = {});
+OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacement& replacement,
+                                       std::span<const CloudRim> rims,
+                                       std::span<const std::vector<Point>> clouds,
+                                       const OverlookedOptions& options = {});
 
 }  // namespace cocoon

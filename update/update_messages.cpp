@@ -25,7 +25,9 @@ std::string name_of_loop(const RimLoop& loop) {
 std::string reason_of_closed_cloud(const CloudRim& rim) {
   return "has no open rim (" + counted(rim.pin_holes, "pin-hole") + ", " +
          counted(rim.seam_loops, "seam") +
-         "): it is closed; give only the changed part with some of its surroundings";
+         "): it is closed, or so noisy or coarse that its rim cannot be told; give only the "
+         "changed "
+         "part with some of its surroundings, smoothed or sampled more densely";
 }
 
 std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_points,
@@ -33,7 +35,7 @@ std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_poi
   return "does not lie on the model: " + std::to_string(unmatched) + " of its " +
          std::to_string(boundary_points) + " rim points are farther from it than " +
          rounded(max_distance) + " spacings (rim spacing " + rounded(rim_spacing) +
-         "); register it to the model or let it reach onto unchanged surface";
+         "); register it to the model, in the same units, and let it reach onto unchanged surface";
 }
 
 std::string reason_of_open_band(std::size_t max_search_facets) {
@@ -103,9 +105,10 @@ std::string warning_of_narrow_margin(double degrees) {
   return "its regions differ by only " + rounded(degrees) + " degrees; look at the result";
 }
 
-std::string warning_of_overlooked(std::size_t vertices) {
+std::string warning_of_overlooked(std::size_t vertices, const Point& at) {
   return counted(vertices, "vertex of the model stays", "vertices of the model stay") +
-         " in the midst of the new samples: a part of the rim was not found, or the wrong region "
+         " in the midst of the new samples, as at " + place_name(at) +
+         ": a part of the rim was not found, or the wrong region "
          "chosen; sample more densely at sharp edges and thin walls, and look at the result";
 }
 
@@ -118,22 +121,39 @@ std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, co
          "; look at the result, and scan there, too, or let the cloud reach less far";
 }
 
-std::vector<std::string> warnings_of_surface(const CloudSurface& surface) {
-  std::vector<std::string> warnings;
-  const auto warn_of = [&](std::size_t count, const char* one, const char* many) {
-    if (count > 0) warnings.push_back(counted(count, one, many));
+std::vector<std::string> notes_of_surface(const CloudSurface& surface) {
+  std::vector<std::string> notes;
+  const auto tell = [&](std::size_t count, const char* one, const char* many) {
+    if (count > 0) notes.push_back(counted(count, one, many));
   };
-  warn_of(surface.rim.seam_loops, "loop is a seam inside the cloud (a sharp edge?), not its rim",
-          "loops are seams inside the cloud (sharp edges?), not its rim");
-  warn_of(
-      surface.rim.seamed_loops,
-      "loop of its rim runs along seams inside the cloud for the most part; look at the result",
-      "loops of its rim run along seams inside the cloud for the most part; look at the result");
-  warn_of(surface.rim.small_components, "small part of its surface is not looked at",
-          "small parts of its surface are not looked at");
-  warn_of(surface.rim.non_orientable, "part of its surface is one-sided",
-          "parts of its surface are one-sided");
+  tell(surface.rim.seam_loops, "loop is a seam inside the cloud (a sharp edge?), not its rim",
+       "loops are seams inside the cloud (sharp edges?), not its rim");
+  tell(surface.rim.small_components, "small part of its surface is not looked at",
+       "small parts of its surface are not looked at");
+  tell(surface.rim.non_orientable, "part of its surface is one-sided",
+       "parts of its surface are one-sided");
+  return notes;
+}
+
+std::vector<std::string> warnings_of_cloud(const CloudReport& cloud,
+                                           const OverlapOptions& options) {
+  std::vector<std::string> warnings;
+  const CloudRim& rim = cloud.surface.rim;
+  if (rim.seamed_loops > 0) {
+    warnings.push_back(counted(rim.seamed_loops, "loop of its rim runs", "loops of its rim run") +
+                       " along seams inside the cloud for the most part; look at the result");
+  }
+  if (cloud.median_distance > options.step_distance * rim.spacing) {
+    warnings.push_back("its rim lies " + rounded(cloud.median_distance / rim.spacing) +
+                       " spacings off the model (median): there will be a step; register it "
+                       "better, or let it reach onto unchanged surface");
+  }
   return warnings;
+}
+
+std::string warning_of_nothing_inside() {
+  return "no region of the model lies inside; the cloud is added there; check that its units are "
+         "those of the model";
 }
 
 }  // namespace cocoon

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "update/cloud_report.h"
 #include "update/cloud_surface.h"
 #include "update/cut_regions.h"
+#include "update/overlapping_facets.h"
 #include "update/split_regions.h"
 #include "update/unscanned_losses.h"
 
@@ -45,10 +47,15 @@ std::string warning_of_unused_points(std::size_t unused, std::size_t updated_poi
 std::string warning_of_shared_regions(std::size_t regions);
 // Mean angles of regions, in degrees, that hardly differ.
 std::string warning_of_narrow_margin(double degrees);
-std::string warning_of_overlooked(std::size_t vertices);
+// `at`: one of them.
+std::string warning_of_overlooked(std::size_t vertices, const Point& at);
 // `at`: the place of the farthest vertex; `reach`: UnscannedOptions::reach.
 std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at);
-// What was unusual about the surface of a cloud.
-std::vector<std::string> warnings_of_surface(const CloudSurface& surface);
+// What may be wrong with a cloud, or where it lies on the model.
+std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const OverlapOptions& options);
+// What is unusual about its surface, but no reason to worry: two of five good updates have some.
+std::vector<std::string> notes_of_surface(const CloudSurface& surface);
+// Of a loop that encloses nothing.
+std::string warning_of_nothing_inside();
 
 }  // namespace cocoon

@@ -53,10 +53,10 @@ class Update {
     excuse_covered_points(rims_of(result_.clouds), clouds_, overlaps_, options_.overlap);
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       if (overlaps_[c].status == OverlapStatus::no_overlap) try_others(c, index, execution);
-      warn_of_cloud(c, warnings_of_surface(result_.clouds[c].surface));
     }
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       report_overlap(c);
+      warn_of_cloud(c, warnings_of_cloud(result_.clouds[c], options_.overlap));
       if (overlaps_[c].status == OverlapStatus::no_overlap) return fail_no_overlap(c);
     }
     trace_borders(index, execution);
@@ -95,8 +95,9 @@ class Update {
         replace_points(index, result_.regions, result_.choice, rims, clouds_, options_.replace);
     result_.overlooked =
         overlooked_vertices(index, result_.replacement, rims, clouds_, options_.overlooked);
-    if (result_.overlooked >= options_.overlooked.min_count) {
-      warn(warning_of_overlooked(result_.overlooked));
+    if (result_.overlooked.count >= options_.overlooked.min_count) {
+      warn(warning_of_overlooked(result_.overlooked.count,
+                                 model_.points[result_.overlooked.farthest]));
     }
     const KeptSurface kept(index, result_.regions, result_.choice, result_.replacement);
     UpdatedSurface surface = parts.reconstruct(result_.replacement, kept.told(), execution);
@@ -304,7 +305,7 @@ class Update {
       result_.clouds[c].loops[l].separation = sides.separation;
       if (is_cut_[c] != 0) return;  // what is left of it is enough: segment()
       if (sides.separation == Separation::encloses_nothing) {
-        warn(name_of_loop(c, l) + ": no region of the model lies inside; the cloud is added there");
+        warn(name_of_loop(c, l) + ": " + warning_of_nothing_inside());
       } else if (sides.separation == Separation::open_band && ok) {
         ok =
             fail(UpdateStatus::non_separating,

@@ -74,8 +74,8 @@ struct UpdateResult {
 
   // Each vertex of the initial model in the updated one; none: replaced, or not on its surface.
   IdVector<VertexId, VertexId> vertex_map;
-  Replacement replacement;     // counts, and the updated points
-  std::size_t overlooked = 0;  // see overlooked_vertices.h
+  Replacement replacement;  // counts, and the updated points
+  OverlookedVertices overlooked;
   UnscannedLosses unscanned;
   // Euler numbers, from the numbers of vertices in use and of triangles.
   std::ptrdiff_t euler_before = 0;

@@ -31,6 +31,7 @@ TEST(OverlappingFacets, FindsTheFacetBelowEachPoint) {
     ASSERT_EQ(overlap.loops.size(), 1U);
     EXPECT_EQ(overlap.unmatched, 0U);
     EXPECT_NEAR(overlap.largest_distance, 0.3, 1e-12);
+    EXPECT_NEAR(overlap.median_distance, 0.3, 1e-12);
     for (std::size_t i = 0; i < 40; ++i) {
       const Point& p = rim.loops[0].points[i];
       EXPECT_TRUE(contains_xy(model, overlap.loops[0].facets[i], p)) << i;

@@ -29,7 +29,8 @@ struct ScannedPlane {
       replacement.point_of_vertex.push_back(PointId(v.index()));
     }
   }
-  std::size_t count(const OverlookedOptions& options = {}) const {
+  std::size_t count(const OverlookedOptions& options = {}) const { return found(options).count; }
+  OverlookedVertices found(const OverlookedOptions& options = {}) const {
     return overlooked_vertices(index, replacement, rims, clouds, options);
   }
 };
@@ -38,6 +39,7 @@ TEST(OverlookedVertices, ThoseThatStayAmongSamplesFarFromTheRim) {
   ScannedPlane scene;
   ASSERT_EQ(scene.rims[0].median_edge, 1);
   EXPECT_EQ(scene.count(), 25U);  // from 8 to 12
+  EXPECT_EQ(scene.model.points[scene.found().farthest], (Point{10, 10, 0}));
   EXPECT_EQ(scene.count({.min_rim_distance = 1.5}), 49U);
   EXPECT_EQ(scene.count({.reach = 0.09}), 0U);
   for (const VertexId v : scene.model.points.ids()) {
@@ -63,7 +65,7 @@ TEST(OverlookedVertices, AreCountedWhereTheScanIsTornAndWarnedOf) {
     for (const std::string& warning : result.warnings) {
       found = found || warning.find("in the midst of the new samples") != std::string::npos;
     }
-    EXPECT_EQ(found, result.overlooked >= options.overlooked.min_count);
+    EXPECT_EQ(found, result.overlooked.count >= options.overlooked.min_count);
     return found;
   };
   UpdateOptions wide;  // so that vertices beside the rim count as well

@@ -52,5 +52,21 @@ TEST(UpdateMessages, PinHolesAndSeamsAreCounted) {
   EXPECT_NE(reason_of_closed_cloud(rim).find("(2 pin-holes, 1 seam):"), std::string::npos);
 }
 
+// Half a spacing is as good as scans are registered; what is torn at edges is no reason to worry.
+TEST(UpdateMessages, ARimOffTheModelIsSaid) {
+  CloudReport cloud;
+  cloud.surface.rim.spacing = 2;
+  cloud.surface.rim.seam_loops = 3;
+  cloud.surface.rim.non_orientable = 1;
+  cloud.median_distance = 1.2;
+  EXPECT_TRUE(warnings_of_cloud(cloud, {}).empty());
+  EXPECT_EQ(notes_of_surface(cloud.surface).size(), 2U);
+  cloud.median_distance = 2.5;
+  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}), "1.25 spacings off the model"));
+  EXPECT_TRUE(warnings_of_cloud(cloud, {.step_distance = 1.5}).empty());
+  cloud.surface.rim.seamed_loops = 1;
+  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}), "runs along seams"));
+}
+
 }  // namespace
 }  // namespace cocoon
