@@ -18,6 +18,7 @@
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
+#include "geom/nearest_point.h"
 #include "geom/place_name.h"
 #include "geom/signed_distance.h"
 #include "io/atomic_file.h"
@@ -74,9 +75,21 @@ std::vector<std::vector<double>> deviation(Job& job, const UpdateInput& input,
   return distances;
 }
 
+// Whether one of the places is no farther from the new samples than it is large.
+bool is_at_samples(const Finding& finding, const std::vector<std::vector<Point>>& clouds) {
+  return std::any_of(clouds.begin(), clouds.end(), [&](const std::vector<Point>& cloud) {
+    const NearestPointTree samples(cloud);
+    return std::any_of(finding.spots.begin(), finding.spots.end(), [&](const DoubtfulSpot& spot) {
+      return samples.nearest(spot.at).squared_distance <= spot.size * spot.size;
+    });
+  });
+}
+
 // Adds what is doubtful about the updated surface to the report, and to the warnings what is not
-// said there already. Returns the certificate of the surface.
-MeshReport report_doubts(Job& job, UpdateResult& result, NoiseFilter filter, bool parted) {
+// said there already; where samples are sparse only at the new ones: the model has the others from
+// before, and they would be said each time. Returns the certificate of the surface.
+MeshReport report_doubts(Job& job, const UpdateInput& input, UpdateResult& result,
+                         NoiseFilter filter, bool parted) {
   ReconstructResult& surface = result.reconstruction;
   surface.mesh = std::move(result.mesh);
   MeshReport certificate;
@@ -92,6 +105,7 @@ MeshReport report_doubts(Job& job, UpdateResult& result, NoiseFilter filter, boo
       std::erase(result.warnings,
                  warning_of_unused_points(surface.unused_points, result.replacement.points.size()));
     }
+    if (finding.kind == "sparse" && !is_at_samples(finding, input.clouds)) continue;
     result.warnings.push_back(finding.message);
   }
   return certificate;
@@ -277,7 +291,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   MeshReport certificate = timed(job.execution(), "check", [&] {
     if (session == nullptr) change = mesh_change(input.model, result.mesh, result.vertex_map);
     report_lost_triangles(job, input, change, result);
-    return report_doubts(job, result, filter, output.manifold);
+    return report_doubts(job, input, result, filter, output.manifold);
   });
   VertexProperties properties = properties_of_update(job, input, result);
   if (output.manifold) {
