@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "geom/random.h"
+#include "tests/gallery.h"
 #include "tests/run_program.h"
 #include "tests/test_clouds.h"
 
@@ -99,6 +101,33 @@ TEST(Findings, AreToldOfUpdatesToo) {
   const std::string message = finding["message"];
   EXPECT_NE(report["warnings"].dump().find(message), std::string::npos);
   EXPECT_NE(content_of(folder.file("page.html")).find(message), std::string::npos);
+}
+
+// The lower part of the model is rough from the beginning: a finding of each update, but news only
+// to one that scans it.
+TEST(Findings, SparseSamplesOfAnUpdateAreNewsAtItsOwn) {
+  const TemporaryFolder folder;
+  Random random(3);
+  std::string model;
+  for (const Point& p : gallery::even_sphere(2000)) {
+    const double rough = p.z < -0.3 ? 1 + random.uniform(-0.08, 0.08) : 1;
+    model += point_line(rough * p.x, rough * p.y, rough * p.z);
+  }
+  const std::string model_file = folder.write("model.xyz", model);
+  const auto warns = [&](double side) {
+    std::string cloud;
+    for (const Point& p : gallery::even_sphere(2500)) {
+      if (side * p.z > 0.8) cloud += point_line(p.x, p.y, p.z);
+    }
+    const ProgramRun run = run_program({"update", model_file, folder.write("cloud.xyz", cloud),
+                                        "-o", folder.file("mesh.ply"), "--json", "-"});
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    const Json report = Json::parse(run.out);
+    EXPECT_EQ(report["findings"][0]["kind"], "sparse");
+    return report["warnings"].dump().find("too sparse") != std::string::npos;
+  };
+  EXPECT_FALSE(warns(1));
+  EXPECT_TRUE(warns(-1));
 }
 
 }  // namespace
