@@ -75,12 +75,15 @@ std::vector<std::vector<double>> deviation(Job& job, const UpdateInput& input,
   return distances;
 }
 
-// Whether one of the places is no farther from the new samples than it is large.
+// Whether new samples lie near one of the places: within three times its size, since a group of
+// doubtful samples, which is named by its worst place, reaches farther than that.
 bool is_at_samples(const Finding& finding, const std::vector<std::vector<Point>>& clouds) {
   return std::any_of(clouds.begin(), clouds.end(), [&](const std::vector<Point>& cloud) {
+    constexpr double reach = 3;
     const NearestPointTree samples(cloud);
     return std::any_of(finding.spots.begin(), finding.spots.end(), [&](const DoubtfulSpot& spot) {
-      return samples.nearest(spot.at).squared_distance <= spot.size * spot.size;
+      const double distance = reach * spot.size;
+      return samples.nearest(spot.at).squared_distance <= distance * distance;
     });
   });
 }
