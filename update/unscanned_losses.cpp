@@ -197,7 +197,8 @@ UnscannedLosses unscanned_losses(const ModelIndex& model, std::span<const Vertex
   const std::vector<Loss> losses = far_from_samples(model, lost, scans, options.reach);
   result.far = losses.size();
   std::vector<std::uint8_t> explained(losses.size(), 0);
-  if (!losses.empty() && !lost_handles) {
+  const double most = options.max_explained_share * static_cast<double>(model.mesh().points.size());
+  if (!losses.empty() && !lost_handles && static_cast<double>(losses.size()) <= most) {
     explained = explained_by_changes(model, losses, scans, options);
   }
   for (std::size_t i = 0; i < losses.size(); ++i) {

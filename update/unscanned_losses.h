@@ -27,6 +27,8 @@ struct UnscannedOptions {
   double change_reach = 5;
   // At this share of the vertices where it begins, at least.
   double explained = 0.5;
+  // But nothing explains that more than this share of the model goes so.
+  double max_explained_share = 0.5;
 };
 
 // The vertices of the model's triangles that are not in the updated mesh, ascending. `vertex_map`:

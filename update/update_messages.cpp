@@ -112,6 +112,12 @@ std::string warning_of_overlooked(std::size_t vertices, const Point& at) {
          "chosen; sample more densely at sharp edges and thin walls, and look at the result";
 }
 
+std::string warning_of_handles(std::size_t handles) {
+  return "the updated model has " + counted(handles, "handle") +
+         " more than the rims of the clouds explain: right if the scans have " +
+         (handles == 1 ? "it" : "them") + ", else look at the result";
+}
+
 std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at) {
   const bool one = losses.vertices == 1;
   return counted(losses.vertices, "vertex of the model is gone", "vertices of the model are gone") +

@@ -49,6 +49,8 @@ std::string warning_of_shared_regions(std::size_t regions);
 std::string warning_of_narrow_margin(double degrees);
 // `at`: one of them.
 std::string warning_of_overlooked(std::size_t vertices, const Point& at);
+// More than the rims explain.
+std::string warning_of_handles(std::size_t handles);
 // `at`: the place of the farthest vertex; `reach`: UnscannedOptions::reach.
 std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at);
 // What may be wrong with a cloud, or where it lies on the model.

@@ -95,9 +95,8 @@ class Update {
         replace_points(index, result_.regions, result_.choice, rims, clouds_, options_.replace);
     result_.overlooked =
         overlooked_vertices(index, result_.replacement, rims, clouds_, options_.overlooked);
-    if (result_.overlooked.count >= options_.overlooked.min_count) {
-      warn(warning_of_overlooked(result_.overlooked.count,
-                                 model_.points[result_.overlooked.farthest]));
+    if (const auto& [count, at] = result_.overlooked; count >= options_.overlooked.min_count) {
+      warn(warning_of_overlooked(count, model_.points[at]));
     }
     const KeptSurface kept(index, result_.regions, result_.choice, result_.replacement);
     UpdatedSurface surface = parts.reconstruct(result_.replacement, kept.told(), execution);
@@ -111,15 +110,12 @@ class Update {
     }
     result_.mesh = std::exchange(result_.reconstruction.mesh, {});
     result_.vertex_map = updated_vertices(result_.replacement, result_.reconstruction);
-    if (result_.reconstruction.unused_points > 0) {
-      warn(warning_of_unused_points(result_.reconstruction.unused_points,
-                                    result_.replacement.points.size()));
-    }
+    const std::size_t points = result_.replacement.points.size();
+    const std::size_t unused = result_.reconstruction.unused_points;
+    if (unused > 0) warn(warning_of_unused_points(unused, points));
     result_.euler_before = euler_number(model_.points.size() - result_.replacement.unused_vertices,
                                         model_.triangles.size());
-    result_.euler =
-        euler_number(result_.replacement.points.size() - result_.reconstruction.unused_points,
-                     surface.triangles);
+    result_.euler = euler_number(points - unused, surface.triangles);
     look_for_losses(index);
     return true;
   }
@@ -152,6 +148,9 @@ class Update {
   }
 
   void look_for_losses(const ModelIndex& index) {
+    result_.unexplained_handles =
+        unexplained_handles(result_.clouds, result_.euler_before, result_.euler);
+    if (result_.unexplained_handles > 0) warn(warning_of_handles(result_.unexplained_handles));
     const std::vector<VertexId> lost = lost_vertices(index, result_.replacement, result_.vertex_map,
                                                      result_.reconstruction.unused_points == 0);
     result_.unscanned = unscanned_losses(index, lost, scans_of(clouds_, result_.clouds),

@@ -33,6 +33,7 @@
 #include "update/shared_edges.h"
 #include "update/split_regions.h"
 #include "update/trace_border.h"
+#include "update/unexplained_handles.h"
 #include "update/unscanned_losses.h"
 #include "update/update_status.h"
 
@@ -80,6 +81,7 @@ struct UpdateResult {
   // Euler numbers, from the numbers of vertices in use and of triangles.
   std::ptrdiff_t euler_before = 0;
   std::ptrdiff_t euler = 0;
+  std::size_t unexplained_handles = 0;
   // Of the updated points, without its mesh; counts of duplicates and unused points are here.
   ReconstructResult reconstruction;
 };

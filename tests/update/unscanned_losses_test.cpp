@@ -80,6 +80,8 @@ TEST(UnscannedLosses, AChangeExplainsThem) {
   EXPECT_EQ(scene.losses().far, 9 * 21U);
   EXPECT_EQ(scene.losses().vertices, 0U);
   EXPECT_EQ(scene.losses(true).vertices, 9 * 21U);
+  // Not that more than a part of the model goes, here 189 of 441 vertices.
+  EXPECT_EQ(scene.losses(false, {.max_explained_share = 0.42}).vertices, 9 * 21U);
   EXPECT_EQ(scene.losses(false, {.off_model = 0.6}).vertices, 9 * 21U);
   EXPECT_EQ(scene.losses(false, {.change_reach = 3.5}).vertices, 9 * 21U);
   // Only at a few of the places.
