@@ -44,7 +44,8 @@ std::vector<StageTime> Job::timings() const {
 }
 
 void Job::finish(const std::string& copy_of_report) {
-  if (!warnings_.empty()) report_.set("warnings", warnings_);
+  report_.set_empty_array("warnings");
+  for (const std::string& warning : warnings_) report_.append("warnings", warning);
   for (const StageTime& time : timings()) report_.set("timings_s/" + time.stage, time.seconds);
   report_.set("timings_s/total", clock_.total_seconds());
   if (shared_.verbose) {
