@@ -48,6 +48,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("rim_edges", cloud.surface.rim.rim_edges);
   entry.set("seam_edges", cloud.surface.rim.seam_edges);
   entry.set("shared_edges", cloud.surface.rim.shared_edges);
+  entry.set("torn_edges", cloud.surface.rim.torn_edges);
   entry.set("seam_loops", cloud.surface.rim.seam_loops);
   entry.set("seamed_loops", cloud.surface.rim.seamed_loops);
   entry.set("cut_edges", cloud.cut.cut_edges);

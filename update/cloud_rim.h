@@ -32,6 +32,7 @@ struct RimLoop {
   // 1 where the cloud goes on beyond E_i (rim_seams.h): not the end of the cloud, but a seam in its
   // surface; and where another cloud does (shared_edges.h). Empty: nowhere.
   std::vector<std::uint8_t> inner;
+  bool is_seam = false;  // as a whole, though it lies on the model (torn_edges.h): all are inner
 
   bool is_inner(std::size_t i) const { return !inner.empty() && inner[i] != 0; }
   // b_i lies between two such edges: it says nothing about where the cloud ends.
@@ -59,6 +60,7 @@ struct CloudRim {
   std::size_t seam_edges = 0;        // of these, edges with cloud beyond them
   std::size_t non_orientable = 0;    // one-sided parts: their normals are not reliable
 
+  std::size_t torn_edges = 0;    // of them, those that mark_torn_edges() marked
   std::size_t shared_edges = 0;  // marked by mark_shared_edges()
 
   // Whether parts of it are no end of what was scanned: the surface of the cloud broke up somewhere

@@ -209,14 +209,12 @@ class Update {
       report_loop(c, loop, true);
       rim.loops.push_back(std::move(loop));
     }
-    mark_shared(c);
+    mark_torn_edges(index, clouds_[c], rim, options_.torn);
+    if (clouds_.size() > 1) {
+      const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
+      shared_with_[c] = mark_shared_edges(c, scans, rim, options_.shared);
+    }
     overlaps_[c] = overlapping_facets(index, rim, options_.overlap, execution);
-  }
-
-  void mark_shared(std::size_t c) {
-    if (clouds_.size() < 2) return;
-    CloudRim& rim = result_.clouds[c].surface.rim;
-    shared_with_[c] = mark_shared_edges(c, scans_of(clouds_, result_.clouds), rim, options_.shared);
   }
 
   // The rim that looked best is not on the model: takes the best one that is, if there is one.
@@ -278,6 +276,7 @@ class Update {
     enter_overlap(overlap, result_.clouds[c]);
     for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
       if (overlap.loops[l].match == LoopMatch::on_model) continue;
+      if (result_.clouds[c].surface.rim.loops[l].is_seam) continue;
       warn(name_of_loop(c, l) + (overlap.loops[l].match == LoopMatch::covered
                                      ? ": lies on other clouds and is no border"
                                      : ": is off the model and taken for a hole in the cloud"));

@@ -32,6 +32,7 @@
 #include "update/segment_model.h"
 #include "update/shared_edges.h"
 #include "update/split_regions.h"
+#include "update/torn_edges.h"
 #include "update/trace_border.h"
 #include "update/unexplained_handles.h"
 #include "update/unscanned_losses.h"
@@ -42,6 +43,7 @@ namespace cocoon {
 struct UpdateOptions {
   CloudSurfaceOptions cloud;
   PinHoleOptions pin_holes;
+  TornEdgeOptions torn;
   OverlapOptions overlap;
   TraceOptions trace;
   SegmentOptions segment;

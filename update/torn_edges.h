@@ -1,0 +1,32 @@
+// Rim edges beside which the scan goes on off the model: seams at the edges of a change.
+#pragma once
+
+#include <cstddef>
+
+#include "geom/point.h"
+#include "update/cloud_rim.h"
+#include "update/model_index.h"
+
+namespace cocoon {
+
+struct TornEdgeOptions {
+  // A sample within so many rim spacings of the middle of an edge,
+  double reach = 1.5;
+  // that lies so many of them out from it, along the surface beside the edge,
+  double min_outward = 0.2;
+  // and is farther from the model than that middle is, by so many, shows a seam.
+  double off_model = 0.4;
+  // A loop with a larger share of such edges, and of others with cloud beyond them, is a seam.
+  double max_seam_share = 0.5;
+};
+
+// Marks the edges of loops (RimLoop::inner), all of those of a seam (RimLoop::is_seam), and counts
+// them (CloudRim::seam_edges, torn_edges). Nothing is marked if no rim would be left.
+// Why: where a wall meets the model at a sharp edge, as at the mouth of a drilled hole, the surface
+// of the scan is torn along it. The loop that this leaves lies on the model, as that around a hole
+// in the scan does; but there all samples near by lie on the model, too.
+// Complexity: O(n) for n samples, and what NearFacets takes. Deterministic. Source: ours.
+void mark_torn_edges(const ModelIndex& model, Points cloud, CloudRim& rim,
+                     const TornEdgeOptions& options = {});
+
+}  // namespace cocoon
