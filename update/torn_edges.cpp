@@ -74,18 +74,6 @@ class Surroundings {
   BoxTree tree_;
 };
 
-// Whether there are loops that are none.
-bool find_seams(std::vector<RimLoop>& loops, double max_share) {
-  bool any_rim = false;
-  for (RimLoop& loop : loops) {
-    const auto inner = static_cast<double>(std::count(loop.inner.begin(), loop.inner.end(), 1));
-    loop.is_seam = inner > max_share * static_cast<double>(loop.size());
-    if (loop.is_seam) loop.inner.assign(loop.size(), 1);
-    any_rim = any_rim || !loop.is_seam;
-  }
-  return any_rim;
-}
-
 }  // namespace
 
 void mark_torn_edges(const ModelIndex& model, Points cloud, CloudRim& rim,
@@ -98,24 +86,32 @@ void mark_torn_edges(const ModelIndex& model, Points cloud, CloudRim& rim,
   std::vector<Point> samples = points_near(cloud, middles, reach);
   if (samples.empty()) return;
   const Surroundings around(model, std::move(samples), edges, 2 * reach);
-  std::vector<RimLoop> loops = rim.loops;
-  std::size_t marked = 0;
+  std::vector<std::size_t> torn(rim.loops.size(), 0);
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const RimEdge& edge = edges[k];
     const double off = around.height_of_edge(k) + options.off_model * rim.spacing;
     const double outward = options.min_outward * rim.spacing;
-    const bool torn = around.any_near(edge.middle, reach, [&](const Point& p, double height) {
+    torn[edge.loop] += around.any_near(edge.middle, reach, [&](const Point& p, double height) {
       return height > off && dot(p - edge.middle, edge.outward) >= outward;
     });
-    if (!torn) continue;
-    loops[edge.loop].inner.resize(loops[edge.loop].size(), 0);
-    loops[edge.loop].inner[edge.index] = 1;
-    ++marked;
   }
-  if (marked == 0 || !find_seams(loops, options.max_seam_share)) return;
-  rim.loops = std::move(loops);
-  rim.seam_edges += marked;
-  rim.torn_edges = marked;
+  const auto is_seam = [&](std::size_t l) {
+    const auto& inner = rim.loops[l].inner;
+    const auto marked = static_cast<std::size_t>(std::count(inner.begin(), inner.end(), 1));
+    return torn[l] > 0 && static_cast<double>(torn[l] + marked) >
+                              options.max_seam_share * static_cast<double>(rim.loops[l].size());
+  };
+  std::vector<std::size_t> seams;
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    if (is_seam(l)) seams.push_back(l);
+  }
+  if (seams.size() == rim.loops.size()) return;
+  for (const std::size_t l : seams) {
+    rim.loops[l].is_seam = true;
+    rim.loops[l].inner.assign(rim.loops[l].size(), 1);
+    rim.torn_edges += torn[l];
+    rim.seam_edges += torn[l];
+  }
 }
 
 }  // namespace cocoon

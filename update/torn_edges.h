@@ -1,4 +1,4 @@
-// Rim edges beside which the scan goes on off the model: seams at the edges of a change.
+// Loops beside which the scan goes on off the model: seams at the edges of a change.
 #pragma once
 
 #include <cstddef>
@@ -20,12 +20,13 @@ struct TornEdgeOptions {
   double max_seam_share = 0.5;
 };
 
-// Marks the edges of loops (RimLoop::inner), all of those of a seam (RimLoop::is_seam), and counts
-// them (CloudRim::seam_edges, torn_edges). Nothing is marked if no rim would be left.
-// Why: where a wall meets the model at a sharp edge, as at the mouth of a drilled hole, the surface
-// of the scan is torn along it. The loop that this leaves lies on the model, as that around a hole
-// in the scan does; but there all samples near by lie on the model, too.
-// Complexity: O(n) for n samples, and what NearFacets takes. Deterministic. Source: ours.
+// Marks loops that are seams (RimLoop::is_seam, and all of their edges as RimLoop::inner), and
+// counts such edges of them (CloudRim::seam_edges, torn_edges). Nothing is marked if no rim would
+// be left. Edges here and there are no seam: a rim may run close to what has changed. Why: where a
+// wall meets the model at a sharp edge, as at the mouth of a drilled hole, the surface of the scan
+// is torn along it. The loop that this leaves lies on the model, as that around a hole in the scan
+// does; but there all samples near by lie on the model, too. Complexity: O(n) for n samples, and
+// what NearFacets takes. Deterministic. Source: ours.
 void mark_torn_edges(const ModelIndex& model, Points cloud, CloudRim& rim,
                      const TornEdgeOptions& options = {});
 
