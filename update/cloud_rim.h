@@ -7,6 +7,7 @@
 //   b_i --------- b_i+1 ----     E_i = (b_i, b_i+1), indices modulo the length of the loop
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -38,6 +39,9 @@ struct RimLoop {
   // b_i lies between two such edges: it says nothing about where the cloud ends.
   bool is_inner_point(std::size_t i) const {
     return is_inner(i) && is_inner(i > 0 ? i - 1 : points.size() - 1);
+  }
+  std::size_t inner_edges() const {
+    return static_cast<std::size_t>(std::count(inner.begin(), inner.end(), 1));
   }
   std::size_t size() const { return points.size(); }
   std::size_t next(std::size_t i) const { return i + 1 < points.size() ? i + 1 : 0; }

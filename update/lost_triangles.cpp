@@ -4,34 +4,10 @@
 
 #include "geom/closest_facet.h"
 #include "geom/median.h"
-#include "geom/nearest_point.h"
 #include "geom/triangles_by_area.h"
+#include "update/scanned_places.h"
 
 namespace cocoon {
-
-namespace {
-
-// Where samples lie near.
-class ScannedPlaces {
- public:
-  ScannedPlaces(std::span<const Scan> scans, double reach) : scans_(scans), reach_(reach) {
-    for (const Scan& scan : scans) samples_.emplace_back(scan.samples);
-  }
-  bool contain(const Point& place) const {
-    for (std::size_t c = 0; c < scans_.size(); ++c) {
-      const double limit = reach_ * scans_[c].spacing;
-      if (samples_[c].nearest(place).squared_distance <= limit * limit) return true;
-    }
-    return false;
-  }
-
- private:
-  std::span<const Scan> scans_;
-  double reach_;
-  std::vector<NearestPointTree> samples_;
-};
-
-}  // namespace
 
 LostTriangles lost_triangles(const TriangleMesh& model,
                              const IdVector<VertexId, PointId>& point_of_vertex,
@@ -53,7 +29,8 @@ AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const Tria
                                  const TriangleMesh& updated, std::span<const Scan> scans,
                                  const AstrayOptions& options) {
   const ClosestFacetTree tree(updated);
-  const ScannedPlaces scanned(scans, options.reach);
+  ScannedPlaces scanned;
+  for (const Scan& scan : scans) scanned.add(scan.samples, options.reach * scan.spacing);
   AstrayTriangles result;
   std::vector<double> sides;
   double largest = 0;

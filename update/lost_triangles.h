@@ -33,8 +33,9 @@ struct AstrayOptions {
   double tolerance = 0.05;
   // A place has been scanned if a sample lies within this many spacings of its cloud.
   double reach = 3;
-  // Looked for only if so many triangles are lost, and this share of those that stay; worth a
-  // warning from this share of their area on. Of dense models at most 0.003 are lost.
+  // For whoever tells of them. Looked for only if so many triangles are lost, and this share of
+  // those that stay; worth a warning from this share of their area on. Of dense models at most
+  // 0.003 are lost.
   std::size_t min_lost = 20;
   double min_lost_share = 0.1;
   double min_area_share = 0.02;

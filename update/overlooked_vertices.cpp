@@ -2,32 +2,10 @@
 
 #include <algorithm>
 
-#include "geom/box.h"
-#include "geom/nearest_point.h"
 #include "update/rim_index.h"
+#include "update/scanned_places.h"
 
 namespace cocoon {
-
-namespace {
-
-// The samples of one cloud, and how near to them a vertex has been scanned anew.
-class ScannedPlaces {
- public:
-  ScannedPlaces(const std::vector<Point>& cloud, double reach) : samples_(cloud), reach_(reach) {
-    for (const Point& p : cloud) box_.include(p);
-    box_.enlarge(reach);
-  }
-  bool covers(const Point& p) const {
-    return contains(box_, p) && samples_.nearest(p).squared_distance <= reach_ * reach_;
-  }
-
- private:
-  NearestPointTree samples_;
-  double reach_;
-  Box box_;
-};
-
-}  // namespace
 
 OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacement& replacement,
                                        std::span<const CloudRim> rims,
@@ -37,18 +15,16 @@ OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacemen
   if (std::none_of(rims.begin(), rims.end(), is_partial)) return {};
   const RimIndex rim_index(rims);
   if (rim_index.empty()) return {};
-  std::vector<ScannedPlaces> scans;
+  ScannedPlaces scanned;
   for (std::size_t c = 0; c < clouds.size(); ++c) {
-    if (!clouds[c].empty()) scans.emplace_back(clouds[c], options.reach * rims[c].median_edge);
+    scanned.add(clouds[c], options.reach * rims[c].median_edge);
   }
   OverlookedVertices found;
   double farthest = options.min_rim_distance;
   for (const VertexId v : model.mesh().points.ids()) {
     if (replacement.point_of_vertex[v].is_none()) continue;
     const Point& p = model.mesh().points[v];
-    bool scanned = false;
-    for (const ScannedPlaces& scan : scans) scanned = scanned || scan.covers(p);
-    if (!scanned) continue;
+    if (!scanned.contain(p)) continue;
     const RimSide side = rim_index.side_of(p);
     const double edges = side.distance / rims[side.rim].median_edge;
     if (!(edges > options.min_rim_distance)) continue;

@@ -43,12 +43,8 @@ bool has_cloud_beyond(const NearestPointTree& tree, Points samples, const RimLoo
   return nearest.squared_distance <= reach * reach * spacing * spacing;
 }
 
-std::size_t inner_edges(const RimLoop& loop) {
-  return static_cast<std::size_t>(std::count(loop.inner.begin(), loop.inner.end(), 1));
-}
-
 bool is_seam(const RimLoop& loop, const RimSeamOptions& options) {
-  return static_cast<double>(inner_edges(loop)) >
+  return static_cast<double>(loop.inner_edges()) >
          options.max_seam_share * static_cast<double>(loop.size());
 }
 
@@ -108,7 +104,7 @@ void mark_rim_seams(Points cloud, CloudRim& rim, const RimSeamOptions& options) 
   rim.seam_edges = 0;
   for (const RimLoop& loop : rim.loops) {
     rim.rim_edges += loop.size();
-    rim.seam_edges += inner_edges(loop);
+    rim.seam_edges += loop.inner_edges();
   }
   std::vector<RimLoop> rims;
   for (RimLoop& loop : rim.loops) {

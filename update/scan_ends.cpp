@@ -9,6 +9,7 @@
 #include "geom/zeroed_array.h"
 #include "update/near_facets.h"
 #include "update/reached_cells.h"
+#include "update/scanned_places.h"
 
 namespace cocoon {
 
@@ -29,31 +30,19 @@ class Coverage {
       : model_(model), known_(model.mesh().triangles.size()) {
     for (const Scan& scan : scans) {
       const double distance = reach * scan.spacing;
-      const std::vector<Point> near = points_near(scan.samples, places, distance);
-      if (!near.empty()) scans_.push_back({NearestPointTree(near), distance});
+      scanned_.add(points_near(scan.samples, places, distance), distance);
     }
   }
 
   bool is_scanned(TriangleId t) {
-    if (known_[t] == 0) known_[t] = is_near(model_.centroid(t)) ? 1 : 2;
+    if (known_[t] == 0) known_[t] = scanned_.contain(model_.centroid(t)) ? 1 : 2;
     return known_[t] == 1;
   }
 
  private:
-  struct NearScan {
-    NearestPointTree samples;
-    double reach;
-  };
-
-  bool is_near(const Point& p) const {
-    return std::any_of(scans_.begin(), scans_.end(), [&](const NearScan& scan) {
-      return scan.samples.nearest(p).squared_distance <= scan.reach * scan.reach;
-    });
-  }
-
   const ModelIndex& model_;
   ZeroedArray<TriangleId, std::uint8_t> known_;  // 1: scanned, 2: not scanned
-  std::vector<NearScan> scans_;
+  ScannedPlaces scanned_;
 };
 
 // Takes out the places with a sample of the scan near them that is not on the model.

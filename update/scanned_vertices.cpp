@@ -7,6 +7,7 @@
 
 #include "geom/box_tree.h"
 #include "geom/sort_ids.h"
+#include "update/mean_at_vertex.h"
 
 namespace cocoon {
 
@@ -48,17 +49,7 @@ class BorderSpacing {
     std::vector<double> means;
     means.reserve(vertices_.size());
     for (const VertexId v : vertices_) {
-      double sum = 0;
-      std::size_t count = 0;
-      for (const TriangleId t : model_.triangles_at(v)) {
-        const Triangle& corners = model_.mesh().triangles[t];
-        for (std::size_t i = 0; i < 3; ++i) {
-          if (corners[i] != v) continue;
-          sum += value(v, corners[(i + 1) % 3]) + value(v, corners[(i + 2) % 3]);
-          count += 2;
-        }
-      }
-      means.push_back(sum / static_cast<double>(count));
+      means.push_back(mean_at_vertex(model_, v, [&](VertexId other) { return value(v, other); }));
     }
     return means;
   }

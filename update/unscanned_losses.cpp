@@ -5,31 +5,22 @@
 #include <cstdint>
 #include <limits>
 
-#include "geom/box_tree.h"
 #include "geom/disjoint_sets.h"
 #include "geom/nearest_point.h"
 #include "geom/visit_where.h"
-#include "update/near_facets.h"
+#include "update/mean_at_vertex.h"
 #include "update/reached_cells.h"
+#include "update/sample_heights.h"
 
 namespace cocoon {
 
 namespace {
 
-// Of the model at one of its vertices, which has triangles: the mean of their edges there. In the
-// order of ids, so that the sum does not depend on how the index knows them.
+// Of the model at one of its vertices, which has triangles.
 double spacing_at(const ModelIndex& model, VertexId v) {
   const auto& points = model.mesh().points;
-  double sum = 0;
-  std::size_t count = 0;
-  for (const TriangleId t : model.triangles_at(v)) {
-    for (const VertexId other : model.mesh().triangles[t]) {
-      if (other == v) continue;
-      sum += distance(points[v], points[other]);
-      ++count;
-    }
-  }
-  return count > 0 ? sum / static_cast<double>(count) : 0;
+  return mean_at_vertex(model, v,
+                        [&](VertexId other) { return distance(points[v], points[other]); });
 }
 
 // A vertex that went, with no sample near it.
@@ -89,50 +80,14 @@ class Groups {
   std::vector<std::uint8_t> begins_;
 };
 
-// The samples of a scan around given places, and how far from the model they are.
-class Changes {
- public:
-  // `unit`: at least that of any place.
-  Changes(const ModelIndex& model, const Scan& scan, Points places, double unit,
-          const UnscannedOptions& options)
-      : options_(options),
-        samples_(points_near(scan.samples, places, options.change_reach * unit)) {
-    if (samples_.empty()) return;
-    const double bound = options.off_model * unit;
-    const NearFacets near(model, samples_, bound);
-    std::vector<Box> boxes;
-    for (const Point& p : samples_) {
-      const auto any = [](TriangleId) { return true; };
-      const ClosestFacet closest = near.closest(p, bound * bound, any);
-      squared_heights_.push_back(closest.triangle.is_none()
-                                     ? std::numeric_limits<double>::infinity()
-                                     : closest.squared_distance);
-      boxes.push_back(box_of({&p, 1}));
-    }
-    tree_ = BoxTree(boxes);
-  }
-
-  // Whether a sample around is off the model.
-  bool has_one_at(const Point& p, double unit) const {
-    const double reach = options_.change_reach * unit;
-    const double height = options_.off_model * unit;
-    bool found = false;
-    if (samples_.empty()) return false;
-    tree_.visit_near(p, reach * reach, [&](std::uint32_t slot) {
-      const std::uint32_t k = tree_.items()[slot];
-      found = found || (squared_heights_[k] > height * height &&
-                        squared_distance(p, samples_[k]) <= reach * reach);
-      return found ? -1.0 : reach * reach;
-    });
-    return found;
-  }
-
- private:
-  UnscannedOptions options_;
-  std::vector<Point> samples_;
-  std::vector<double> squared_heights_;
-  BoxTree tree_;
-};
+// Of the samples around given places; `unit`: at least that of any place.
+SampleHeights heights_around(const ModelIndex& model, const Scan& scan, Points places, double unit,
+                             const UnscannedOptions& options) {
+  std::vector<Point> samples = points_near(scan.samples, places, options.change_reach * unit);
+  if (samples.empty()) return {{}, {}};
+  std::vector<double> heights = squared_heights(model, samples, options.off_model * unit);
+  return {std::move(samples), std::move(heights)};
+}
 
 // Which losses a change of the surface explains, by their groups.
 std::vector<std::uint8_t> explained_by_changes(const ModelIndex& model,
@@ -153,10 +108,13 @@ std::vector<std::uint8_t> explained_by_changes(const ModelIndex& model,
   }
   std::vector<std::uint8_t> is_changed(asked.size(), 0);
   for (const Scan& scan : scans) {
-    const Changes changes(model, scan, places, std::max(scan.spacing, spacing), options);
+    const SampleHeights samples =
+        heights_around(model, scan, places, std::max(scan.spacing, spacing), options);
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const double unit = std::max(scan.spacing, losses[asked[k]].spacing);
-      if (changes.has_one_at(places[k], unit)) is_changed[k] = 1;
+      const double off = options.off_model * unit;
+      const auto is_off = [&](const Point&, double height) { return height > off * off; };
+      if (samples.any_near(places[k], options.change_reach * unit, is_off)) is_changed[k] = 1;
     }
   }
   for (std::size_t k = 0; k < asked.size(); ++k) {

@@ -1,0 +1,29 @@
+#include "update/sample_heights.h"
+
+#include <limits>
+#include <utility>
+
+#include "update/near_facets.h"
+
+namespace cocoon {
+
+std::vector<double> squared_heights(const ModelIndex& model, Points places, double bound) {
+  const NearFacets near(model, places, bound);
+  std::vector<double> heights;
+  heights.reserve(places.size());
+  for (const Point& p : places) {
+    const ClosestFacet closest = near.closest(p, bound * bound, [](TriangleId) { return true; });
+    heights.push_back(closest.triangle.is_none() ? std::numeric_limits<double>::infinity()
+                                                 : closest.squared_distance);
+  }
+  return heights;
+}
+
+SampleHeights::SampleHeights(std::vector<Point> samples, std::vector<double> squared_heights)
+    : samples_(std::move(samples)), squared_heights_(std::move(squared_heights)) {
+  std::vector<Box> boxes;
+  for (const Point& p : samples_) boxes.push_back(box_of({&p, 1}));
+  if (!boxes.empty()) tree_ = BoxTree(boxes);
+}
+
+}  // namespace cocoon

@@ -1,0 +1,29 @@
+// Places near which samples lie.
+#pragma once
+
+#include <vector>
+
+#include "geom/box.h"
+#include "geom/nearest_point.h"
+#include "geom/point.h"
+
+namespace cocoon {
+
+class ScannedPlaces {
+ public:
+  // Places at most this far from one of the samples, which are copied, are scanned, too; `samples`
+  // may be empty. Complexity: O(n log n).
+  void add(Points samples, double reach);
+  // Whether a sample lies near. Complexity: O(log n) for each set of samples, O(1) far from all.
+  bool contain(const Point& place) const;
+
+ private:
+  struct Scan {
+    NearestPointTree samples;
+    double reach;
+    Box box;  // of what is scanned
+  };
+  std::vector<Scan> scans_;
+};
+
+}  // namespace cocoon
