@@ -52,12 +52,6 @@ VertexProperties carried_properties(Job& job, std::span<const VertexProperties> 
   return std::move(gathered.properties);
 }
 
-void select_rows(VertexProperties& table, std::span<const RowOrigin> origins) {
-  std::vector<std::string> left_out = std::move(table.left_out);
-  table = gather_properties({&table, 1}, origins).properties;
-  table.left_out = std::move(left_out);
-}
-
 VertexProperties properties_of_surface(Job& job, const VertexProperties& table,
                                        const std::string& name, const ReconstructResult& surface) {
   std::vector<RowOrigin> origins;

@@ -21,10 +21,7 @@ VertexProperties carried_properties(Job& job, std::span<const VertexProperties> 
                                     const std::vector<std::string>& names,
                                     std::span<const RowOrigin> origins);
 
-// Makes row i of the table what row origins[i].row was. What was left out of it stays noted.
-void select_rows(VertexProperties& table, std::span<const RowOrigin> origins);
-
-// The same as carried_properties for a surface of the points of one file.
+// The same for a surface of the points of one file.
 VertexProperties properties_of_surface(Job& job, const VertexProperties& table,
                                        const std::string& name, const ReconstructResult& surface);
 

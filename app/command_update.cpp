@@ -54,7 +54,7 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
   if (!input.properties.empty()) {
     std::vector<RowOrigin> origins;
     for (const PointId point : initial.point_of_vertex) origins.push_back({0, point.index()});
-    select_rows(input.properties[0], origins);
+    input.properties[0] = select_rows(input.properties[0], origins);
   }
   IdVector<PointId, VertexId> vertex_of_point(input.model.points.size());
   for (const VertexId v : initial.point_of_vertex.ids()) {

@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/carried_properties.h"
 #include "app/files.h"
 #include "geom/counted.h"
 #include "geom/equal_points.h"
@@ -31,7 +30,7 @@ ModelFile read_model(Job& job, const std::string& path, const std::string& secti
   if (properties != nullptr) {
     std::vector<RowOrigin> origins;
     for (const VertexId source : welded.source) origins.push_back({0, source.index()});
-    select_rows(*properties, origins);
+    *properties = select_rows(*properties, origins);
   }
   return {std::move(welded.mesh), std::move(welded.vertex_of)};
 }

@@ -240,9 +240,7 @@ void filter_clouds(Job& job, const std::optional<StrayOptions>& filter, UpdateIn
     job.say("noise: {}: {} left out", name, told_strays(strays));
     if (input.properties.empty()) continue;
     VertexProperties& properties = input.properties[1 + c];
-    std::vector<std::string> left_out = std::move(properties.left_out);
     properties = select_properties(properties, strays.kept.raw());
-    properties.left_out = std::move(left_out);
   }
 }
 

@@ -87,15 +87,19 @@ GatheredProperties gather_properties(std::span<const VertexProperties> tables,
   return result;
 }
 
+VertexProperties select_rows(const VertexProperties& table, std::span<const RowOrigin> origins) {
+  GatheredProperties gathered = gather_properties({&table, 1}, origins);
+  gathered.properties.left_out = table.left_out;
+  return std::move(gathered.properties);
+}
+
 VertexProperties select_properties(const VertexProperties& table,
                                    std::span<const std::uint8_t> kept) {
   std::vector<RowOrigin> origins;
   for (std::size_t row = 0; row < kept.size(); ++row) {
     if (kept[row] != 0) origins.push_back({0, row});
   }
-  GatheredProperties gathered = gather_properties({&table, 1}, origins);
-  gathered.properties.left_out = table.left_out;
-  return std::move(gathered.properties);
+  return select_rows(table, origins);
 }
 
 std::string type_text(const PlyProperty& declaration) {

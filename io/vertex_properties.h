@@ -58,6 +58,9 @@ struct GatheredProperties {
 GatheredProperties gather_properties(std::span<const VertexProperties> tables,
                                      std::span<const RowOrigin> origins);
 
+// The rows `origins` of one table, in this order; what was left out of it stays noted.
+VertexProperties select_rows(const VertexProperties& table, std::span<const RowOrigin> origins);
+
 // The rows of `table` whose flag in `kept` (one a row) is set, in their order.
 VertexProperties select_properties(const VertexProperties& table,
                                    std::span<const std::uint8_t> kept);
