@@ -30,8 +30,8 @@ struct HalfLabels {
 };
 
 // A half without labels is on the other side than the one with; the majority counts where they are
-// mixed, which is a conflict, and so are two halves on the same side. Precondition: there is a
-// label. O(1). Source: Dey & Goswami 2003 (Tight Cocone, marking); the majority is ours,
+// mixed, which is a conflict, and so are two halves on the same side. Without any label the first
+// is OUT. O(1). Source: Dey & Goswami 2003 (Tight Cocone, marking); the majority is ours,
 // docs/stages/mark_cells.md.
 inline HalfLabels label_halves(const LabelCount& first, const LabelCount& second) {
   const auto opposite = [](CellLabel label) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "cocone/edge_cycle.h"
 #include "cocone/good_parts.h"
 #include "cocone/surface_fan.h"
 #include "geom/disjoint_sets.h"
@@ -43,25 +44,6 @@ struct OppositeEdge {
   VertexId from;
   VertexId to;
 };
-
-// Whether the triangles around a vertex are one closed umbrella: their edges opposite to it make
-// one cycle, with no vertex twice. Sorts them. Complexity: O(k log k).
-bool is_one_cycle(std::span<OppositeEdge> edges) {
-  const auto before = [](const OppositeEdge& a, const OppositeEdge& b) { return a.from < b.from; };
-  std::sort(edges.begin(), edges.end(), before);
-  if (edges.empty()) return false;
-  std::size_t met = 0;
-  std::size_t at = 0;
-  do {
-    if (at + 1 < edges.size() && edges[at + 1].from == edges[at].from) return false;
-    const OppositeEdge wanted{edges[at].to, {}};
-    const auto next = std::lower_bound(edges.begin(), edges.end(), wanted, before);
-    if (next == edges.end() || next->from != wanted.from) return false;
-    at = static_cast<std::size_t>(next - edges.begin());
-    ++met;
-  } while (at != 0 && met < edges.size());
-  return at == 0 && met == edges.size();
-}
 
 // Each vertex once.
 std::vector<VertexId> corners_of(const Triangulation& triangulation,
@@ -240,7 +222,8 @@ bool KeptBody::has_umbrellas(const Triangulation& triangulation, const Execution
         }
       });
   return vertices == first_failing(execution, vertices, [&](std::size_t v) {
-           return is_one_cycle(std::span(edges).subspan(begins[v], begins[v + 1] - begins[v]));
+           const std::span<const OppositeEdge> all(edges);
+           return is_one_cycle(all.subspan(begins[v], begins[v + 1] - begins[v]));
          });
 }
 

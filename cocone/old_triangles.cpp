@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cocone/edge_cycle.h"
 #include "geom/sort_by_vertex.h"
 #include "geom/triangle_mesh.h"
 
@@ -48,18 +49,6 @@ bool OldTriangles::is_intact(VertexId v) const {
   return !spokes.empty() && std::all_of(spokes.begin(), spokes.end(), [&](const Spoke& s) {
     return !facet_of_[s.triangle].is_none();
   }) && (is_one_cycle(spokes) || is_balanced(spokes));
-}
-
-// Whether one triangle after the other leads through all of them, as around nearly all vertices.
-bool OldTriangles::is_one_cycle(std::span<const Spoke> fan) {
-  VertexId at = fan.front().to;
-  for (std::size_t count = 1; count < fan.size(); ++count) {
-    const auto next =
-        std::find_if(fan.begin(), fan.end(), [&](const Spoke& s) { return s.from == at; });
-    if (next == fan.begin() || next == fan.end()) return false;
-    at = next->to;
-  }
-  return at == fan.front().from;
 }
 
 bool OldTriangles::is_balanced(std::span<const Spoke> fan) {

@@ -88,7 +88,6 @@ class OldTriangles {
     const std::uint32_t begin = begins_[v.index()];
     return std::span(spokes_).subspan(begin, begins_[v.index() + 1] - begin);
   }
-  static bool is_one_cycle(std::span<const Spoke> fan);
   static bool is_balanced(std::span<const Spoke> fan);
 
   const Triangulation& triangulation_;
