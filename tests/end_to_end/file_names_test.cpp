@@ -23,6 +23,16 @@ class RunsInAFolder : public testing::Test {
   }
   ~RunsInAFolder() override { fs::current_path(before_); }
 
+  static void expect_errors(const std::vector<Names>& command_lines, int exit_code,
+                            const std::string& message) {
+    for (const Names& arguments : command_lines) {
+      std::string line;
+      for (const std::string& argument : arguments) line += argument + " ";
+      SCOPED_TRACE(line);
+      expect_error(run_program(arguments), exit_code, message);
+    }
+  }
+
   TemporaryFolder folder;
 
  private:
@@ -71,12 +81,7 @@ TEST_F(InputsAsOutputs, AreRefused) {
   const Names before = folder.names();
   const std::string points = content_of("points.xyz");
   const std::string model = content_of("m.ply");
-  for (const Names& arguments : command_lines) {
-    std::string line;
-    for (const std::string& argument : arguments) line += argument + " ";
-    SCOPED_TRACE(line);
-    expect_error(run_program(arguments), 2, "is an input and would be overwritten");
-  }
+  expect_errors(command_lines, 2, "is an input and would be overwritten");
   EXPECT_EQ(folder.names(), before);
   EXPECT_EQ(content_of("points.xyz"), points);
   EXPECT_EQ(content_of("m.ply"), model);
@@ -107,12 +112,7 @@ TEST_F(LongNames, AreToldInOneLine) {
       {"sample", "block", "-o", name, "--points", "600", "--cloud-points", "900"},
   };
   const Names before = folder.names();
-  for (const Names& arguments : command_lines) {
-    std::string line;
-    for (const std::string& argument : arguments) line += argument + " ";
-    SCOPED_TRACE(line);
-    expect_error(run_program(arguments), 1, "this name is too long; use one of at most 255 bytes");
-  }
+  expect_errors(command_lines, 1, "this name is too long; use one of at most 255 bytes");
   EXPECT_EQ(folder.names(), before);
   expect_error(run_program({"check", mesh}), 1, "File name too long");
 
