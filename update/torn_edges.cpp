@@ -51,15 +51,24 @@ std::vector<std::size_t> count_torn(const ModelIndex& model, Points cloud, const
   const auto of_samples = heights.begin() + static_cast<std::ptrdiff_t>(middles.size());
   const SampleHeights around(std::move(samples), {of_samples, heights.end()});
   const double outward = options.min_outward * rim.spacing;
+  const double least_step = options.min_step * rim.spacing;
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const RimEdge& edge = edges[k];
-    const double off = std::sqrt(heights[k]) + options.off_model * rim.spacing;
-    if (off >= bound) continue;
-    torn[edge.loop] += around.any_near(edge.middle, reach, [&](const Point& p, double height) {
-      return height > off * off && dot(p - edge.middle, edge.outward) >= outward;
+    const double height = std::sqrt(heights[k]);
+    torn[edge.loop] += around.any_near(edge.middle, reach, [&](const Point& p, double squared) {
+      return std::abs(std::sqrt(squared) - height) > least_step &&
+             dot(p - edge.middle, edge.outward) >= outward;
     });
   }
   return torn;
+}
+
+bool is_seam(const RimLoop& loop, std::size_t torn, const TornEdgeOptions& options) {
+  const std::size_t inner = loop.inner_edges();
+  const auto size = static_cast<double>(loop.size());
+  const auto others = static_cast<double>(loop.size() - inner);
+  return static_cast<double>(torn) > options.min_torn_share * others &&
+         static_cast<double>(torn + inner) > options.max_seam_share * size;
 }
 
 }  // namespace
@@ -69,11 +78,7 @@ void mark_torn_edges(const ModelIndex& model, Points cloud, CloudRim& rim,
   const std::vector<std::size_t> torn = count_torn(model, cloud, rim, options);
   std::vector<std::size_t> seams;
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
-    const RimLoop& loop = rim.loops[l];
-    if (torn[l] > 0 && static_cast<double>(torn[l] + loop.inner_edges()) >
-                           options.max_seam_share * static_cast<double>(loop.size())) {
-      seams.push_back(l);
-    }
+    if (is_seam(rim.loops[l], torn[l], options)) seams.push_back(l);
   }
   if (seams.size() == rim.loops.size()) return;
   for (const std::size_t l : seams) {

@@ -14,10 +14,14 @@ struct TornEdgeOptions {
   double reach = 1.5;
   // that lies so many of them out from it, along the surface beside the edge,
   double min_outward = 0.2;
-  // and is farther from the model than that middle is, by so many, shows a seam.
-  double off_model = 0.4;
-  // A loop with a larger share of such edges, and of others with cloud beyond them, is a seam.
+  // and is farther from the model than that middle is, or closer to it, by so many, shows that the
+  // edge is torn.
+  double min_step = 0.4;
+  // A loop is a seam if a larger share of it is torn or has cloud beyond it (RimLoop::inner),
   double max_seam_share = 0.5;
+  // and a larger share of its other edges is torn: the few torn ones of a rim with many inner edges
+  // do not make a seam of it.
+  double min_torn_share = 0.2;
 };
 
 // Marks loops that are seams (RimLoop::is_seam, and all of their edges as RimLoop::inner), and
@@ -25,8 +29,9 @@ struct TornEdgeOptions {
 // be left. Edges here and there are no seam: a rim may run close to what has changed. Why: where a
 // wall meets the model at a sharp edge, as at the mouth of a drilled hole, the surface of the scan
 // is torn along it. The loop that this leaves lies on the model, as that around a hole in the scan
-// does; but there all samples near by lie on the model, too. Complexity: O(n) for n samples, and
-// what NearFacets takes. Deterministic. Source: ours.
+// does; but there all samples near by lie on the model, too. The other side of the same tear is the
+// upper edge of the wall: off the model, with samples beyond it that lie on it. Complexity: O(n)
+// for n samples, and what NearFacets takes. Deterministic. Source: ours.
 void mark_torn_edges(const ModelIndex& model, Points cloud, CloudRim& rim,
                      const TornEdgeOptions& options = {});
 

@@ -26,9 +26,12 @@ TEST_P(UpdateDrilledHoles, AreOpenAtBothEnds) {
 
 INSTANTIATE_TEST_SUITE_P(Balls, UpdateDrilledHoles,
                          ::testing::Values(testing::DrilledBall{5000, 0.2, 4.5, 0.8},
+                                           testing::DrilledBall{5000, 0.2, 4, 1},
                                            testing::DrilledBall{5000, 0.3, 4, 0.7},
                                            testing::DrilledBall{5000, 0.3, 5, 1},
-                                           testing::DrilledBall{7000, 0.3, 5, 0.8}));
+                                           testing::DrilledBall{7000, 0.3, 5, 0.8},
+                                           testing::DrilledBall{8000, 0.2, 3, 0.8},
+                                           testing::DrilledBall{12000, 0.2, 4, 0.5}));
 
 }  // namespace
 }  // namespace cocoon

@@ -68,6 +68,35 @@ TEST(TornEdges, TheMouthOfADrilledHoleIsASeam) {
   EXPECT_EQ(scene.inner_edges(1), 0U);
 }
 
+// The same tear from below: the wall ends a little under the mouth.
+TEST(TornEdges, TheUpperEdgeOfAWallIsASeam) {
+  RingOnAPlane scene;
+  RimLoop& edge = scene.rim.loops[0];
+  for (Point& p : edge.points) p.z = -0.7;
+  for (std::size_t k = 0; k < edge.size(); ++k) {
+    edge.apexes[k] = 0.5 * (edge.points[k] + edge.points[edge.next(k)]) - Vec3{0, 0, 1};
+  }
+  for (const double z : {-1.6, -2.5}) scene.add_ring(3, z);
+  mark_torn_edges(scene.model, scene.cloud, scene.rim);
+  EXPECT_EQ(scene.rim.torn_edges, 18U);
+  EXPECT_TRUE(scene.rim.loops[0].is_seam);
+  EXPECT_FALSE(scene.rim.loops[1].is_seam);
+}
+
+// Half of the loop has cloud beyond it; of the other half, a third is torn.
+TEST(TornEdges, AFewAmongOtherSeamsMakeNone) {
+  RingOnAPlane scene;
+  RimLoop& loop = scene.rim.loops[0];
+  loop.inner.assign(loop.size(), 0);
+  for (std::size_t k = 0; k < loop.size() / 2; ++k) loop.inner[k] = 1;
+  scene.cloud.push_back(RingOnAPlane::at(2.5, 1.5 * std::numbers::pi, -0.7));
+  mark_torn_edges(scene.model, scene.cloud, scene.rim, {.min_torn_share = 0.4});
+  EXPECT_FALSE(scene.rim.loops[0].is_seam);
+  EXPECT_EQ(scene.rim.torn_edges, 0U);
+  mark_torn_edges(scene.model, scene.cloud, scene.rim, {.min_torn_share = 0.2});
+  EXPECT_TRUE(scene.rim.loops[0].is_seam);
+}
+
 // A wall on the side of the scan, as that of a boss, is nothing beyond the rim.
 TEST(TornEdges, AWallInsideIsNone) {
   RingOnAPlane scene;
