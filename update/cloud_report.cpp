@@ -1,6 +1,7 @@
 #include "update/cloud_report.h"
 
 #include <numbers>
+#include <utility>
 
 namespace cocoon {
 
@@ -35,6 +36,27 @@ std::vector<CloudRim> border_rims_of(std::span<const CloudReport> clouds) {
     }
   }
   return rims;
+}
+
+std::vector<CloudReport> reports_of_members(std::vector<CloudReport> reports,
+                                            std::span<const JoinedCloud> joined,
+                                            std::size_t clouds) {
+  std::vector<CloudReport> result(clouds);
+  for (std::size_t j = 0; j < joined.size(); ++j) {
+    const std::size_t first = joined[j].members.front();
+    for (const std::size_t c : joined[j].members) {
+      if (c == first) continue;
+      CloudReport& report = result[c];
+      report.joined_with = first;
+      report.surface.rim.spacing = reports[j].surface.rim.spacing;
+      report.surface.rim.median_edge = reports[j].surface.rim.median_edge;
+      report.groups = reports[j].groups;
+      report.replaced_groups = reports[j].replaced_groups;
+      report.margin_deg = reports[j].margin_deg;
+    }
+    result[first] = std::move(reports[j]);
+  }
+  return result;
 }
 
 void enter_overlap(const Overlap& overlap, CloudReport& report) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "update/choose_regions.h"
 #include "update/cloud_surface.h"
 #include "update/cut_regions.h"
+#include "update/joined_clouds.h"
 #include "update/loop_sides.h"
 #include "update/overlapping_facets.h"
 #include "update/scan.h"
@@ -40,6 +42,9 @@ struct GroupAngle {
 };
 
 struct CloudReport {
+  // The cloud that tells of the surface and the rim of this one, too, since they overlap each
+  // other (join_clouds). Then only regions and spacing are told here, and those are of both.
+  std::optional<std::size_t> joined_with;
   CloudSurface surface;                        // with rim, rho and trials
   std::vector<LoopReport> loops;               // as in surface.rim
   std::size_t boundary_points = 0;             // rim points
@@ -70,6 +75,12 @@ std::vector<Scan> scans_of(std::span<const std::vector<Point>> clouds,
                            std::span<const CloudReport> reports);
 // The rims that form the border: of loops that are none of it only the place is left.
 std::vector<CloudRim> border_rims_of(std::span<const CloudReport> clouds);
+
+// The reports of the clouds given, from those of joined ones: the first of each takes over all that
+// is told, points of joined clouds being those of its members one after the other.
+std::vector<CloudReport> reports_of_members(std::vector<CloudReport> reports,
+                                            std::span<const JoinedCloud> joined,
+                                            std::size_t clouds);
 
 // Enters what the stages found of a cloud. Complexity: O(what is entered).
 void enter_overlap(const Overlap& overlap, CloudReport& report);

@@ -252,12 +252,60 @@ LoopMatch match_of(const LoopOverlap& loop, double max_share) {
   return LoopMatch::on_model;
 }
 
-// Loops off the model are holes inside the cloud, unless the longest loop is one of them.
-void match_loops(const CloudRim& rim, double max_share, Overlap& overlap) {
+std::size_t longest_loop(const CloudRim& rim) {
   std::size_t longest = 0;
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
     if (rim.loops[l].perimeter > rim.loops[longest].perimeter) longest = l;
-    overlap.loops[l].match = match_of(overlap.loops[l], max_share);
+  }
+  return longest;
+}
+
+// The distances of its points from the model; of those without a facet, infinity.
+double median_height(const RimLoop& rim, const LoopOverlap& loop) {
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    if (rim.is_inner_point(i)) continue;
+    heights.push_back(loop.facets[i].is_none() ? std::numeric_limits<double>::infinity()
+                                               : distance(loop.feet[i], rim.points[i]));
+  }
+  return median(std::move(heights));
+}
+
+void count_raised(const TriangleMesh& model, const CloudRim& rim, const OverlapOptions& options,
+                  Overlap& overlap) {
+  if (rim.loops.size() < 2) return;
+  const std::size_t longest = longest_loop(rim);
+  const double usual = median_height(rim.loops[longest], overlap.loops[longest]);
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    if (l == longest) continue;
+    const RimLoop& points = rim.loops[l];
+    LoopOverlap& loop = overlap.loops[l];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points.is_inner_point(i)) continue;
+      const TriangleId facet = loop.facets[i];
+      if (facet.is_none()) {
+        ++loop.raised;
+        continue;
+      }
+      const double spacing = std::max(rim.spacing, facet_spacing(model, facet));
+      const double height = distance(loop.feet[i], points.points[i]);
+      loop.raised += height > usual + options.raised_distance * spacing ? 1U : 0U;
+    }
+  }
+}
+
+// Loops off the model are holes inside the cloud, unless the longest loop is one of them.
+void match_loops(const CloudRim& rim, const OverlapOptions& options, Overlap& overlap) {
+  const std::size_t longest = longest_loop(rim);
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    LoopOverlap& loop = overlap.loops[l];
+    loop.match = match_of(loop, options.max_unmatched_share);
+    const std::size_t points = loop.facets.size() - loop.inner_points;
+    if (loop.match == LoopMatch::on_model &&
+        static_cast<double>(loop.raised) > options.max_raised_share * static_cast<double>(points) +
+                                               static_cast<double>(loop.covered)) {
+      loop.match = LoopMatch::off_model;
+    }
   }
   const bool overlaps = !rim.loops.empty() && overlap.loops[longest].match != LoopMatch::off_model;
   overlap.status = overlaps ? OverlapStatus::ok : OverlapStatus::no_overlap;
@@ -365,7 +413,8 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
 
   // 3. Gathered by loop, and judged.
   gather_by_loop(rim, points, located, overlap);
-  match_loops(rim, options.max_unmatched_share, overlap);
+  count_raised(model.mesh(), rim, options, overlap);
+  match_loops(rim, options, overlap);
   report_progress(execution, "overlapping_facets", 1);
   return overlap;
 }
@@ -396,7 +445,7 @@ void excuse_covered_points(std::span<const CloudRim> rims,
         if (is_covered(rims[c].loops[l].points[i])) ++loop.covered;
       }
     }
-    match_loops(rims[c], options.max_unmatched_share, overlaps[c]);
+    match_loops(rims[c], options, overlaps[c]);
   }
 }
 

@@ -39,6 +39,11 @@ struct OverlapOptions {
   std::size_t one_sided_window = 2;
   // A loop with a larger share of unmatched points does not lie on the model.
   double max_unmatched_share = 0.1;
+  // Nor does a loop other than the longest if a larger share of its points is unmatched or farther
+  // from the model than that one (its median), by so many spacings, as in max_distance: one side of
+  // it is the shadow of the other, as in a dent that is seen at a slant.
+  double max_raised_share = 0.15;
+  double raised_distance = 1;
   // A rim whose matched points lie farther off the model than this many spacings (the median of
   // them) leaves a step there: that is worth a warning. Goals hold up to half a spacing.
   double step_distance = 0.75;
@@ -56,7 +61,8 @@ struct LoopOverlap {
   std::vector<Point> feet;         // per rim point: its closest point on that facet
   std::size_t inner_points = 0;    // not looked for: between edges with cloud beyond them
   std::size_t unmatched = 0;       // points without a facet, inner points left aside
-  std::size_t covered = 0;         // of these: points on another cloud, see excuse_covered_points()
+  std::size_t raised = 0;   // points farther off than raised_distance says; unmatched ones, too
+  std::size_t covered = 0;  // of these: points on another cloud, see excuse_covered_points()
 };
 
 enum class OverlapStatus {

@@ -153,6 +153,7 @@ void tell_positions(const ListEdit<VertexId>& edit, std::size_t num_vertices,
 Replacement replace_points(const ModelIndex& index, const Regions& regions,
                            const RegionChoice& choice, std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds,
+                           std::span<const std::vector<Point>> added,
                            const ReplaceOptions& options) {
   Replacement result;
   const TriangleMesh& model = index.mesh();
@@ -192,7 +193,7 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   result.kept = edit.size_after(model.points.size());
 
   // 2. Then the clouds; equal points once.
-  result.points = gather(model.points.span(), edit, clouds);
+  result.points = gather(model.points.span(), edit, added);
   const std::vector<RepeatedPoint> repeated =
       repeated_among(result.points, result.kept, index, edit);
   std::vector<PointId> new_position;
@@ -201,7 +202,7 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   result.kept_are_distinct = repeated.empty() || repeated.front().point >= result.kept;
 
   // 3. Where everything went.
-  tell_positions(edit, model.points.size(), clouds, new_position, result);
+  tell_positions(edit, model.points.size(), added, new_position, result);
   result.removed = std::move(edit.removed);
   return result;
 }

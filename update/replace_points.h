@@ -32,7 +32,7 @@ struct Replacement {
   // Where a model vertex went; none: replaced, thinned out, or not used by a triangle. Equal
   // vertices share a point.
   IdVector<VertexId, PointId> point_of_vertex;
-  std::vector<IdVector<PointId, PointId>> point_of_cloud_point;  // per cloud
+  std::vector<IdVector<PointId, PointId>> point_of_cloud_point;  // per cloud added
   // Vertices without a point, ascending; and whether each of the others has its own: these are the
   // first points then.
   std::vector<VertexId> removed;
@@ -55,11 +55,13 @@ struct Replacement {
 // formed the border. A border vertex all of whose neighboring regions are kept although it lies
 // under the cloud is replaced as well: then the cloud covers it without covering a facet. Of the
 // vertices at the very rim those go that have been scanned anew (scanned_vertices.h).
+// rims[c] belongs to clouds[c]. `added`: what comes in, the same samples in the order wanted.
 // Complexity: O(n) for n points and triangles, and a search per border vertex. Deterministic.
 // Source: Woo & Dey 2005, section 3.4 ("the vertices in the region"; border vertices are open).
 Replacement replace_points(const ModelIndex& model, const Regions& regions,
                            const RegionChoice& choice, std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds,
+                           std::span<const std::vector<Point>> added,
                            const ReplaceOptions& options = {});
 
 }  // namespace cocoon

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <numeric>
 
-#include "geom/box_tree.h"
 #include "geom/median.h"
 #include "geom/mesh_adjacency.h"
+#include "geom/thin_points.h"
 
 namespace cocoon {
 
@@ -70,28 +68,7 @@ std::vector<PointId> thin_out_rows(Points cloud, const TriangleMesh& surface,
                                    double spread) {
   const std::vector<double> distances =
       squared_row_distances(cloud.size(), surface, point_of_vertex);
-  std::vector<Box> boxes;
-  boxes.reserve(cloud.size());
-  for (const Point& p : cloud) boxes.push_back({p, p});
-  const BoxTree tree(boxes);
-  std::vector<std::uint32_t> order(cloud.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return cloud[a] < cloud[b]; });
-  std::vector<std::uint8_t> left_out(cloud.size(), 0);
-  std::vector<PointId> kept;
-  for (const std::uint32_t k : order) {
-    if (left_out[k] != 0) continue;
-    kept.emplace_back(k);
-    const double reach = spread * spread * distances[k];
-    tree.visit_near(cloud[k], reach, [&](std::uint32_t slot) {
-      const std::uint32_t other = tree.items()[slot];
-      if (squared_distance(cloud[other], cloud[k]) < reach) left_out[other] = 1;
-      return reach;
-    });
-  }
-  std::sort(kept.begin(), kept.end());
-  return kept;
+  return thin_points(cloud, [&](PointId p) { return spread * spread * distances[p.index()]; });
 }
 
 }  // namespace cocoon

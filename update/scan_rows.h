@@ -25,14 +25,12 @@ struct RowOptions {
 // Source: ours.
 bool lies_in_rows(const TriangleMesh& surface, double min_ratio);
 
-// Some of the points, increasing: each point left out is closer to one of these than `spread` times
-// the distance of rows at that one, and of these none is so close to one before it. The distance
-// of rows at a point is the upper quartile of the second longest edges of its triangles in
-// `surface`, whose vertex v is the point point_of_vertex[v], but no less than that of all. Points
-// have their turn in lexicographic order, so of equal ones the first stays: a function of the set
-// of points. Precondition: the surface has a triangle with three different corners. Complexity: O(n
-// log n) for n points, with neighbors as many as rows have samples within reach. Source: Poisson
-// disk sampling by elimination in a fixed order.
+// Some of the points, increasing (thin_points): each point left out is closer to one of these than
+// `spread` times the distance of rows at that one. The distance of rows at a point is the upper
+// quartile of the second longest edges of its triangles in `surface`, whose vertex v is the point
+// point_of_vertex[v], but no less than that of all. Precondition: the surface has a triangle with
+// three different corners. Complexity: that of thin_points, with neighbors as many as rows have
+// samples within reach. Source: ours.
 std::vector<PointId> thin_out_rows(Points cloud, const TriangleMesh& surface,
                                    const IdVector<VertexId, PointId>& point_of_vertex,
                                    double spread);

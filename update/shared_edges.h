@@ -28,8 +28,4 @@ struct SharedEdgeOptions {
 std::vector<std::size_t> mark_shared_edges(std::size_t c, std::span<const Scan> scans,
                                            CloudRim& rim, const SharedEdgeOptions& options = {});
 
-// The lowest cloud among those that hang together with each; others[c]: clouds that c shares edges
-// with. Complexity: near linear in the entries.
-std::vector<std::size_t> joined_clouds(std::span<const std::vector<std::size_t>> others);
-
 }  // namespace cocoon

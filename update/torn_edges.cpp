@@ -33,7 +33,8 @@ std::vector<RimEdge> edges_to_ask(const CloudRim& rim) {
 }
 
 // How many edges of each loop are torn.
-std::vector<std::size_t> count_torn(const ModelIndex& model, Points cloud, const CloudRim& rim,
+std::vector<std::size_t> count_torn(const ModelIndex& model,
+                                    std::span<const std::vector<Point>> clouds, const CloudRim& rim,
                                     const TornEdgeOptions& options) {
   std::vector<std::size_t> torn(rim.loops.size(), 0);
   const std::vector<RimEdge> edges = edges_to_ask(rim);
@@ -41,7 +42,11 @@ std::vector<std::size_t> count_torn(const ModelIndex& model, Points cloud, const
   for (const RimEdge& edge : edges) middles.push_back(edge.middle);
   if (middles.empty()) return torn;
   const double reach = options.reach * rim.spacing;
-  std::vector<Point> samples = points_near(cloud, middles, reach);
+  std::vector<Point> samples;
+  for (const std::vector<Point>& cloud : clouds) {
+    const std::vector<Point> near = points_near(cloud, middles, reach);
+    samples.insert(samples.end(), near.begin(), near.end());
+  }
   if (samples.empty()) return torn;
 
   const double bound = 2 * reach;
@@ -73,9 +78,9 @@ bool is_seam(const RimLoop& loop, std::size_t torn, const TornEdgeOptions& optio
 
 }  // namespace
 
-void mark_torn_edges(const ModelIndex& model, Points cloud, CloudRim& rim,
-                     const TornEdgeOptions& options) {
-  const std::vector<std::size_t> torn = count_torn(model, cloud, rim, options);
+void mark_torn_edges(const ModelIndex& model, std::span<const std::vector<Point>> clouds,
+                     CloudRim& rim, const TornEdgeOptions& options) {
+  const std::vector<std::size_t> torn = count_torn(model, clouds, rim, options);
   std::vector<std::size_t> seams;
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
     if (is_seam(rim.loops[l], torn[l], options)) seams.push_back(l);

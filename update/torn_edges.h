@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "geom/point.h"
 #include "update/cloud_rim.h"
@@ -24,15 +26,16 @@ struct TornEdgeOptions {
   double min_torn_share = 0.2;
 };
 
-// Marks loops that are seams (RimLoop::is_seam, and all of their edges as RimLoop::inner), and
-// counts such edges of them (CloudRim::seam_edges, torn_edges). Nothing is marked if no rim would
-// be left. Edges here and there are no seam: a rim may run close to what has changed. Why: where a
-// wall meets the model at a sharp edge, as at the mouth of a drilled hole, the surface of the scan
-// is torn along it. The loop that this leaves lies on the model, as that around a hole in the scan
-// does; but there all samples near by lie on the model, too. The other side of the same tear is the
-// upper edge of the wall: off the model, with samples beyond it that lie on it. Complexity: O(n)
-// for n samples, and what NearFacets takes. Deterministic. Source: ours.
-void mark_torn_edges(const ModelIndex& model, Points cloud, CloudRim& rim,
-                     const TornEdgeOptions& options = {});
+// `clouds`: that of the rim, and all others. Marks loops that are seams (RimLoop::is_seam, and all
+// of their edges as RimLoop::inner), and counts such edges of them (CloudRim::seam_edges,
+// torn_edges). Nothing is marked if no rim would be left. Edges here and there are no seam: a rim
+// may run close to what has changed. Why: where a wall meets the model at a sharp edge, as at the
+// mouth of a drilled hole, the surface of the scan is torn along it. The loop that this leaves lies
+// on the model, as that around a hole in the scan does; but there all samples near by lie on the
+// model, too. The other side of the same tear is the upper edge of the wall: off the model, with
+// samples beyond it that lie on it. Complexity: O(n) for n samples, and what NearFacets takes.
+// Deterministic. Source: ours.
+void mark_torn_edges(const ModelIndex& model, std::span<const std::vector<Point>> clouds,
+                     CloudRim& rim, const TornEdgeOptions& options = {});
 
 }  // namespace cocoon

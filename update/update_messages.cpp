@@ -14,8 +14,13 @@ std::string rounded(double value) {
   return text;
 }
 
-std::string name_of_cloud(std::size_t cloud, std::size_t clouds) {
-  return "cloud " + std::to_string(cloud + 1) + " of " + std::to_string(clouds);
+std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clouds) {
+  std::string name = members.size() == 1 ? "cloud " : "clouds ";
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    if (k > 0) name += k + 1 < members.size() ? ", " : " and ";
+    name += std::to_string(members[k] + 1);
+  }
+  return name + " of " + std::to_string(clouds);
 }
 
 std::string name_of_loop(const RimLoop& loop) {
@@ -94,6 +99,11 @@ std::vector<std::string> warnings_of_cut(const RegionCut& cut, const CutOptions&
 std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points) {
   return std::to_string(unused) + " of " + counted(updated_points, "updated point") +
          (unused == 1 ? " is" : " are") + " not on the surface";
+}
+
+std::string warning_of_clouds_apart(const std::string& why) {
+  return "clouds overlap each other, but do not make one surface (" + why +
+         "); each is taken by itself";
 }
 
 std::string warning_of_shared_regions(std::size_t regions) {

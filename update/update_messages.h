@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,8 @@ namespace cocoon {
 // Four digits.
 std::string rounded(double value);
 
-// "cloud 2 of 3".
-std::string name_of_cloud(std::size_t cloud, std::size_t clouds);
+// "cloud 2 of 3", "clouds 1, 2 and 4 of 5"; `members`: at least one, ascending, from 0.
+std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clouds);
 // "loop of 31 edges at (0, 1, 2)".
 std::string name_of_loop(const RimLoop& loop);
 
@@ -43,6 +44,8 @@ std::string warning_of_split(const SplitRegion& split);
 // Of what the cut costs only if its doubt is more than options.clear_doubt.
 std::vector<std::string> warnings_of_cut(const RegionCut& cut, const CutOptions& options);
 std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points);
+// Clouds that overlap each other, but not as one surface; `why`: the reason.
+std::string warning_of_clouds_apart(const std::string& why);
 // Regions under more than one cloud.
 std::string warning_of_shared_regions(std::size_t regions);
 // Mean angles of regions, in degrees, that hardly differ.

@@ -1,456 +1,46 @@
 #include "update/update_model.h"
 
-#include <algorithm>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "geom/errors.h"
-#include "geom/sort_ids.h"
-#include "update/kept_surface.h"
-#include "update/model_index.h"
+#include "update/joined_clouds.h"
 #include "update/ordinary_size.h"
 #include "update/update_messages.h"
-#include "update/updated_vertices.h"
+#include "update/update_steps.h"
 
 namespace cocoon {
 
 namespace {
 
-constexpr double degrees_per_radian = 180 / std::numbers::pi;
+// Up to the choice of what goes; nullptr if the update ends before.
+const ModelIndex* choose(UpdateSteps& steps, const UpdateParts& parts, const Execution& execution) {
+  const ModelIndex* index = nullptr;
+  bool going = true;
+  run_step(execution, "boundary_detection",
+           [&](const Execution& nested) { going = steps.detect_boundaries(nested); });
+  if (!going) return nullptr;
+  run_step(execution, "overlapping_facets", [&](const Execution& nested) {
+    index = &parts.index();
+    going = steps.find_overlapping_facets(*index, nested);
+  });
+  if (!going) return nullptr;
+  run_step(execution, "segmentation_and_selection",
+           [&](const Execution& nested) { going = steps.segment_and_choose(*index, nested); });
+  return going ? index : nullptr;
+}
 
-// The state of one update; its steps return false when the result is final.
-class Update {
- public:
-  Update(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
-         const UpdateOptions& options)
-      : model_(model), clouds_(clouds), options_(options) {
-    result_.clouds.resize(clouds.size());
-  }
+UpdateResult finish(UpdateSteps& steps, const ModelIndex& index, const UpdateParts& parts,
+                    const Execution& execution) {
+  run_step(execution, "reconstruction",
+           [&](const Execution& nested) { steps.reconstruct(index, parts, nested); });
+  return steps.take_result();
+}
 
-  bool detect_boundaries(const Execution& execution) {
-    for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      other_surfaces_.push_back(surfaces_of_cloud(c, execution));
-      take_surface(c, std::move(other_surfaces_[c].front()));
-      other_surfaces_[c].erase(other_surfaces_[c].begin());
-      const CloudSurface& surface = result_.clouds[c].surface;
-      if (surface.status == CloudStatus::no_surface) {
-        return fail(UpdateStatus::no_cloud_surface,
-                    name_of_cloud(c) + " gives no surface; sample it more densely or remove noise");
-      }
-      if (surface.status == CloudStatus::cloud_closed) {
-        return fail(UpdateStatus::cloud_closed,
-                    name_of_cloud(c) + " " + reason_of_closed_cloud(surface.rim));
-      }
-    }
-    return true;
-  }
-
-  bool find_overlapping_facets(const ModelIndex& index, const Execution& execution) {
-    overlaps_.resize(clouds_.size());
-    shared_with_.resize(clouds_.size());
-    for (std::size_t c = 0; c < clouds_.size(); ++c) locate_rim(c, index, execution);
-    excuse_covered_points(rims_of(result_.clouds), clouds_, overlaps_, options_.overlap);
-    for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      if (overlaps_[c].status == OverlapStatus::no_overlap) try_others(c, index, execution);
-    }
-    for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      report_overlap(c);
-      warn_of_cloud(c, warnings_of_cloud(result_.clouds[c], options_.overlap));
-      if (overlaps_[c].status == OverlapStatus::no_overlap) return fail_no_overlap(c);
-    }
-    trace_borders(index, execution);
-    return true;
-  }
-
-  bool segment_and_choose(const ModelIndex& index, const Execution& execution) {
-    if (close_pin_holes(index, execution)) trace_borders(index, execution);
-    const std::vector<std::size_t> joined = joined_clouds(shared_with_);
-    is_cut_ = clouds_to_cut(partial_rims(result_.clouds), joined);
-    if (!segment(index, joined, execution)) return false;
-    std::vector<RegionAngles> angles = measure_angles(index);
-    if (cut_where_scans_end(index, angles)) {
-      if (!segment(index, joined, execution)) return false;
-      angles = measure_angles(index);
-    }
-    for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      warn_of_cloud(c, warnings_of_cut(result_.clouds[c].cut, options_.cut));
-    }
-    if (!check_separation(index, angles)) return false;
-    if (!divided_loops_.empty() && !split_divided_regions(index, angles)) return false;
-    for (const SplitRegion& part : result_.split) {
-      for (auto& verdicts : decided_) {
-        if (!verdicts.empty()) verdicts.push_back(verdicts[part.outside]);
-      }
-    }
-    result_.choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
-    // Regions may be without any loop (all rims covered): then there is nothing to replace.
-    result_.choice.replaced.resize(result_.regions.regions.size(), 0);
-    return report_choice();
-  }
-
-  bool reconstruct(const ModelIndex& index, const UpdateParts& parts, const Execution& execution) {
-    const std::vector<CloudRim> rims = border_rims_of(result_.clouds);
-    result_.replacement =
-        replace_points(index, result_.regions, result_.choice, rims, clouds_, options_.replace);
-    result_.overlooked =
-        overlooked_vertices(index, result_.replacement, rims, clouds_, options_.overlooked);
-    if (const auto& [count, at] = result_.overlooked; count >= options_.overlooked.min_count) {
-      warn(warning_of_overlooked(count, model_.points[at]));
-    }
-    const KeptSurface kept(index, result_.regions, result_.choice, result_.replacement);
-    UpdatedSurface surface = parts.reconstruct(result_.replacement, kept.told(), execution);
-    result_.reconstruction = std::move(surface.result);
-    if (result_.reconstruction.status == SurfaceStatus::refuted) {
-      return fail(UpdateStatus::refuted, result_.reconstruction.verification.failure);
-    }
-    if (result_.reconstruction.status != SurfaceStatus::ok) {
-      return fail(UpdateStatus::empty_surface,
-                  reason_of_empty_surface(result_.replacement.points.size()));
-    }
-    result_.mesh = std::exchange(result_.reconstruction.mesh, {});
-    result_.vertex_map = updated_vertices(result_.replacement, result_.reconstruction);
-    const std::size_t points = result_.replacement.points.size();
-    const std::size_t unused = result_.reconstruction.unused_points;
-    if (unused > 0) warn(warning_of_unused_points(unused, points));
-    result_.euler_before = euler_number(model_.points.size() - result_.replacement.unused_vertices,
-                                        model_.triangles.size());
-    result_.euler = euler_number(points - unused, surface.triangles);
-    look_for_losses(index);
-    return true;
-  }
-
-  UpdateResult take_result() { return std::move(result_); }
-
- private:
-  // A loop with one region on both sides.
-  struct DividedLoop {
-    std::size_t cloud;
-    std::size_t loop;
-    std::size_t entry;  // its position among the loops of the border
-    RegionId region;
-  };
-
-  std::string name_of_cloud(std::size_t c) const {
-    return cocoon::name_of_cloud(c, clouds_.size());
-  }
-  std::string name_of_loop(std::size_t c, std::size_t l) const {
-    return name_of_cloud(c) + ", " + cocoon::name_of_loop(result_.clouds[c].surface.rim.loops[l]);
-  }
-  bool fail(UpdateStatus status, std::string message) {
-    result_.status = status;
-    result_.message = std::move(message);
-    return false;
-  }
-  void warn(std::string message) { result_.warnings.push_back(std::move(message)); }
-  void warn_of_cloud(std::size_t c, const std::vector<std::string>& warnings) {
-    for (const std::string& warning : warnings) warn(name_of_cloud(c) + ": " + warning);
-  }
-
-  void look_for_losses(const ModelIndex& index) {
-    result_.unexplained_handles =
-        unexplained_handles(result_.clouds, result_.euler_before, result_.euler);
-    if (result_.unexplained_handles > 0) warn(warning_of_handles(result_.unexplained_handles));
-    const std::vector<VertexId> lost = lost_vertices(index, result_.replacement, result_.vertex_map,
-                                                     result_.reconstruction.unused_points == 0);
-    result_.unscanned = unscanned_losses(index, lost, scans_of(clouds_, result_.clouds),
-                                         result_.euler > result_.euler_before, options_.unscanned);
-    if (result_.unscanned.vertices == 0) return;
-    warn(warning_of_unscanned(result_.unscanned, options_.unscanned.reach,
-                              model_.points[result_.unscanned.farthest]));
-  }
-
-  // Calls visit(cloud, loop) for the loops that take part in the border.
-  template <class Visit>
-  void for_each_border_loop(Visit visit) const {
-    for (std::size_t c = 0; c < overlaps_.size(); ++c) {
-      for (std::size_t l = 0; l < overlaps_[c].loops.size(); ++l) {
-        if (overlaps_[c].loops[l].match == LoopMatch::on_model) visit(c, l);
-      }
-    }
-  }
-
-  // One entry for each loop of the border.
-  std::vector<RegionAngles> measure_angles(const ModelIndex& index) const {
-    std::vector<RegionAngles> angles;
-    for_each_border_loop([&](std::size_t c, std::size_t l) {
-      angles.push_back(mean_rim_angles(index, result_.regions,
-                                       result_.clouds[c].surface.rim.loops[l], borders_[c].loops[l],
-                                       options_.angles));
-      angles.back().cloud = static_cast<std::uint32_t>(c);
-    });
-    return angles;
-  }
-
-  std::vector<CloudSurface> surfaces_of_cloud(std::size_t c, const Execution& execution) const {
-    try {
-      return ranked_cloud_surfaces(clouds_[c], options_.cloud, execution);
-    } catch (const InputError& error) {
-      throw InputError(name_of_cloud(c) + ": " + error.what());
-    }
-  }
-
-  void take_surface(std::size_t c, CloudSurface surface) {
-    result_.clouds[c] = {};
-    result_.clouds[c].surface = std::move(surface);
-    for (const RimLoop& loop : result_.clouds[c].surface.rim.loops) report_loop(c, loop, false);
-  }
-
-  void report_loop(std::size_t c, const RimLoop& loop, bool opened) {
-    CloudReport& report = result_.clouds[c];
-    report.loops.push_back({.edges = loop.size(), .perimeter = loop.perimeter, .pin_hole = opened});
-    report.boundary_points += loop.size();
-  }
-
-  // Where the rim lies on the model, with pin-holes through which the model goes on.
-  void locate_rim(std::size_t c, const ModelIndex& index, const Execution& execution) {
-    CloudRim& rim = result_.clouds[c].surface.rim;
-    for (RimLoop& loop : open_pin_holes(index, clouds_[c], rim, options_.pin_holes)) {
-      report_loop(c, loop, true);
-      rim.loops.push_back(std::move(loop));
-    }
-    mark_torn_edges(index, clouds_[c], rim, options_.torn);
-    if (clouds_.size() > 1) {
-      const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
-      shared_with_[c] = mark_shared_edges(c, scans, rim, options_.shared);
-    }
-    overlaps_[c] = overlapping_facets(index, rim, options_.overlap, execution);
-  }
-
-  // The rim that looked best is not on the model: takes the best one that is, if there is one.
-  void try_others(std::size_t c, const ModelIndex& index, const Execution& execution) {
-    const CloudReport report = result_.clouds[c];
-    const Overlap overlap = overlaps_[c];
-    const std::vector<std::size_t> shared_with = shared_with_[c];
-    for (CloudSurface& other : other_surfaces_[c]) {
-      if (other.status != CloudStatus::ok) continue;
-      take_surface(c, std::move(other));
-      locate_rim(c, index, execution);
-      excuse_covered_points(rims_of(result_.clouds), clouds_, overlaps_, options_.overlap);
-      if (overlaps_[c].status == OverlapStatus::ok) return;
-    }
-    result_.clouds[c] = report;
-    overlaps_[c] = overlap;
-    shared_with_[c] = shared_with;
-  }
-
-  // A pin-hole that does not cut the model in two, by itself or with other loops, is none of the
-  // border. Returns whether there was one.
-  bool close_pin_holes(const ModelIndex& index, const Execution& execution) {
-    std::optional<Regions> regions;
-    bool closed = false;
-    for_each_border_loop([&](std::size_t c, std::size_t l) {
-      if (!result_.clouds[c].loops[l].pin_hole) return;
-      if (!regions) regions = segment_model(index, border_facets_, options_.segment, execution);
-      const LoopSides sides = loop_sides(model_, index.adjacency(), borders_[c].loops[l], *regions);
-      if (sides.separation == Separation::separates) {
-        return warn(
-            name_of_loop(c, l) +
-            ": the model goes on through this small hole of the scan; what is beyond stays");
-      }
-      overlaps_[c].loops[l].match = result_.clouds[c].loops[l].match = LoopMatch::off_model;
-      closed = true;
-    });
-    return closed;
-  }
-
-  void trace_borders(const ModelIndex& index, const Execution& execution) {
-    borders_.clear();
-    for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      CloudReport& report = result_.clouds[c];
-      borders_.push_back(
-          trace_border(index, report.surface.rim, overlaps_[c], options_.trace, execution));
-      Border& border = borders_[c];
-      TriangleSet facets = std::exchange(border.facets, {});
-      if (c == 0) {
-        border_facets_ = std::move(facets);
-      } else {
-        for (const TriangleId t : facets.ids()) border_facets_[t] |= facets[t];
-      }
-      enter_border(border, report);
-    }
-  }
-
-  void report_overlap(std::size_t c) {
-    const Overlap& overlap = overlaps_[c];
-    enter_overlap(overlap, result_.clouds[c]);
-    for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
-      if (overlap.loops[l].match == LoopMatch::on_model) continue;
-      if (result_.clouds[c].surface.rim.loops[l].is_seam) continue;
-      warn(name_of_loop(c, l) + (overlap.loops[l].match == LoopMatch::covered
-                                     ? ": lies on other clouds and is no border"
-                                     : ": is off the model and taken for a hole in the cloud"));
-    }
-  }
-
-  bool fail_no_overlap(std::size_t c) {
-    const CloudReport& report = result_.clouds[c];
-    return fail(
-        UpdateStatus::no_overlap,
-        name_of_cloud(c) + " " +
-            reason_of_no_overlap(overlaps_[c].unmatched, report.boundary_points,
-                                 options_.overlap.max_distance, report.surface.rim.spacing));
-  }
-
-  // Collects the loops with one and the same region on both sides in divided_loops_.
-  bool check_separation(const ModelIndex& index, std::span<const RegionAngles> angles) {
-    bool ok = true;
-    std::size_t entry = 0;
-    for_each_border_loop([&](std::size_t c, std::size_t l) {
-      const std::size_t e = entry++;
-      const LoopSides sides =
-          loop_sides(model_, index.adjacency(), borders_[c].loops[l], result_.regions);
-      result_.clouds[c].loops[l].separation = sides.separation;
-      if (is_cut_[c] != 0) return;  // what is left of it is enough: segment()
-      if (sides.separation == Separation::encloses_nothing) {
-        warn(name_of_loop(c, l) + ": " + warning_of_nothing_inside());
-      } else if (sides.separation == Separation::open_band && ok) {
-        ok =
-            fail(UpdateStatus::non_separating,
-                 name_of_loop(c, l) + ": " + reason_of_open_band(options_.trace.max_search_facets));
-      } else if (sides.separation == Separation::non_separating && ok) {
-        if (tells_sides_apart(angles[e], options_.choice)) {
-          warn(name_of_loop(c, l) + ": has a handle of the model across it; look at the result");
-        } else {
-          divided_loops_.push_back({c, l, e, region_at(sides)});
-        }
-      }
-    });
-    return ok;
-  }
-
-  // Where rims are partial: takes regions that lie as a whole under each such cloud, or outside.
-  bool segment(const ModelIndex& index, const std::vector<std::size_t>& joined,
-               const Execution& execution) {
-    if (std::count(is_cut_.begin(), is_cut_.end(), 1) == 0) {
-      result_.regions = segment_model(index, border_facets_, options_.segment, execution);
-      return true;
-    }
-    CutRegions cut = cut_regions(index, border_rims_of(result_.clouds), borders_,
-                                 scans_of(clouds_, result_.clouds), joined, is_cut_, options_.cut,
-                                 options_.segment, execution);
-    for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      if (is_cut_[c] == 0 || joined[c] != c) continue;
-      cut.cuts[c].under = {};
-      const RegionCut& of_cloud = result_.clouds[c].cut = std::move(cut.cuts[c]);
-      if (of_cloud.doubt() > options_.cut.max_doubt) {
-        result_.regions = segment_model(index, border_facets_, options_.segment, execution);
-        return fail(UpdateStatus::non_separating,
-                    name_of_cloud(c) + ": " + reason_of_doubtful_cut(of_cloud));
-      }
-    }
-    result_.regions = std::move(cut.regions);
-    decided_ = std::move(cut.under);
-    return true;
-  }
-
-  // Whether a scan ends on the model in regions that would go: then its rim is not all there, and
-  // the cloud is to be cut.
-  bool cut_where_scans_end(const ModelIndex& index, std::span<const RegionAngles> angles) {
-    const RegionChoice choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
-    const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
-    bool found = false;
-    for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      if (is_cut_[c] != 0) continue;
-      if (!scan_ends_under(index, result_.regions, choice.clouds[c], scans[c], options_.cut.ends)) {
-        continue;
-      }
-      is_cut_[c] = 1;
-      found = true;
-    }
-    return found;
-  }
-
-  // Splits the regions on both sides of divided loops, and measures the angles again. The split
-  // holds if each of these loops then tells its sides apart.
-  bool split_divided_regions(const ModelIndex& index, std::vector<RegionAngles>& angles) {
-    std::vector<RegionId> divided;
-    for (const DividedLoop& loop : divided_loops_) divided.push_back(loop.region);
-    make_set(divided);
-    RegionSplit split = split_regions(index, result_.regions, divided,
-                                      border_rims_of(result_.clouds), clouds_, options_.split);
-    result_.split = std::move(split.split);
-    if (split.status != SplitStatus::ok) {
-      const RegionId failed = result_.split.back().outside;
-      for (const DividedLoop& loop : divided_loops_) {
-        if (loop.region == failed) {
-          return fail_divided(loop, reason_of_failed_split(split.status, result_.split.back()));
-        }
-      }
-    }
-    std::swap(result_.regions, split.regions);
-    angles = measure_angles(index);
-    for (const DividedLoop& loop : divided_loops_) {
-      if (labels_agree(loop, angles[loop.entry])) continue;
-      std::swap(result_.regions, split.regions);
-      return fail_divided(loop, "the angles at the rim do not tell its sides apart");
-    }
-    for (const SplitRegion& part : result_.split) warn_about_split(part);
-    return true;
-  }
-
-  // Whether the loop sees the part under the cloud at a clearly smaller angle than the other one.
-  bool labels_agree(const DividedLoop& loop, const RegionAngles& angles) const {
-    if (!tells_sides_apart(angles, options_.choice)) return false;
-    return std::any_of(result_.split.begin(), result_.split.end(), [&](const SplitRegion& part) {
-      return part.outside == loop.region &&
-             sees_under(angles, part.under, part.outside, options_.choice);
-    });
-  }
-
-  bool fail_divided(const DividedLoop& loop, const std::string& why) {
-    return fail(UpdateStatus::non_separating,
-                name_of_loop(loop.cloud, loop.loop) +
-                    ": runs around a handle and does not cut the model in two, and " + why +
-                    "; add a cloud that closes the cut");
-  }
-
-  void warn_about_split(const SplitRegion& part) {
-    for (const DividedLoop& loop : divided_loops_) {
-      if (loop.region != part.outside) continue;
-      warn(name_of_loop(loop.cloud, loop.loop) + ": " + warning_of_split(part));
-    }
-  }
-
-  bool report_choice() {
-    const RegionChoice& choice = result_.choice;
-    std::size_t seen_by_several = 0;
-    std::vector<std::size_t> clouds_over(choice.replaced.size(), 0);
-    for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      CloudReport& report = result_.clouds[c];
-      enter_choice(choice.clouds[c], report);
-      for (const RegionId r : report.replaced_groups) {
-        if (++clouds_over[r.index()] == 2) ++seen_by_several;
-      }
-      if (choice.clouds[c].margin < options_.choice.narrow_margin) {
-        warn(name_of_cloud(c) + ": " + warning_of_narrow_margin(report.margin_deg));
-      }
-    }
-    for (const RegionId r : choice.replaced.ids()) {
-      if (choice.replaced[r] != 0) result_.replaced_groups.push_back(r);
-    }
-    if (seen_by_several > 0) warn(warning_of_shared_regions(seen_by_several));
-    if (choice.kept_largest) {
-      warn("all regions lie under clouds; the one with the largest angle is kept");
-    }
-    if (choice.status == ChoiceStatus::ok) return true;
-    return fail(UpdateStatus::ambiguous,
-                reason_of_ambiguity(options_.choice.ambiguous_margin * degrees_per_radian));
-  }
-
-  const TriangleMesh& model_;
-  std::span<const std::vector<Point>> clouds_;
-  const UpdateOptions& options_;
-  std::vector<std::vector<CloudSurface>> other_surfaces_;  // of each cloud, the best one first
-  std::vector<Overlap> overlaps_;
-  std::vector<std::vector<std::size_t>> shared_with_;  // of each cloud, by mark_shared_edges()
-  std::vector<std::uint8_t> is_cut_;                   // clouds_to_cut()
-  std::vector<Border> borders_;
-  TriangleSet border_facets_;
-  std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under
-  std::vector<DividedLoop> divided_loops_;
-  UpdateResult result_;
-};
+UpdateResult take_steps(UpdateSteps& steps, const UpdateParts& parts, const Execution& execution) {
+  const ModelIndex* index = choose(steps, parts, execution);
+  return index == nullptr ? steps.take_result() : finish(steps, *index, parts, execution);
+}
 
 }  // namespace
 
@@ -459,33 +49,26 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
                           const Execution& execution) {
   if (clouds.empty()) throw InputError("update: no cloud given; give at least one");
   require_ordinary_size(parts.ordinary_size ? Points() : model.points.span(), clouds);
-  Update update(model, clouds, options);
-  bool going = true;
-  run_step(execution, "boundary_detection",
-           [&](const Execution& nested) { going = update.detect_boundaries(nested); });
-  if (!going) return update.take_result();
-
-  const ModelIndex* index = nullptr;
-  run_step(execution, "overlapping_facets", [&](const Execution& nested) {
-    index = &parts.index();
-    going = update.find_overlapping_facets(*index, nested);
-  });
-  if (!going) return update.take_result();
-
-  run_step(execution, "segmentation_and_selection",
-           [&](const Execution& nested) { going = update.segment_and_choose(*index, nested); });
-  if (!going) return update.take_result();
-
-  run_step(execution, "reconstruction",
-           [&](const Execution& nested) { update.reconstruct(*index, parts, nested); });
-  return update.take_result();
+  std::vector<JoinedCloud> joined = join_clouds(clouds, options.join);
+  if (joined.empty()) {
+    UpdateSteps steps(model, clouds, options);
+    return take_steps(steps, parts, execution);
+  }
+  UpdateSteps together(model, clouds, std::move(joined), options);
+  const ModelIndex* index = choose(together, parts, execution);
+  if (index != nullptr) return finish(together, *index, parts, execution);
+  const UpdateResult failed = together.take_result();
+  UpdateSteps apart(model, clouds, options);
+  UpdateResult result = take_steps(apart, parts, execution);
+  result.warnings.insert(result.warnings.begin(), warning_of_clouds_apart(failed.message));
+  return result;
 }
 
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateOptions& options, const Execution& execution) {
   std::optional<ModelIndex> index;
   const UpdateParts parts{
-      [&]() -> const ModelIndex& { return index.emplace(model); },
+      [&]() -> const ModelIndex& { return index ? *index : index.emplace(model); },
       [&](const Replacement& replacement, const OldSurface& old, const Execution& nested) {
         ReconstructResult result =
             reconstruct_tight_again(replacement.points, old.sides, options.reconstruct, nested);

@@ -22,6 +22,7 @@
 #include "update/cloud_report.h"
 #include "update/cloud_surface.h"
 #include "update/cut_regions.h"
+#include "update/joined_clouds.h"
 #include "update/loop_sides.h"
 #include "update/model_index.h"
 #include "update/overlapping_facets.h"
@@ -41,6 +42,7 @@
 namespace cocoon {
 
 struct UpdateOptions {
+  JoinOptions join;  // of clouds that overlap each other
   CloudSurfaceOptions cloud;
   PinHoleOptions pin_holes;
   TornEdgeOptions torn;
@@ -113,7 +115,7 @@ struct UpdatedSurface {
 // keeps what they need from one update to the next (update_session.h) puts in something faster that
 // gives the same.
 struct UpdateParts {
-  // The index of the model; called once, after the clouds' surfaces.
+  // The index of the model, always the same; called after the clouds' surfaces.
   std::function<const ModelIndex&()> index;
   // reconstruct_tight_again of the updated points and what is known of the model. May leave out the
   // mesh, and what the result has of each vertex, if each point is a vertex.

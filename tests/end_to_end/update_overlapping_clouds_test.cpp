@@ -60,9 +60,20 @@ struct SlabWithPocket {
 
 class UpdateOverlappingClouds : public ::testing::TestWithParam<std::uint64_t> {};
 
-TEST_P(UpdateOverlappingClouds, EndWhereAllOfThemEnd) {
+TEST_P(UpdateOverlappingClouds, AreOneSurface) {
   const SlabWithPocket part(GetParam());
   const UpdateResult result = update_model(part.model, part.clouds);
+  testing::expect_local_update(part.model, part.clouds, result, SlabWithPocket::in_pocket,
+                               SlabWithPocket::is_far);
+  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+  EXPECT_EQ(result.clouds[1].joined_with, 0U);
+}
+
+TEST_P(UpdateOverlappingClouds, EndWhereAllOfThemEnd) {
+  const SlabWithPocket part(GetParam());
+  UpdateOptions apart;
+  apart.join.reach = 0;
+  const UpdateResult result = update_model(part.model, part.clouds, apart);
   testing::expect_local_update(part.model, part.clouds, result, SlabWithPocket::in_pocket,
                                SlabWithPocket::is_far);
   EXPECT_EQ(mesh_check(result.mesh).euler, 2);
@@ -70,7 +81,7 @@ TEST_P(UpdateOverlappingClouds, EndWhereAllOfThemEnd) {
   for (const CloudReport& cloud : result.clouds) EXPECT_GT(cloud.surface.rim.shared_edges, 5U);
 
   // Each by itself is cut across by the shortest way, and leaves old vertices over the pocket.
-  UpdateOptions alone;
+  UpdateOptions alone = apart;
   alone.shared.reach = 0;
   EXPECT_GT(part.left_over(update_model(part.model, part.clouds, alone)), 2U);
 }

@@ -111,7 +111,7 @@ TEST(ReplacePoints, VerticesInTheBorderAreDecidedWhetherThinnedOrNot) {
   choice.replaced = IdVector<RegionId, std::uint8_t>(regions.regions.size(), 0);
   for (const double thinning : {0.0, 0.5}) {
     const Replacement result =
-        replace_points(index, regions, choice, rims, clouds,
+        replace_points(index, regions, choice, rims, clouds, clouds,
                        {.thinning_distance = thinning, .scanned = {.rim_zone = 0}});
     EXPECT_EQ(result.border_replaced, 1U);
     EXPECT_EQ(result.border_kept, 0U);

@@ -29,7 +29,7 @@ struct ReplacedDisk {
     choice.replaced[regions.group_of_vertex[nearest_vertex(model, {10, 10, 0})]] = 1;
   }
   Replacement replace(const ReplaceOptions& options = {.scanned = {.rim_zone = 0}}) const {
-    return replace_points(ModelIndex(model), regions, choice, rims, clouds, options);
+    return replace_points(ModelIndex(model), regions, choice, rims, clouds, clouds, options);
   }
 };
 

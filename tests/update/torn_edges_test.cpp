@@ -51,7 +51,7 @@ struct RingOnAPlane {
 
 TEST(TornEdges, AHoleInTheScanIsARim) {
   RingOnAPlane scene;
-  mark_torn_edges(scene.model, scene.cloud, scene.rim);
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim);
   EXPECT_EQ(scene.rim.torn_edges, 0U);
   EXPECT_EQ(scene.inner_edges(0) + scene.inner_edges(1), 0U);
 }
@@ -60,7 +60,7 @@ TEST(TornEdges, AHoleInTheScanIsARim) {
 TEST(TornEdges, TheMouthOfADrilledHoleIsASeam) {
   RingOnAPlane scene;
   for (const double z : {-0.7, -1.6, -2.5}) scene.add_ring(2.5, z);
-  mark_torn_edges(scene.model, scene.cloud, scene.rim);
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim);
   EXPECT_EQ(scene.rim.torn_edges, 18U);
   EXPECT_EQ(scene.rim.seam_edges, 18U);
   EXPECT_TRUE(scene.rim.loops[0].is_seam);
@@ -77,7 +77,7 @@ TEST(TornEdges, TheUpperEdgeOfAWallIsASeam) {
     edge.apexes[k] = 0.5 * (edge.points[k] + edge.points[edge.next(k)]) - Vec3{0, 0, 1};
   }
   for (const double z : {-1.6, -2.5}) scene.add_ring(3, z);
-  mark_torn_edges(scene.model, scene.cloud, scene.rim);
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim);
   EXPECT_EQ(scene.rim.torn_edges, 18U);
   EXPECT_TRUE(scene.rim.loops[0].is_seam);
   EXPECT_FALSE(scene.rim.loops[1].is_seam);
@@ -90,10 +90,10 @@ TEST(TornEdges, AFewAmongOtherSeamsMakeNone) {
   loop.inner.assign(loop.size(), 0);
   for (std::size_t k = 0; k < loop.size() / 2; ++k) loop.inner[k] = 1;
   scene.cloud.push_back(RingOnAPlane::at(2.5, 1.5 * std::numbers::pi, -0.7));
-  mark_torn_edges(scene.model, scene.cloud, scene.rim, {.min_torn_share = 0.4});
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim, {.min_torn_share = 0.4});
   EXPECT_FALSE(scene.rim.loops[0].is_seam);
   EXPECT_EQ(scene.rim.torn_edges, 0U);
-  mark_torn_edges(scene.model, scene.cloud, scene.rim, {.min_torn_share = 0.2});
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim, {.min_torn_share = 0.2});
   EXPECT_TRUE(scene.rim.loops[0].is_seam);
 }
 
@@ -101,7 +101,7 @@ TEST(TornEdges, AFewAmongOtherSeamsMakeNone) {
 TEST(TornEdges, AWallInsideIsNone) {
   RingOnAPlane scene;
   for (const double z : {0.7, 1.6}) scene.add_ring(5, z);
-  mark_torn_edges(scene.model, scene.cloud, scene.rim);
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim);
   EXPECT_EQ(scene.rim.torn_edges, 0U);
 }
 
@@ -110,10 +110,10 @@ TEST(TornEdges, AFewMakeNoSeam) {
   RingOnAPlane scene;
   scene.add_ring(2.5, -0.7);
   std::erase_if(scene.cloud, [](const Point& p) { return p.z < 0 && p.x < 11; });
-  mark_torn_edges(scene.model, scene.cloud, scene.rim);
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim);
   EXPECT_EQ(scene.rim.torn_edges, 0U);
   EXPECT_EQ(scene.inner_edges(0), 0U);
-  mark_torn_edges(scene.model, scene.cloud, scene.rim, {.max_seam_share = 0.1});
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim, {.max_seam_share = 0.1});
   EXPECT_GT(scene.rim.torn_edges, 2U);
   EXPECT_LT(scene.rim.torn_edges, 9U);
   EXPECT_EQ(scene.inner_edges(0), 18U);
@@ -124,7 +124,7 @@ TEST(TornEdges, NotAllOfARimIsASeam) {
   RingOnAPlane scene;
   scene.rim.loops.pop_back();
   scene.add_ring(2.5, -0.7);
-  mark_torn_edges(scene.model, scene.cloud, scene.rim);
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim);
   EXPECT_EQ(scene.rim.torn_edges, 0U);
   EXPECT_EQ(scene.inner_edges(0), 0U);
 }

@@ -1,0 +1,37 @@
+#include "geom/thin_points.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
+#include "geom/box_tree.h"
+
+namespace cocoon {
+
+std::vector<PointId> thin_points(Points points,
+                                 const std::function<double(PointId)>& squared_distance_at) {
+  std::vector<Box> boxes;
+  boxes.reserve(points.size());
+  for (const Point& p : points) boxes.push_back({p, p});
+  const BoxTree tree(boxes);
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
+  std::vector<std::uint8_t> left_out(points.size(), 0);
+  std::vector<PointId> kept;
+  for (const std::uint32_t k : order) {
+    if (left_out[k] != 0) continue;
+    kept.emplace_back(k);
+    const double reach = squared_distance_at(PointId(k));
+    tree.visit_near(points[k], reach, [&](std::uint32_t slot) {
+      const std::uint32_t other = tree.items()[slot];
+      if (squared_distance(points[other], points[k]) < reach) left_out[other] = 1;
+      return reach;
+    });
+  }
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+}  // namespace cocoon

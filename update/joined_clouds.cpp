@@ -1,0 +1,168 @@
+#include "update/joined_clouds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "geom/box_tree.h"
+#include "geom/disjoint_sets.h"
+#include "geom/median.h"
+#include "geom/thin_points.h"
+
+namespace cocoon {
+
+namespace {
+
+// The different samples of a cloud, found by place.
+class Samples {
+ public:
+  explicit Samples(Points cloud) : points_(cloud.begin(), cloud.end()) {
+    std::sort(points_.begin(), points_.end());
+    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    std::vector<Box> boxes;
+    boxes.reserve(points_.size());
+    for (const Point& p : points_) boxes.push_back({p, p});
+    tree_ = BoxTree(boxes);
+    if (points_.size() > 1) spacing_ = median_distance();
+  }
+
+  const std::vector<Point>& points() const { return points_; }
+  // Between a sample and its nearest one, the median of some.
+  double spacing() const { return spacing_; }
+
+  bool any_near(const Point& p, double reach) const {
+    bool found = false;
+    tree_.visit_near(p, reach * reach, [&](std::uint32_t slot) {
+      found = found || squared_distance(points_[tree_.items()[slot]], p) <= reach * reach;
+      return found ? -1.0 : reach * reach;
+    });
+    return found;
+  }
+
+ private:
+  double median_distance() const {
+    constexpr std::size_t asked = 500;
+    std::vector<double> distances;
+    const std::size_t step = std::max<std::size_t>(1, points_.size() / asked);
+    for (std::size_t k = 0; k < points_.size(); k += step) {
+      double nearest = std::numeric_limits<double>::infinity();
+      tree_.visit_near(points_[k], nearest, [&](std::uint32_t slot) {
+        const std::uint32_t other = tree_.items()[slot];
+        if (other != k) nearest = std::min(nearest, squared_distance(points_[other], points_[k]));
+        return nearest;
+      });
+      distances.push_back(nearest);
+    }
+    return std::sqrt(median(std::move(distances)));
+  }
+
+  std::vector<Point> points_;
+  BoxTree tree_;
+  double spacing_ = 0;
+};
+
+// With room for several distances between samples, however they lie on their surface: most clouds
+// are nowhere near each other, and need not be searched.
+Box roomy_box(Points cloud) {
+  constexpr double spacings = 4;
+  Box box = box_of(cloud);
+  box.enlarge(spacings * norm(box.size()) / std::sqrt(static_cast<double>(cloud.size())));
+  return box;
+}
+
+// The clouds, each made searchable when it is asked for.
+class Clouds {
+ public:
+  explicit Clouds(std::span<const std::vector<Point>> clouds)
+      : clouds_(clouds), samples_(clouds.size()) {
+    for (const std::vector<Point>& cloud : clouds) {
+      const bool finite =
+          std::all_of(cloud.begin(), cloud.end(), [](const Point& p) { return is_finite(p); });
+      boxes_.push_back(finite && cloud.size() > 1 ? roomy_box(cloud) : Box());
+    }
+  }
+
+  bool boxes_overlap(std::size_t a, std::size_t b) const { return overlap(boxes_[a], boxes_[b]); }
+
+  const Samples& operator[](std::size_t c) {
+    if (!samples_[c]) samples_[c].emplace(clouds_[c]);
+    return *samples_[c];
+  }
+
+  // The samples of a that lie near b, as a share of all of a.
+  double share_near(std::size_t a, std::size_t b, double reach) {
+    const Samples& other = (*this)[b];
+    std::size_t near = 0;
+    for (const Point& p : (*this)[a].points()) near += other.any_near(p, reach) ? 1U : 0U;
+    return static_cast<double>(near) / static_cast<double>((*this)[a].points().size());
+  }
+
+ private:
+  std::span<const std::vector<Point>> clouds_;
+  std::vector<std::optional<Samples>> samples_;
+  std::vector<Box> boxes_;  // empty: not to be asked
+};
+
+bool overlap_each_other(Clouds& clouds, std::size_t a, std::size_t b, const JoinOptions& options) {
+  if (!(options.reach > 0) || !clouds.boxes_overlap(a, b)) return false;
+  const double reach = options.reach * std::max(clouds[a].spacing(), clouds[b].spacing());
+  return clouds.share_near(a, b, reach) >= options.min_share ||
+         clouds.share_near(b, a, reach) >= options.min_share;
+}
+
+}  // namespace
+
+std::vector<std::size_t> joined_clouds(std::span<const std::vector<std::size_t>> others) {
+  DisjointSets sets(others.size());
+  for (std::uint32_t c = 0; c < others.size(); ++c) {
+    for (const std::size_t other : others[c]) sets.join(c, static_cast<std::uint32_t>(other));
+  }
+  std::vector<std::size_t> lowest;
+  for (std::uint32_t c = 0; c < others.size(); ++c) lowest.push_back(sets.root(c));
+  return lowest;
+}
+
+std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
+                                     const JoinOptions& options) {
+  Clouds samples(clouds);
+  std::vector<std::vector<std::size_t>> others(clouds.size());
+  for (std::size_t a = 0; a < clouds.size(); ++a) {
+    for (std::size_t b = a + 1; b < clouds.size(); ++b) {
+      if (overlap_each_other(samples, a, b, options)) others[a].push_back(b);
+    }
+  }
+  const std::vector<std::size_t> first = joined_clouds(others);
+  std::vector<JoinedCloud> joined;
+  std::vector<std::size_t> place(clouds.size());
+  for (std::size_t c = 0; c < clouds.size(); ++c) {
+    if (first[c] == c) {
+      place[c] = joined.size();
+      joined.emplace_back();
+    }
+    joined[place[first[c]]].members.push_back(c);
+  }
+  if (joined.size() == clouds.size()) return {};
+  for (JoinedCloud& cloud : joined) {
+    if (cloud.members.size() == 1) continue;
+    double spacing = 0;
+    for (const std::size_t c : cloud.members) spacing = std::max(spacing, samples[c].spacing());
+    const double distance = options.thinning * spacing;
+    cloud.sheet =
+        thin_points(samples_of(cloud, clouds), [&](PointId) { return distance * distance; });
+  }
+  return joined;
+}
+
+std::vector<Point> samples_of(const JoinedCloud& cloud,
+                              std::span<const std::vector<Point>> clouds) {
+  std::vector<Point> points;
+  for (const std::size_t c : cloud.members) {
+    points.insert(points.end(), clouds[c].begin(), clouds[c].end());
+  }
+  return points;
+}
+
+}  // namespace cocoon

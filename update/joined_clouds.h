@@ -1,0 +1,46 @@
+// Clouds that overlap each other: scans of one place from several sides. Together they show where
+// the scan ends; each alone also ends where it could not see.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "geom/ids.h"
+#include "geom/point.h"
+
+namespace cocoon {
+
+// The lowest cloud among those that hang together with each; others[c]: clouds that c overlaps.
+// Complexity: near linear in the entries.
+std::vector<std::size_t> joined_clouds(std::span<const std::vector<std::size_t>> others);
+
+struct JoinOptions {
+  // Clouds overlap each other if this share of the samples of one of them, or more,
+  double min_share = 0.02;
+  // lies within so many distances between nearest samples (the larger of the two clouds') of
+  // samples of the other. 0: none do.
+  double reach = 2;
+  // The surface of joined clouds is made of samples at least so many of these distances apart.
+  double thinning = 0.7;
+};
+
+struct JoinedCloud {
+  std::vector<std::size_t> members;  // of the clouds given, ascending; at least one
+  // The samples of which its surface is made; empty: all.
+  std::vector<PointId> sheet;
+};
+
+// The clouds, those joined that overlap each other, in the order of their first members; nothing if
+// no two do. Of the samples of joined ones those are chosen for the surface that keep their
+// distance: layers that lie over each other, a little out of register, are no surface. Clouds with
+// numbers that are not finite overlap none. Complexity: O(n log n) for the n samples of clouds
+// whose boxes overlap. Deterministic; what is joined and what is chosen does not depend on the
+// order of clouds or samples. Source: ours; Woo & Dey 2005 have a cloud for each change.
+std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
+                                     const JoinOptions& options = {});
+
+// The points of its members, one after the other.
+std::vector<Point> samples_of(const JoinedCloud& cloud, std::span<const std::vector<Point>> clouds);
+
+}  // namespace cocoon

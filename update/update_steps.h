@@ -1,0 +1,134 @@
+// The steps of one update, on which update_model() works from the first to the last. Each returns
+// false when the result is final: refused, or done.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+#include "geom/triangle_mesh.h"
+#include "update/joined_clouds.h"
+#include "update/model_index.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+
+// What is said of clouds by number is said of joined ones; take_result() says it of those given.
+class UpdateSteps {
+ public:
+  // The surface of each cloud is looked for by itself.
+  UpdateSteps(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
+              const UpdateOptions& options);
+  // Joined clouds are taken as one; `joined`: all of `clouds`, each in one of them.
+  UpdateSteps(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
+              std::vector<JoinedCloud> joined, const UpdateOptions& options);
+
+  bool detect_boundaries(const Execution& execution);
+
+  bool find_overlapping_facets(const ModelIndex& index, const Execution& execution);
+
+  bool segment_and_choose(const ModelIndex& index, const Execution& execution);
+
+  bool reconstruct(const ModelIndex& index, const UpdateParts& parts, const Execution& execution);
+
+  UpdateResult take_result();
+
+ private:
+  // A loop with one region on both sides.
+  struct DividedLoop {
+    std::size_t cloud;
+    std::size_t loop;
+    std::size_t entry;  // its position among the loops of the border
+    RegionId region;
+  };
+
+  void tell_members();
+  std::string name_of_cloud(std::size_t c) const;
+  std::string name_of_loop(std::size_t c, std::size_t l) const;
+  bool fail(UpdateStatus status, std::string message);
+  void warn(std::string message) { result_.warnings.push_back(std::move(message)); }
+  void warn_of_cloud(std::size_t c, const std::vector<std::string>& warnings);
+
+  void look_for_losses(const ModelIndex& index);
+
+  // Calls visit(cloud, loop) for the loops that take part in the border.
+  template <class Visit>
+  void for_each_border_loop(Visit visit) const {
+    for (std::size_t c = 0; c < overlaps_.size(); ++c) {
+      for (std::size_t l = 0; l < overlaps_[c].loops.size(); ++l) {
+        if (overlaps_[c].loops[l].match == LoopMatch::on_model) visit(c, l);
+      }
+    }
+  }
+
+  // One entry for each loop of the border.
+  std::vector<RegionAngles> measure_angles(const ModelIndex& index) const;
+
+  std::vector<CloudSurface> surfaces_of_cloud(std::size_t c, const Execution& execution) const;
+
+  void take_surface(std::size_t c, CloudSurface surface);
+
+  void report_loop(std::size_t c, const RimLoop& loop, bool opened);
+
+  // Where the rim lies on the model, with pin-holes through which the model goes on.
+  void locate_rim(std::size_t c, const ModelIndex& index, const Execution& execution);
+
+  // The rim that looked best is not on the model: takes the best one that is, if there is one.
+  void try_others(std::size_t c, const ModelIndex& index, const Execution& execution);
+
+  // A pin-hole that does not cut the model in two, by itself or with other loops, is none of the
+  // border. Returns whether there was one.
+  bool close_pin_holes(const ModelIndex& index, const Execution& execution);
+
+  void trace_borders(const ModelIndex& index, const Execution& execution);
+
+  void report_overlap(std::size_t c);
+
+  bool fail_no_overlap(std::size_t c);
+
+  // Collects the loops with one and the same region on both sides in divided_loops_.
+  bool check_separation(const ModelIndex& index, std::span<const RegionAngles> angles);
+
+  // Where rims are partial: takes regions that lie as a whole under each such cloud, or outside.
+  bool segment(const ModelIndex& index, const std::vector<std::size_t>& joined,
+               const Execution& execution);
+
+  // Whether a scan ends on the model in regions that would go: then its rim is not all there, and
+  // the cloud is to be cut.
+  bool cut_where_scans_end(const ModelIndex& index, std::span<const RegionAngles> angles);
+
+  // Splits the regions on both sides of divided loops, and measures the angles again. The split
+  // holds if each of these loops then tells its sides apart.
+  bool split_divided_regions(const ModelIndex& index, std::vector<RegionAngles>& angles);
+
+  // Whether the loop sees the part under the cloud at a clearly smaller angle than the other one.
+  bool labels_agree(const DividedLoop& loop, const RegionAngles& angles) const;
+
+  bool fail_divided(const DividedLoop& loop, const std::string& why);
+
+  void warn_about_split(const SplitRegion& part);
+
+  bool report_choice();
+
+  const TriangleMesh& model_;
+  std::span<const std::vector<Point>> given_;
+  std::vector<JoinedCloud> joined_;             // empty: each cloud by itself
+  std::vector<std::vector<Point>> samples_;     // of the joined ones
+  std::span<const std::vector<Point>> clouds_;  // what the steps work on: given_ or samples_
+  const UpdateOptions& options_;
+  std::vector<std::vector<CloudSurface>> other_surfaces_;  // of each cloud, the best one first
+  std::vector<Overlap> overlaps_;
+  std::vector<std::vector<std::size_t>> shared_with_;  // of each cloud, by mark_shared_edges()
+  std::vector<std::uint8_t> is_cut_;                   // clouds_to_cut()
+  std::vector<Border> borders_;
+  TriangleSet border_facets_;
+  std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under
+  std::vector<DividedLoop> divided_loops_;
+  UpdateResult result_;
+};
+
+}  // namespace cocoon
