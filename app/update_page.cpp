@@ -73,6 +73,10 @@ class SceneBuilder {
   using Kind = PageGeometry::Kind;
 
   std::size_t cloud_begin(std::size_t c) const { return page_.points.parts[c + 1].first; }
+  std::size_t position_of(std::size_t c, PointId p) const {
+    const CloudPoint point = point_told(record_.result.clouds, record_.clouds, c, p);
+    return cloud_begin(point.cloud) + point.index;
+  }
   std::string cloud_name(std::size_t c) const {
     return record_.clouds.size() == 1 ? "cloud" : fmt::format("cloud {}", c + 1);
   }
@@ -113,9 +117,11 @@ class SceneBuilder {
       points.parts.push_back({cloud_name(c), points.positions.size(), cloud.size()});
       points.positions.insert(points.positions.end(), cloud.begin(), cloud.end());
       points.labels.of_element.resize(points.positions.size(), 1);
+    }
+    for (std::size_t c = 0; c < record_.clouds.size(); ++c) {
       const CloudSurface& surface = record_.result.clouds[c].surface;
       const auto label_vertex = [&](VertexId v, std::uint32_t label) {
-        points.labels.of_element[cloud_begin(c) + surface.point_of_vertex[v].index()] = label;
+        points.labels.of_element[position_of(c, surface.point_of_vertex[v])] = label;
       };
       for (const VertexId v : surface.mesh.points.ids()) {
         if (surface.boundary_sample[v] != 0) label_vertex(v, 3);
@@ -212,7 +218,7 @@ class SceneBuilder {
     const std::string name = cloud_name(c);
     const CloudSurface& surface = record_.result.clouds[c].surface;
     const auto index_of = [&](VertexId v) {
-      return static_cast<std::uint32_t>(cloud_begin(c) + surface.point_of_vertex[v].index());
+      return static_cast<std::uint32_t>(position_of(c, surface.point_of_vertex[v]));
     };
     page_.geometries.push_back(
         {id, name, Kind::points, numbers_from(cloud_begin(c), record_.clouds[c].size()), {}});
@@ -340,6 +346,7 @@ PageTable point_table(const UpdateRecord& record) {
 PageTable angle_table(const UpdateRecord& record) {
   PageTable table{"Mean angle at the rim", {"cloud", "group", "facets", "degrees", "decision"}, {}};
   for (std::size_t c = 0; c < record.result.clouds.size(); ++c) {
+    if (record.result.clouds[c].joined_with) continue;
     for (const GroupAngle& group : record.result.clouds[c].groups) {
       table.rows.push_back({number(c + 1), number(group.group.index()),
                             number(record.result.regions.regions[group.group].facets),
@@ -354,6 +361,7 @@ PageTable rim_table(const UpdateRecord& record) {
       "Boundary", {"cloud", "loops", "rim points", "on facets", "border facets", "rho"}, {}};
   for (std::size_t c = 0; c < record.result.clouds.size(); ++c) {
     const CloudReport& cloud = record.result.clouds[c];
+    if (cloud.joined_with) continue;
     table.rows.push_back({number(c + 1), number(cloud.loops.size()), number(cloud.boundary_points),
                           number(cloud.overlapping_facets.size()), number(cloud.border_facets),
                           cloud.surface.rho});

@@ -36,6 +36,7 @@ std::size_t opened_pin_holes(const CloudReport& cloud) {
 
 JsonReport cloud_entry(const CloudReport& cloud) {
   JsonReport entry;
+  if (cloud.joined_with) entry.set("joined_with", *cloud.joined_with);
   for (const GroupAngle& group : cloud.groups) {
     entry.set("mean_angle_deg/" + std::to_string(group.group.value), group.mean_angle_deg);
   }
@@ -156,6 +157,11 @@ void say_update(Job& job, const UpdateRecord& record) {
           record.model.triangles.size());
   for (std::size_t c = 0; c < result.clouds.size(); ++c) {
     const CloudReport& cloud = result.clouds[c];
+    if (cloud.joined_with) {
+      job.say("cloud {}: {}, one surface with {}", record.cloud_names[c],
+              counted(record.clouds[c].size(), "point"), record.cloud_names[*cloud.joined_with]);
+      continue;
+    }
     job.say("cloud {}: {}, {} with {}, on {} of the model", record.cloud_names[c],
             counted(record.clouds[c].size(), "point"), counted(cloud.loops.size(), "boundary loop"),
             counted(cloud.boundary_points, "point"),

@@ -59,6 +59,17 @@ std::vector<CloudReport> reports_of_members(std::vector<CloudReport> reports,
   return result;
 }
 
+CloudPoint point_told(std::span<const CloudReport> reports,
+                      std::span<const std::vector<Point>> clouds, std::size_t c, PointId p) {
+  CloudPoint point{c, p.index()};
+  for (std::size_t next = c + 1; point.index >= clouds[point.cloud].size(); ++next) {
+    if (reports[next].joined_with != c) continue;
+    point.index -= clouds[point.cloud].size();
+    point.cloud = next;
+  }
+  return point;
+}
+
 void enter_overlap(const Overlap& overlap, CloudReport& report) {
   report.overlapping_facets = overlap.facets;
   report.star_misses = overlap.star_misses;

@@ -82,6 +82,17 @@ std::vector<CloudReport> reports_of_members(std::vector<CloudReport> reports,
                                             std::span<const JoinedCloud> joined,
                                             std::size_t clouds);
 
+// A point of a cloud given.
+struct CloudPoint {
+  std::size_t cloud = 0;
+  std::size_t index = 0;
+};
+
+// Which point is meant where cloud c tells of its point p: one of its own, or one of those joined
+// with it. clouds[c] belongs to reports[c]. Complexity: O(clouds).
+CloudPoint point_told(std::span<const CloudReport> reports,
+                      std::span<const std::vector<Point>> clouds, std::size_t c, PointId p);
+
 // Enters what the stages found of a cloud. Complexity: O(what is entered).
 void enter_overlap(const Overlap& overlap, CloudReport& report);
 void enter_border(const Border& border, CloudReport& report);
