@@ -8,7 +8,9 @@
 #include "cocone/poles.h"
 #include "cocone/surface_mesh.h"
 #include "delaunay/voronoi_dual.h"
+#include "geom/neighbor_distance.h"
 #include "geom/off_plane.h"
+#include "geom/thin_points.h"
 
 namespace cocoon {
 
@@ -37,6 +39,11 @@ struct Scan {
   Points cloud;
   Foundation foundation;      // of the samples that are kept
   std::vector<PointId> kept;  // increasing; empty: all
+  std::size_t duplicates = 0;
+
+  std::size_t set_aside() const {
+    return kept.empty() ? 0 : cloud.size() - duplicates - kept.size();
+  }
 };
 
 struct Trial {
@@ -87,6 +94,7 @@ Trial find_rim(const Scan& scan, Sheet found, const RimSearch& search,
   surface.rim = cloud_rim(surface.mesh, trimmed.sides, options.rim);
   mark_rim_seams(scan.cloud, surface.rim, options.seams);
   surface.rho = search.rho;
+  surface.set_aside = scan.set_aside();
   surface.boundary_samples = boundary.count;
   surface.trimmed = trimmed.at_rim + trimmed.in_clusters;
   surface.status = surface.mesh.triangles.empty() ? CloudStatus::no_surface
@@ -110,10 +118,23 @@ Trial find_rim(const Scan& scan, Sheet found, const RimSearch& search,
 }
 
 // If samples lie in rows, few of them: those of the rows but not all along a row.
-Scan thinned(Scan scan, const Sheet& sheet, const CloudSurfaceOptions& options,
+std::vector<PointId> few_of_rows(const Scan& scan, const Sheet& sheet,
+                                 const CloudSurfaceOptions& options) {
+  return thin_out_rows(scan.cloud, sheet.surface.mesh, sheet.surface.point_of_vertex,
+                       options.rows.spread);
+}
+
+// If layers lie over each other, one layer.
+std::vector<PointId> few_of_layers(const Scan& scan, const CloudSurfaceOptions& options) {
+  constexpr std::size_t neighbor = 8;
+  const double distance = options.layers.spread * median_neighbor_distance(scan.cloud, neighbor);
+  return thin_points(scan.cloud, [&](PointId) { return distance * distance; });
+}
+
+// With these samples alone.
+Scan thinned(Scan scan, std::vector<PointId> kept, const CloudSurfaceOptions& options,
              const Execution& execution) {
-  scan.kept = thin_out_rows(scan.cloud, sheet.surface.mesh, sheet.surface.point_of_vertex,
-                            options.rows.spread);
+  scan.kept = std::move(kept);
   std::vector<Point> points;
   points.reserve(scan.kept.size());
   for (const PointId p : scan.kept) points.push_back(scan.cloud[p.index()]);
@@ -150,6 +171,74 @@ class Preference {
   const CloudSurfaceOptions& options_;
 };
 
+// All trials, up to the first that is good enough.
+class Search {
+ public:
+  Search(const CloudSurfaceOptions& options, const Execution& execution)
+      : options_(options), execution_(execution), preference_(options) {}
+
+  // `sheet`: that of options.start. Without a rim or a seam the surface is closed: finer trials
+  // look more closely. Else the seams are in the way.
+  void begin(const Scan& scan, Sheet sheet) {
+    add(find_rim(scan, std::move(sheet), options_.start, options_));
+    const Trial& first = found_.front();
+    const bool is_closed = first.surface.status == CloudStatus::cloud_closed &&
+                           first.report.seam_share <= options_.max_seam_share;
+    for (const RimSearch& search : is_closed ? options_.finer : options_.coarser) {
+      if (done_) break;
+      Trial trial = try_once(scan, search);
+      // A finer trial that tears the surface up everywhere has found no rim.
+      if (is_closed && !preference_.good_enough(trial)) {
+        trials_.push_back(trial.report);
+      } else {
+        add(std::move(trial));
+      }
+    }
+    std::stable_sort(found_.begin(), found_.end(), preference_);
+  }
+
+  bool is_layered() const {
+    const Trial& best = found_.front();
+    return options_.layers.spread > 0 && (best.surface.status != CloudStatus::ok ||
+                                          best.report.seam_share > options_.layers.max_seam_share);
+  }
+
+  void go_on(const Scan& scan) {
+    add(try_once(scan, options_.start));
+    for (const RimSearch& search : options_.coarser) {
+      if (!done_) add(try_once(scan, search));
+    }
+    std::stable_sort(found_.begin(), found_.end(), preference_);
+  }
+
+  std::vector<CloudSurface> ranked() {
+    std::vector<CloudSurface> surfaces;
+    for (Trial& trial : found_) {
+      trial.surface.trials = trials_;
+      surfaces.push_back(std::move(trial.surface));
+    }
+    return surfaces;
+  }
+
+ private:
+  Trial try_once(const Scan& scan, const RimSearch& search) const {
+    return find_rim(scan, find_sheet(scan.foundation, search, options_, execution_), search,
+                    options_);
+  }
+  void add(Trial trial) {
+    trials_.push_back(trial.report);
+    done_ = preference_.good_enough(trial);
+    found_.push_back(std::move(trial));
+  }
+
+  const CloudSurfaceOptions& options_;
+  const Execution& execution_;
+  Preference preference_;
+  std::vector<Trial> found_;      // sorted when asked for
+  std::vector<RimTrial> trials_;  // in the order tried
+  bool done_ = false;
+};
+
 }  // namespace
 
 std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurfaceOptions& options,
@@ -157,42 +246,27 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   const std::vector<Point> off_plane = moved_off_plane(cloud);
   const Points working = off_plane.empty() ? cloud : Points(off_plane);
   Scan scan{working, lay_foundation(working, options.reconstruct, execution), {}};
-  const std::size_t duplicates = scan.foundation.triangulation.num_duplicates();
+  scan.duplicates = scan.foundation.triangulation.num_duplicates();
   Sheet sheet = find_sheet(scan.foundation, options.start, options, execution);
   if (lies_in_rows(sheet.surface.mesh, options.rows.min_ratio)) {
-    scan = thinned(std::move(scan), sheet, options, execution);
+    std::vector<PointId> few = few_of_rows(scan, sheet, options);
+    scan = thinned(std::move(scan), std::move(few), options, execution);
     sheet = find_sheet(scan.foundation, options.start, options, execution);
   }
-  const Preference preference(options);
-  std::vector<Trial> found = {find_rim(scan, std::move(sheet), options.start, options)};
-  std::vector<RimTrial> trials = {found.front().report};
-  // Without a rim or a seam the surface is closed: look more closely. Else the seams are in the
-  // way.
-  const bool is_closed = found.front().surface.status == CloudStatus::cloud_closed &&
-                         found.front().report.seam_share <= options.max_seam_share;
-  bool done = preference.good_enough(found.front());
-  for (const RimSearch& search : is_closed ? options.finer : options.coarser) {
-    if (done) break;
-    Trial trial =
-        find_rim(scan, find_sheet(scan.foundation, search, options, execution), search, options);
-    trials.push_back(trial.report);
-    done = preference.good_enough(trial);
-    // A finer trial that tears the surface up everywhere has found no rim.
-    if (!is_closed || done) found.push_back(std::move(trial));
+  Search search(options, execution);
+  search.begin(scan, std::move(sheet));
+  if (search.is_layered()) {
+    std::vector<PointId> few = few_of_layers(scan, options);
+    scan = thinned(std::move(scan), std::move(few), options, execution);
+    search.go_on(scan);
   }
-  std::stable_sort(found.begin(), found.end(), preference);
-  std::vector<CloudSurface> surfaces;
-  for (Trial& trial : found) {
-    surfaces.push_back(std::move(trial.surface));
-    CloudSurface& surface = surfaces.back();
-    if (!off_plane.empty()) {
-      for (const VertexId v : surface.mesh.points.ids()) {
-        surface.mesh.points[v] = cloud[surface.point_of_vertex[v].index()];
-      }
+  std::vector<CloudSurface> surfaces = search.ranked();
+  for (CloudSurface& surface : surfaces) {
+    surface.duplicates = scan.duplicates;
+    if (off_plane.empty()) continue;
+    for (const VertexId v : surface.mesh.points.ids()) {
+      surface.mesh.points[v] = cloud[surface.point_of_vertex[v].index()];
     }
-    surface.trials = trials;
-    surface.duplicates = duplicates;
-    surface.set_aside = scan.kept.empty() ? 0 : cloud.size() - duplicates - scan.kept.size();
   }
   return surfaces;
 }

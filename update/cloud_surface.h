@@ -24,6 +24,17 @@ struct RimSearch {
   RadiusMode radius_mode = RadiusMode::cocone;
 };
 
+// Scans from several sides in one cloud, a little out of register, or noise: layers over each other
+// are no surface at any rho.
+struct LayerOptions {
+  // If no trial finds a rim, or the best one has a larger share of seams, the rim is looked for
+  // again among few of the samples. 1: only if none finds one.
+  double max_seam_share = 0.3;
+  // Those that are farther apart than this share of the distance to the eighth neighbor, the
+  // median. 0: never.
+  double spread = 0.75;
+};
+
 struct CloudSurfaceOptions {
   // All but the fields of `boundary` that a RimSearch sets.
   ReconstructOptions reconstruct = open_cloud_defaults();
@@ -42,6 +53,7 @@ struct CloudSurfaceOptions {
   // edges twice as long as those of the surface.
   double stretch_weight = 0.2;
   RowOptions rows;
+  LayerOptions layers;
   TrimOptions trim;
   RimOptions rim;
   RimSeamOptions seams;
@@ -78,7 +90,7 @@ struct CloudSurface {
   std::size_t boundary_samples = 0;
   std::size_t trimmed = 0;     // triangles
   std::size_t duplicates = 0;  // cloud points equal to an earlier one
-  std::size_t set_aside = 0;   // samples in rows that are not looked at
+  std::size_t set_aside = 0;   // samples in rows or layers that are not looked at
 };
 
 // Reconstructs `cloud` alone. One triangulation and one set of poles and cocones serve all trials:
@@ -91,10 +103,12 @@ struct CloudSurface {
 // keeps: rows tear the surface, and whatever is measured in spacings would be in spacings along a
 // row. If the cloud is flat, exactly, the search goes on with its points just off their plane
 // (off_plane.h); the surface has them in it.
-// Why: a rim is found iff the gap beyond it is wider than rho times the local feature size.
-// Small rhos find rims of gently curved patches; large ones bear noise and sharp edges. Errors:
-// InputError as delaunay(), but for flat clouds. Complexity: O(n log n) expected. Deterministic as
-// reconstruct_cocone(). Source: Woo & Dey 2005, section 3.2; ladder and trimming are ours.
+// If all this finds no rim, or mostly seams, the search begins again with the samples that
+// LayerOptions leave. Why: a rim is found iff the gap beyond it is wider than rho times the local
+// feature size. Small rhos find rims of gently curved patches; large ones bear noise and sharp
+// edges. Errors: InputError as delaunay(), but for flat clouds. Complexity: O(n log n) expected.
+// Deterministic as reconstruct_cocone(). Source: Woo & Dey 2005, section 3.2; ladder and trimming
+// are ours.
 CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options = {},
                            const Execution& execution = {});
 

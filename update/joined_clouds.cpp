@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
-#include <utility>
 
 #include "geom/box_tree.h"
 #include "geom/disjoint_sets.h"
-#include "geom/median.h"
+#include "geom/neighbor_distance.h"
 #include "geom/thin_points.h"
 
 namespace cocoon {
@@ -26,7 +24,7 @@ class Samples {
     boxes.reserve(points_.size());
     for (const Point& p : points_) boxes.push_back({p, p});
     tree_ = BoxTree(boxes);
-    if (points_.size() > 1) spacing_ = median_distance();
+    spacing_ = median_neighbor_distance(points_, 1);
   }
 
   const std::vector<Point>& points() const { return points_; }
@@ -43,22 +41,6 @@ class Samples {
   }
 
  private:
-  double median_distance() const {
-    constexpr std::size_t asked = 500;
-    std::vector<double> distances;
-    const std::size_t step = std::max<std::size_t>(1, points_.size() / asked);
-    for (std::size_t k = 0; k < points_.size(); k += step) {
-      double nearest = std::numeric_limits<double>::infinity();
-      tree_.visit_near(points_[k], nearest, [&](std::uint32_t slot) {
-        const std::uint32_t other = tree_.items()[slot];
-        if (other != k) nearest = std::min(nearest, squared_distance(points_[other], points_[k]));
-        return nearest;
-      });
-      distances.push_back(nearest);
-    }
-    return std::sqrt(median(std::move(distances)));
-  }
-
   std::vector<Point> points_;
   BoxTree tree_;
   double spacing_ = 0;

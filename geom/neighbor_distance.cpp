@@ -1,0 +1,44 @@
+#include "geom/neighbor_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "geom/box_tree.h"
+#include "geom/median.h"
+
+namespace cocoon {
+
+double median_neighbor_distance(Points points, std::size_t k) {
+  constexpr std::size_t asked = 500;
+  std::vector<Point> different(points.begin(), points.end());
+  std::sort(different.begin(), different.end());
+  different.erase(std::unique(different.begin(), different.end()), different.end());
+  if (different.size() <= k) return 0;
+  std::vector<Box> boxes;
+  boxes.reserve(different.size());
+  for (const Point& p : different) boxes.push_back({p, p});
+  const BoxTree tree(boxes);
+  std::vector<double> distances;
+  const std::size_t step = std::max<std::size_t>(1, different.size() / asked);
+  for (std::size_t i = 0; i < different.size(); i += step) {
+    // Increasing, squared.
+    std::vector<double> nearest(k, std::numeric_limits<double>::infinity());
+    tree.visit_near(different[i], nearest.back(), [&](std::uint32_t slot) {
+      const std::uint32_t other = tree.items()[slot];
+      const double distance = squared_distance(different[other], different[i]);
+      if (other != i && distance < nearest.back()) {
+        nearest.pop_back();
+        nearest.insert(std::upper_bound(nearest.begin(), nearest.end(), distance), distance);
+      }
+      return nearest.back();
+    });
+    distances.push_back(nearest.back());
+  }
+  return std::sqrt(median(std::move(distances)));
+}
+
+}  // namespace cocoon
