@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <numeric>
 
 #include "geom/sort_ids.h"
 #include "geom/triangle_projection.h"
@@ -110,6 +112,31 @@ void NearFacets::improve(const Point& p, TriangleId t, ClosestFacet& best) const
     if (own > others || (own == others && t > best.triangle)) return;
   }
   best = {t, foot.point, squared};
+}
+
+std::vector<ClosestFacet> closest_facets(const ModelIndex& model, Points points, double reach,
+                                         const Execution& execution) {
+  constexpr double farther = 8;
+  constexpr int near_rounds = 3;
+  constexpr std::size_t points_per_chunk = 64;
+  std::vector<ClosestFacet> closest(points.size());
+  std::vector<std::size_t> open(points.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  for (int round = 0; !open.empty(); ++round, reach *= farther) {
+    if (round == near_rounds) reach = std::numeric_limits<double>::infinity();
+    std::vector<Point> centers;
+    centers.reserve(open.size());
+    for (const std::size_t k : open) centers.push_back(points[k]);
+    const NearFacets near(model, centers, reach);
+    const auto find = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        closest[open[i]] = near.closest(centers[i], reach * reach, [](TriangleId) { return true; });
+      }
+    };
+    parallel_chunks(execution, open.size(), points_per_chunk, find);
+    std::erase_if(open, [&](std::size_t k) { return !closest[k].triangle.is_none(); });
+  }
+  return closest;
 }
 
 }  // namespace cocoon

@@ -6,6 +6,7 @@
 
 #include "geom/box_tree.h"
 #include "geom/closest_facet.h"
+#include "geom/execution.h"
 #include "geom/ids.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
@@ -50,5 +51,11 @@ class NearFacets {
   std::vector<TriangleId> facets_;  // in the order of ids
   BoxTree tree_;                    // of facets_
 };
+
+// The closest facet of all for each of the points. First facets within `reach`, which is finite,
+// are looked at, then farther ones for those that find none there. Complexity: what NearFacets
+// takes, and O(log f) for each point; O(model log(model)) if some lie far away. Deterministic.
+std::vector<ClosestFacet> closest_facets(const ModelIndex& model, Points points, double reach,
+                                         const Execution& execution = {});
 
 }  // namespace cocoon

@@ -311,43 +311,6 @@ void match_loops(const CloudRim& rim, const OverlapOptions& options, Overlap& ov
   overlap.status = overlaps ? OverlapStatus::ok : OverlapStatus::no_overlap;
 }
 
-std::vector<Point> points_at(const CloudRim& rim, const std::vector<RimPoint>& points,
-                             const std::vector<std::size_t>& chosen) {
-  std::vector<Point> result;
-  result.reserve(chosen.size());
-  for (const std::size_t k : chosen) {
-    result.push_back(rim.loops[points[k].loop].points[points[k].index]);
-  }
-  return result;
-}
-
-// The closest facet of all for each rim point. Rims lie on the model, so facets within a spacing
-// hold the answer as a rule; farther ones are looked at for the points that find nothing there.
-std::vector<ClosestFacet> closest_facets(const ModelIndex& model, const CloudRim& rim,
-                                         const std::vector<RimPoint>& points,
-                                         const Execution& execution) {
-  constexpr double farther = 8;
-  constexpr int near_rounds = 3;
-  std::vector<ClosestFacet> closest(points.size());
-  std::vector<std::size_t> open(points.size());
-  std::iota(open.begin(), open.end(), std::size_t{0});
-  double reach = rim.spacing;
-  for (int round = 0; !open.empty(); ++round, reach *= farther) {
-    if (round == near_rounds) reach = std::numeric_limits<double>::infinity();
-    const std::vector<Point> centers = points_at(rim, points, open);
-    const NearFacets near(model, centers, reach);
-    parallel_chunks(
-        execution, open.size(), points_per_chunk, [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i) {
-            closest[open[i]] =
-                near.closest(centers[i], reach * reach, [](TriangleId) { return true; });
-          }
-        });
-    std::erase_if(open, [&](std::size_t k) { return !closest[k].triangle.is_none(); });
-  }
-  return closest;
-}
-
 // Fills located[k] for each k of `chosen`.
 void locate_points(const ModelIndex& model, const Locator& locator,
                    const std::vector<Query>& queries, const std::vector<std::size_t>& chosen,
@@ -382,7 +345,11 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
   const std::vector<RimPoint> points = all_points(rim);
 
   // 1. The closest facet of all: gives the local spacing and the side the cloud is seen from.
-  const std::vector<ClosestFacet> closest = closest_facets(model, rim, points, execution);
+  // Rims lie on the model, so facets within a spacing hold the answer as a rule.
+  std::vector<Point> places;
+  places.reserve(points.size());
+  for (const auto& [l, i] : points) places.push_back(rim.loops[l].points[i]);
+  const std::vector<ClosestFacet> closest = closest_facets(model, places, rim.spacing, execution);
   const std::vector<double> signs = facing_signs(model, rim, closest, options.one_sided_window);
 
   // 2. The overlapping facets.

@@ -21,6 +21,7 @@
 #include "update/choose_regions.h"
 #include "update/cloud_report.h"
 #include "update/cloud_surface.h"
+#include "update/contradicted_islands.h"
 #include "update/cut_regions.h"
 #include "update/joined_clouds.h"
 #include "update/loop_sides.h"
@@ -54,6 +55,7 @@ struct UpdateOptions {
   CutOptions cut;  // of partial rims
   AngleOptions angles;
   ChoiceOptions choice;
+  IslandOptions islands;
   ReplaceOptions replace;
   OverlookedOptions overlooked;
   UnscannedOptions unscanned;
@@ -76,6 +78,7 @@ struct UpdateResult {
   std::vector<SplitRegion> split;   // those that rims did not separate, split by labels
   RegionChoice choice;
   std::vector<RegionId> replaced_groups;  // under any cloud
+  std::vector<RegionId> islands;          // of these, those that go by contradicted_islands()
 
   // Each vertex of the initial model in the updated one; none: replaced, or not on its surface.
   IdVector<VertexId, VertexId> vertex_map;

@@ -122,7 +122,22 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
   result_.choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
   // Regions may be without any loop (all rims covered): then there is nothing to replace.
   result_.choice.replaced.resize(result_.regions.regions.size(), 0);
+  take_islands(index, execution);
   return report_choice();
+}
+
+void UpdateSteps::take_islands(const ModelIndex& index, const Execution& execution) {
+  RegionChoice& choice = result_.choice;
+  if (choice.status != ChoiceStatus::ok) return;
+  result_.islands =
+      contradicted_islands(index, result_.regions, choice, scans_of(clouds_, result_.clouds),
+                           options_.islands, execution);
+  for (const RegionId r : result_.islands) {
+    choice.replaced[r] = 1;
+    for (CloudChoice& cloud : choice.clouds) {
+      for (RegionVerdict& verdict : cloud.regions) verdict.under_cloud |= verdict.region == r;
+    }
+  }
 }
 
 bool UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,

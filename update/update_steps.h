@@ -53,6 +53,8 @@ class UpdateSteps {
   void warn(std::string message) { result_.warnings.push_back(std::move(message)); }
   void warn_of_cloud(std::size_t c, const std::vector<std::string>& warnings);
 
+  // Has contradicted islands go.
+  void take_islands(const ModelIndex& index, const Execution& execution);
   void look_for_losses(const ModelIndex& index);
 
   // Calls visit(cloud, loop) for the loops that take part in the border.
