@@ -124,6 +124,8 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/unexplained_handles", result.unexplained_handles);
   report.set("update/model_euler", result.euler_before);
   report.set("update/updated_euler", result.euler);
+  report.set("update/contradicted_islands", numbers_of(result.islands));
+  report.set("update/unused_changes", result.unused_changes.samples);
   report.set("update/far_losses", result.unscanned.far);
   report.set("update/unscanned_losses", result.unscanned.vertices);
   report.set("update/thinned_points", replacement.thinned);
@@ -132,6 +134,12 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
 }
 
 }  // namespace
+
+const char* verdict_on(const GroupAngle& group, const std::vector<RegionId>& islands) {
+  if (!group.under_cloud) return "kept";
+  const bool contradicted = std::find(islands.begin(), islands.end(), group.group) != islands.end();
+  return contradicted ? "replaced: samples off the model lie over it" : "replaced";
+}
 
 void add_update(JsonReport& report, const UpdateRecord& record) {
   const UpdateResult& result = record.result;
@@ -173,7 +181,7 @@ void say_update(Job& job, const UpdateRecord& record) {
     for (const std::string& note : notes_of_surface(cloud.surface)) job.say("  {}", note);
     for (const GroupAngle& group : cloud.groups) {
       job.say("  group {}: mean angle {:.2f} degrees, {}", group.group.value, group.mean_angle_deg,
-              group.under_cloud ? "replaced" : "kept");
+              verdict_on(group, result.islands));
     }
   }
   job.say("{} of {} groups replaced: {} points out, {} points in all",

@@ -122,6 +122,14 @@ std::string warning_of_overlooked(std::size_t vertices, const Point& at) {
          "chosen; sample more densely at sharp edges and thin walls, and look at the result";
 }
 
+std::string warning_of_unused_changes(const UnusedChanges& changes) {
+  return std::to_string(changes.samples) + " of " +
+         counted(changes.of, "sample off the model is", "samples off the model are") +
+         " not on the updated surface, as at " + place_name(changes.at) +
+         ": the wrong part of the model may have stayed there; scan what joins them to the model, "
+         "such as walls, and look at the result";
+}
+
 std::string warning_of_handles(std::size_t handles) {
   return "the updated model has " + counted(handles, "handle") +
          " more than the rims of the clouds explain: right if the scans have " +

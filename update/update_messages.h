@@ -12,6 +12,7 @@
 #include "update/overlapping_facets.h"
 #include "update/split_regions.h"
 #include "update/unscanned_losses.h"
+#include "update/unused_changes.h"
 
 namespace cocoon {
 
@@ -52,6 +53,7 @@ std::string warning_of_shared_regions(std::size_t regions);
 std::string warning_of_narrow_margin(double degrees);
 // `at`: one of them.
 std::string warning_of_overlooked(std::size_t vertices, const Point& at);
+std::string warning_of_unused_changes(const UnusedChanges& changes);
 // More than the rims explain.
 std::string warning_of_handles(std::size_t handles);
 // `at`: the place of the farthest vertex; `reach`: UnscannedOptions::reach.

@@ -38,6 +38,7 @@
 #include "update/trace_border.h"
 #include "update/unexplained_handles.h"
 #include "update/unscanned_losses.h"
+#include "update/unused_changes.h"
 #include "update/update_status.h"
 
 namespace cocoon {
@@ -59,6 +60,7 @@ struct UpdateOptions {
   ReplaceOptions replace;
   OverlookedOptions overlooked;
   UnscannedOptions unscanned;
+  UnusedChangeOptions unused_changes;
   ReconstructOptions reconstruct;  // of the updated model: the defaults for closed models
 };
 
@@ -85,6 +87,7 @@ struct UpdateResult {
   Replacement replacement;  // counts, and the updated points
   OverlookedVertices overlooked;
   UnscannedLosses unscanned;
+  UnusedChanges unused_changes;
   // Euler numbers, from the numbers of vertices in use and of triangles.
   std::ptrdiff_t euler_before = 0;
   std::ptrdiff_t euler = 0;

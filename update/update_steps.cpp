@@ -1,6 +1,7 @@
 #include "update/update_steps.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -191,7 +192,31 @@ void UpdateSteps::warn_of_cloud(std::size_t c, const std::vector<std::string>& w
   for (const std::string& warning : warnings) warn(name_of_cloud(c) + ": " + warning);
 }
 
+// The samples of each cloud that are no vertices of the updated mesh.
+std::vector<std::vector<Point>> UpdateSteps::unused_samples() const {
+  std::vector<std::vector<Point>> unused(clouds_.size());
+  if (result_.reconstruction.unused_points == 0) return unused;
+  std::vector<std::uint8_t> used(result_.replacement.points.size(), 0);
+  for (const PointId p : result_.reconstruction.point_of_vertex) used[p.index()] = 1;
+  for (std::size_t c = 0; c < clouds_.size(); ++c) {
+    const std::vector<std::size_t> alone = {c};
+    for (const std::size_t member : joined_.empty() ? alone : joined_[c].members) {
+      const IdVector<PointId, PointId>& positions =
+          result_.replacement.point_of_cloud_point[member];
+      for (const PointId k : positions.ids()) {
+        if (used[positions[k].index()] == 0) unused[c].push_back(given_[member][k.index()]);
+      }
+    }
+  }
+  return unused;
+}
+
 void UpdateSteps::look_for_losses(const ModelIndex& index) {
+  result_.unused_changes = unused_changes(index, scans_of(clouds_, result_.clouds),
+                                          unused_samples(), options_.unused_changes);
+  if (result_.unused_changes.is_doubtful(options_.unused_changes)) {
+    warn(warning_of_unused_changes(result_.unused_changes));
+  }
   result_.unexplained_handles =
       unexplained_handles(result_.clouds, result_.euler_before, result_.euler);
   if (result_.unexplained_handles > 0) warn(warning_of_handles(result_.unexplained_handles));

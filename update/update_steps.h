@@ -55,6 +55,7 @@ class UpdateSteps {
 
   // Has contradicted islands go.
   void take_islands(const ModelIndex& index, const Execution& execution);
+  std::vector<std::vector<Point>> unused_samples() const;
   void look_for_losses(const ModelIndex& index);
 
   // Calls visit(cloud, loop) for the loops that take part in the border.

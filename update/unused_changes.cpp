@@ -1,0 +1,60 @@
+#include "update/unused_changes.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "geom/box_tree.h"
+#include "update/sample_heights.h"
+
+namespace cocoon {
+
+namespace {
+
+std::vector<Point> off_model(const ModelIndex& model, Points samples, double distance) {
+  std::vector<Point> off;
+  const std::vector<double> heights = squared_heights(model, samples, distance);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (heights[k] > distance * distance) off.push_back(samples[k]);
+  }
+  return off;
+}
+
+// Those that have others near them.
+std::vector<Point> without_strays(const std::vector<Point>& samples, std::size_t neighbors,
+                                  double reach) {
+  std::vector<Box> boxes;
+  for (const Point& p : samples) boxes.push_back({p, p});
+  const BoxTree tree(boxes);
+  const double bound = reach * reach;
+  std::vector<Point> found;
+  for (const Point& p : samples) {
+    std::size_t near = 0;  // itself among them
+    tree.visit_near(p, bound, [&](std::uint32_t slot) {
+      near += squared_distance(samples[tree.items()[slot]], p) <= bound ? 1U : 0U;
+      return near > neighbors ? -1.0 : bound;
+    });
+    if (near > neighbors) found.push_back(p);
+  }
+  return found;
+}
+
+}  // namespace
+
+UnusedChanges unused_changes(const ModelIndex& model, std::span<const Scan> scans,
+                             std::span<const std::vector<Point>> unused,
+                             const UnusedChangeOptions& options) {
+  UnusedChanges changes;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    if (unused[i].size() <= options.neighbors) continue;
+    const double distance = options.off_model * scans[i].spacing;
+    const std::vector<Point> found = without_strays(
+        off_model(model, unused[i], distance), options.neighbors, options.reach * scans[i].spacing);
+    if (found.empty()) continue;
+    if (changes.samples == 0) changes.at = *std::min_element(found.begin(), found.end());
+    changes.samples += found.size();
+    changes.of += off_model(model, scans[i].samples, distance).size();
+  }
+  return changes;
+}
+
+}  // namespace cocoon
