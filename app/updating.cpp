@@ -88,11 +88,22 @@ bool is_at_samples(const Finding& finding, const std::vector<std::vector<Point>>
   });
 }
 
-// Adds what is doubtful about the updated surface to the report, and to the warnings what is not
-// said there already; where samples are sparse only at the new ones: the model has the others from
-// before, and they would be said each time. Returns the certificate of the surface.
+// Most updates leave a few samples out, and are sparse at some sharp edge, right ones like wrong
+// ones: of that only what is unusual is worth a warning.
+bool is_worth_a_warning(const Finding& finding, const UpdateResult& result) {
+  constexpr double many = 0.1;  // of all points
+  if (finding.kind == "unused") {
+    const auto points = static_cast<double>(result.replacement.points.size());
+    return static_cast<double>(result.reconstruction.unused_points) > many * points;
+  }
+  return finding.kind != "sparse";
+}
+
+// Adds what is doubtful about the updated surface to the report and to the warnings, or to `notes`;
+// where samples are sparse only at the new ones: the model has the others from before, and they
+// would be said each time. Returns the certificate of the surface.
 MeshReport report_doubts(Job& job, const UpdateInput& input, UpdateResult& result,
-                         NoiseFilter filter, bool parted) {
+                         NoiseFilter filter, bool parted, std::vector<std::string>& notes) {
   ReconstructResult& surface = result.reconstruction;
   surface.mesh = std::move(result.mesh);
   MeshReport certificate;
@@ -103,13 +114,8 @@ MeshReport report_doubts(Job& job, const UpdateInput& input, UpdateResult& resul
   std::erase_if(findings, [&](const Finding& f) { return parted && f.kind == "contacts"; });
   add_findings(job.report(), findings);
   for (const Finding& finding : findings) {
-    // The same without places.
-    if (finding.kind == "unused") {
-      std::erase(result.warnings,
-                 warning_of_unused_points(surface.unused_points, result.replacement.points.size()));
-    }
     if (finding.kind == "sparse" && !is_at_samples(finding, input.clouds)) continue;
-    result.warnings.push_back(finding.message);
+    (is_worth_a_warning(finding, result) ? result.warnings : notes).push_back(finding.message);
   }
   return certificate;
 }
@@ -289,10 +295,11 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
     warning = with_cloud_names(warning, input.cloud_names);
   }
   const NoiseFilter filter = noise_filter_of_update(!input.strays.empty());
+  std::vector<std::string> notes;
   MeshReport certificate = timed(job.execution(), "check", [&] {
     if (session == nullptr) change = mesh_change(input.model, result.mesh, result.vertex_map);
     report_lost_triangles(job, input, change, result);
-    return report_doubts(job, input, result, filter, output.manifold);
+    return report_doubts(job, input, result, filter, output.manifold, notes);
   });
   VertexProperties properties = properties_of_update(job, input, result);
   if (output.manifold) {
@@ -307,6 +314,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   add_parameters(job.report(), options.cloud.reconstruct);
   add_parameters(job.report(), options.reconstruct, "model");
   say_update(job, record);
+  for (const std::string& note : notes) job.say("note: {}", note);
   for (const std::string& warning : result.warnings) job.warn(warning);
 
   if (!output.html.empty()) {

@@ -56,6 +56,11 @@ std::string reason_of_failed_split(SplitStatus status, const SplitRegion& split)
 }
 
 std::string reason_of_doubtful_cut(const RegionCut& cut) {
+  if (cut.seeds_under == 0 || cut.seeds_outside == 0) {
+    return "parts of its rim are missing, and none is left that tells where it ends on the model; "
+           "smooth it, sample more densely at sharp edges and thin walls, or let it reach farther "
+           "onto unchanged surface";
+  }
   return "parts of its rim are missing, and what is left of it does not tell its sides apart: " +
          rounded(cut.cut_length) + " median edges of cuts where it is missing, and " +
          rounded(cut.contradicted) + " in contradiction, beside " +
@@ -94,11 +99,6 @@ std::vector<std::string> warnings_of_cut(const RegionCut& cut, const CutOptions&
                        counted(cut.scan_ends, "facet") + "); what is beyond stays");
   }
   return warnings;
-}
-
-std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points) {
-  return std::to_string(unused) + " of " + counted(updated_points, "updated point") +
-         (unused == 1 ? " is" : " are") + " not on the surface";
 }
 
 std::string warning_of_clouds_apart(const std::string& why) {

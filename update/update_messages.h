@@ -44,7 +44,6 @@ std::string reason_of_empty_surface(std::size_t updated_points);
 std::string warning_of_split(const SplitRegion& split);
 // Of what the cut costs only if its doubt is more than options.clear_doubt.
 std::vector<std::string> warnings_of_cut(const RegionCut& cut, const CutOptions& options);
-std::string warning_of_unused_points(std::size_t unused, std::size_t updated_points);
 // Clouds that overlap each other, but not as one surface; `why`: the reason.
 std::string warning_of_clouds_apart(const std::string& why);
 // Regions under more than one cloud.

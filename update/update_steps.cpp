@@ -165,7 +165,6 @@ bool UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
   result_.vertex_map = updated_vertices(result_.replacement, result_.reconstruction);
   const std::size_t points = result_.replacement.points.size();
   const std::size_t unused = result_.reconstruction.unused_points;
-  if (unused > 0) warn(warning_of_unused_points(unused, points));
   result_.euler_before = euler_number(model_.points.size() - result_.replacement.unused_vertices,
                                       model_.triangles.size());
   result_.euler = euler_number(points - unused, surface.triangles);
