@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "geom/execution.h"
 #include "geom/ids.h"
 #include "update/choose_regions.h"
 #include "update/model_index.h"
@@ -15,9 +14,11 @@
 namespace cocoon {
 
 struct IslandOptions {
-  // A sample farther from the model than this many spacings of its scan contradicts the region in
-  // which its closest facet lies.
+  // A sample farther from the model than this many spacings of its scan contradicts the region over
+  // or under which it lies: that of the closest facet
   double off_model = 1.2;
+  // among those that face the same way, by this cosine.
+  double min_normal_cosine = 0.5;
   // A region is contradicted by at least so many samples,
   std::size_t min_samples = 5;
   // and by more than so many for each of its facets. Infinity: none is.
@@ -33,7 +34,6 @@ struct IslandOptions {
 // Deterministic. Source: ours.
 std::vector<RegionId> contradicted_islands(const ModelIndex& model, const Regions& regions,
                                            const RegionChoice& choice, std::span<const Scan> scans,
-                                           const IslandOptions& options = {},
-                                           const Execution& execution = {});
+                                           const IslandOptions& options = {});
 
 }  // namespace cocoon

@@ -123,16 +123,15 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
   result_.choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
   // Regions may be without any loop (all rims covered): then there is nothing to replace.
   result_.choice.replaced.resize(result_.regions.regions.size(), 0);
-  take_islands(index, execution);
+  take_islands(index);
   return report_choice();
 }
 
-void UpdateSteps::take_islands(const ModelIndex& index, const Execution& execution) {
+void UpdateSteps::take_islands(const ModelIndex& index) {
   RegionChoice& choice = result_.choice;
   if (choice.status != ChoiceStatus::ok) return;
-  result_.islands =
-      contradicted_islands(index, result_.regions, choice, scans_of(clouds_, result_.clouds),
-                           options_.islands, execution);
+  result_.islands = contradicted_islands(index, result_.regions, choice,
+                                         scans_of(clouds_, result_.clouds), options_.islands);
   for (const RegionId r : result_.islands) {
     choice.replaced[r] = 1;
     for (CloudChoice& cloud : choice.clouds) {
@@ -219,8 +218,13 @@ void UpdateSteps::look_for_losses(const ModelIndex& index) {
   result_.unexplained_handles =
       unexplained_handles(result_.clouds, result_.euler_before, result_.euler);
   if (result_.unexplained_handles > 0) warn(warning_of_handles(result_.unexplained_handles));
-  const std::vector<VertexId> lost = lost_vertices(index, result_.replacement, result_.vertex_map,
-                                                   result_.reconstruction.unused_points == 0);
+  std::vector<VertexId> lost = lost_vertices(index, result_.replacement, result_.vertex_map,
+                                             result_.reconstruction.unused_points == 0);
+  // What samples lie over or under was scanned through, however far away they are.
+  std::erase_if(lost, [&](VertexId v) {
+    const RegionId region = result_.regions.group_of_vertex[v];
+    return std::binary_search(result_.islands.begin(), result_.islands.end(), region);
+  });
   result_.unscanned = unscanned_losses(index, lost, scans_of(clouds_, result_.clouds),
                                        result_.euler > result_.euler_before, options_.unscanned);
   if (result_.unscanned.vertices == 0) return;

@@ -54,7 +54,7 @@ class UpdateSteps {
   void warn_of_cloud(std::size_t c, const std::vector<std::string>& warnings);
 
   // Has contradicted islands go.
-  void take_islands(const ModelIndex& index, const Execution& execution);
+  void take_islands(const ModelIndex& index);
   std::vector<std::vector<Point>> unused_samples() const;
   void look_for_losses(const ModelIndex& index);
 

@@ -1,0 +1,92 @@
+// A pocket with sharp edges, scanned as scanners do: from several sides, none of which sees all of
+// it.
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "geom/mesh_check.h"
+#include "tests/end_to_end/local_update.h"
+#include "tests/end_to_end/slab_with_pocket.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+namespace {
+
+using testing::Clouds;
+using testing::SlabWithPocket;
+
+class UpdateViews : public ::testing::TestWithParam<std::uint64_t> {
+ protected:
+  SlabWithPocket slab{GetParam()};
+
+  Clouds three_views() {
+    return {slab.view({1, 0, 1.2}), slab.view({-0.5, 0.87, 1.2}), slab.view({-0.5, -0.87, 1.2})};
+  }
+  void expect_pocket(const Clouds& clouds, const UpdateResult& result) const {
+    testing::expect_local_update(slab.model, clouds, result, SlabWithPocket::in_pocket,
+                                 SlabWithPocket::is_far);
+    EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+    EXPECT_FALSE(result.unused_changes.is_doubtful({}));
+  }
+};
+
+TEST_P(UpdateViews, EachACloud) {
+  const Clouds clouds = three_views();
+  const UpdateResult result = update_model(slab.model, clouds);
+  expect_pocket(clouds, result);
+  EXPECT_EQ(result.clouds[2].joined_with, 0U);
+}
+
+// Each alone is torn where the others see walls.
+TEST_P(UpdateViews, EachACloudAndASurface) {
+  const Clouds clouds = three_views();
+  UpdateOptions options;
+  options.join.reach = 0;
+  const UpdateResult result = update_model(slab.model, clouds, options);
+  ASSERT_EQ(result.status, UpdateStatus::ok);
+  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+  EXPECT_LT(slab.left_over(result), 10U);
+  EXPECT_FALSE(result.unused_changes.is_doubtful({}));
+}
+
+// Layers a third of the spacing apart.
+TEST_P(UpdateViews, OutOfRegisterInOneCloud) {
+  Clouds clouds(1);
+  double off = -0.3 * SlabWithPocket::least;
+  for (const std::vector<Point>& view : three_views()) {
+    for (const Point& p : view) clouds[0].push_back(p + Vec3{off, -off, off});
+    off += 0.3 * SlabWithPocket::least;
+  }
+  const UpdateResult result = update_model(slab.model, clouds);
+  expect_pocket(clouds, result);
+  EXPECT_GT(result.clouds[0].surface.set_aside, clouds[0].size() / 4);
+
+  UpdateOptions options;
+  options.cloud.layers.spread = 0;
+  const UpdateResult layered = update_model(slab.model, clouds, options);
+  EXPECT_TRUE(layered.status != UpdateStatus::ok ||
+              layered.warnings.size() > result.warnings.size());
+}
+
+// The floor, and none of the walls: ten spacings down, nothing between.
+TEST_P(UpdateViews, FromAbove) {
+  const Clouds clouds = {slab.view({0, 0, 1})};
+  const UpdateResult result = update_model(slab.model, clouds);
+  ASSERT_EQ(result.status, UpdateStatus::ok);
+  EXPECT_TRUE(mesh_check(result.mesh).is_closed_manifold());
+  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+  EXPECT_LE(slab.left_over(result), 2U);
+  EXPECT_LT(result.unused_changes.samples, 10U);
+  EXPECT_EQ(result.unscanned.vertices, 0U);
+  EXPECT_EQ(result.islands.size(), 1U);
+
+  UpdateOptions options;
+  options.islands.min_samples = 1000000;
+  const UpdateResult filled = update_model(slab.model, clouds, options);
+  EXPECT_GT(slab.left_over(filled), 100U);
+  EXPECT_TRUE(filled.unused_changes.is_doubtful({}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scans, UpdateViews, ::testing::Values(1, 2, 3));
+
+}  // namespace
+}  // namespace cocoon
