@@ -1,5 +1,6 @@
 #include "update/cloud_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
@@ -105,6 +106,34 @@ TEST(CloudSurface, AClosedCloudHasNoRim) {
   EXPECT_EQ(surface.status, CloudStatus::cloud_closed);
   EXPECT_TRUE(surface.rim.loops.empty());
   EXPECT_GT(surface.trials.size(), 1U);
+}
+
+// Four scans of a sheet, each a little out of register.
+TEST(CloudSurface, LayersOverEachOtherAreOne) {
+  std::vector<Point> layers;
+  for (int k = 0; k < 4; ++k) {
+    for (const Point& p : sheet(30, 0.02, 0.2, 0.1, everywhere)) {
+      layers.push_back(p + Vec3{0.3 * k, 0.5 * (k % 2), 0.15 * k});
+    }
+  }
+  const CloudSurface surface = cloud_surface(layers);
+  ASSERT_EQ(surface.status, CloudStatus::ok);
+  EXPECT_GT(surface.set_aside, layers.size() / 2);
+  EXPECT_GT(surface.trials.size(), 4U);
+  for (const VertexId v : surface.mesh.points.ids()) {
+    EXPECT_EQ(surface.mesh.points[v], layers[surface.point_of_vertex[v].index()]);
+  }
+  for (const RimLoop& loop : surface.rim.loops) {
+    for (const Point& p : loop.points) {
+      EXPECT_GT(std::max(std::abs(p.x - 0.45), std::abs(p.y - 0.25)), 12);
+    }
+  }
+
+  CloudSurfaceOptions options;
+  options.layers.spread = 0;
+  const CloudSurface torn = cloud_surface(layers, options);
+  EXPECT_EQ(torn.set_aside, 0U);
+  for (const RimTrial& trial : torn.trials) EXPECT_TRUE(trial.loops == 0 || trial.seam_share > 0.3);
 }
 
 TEST(CloudSurface, OrderAndThreadsDoNotMatter) {

@@ -133,6 +133,24 @@ TEST(OverlappingFacets, AHoleInsideTheCloudMayBeOffTheModel) {
   EXPECT_EQ(overlap.loops[1].match, LoopMatch::off_model);
 }
 
+// One side on the model, the other below it: the shadow of a wall in a dent.
+TEST(OverlappingFacets, ALoopThatIsPartlyRaisedIsAHole) {
+  const TriangleMesh model = testing::grid_plane(30);
+  RimLoop loop = circle(20, {15, 15, 0}, 4);
+  for (Point& p : loop.points) p.z = p.x > 15 ? -2 : 0;
+  const auto match = [&](double height, const OverlapOptions& options = {}) {
+    CloudRim rim = rim_of({circle(60, {15, 15, height}, 10), loop});
+    const Overlap overlap = overlapping_facets(model, rim, options);
+    EXPECT_EQ(overlap.loops[0].match, LoopMatch::on_model);
+    return overlap.loops[1].match;
+  };
+  EXPECT_EQ(match(0), LoopMatch::off_model);
+  EXPECT_EQ(match(0, {.max_raised_share = 1}), LoopMatch::on_model);
+  EXPECT_EQ(match(0, {.raised_distance = 3}), LoopMatch::on_model);
+  // Where all of the scan is that far off, it is not raised.
+  EXPECT_EQ(match(-1.5), LoopMatch::on_model);
+}
+
 // A long facet pair (the floor) and above it a shelf whose vertices are nearer.
 TriangleMesh floor_and_shelf() {
   TriangleMesh mesh;

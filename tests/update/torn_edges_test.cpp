@@ -97,6 +97,17 @@ TEST(TornEdges, AFewAmongOtherSeamsMakeNone) {
   EXPECT_TRUE(scene.rim.loops[0].is_seam);
 }
 
+// Seen by another scan alone.
+TEST(TornEdges, AWallOfAnotherCloud) {
+  RingOnAPlane scene;
+  const std::vector<Point> ring = scene.cloud;
+  scene.cloud.clear();
+  for (const double z : {-0.7, -1.6, -2.5}) scene.add_ring(2.5, z);
+  mark_torn_edges(scene.model, {{ring, scene.cloud}}, scene.rim);
+  EXPECT_EQ(scene.rim.torn_edges, 18U);
+  EXPECT_TRUE(scene.rim.loops[0].is_seam);
+}
+
 // A wall on the side of the scan, as that of a boss, is nothing beyond the rim.
 TEST(TornEdges, AWallInsideIsNone) {
   RingOnAPlane scene;
