@@ -32,7 +32,7 @@ struct LayerOptions {
   double max_seam_share = 0.3;
   // Those that are farther apart than this share of the distance to the eighth neighbor, the
   // median. 0: never.
-  double spread = 0.75;
+  double spread = 1.1;
 };
 
 struct CloudSurfaceOptions {
