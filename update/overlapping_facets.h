@@ -42,7 +42,7 @@ struct OverlapOptions {
   // Nor does a loop other than the longest if a larger share of its points is unmatched or farther
   // from the model than that one (its median), by so many spacings, as in max_distance: one side of
   // it is the shadow of the other, as in a dent that is seen at a slant.
-  double max_raised_share = 0.15;
+  double max_raised_share = 0.3;
   double raised_distance = 1;
   // A rim whose matched points lie farther off the model than this many spacings (the median of
   // them) leaves a step there: that is worth a warning. Goals hold up to half a spacing.
