@@ -53,6 +53,16 @@ std::vector<std::uint32_t> numbers_from(std::size_t first, std::size_t count) {
   return numbers;
 }
 
+// "2"; "1, 3, 4" of the first of joined clouds.
+std::string numbers_told(const UpdateRecord& record, std::size_t c) {
+  std::string numbers = fmt::format("{}", c + 1);
+  const std::vector<CloudReport>& clouds = record.result.clouds;
+  for (std::size_t other = 0; other < clouds.size(); ++other) {
+    if (clouds[other].joined_with == c) numbers += fmt::format(", {}", other + 1);
+  }
+  return numbers;
+}
+
 // The scene of the page. Its points are the vertices of the model, then the clouds.
 class SceneBuilder {
  public:
@@ -223,15 +233,19 @@ class SceneBuilder {
     page_.geometries.push_back(
         {id, name, Kind::points, numbers_from(cloud_begin(c), record_.clouds[c].size()), {}});
     add_layer({id, name, id, cloud_colors[c % cloud_colors.size()], {}, "", 1});
+    if (record_.result.clouds[c].joined_with) return;
+    const std::string numbers = numbers_told(record_, c);
+    const bool alone = numbers.find(',') == std::string::npos;
+    const std::string told = alone ? name : "clouds " + numbers;
 
-    PageGeometry sheet{id + "-surface", "Cocone surface of the " + name, Kind::triangles, {}, {}};
+    PageGeometry sheet{id + "-surface", "Cocone surface of the " + told, Kind::triangles, {}, {}};
     for (const Triangle& triangle : surface.mesh.triangles) {
       for (const VertexId v : triangle) sheet.indices.push_back(index_of(v));
     }
-    add_layer({sheet.id, name + ": Cocone surface", sheet.id, surface_color, {}, "", 1});
+    add_layer({sheet.id, told + ": Cocone surface", sheet.id, surface_color, {}, "", 1});
     page_.geometries.push_back(std::move(sheet));
 
-    PageGeometry loops{id + "-loops", "boundary of the " + name, Kind::lines, {}, {}};
+    PageGeometry loops{id + "-loops", "boundary of the " + told, Kind::lines, {}, {}};
     for (std::size_t l = 0; l < surface.rim.loops.size(); ++l) {
       const RimLoop& loop = surface.rim.loops[l];
       loops.labels.texts.push_back(fmt::format("loop {}, {} edges", l, loop.size()));
@@ -241,7 +255,7 @@ class SceneBuilder {
         loops.labels.of_element.push_back(static_cast<std::uint32_t>(l));
       }
     }
-    add_layer({loops.id, name + ": boundary loops", loops.id, loop_color, {}, "", 1});
+    add_layer({loops.id, told + ": boundary loops", loops.id, loop_color, {}, "", 1});
     page_.geometries.push_back(std::move(loops));
   }
 
@@ -348,7 +362,7 @@ PageTable angle_table(const UpdateRecord& record) {
   for (std::size_t c = 0; c < record.result.clouds.size(); ++c) {
     if (record.result.clouds[c].joined_with) continue;
     for (const GroupAngle& group : record.result.clouds[c].groups) {
-      table.rows.push_back({number(c + 1), number(group.group.index()),
+      table.rows.push_back({word(numbers_told(record, c)), number(group.group.index()),
                             number(record.result.regions.regions[group.group].facets),
                             group.mean_angle_deg, word(group.under_cloud ? "replaced" : "kept")});
     }
@@ -362,9 +376,9 @@ PageTable rim_table(const UpdateRecord& record) {
   for (std::size_t c = 0; c < record.result.clouds.size(); ++c) {
     const CloudReport& cloud = record.result.clouds[c];
     if (cloud.joined_with) continue;
-    table.rows.push_back({number(c + 1), number(cloud.loops.size()), number(cloud.boundary_points),
-                          number(cloud.overlapping_facets.size()), number(cloud.border_facets),
-                          cloud.surface.rho});
+    table.rows.push_back({word(numbers_told(record, c)), number(cloud.loops.size()),
+                          number(cloud.boundary_points), number(cloud.overlapping_facets.size()),
+                          number(cloud.border_facets), cloud.surface.rho});
   }
   return table;
 }

@@ -42,6 +42,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   }
   entry.set("replaced_groups", numbers_of(cloud.replaced_groups));
   entry.set("margin_deg", cloud.margin_deg);
+  if (cloud.joined_with) return entry;
   entry.set("loops", cloud.loops.size());
   entry.set("border_loops", border_loops(cloud));
   entry.set("pin_holes", cloud.surface.rim.pin_holes);
@@ -133,13 +134,13 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/updated_points", replacement.points.size());
 }
 
-}  // namespace
-
 const char* verdict_on(const GroupAngle& group, const std::vector<RegionId>& islands) {
   if (!group.under_cloud) return "kept";
   const bool contradicted = std::find(islands.begin(), islands.end(), group.group) != islands.end();
   return contradicted ? "replaced: samples off the model lie over it" : "replaced";
 }
+
+}  // namespace
 
 void add_update(JsonReport& report, const UpdateRecord& record) {
   const UpdateResult& result = record.result;

@@ -8,6 +8,7 @@
 #include "cocone/poles.h"
 #include "cocone/surface_mesh.h"
 #include "delaunay/voronoi_dual.h"
+#include "geom/errors.h"
 #include "geom/neighbor_distance.h"
 #include "geom/off_plane.h"
 #include "geom/thin_points.h"
@@ -131,10 +132,10 @@ std::vector<PointId> few_of_layers(const Scan& scan, const CloudSurfaceOptions& 
   return thin_points(scan.cloud, [&](PointId) { return distance * distance; });
 }
 
-// With these samples alone.
-Scan thinned(Scan scan, std::vector<PointId> kept, const CloudSurfaceOptions& options,
+// With these samples alone. Throws InputError if they are too few, or lie in one plane.
+Scan thinned(const Scan& all, std::vector<PointId> kept, const CloudSurfaceOptions& options,
              const Execution& execution) {
-  scan.kept = std::move(kept);
+  Scan scan{all.cloud, {}, std::move(kept), all.duplicates};
   std::vector<Point> points;
   points.reserve(scan.kept.size());
   for (const PointId p : scan.kept) points.push_back(scan.cloud[p.index()]);
@@ -250,15 +251,17 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   Sheet sheet = find_sheet(scan.foundation, options.start, options, execution);
   if (lies_in_rows(sheet.surface.mesh, options.rows.min_ratio)) {
     std::vector<PointId> few = few_of_rows(scan, sheet, options);
-    scan = thinned(std::move(scan), std::move(few), options, execution);
+    scan = thinned(scan, std::move(few), options, execution);
     sheet = find_sheet(scan.foundation, options.start, options, execution);
   }
   Search search(options, execution);
   search.begin(scan, std::move(sheet));
   if (search.is_layered()) {
-    std::vector<PointId> few = few_of_layers(scan, options);
-    scan = thinned(std::move(scan), std::move(few), options, execution);
-    search.go_on(scan);
+    try {
+      search.go_on(thinned(scan, few_of_layers(scan, options), options, execution));
+    } catch (const InputError&) {
+      // Nothing is left that could be triangulated: what was found before is all.
+    }
   }
   std::vector<CloudSurface> surfaces = search.ranked();
   for (CloudSurface& surface : surfaces) {

@@ -90,7 +90,7 @@ struct CloudSurface {
   std::size_t boundary_samples = 0;
   std::size_t trimmed = 0;     // triangles
   std::size_t duplicates = 0;  // cloud points equal to an earlier one
-  std::size_t set_aside = 0;   // samples in rows or layers that are not looked at
+  std::size_t set_aside = 0;   // different samples in rows or layers that are not looked at
 };
 
 // Reconstructs `cloud` alone. One triangulation and one set of poles and cocones serve all trials:

@@ -1,10 +1,12 @@
 #include "update/contradicted_islands.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "geom/box.h"
+#include "geom/closest_facet.h"
 #include "geom/id_vector.h"
-#include "geom/sort_ids.h"
+#include "geom/nearest_point.h"
+#include "geom/triangle_mesh.h"
 #include "update/near_facets.h"
 #include "update/sample_heights.h"
 
@@ -33,62 +35,127 @@ std::vector<RegionId> islands_seen(const CloudChoice& cloud, const RegionChoice&
   return islands;
 }
 
-std::vector<Point> samples_off(const ModelIndex& model, const Scan& scan, double off_model) {
-  const std::vector<double> heights = squared_heights(model, scan.samples, off_model);
-  std::vector<Point> off;
-  for (std::size_t k = 0; k < heights.size(); ++k) {
-    if (heights[k] > off_model * off_model) off.push_back(scan.samples[k]);
+// Facets of the islands, each with corners of its own.
+struct IslandFacets {
+  TriangleMesh mesh;
+  std::vector<TriangleId> of_model;
+
+  IslandFacets(const TriangleMesh& model, const Regions& regions,
+               const std::vector<RegionId>& islands) {
+    const auto is_of_island = [&](RegionId r) {
+      return std::find(islands.begin(), islands.end(), r) != islands.end();
+    };
+    regions.region_of_facet.visit_where(is_of_island, [&](TriangleId t) {
+      Triangle corners;
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = mesh.points.push_back(model.points[model.triangles[t][k]]);
+      }
+      mesh.triangles.push_back(corners);
+      of_model.push_back(t);
+    });
   }
-  return off;
+};
+
+// A sample, and the place of an island that it lies over or under.
+struct Over {
+  Point sample;
+  TriangleId facet;
+  Point foot;
+};
+
+std::vector<Over> samples_over(const ModelIndex& model, const Regions& regions,
+                               const std::vector<RegionId>& islands,
+                               const std::vector<Point>& samples, double min_cosine) {
+  const IslandFacets facets(model.mesh(), regions, islands);
+  const ClosestFacetTree tree(facets.mesh);
+  std::vector<Over> found;
+  for (const Point& p : samples) {
+    const ClosestFacet foot = tree.closest(p);
+    const TriangleId facet = facets.of_model[foot.triangle.index()];
+    const double cosine = dot(unit(p - foot.point), model.normal(facet));
+    if (std::abs(cosine) >= min_cosine) found.push_back({p, facet, foot.point});
+  }
+  return found;
 }
 
-// For each region, samples off the model that lie over or under it. The other side of the body,
-// which may be closer to the floor of a pocket than its mouth is, faces the other way.
-IdVector<RegionId, std::size_t> samples_against(const ModelIndex& model, const Regions& regions,
-                                                const Scan& scan,
-                                                const std::vector<RegionId>& islands,
-                                                const IslandOptions& options) {
-  IdVector<RegionId, std::size_t> against(regions.regions.size(), 0);
-  const std::vector<Point> off = samples_off(model, scan, options.off_model * scan.spacing);
-  if (off.size() < options.min_samples) return against;
-  const double reach = norm(box_of(scan.samples).size());
-  const NearFacets near(model, off, reach);
-  const auto region_of = [&](TriangleId t) { return regions.region_of_facet[t]; };
-  for (const Point& p : off) {
-    const ClosestFacet foot = near.closest(p, reach * reach, [&](TriangleId t) {
-      return std::find(islands.begin(), islands.end(), region_of(t)) != islands.end();
-    });
-    if (foot.triangle.is_none()) continue;
-    const Vec3 normal = model.normal(foot.triangle);
-    const ClosestFacet closest = near.closest(p, foot.squared_distance, [&](TriangleId t) {
-      return dot(model.normal(t), normal) >= options.min_normal_cosine;
-    });
-    if (!closest.triangle.is_none() && region_of(closest.triangle) == region_of(foot.triangle)) {
-      ++against[region_of(foot.triangle)];
+// For each region, the places over or under which samples off the model lie, with no facet nearer
+// that faces the same way. The other side of the body, which may be closer to the floor of a pocket
+// than its mouth is, faces the other way.
+IdVector<RegionId, std::vector<Point>> contradicted_places(const ModelIndex& model,
+                                                           const Regions& regions, const Scan& scan,
+                                                           const std::vector<RegionId>& islands,
+                                                           const IslandOptions& options) {
+  IdVector<RegionId, std::vector<Point>> places(regions.regions.size());
+  const std::vector<Point> off = samples_off(model, scan.samples, options.off_model * scan.spacing);
+  if (off.size() < options.min_samples) return places;
+  const std::vector<Over> over =
+      samples_over(model, regions, islands, off, options.min_normal_cosine);
+  double reach = 0;
+  std::vector<Point> centers;
+  for (const Over& o : over) {
+    centers.push_back(o.sample);
+    reach = std::max(reach, distance(o.sample, o.foot));
+  }
+  const NearFacets near(model, centers, reach);
+  for (const Over& o : over) {
+    const Vec3 normal = model.normal(o.facet);
+    const ClosestFacet closest = near.closest(
+        o.sample, squared_distance(o.sample, o.foot),
+        [&](TriangleId t) { return dot(model.normal(t), normal) >= options.min_normal_cosine; });
+    const RegionId region = regions.region_of_facet[o.facet];
+    if (closest.triangle.is_none() || regions.region_of_facet[closest.triangle] == region) {
+      places[region].push_back(o.foot);
     }
   }
-  return against;
+  return places;
+}
+
+// Makes the facets of the region near the places a region of its own, unless all are. Returns the
+// region that goes.
+RegionId part_near(const ModelIndex& model, const std::vector<Point>& places, double reach,
+                   RegionId region, Regions& regions) {
+  const NearestPointTree tree(places);
+  std::vector<TriangleId> near;
+  regions.region_of_facet.visit_where(
+      [&](RegionId r) { return r == region; },
+      [&](TriangleId t) {
+        if (tree.nearest(model.centroid(t)).squared_distance <= reach * reach) near.push_back(t);
+      });
+  if (near.empty() || near.size() == regions.regions[region].facets) return region;
+  const RegionId part(regions.regions.size());
+  regions.regions.push_back({});
+  for (const TriangleId t : near) regions.region_of_facet.set(t, part);
+  return part;
 }
 
 }  // namespace
 
-std::vector<RegionId> contradicted_islands(const ModelIndex& model, const Regions& regions,
-                                           const RegionChoice& choice, std::span<const Scan> scans,
-                                           const IslandOptions& options) {
-  std::vector<RegionId> found;
+std::vector<ContradictedIsland> part_contradicted_islands(const ModelIndex& model,
+                                                          const RegionChoice& choice,
+                                                          std::span<const Scan> scans,
+                                                          Regions& regions,
+                                                          const IslandOptions& options) {
+  std::vector<ContradictedIsland> found;
   const RegionId largest = largest_kept(regions, choice);
+  const std::size_t before = regions.regions.size();
   for (std::size_t c = 0; c < scans.size(); ++c) {
-    const std::vector<RegionId> islands = islands_seen(choice.clouds[c], choice, largest);
+    std::vector<RegionId> islands = islands_seen(choice.clouds[c], choice, largest);
+    std::erase_if(islands, [&](RegionId r) {
+      return std::any_of(found.begin(), found.end(),
+                         [&](const ContradictedIsland& island) { return island.region == r; });
+    });
     if (islands.empty()) continue;
-    const IdVector<RegionId, std::size_t> against =
-        samples_against(model, regions, scans[c], islands, options);
+    const IdVector<RegionId, std::vector<Point>> places =
+        contradicted_places(model, regions, scans[c], islands, options);
     for (const RegionId r : islands) {
+      const auto count = static_cast<double>(places[r].size());
       const double limit = options.min_share * static_cast<double>(regions.regions[r].facets);
-      if (against[r] >= options.min_samples && static_cast<double>(against[r]) > limit)
-        found.push_back(r);
+      if (places[r].size() < options.min_samples || count <= limit) continue;
+      const double reach = options.reach * scans[c].spacing;
+      found.push_back({r, part_near(model, places[r], reach, r, regions)});
     }
   }
-  make_set(found);
+  if (regions.regions.size() > before) count_and_group(model, regions);
   return found;
 }
 

@@ -15,25 +15,40 @@ namespace cocoon {
 
 struct IslandOptions {
   // A sample farther from the model than this many spacings of its scan contradicts the region over
-  // or under which it lies: that of the closest facet
+  // or under which it lies,
   double off_model = 1.2;
-  // among those that face the same way, by this cosine.
+  // by this cosine of the way to its closest facet and that facet's normal, with no facet between
+  // that faces the same way by as much.
   double min_normal_cosine = 0.5;
   // A region is contradicted by at least so many samples,
   std::size_t min_samples = 5;
   // and by more than so many for each of its facets. Infinity: none is.
   double min_share = 0.15;
+  // Of a contradicted region goes what lies within so many spacings of the places over or under
+  // which such samples lie.
+  double reach = 2.5;
+};
+
+struct ContradictedIsland {
+  RegionId region;  // that stayed
+  RegionId part;    // of it that goes: all of it, or a new region
+
+  friend bool operator==(const ContradictedIsland&, const ContradictedIsland&) = default;
 };
 
 // The regions that stay by `choice`, border on the rim of a cloud, and are contradicted by its
-// samples, in the order of ids; never the largest region that stays. Why: from one side a scanner
-// sees the floor of a pocket, but not its walls, and the top of a boss, but not its foot. Then the
-// loop around the mouth lies on the model as that around a hole in the scan does, and what is
-// inside would stay, over the floor or in the boss. scans[c] belongs to choice.clouds[c].
-// Complexity: O(1) if no such region stays; else O(samples) and what NearFacets takes.
-// Deterministic. Source: ours.
-std::vector<RegionId> contradicted_islands(const ModelIndex& model, const Regions& regions,
-                                           const RegionChoice& choice, std::span<const Scan> scans,
-                                           const IslandOptions& options = {});
+// samples; never the largest region that stays. What of such a region is far from all places over
+// or under which samples lie, in the shadow of a boss, still stays: then the other part becomes a
+// region of its own, behind the others. Why: from
+// one side a scanner sees the floor of a pocket, but not its walls, and the top of a boss, but not
+// its foot. Then the loop around the mouth lies on the model as that around a hole in the scan
+// does, and what is inside would stay, over the floor or in the boss. scans[c] belongs to
+// choice.clouds[c]. Complexity: O(regions) if no such region stays; else O(samples), what
+// NearFacets takes and, for the parts, O(triangles + vertices). Deterministic. Source: ours.
+std::vector<ContradictedIsland> part_contradicted_islands(const ModelIndex& model,
+                                                          const RegionChoice& choice,
+                                                          std::span<const Scan> scans,
+                                                          Regions& regions,
+                                                          const IslandOptions& options = {});
 
 }  // namespace cocoon

@@ -132,8 +132,10 @@ std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
     double spacing = 0;
     for (const std::size_t c : cloud.members) spacing = std::max(spacing, samples[c].spacing());
     const double distance = options.thinning * spacing;
-    cloud.sheet =
-        thin_points(samples_of(cloud, clouds), [&](PointId) { return distance * distance; });
+    std::vector<Point> all = samples_of(cloud, clouds);
+    cloud.sheet = thin_points(all, [&](PointId) { return distance * distance; });
+    std::sort(all.begin(), all.end());
+    cloud.different = static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin());
   }
   return joined;
 }

@@ -19,16 +19,17 @@ struct JoinOptions {
   // Clouds overlap each other if this share of the samples of one of them, or more,
   double min_share = 0.02;
   // lies within so many distances between nearest samples (the larger of the two clouds') of
-  // samples of the other. 0: none do.
-  double reach = 2;
+  // samples of the other. Two sides of a wall are farther apart. 0: none do.
+  double reach = 1;
   // The surface of joined clouds is made of samples at least so many of these distances apart.
   double thinning = 0.7;
 };
 
 struct JoinedCloud {
   std::vector<std::size_t> members;  // of the clouds given, ascending; at least one
-  // The samples of which its surface is made; empty: all.
+  // The samples of which its surface is made, without equal ones; empty: all.
   std::vector<PointId> sheet;
+  std::size_t different = 0;  // samples, if some are chosen
 };
 
 // The clouds, those joined that overlap each other, in the order of their first members; nothing if

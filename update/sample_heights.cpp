@@ -1,5 +1,6 @@
 #include "update/sample_heights.h"
 
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -17,6 +18,15 @@ std::vector<double> squared_heights(const ModelIndex& model, Points places, doub
                                                  : closest.squared_distance);
   }
   return heights;
+}
+
+std::vector<Point> samples_off(const ModelIndex& model, Points samples, double distance) {
+  std::vector<Point> off;
+  const std::vector<double> heights = squared_heights(model, samples, distance);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (heights[k] > distance * distance) off.push_back(samples[k]);
+  }
+  return off;
 }
 
 SampleHeights::SampleHeights(std::vector<Point> samples, std::vector<double> squared_heights)

@@ -14,6 +14,9 @@ namespace cocoon {
 // Complexity: what NearFacets takes, and O(log f) for each place. Source: ours.
 std::vector<double> squared_heights(const ModelIndex& model, Points places, double bound);
 
+// The samples farther from the model than this, in their order. Complexity: as squared_heights().
+std::vector<Point> samples_off(const ModelIndex& model, Points samples, double distance);
+
 // Samples with their heights, found by place.
 class SampleHeights {
  public:

@@ -10,15 +10,6 @@ namespace cocoon {
 
 namespace {
 
-std::vector<Point> off_model(const ModelIndex& model, Points samples, double distance) {
-  std::vector<Point> off;
-  const std::vector<double> heights = squared_heights(model, samples, distance);
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    if (heights[k] > distance * distance) off.push_back(samples[k]);
-  }
-  return off;
-}
-
 // Those that have others near them.
 std::vector<Point> without_strays(const std::vector<Point>& samples, std::size_t neighbors,
                                   double reach) {
@@ -47,12 +38,13 @@ UnusedChanges unused_changes(const ModelIndex& model, std::span<const Scan> scan
   for (std::size_t i = 0; i < scans.size(); ++i) {
     if (unused[i].size() <= options.neighbors) continue;
     const double distance = options.off_model * scans[i].spacing;
-    const std::vector<Point> found = without_strays(
-        off_model(model, unused[i], distance), options.neighbors, options.reach * scans[i].spacing);
+    const std::vector<Point> found =
+        without_strays(samples_off(model, unused[i], distance), options.neighbors,
+                       options.reach * scans[i].spacing);
     if (found.empty()) continue;
     if (changes.samples == 0) changes.at = *std::min_element(found.begin(), found.end());
     changes.samples += found.size();
-    changes.of += off_model(model, scans[i].samples, distance).size();
+    changes.of += samples_off(model, scans[i].samples, distance).size();
   }
   return changes;
 }

@@ -18,10 +18,10 @@ struct UnusedChangeOptions {
   std::size_t neighbors = 3;
   // within so many spacings.
   double reach = 2;
-  // So many of them, or such a share of all samples off the model, are worth a warning: of 463
-  // updates one of 247 right ones has as many, and half of 216 wrong ones.
-  std::size_t min_count = 10;
+  // A larger share of all samples off the model is worth a warning, or so many of them. Of 463
+  // updates one of 247 right ones had such a share, and half of 216 wrong ones.
   double min_share = 0.02;
+  std::size_t min_count = 50;
 };
 
 struct UnusedChanges {

@@ -15,12 +15,14 @@ std::string rounded(double value) {
 }
 
 std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clouds) {
-  std::string name = members.size() == 1 ? "cloud " : "clouds ";
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    if (k > 0) name += k + 1 < members.size() ? ", " : " and ";
-    name += std::to_string(members[k] + 1);
+  const auto number = [&](std::size_t k) { return std::to_string(members[k] + 1); };
+  std::string name = "cloud " + number(0) + " of " + std::to_string(clouds);
+  if (members.size() == 1) return name;
+  name += " (with " + number(1);
+  for (std::size_t k = 2; k < members.size(); ++k) {
+    name += (k + 1 < members.size() ? ", " : " and ") + number(k);
   }
-  return name + " of " + std::to_string(clouds);
+  return name + ")";
 }
 
 std::string name_of_loop(const RimLoop& loop) {

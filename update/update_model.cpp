@@ -1,6 +1,7 @@
 #include "update/update_model.h"
 
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "geom/errors.h"
@@ -55,12 +56,17 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
     return take_steps(steps, parts, execution);
   }
   UpdateSteps together(model, clouds, std::move(joined), options);
-  const ModelIndex* index = choose(together, parts, execution);
-  if (index != nullptr) return finish(together, *index, parts, execution);
-  const UpdateResult failed = together.take_result();
+  std::string why;
+  try {
+    const ModelIndex* index = choose(together, parts, execution);
+    if (index != nullptr) return finish(together, *index, parts, execution);
+    why = together.take_result().message;
+  } catch (const InputError& error) {
+    why = error.what();  // what was chosen of the samples cannot be triangulated
+  }
   UpdateSteps apart(model, clouds, options);
   UpdateResult result = take_steps(apart, parts, execution);
-  result.warnings.insert(result.warnings.begin(), warning_of_clouds_apart(failed.message));
+  result.warnings.insert(result.warnings.begin(), warning_of_clouds_apart(why));
   return result;
 }
 

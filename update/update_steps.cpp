@@ -20,17 +20,33 @@ namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
+// Who saw the region saw the part of it that goes.
+void note_island(RegionId region, RegionId part, std::vector<RegionVerdict>& verdicts) {
+  const auto seen = std::find_if(verdicts.begin(), verdicts.end(),
+                                 [&](const RegionVerdict& v) { return v.region == region; });
+  if (seen == verdicts.end()) return;
+  RegionVerdict verdict = *seen;
+  verdict.region = part;
+  verdict.under_cloud = true;
+  if (part == region) {
+    *seen = verdict;
+  } else {
+    verdicts.push_back(verdict);
+  }
+}
+
 // The surfaces of some samples, told as of all.
-std::vector<CloudSurface> surfaces_of_some(Points cloud, std::span<const PointId> sheet,
-                                           const CloudSurfaceOptions& options,
-                                           const Execution& execution) {
+std::vector<CloudSurface> surfaces_of_sheet(Points cloud, const JoinedCloud& joined,
+                                            const CloudSurfaceOptions& options,
+                                            const Execution& execution) {
   std::vector<Point> samples;
-  samples.reserve(sheet.size());
-  for (const PointId p : sheet) samples.push_back(cloud[p.index()]);
+  samples.reserve(joined.sheet.size());
+  for (const PointId p : joined.sheet) samples.push_back(cloud[p.index()]);
   std::vector<CloudSurface> surfaces = ranked_cloud_surfaces(samples, options, execution);
   for (CloudSurface& surface : surfaces) {
-    for (PointId& p : surface.point_of_vertex) p = sheet[p.index()];
-    surface.set_aside += cloud.size() - sheet.size();
+    for (PointId& p : surface.point_of_vertex) p = joined.sheet[p.index()];
+    surface.set_aside += joined.different - joined.sheet.size();
+    surface.duplicates = cloud.size() - joined.different;
   }
   return surfaces;
 }
@@ -130,14 +146,15 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
 void UpdateSteps::take_islands(const ModelIndex& index) {
   RegionChoice& choice = result_.choice;
   if (choice.status != ChoiceStatus::ok) return;
-  result_.islands = contradicted_islands(index, result_.regions, choice,
-                                         scans_of(clouds_, result_.clouds), options_.islands);
-  for (const RegionId r : result_.islands) {
-    choice.replaced[r] = 1;
-    for (CloudChoice& cloud : choice.clouds) {
-      for (RegionVerdict& verdict : cloud.regions) verdict.under_cloud |= verdict.region == r;
-    }
+  const std::vector<ContradictedIsland> islands = part_contradicted_islands(
+      index, choice, scans_of(clouds_, result_.clouds), result_.regions, options_.islands);
+  choice.replaced.resize(result_.regions.regions.size(), 0);
+  for (const auto& [region, part] : islands) {
+    result_.islands.push_back(part);
+    choice.replaced[part] = 1;
+    for (CloudChoice& cloud : choice.clouds) note_island(region, part, cloud.regions);
   }
+  make_set(result_.islands);
 }
 
 bool UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
@@ -202,7 +219,9 @@ std::vector<std::vector<Point>> UpdateSteps::unused_samples() const {
       const IdVector<PointId, PointId>& positions =
           result_.replacement.point_of_cloud_point[member];
       for (const PointId k : positions.ids()) {
-        if (used[positions[k].index()] == 0) unused[c].push_back(given_[member][k.index()]);
+        std::uint8_t& told = used[positions[k].index()];
+        if (told == 0) unused[c].push_back(given_[member][k.index()]);
+        told = 1;  // of equal samples once
       }
     }
   }
@@ -247,7 +266,7 @@ std::vector<CloudSurface> UpdateSteps::surfaces_of_cloud(std::size_t c,
   try {
     return joined_.empty() || joined_[c].sheet.empty()
                ? ranked_cloud_surfaces(clouds_[c], options_.cloud, execution)
-               : surfaces_of_some(clouds_[c], joined_[c].sheet, options_.cloud, execution);
+               : surfaces_of_sheet(clouds_[c], joined_[c], options_.cloud, execution);
   } catch (const InputError& error) {
     throw InputError(name_of_cloud(c) + ": " + error.what());
   }

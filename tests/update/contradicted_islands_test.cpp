@@ -45,23 +45,29 @@ struct RingOnABlock {
   RegionId island() const {
     return regions.group_of_vertex[testing::nearest_vertex(block, {10, 10, 6})];
   }
-  std::vector<RegionId> found(const IslandOptions& options = {}) const {
+  // The regions that go.
+  std::vector<RegionId> found(const IslandOptions& options = {}) {
     const Scan scan{samples, 1};
-    return contradicted_islands(model, regions, choice, {&scan, 1}, options);
+    std::vector<RegionId> parts;
+    for (const ContradictedIsland& island :
+         part_contradicted_islands(model, choice, {&scan, 1}, regions, options)) {
+      parts.push_back(island.part);
+    }
+    return parts;
   }
 };
 
 // Deeper than the middle of the block, where its other side is closer.
 TEST(ContradictedIslands, OverAFloor) {
   for (const double floor : {4.0, 2.0}) {
-    const RingOnABlock scene(floor);
+    RingOnABlock scene(floor);
     ASSERT_EQ(scene.regions.regions.size(), 2U);
     EXPECT_EQ(scene.found(), std::vector{scene.island()}) << floor;
   }
 }
 
 TEST(ContradictedIslands, UnderTheTopOfABoss) {
-  const RingOnABlock scene(11);
+  RingOnABlock scene(11);
   EXPECT_EQ(scene.found(), std::vector{scene.island()});
 }
 
@@ -69,6 +75,25 @@ TEST(ContradictedIslands, NotWhereTheScanEnds) {
   RingOnABlock scene(4);
   std::erase_if(scene.samples, [](const Point& p) { return p.z < 5; });
   EXPECT_TRUE(scene.found().empty());
+}
+
+// The top of a boss over one side of it, the other side in its shadow.
+TEST(ContradictedIslands, StayWhereNothingLiesOverThem) {
+  RingOnABlock scene(11);
+  std::erase_if(scene.samples, [](const Point& p) { return p.z > 7 && p.x > 9; });
+  const RegionId island = scene.island();
+  const std::size_t facets = scene.regions.regions[island].facets;
+  const std::vector<RegionId> parts = scene.found({.min_share = 0.05, .reach = 1.5});
+  ASSERT_EQ(parts, std::vector{RegionId(2)});
+  const auto& regions = scene.regions.regions;
+  ASSERT_EQ(regions.size(), 3U);
+  EXPECT_EQ(regions[island].facets + regions[parts[0]].facets, facets);
+  EXPECT_EQ(scene.island(), RegionId());  // on the line between them
+  const auto group_at = [&](double x) {
+    return scene.regions.group_of_vertex[testing::nearest_vertex(scene.block, {x, 10, 6})];
+  };
+  EXPECT_EQ(group_at(8), parts[0]);
+  EXPECT_EQ(group_at(12), island);
 }
 
 TEST(ContradictedIslands, NotOfFewSamples) {

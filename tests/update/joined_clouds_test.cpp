@@ -47,8 +47,8 @@ TEST(JoinedClouds, OverlapEachOther) {
 // One corner of one hundred samples; sheets farther apart than the samples of each.
 TEST(JoinedClouds, DoNotIfTheyHardlyMeet) {
   EXPECT_TRUE(members({square({0, 0, 0}), square({10.2, 10.2, 0})}).empty());
-  EXPECT_TRUE(members({square({0, 0, 0}), square({0.5, 0.5, 2.5})}).empty());
-  EXPECT_FALSE(members({square({0, 0, 0}), square({0.5, 0.5, 1.5})}).empty());
+  EXPECT_TRUE(members({square({0, 0, 0}), square({0.5, 0.5, 1.1})}).empty());
+  EXPECT_FALSE(members({square({0, 0, 0}), square({0.5, 0.5, 0.6})}).empty());
 }
 
 TEST(JoinedClouds, KeepTheirDistanceOnTheSheet) {
@@ -61,6 +61,7 @@ TEST(JoinedClouds, KeepTheirDistanceOnTheSheet) {
   EXPECT_EQ(samples[100], clouds[1][0]);
   // Fifty of each lie beside the other one, the others are all there.
   EXPECT_EQ(joined[0].sheet.size(), 150U);
+  EXPECT_EQ(joined[0].different, 200U);
   for (const PointId a : joined[0].sheet) {
     for (const PointId b : joined[0].sheet) {
       if (a == b) continue;

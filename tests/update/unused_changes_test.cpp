@@ -63,7 +63,7 @@ TEST(UnusedChanges, NotStrayPoints) {
 
 TEST(UnusedChanges, AreDoubtfulByCountOrShare) {
   EXPECT_FALSE(UnusedChanges{}.is_doubtful({}));
-  EXPECT_TRUE((UnusedChanges{.samples = 10, .of = 100000}).is_doubtful({}));
+  EXPECT_TRUE((UnusedChanges{.samples = 50, .of = 100000}).is_doubtful({}));
   EXPECT_FALSE((UnusedChanges{.samples = 9, .of = 450}).is_doubtful({}));
   EXPECT_TRUE((UnusedChanges{.samples = 9, .of = 449}).is_doubtful({}));
 }
