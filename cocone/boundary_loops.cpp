@@ -98,29 +98,13 @@ class LoopWalk {
   // All loops, each from an arbitrary edge on.
   std::vector<std::vector<BoundaryEdge>> run() {
     std::vector<std::vector<BoundaryEdge>> loops;
-    for (const SideId side : open_sides()) {
-      if (passed_[side] == 0) loops.push_back(walk(side));
+    for (SideId side = 0; side < sides_.links.size(); ++side) {
+      if (sides_.is_open(side) && passed_[side] == 0) loops.push_back(walk(side));
     }
     return loops;
   }
 
  private:
-  // By their vertices, the smaller one first: which loop of a one-sided part begins where tells in
-  // which direction it runs.
-  std::vector<SideId> open_sides() const {
-    std::vector<SideId> open;
-    for (SideId side = 0; side < sides_.links.size(); ++side) {
-      if (sides_.is_open(side)) open.push_back(side);
-    }
-    const auto edge_of = [&](SideId side) {
-      const auto [a, b] = ends_of_side(mesh_, side);
-      return std::pair(std::min(a, b), std::max(a, b));
-    };
-    std::sort(open.begin(), open.end(),
-              [&](SideId a, SideId b) { return edge_of(a) < edge_of(b); });
-    return open;
-  }
-
   std::vector<BoundaryEdge> walk(SideId first) {
     std::vector<BoundaryEdge> loop;
     std::array<VertexId, 2> ends = ends_of_side(mesh_, first);
@@ -168,6 +152,21 @@ double median_edge_length(const TriangleMesh& mesh, const LinkedSides& sides) {
   return median(std::move(lengths));
 }
 
+// Turns the loop so that its lexicographically smallest edge runs from its smaller end to the other
+// one: on a one-sided part the triangles do not tell in which direction a loop runs.
+void direct(const TriangleMesh& mesh, std::vector<BoundaryEdge>& edges) {
+  const auto sorted_ends = [&](const BoundaryEdge& edge) {
+    return std::minmax(mesh.points[edge.from], mesh.points[edge.to]);
+  };
+  const auto smallest = std::min_element(edges.begin(), edges.end(),
+                                         [&](const BoundaryEdge& a, const BoundaryEdge& b) {
+                                           return sorted_ends(a) < sorted_ends(b);
+                                         });
+  if (!(mesh.points[smallest->to] < mesh.points[smallest->from])) return;
+  std::reverse(edges.begin(), edges.end());
+  for (BoundaryEdge& edge : edges) std::swap(edge.from, edge.to);
+}
+
 // Begins the loop at its lexicographically smallest edge.
 void rotate_to_start(const TriangleMesh& mesh, std::vector<BoundaryEdge>& edges) {
   const auto before = [&](const BoundaryEdge& a, const BoundaryEdge& b) {
@@ -195,12 +194,15 @@ BoundaryLoops loops_of(const TriangleMesh& mesh, const LinkedSides& sides,
       [&](const EdgeComponent& component) { return is_debris(component.triangles); }));
   for (std::vector<BoundaryEdge>& edges : LoopWalk(mesh, sides).run()) {
     BoundaryLoop loop;
-    loop.component_triangles =
-        found.components[found.component_of[edges.front().triangle.index()]].triangles;
+    const EdgeComponent& component =
+        found.components[found.component_of[edges.front().triangle.index()]];
+    loop.component_triangles = component.triangles;
+    loop.component = found.component_of[edges.front().triangle.index()];
     if (is_debris(loop.component_triangles)) {
       ++result.discarded_loops;
       continue;
     }
+    if (component.is_contradictory) direct(mesh, edges);
     rotate_to_start(mesh, edges);
     for (const BoundaryEdge& edge : edges) {
       loop.perimeter += distance(mesh.points[edge.from], mesh.points[edge.to]);

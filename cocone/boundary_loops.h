@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "geom/edge_components.h"
@@ -25,6 +26,7 @@ struct BoundaryLoop {
   double perimeter = 0;
   bool pin_hole = false;                // too small to be a rim, see the options
   std::size_t component_triangles = 0;  // of the edge-connected part of the surface it bounds
+  std::uint32_t component = 0;          // the same number for all loops of that part
 };
 
 struct BoundaryLoopOptions {

@@ -62,6 +62,7 @@ RimLoop make_loop(const TriangleMesh& mesh, const IdVector<VertexId, Vec3>& norm
   RimLoop loop;
   loop.one_sided = one_sided;
   loop.perimeter = boundary.perimeter;
+  loop.component = boundary.component;
   for (const BoundaryEdge& edge : boundary.edges) {
     loop.points.push_back(mesh.points[edge.from]);
     loop.apexes.push_back(mesh.points[apex_of(mesh, edge)]);

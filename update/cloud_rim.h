@@ -27,6 +27,7 @@ struct RimLoop {
   std::vector<Vec3> normals;
   std::vector<VertexId> vertices;  // b_i as a vertex of the cloud's surface
   double perimeter = 0;
+  std::uint32_t component = 0;  // the same number for all loops of one part of the surface
   // Of a one-sided part of the surface: the normals agree from edge to edge, but somewhere the
   // surface has gone over to the other side of the body.
   bool one_sided = false;

@@ -125,10 +125,11 @@ std::vector<PointId> few_of_rows(const Scan& scan, const Sheet& sheet,
                        options.rows.spread);
 }
 
-// If layers lie over each other, one layer.
+// If layers lie over each other, one layer. Throws InputError if there are too few samples for one.
 std::vector<PointId> few_of_layers(const Scan& scan, const CloudSurfaceOptions& options) {
   constexpr std::size_t neighbor = 8;
   const double distance = options.layers.spread * median_neighbor_distance(scan.cloud, neighbor);
+  if (distance == 0) throw InputError("too few different points");
   return thin_points(scan.cloud, [&](PointId) { return distance * distance; });
 }
 

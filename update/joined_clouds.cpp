@@ -89,8 +89,9 @@ class Clouds {
 };
 
 bool overlap_each_other(Clouds& clouds, std::size_t a, std::size_t b, const JoinOptions& options) {
-  if (!(options.reach > 0) || !clouds.boxes_overlap(a, b)) return false;
+  if (!clouds.boxes_overlap(a, b)) return false;
   const double reach = options.reach * std::max(clouds[a].spacing(), clouds[b].spacing());
+  if (!(reach > 0)) return false;
   return clouds.share_near(a, b, reach) >= options.min_share ||
          clouds.share_near(b, a, reach) >= options.min_share;
 }

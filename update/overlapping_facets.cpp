@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 
 #include "geom/median.h"
@@ -252,15 +251,19 @@ LoopMatch match_of(const LoopOverlap& loop, double max_share) {
   return LoopMatch::on_model;
 }
 
-std::size_t longest_loop(const CloudRim& rim) {
-  std::size_t longest = 0;
+// Of all loops, or of those of one part of the surface.
+std::size_t longest_loop(const CloudRim& rim, std::optional<std::uint32_t> component = {}) {
+  std::size_t longest = rim.loops.size();
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
-    if (rim.loops[l].perimeter > rim.loops[longest].perimeter) longest = l;
+    if (component && rim.loops[l].component != component) continue;
+    if (longest == rim.loops.size() || rim.loops[l].perimeter > rim.loops[longest].perimeter) {
+      longest = l;
+    }
   }
   return longest;
 }
 
-// The distances of its points from the model; of those without a facet, infinity.
+// The median of the distances of its points from the model; of those without a facet, infinity.
 double median_height(const RimLoop& rim, const LoopOverlap& loop) {
   std::vector<double> heights;
   for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -273,11 +276,10 @@ double median_height(const RimLoop& rim, const LoopOverlap& loop) {
 
 void count_raised(const TriangleMesh& model, const CloudRim& rim, const OverlapOptions& options,
                   Overlap& overlap) {
-  if (rim.loops.size() < 2) return;
-  const std::size_t longest = longest_loop(rim);
-  const double usual = median_height(rim.loops[longest], overlap.loops[longest]);
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    const std::size_t longest = longest_loop(rim, rim.loops[l].component);
     if (l == longest) continue;
+    const double usual = median_height(rim.loops[longest], overlap.loops[longest]);
     const RimLoop& points = rim.loops[l];
     LoopOverlap& loop = overlap.loops[l];
     for (std::size_t i = 0; i < points.size(); ++i) {

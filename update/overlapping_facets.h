@@ -39,9 +39,10 @@ struct OverlapOptions {
   std::size_t one_sided_window = 2;
   // A loop with a larger share of unmatched points does not lie on the model.
   double max_unmatched_share = 0.1;
-  // Nor does a loop other than the longest if a larger share of its points is unmatched or farther
-  // from the model than that one (its median), by so many spacings, as in max_distance: one side of
-  // it is the shadow of the other, as in a dent that is seen at a slant.
+  // Nor does a loop other than the longest of its part of the surface if a larger share of its
+  // points is unmatched or farther from the model than that one (its median), by so many spacings,
+  // as in max_distance: one side of it is the shadow of the other, as in a dent that is seen at a
+  // slant.
   double max_raised_share = 0.3;
   double raised_distance = 1;
   // A rim whose matched points lie farther off the model than this many spacings (the median of

@@ -1,5 +1,4 @@
-// The steps of one update, on which update_model() works from the first to the last. Each returns
-// false when the result is final: refused, or done.
+// The steps of one update, which update_model() takes from the first to the last.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +16,15 @@
 
 namespace cocoon {
 
-// What is said of clouds by number is said of joined ones; take_result() says it of those given.
+// Each step comes once, in this order, as long as the one before returned true; false: the result
+// is final. What is kept of clouds is kept of joined ones; take_result() tells it of those given.
+// Errors and complexity: those of update_model().
 class UpdateSteps {
  public:
   // The surface of each cloud is looked for by itself.
   UpdateSteps(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
               const UpdateOptions& options);
-  // Joined clouds are taken as one; `joined`: all of `clouds`, each in one of them.
+  // Joined clouds are taken as one; `joined`: all of `clouds`, each in one of them; not empty.
   UpdateSteps(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
               std::vector<JoinedCloud> joined, const UpdateOptions& options);
 
@@ -123,7 +124,7 @@ class UpdateSteps {
   std::vector<std::vector<Point>> samples_;     // of the joined ones
   std::span<const std::vector<Point>> clouds_;  // what the steps work on: given_ or samples_
   const UpdateOptions& options_;
-  std::vector<std::vector<CloudSurface>> other_surfaces_;  // of each cloud, the best one first
+  std::vector<std::vector<CloudSurface>> other_surfaces_;  // of each cloud, those not taken
   std::vector<Overlap> overlaps_;
   std::vector<std::vector<std::size_t>> shared_with_;  // of each cloud, by mark_shared_edges()
   std::vector<std::uint8_t> is_cut_;                   // clouds_to_cut()

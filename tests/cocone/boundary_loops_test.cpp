@@ -140,7 +140,7 @@ TEST(BoundaryLoops, DebrisIsNotListed) {
   EXPECT_EQ(boundary_loops(mesh, {.min_component_share = 0}).loops.size(), 2U);
 }
 
-TEST(BoundaryLoops, MoebiusStripHasOneLoop) {
+TriangleMesh moebius_strip() {
   std::vector<Point> points;
   std::vector<std::array<int, 3>> triangles;
   const int n = 12;
@@ -156,11 +156,45 @@ TEST(BoundaryLoops, MoebiusStripHasOneLoop) {
     triangles.push_back({2 * i, a, 2 * i + 1});
     triangles.push_back({2 * i + 1, a, b});
   }
-  const BoundaryLoops result = boundary_loops(mesh_of(points, triangles));
+  return mesh_of(points, triangles);
+}
+
+TEST(BoundaryLoops, MoebiusStripHasOneLoop) {
+  const BoundaryLoops result = boundary_loops(moebius_strip());
   EXPECT_EQ(result.non_orientable, 1U);
   ASSERT_EQ(result.loops.size(), 1U);
   EXPECT_EQ(result.loops[0].edges.size(), 24U);
   EXPECT_TRUE(is_closed_walk(result.loops[0]));
+}
+
+// The triangles tell no direction: the same one in any numbering and orientation.
+TEST(BoundaryLoops, OfAOneSidedPartRunTheSameWay) {
+  const auto places = [](const TriangleMesh& mesh) {
+    std::vector<Point> points;
+    for (const BoundaryEdge& edge : boundary_loops(mesh).loops.front().edges) {
+      points.push_back(mesh.points[edge.from]);
+    }
+    return points;
+  };
+  const TriangleMesh strip = moebius_strip();
+  const std::vector<Point> expected = places(strip);
+  Random random(9);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<std::size_t> number(strip.points.size());
+    std::iota(number.begin(), number.end(), std::size_t{0});
+    for (std::size_t i = number.size(); i > 1; --i) {
+      std::swap(number[i - 1], number[random.below(i)]);
+    }
+    TriangleMesh other{strip.points, strip.triangles};
+    for (const VertexId v : strip.points.ids()) {
+      other.points[VertexId(number[v.index()])] = strip.points[v];
+    }
+    for (Triangle& t : other.triangles) {
+      for (VertexId& v : t) v = VertexId(number[v.index()]);
+      if (random.uniform() < 0.5) std::swap(t[0], t[1]);
+    }
+    EXPECT_EQ(places(other), expected) << round;
+  }
 }
 
 TEST(BoundaryLoops, ClosedAndEmptySurfacesHaveNone) {

@@ -90,7 +90,7 @@ TEST(JoinedClouds, AreNoneThatCannotBeMeasured) {
   Clouds clouds = {square({0, 0, 0}), square({0.5, 0.5, 0}), {}, {{1, 1, 0}}};
   clouds[1][7].x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(members(clouds).empty());
-  EXPECT_TRUE(members({{{1, 1, 0}, {1, 1, 0}}, {{1, 1, 0}, {1, 1, 0}}}, {.reach = 0}).empty());
+  EXPECT_TRUE(members({{{1, 1, 0}, {1, 1, 0}}, {{1, 1, 0}, {1, 1, 0}}}).empty());
 }
 
 TEST(JoinedClouds, AreReportedByTheFirst) {

@@ -149,6 +149,9 @@ TEST(OverlappingFacets, ALoopThatIsPartlyRaisedIsAHole) {
   EXPECT_EQ(match(0, {.raised_distance = 3}), LoopMatch::on_model);
   // Where all of the scan is that far off, it is not raised.
   EXPECT_EQ(match(-1.5), LoopMatch::on_model);
+  // Nor is the outline of another patch.
+  loop.component = 1;
+  EXPECT_EQ(match(0), LoopMatch::on_model);
 }
 
 // A long facet pair (the floor) and above it a shelf whose vertices are nearer.
