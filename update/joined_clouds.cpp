@@ -150,4 +150,19 @@ std::vector<Point> samples_of(const JoinedCloud& cloud,
   return points;
 }
 
+std::vector<CloudSurface> joined_cloud_surfaces(Points points, const JoinedCloud& cloud,
+                                                const CloudSurfaceOptions& options,
+                                                const Execution& execution) {
+  std::vector<Point> samples;
+  samples.reserve(cloud.sheet.size());
+  for (const PointId p : cloud.sheet) samples.push_back(points[p.index()]);
+  std::vector<CloudSurface> surfaces = ranked_cloud_surfaces(samples, options, execution);
+  for (CloudSurface& surface : surfaces) {
+    for (PointId& p : surface.point_of_vertex) p = cloud.sheet[p.index()];
+    surface.set_aside += cloud.different - cloud.sheet.size();
+    surface.duplicates = points.size() - cloud.different;
+  }
+  return surfaces;
+}
+
 }  // namespace cocoon

@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "geom/execution.h"
 #include "geom/ids.h"
 #include "geom/point.h"
+#include "update/cloud_surface.h"
 
 namespace cocoon {
 
@@ -43,5 +45,12 @@ std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
 
 // The points of its members, one after the other.
 std::vector<Point> samples_of(const JoinedCloud& cloud, std::span<const std::vector<Point>> clouds);
+
+// ranked_cloud_surfaces() of the samples chosen for it, told of all of them. `points`: samples_of()
+// the cloud. Errors: InputError if what was chosen cannot be triangulated. Precondition: some were
+// chosen.
+std::vector<CloudSurface> joined_cloud_surfaces(Points points, const JoinedCloud& cloud,
+                                                const CloudSurfaceOptions& options,
+                                                const Execution& execution = {});
 
 }  // namespace cocoon

@@ -35,22 +35,6 @@ void note_island(RegionId region, RegionId part, std::vector<RegionVerdict>& ver
   }
 }
 
-// The surfaces of some samples, told as of all.
-std::vector<CloudSurface> surfaces_of_sheet(Points cloud, const JoinedCloud& joined,
-                                            const CloudSurfaceOptions& options,
-                                            const Execution& execution) {
-  std::vector<Point> samples;
-  samples.reserve(joined.sheet.size());
-  for (const PointId p : joined.sheet) samples.push_back(cloud[p.index()]);
-  std::vector<CloudSurface> surfaces = ranked_cloud_surfaces(samples, options, execution);
-  for (CloudSurface& surface : surfaces) {
-    for (PointId& p : surface.point_of_vertex) p = joined.sheet[p.index()];
-    surface.set_aside += joined.different - joined.sheet.size();
-    surface.duplicates = cloud.size() - joined.different;
-  }
-  return surfaces;
-}
-
 }  // namespace
 
 UpdateSteps::UpdateSteps(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
@@ -266,7 +250,7 @@ std::vector<CloudSurface> UpdateSteps::surfaces_of_cloud(std::size_t c,
   try {
     return joined_.empty() || joined_[c].sheet.empty()
                ? ranked_cloud_surfaces(clouds_[c], options_.cloud, execution)
-               : surfaces_of_sheet(clouds_[c], joined_[c], options_.cloud, execution);
+               : joined_cloud_surfaces(clouds_[c], joined_[c], options_.cloud, execution);
   } catch (const InputError& error) {
     throw InputError(name_of_cloud(c) + ": " + error.what());
   }

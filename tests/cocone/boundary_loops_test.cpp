@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numeric>
 
 #include "cocone/orient_surface.h"
 #include "cocone/reconstruct.h"
@@ -170,8 +171,9 @@ TEST(BoundaryLoops, MoebiusStripHasOneLoop) {
 // The triangles tell no direction: the same one in any numbering and orientation.
 TEST(BoundaryLoops, OfAOneSidedPartRunTheSameWay) {
   const auto places = [](const TriangleMesh& mesh) {
+    const BoundaryLoops found = boundary_loops(mesh);
     std::vector<Point> points;
-    for (const BoundaryEdge& edge : boundary_loops(mesh).loops.front().edges) {
+    for (const BoundaryEdge& edge : found.loops.front().edges) {
       points.push_back(mesh.points[edge.from]);
     }
     return points;
