@@ -102,7 +102,8 @@ struct UpdateResult {
 // given, without those not on the surface. Every edge of the result is balanced
 // (reconstruct_tight), whatever the model was.
 // Progress: its four steps are "boundary_detection", "overlapping_facets",
-// "segmentation_and_selection" and "reconstruction"; stages report below them.
+// "segmentation_and_selection" and "reconstruction"; stages report below them. The first three come
+// again where joined clouds have to be taken one by one.
 // Errors: InputError for no cloud, a cloud that cannot be triangulated (too few points, all
 // on one line, not finite), a model without triangles or with bad indices, a model or cloud whose
 // largest coordinate is not in [2^-200, 2^200]. Complexity: O(n log n) expected for n points in
