@@ -1,6 +1,8 @@
 // A pocket with sharp edges, scanned as scanners do: from several sides, none of which sees all of
 // it.
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <utility>
 #include <vector>
 
 #include "geom/mesh_check.h"
@@ -34,6 +36,19 @@ TEST_P(UpdateViews, EachACloud) {
   const UpdateResult result = update_model(slab.model, clouds);
   expect_pocket(clouds, result);
   EXPECT_EQ(result.clouds[2].joined_with, 0U);
+}
+
+TEST_P(UpdateViews, InAnyOrder) {
+  Clouds clouds = three_views();
+  const auto vertices = [&] {
+    std::vector<Point> points = update_model(slab.model, clouds).mesh.points.raw();
+    std::sort(points.begin(), points.end());
+    return points;
+  };
+  const std::vector<Point> expected = vertices();
+  std::swap(clouds[0], clouds[2]);
+  std::reverse(clouds[1].begin(), clouds[1].end());
+  EXPECT_EQ(vertices(), expected);
 }
 
 // Each alone is torn where the others see walls: what goes wrong is told.
