@@ -77,7 +77,7 @@ Sheet find_sheet(const Foundation& f, const RimSearch& search, const CloudSurfac
 }
 
 // Its rim, after trimming, without seams.
-Trial find_rim(const Scan& scan, Sheet found, const RimSearch& search,
+Trial find_rim(const Scan& scan, Sheet&& found, const RimSearch& search,
                const CloudSurfaceOptions& options) {
   auto& [sheet, boundary] = found;
   TrimmedSurface trimmed = trim_long_edges(std::move(sheet.mesh), options.trim);

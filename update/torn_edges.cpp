@@ -39,6 +39,7 @@ std::vector<std::size_t> count_torn(const ModelIndex& model,
   std::vector<std::size_t> torn(rim.loops.size(), 0);
   const std::vector<RimEdge> edges = edges_to_ask(rim);
   std::vector<Point> middles;
+  middles.reserve(edges.size());
   for (const RimEdge& edge : edges) middles.push_back(edge.middle);
   if (middles.empty()) return torn;
   const double reach = options.reach * rim.spacing;

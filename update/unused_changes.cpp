@@ -14,6 +14,7 @@ namespace {
 std::vector<Point> without_strays(const std::vector<Point>& samples, std::size_t neighbors,
                                   double reach) {
   std::vector<Box> boxes;
+  boxes.reserve(samples.size());
   for (const Point& p : samples) boxes.push_back({p, p});
   const BoxTree tree(boxes);
   const double bound = reach * reach;

@@ -23,11 +23,14 @@ TEST(NeighborDistance, OnAGrid) {
 TEST(NeighborDistance, AgreesWithBruteForceInAnyOrder) {
   Random random(3);
   std::vector<Point> points;
+  points.reserve(301);
   for (int i = 0; i < 301; ++i) points.push_back({random.uniform(), random.uniform(), 0});
   for (const std::size_t k : {1U, 3U, 8U}) {
     std::vector<double> distances;
+    distances.reserve(points.size());
     for (const Point& p : points) {
       std::vector<double> all;
+      all.reserve(points.size());
       for (const Point& q : points) all.push_back(distance(p, q));
       std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(k), all.end());
       distances.push_back(all[k]);

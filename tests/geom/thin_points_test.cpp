@@ -12,6 +12,7 @@ namespace {
 TEST(ThinPoints, AreNoCloserThanAskedAndLeaveNoHoles) {
   Random random(7);
   std::vector<Point> points;
+  points.reserve(2000);
   for (int i = 0; i < 2000; ++i)
     points.push_back({random.uniform(0, 10), random.uniform(0, 10), 0});
   const std::vector<PointId> kept = thin_points(points, [](PointId) { return 0.25; });

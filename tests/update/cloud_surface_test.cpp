@@ -101,6 +101,7 @@ TEST(CloudSurface, ASharpFoldIsNoRim) {
 TEST(CloudSurface, AClosedCloudHasNoRim) {
   Random random(4);
   std::vector<Point> sphere;
+  sphere.reserve(1500);
   for (int i = 0; i < 1500; ++i) sphere.push_back(random.on_unit_sphere());
   const CloudSurface surface = cloud_surface(sphere);
   EXPECT_EQ(surface.status, CloudStatus::cloud_closed);

@@ -56,6 +56,7 @@ TEST(UnusedChanges, NotThoseOnTheModel) {
 TEST(UnusedChanges, NotStrayPoints) {
   const ShelfOverAPlane scene;
   std::vector<Point> strays;
+  strays.reserve(12);
   for (int k = 0; k < 12; ++k) strays.push_back({k + 4.0, 10, 3.0 * (k % 2) + 2});
   EXPECT_EQ(scene.changes(strays).samples, 0U);
   EXPECT_GT(scene.changes(strays, {.neighbors = 1}).samples, 5U);
