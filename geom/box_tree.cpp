@@ -49,4 +49,11 @@ std::uint32_t BoxTree::build(std::span<const Box> boxes, std::span<Center> cente
   return id;
 }
 
+BoxTree tree_of_points(std::span<const Point> points) {
+  std::vector<Box> boxes;
+  boxes.reserve(points.size());
+  for (const Point& p : points) boxes.push_back({p, p});
+  return BoxTree(boxes);
+}
+
 }  // namespace cocoon

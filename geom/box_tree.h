@@ -58,6 +58,9 @@ class BoxTree {
   std::vector<std::uint32_t> items_;
 };
 
+// The tree of points, each a box without extent. Complexity: O(n log n).
+BoxTree tree_of_points(std::span<const Point> points);
+
 template <class Visit>
 void BoxTree::visit_near(const Point& p, double bound, const Visit& visit) const {
   if (nodes_.empty()) return;

@@ -18,10 +18,7 @@ double median_neighbor_distance(Points points, std::size_t k) {
   std::sort(different.begin(), different.end());
   different.erase(std::unique(different.begin(), different.end()), different.end());
   if (different.size() <= k) return 0;
-  std::vector<Box> boxes;
-  boxes.reserve(different.size());
-  for (const Point& p : different) boxes.push_back({p, p});
-  const BoxTree tree(boxes);
+  const BoxTree tree = tree_of_points(different);
   std::vector<double> distances;
   const std::size_t step = std::max<std::size_t>(1, different.size() / asked);
   for (std::size_t i = 0; i < different.size(); i += step) {

@@ -10,10 +10,7 @@ namespace cocoon {
 
 std::vector<PointId> thin_points(Points points,
                                  const std::function<double(PointId)>& squared_distance_at) {
-  std::vector<Box> boxes;
-  boxes.reserve(points.size());
-  for (const Point& p : points) boxes.push_back({p, p});
-  const BoxTree tree(boxes);
+  const BoxTree tree = tree_of_points(points);
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),

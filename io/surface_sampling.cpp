@@ -31,14 +31,11 @@ struct NeighborLists {
 
 NeighborLists neighbors_within(const std::vector<Point>& points, double reach,
                                const Execution& execution) {
-  std::vector<Box> boxes;
-  boxes.reserve(points.size());
-  for (const Point& p : points) boxes.push_back({p, p});
-  const BoxTree tree(boxes);
+  const BoxTree tree = tree_of_points(points);
   NeighborLists lists;
   for (std::size_t i = 0; i < points.size(); ++i) {
     report_now_and_then(execution, 0.5, 0.75, i, points.size());
-    Box around = boxes[i];
+    Box around{points[i], points[i]};
     around.enlarge(reach);
     tree.visit_overlapping(around, [&](std::uint32_t slot) {
       const std::uint32_t j = tree.items()[slot];

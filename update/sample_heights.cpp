@@ -31,9 +31,7 @@ std::vector<Point> samples_off(const ModelIndex& model, Points samples, double d
 
 SampleHeights::SampleHeights(std::vector<Point> samples, std::vector<double> squared_heights)
     : samples_(std::move(samples)), squared_heights_(std::move(squared_heights)) {
-  std::vector<Box> boxes;
-  for (const Point& p : samples_) boxes.push_back(box_of({&p, 1}));
-  if (!boxes.empty()) tree_ = BoxTree(boxes);
+  if (!samples_.empty()) tree_ = tree_of_points(samples_);
 }
 
 }  // namespace cocoon

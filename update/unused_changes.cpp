@@ -13,10 +13,7 @@ namespace {
 // Those that have others near them.
 std::vector<Point> without_strays(const std::vector<Point>& samples, std::size_t neighbors,
                                   double reach) {
-  std::vector<Box> boxes;
-  boxes.reserve(samples.size());
-  for (const Point& p : samples) boxes.push_back({p, p});
-  const BoxTree tree(boxes);
+  const BoxTree tree = tree_of_points(samples);
   const double bound = reach * reach;
   std::vector<Point> found;
   for (const Point& p : samples) {
