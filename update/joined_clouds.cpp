@@ -2,49 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
+#include <utility>
 
-#include "geom/box_tree.h"
+#include "geom/box.h"
 #include "geom/disjoint_sets.h"
+#include "geom/nearest_point.h"
 #include "geom/neighbor_distance.h"
 #include "geom/thin_points.h"
 
 namespace cocoon {
 
 namespace {
-
-// The different samples of a cloud, found by place.
-class Samples {
- public:
-  explicit Samples(Points cloud) : points_(cloud.begin(), cloud.end()) {
-    std::sort(points_.begin(), points_.end());
-    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
-    std::vector<Box> boxes;
-    boxes.reserve(points_.size());
-    for (const Point& p : points_) boxes.push_back({p, p});
-    tree_ = BoxTree(boxes);
-    spacing_ = median_neighbor_distance(points_, 1);
-  }
-
-  const std::vector<Point>& points() const { return points_; }
-  // Between a sample and its nearest one, the median of some.
-  double spacing() const { return spacing_; }
-
-  bool any_near(const Point& p, double reach) const {
-    bool found = false;
-    tree_.visit_near(p, reach * reach, [&](std::uint32_t slot) {
-      found = found || squared_distance(points_[tree_.items()[slot]], p) <= reach * reach;
-      return found ? -1.0 : reach * reach;
-    });
-    return found;
-  }
-
- private:
-  std::vector<Point> points_;
-  BoxTree tree_;
-  double spacing_ = 0;
-};
 
 // With room for several distances between samples, however they lie on their surface: most clouds
 // are nowhere near each other, and need not be searched.
@@ -53,6 +22,20 @@ Box roomy_box(Points cloud) {
   Box box = box_of(cloud);
   box.enlarge(spacings * norm(box.size()) / std::sqrt(static_cast<double>(cloud.size())));
   return box;
+}
+
+// A cloud that can be searched.
+struct Samples {
+  std::vector<Point> points;  // without equal ones
+  NearestPointTree tree;
+  double spacing;  // between a sample and its nearest one, the median of some
+};
+
+std::vector<Point> different(Points cloud) {
+  std::vector<Point> points(cloud.begin(), cloud.end());
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
 }
 
 // The clouds, each made searchable when it is asked for.
@@ -70,16 +53,24 @@ class Clouds {
   bool boxes_overlap(std::size_t a, std::size_t b) const { return overlap(boxes_[a], boxes_[b]); }
 
   const Samples& operator[](std::size_t c) {
-    if (!samples_[c]) samples_[c].emplace(clouds_[c]);
+    if (!samples_[c]) {
+      std::vector<Point> points = different(clouds_[c]);
+      NearestPointTree tree(points);
+      const double spacing = median_neighbor_distance(points, 1);
+      samples_[c] = {std::move(points), std::move(tree), spacing};
+    }
     return *samples_[c];
   }
 
   // The samples of a that lie near b, as a share of all of a.
   double share_near(std::size_t a, std::size_t b, double reach) {
-    const Samples& other = (*this)[b];
+    const NearestPointTree& others = (*this)[b].tree;
+    const std::vector<Point>& points = (*this)[a].points;
     std::size_t near = 0;
-    for (const Point& p : (*this)[a].points()) near += other.any_near(p, reach) ? 1U : 0U;
-    return static_cast<double>(near) / static_cast<double>((*this)[a].points().size());
+    for (const Point& p : points) {
+      near += others.nearest(p).squared_distance <= reach * reach ? 1U : 0U;
+    }
+    return static_cast<double>(near) / static_cast<double>(points.size());
   }
 
  private:
@@ -90,7 +81,7 @@ class Clouds {
 
 bool overlap_each_other(Clouds& clouds, std::size_t a, std::size_t b, const JoinOptions& options) {
   if (!clouds.boxes_overlap(a, b)) return false;
-  const double reach = options.reach * std::max(clouds[a].spacing(), clouds[b].spacing());
+  const double reach = options.reach * std::max(clouds[a].spacing, clouds[b].spacing);
   if (!(reach > 0)) return false;
   return clouds.share_near(a, b, reach) >= options.min_share ||
          clouds.share_near(b, a, reach) >= options.min_share;
@@ -131,12 +122,11 @@ std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
   for (JoinedCloud& cloud : joined) {
     if (cloud.members.size() == 1) continue;
     double spacing = 0;
-    for (const std::size_t c : cloud.members) spacing = std::max(spacing, samples[c].spacing());
+    for (const std::size_t c : cloud.members) spacing = std::max(spacing, samples[c].spacing);
     const double distance = options.thinning * spacing;
-    std::vector<Point> all = samples_of(cloud, clouds);
+    const std::vector<Point> all = samples_of(cloud, clouds);
     cloud.sheet = thin_points(all, [&](PointId) { return distance * distance; });
-    std::sort(all.begin(), all.end());
-    cloud.different = static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin());
+    cloud.different = different(all).size();
   }
   return joined;
 }
