@@ -147,4 +147,14 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
   return choice;
 }
 
+RegionId largest_kept_region(const Regions& regions, const RegionChoice& choice) {
+  RegionId largest;
+  for (const RegionId r : regions.regions.ids()) {
+    if (choice.replaced[r] != 0) continue;
+    const std::size_t facets = regions.regions[r].facets;
+    if (largest.is_none() || facets > regions.regions[largest].facets) largest = r;
+  }
+  return largest;
+}
+
 }  // namespace cocoon

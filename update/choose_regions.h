@@ -10,6 +10,7 @@
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "update/rim_angles.h"
+#include "update/segment_model.h"
 
 namespace cocoon {
 
@@ -75,5 +76,9 @@ struct RegionChoice {
 RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num_clouds,
                             const ChoiceOptions& options = {},
                             std::span<const IdVector<RegionId, std::uint8_t>> decided = {});
+
+// Of the regions that stay the one with the most facets, of several the first; none if all go.
+// Complexity: O(regions).
+RegionId largest_kept_region(const Regions& regions, const RegionChoice& choice);
 
 }  // namespace cocoon

@@ -14,17 +14,6 @@ namespace cocoon {
 
 namespace {
 
-RegionId largest_kept(const Regions& regions, const RegionChoice& choice) {
-  RegionId largest;
-  for (const RegionId r : regions.regions.ids()) {
-    if (choice.replaced[r] != 0) continue;
-    if (largest.is_none() || regions.regions[r].facets > regions.regions[largest].facets) {
-      largest = r;
-    }
-  }
-  return largest;
-}
-
 std::vector<RegionId> islands_seen(const CloudChoice& cloud, const RegionChoice& choice,
                                    RegionId largest) {
   std::vector<RegionId> islands;
@@ -136,7 +125,7 @@ std::vector<ContradictedIsland> part_contradicted_islands(const ModelIndex& mode
                                                           Regions& regions,
                                                           const IslandOptions& options) {
   std::vector<ContradictedIsland> found;
-  const RegionId largest = largest_kept(regions, choice);
+  const RegionId largest = largest_kept_region(regions, choice);
   const std::size_t before = regions.regions.size();
   for (std::size_t c = 0; c < scans.size(); ++c) {
     std::vector<RegionId> islands = islands_seen(choice.clouds[c], choice, largest);

@@ -43,17 +43,6 @@ class ThinningTest {
   std::vector<Cloud> clouds_;
 };
 
-// None if there is none.
-RegionId largest_kept_region(const Regions& regions, const RegionChoice& choice) {
-  RegionId largest;
-  for (const RegionId r : regions.regions.ids()) {
-    if (choice.replaced[r] != 0) continue;
-    const std::size_t facets = regions.regions[r].facets;
-    if (largest.is_none() || facets > regions.regions[largest].facets) largest = r;
-  }
-  return largest;
-}
-
 // The vertices to be looked at, ascending: all but those of the region that nothing is said of; all
 // if it is none.
 std::vector<VertexId> not_plain(RegionId plain, const Regions& regions,

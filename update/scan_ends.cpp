@@ -7,8 +7,8 @@
 #include "geom/nearest_point.h"
 #include "geom/sort_ids.h"
 #include "geom/zeroed_array.h"
-#include "update/near_facets.h"
 #include "update/reached_cells.h"
+#include "update/sample_heights.h"
 #include "update/scanned_places.h"
 
 namespace cocoon {
@@ -53,12 +53,7 @@ void leave_out_changes(const ModelIndex& model, const Scan& scan, const ScanEndO
   const double off_model = options.off_model * scan.spacing;
   const std::vector<Point> asked = points_near(scan.samples, centroids(model, ends), around);
   if (asked.empty()) return;
-  const NearFacets near(model, asked, off_model);
-  std::vector<Point> off;
-  for (const Point& p : asked) {
-    const auto any = [](TriangleId) { return true; };
-    if (near.closest(p, off_model * off_model, any).triangle.is_none()) off.push_back(p);
-  }
+  const std::vector<Point> off = samples_off(model, asked, off_model);
   if (off.empty()) return;
   const NearestPointTree changed(off);
   std::erase_if(ends, [&](TriangleId t) {
