@@ -252,18 +252,6 @@ LoopMatch match_of(const LoopOverlap& loop, double max_share) {
   return LoopMatch::on_model;
 }
 
-// Of all loops, or of those of one part of the surface.
-std::size_t longest_loop(const CloudRim& rim, std::optional<std::uint32_t> component = {}) {
-  std::size_t longest = rim.loops.size();
-  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
-    if (component && rim.loops[l].component != component) continue;
-    if (longest == rim.loops.size() || rim.loops[l].perimeter > rim.loops[longest].perimeter) {
-      longest = l;
-    }
-  }
-  return longest;
-}
-
 // The median of the distances of its points from the model; of those without a facet, infinity.
 double median_height(const RimLoop& rim, const LoopOverlap& loop) {
   std::vector<double> heights;
@@ -277,10 +265,19 @@ double median_height(const RimLoop& rim, const LoopOverlap& loop) {
 
 void count_raised(const TriangleMesh& model, const CloudRim& rim, const OverlapOptions& options,
                   Overlap& overlap) {
+  std::map<std::uint32_t, std::size_t> longest;  // of each part of the surface
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
-    const std::size_t longest = longest_loop(rim, rim.loops[l].component);
-    if (l == longest) continue;
-    const double usual = median_height(rim.loops[longest], overlap.loops[longest]);
+    const auto [entry, is_new] = longest.try_emplace(rim.loops[l].component, l);
+    std::size_t& best = entry->second;
+    if (!is_new && rim.loops[l].perimeter > rim.loops[best].perimeter) best = l;
+  }
+  std::map<std::uint32_t, double> usual;
+  for (const auto& [part, l] : longest) {
+    usual[part] = median_height(rim.loops[l], overlap.loops[l]);
+  }
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    const std::uint32_t part = rim.loops[l].component;
+    if (l == longest[part]) continue;
     const RimLoop& points = rim.loops[l];
     LoopOverlap& loop = overlap.loops[l];
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -292,15 +289,16 @@ void count_raised(const TriangleMesh& model, const CloudRim& rim, const OverlapO
       }
       const double spacing = std::max(rim.spacing, facet_spacing(model, facet));
       const double height = distance(loop.feet[i], points.points[i]);
-      loop.raised += height > usual + options.raised_distance * spacing ? 1U : 0U;
+      loop.raised += height > usual[part] + options.raised_distance * spacing ? 1U : 0U;
     }
   }
 }
 
 // Loops off the model are holes inside the cloud, unless the longest loop is one of them.
 void match_loops(const CloudRim& rim, const OverlapOptions& options, Overlap& overlap) {
-  const std::size_t longest = longest_loop(rim);
+  std::size_t longest = 0;
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    if (rim.loops[l].perimeter > rim.loops[longest].perimeter) longest = l;
     LoopOverlap& loop = overlap.loops[l];
     loop.match = match_of(loop, options.max_unmatched_share);
     const std::size_t points = loop.facets.size() - loop.inner_points;
