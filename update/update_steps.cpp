@@ -10,7 +10,6 @@
 #include "geom/sort_ids.h"
 #include "update/kept_surface.h"
 #include "update/model_index.h"
-#include "update/ordinary_size.h"
 #include "update/update_messages.h"
 #include "update/updated_vertices.h"
 
@@ -40,6 +39,7 @@ void note_island(RegionId region, RegionId part, std::vector<RegionVerdict>& ver
 UpdateSteps::UpdateSteps(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                          const UpdateOptions& options)
     : model_(model), given_(clouds), clouds_(clouds), options_(options) {
+  for (std::size_t c = 0; c < clouds.size(); ++c) joined_.push_back({.members = {c}, .sheet = {}});
   result_.clouds.resize(clouds_.size());
 }
 
@@ -52,7 +52,7 @@ UpdateSteps::UpdateSteps(const TriangleMesh& model, std::span<const std::vector<
 }
 
 UpdateResult UpdateSteps::take_result() {
-  if (!joined_.empty()) tell_members();
+  tell_members();
   return std::move(result_);
 }
 
@@ -141,7 +141,7 @@ void UpdateSteps::take_islands(const ModelIndex& index) {
   make_set(result_.islands);
 }
 
-bool UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
+void UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
                               const Execution& execution) {
   const std::vector<CloudRim> rims = border_rims_of(result_.clouds);
   result_.replacement = replace_points(index, result_.regions, result_.choice, rims, clouds_,
@@ -155,11 +155,12 @@ bool UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
   UpdatedSurface surface = parts.reconstruct(result_.replacement, kept.told(), execution);
   result_.reconstruction = std::move(surface.result);
   if (result_.reconstruction.status == SurfaceStatus::refuted) {
-    return fail(UpdateStatus::refuted, result_.reconstruction.verification.failure);
+    fail(UpdateStatus::refuted, result_.reconstruction.verification.failure);
+    return;
   }
   if (result_.reconstruction.status != SurfaceStatus::ok) {
-    return fail(UpdateStatus::empty_surface,
-                reason_of_empty_surface(result_.replacement.points.size()));
+    fail(UpdateStatus::empty_surface, reason_of_empty_surface(result_.replacement.points.size()));
+    return;
   }
   result_.mesh = std::exchange(result_.reconstruction.mesh, {});
   result_.vertex_map = updated_vertices(result_.replacement, result_.reconstruction);
@@ -169,12 +170,10 @@ bool UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
                                       model_.triangles.size());
   result_.euler = euler_number(points - unused, surface.triangles);
   look_for_losses(index);
-  return true;
 }
 
 std::string UpdateSteps::name_of_cloud(std::size_t c) const {
-  return joined_.empty() ? cocoon::name_of_clouds({{c}}, given_.size())
-                         : cocoon::name_of_clouds(joined_[c].members, given_.size());
+  return name_of_clouds(joined_[c].members, given_.size());
 }
 
 std::string UpdateSteps::name_of_loop(std::size_t c, std::size_t l) const {
@@ -198,8 +197,7 @@ std::vector<std::vector<Point>> UpdateSteps::unused_samples() const {
   std::vector<std::uint8_t> used(result_.replacement.points.size(), 0);
   for (const PointId p : result_.reconstruction.point_of_vertex) used[p.index()] = 1;
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
-    const std::vector<std::size_t> alone = {c};
-    for (const std::size_t member : joined_.empty() ? alone : joined_[c].members) {
+    for (const std::size_t member : joined_[c].members) {
       const IdVector<PointId, PointId>& positions =
           result_.replacement.point_of_cloud_point[member];
       for (const PointId k : positions.ids()) {
@@ -213,8 +211,8 @@ std::vector<std::vector<Point>> UpdateSteps::unused_samples() const {
 }
 
 void UpdateSteps::look_for_losses(const ModelIndex& index) {
-  result_.unused_changes = unused_changes(index, scans_of(clouds_, result_.clouds),
-                                          unused_samples(), options_.unused_changes);
+  const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
+  result_.unused_changes = unused_changes(index, scans, unused_samples(), options_.unused_changes);
   if (result_.unused_changes.is_doubtful(options_.unused_changes)) {
     warn(warning_of_unused_changes(result_.unused_changes));
   }
@@ -228,8 +226,8 @@ void UpdateSteps::look_for_losses(const ModelIndex& index) {
     const RegionId region = result_.regions.group_of_vertex[v];
     return std::binary_search(result_.islands.begin(), result_.islands.end(), region);
   });
-  result_.unscanned = unscanned_losses(index, lost, scans_of(clouds_, result_.clouds),
-                                       result_.euler > result_.euler_before, options_.unscanned);
+  result_.unscanned = unscanned_losses(index, lost, scans, result_.euler > result_.euler_before,
+                                       options_.unscanned);
   if (result_.unscanned.vertices == 0) return;
   warn(warning_of_unscanned(result_.unscanned, options_.unscanned.reach,
                             model_.points[result_.unscanned.farthest]));
@@ -248,7 +246,7 @@ std::vector<RegionAngles> UpdateSteps::measure_angles(const ModelIndex& index) c
 std::vector<CloudSurface> UpdateSteps::surfaces_of_cloud(std::size_t c,
                                                          const Execution& execution) const {
   try {
-    return joined_.empty() || joined_[c].sheet.empty()
+    return joined_[c].sheet.empty()
                ? ranked_cloud_surfaces(clouds_[c], options_.cloud, execution)
                : joined_cloud_surfaces(clouds_[c], joined_[c], options_.cloud, execution);
   } catch (const InputError& error) {

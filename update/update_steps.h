@@ -24,7 +24,7 @@ class UpdateSteps {
   // The surface of each cloud is looked for by itself.
   UpdateSteps(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
               const UpdateOptions& options);
-  // Joined clouds are taken as one; `joined`: all of `clouds`, each in one of them; not empty.
+  // Joined clouds are taken as one; `joined`: all of `clouds`, each in one of them.
   UpdateSteps(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
               std::vector<JoinedCloud> joined, const UpdateOptions& options);
 
@@ -34,7 +34,7 @@ class UpdateSteps {
 
   bool segment_and_choose(const ModelIndex& index, const Execution& execution);
 
-  bool reconstruct(const ModelIndex& index, const UpdateParts& parts, const Execution& execution);
+  void reconstruct(const ModelIndex& index, const UpdateParts& parts, const Execution& execution);
 
   UpdateResult take_result();
 
@@ -120,8 +120,8 @@ class UpdateSteps {
 
   const TriangleMesh& model_;
   std::span<const std::vector<Point>> given_;
-  std::vector<JoinedCloud> joined_;             // empty: each cloud by itself
-  std::vector<std::vector<Point>> samples_;     // of the joined ones
+  std::vector<JoinedCloud> joined_;             // of one member each where clouds are not joined
+  std::vector<std::vector<Point>> samples_;     // of them, if clouds are joined
   std::span<const std::vector<Point>> clouds_;  // what the steps work on: given_ or samples_
   const UpdateOptions& options_;
   std::vector<std::vector<CloudSurface>> other_surfaces_;  // of each cloud, those not taken
