@@ -55,12 +55,9 @@ std::vector<std::uint32_t> numbers_from(std::size_t first, std::size_t count) {
 
 // "2"; "1, 3, 4" of the first of joined clouds.
 std::string numbers_told(const UpdateRecord& record, std::size_t c) {
-  std::string numbers = fmt::format("{}", c + 1);
-  const std::vector<CloudReport>& clouds = record.result.clouds;
-  for (std::size_t other = 0; other < clouds.size(); ++other) {
-    if (clouds[other].joined_with == c) numbers += fmt::format(", {}", other + 1);
-  }
-  return numbers;
+  std::vector<std::size_t> numbers = members_told(record.result.clouds, c);
+  for (std::size_t& number : numbers) ++number;
+  return fmt::format("{}", fmt::join(numbers, ", "));
 }
 
 // The scene of the page. Its points are the vertices of the model, then the clouds.
@@ -234,9 +231,8 @@ class SceneBuilder {
         {id, name, Kind::points, numbers_from(cloud_begin(c), record_.clouds[c].size()), {}});
     add_layer({id, name, id, cloud_colors[c % cloud_colors.size()], {}, "", 1});
     if (record_.result.clouds[c].joined_with) return;
-    const std::string numbers = numbers_told(record_, c);
-    const bool alone = numbers.find(',') == std::string::npos;
-    const std::string told = alone ? name : "clouds " + numbers;
+    const bool is_alone = members_told(record_.result.clouds, c).size() == 1;
+    const std::string told = is_alone ? name : "clouds " + numbers_told(record_, c);
 
     PageGeometry sheet{id + "-surface", "Cocone surface of the " + told, Kind::triangles, {}, {}};
     for (const Triangle& triangle : surface.mesh.triangles) {

@@ -59,6 +59,14 @@ std::vector<CloudReport> reports_of_members(std::vector<CloudReport> reports,
   return result;
 }
 
+std::vector<std::size_t> members_told(std::span<const CloudReport> reports, std::size_t c) {
+  std::vector<std::size_t> members = {c};
+  for (std::size_t other = 0; other < reports.size(); ++other) {
+    if (reports[other].joined_with == c) members.push_back(other);
+  }
+  return members;
+}
+
 CloudPoint point_told(std::span<const CloudReport> reports,
                       std::span<const std::vector<Point>> clouds, std::size_t c, PointId p) {
   CloudPoint point{c, p.index()};

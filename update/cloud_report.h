@@ -82,6 +82,10 @@ std::vector<CloudReport> reports_of_members(std::vector<CloudReport> reports,
                                             std::span<const JoinedCloud> joined,
                                             std::size_t clouds);
 
+// The clouds of whose samples the surface is that cloud c tells of: itself, and those joined with
+// it, ascending. Complexity: O(clouds).
+std::vector<std::size_t> members_told(std::span<const CloudReport> reports, std::size_t c);
+
 // A point of a cloud given.
 struct CloudPoint {
   std::size_t cloud = 0;

@@ -80,7 +80,7 @@ struct UpdateResult {
   std::vector<SplitRegion> split;   // those that rims did not separate, split by labels
   RegionChoice choice;
   std::vector<RegionId> replaced_groups;  // under any cloud
-  std::vector<RegionId> islands;          // of these, those that go by contradicted_islands()
+  std::vector<RegionId> islands;          // of these, those that go by part_contradicted_islands()
 
   // Each vertex of the initial model in the updated one; none: replaced, or not on its surface.
   IdVector<VertexId, VertexId> vertex_map;
@@ -104,11 +104,12 @@ struct UpdateResult {
 // Progress: its four steps are "boundary_detection", "overlapping_facets",
 // "segmentation_and_selection" and "reconstruction"; stages report below them. The first three come
 // again where joined clouds have to be taken one by one.
-// Errors: InputError for no cloud, a cloud that cannot be triangulated (too few points, all
-// on one line, not finite), a model without triangles or with bad indices, a model or cloud whose
-// largest coordinate is not in [2^-200, 2^200]. Complexity: O(n log n) expected for n points in
-// all. Deterministic for any thread count; the order of model and clouds matters for numbering
-// only. Source: Woo & Dey 2005, section 3. What is decided otherwise and why: docs/update.md.
+// Errors: InputError for no cloud, a cloud that cannot be triangulated (not finite; too few points
+// or all on one line, unless it overlaps another cloud), a model without triangles or with bad
+// indices, a model or cloud whose largest coordinate is not in [2^-200, 2^200]. Complexity: O(n log
+// n) expected for n points in all. Deterministic for any thread count; the order of model and
+// clouds matters for numbering only. Source: Woo & Dey 2005, section 3. What is decided otherwise
+// and why: docs/update.md.
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateOptions& options = {}, const Execution& execution = {});
 
