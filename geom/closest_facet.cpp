@@ -9,14 +9,6 @@
 namespace cocoon {
 namespace {
 
-bool less(const Point& a, const Point& b) { return (a <=> b) < 0; }
-
-std::array<Point, 3> sorted_corners(const TriangleMesh& mesh, TriangleId t) {
-  std::array<Point, 3> corners = finite_corners_of(mesh, t);
-  std::sort(corners.begin(), corners.end(), less);
-  return corners;
-}
-
 // A computed closest point may lie outside its triangle by rounding, so that the computed distance
 // is less than that of the triangle's box. Boxes are enlarged by this fraction of the largest
 // coordinate: a few hundred times the rounding of one addition.
@@ -32,7 +24,7 @@ ClosestFacetTree::ClosestFacetTree(const TriangleMesh& mesh) {
   boxes.reserve(mesh.triangles.size());
   Box whole;
   for (const TriangleId t : mesh.triangles.ids()) {
-    boxes.push_back(box_of(sorted_corners(mesh, t)));
+    boxes.push_back(box_of(finite_corners_of(mesh, t)));
     whole.include(boxes.back());
   }
   const double slack = slack_per_coordinate * std::max(max_norm(whole.low), max_norm(whole.high));
@@ -40,7 +32,7 @@ ClosestFacetTree::ClosestFacetTree(const TriangleMesh& mesh) {
   tree_ = BoxTree(boxes);
   corners_.reserve(boxes.size());
   for (const std::uint32_t item : tree_.items()) {
-    corners_.push_back({sorted_corners(mesh, TriangleId(item)), TriangleId(item)});
+    corners_.push_back({sorted_corners(corners_of(mesh, TriangleId(item))), TriangleId(item)});
   }
 }
 

@@ -41,6 +41,17 @@ inline std::array<Point, 3> corners_of(const TriangleMesh& mesh, TriangleId tria
   return {mesh.points[a], mesh.points[b], mesh.points[c]};
 }
 
+// The corners of a triangle in lexicographic order; and in its own, from the smallest on. What is
+// computed from them does not depend on which corner comes first. Complexity: O(1).
+inline std::array<Point, 3> sorted_corners(std::array<Point, 3> corners) {
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+inline std::array<Point, 3> corners_from_smallest(std::array<Point, 3> corners) {
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
 // The length of side i of a triangle, opposite its corner i, in units of the coordinates; and that
 // of its shortest side. Precondition: as corners_of. O(1).
 inline double side_length(const TriangleMesh& mesh, TriangleId triangle, std::size_t i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "cocone/boundary_loops.h"
 #include "geom/sort_ids.h"
@@ -50,13 +51,19 @@ TriangleMesh band_mesh(const TriangleMesh& model, const std::vector<TriangleId>&
   return mesh;
 }
 
-RegionId majority(const std::map<RegionId, std::size_t>& edges_at) {
+std::size_t facets_of(const Regions& regions, RegionId r) {
+  return r.is_none() ? 0 : regions.regions[r].facets;
+}
+
+// The region with most edges; of several the largest.
+RegionId majority(const std::map<RegionId, std::size_t>& edges_at, const Regions& regions) {
   RegionId best;
-  std::size_t most = 0;
+  std::pair<std::size_t, std::size_t> most;
   for (const auto& [region, edges] : edges_at) {
-    if (edges > most) {
+    const std::pair own(edges, facets_of(regions, region));
+    if (own > most) {
       best = region;
-      most = edges;
+      most = own;
     }
   }
   return best;
@@ -80,10 +87,11 @@ LoopSides loop_sides(const TriangleMesh& model, const MeshAdjacency& adjacency,
       if (other.is_none() || regions.region_of_facet[other].is_none()) continue;
       ++edges_at[regions.region_of_facet[other]];
     }
-    result.sides.push_back({curve.edges.size(), majority(edges_at)});
+    result.sides.push_back({curve.edges.size(), majority(edges_at, regions)});
   }
-  std::sort(result.sides.begin(), result.sides.end(), [](const LoopSide& a, const LoopSide& b) {
-    return std::tuple(b.edges, a.region) < std::tuple(a.edges, b.region);
+  std::sort(result.sides.begin(), result.sides.end(), [&](const LoopSide& a, const LoopSide& b) {
+    return std::tuple(b.edges, facets_of(regions, b.region), a.region) <
+           std::tuple(a.edges, facets_of(regions, a.region), b.region);
   });
 
   std::vector<RegionId> longest;

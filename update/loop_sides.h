@@ -26,7 +26,7 @@ enum class Separation {
 
 struct LoopSides {
   Separation separation = Separation::separates;
-  std::vector<LoopSide> sides;  // longest first; ties by region
+  std::vector<LoopSide> sides;  // longest first, of equal ones that at the larger region
 };
 
 // The boundary curves of the band are its sides; where the band touches itself at a vertex, curves

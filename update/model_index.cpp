@@ -225,12 +225,12 @@ std::vector<TriangleId> ModelIndex::triangles_at(VertexId v) const {
 }
 
 Vec3 ModelIndex::normal(TriangleId t) const {
-  const auto [a, b, c] = corners_of(*mesh_, t);
+  const auto [a, b, c] = corners_from_smallest(corners_of(*mesh_, t));
   return unit(cross(b - a, c - a));
 }
 
 Point ModelIndex::centroid(TriangleId t) const {
-  const auto [a, b, c] = corners_of(*mesh_, t);
+  const auto [a, b, c] = sorted_corners(corners_of(*mesh_, t));
   return (a + b + c) / 3;
 }
 

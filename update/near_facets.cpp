@@ -17,12 +17,6 @@ namespace cocoon {
 
 namespace {
 
-std::array<Point, 3> sorted_corners(const TriangleMesh& mesh, TriangleId t) {
-  std::array<Point, 3> corners = corners_of(mesh, t);
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
-
 // On which sides of the box a point lies, one bit for each: a triangle whose corners share a bit
 // does not meet the box (Cohen and Sutherland's clipping).
 std::uint8_t sides_of(const Box& box, const Point& p) {
@@ -103,12 +97,12 @@ NearFacets::NearFacets(const ModelIndex& model, Points centers, double reach)
       tree_(tree_of(*mesh_, facets_)) {}
 
 void NearFacets::improve(const Point& p, TriangleId t, ClosestFacet& best) const {
-  const ClosestPoint foot = closest_point_on_triangle(p, corners_of(*mesh_, t));
+  const auto own = sorted_corners(corners_of(*mesh_, t));
+  const ClosestPoint foot = closest_point_on_triangle(p, own);
   const double squared = foot.squared_distance;
   if (squared > best.squared_distance) return;
   if (squared == best.squared_distance && !best.triangle.is_none()) {
-    const auto own = sorted_corners(*mesh_, t);
-    const auto others = sorted_corners(*mesh_, best.triangle);
+    const auto others = sorted_corners(corners_of(*mesh_, best.triangle));
     if (own > others || (own == others && t > best.triangle)) return;
   }
   best = {t, foot.point, squared};

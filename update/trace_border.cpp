@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <queue>
 #include <tuple>
 #include <unordered_map>
@@ -32,8 +31,9 @@ struct CuttingPlane {
 
   // A corner on the plane counts as above: no walk meets a vertex.
   bool above(const Point& p) const { return dot(p - origin, normal) >= 0; }
-  // How far along the segment the plane crosses the edge from a to b.
-  double crossing(const Point& a, const Point& b) const {
+  // How far along the segment the plane crosses the edge between a and b.
+  double crossing(Point a, Point b) const {
+    if (b < a) std::swap(a, b);  // the same bits from either side
     const double da = dot(a - origin, normal);
     const double db = dot(b - origin, normal);
     const double share = da == db ? 0 : da / (da - db);
@@ -47,9 +47,10 @@ struct Exit {
 };
 
 // The side by which a walk leaves `t`: crossed by the plane, not the one it came in by, and of two
-// the one farther along.
+// the one farther along; of two at a corner that with the larger opposite one.
 Exit exit_of(const TriangleMesh& mesh, const CuttingPlane& plane, TriangleId t, int entry) {
   const Triangle& corners = mesh.triangles[t];
+  const auto opposite = [&](int i) { return mesh.points[corners[static_cast<std::size_t>(i)]]; };
   Exit best;
   for (int i = 0; i < 3; ++i) {
     if (i == entry) continue;
@@ -57,7 +58,10 @@ Exit exit_of(const TriangleMesh& mesh, const CuttingPlane& plane, TriangleId t, 
     const Point& b = mesh.points[corners[static_cast<std::size_t>((i + 2) % 3)]];
     if (plane.above(a) == plane.above(b)) continue;
     const double crossing = plane.crossing(a, b);
-    if (best.side >= 0 && crossing <= best.crossing) continue;
+    if (best.side >= 0 &&
+        std::tuple(crossing, opposite(i)) <= std::tuple(best.crossing, opposite(best.side))) {
+      continue;
+    }
     best = {i, crossing};
   }
   return best;
@@ -111,9 +115,17 @@ bool search(const ModelIndex& model, const Span& span, std::size_t max_facets,
     TriangleId from;
     bool done = false;
   };
-  using Entry = std::tuple<double, TriangleId>;
+  struct Entry {
+    double cost;
+    TriangleId facet;
+  };
+  const auto later = [&](const Entry& a, const Entry& b) {
+    if (a.cost != b.cost) return a.cost > b.cost;
+    return sorted_corners(corners_of(model.mesh(), a.facet)) >
+           sorted_corners(corners_of(model.mesh(), b.facet));
+  };
   std::unordered_map<TriangleId, Reached> reached;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  std::priority_queue<Entry, std::vector<Entry>, decltype(later)> queue(later);
   reached[span.from] = {0, {}, false};
   queue.push({0, span.from});
   for (std::size_t looked_at = 0; !queue.empty() && looked_at < max_facets;) {

@@ -1,11 +1,13 @@
 #include "update/trace_border.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include "geom/closest_facet.h"
 #include "geom/random.h"
+#include "tests/mesh_gallery.h"
 #include "tests/update/hand_made_models.h"
 #include "update/loop_sides.h"
 #include "update/segment_model.h"
@@ -100,6 +102,38 @@ TEST(TraceBorder, RandomCapsAlwaysSeparate) {
     EXPECT_EQ(regions.regions.size(), 2U) << "round " << round << ", " << n << " points";
     EXPECT_EQ(loop_sides(mesh, model.adjacency(), border.loops[0], regions).separation,
               Separation::separates);
+  }
+}
+
+using Corners = std::array<Point, 3>;
+std::vector<Corners> band_of(const TriangleMesh& mesh, const CloudRim& rim) {
+  const ModelIndex model(mesh);
+  const Border border = trace_border(model, rim, overlapping_facets(model, rim));
+  std::vector<Corners> band;
+  for (const TriangleId t : mesh.triangles.ids()) {
+    if (border.facets[t] != 0) band.push_back(sorted_corners(corners_of(mesh, t)));
+  }
+  std::sort(band.begin(), band.end());
+  return band;
+}
+
+// Feet on vertices and edges, where roundings decide: of rims above a rough ball, and of searches
+// over a block with many equal ways.
+TEST(TraceBorder, DoesNotDependOnTheOrderOfTheModel) {
+  Random random(29);
+  TriangleMesh ball = testing::sphere(4);
+  for (Point& p : ball.points) p = random.uniform(0.9, 1.1) * p;
+  const TriangleMesh cube = testing::block(8, 8, 8);
+  for (std::uint64_t round = 0; round < 60; ++round) {
+    SCOPED_TRACE(round);
+    RimLoop loop = testing::cap_rim(5 + random.below(40), random.on_unit_sphere(), 1);
+    for (Point& p : loop.points) p = random.uniform(1.1, 1.15) * p;
+    const CloudRim around_ball = rim_of({loop});
+    for (Point& p : loop.points) p = Point{4, 4, 4} + 5.6 * p;
+    const CloudRim around_cube = rim_of({loop});
+    const auto seed = static_cast<unsigned>(round);
+    EXPECT_EQ(band_of(gallery::shuffled(ball, seed), around_ball), band_of(ball, around_ball));
+    EXPECT_EQ(band_of(gallery::shuffled(cube, seed), around_cube), band_of(cube, around_cube));
   }
 }
 
