@@ -41,6 +41,7 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
     ModelFile file = read_model(job, arguments.model, "input", properties_of(0));
     input.model = std::move(file.mesh);
     input.vertex_of_file = std::move(file.vertex_of);
+    orient_model(job, arguments.model, "input", input.model);
   }
   for (const std::string& cloud : arguments.clouds) {
     input.cloud_names.push_back(cloud);

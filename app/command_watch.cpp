@@ -146,6 +146,7 @@ class Watch {
     } else {
       TriangleMesh mesh = read_model(job_, arguments_.model, "input").mesh;
       if (!mesh.triangles.empty()) {
+        orient_model(job_, arguments_.model, "input", mesh);
         state_.session.emplace(std::move(mesh), options_);
         return;
       }

@@ -8,6 +8,7 @@
 #include "geom/equal_points.h"
 #include "geom/mesh_check.h"
 #include "geom/weld_vertices.h"
+#include "update/orient_outward.h"
 
 namespace cocoon::app {
 
@@ -33,6 +34,15 @@ ModelFile read_model(Job& job, const std::string& path, const std::string& secti
     *properties = select_rows(*properties, origins);
   }
   return {std::move(welded.mesh), std::move(welded.vertex_of)};
+}
+
+void orient_model(Job& job, const std::string& path, const std::string& section,
+                  TriangleMesh& mesh) {
+  const std::size_t turned = orient_outward(mesh).turned;
+  if (turned == 0) return;
+  job.report().set(section + "/turned_triangles", turned);
+  job.say("{}: {} of {} turned around, so that the surface faces outward", path,
+          counted(turned, "triangle"), mesh.triangles.size());
 }
 
 }  // namespace cocoon::app

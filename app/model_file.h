@@ -24,4 +24,9 @@ struct ModelFile {
 ModelFile read_model(Job& job, const std::string& path, const std::string& section,
                      VertexProperties* properties = nullptr);
 
+// Turns the mesh read so that it faces outward (orient_outward()). The summary says so, and the
+// section's "turned_triangles" counts. Complexity: O(v).
+void orient_model(Job& job, const std::string& path, const std::string& section,
+                  TriangleMesh& mesh);
+
 }  // namespace cocoon::app

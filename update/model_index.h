@@ -97,6 +97,9 @@ class ModelIndex {
   bool uses_all_vertices() const { return is_smooth(); }
   // Whether it is known that the triangles at each vertex hang together by sides that two have.
   bool has_one_fan_at_each_vertex() const { return is_smooth(); }
+  // Whether a side of a triangle has no other triangle, or several. Complexity: O(t) where that is
+  // not known.
+  bool has_open_sides() const;
   // No side of a triangle is longer than this along any axis. Infinity: not known.
   double longest_side() const { return longest_side_; }
   // Unit normal, outward if the mesh is oriented; the zero vector for a facet without area.

@@ -161,8 +161,8 @@ std::vector<std::string> notes_of_surface(const CloudSurface& surface) {
   return notes;
 }
 
-std::vector<std::string> warnings_of_cloud(const CloudReport& cloud,
-                                           const OverlapOptions& options) {
+std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const OverlapOptions& options,
+                                           const ShiftOptions& shift) {
   std::vector<std::string> warnings;
   const CloudRim& rim = cloud.surface.rim;
   if (rim.seamed_loops > 0) {
@@ -173,6 +173,9 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud,
     warnings.push_back("its rim lies " + rounded(cloud.median_distance / rim.spacing) +
                        " spacings off the model (median): there will be a step; register it "
                        "better, or let it reach onto unchanged surface");
+  } else if (cloud.shift > shift.max_shift * rim.spacing) {
+    warnings.push_back("its rim lies as if the cloud were moved by " +
+                       rounded(cloud.shift / rim.spacing) + " spacings; register it better");
   }
   return warnings;
 }

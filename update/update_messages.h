@@ -10,6 +10,7 @@
 #include "update/cloud_surface.h"
 #include "update/cut_regions.h"
 #include "update/overlapping_facets.h"
+#include "update/rim_shift.h"
 #include "update/split_regions.h"
 #include "update/unscanned_losses.h"
 #include "update/unused_changes.h"
@@ -58,7 +59,8 @@ std::string warning_of_handles(std::size_t handles);
 // `at`: the place of the farthest vertex; `reach`: UnscannedOptions::reach.
 std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at);
 // What may be wrong with a cloud, or where it lies on the model.
-std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const OverlapOptions& options);
+std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const OverlapOptions& options,
+                                           const ShiftOptions& shift);
 // What is unusual about its surface, but no reason to worry: two of five good updates have some.
 std::vector<std::string> notes_of_surface(const CloudSurface& surface);
 // Of a loop that encloses nothing.

@@ -31,6 +31,7 @@
 #include "update/pin_holes.h"
 #include "update/replace_points.h"
 #include "update/rim_angles.h"
+#include "update/rim_shift.h"
 #include "update/segment_model.h"
 #include "update/shared_edges.h"
 #include "update/split_regions.h"
@@ -61,6 +62,7 @@ struct UpdateOptions {
   OverlookedOptions overlooked;
   UnscannedOptions unscanned;
   UnusedChangeOptions unused_changes;
+  ShiftOptions shift;
   ReconstructOptions reconstruct;  // of the updated model: the defaults for closed models
 };
 

@@ -93,7 +93,9 @@ bool UpdateSteps::find_overlapping_facets(const ModelIndex& index, const Executi
   }
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     report_overlap(c);
-    warn_of_cloud(c, warnings_of_cloud(result_.clouds[c], options_.overlap));
+    CloudReport& report = result_.clouds[c];
+    report.shift = rim_shift(index, report.surface.rim, overlaps_[c], options_.shift);
+    warn_of_cloud(c, warnings_of_cloud(report, options_.overlap, options_.shift));
     if (overlaps_[c].status == OverlapStatus::no_overlap) return fail_no_overlap(c);
   }
   trace_borders(index, execution);
@@ -216,8 +218,11 @@ void UpdateSteps::look_for_losses(const ModelIndex& index) {
   if (result_.unused_changes.is_doubtful(options_.unused_changes)) {
     warn(warning_of_unused_changes(result_.unused_changes));
   }
-  result_.unexplained_handles =
-      unexplained_handles(result_.clouds, result_.euler_before, result_.euler);
+  // To close the holes of an open model changes its Euler number, too.
+  if (!index.has_open_sides()) {
+    result_.unexplained_handles =
+        unexplained_handles(result_.clouds, result_.euler_before, result_.euler);
+  }
   if (result_.unexplained_handles > 0) warn(warning_of_handles(result_.unexplained_handles));
   std::vector<VertexId> lost = lost_vertices(index, result_.replacement, result_.vertex_map,
                                              result_.reconstruction.unused_points == 0);

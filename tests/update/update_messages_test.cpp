@@ -59,13 +59,18 @@ TEST(UpdateMessages, ARimOffTheModelIsSaid) {
   cloud.surface.rim.seam_loops = 3;
   cloud.surface.rim.non_orientable = 1;
   cloud.median_distance = 1.2;
-  EXPECT_TRUE(warnings_of_cloud(cloud, {}).empty());
+  EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
   EXPECT_EQ(notes_of_surface(cloud.surface).size(), 2U);
   cloud.median_distance = 2.5;
-  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}), "1.25 spacings off the model"));
-  EXPECT_TRUE(warnings_of_cloud(cloud, {.step_distance = 1.5}).empty());
+  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "1.25 spacings off the model"));
+  EXPECT_TRUE(warnings_of_cloud(cloud, {.step_distance = 1.5}, {}).empty());
+  cloud.median_distance = 0.2;
+  cloud.shift = 1.4;
+  EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
+  cloud.shift = 1.8;
+  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "as if the cloud were moved by 0.9 spacings"));
   cloud.surface.rim.seamed_loops = 1;
-  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}), "runs along seams"));
+  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "runs along seams"));
 }
 
 }  // namespace
