@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
+#include <set>
 #include <string_view>
 
 #include "io/file_bytes.h"
@@ -74,10 +75,13 @@ bool is_noted(std::span<const std::string> notes, const NotedFile& file) {
 
 NoteCounts count_notes(std::span<const std::string> notes) {
   NoteCounts counts;
+  std::set<std::string_view> refused_names;
   for (const std::string& note : notes) {
-    if (note.starts_with(refused)) ++counts.refused;
+    if (note.starts_with(refused)) refused_names.insert(rest_of(note, 3));
+    if (note.starts_with(applied)) refused_names.erase(rest_of(note, 3));
     if (note.starts_with(applied) || note.starts_with(applied_at_any_time)) ++counts.applied;
   }
+  counts.refused = refused_names.size();
   return counts;
 }
 

@@ -44,7 +44,7 @@ bool is_noted(std::span<const std::string> notes, const NotedFile& file);
 
 struct NoteCounts {
   std::size_t applied = 0;
-  std::size_t refused = 0;
+  std::size_t refused = 0;  // files: each name whose latest note says so
 };
 NoteCounts count_notes(std::span<const std::string> notes);
 

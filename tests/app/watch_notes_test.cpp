@@ -80,11 +80,15 @@ TEST(WatchNotes, AnyNameIsOneLine) {
 }
 
 TEST(WatchNotes, AreCounted) {
-  const NotedFile file = file_of("a.xyz", "c0-6", 7);
-  const NoteCounts counts = count_notes(Notes{"model m", "cloud c0-6 a.xyz", note_of_refused(file),
-                                              note_of_applied(file), note_of_applied(file)});
-  EXPECT_EQ(counts.applied, 3U);
-  EXPECT_EQ(counts.refused, 1U);
+  const NotedFile a = file_of("a.xyz", "c0-6", 7);
+  const NotedFile b = file_of("b.xyz", "c0-6", 7);
+  Notes notes = {"model m",          "cloud c0-6 a.xyz", note_of_refused(a),
+                 note_of_refused(a), note_of_refused(b), note_of_applied(b)};
+  EXPECT_EQ(count_notes(notes).applied, 2U);
+  EXPECT_EQ(count_notes(notes).refused, 1U);
+  notes.push_back(note_of_applied(a));
+  EXPECT_EQ(count_notes(notes).applied, 3U);
+  EXPECT_EQ(count_notes(notes).refused, 0U);
 }
 
 // Session files hold what they hold: no note makes the program fail.
@@ -92,6 +96,7 @@ TEST(WatchNotes, OtherLinesAreNotesOfNoFile) {
   for (const char* note : {"", " ", "applied", "applied ", "refused  ", "cloud ", "cloud x",
                            "applied c0-6", "applied c0-6 7", "applied c0-6 7 "}) {
     EXPECT_FALSE(is_noted(Notes{note}, file_of("a.xyz", "c0-6", 7))) << note;
+    count_notes(Notes{note});
   }
 }
 
