@@ -23,6 +23,7 @@ void put(const TemporaryFolder& folder, const std::string& name, std::chrono::se
 
 std::vector<std::string> names(const std::vector<FolderWatch::CompleteFile>& files) {
   std::vector<std::string> result;
+  result.reserve(files.size());
   for (const auto& file : files) result.push_back(file.path.filename().string());
   return result;
 }

@@ -19,7 +19,7 @@ const PendingCloud refused = {"two", {}, {}, true};
 
 // Each follows those before it.
 std::string save(const TemporaryFolder& folder, const std::vector<PendingCloud>& clouds) {
-  const std::string session = (folder / "s").string();
+  std::string session = (folder / "s").string();
   std::vector<std::string> before = notes;
   for (const PendingCloud& cloud : clouds) {
     FileBatch batch;
