@@ -19,12 +19,12 @@
 #include "app/standard_streams.h"
 #include "app/update_report.h"
 #include "app/updating.h"
+#include "app/watch_notes.h"
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "io/file_bytes.h"
 #include "io/lock_file.h"
 #include "io/mesh_file.h"
-#include "io/summed_file.h"
 
 namespace cocoon::app {
 
@@ -32,19 +32,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What tells one content from another.
-std::string fingerprint(const fs::path& path) {
-  const FileBytes file = read_file(path);
-  return fmt::format("{:016x}-{}", checksum_of(std::string(file.view())), file.size);
-}
+// A file that is a cloud, as it was when it was read.
+struct Drop {
+  NotedFile file;
+  std::string name;  // as messages show it
+  std::vector<std::vector<Point>> clouds;
+  std::chrono::steady_clock::time_point start;
+};
 
-// The first note of a session says which model it began with, the others which clouds it holds.
-std::string note_of_model(const WatchArguments& arguments) {
-  const std::string note = "model " + fingerprint(arguments.model);
-  return arguments.densify ? fmt::format("{} densify {}", note, *arguments.densify) : note;
-}
-std::string note_of_cloud(const fs::path& path) {
-  return "cloud " + fingerprint(path) + " " + display_name(path.filename());
+bool has_changed_since(const FolderWatch::CompleteFile& file) {
+  std::error_code gone;
+  const fs::file_time_type changed = fs::last_write_time(file.path, gone);
+  return !gone && changed != file.changed;
 }
 
 class Watch {
@@ -73,8 +72,8 @@ class Watch {
   void follow_folder() {
     FolderWatch folder(arguments_.folder, to_milliseconds(arguments_.settle), own_files());
     for (;;) {
-      for (const fs::path& path : folder.poll()) {
-        look_at(path);
+      for (const FolderWatch::CompleteFile& file : folder.poll()) {
+        look_at(file);
         if (interrupted()) return;
       }
       if (folder.waiting() == 0) tell_findings();
@@ -112,7 +111,7 @@ class Watch {
 
   // From where the last run stopped, or from the model.
   void begin() {
-    const std::string first_note = note_of_model(arguments_);
+    const std::string first_note = note_of_model(arguments_.model, arguments_.densify);
     if (fs::exists(session_file_)) {
       SavedSession saved = load_session(session_file_, {job_.execution().threads});
       if (saved.notes.empty() || saved.notes.front() != first_note) {
@@ -127,8 +126,13 @@ class Watch {
       resume_session(session_file_, std::move(saved), arguments_.parameters,
                      {job_.execution().threads}, state_);
       write_mesh(arguments_.mesh, model(), {.ascii = arguments_.ascii});
-      say(fmt::format("{}: resumed with {} applied", session_file_,
-                      counted(state_.notes.size() - 1, "cloud")));
+      const NoteCounts noted = count_notes(state_.notes);
+      std::string line = fmt::format("{}: resumed with {} applied", session_file_,
+                                     counted(noted.applied, "cloud"));
+      if (noted.refused > 0) {
+        line += fmt::format(", {} refused that will not be tried again", noted.refused);
+      }
+      say(line);
     } else {
       begin_with_model();
       state_.notes = {first_note};
@@ -170,7 +174,8 @@ class Watch {
     state_.pending = 0;
   }
 
-  // After a cloud was applied: the same with the cloud in place of the session, as a rule.
+  // After a cloud was applied or refused: the same with the cloud in place of the session, as a
+  // rule.
   void keep(PendingCloud cloud) {
     if (state_.pending + 1 >= arguments_.save_every) {
       state_.notes.push_back(std::move(cloud.note));
@@ -178,57 +183,74 @@ class Watch {
     }
     FileBatch outputs;
     save_pending_cloud(session_file_, state_.notes, cloud, outputs);
-    write_mesh(arguments_.mesh, model(), {.ascii = arguments_.ascii}, &outputs);
+    if (!cloud.refused) {
+      write_mesh(arguments_.mesh, model(), {.ascii = arguments_.ascii}, &outputs);
+    }
     outputs.commit();
     state_.notes.push_back(std::move(cloud.note));
     ++state_.pending;
   }
 
-  // One line whatever happens to the cloud; what happens to our own files ends the command.
-  void look_at(const fs::path& path) {
-    const std::string name = display_name(path.filename());
-    const auto start = std::chrono::steady_clock::now();
-    std::string note;
-    std::vector<std::vector<Point>> clouds;
+  // One line whatever happens to the cloud, unless it was looked at before the program began; what
+  // happens to our own files ends the command.
+  void look_at(const FolderWatch::CompleteFile& file) {
+    Drop drop;
+    drop.start = std::chrono::steady_clock::now();
+    drop.name = display_name(file.path.filename());
+    try {
+      drop.file = noted_file(file.path, file.changed);
+      if (file.was_there && is_noted(state_.notes, drop.file)) {
+        ++known_;
+        return;
+      }
+      drop.clouds.push_back(read_cloud(job_, file.path.string(), "input"));
+    } catch (const Cancelled&) {
+      return;  // the interrupt
+    } catch (const Error& error) {
+      return refuse(drop.name, error.what());
+    }
+    // Written while it was read: once complete it will be told of again.
+    if (!has_changed_since(file)) apply(std::move(drop));
+  }
+
+  void apply(Drop drop) {
     StraySamples strays;
     SessionUpdate update;
     const std::size_t local_before = state_.session->local_changes();
     try {
-      note = note_of_cloud(path);
-      if (std::find(state_.notes.begin(), state_.notes.end(), note) != state_.notes.end()) {
-        ++known_;
-        return;
-      }
-      clouds.push_back(read_cloud(job_, path.string(), "input"));
       if (filter_) {
-        strays = leave_out_strays(name, clouds[0], *filter_, {job_.execution().threads});
+        strays = leave_out_strays(drop.name, drop.clouds[0], *filter_, {job_.execution().threads});
       }
-      update = state_.session->apply(clouds, job_.execution());
+      update = state_.session->apply(drop.clouds, job_.execution());
     } catch (const Cancelled&) {
       return;  // the interrupt; the session is as it was
     } catch (const Error& error) {
-      return refuse(name, error.what());
+      return refuse(drop, error.what());
     }
-    if (update.result.status != UpdateStatus::ok) return refuse(name, update.result.message);
+    if (update.result.status != UpdateStatus::ok) return refuse(drop, update.result.message);
     // Where the surface is certain, and of all samples, there is nothing to find.
     const ReconstructResult& surface = update.result.reconstruction;
     if (state_.session->local_changes() == local_before || surface.unused_points > 0 ||
         surface.counters.boundary_samples > 0) {
       findings_are_due_ = true;
     }
-    keep({std::move(note), std::move(clouds[0]), arguments_.parameters.rho});
+    keep({note_of_applied(drop.file), std::move(drop.clouds[0]), arguments_.parameters.rho});
     ++applied_;
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    tell_applied(drop, update, strays);
+  }
+
+  void tell_applied(const Drop& drop, const SessionUpdate& update, const StraySamples& strays) {
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - drop.start;
     std::string line =
-        fmt::format("{}: {} points for {} of the model, {} triangles new, {} gone, {:.2f} s", name,
-                    update.result.reconstruction.points - update.result.replacement.kept,
+        fmt::format("{}: {} points for {} of the model, {} triangles new, {} gone, {:.2f} s",
+                    drop.name, update.result.reconstruction.points - update.result.replacement.kept,
                     update.result.replacement.replaced, update.change.added.size(),
                     update.change.removed.size(), time.count());
     const std::string topology = topology_change(update.result);
     if (!topology.empty()) line += "; " + topology;
     if (filter_) line += fmt::format("; {} left out as noise", told_strays(strays));
     for (const std::string& warning : update.result.warnings) {
-      line += "; warning: " + with_cloud_names(warning, {name});
+      line += "; warning: " + with_cloud_names(warning, {drop.name});
     }
     say(line);
   }
@@ -250,9 +272,16 @@ class Watch {
     flush_output();
   }
 
+  // What could not even be read is not noted: it changes nothing when it is tried again.
   void refuse(const std::string& name, const std::string& why) {
     ++refused_;
     say(fmt::format("{}: not applied: {}", name, with_cloud_names(why, {name})));
+  }
+
+  // Killed before the note is kept, the program tries the cloud again on the same model.
+  void refuse(const Drop& drop, const std::string& why) {
+    refuse(drop.name, why);
+    keep({note_of_refused(drop.file), {}, arguments_.parameters.rho, true});
   }
 
   // False if it is time to stop.

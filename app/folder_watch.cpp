@@ -1,6 +1,7 @@
 #include "app/folder_watch.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "app/files.h"
@@ -29,7 +30,7 @@ bool FolderWatch::is_no_cloud(const fs::path& path) const {
   return std::find(no_clouds_.begin(), no_clouds_.end(), place_of(path)) != no_clouds_.end();
 }
 
-std::vector<fs::path> FolderWatch::poll() {
+std::vector<FolderWatch::CompleteFile> FolderWatch::poll() {
   std::error_code error;
   fs::directory_iterator entries(folder_, error);
   if (error) {
@@ -38,7 +39,7 @@ std::vector<fs::path> FolderWatch::poll() {
   const auto now = fs::file_time_type::clock::now();
   const auto seen_now = std::chrono::steady_clock::now();
   std::map<fs::path, Seen> seen;
-  std::vector<std::pair<fs::file_time_type, fs::path>> complete;
+  std::vector<CompleteFile> complete;
   waiting_ = 0;
   for (; entries != fs::directory_iterator(); entries.increment(error)) {
     const fs::path path = entries->path();
@@ -50,6 +51,7 @@ std::vector<fs::path> FolderWatch::poll() {
     const auto before = seen_.find(path);
     const bool same = before != seen_.end() && before->second.size == file.size &&
                       before->second.changed == file.changed;
+    file.was_there = same ? before->second.was_there : is_first_poll_;
     file.reported = same && before->second.reported;
     if (same) file.since = before->second.since;
     file.is_no_cloud = before != seen_.end() ? before->second.is_no_cloud : is_no_cloud(path);
@@ -57,7 +59,7 @@ std::vector<fs::path> FolderWatch::poll() {
       // The clock that gave the file its time may be ahead.
       if (same && (now - file.changed >= settle_ || seen_now - file.since >= settle_)) {
         file.reported = true;
-        complete.emplace_back(file.changed, path);
+        complete.push_back({path, file.changed, file.was_there});
       } else {
         ++waiting_;
       }
@@ -65,11 +67,11 @@ std::vector<fs::path> FolderWatch::poll() {
     seen.emplace(path, file);
   }
   seen_ = std::move(seen);
-  std::sort(complete.begin(), complete.end());
-  std::vector<fs::path> paths;
-  paths.reserve(complete.size());
-  for (auto& [changed, path] : complete) paths.push_back(std::move(path));
-  return paths;
+  is_first_poll_ = false;
+  std::sort(complete.begin(), complete.end(), [](const CompleteFile& a, const CompleteFile& b) {
+    return std::tie(a.changed, a.path) < std::tie(b.changed, b.path);
+  });
+  return complete;
 }
 
 }  // namespace cocoon::app

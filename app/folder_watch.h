@@ -16,13 +16,19 @@ namespace cocoon::app {
 // later, or comes again under its old name, is a new one.
 class FolderWatch {
  public:
+  struct CompleteFile {
+    std::filesystem::path path;
+    std::filesystem::file_time_type changed;
+    bool was_there = false;  // at the first poll, with that length and time
+  };
+
   // `no_clouds`: files that are not looked at either, wherever they lie, by any name.
   FolderWatch(std::filesystem::path folder, std::chrono::milliseconds settle,
               const std::vector<std::filesystem::path>& no_clouds = {});
 
   // The files that have become complete, the earliest changed first, then by name; each once.
   // Throws FileError if the folder cannot be read.
-  std::vector<std::filesystem::path> poll();
+  std::vector<CompleteFile> poll();
   // Files seen that are not complete yet.
   std::size_t waiting() const { return waiting_; }
 
@@ -31,6 +37,7 @@ class FolderWatch {
     std::uintmax_t size = 0;
     std::filesystem::file_time_type changed;
     std::chrono::steady_clock::time_point since;  // seen with that size and time
+    bool was_there = false;
     bool reported = false;
     bool is_no_cloud = false;
   };
@@ -41,6 +48,7 @@ class FolderWatch {
   std::vector<std::filesystem::path> no_clouds_;  // their places (files.h)
   std::map<std::filesystem::path, Seen> seen_;
   std::size_t waiting_ = 0;
+  bool is_first_poll_ = true;
 };
 
 }  // namespace cocoon::app

@@ -17,8 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view magic = "COCOONCL";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
+constexpr std::uint32_t oldest_version = 1;
 constexpr std::size_t header_size = 48;
+
+enum Bits : std::uint32_t { has_rho = 1, is_refused = 2 };
 
 // What stands for the notes before a cloud.
 std::uint64_t history_of(std::span<const std::string> notes) {
@@ -35,12 +38,13 @@ PendingCloud load_pending_cloud(const fs::path& path, std::span<const std::strin
                       "cloud into the folder again");
   };
   if (magic.size() + file.left() < header_size) throw damaged();
-  if (const auto found = file.next<std::uint32_t>(); found != version) {
-    throw file_error(path, fmt::format("cloud of a session of version {}, but only version {} can "
-                                       "be read; finish it with the program that wrote it",
-                                       found, version));
+  if (const auto found = file.next<std::uint32_t>(); found < oldest_version || found > version) {
+    throw file_error(path,
+                     fmt::format("cloud of a session of version {}, but only versions {} to {} "
+                                 "can be read; finish it with the program that wrote it",
+                                 found, oldest_version, version));
   }
-  const bool has_rho = file.next<std::uint32_t>() != 0;
+  const auto bits = file.next<std::uint32_t>();
   const auto rho = file.next<double>();
   const auto history = file.next<std::uint64_t>();
   const auto note_bytes = file.next<std::uint64_t>();
@@ -51,7 +55,9 @@ PendingCloud load_pending_cloud(const fs::path& path, std::span<const std::strin
     throw damaged();
   }
   PendingCloud cloud;
-  if (has_rho) cloud.rho = rho;
+  if ((bits & has_rho) != 0) cloud.rho = rho;
+  cloud.refused = (bits & is_refused) != 0;
+  if (cloud.refused && points > 0) throw damaged();
   cloud.points.resize(points);
   file.fill<double>(std::span(cloud.points));
   cloud.note = file.take(note_bytes);
@@ -74,7 +80,7 @@ void save_pending_cloud(const std::string& session, std::span<const std::string>
   SummedFile file(pending_cloud_file(session, notes.size()));
   file.append(magic);
   file.append(version);
-  file.append(std::uint32_t{cloud.rho ? 1U : 0U});
+  file.append((cloud.rho ? has_rho : 0U) | (cloud.refused ? is_refused : 0U));
   file.append(cloud.rho.value_or(0));
   file.append(history_of(notes));
   file.append(std::uint64_t{cloud.note.size()});
@@ -134,6 +140,10 @@ void resume_session(const std::string& path, SavedSession saved, const SurfaceAr
   resumed.pending = clouds.size();
   take_up(std::move(saved.snapshot), clouds.empty() ? parameters.rho : clouds.front().rho);
   for (const PendingCloud& cloud : clouds) {
+    if (cloud.refused) {
+      resumed.notes.push_back(cloud.note);
+      continue;
+    }
     if (cloud.rho != arguments.rho) take_up(resumed.session->snapshot(), cloud.rho);
     const std::vector<std::vector<Point>> points{cloud.points};
     const UpdateResult result = resumed.session->apply(points, execution).result;

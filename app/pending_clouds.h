@@ -1,13 +1,14 @@
 // Clouds that were applied to a session since its file was written: a small file for each beside
-// it, so that to keep a cloud costs what the cloud costs, and not what the model does.
+// it, so that to keep a cloud costs what the cloud costs, and not what the model does. Of a cloud
+// that was refused the note alone is kept.
 //
 //   SESSION.cloud-K  the session had K notes (session_file.h) before this cloud was applied
 //   bytes            content (all numbers little-endian)
 //   8                "COCOONCL"
-//   4, 4             version (1); 1 = rho was given
+//   4, 4             version (2; 1 knows no refused clouds); bits: 1 = rho was given, 2 = refused
 //   8                rho, 64-bit floating point
 //   8                what stands for the K notes: the checksum of their text
-//   8, 8             bytes of the note on this cloud, number of points k
+//   8, 8             bytes of the note on this cloud, number of points k (0 if refused)
 //   24 k             coordinates
 //                    the note; zero bytes up to a multiple of 8
 //   8                checksum (io/summed_file.h)
@@ -34,6 +35,7 @@ struct PendingCloud {
   std::string note;
   std::vector<Point> points;
   std::optional<double> rho;  // that it was applied with
+  bool refused = false;       // it was not applied, and there are no points
 };
 
 // Its name: SESSION.cloud-K.
@@ -56,7 +58,7 @@ struct ResumedSession {
   std::optional<UpdateSession> session;
   SurfaceArguments parameters;  // the session's own
   std::vector<std::string> notes;
-  std::size_t pending = 0;  // clouds that are not in the file
+  std::size_t pending = 0;  // notes that are not in the file
 };
 
 // Takes up a session with its pending clouds; `rho` and `verify` of `parameters` hold for updates

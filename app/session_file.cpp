@@ -14,7 +14,8 @@ namespace cocoon::app {
 namespace {
 
 constexpr std::string_view magic = "COCOONUS";
-constexpr std::uint32_t version = 3;
+constexpr std::uint32_t version = 4;
+constexpr std::uint32_t oldest_version = 3;
 constexpr std::size_t header_size = 88;
 
 enum Bits : std::uint32_t {
@@ -136,9 +137,10 @@ Header read_header(SummedReader& file) {
     throw file_error(file.path(),
                      "the file ends inside its header: it was cut off; make the session again");
   }
-  if (const auto found = file.next<std::uint32_t>(); found != version) {
+  if (const auto found = file.next<std::uint32_t>(); found < oldest_version || found > version) {
     throw file_error(file.path(), "session file of version " + std::to_string(found) +
-                                      ", but only version " + std::to_string(version) +
+                                      ", but only versions " + std::to_string(oldest_version) +
+                                      " to " + std::to_string(version) +
                                       " can be read; make the session again");
   }
   Header header;

@@ -2,8 +2,9 @@
 //
 //   bytes          content (all numbers little-endian)
 //   8              "COCOONUS"
-//   4, 4           version (3); bits: 1 = paper mode, 2, 4, 8 = the following angles were given,
-//                  16 = the surface is certified (cocone/certified_surface.h)
+//   4, 4           version (4; 3 differs in what `watch` notes, watch_notes.h, and is read, too);
+//                  bits: 1 = paper mode, 2, 4, 8 = the following angles were given, 16 = the
+//                  surface is certified (cocone/certified_surface.h)
 //   8, 8, 8        alpha, cocone angle, sharp angle in degrees, 64-bit floating point
 //   8, 8, 8        numbers of model vertices n, triangles t, points k
 //   8, 8, 8        bytes of the notes, of the triangulation, and of what is known of its surface

@@ -21,9 +21,10 @@ void put(const TemporaryFolder& folder, const std::string& name, std::chrono::se
   std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now() - ago);
 }
 
-std::vector<std::string> names(const std::vector<std::filesystem::path>& paths) {
+std::vector<std::string> names(const std::vector<FolderWatch::CompleteFile>& files) {
   std::vector<std::string> result;
-  for (const auto& path : paths) result.push_back(path.filename().string());
+  result.reserve(files.size());
+  for (const auto& file : files) result.push_back(file.path.filename().string());
   return result;
 }
 
@@ -107,6 +108,31 @@ TEST(FolderWatch, AFileThatChangesIsANewOne) {
   EXPECT_EQ(names(watch.poll()), Names{});
   put(folder, "a.xyz", 60s);
   expect_new();
+}
+
+// What the first poll saw was there before; what changes or comes after it was not.
+TEST(FolderWatch, TellsWhatWasThereBefore) {
+  const TemporaryFolder folder;
+  for (const char* name : {"gone.xyz", "stays.xyz", "written.xyz"}) put(folder, name, 60s);
+  FolderWatch watch(folder.path(), 10s);
+  watch.poll();
+  put(folder, "late.xyz", 60s);
+  put(folder, "written.xyz", 50s);
+  const std::filesystem::path gone = folder / "gone.xyz";
+  std::filesystem::rename(gone, folder / "elsewhere");
+  const auto first = watch.poll();
+  ASSERT_EQ(names(first), Names{"stays.xyz"});
+  EXPECT_TRUE(first[0].was_there);
+  EXPECT_EQ(first[0].changed, std::filesystem::last_write_time(folder / "stays.xyz"));
+  std::filesystem::rename(folder / "elsewhere", gone);
+  std::vector<std::string> later;
+  for (int poll = 0; poll < 2; ++poll) {
+    for (const auto& file : watch.poll()) {
+      EXPECT_FALSE(file.was_there) << file.path;
+      later.push_back(file.path.filename().string());
+    }
+  }
+  EXPECT_EQ(later, (Names{"late.xyz", "written.xyz", "gone.xyz"}));
 }
 
 TEST(FolderWatch, OtherFilesAreNotLookedAt) {

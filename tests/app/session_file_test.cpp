@@ -2,8 +2,13 @@
 
 #include <functional>
 #include <gtest/gtest.h>
+#include <string>
 #include <vector>
 
+#include "geom/errors.h"
+#include "io/byte_order.h"
+#include "io/file_bytes.h"
+#include "io/summed_file.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/io/temporary_folder.h"
 
@@ -45,6 +50,30 @@ TEST(SessionFile, KeepsParametersAndNotes) {
     EXPECT_TRUE(same_parameters(loaded.parameters, session.parameters));
     EXPECT_EQ(loaded.notes, session.notes);
     EXPECT_EQ(loaded.snapshot.points, session.snapshot.points);
+  }
+}
+
+// With the checksum that belongs to it.
+std::string with_version(std::string bytes, char version) {
+  bytes[8] = version;
+  bytes.resize(bytes.size() - checksum_size);
+  append_little_endian(bytes, checksum_of(bytes));
+  return bytes;
+}
+
+TEST(SessionFile, VersionsBeforeAreReadAndOthersRefused) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "session").string();
+  SavedSession session;
+  session.snapshot.points = shapes::sphere(4, 1);
+  session.notes = {"cloud of before"};
+  save_session(path, session);
+  const std::string bytes(read_file(path).view());
+  folder.write("session", with_version(bytes, 3));
+  EXPECT_EQ(load_session(path).notes, session.notes);
+  for (const char version : {'\x02', '\x05'}) {
+    folder.write("session", with_version(bytes, version));
+    EXPECT_THROW(load_session(path), FileError) << static_cast<int>(version);
   }
 }
 

@@ -3,12 +3,12 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 
+#include "tests/end_to_end/watched_folder.h"
 #include "tests/run_program.h"
 #include "tests/test_clouds.h"
 
@@ -17,34 +17,15 @@ namespace {
 using cocoon::test::content_of;
 using cocoon::test::crumb;
 using cocoon::test::expect_error;
+using cocoon::test::north;
 using cocoon::test::ProgramRun;
 using cocoon::test::run_program;
 using cocoon::test::RunningProgram;
-using cocoon::test::sphere_cap;
+using cocoon::test::south;
 using cocoon::test::TemporaryFolder;
+using cocoon::test::wait_for;
+using cocoon::test::Watched;
 using cocoon::test::whole_sphere;
-
-// The south pole's cap: the other end of the sphere.
-std::string south_cap(std::size_t n, double reach, double bump) {
-  std::string text;
-  std::istringstream lines(sphere_cap(n, reach, bump));
-  double x = 0;
-  double y = 0;
-  double z = 0;
-  while (lines >> x >> y >> z) text += cocoon::test::point_line(x, -y, -z);
-  return text;
-}
-
-const std::string north = sphere_cap(4000, 0.8, 0.2);
-const std::string south = south_cap(4000, 0.8, -0.2);
-
-bool wait_for(const std::function<bool()>& condition) {
-  for (int i = 0; i < 6000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
 
 TEST(Session, UpdatesAsTheMeshAloneDoes) {
   const TemporaryFolder folder;
@@ -125,44 +106,6 @@ TEST(Session, DamagedFilesAreRefused) {
   }
   refused(good + "01234567");
 }
-
-struct Watched {
-  TemporaryFolder folder;
-  std::string drop = folder.file("drop");
-  std::string mesh = folder.file("out.ply");
-  std::vector<std::string> arguments;
-
-  Watched() {
-    std::filesystem::create_directory(drop);
-    arguments = {"watch", folder.write("points.xyz", whole_sphere(1500)),
-                 drop,    "-o",
-                 mesh,    "--poll",
-                 "0.02",  "--settle",
-                 "0.05",  "--threads",
-                 "1"};
-  }
-  // As a careful scanner does: complete when it appears.
-  void put(const std::string& name, const std::string& content) const {
-    const std::string part = folder.write("part", content);
-    std::filesystem::rename(part, drop + "/" + name);
-  }
-  std::vector<std::string> once() const {
-    std::vector<std::string> once = arguments;
-    once.push_back("--once");
-    return once;
-  }
-  // What two updates of the program itself give.
-  std::string expected(const std::vector<std::string>& clouds) const {
-    std::string model = arguments[1];
-    for (std::size_t k = 0; k < clouds.size(); ++k) {
-      const std::string next = folder.file("expected" + std::to_string(k) + ".ply");
-      const std::string cloud = folder.write("expected.xyz", clouds[k]);
-      EXPECT_EQ(run_program({"update", model, cloud, "-o", next}).exit_code, 0);
-      model = next;
-    }
-    return content_of(model);
-  }
-};
 
 TEST(Watch, AppliesWhatIsThereAndGoesOn) {
   const Watched watched;

@@ -28,6 +28,7 @@ void check_pending_cloud(const TemporaryFolder& folder) {
       app::load_pending_clouds((folder / "b.session").string(), {}).at(0);
   require(again.note == clouds[0].note, "the note reads back");
   require(again.rho.has_value() == clouds[0].rho.has_value(), "so does whether rho was given");
+  require(again.refused == clouds[0].refused, "and whether it was refused");
   const auto same_bits = [](const Point& a, const Point& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
   };
