@@ -114,6 +114,12 @@ TEST(Thresholds, OfTheNoiseFilterReachIt) {
   const Json skin = noise({"--noise-skin-only"});
   EXPECT_EQ(skin["noise"]["good_samples"], 0);
   EXPECT_EQ(skin["parameters"]["noise_keep_good"], false);
+  EXPECT_EQ(skin["parameters"]["noise_spare_good"], true);
+  const std::vector<std::string> some_row{"--noise-outlier-ratio", "1"};
+  EXPECT_GT(noise(some_row)["noise"]["spared_samples"], 0);
+  const Json by_spacing = noise({"--noise-outlier-ratio", "1", "--noise-spacing-only"});
+  EXPECT_EQ(by_spacing["noise"]["spared_samples"], 0);
+  EXPECT_EQ(by_spacing["parameters"]["noise_spare_good"], false);
   expect_error(
       run_program({"reconstruct", cloud, "-o", folder.file("m.ply"), "--noise-large-ratio", "3"}),
       2, "--noise-large-ratio needs --noise robust");
