@@ -81,8 +81,8 @@ OutlierRounds compare_with_plain_rounds(const std::vector<Point>& points, bool s
       spared[v] = is_spared(first.triangulation.point(v), true) ? 1 : 0;
     }
   }
-  const OutlierRounds rounds = outlier_rounds(
-      std::move(first.triangulation), std::move(first.spacing), first.outliers, spared, options);
+  OutlierRounds rounds = outlier_rounds(std::move(first.triangulation), std::move(first.spacing),
+                                        first.outliers, spared, options);
   std::vector<Point> rest;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (rounds.out[vertex_of_point[PointId(i)]] == 0) rest.push_back(points[i]);

@@ -242,7 +242,7 @@ TEST(RobustCocone, SparesAsTheTwinOnCgal) {
   const Dual dual = voronoi_dual(triangulation);
   const ReconstructOptions options;
   const RoughSurface surface(triangulation, dual, options);
-  const auto vertex_of_point = triangulation.vertex_of_point();
+  const IdVector<PointId, VertexId>& vertex_of_point = triangulation.vertex_of_point();
   IdVector<PointId, std::uint8_t> spared(points.size(), 0);
   for (const PointId p : spared.ids()) spared[p] = surface.good()[vertex_of_point[p]];
 
