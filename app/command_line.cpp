@@ -157,6 +157,10 @@ void add_stages_of_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
   app.add_flag("!--noise-skin-only", arguments.noise_keep_good,
                "Leave out all samples off the outer skin, as published: good ones, too")
       ->group(noise);
+  app.add_flag("!--noise-spacing-only", arguments.noise_spare_good,
+               "Tell outliers by their spacing alone, also where the surface of all samples "
+               "surrounds them")
+      ->group(noise);
   for (const ThresholdUse use : {ThresholdUse::outliers, ThresholdUse::noise}) {
     add_thresholds_of(app, use, arguments.thresholds, noise);
   }

@@ -67,6 +67,7 @@ struct ReconstructArguments {
   bool cavities = false;                     // kept, in robust mode
   bool clean_up = true;                      // after the peel, in robust mode
   bool noise_keep_good = true;               // of the noise filter
+  bool noise_spare_good = true;              // of the same
   std::map<std::string, double> thresholds;  // those given, by name (thresholds.h)
 };
 

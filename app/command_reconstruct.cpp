@@ -39,6 +39,7 @@ void require_possible_noise_filter(const ReconstructArguments& arguments) {
   if (arguments.noise == "none") {
     std::vector<std::string> given;
     if (!arguments.noise_keep_good) given.push_back("--noise-skin-only");
+    if (!arguments.noise_spare_good) given.push_back("--noise-spacing-only");
     append_thresholds(ThresholdUse::outliers, arguments, given);
     append_thresholds(ThresholdUse::noise, arguments, given);
     if (given.empty()) return;
@@ -97,6 +98,7 @@ StageOptions options_of(const ReconstructArguments& arguments) {
   options.surface.clean_up.enabled = arguments.clean_up;
   options.surface.keep_cavities = arguments.cavities;
   options.noise.keep_good = arguments.noise_keep_good;
+  options.noise.spare_good = arguments.noise_spare_good;
   set_thresholds(options, arguments.thresholds);
   return options;
 }
@@ -110,6 +112,7 @@ void add_stages(JsonReport& report, const ReconstructArguments& arguments,
     add_thresholds(report, ThresholdUse::outliers, options);
     add_thresholds(report, ThresholdUse::noise, options);
     report.set("parameters/noise_keep_good", options.noise.keep_good);
+    report.set("parameters/noise_spare_good", options.noise.spare_good);
   }
   if (arguments.surface != "tight") return;
   add_thresholds(report, ThresholdUse::tight, options);

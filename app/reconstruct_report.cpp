@@ -120,6 +120,7 @@ void add_reconstruction(JsonReport& report, const ReconstructResult& result,
 void add_noise(JsonReport& report, const NoiseCounters& noise) {
   report.set("noise/outliers", noise.outliers);
   report.set("noise/outlier_rounds", noise.outlier_rounds);
+  report.set("noise/spared_samples", noise.spared_samples);
   report.set("noise/large_cells", noise.large_cells);
   report.set("noise/outer_cells", noise.outer_cells);
   report.set("noise/inner_cells", noise.inner_cells);

@@ -25,8 +25,12 @@ namespace cocoon {
 
 // Chosen on the noise table of the quality benchmark (bench/README.md).
 struct NoiseOptions {
-  std::size_t neighbors = 3;    // edges that make the spacing of a sample
-  double outlier_ratio = 3;     // above 4 outliers near the surface stay
+  std::size_t neighbors = 3;  // edges that make the spacing of a sample
+  double outlier_ratio = 3;   // above 4 outliers near the surface stay
+  // Samples that the Cocone surface of all samples surrounds by one disk are no outliers, in no
+  // round. Without this a sparse region beside a dense one goes, row after row. False: outliers are
+  // told by spacing alone.
+  bool spare_good = true;
   double large_ratio = 1.7;     // larger: thinner skin, smoother, but narrow gaps close
   double deep_cosine = 0.7071;  // cosine of deep_angle, 45 degrees
   // Samples that the Cocone surface of the layer surrounds by one disk stay, on the skin or not: so

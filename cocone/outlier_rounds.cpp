@@ -25,26 +25,39 @@ std::vector<VertexId> flagged(const VertexSet& set) {
 
 class Rounds {
  public:
-  Rounds(Triangulation triangulation, IdVector<VertexId, double> spacing,
+  Rounds(Triangulation triangulation, IdVector<VertexId, double> spacing, const VertexSet& spared,
          const NoiseOptions& options, const Execution& execution)
       : options_(options),
         execution_(execution),
+        spared_(spared),
+        told_(spared.size(), 0),
         delaunay_(std::move(triangulation)),
         spacing_(std::move(spacing)) {}
 
-  OutlierRounds run(VertexSet first) {
+  OutlierRounds run(const VertexSet& first) {
+    OutlierRounds result{VertexSet(first.size(), 0)};
     std::vector<VertexId> now = flagged(first);
-    OutlierRounds result{std::move(first), now.size(), 1};
-    while (!now.empty()) {
-      now = outliers_at(remove(now, result.count).created);
+    for (result.rounds = 1;; ++result.rounds) {
+      result.spared += take_out_spared(now);
+      if (now.empty()) return result;
       for (const VertexId v : now) result.out[v] = 1;
       result.count += now.size();
-      ++result.rounds;
+      now = outliers_at(remove(now, result.count).created);
     }
-    return result;
   }
 
  private:
+  // From outliers; returns how many of these have not been told before.
+  std::size_t take_out_spared(std::vector<VertexId>& outliers) {
+    std::size_t spared = 0;
+    std::erase_if(outliers, [&](VertexId v) {
+      if (spared_.empty() || spared_[v] == 0) return false;
+      spared += std::exchange(told_[v], 1) == 0 ? 1U : 0U;
+      return true;
+    });
+    return spared;
+  }
+
   // `count`: all outliers so far, for the message.
   DelaunayChange remove(std::span<const VertexId> outliers, std::size_t count) {
     try {
@@ -92,6 +105,8 @@ class Rounds {
 
   const NoiseOptions& options_;
   const Execution& execution_;
+  const VertexSet& spared_;
+  VertexSet told_;  // 1 = spared, and an outlier of some round
   DynamicDelaunay delaunay_;
   IdVector<VertexId, double> spacing_;
   SpacingBuffer shortest_;
@@ -100,10 +115,10 @@ class Rounds {
 }  // namespace
 
 OutlierRounds outlier_rounds(Triangulation triangulation, IdVector<VertexId, double> spacing,
-                             VertexSet first, const NoiseOptions& options,
-                             const Execution& execution) {
-  return Rounds(std::move(triangulation), std::move(spacing), options, execution)
-      .run(std::move(first));
+                             const VertexSet& first, const VertexSet& spared,
+                             const NoiseOptions& options, const Execution& execution) {
+  return Rounds(std::move(triangulation), std::move(spacing), spared, options, execution)
+      .run(first);
 }
 
 }  // namespace cocoon

@@ -1,6 +1,5 @@
 #include "cocone/remaining_samples.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "cocone/outlier_rounds.h"
@@ -44,16 +43,28 @@ void RemainingSamples::leave_out(const VertexSet& out,
   inputs_ = std::move(inputs);
 }
 
-RemainingSamples::Outliers RemainingSamples::leave_out_outliers() {
-  VertexSet first =
-      outlier_samples(triangulation_, stars_, spacing_, noise_.outlier_ratio, execution_);
-  if (std::find(first.begin(), first.end(), 1) == first.end()) return {};
+VertexSet RemainingSamples::outliers() const {
+  return outlier_samples(triangulation_, stars_, spacing_, noise_.outlier_ratio, execution_);
+}
+
+RemainingSamples::Outliers RemainingSamples::leave_out_outliers(const VertexSet& first,
+                                                                const VertexSet& spared) {
+  // Without one that goes there are no rounds, for which the triangulation would be used up.
+  Outliers none;
+  bool any_goes = false;
+  for (const VertexId v : first.ids()) {
+    if (first[v] == 0) continue;
+    const bool stays = !spared.empty() && spared[v] != 0;
+    none.spared += stays ? 1U : 0U;
+    any_goes |= !stays;
+  }
+  if (!any_goes) return none;
   const IdVector<PointId, VertexId> vertex_of_point = triangulation_.vertex_of_point();
   const OutlierRounds outliers = outlier_rounds(std::move(triangulation_), std::move(spacing_),
-                                                std::move(first), noise_, execution_);
+                                                first, spared, noise_, execution_);
   leave_out(outliers.out, vertex_of_point);
   triangulate();
-  return {outliers.count, outliers.rounds};
+  return {outliers.count, outliers.spared, outliers.rounds};
 }
 
 }  // namespace cocoon

@@ -35,13 +35,17 @@ class RemainingSamples {
   // Triangulates what remains. Errors: InputError if that does not span space.
   void triangulate();
 
+  // 1 = outlier (outlier_samples) of the samples when they were last triangulated.
+  VertexSet outliers() const;
   struct Outliers {
-    std::size_t count = 0;
+    std::size_t count = 0;   // left out
+    std::size_t spared = 0;  // not left out
     std::size_t rounds = 1;
   };
-  // Leaves out outliers until there are none (outlier_rounds.h), and triangulates again if there
-  // were any. Errors: InputError if what is left does not span space.
-  Outliers leave_out_outliers();
+  // Leaves out the first outliers, as from outliers(), and others until there are none, but none of
+  // those with spared[v] = 1 (outlier_rounds.h); and triangulates again if any went. Errors:
+  // InputError if what is left does not span space.
+  Outliers leave_out_outliers(const VertexSet& first, const VertexSet& spared = {});
 
  private:
   void leave_out(const VertexSet& out, const IdVector<PointId, VertexId>& vertex_of_point);

@@ -1,49 +1,16 @@
 #include "cocone/robust_cocone.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "cocone/boundary_samples.h"
-#include "cocone/candidate_triangles.h"
-#include "cocone/clean_up_cells.h"
-#include "cocone/cocones.h"
-#include "cocone/extract_manifold.h"
-#include "cocone/mark_cells.h"
-#include "cocone/peel_cells.h"
-#include "cocone/prune_sharp_edges.h"
 #include "cocone/remaining_samples.h"
+#include "cocone/rough_surface.h"
 #include "delaunay/voronoi_dual.h"
 
 namespace cocoon {
 namespace {
-
-// Of all samples, the layer included; closed only if asked for.
-struct RoughSurface {
-  VertexSet good;                          // one disk of the Cocone surface around them
-  IdVector<CellId, std::uint8_t> outside;  // 1 = outside the closed surface; empty if there is none
-};
-
-RoughSurface rough_surface(const Triangulation& triangulation, const Dual& dual, bool closed,
-                           const ReconstructOptions& options, const Execution& execution) {
-  ConeSides sides;
-  const Poles poles = compute_poles(triangulation, dual, options.cocone.cosine, sides, execution);
-  const Cocones cocones = intersect_cocones(triangulation, std::move(sides), execution);
-  const BoundarySamples labels =
-      boundary_samples(triangulation, dual, poles, cocones, options.boundary, execution);
-  if (labels.interior() == 0) return {VertexSet(triangulation.num_vertices(), 0), {}};
-  PrunedCandidates pruned = prune_sharp_edges(
-      triangulation, list_candidate_triangles(triangulation, cocones, labels.boundary, execution),
-      options.prune, execution);
-  const ManifoldSurface surface =
-      extract_manifold(triangulation, std::move(pruned.left), pruned.umbrella, execution);
-  CellMarks marks = mark_cells(triangulation, surface.triangles, labels.boundary,
-                               options.good_vertices, execution);
-  if (!closed) return {std::move(marks.good), {}};
-  marks =
-      peel_cells(triangulation, surface.triangles.set, std::move(marks), options.peel, execution);
-  clean_up_cells(triangulation, poles, marks, options.clean_up, execution);
-  return {std::move(marks.good), std::move(marks.reached)};
-}
 
 // What is left out, and what it is counted as.
 class Filter {
@@ -57,24 +24,42 @@ class Filter {
 
   RobustSamples run() {
     result_.distinct = samples_.triangulation().num_vertices();
-    const RemainingSamples::Outliers outliers = samples_.leave_out_outliers();
-    result_.counters.outliers = outliers.count;
-    result_.counters.outlier_rounds = outliers.rounds;
+    leave_out_outliers();
     judge_layer();
     result_.kept = samples_.kept();
     return std::move(result_);
   }
 
  private:
+  void leave_out_outliers() {
+    const VertexSet first = samples_.outliers();
+    const bool any = std::find(first.begin(), first.end(), 1) != first.end();
+    const RemainingSamples::Outliers outliers =
+        any && noise_.spare_good ? samples_.leave_out_outliers(first, surface().good())
+                                 : samples_.leave_out_outliers(first);
+    if (outliers.count > 0) {
+      surface_.reset();
+      dual_.reset();
+    }
+    NoiseCounters& counters = result_.counters;
+    counters.outliers = outliers.count;
+    counters.outlier_rounds = outliers.rounds;
+    counters.spared_samples = outliers.spared;
+  }
+
+  // Of the samples that remain, built when first asked for.
+  const Dual& dual() {
+    if (!dual_) dual_ = voronoi_dual(samples_.triangulation(), execution_);
+    return *dual_;
+  }
+  const RoughSurface& surface() {
+    if (!surface_) surface_.emplace(samples_.triangulation(), dual(), options_, execution_);
+    return *surface_;
+  }
+
   void judge_layer() {
     const Triangulation& triangulation = samples_.triangulation();
-    const Dual dual = voronoi_dual(triangulation, execution_);
-    RoughSurface rough;
-    const bool may_hold = noise_.max_leak < 1;
-    if (noise_.keep_good || may_hold) {
-      rough = rough_surface(triangulation, dual, may_hold, options_, execution_);
-    }
-    const OuterSkin skin = held_skin(dual, rough.outside);
+    const OuterSkin skin = held_skin();
     NoiseCounters& counters = result_.counters;
     counters.large_cells = skin.large_cells;
     counters.outer_cells = skin.outer_cells;
@@ -82,7 +67,7 @@ class Filter {
     for (const VertexId v : triangulation.vertices()) {
       if (skin.touched[v] != 0) {
         ++counters.skin_samples;
-      } else if (noise_.keep_good && rough.good[v] != 0) {
+      } else if (noise_.keep_good && surface().good()[v] != 0) {
         ++counters.good_samples;
       } else {
         out[v] = 1;
@@ -92,9 +77,11 @@ class Filter {
     samples_.leave_out(out);
   }
 
-  OuterSkin held_skin(const Dual& dual, const IdVector<CellId, std::uint8_t>& outside) {
+  OuterSkin held_skin() {
     const Triangulation& triangulation = samples_.triangulation();
-    OuterSkin skin = outer_skin(triangulation, dual, samples_.spacing(), noise_);
+    OuterSkin skin = outer_skin(triangulation, dual(), samples_.spacing(), noise_);
+    if (noise_.max_leak >= 1) return skin;
+    const IdVector<CellId, std::uint8_t> outside = surface().outside();
     if (outside.empty()) return skin;
     NoiseCounters& counters = result_.counters;
     for (const CellId c : triangulation.finite_cells()) {
@@ -105,7 +92,7 @@ class Filter {
     counters.held = static_cast<double>(counters.leaked_cells) >
                     noise_.max_leak * static_cast<double>(counters.inner_cells);
     if (counters.held) {
-      skin = outer_skin(triangulation, dual, samples_.spacing(), noise_, outside);
+      skin = outer_skin(triangulation, dual(), samples_.spacing(), noise_, outside);
     }
     return skin;
   }
@@ -114,6 +101,8 @@ class Filter {
   const ReconstructOptions options_;
   const Execution& execution_;
   RemainingSamples samples_;
+  std::optional<Dual> dual_;
+  std::optional<RoughSurface> surface_;
   RobustSamples result_;
 };
 

@@ -15,6 +15,7 @@ namespace cocoon {
 struct NoiseCounters {
   std::size_t outliers = 0;        // different points left out as outliers
   std::size_t outlier_rounds = 0;  // until there were no more
+  std::size_t spared_samples = 0;  // outliers that stay, since the surface surrounds them
   std::size_t large_cells = 0;
   std::size_t outer_cells = 0;
   std::size_t inner_cells = 0;    // large ones inside the surface of all samples
@@ -31,8 +32,9 @@ struct RobustSamples {
   NoiseCounters counters;
 };
 
-// Leaves outliers out, in rounds until there are none; then keeps the outer skin of the rest, and
-// with noise.keep_good the samples with one disk around them on the Cocone surface of the rest.
+// Leaves outliers out, in rounds until there are none; with noise.spare_good none of the samples
+// with one disk around them on the Cocone surface of all samples. Then keeps the outer skin of the
+// rest, and with noise.keep_good the samples with one disk around them on the surface of the rest.
 // Where infinity gets into the body (noise.max_leak), the skin is that outside the closed surface
 // of the rest. `options` are for these surfaces. Everything stays if nothing is noisy.
 // Progress: "noise/...". Errors: InputError as delaunay(); also if all but coplanar points were

@@ -101,7 +101,8 @@ class Outside {
 
 }  // namespace
 
-IdVector<PointId, SampleFate> cgal_noise_filter(Points points, const NoiseOptions& options) {
+IdVector<PointId, SampleFate> cgal_noise_filter(Points points, const NoiseOptions& options,
+                                                const IdVector<PointId, std::uint8_t>& spared) {
   IdVector<PointId, SampleFate> fates(points.size(), SampleFate::layer);
   for (bool changed = true; changed;) {
     std::vector<Point> left;
@@ -116,7 +117,9 @@ IdVector<PointId, SampleFate> cgal_noise_filter(Points points, const NoiseOption
     changed = false;
     for (const VertexHandle v : delaunay.finite_vertex_handles()) {
       if (!is_outlier(delaunay, spacing, v, options.outlier_ratio)) continue;
-      fates[inputs[v->info().id]] = SampleFate::outlier;
+      const PointId p = inputs[v->info().id];
+      if (!spared.empty() && spared[p] != 0) continue;
+      fates[p] = SampleFate::outlier;
       changed = true;
     }
     if (changed) continue;

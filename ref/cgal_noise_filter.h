@@ -16,10 +16,12 @@ enum class SampleFate : std::uint8_t {
   outlier,  // left out before balls were looked at
 };
 
-// What the filter makes of each sample; keep_good is not looked at. Precondition: points are all
+// What the filter makes of each sample; those with spared[p] = 1 are no outliers (empty: there are
+// no such). Options spare_good and keep_good are not looked at. Precondition: points are all
 // different; those that are no outliers are not coplanar. Complexity: as CGAL's triangulation, for
 // each round of outliers.
 // Source: Dey & Goswami 2006; the outliers are ours (docs/stages/noise_filter.md).
-IdVector<PointId, SampleFate> cgal_noise_filter(Points points, const NoiseOptions& options = {});
+IdVector<PointId, SampleFate> cgal_noise_filter(Points points, const NoiseOptions& options = {},
+                                                const IdVector<PointId, std::uint8_t>& spared = {});
 
 }  // namespace cocoon::ref

@@ -29,7 +29,7 @@ class Strays {
     // Small parts first: beside a dense one a good sample would stand alone. And again after the
     // outliers, by which some may hang together with the rest.
     if (leave_out_small_parts()) samples_.triangulate();
-    result_.outliers = samples_.leave_out_outliers().count;
+    result_.outliers = samples_.leave_out_outliers(samples_.outliers()).count;
     if (result_.outliers > 0) leave_out_small_parts();
     result_.kept = samples_.kept();
     return std::move(result_);

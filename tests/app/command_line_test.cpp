@@ -55,14 +55,15 @@ TEST(CommandLine, ThresholdsOfStagesAreTakenByName) {
 TEST(CommandLine, RadiusSeedingAndNoiseFilterAreOptions) {
   const auto arguments = parsed<ReconstructArguments>(
       {"reconstruct", "a.xyz", "-o", "a.ply", "--radius", "cocone", "--no-deferred-seeding",
-       "--noise", "robust", "--noise-skin-only", "--noise-neighbors", "5"});
+       "--noise", "robust", "--noise-skin-only", "--noise-spacing-only", "--noise-neighbors", "5"});
   EXPECT_EQ(arguments.radius, "cocone");
   EXPECT_FALSE(arguments.deferred_seeding);
   EXPECT_FALSE(arguments.noise_keep_good);
+  EXPECT_FALSE(arguments.noise_spare_good);
   EXPECT_EQ(arguments.thresholds, (std::map<std::string, double>{{"noise-neighbors", 5}}));
   const auto plain = parsed<ReconstructArguments>({"reconstruct", "a.xyz", "-o", "a.ply"});
   EXPECT_EQ(plain.radius, "");
-  EXPECT_TRUE(plain.deferred_seeding && plain.noise_keep_good);
+  EXPECT_TRUE(plain.deferred_seeding && plain.noise_keep_good && plain.noise_spare_good);
   EXPECT_THROW(parse({"reconstruct", "a.xyz", "-o", "a.ply", "--radius", "ball"}), UsageError);
   const auto open = parsed<BoundaryArguments>(
       {"boundary", "a.xyz", "-o", "a.ply", "--radius", "tangent-plane", "--min-loop-edges", "3"});

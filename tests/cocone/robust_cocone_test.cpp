@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "cocone/noise_filter.h"
+#include "cocone/rough_surface.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/mesh_check.h"
 #include "geom/random.h"
 #include "ref/cgal_noise_filter.h"
 #include "tests/cocone/sample_shapes.h"
+#include "tests/gallery.h"
 
 namespace cocoon {
 namespace {
@@ -27,6 +29,12 @@ std::vector<Point> scattered(std::size_t count, double size, std::uint64_t seed)
   std::vector<Point> points = shapes::random_cube(count, seed);
   for (Point& p : points) p = size * (p - Vec3{0.5, 0.5, 0.5});
   return points;
+}
+
+std::size_t count_left_out(const RobustSamples& samples, std::size_t begin, std::size_t end) {
+  std::size_t count = 0;
+  for (std::size_t i = begin; i < end; ++i) count += samples.kept[PointId(i)] == 0 ? 1U : 0U;
+  return count;
 }
 
 // The others lie 1, 1, 2 and 9 from the origin.
@@ -56,16 +64,45 @@ TEST(NoiseFilter, OutliersGoAndSamplesStay) {
   const std::vector<Point> clean = shapes::torus(80, 40, 0.4, 0.5, 3);
   const std::vector<Point> stray = scattered(60, 4, 4);
   const RobustSamples samples = robust_samples(shapes::joined(clean, stray));
-  std::size_t lost = 0;
-  for (std::size_t i = 0; i < clean.size(); ++i) lost += samples.kept[PointId(i)] == 0 ? 1U : 0U;
-  std::size_t found = 0;
-  for (std::size_t i = clean.size(); i < samples.kept.size(); ++i) {
-    found += samples.kept[PointId(i)] == 0 ? 1U : 0U;
-  }
-  EXPECT_LE(lost, clean.size() / 100);
-  EXPECT_GE(found, 50U);
+  EXPECT_LE(count_left_out(samples, 0, clean.size()), clean.size() / 100);
+  EXPECT_GE(count_left_out(samples, clean.size(), samples.kept.size()), 50U);
   EXPECT_GE(samples.counters.outlier_rounds, 2U);
   EXPECT_EQ(samples.distinct, clean.size() + stray.size());
+}
+
+// A sphere; the 150 samples below lie six times as far apart as those above.
+std::vector<Point> half_dense_sphere() {
+  std::vector<Point> points;
+  for (const Point& p : gallery::even_sphere(300)) {
+    if (p.z < 0) points.push_back(p);
+  }
+  for (const Point& p : gallery::even_sphere(12000)) {
+    if (p.z >= 0) points.push_back(p);
+  }
+  return points;
+}
+
+// Beside the dense half the last row of the sparse one stands alone; once gone, the row behind it.
+TEST(NoiseFilter, ASparseRegionBesideADenseOneStays) {
+  const std::vector<Point> points = half_dense_sphere();
+  const RobustSamples ours = robust_samples(points);
+  EXPECT_EQ(ours.counters.outliers, 0U);
+  EXPECT_EQ(ours.counters.layer_samples, 0U);
+  EXPECT_EQ(ours.counters.outlier_rounds, 1U);
+  EXPECT_GT(ours.counters.spared_samples, 5U);
+  const RobustSamples by_spacing = robust_samples(points, {.spare_good = false});
+  EXPECT_GT(by_spacing.counters.outliers, 100U);
+  EXPECT_EQ(by_spacing.counters.spared_samples, 0U);
+}
+
+// What floats around such a sphere goes still; no surface surrounds it.
+TEST(NoiseFilter, OutliersBesideSparedSamplesGo) {
+  const std::vector<Point> clean = half_dense_sphere();
+  const std::vector<Point> stray = scattered(60, 4, 4);
+  const RobustSamples samples = robust_samples(shapes::joined(clean, stray));
+  EXPECT_LE(count_left_out(samples, 0, clean.size()), clean.size() / 500);
+  EXPECT_GE(count_left_out(samples, clean.size(), samples.kept.size()), 50U);
+  EXPECT_GT(samples.counters.spared_samples, 0U);
 }
 
 struct Noisy {
@@ -146,7 +183,8 @@ TEST(NoiseFilter, TheSkinStaysWhereItMayBe) {
 TEST(RobustCocone, PublishedFilterKeepsTheSkinAlone) {
   const std::vector<Point> points = shaken(shapes::torus(80, 40, 0.4, 0.3, 5), 0.01, 6);
   const RobustSamples ours = robust_samples(points);
-  const RobustSamples published = robust_samples(points, {.keep_good = false, .max_leak = 1});
+  const RobustSamples published =
+      robust_samples(points, {.spare_good = false, .keep_good = false, .max_leak = 1});
   EXPECT_FALSE(ours.counters.held);
   EXPECT_EQ(ours.counters.leaked_cells, 0U);
   EXPECT_GT(ours.counters.inner_cells, 0U);
@@ -170,9 +208,10 @@ TEST(RobustCocone, ChoosesAsTheTwinOnCgal) {
       {"outliers", shapes::joined(shapes::sphere(1500, 11), scattered(40, 3, 12)), 0},
       {"open", shaken(shapes::cut_sphere(1500, 0.5, 13), 0.02, 14), 0},
       {"volume", shapes::random_cube(1200, 15), 0}};
-  const std::vector<NoiseOptions> choices{{.keep_good = false, .max_leak = 1},
+  const std::vector<NoiseOptions> choices{{.spare_good = false, .keep_good = false, .max_leak = 1},
                                           {.neighbors = 6,
                                            .outlier_ratio = 2,
+                                           .spare_good = false,
                                            .large_ratio = 2.5,
                                            .deep_cosine = 0.9,
                                            .keep_good = false,
@@ -196,11 +235,39 @@ TEST(RobustCocone, ChoosesAsTheTwinOnCgal) {
   }
 }
 
+// Spared are what the surface of all samples surrounds.
+TEST(RobustCocone, SparesAsTheTwinOnCgal) {
+  const std::vector<Point> points = shapes::joined(half_dense_sphere(), scattered(40, 3, 12));
+  const Triangulation triangulation = delaunay(points).triangulation;
+  const Dual dual = voronoi_dual(triangulation);
+  const ReconstructOptions options;
+  const RoughSurface surface(triangulation, dual, options);
+  const IdVector<PointId, VertexId>& vertex_of_point = triangulation.vertex_of_point();
+  IdVector<PointId, std::uint8_t> spared(points.size(), 0);
+  for (const PointId p : spared.ids()) spared[p] = surface.good()[vertex_of_point[p]];
+
+  const NoiseOptions noise{.keep_good = false, .max_leak = 1};
+  const RobustSamples samples = robust_samples(points, noise);
+  const auto fates = ref::cgal_noise_filter(points, noise, spared);
+  std::size_t outliers = 0;
+  for (const PointId p : fates.ids()) {
+    outliers += fates[p] == ref::SampleFate::outlier ? 1U : 0U;
+    ASSERT_EQ(samples.kept[p] != 0, fates[p] == ref::SampleFate::skin);
+  }
+  EXPECT_EQ(samples.counters.outliers, outliers);
+  EXPECT_GT(outliers, 20U);
+  EXPECT_GT(samples.counters.spared_samples, 0U);
+}
+
 TEST(RobustCocone, SameChoiceForEveryOrderScaleAndThreadCount) {
-  const std::vector<Point> points =
-      shapes::joined(shaken(shapes::sphere(1200, 13), 0.04, 14), scattered(12, 3, 15));
+  const std::vector<Point> points = shapes::joined(
+      half_dense_sphere(),
+      shapes::joined(shaken(shapes::sphere(1200, 13, 0.5), 0.02, 14), scattered(12, 3, 15)));
   const RobustSamples expected = robust_samples(points);
-  EXPECT_EQ(robust_samples(points, {}, {}, {.threads = 3}).kept, expected.kept);
+  EXPECT_GT(expected.counters.spared_samples, 0U);
+  const RobustSamples threaded = robust_samples(points, {}, {}, {.threads = 3});
+  EXPECT_EQ(threaded.kept, expected.kept);
+  EXPECT_EQ(threaded.counters.spared_samples, expected.counters.spared_samples);
   std::vector<Point> scaled = points;
   for (Point& p : scaled) p = 0x1p+600 * p;
   EXPECT_EQ(robust_samples(scaled).kept, expected.kept);
@@ -208,6 +275,7 @@ TEST(RobustCocone, SameChoiceForEveryOrderScaleAndThreadCount) {
   RobustSamples other = robust_samples(reversed);
   std::reverse(other.kept.begin(), other.kept.end());
   EXPECT_EQ(other.kept, expected.kept);
+  EXPECT_EQ(other.counters.spared_samples, expected.counters.spared_samples);
 }
 
 TEST(RobustCocone, RubbishIsBalancedToo) {

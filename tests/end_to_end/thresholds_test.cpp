@@ -1,4 +1,5 @@
 // Options that set thresholds of single stages.
+#include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -114,9 +115,32 @@ TEST(Thresholds, OfTheNoiseFilterReachIt) {
   const Json skin = noise({"--noise-skin-only"});
   EXPECT_EQ(skin["noise"]["good_samples"], 0);
   EXPECT_EQ(skin["parameters"]["noise_keep_good"], false);
+  EXPECT_EQ(skin["parameters"]["noise_spare_good"], true);
   expect_error(
       run_program({"reconstruct", cloud, "-o", folder.file("m.ply"), "--noise-large-ratio", "3"}),
       2, "--noise-large-ratio needs --noise robust");
+}
+
+// A sphere with samples below that lie six times as far apart as those above.
+TEST(Thresholds, OutliersAreToldBySpacingAlone) {
+  std::string text;
+  for (const int count : {300, 12000}) {
+    for (int i = 0; i < count; ++i) {
+      const double z = 1 - (2 * i + 1.0) / count;
+      if ((z < 0) != (count == 300)) continue;
+      const double ring = std::sqrt(1 - z * z);
+      text += point_line(ring * std::cos(2.4 * i), ring * std::sin(2.4 * i), z);
+    }
+  }
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("half.xyz", text);
+  const Json usual = reconstructed(folder, {"--noise", "robust"}, cloud);
+  EXPECT_EQ(usual["noise"]["outliers"], 0);
+  EXPECT_GT(usual["noise"]["spared_samples"], 0);
+  const Json alone = reconstructed(folder, {"--noise", "robust", "--noise-spacing-only"}, cloud);
+  EXPECT_GT(alone["noise"]["outliers"], 100);
+  EXPECT_EQ(alone["noise"]["spared_samples"], 0);
+  EXPECT_EQ(alone["parameters"]["noise_spare_good"], false);
 }
 
 TEST(Thresholds, OfLoopsAndFindingsReachThem) {

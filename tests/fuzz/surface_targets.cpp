@@ -60,6 +60,7 @@ void reconstruct_target(Bytes bytes) {
   NoiseOptions noise;
   noise.keep_good = choice / 8 % 2 == 0;
   noise.outlier_ratio = choice / 16 % 2 == 0 ? 3 : 1.2;
+  noise.spare_good = choice / 96 % 2 == 0;
   noise.max_leak = choice / 32 % 3 / 2.0;
   const std::vector<Point> points = take_points(reader, most_points);
   try {
