@@ -114,4 +114,9 @@ CellCluster cell_cluster(const Triangulation& triangulation, BallCosines& cosine
   return Cluster(triangulation, cosines, out, known, scratch).run(first, deep_cosine, most_cells);
 }
 
+bool are_on_one_side(const IdVector<CellId, std::uint8_t>& out, std::span<const CellId> cells) {
+  return std::all_of(cells.begin(), cells.end(),
+                     [&](CellId c) { return out[c] == out[cells.front()]; });
+}
+
 }  // namespace cocoon

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "cocone/ball_cosines.h"
@@ -36,5 +37,8 @@ CellCluster cell_cluster(const Triangulation& triangulation, BallCosines& cosine
                          double deep_cosine, std::size_t most_cells,
                          ZeroedArray<CellId, ClusterSize>& known,
                          ZeroedArray<CellId, std::uint8_t>& scratch);
+
+// Have all of these cells the side of the first one? O(cells).
+bool are_on_one_side(const IdVector<CellId, std::uint8_t>& out, std::span<const CellId> cells);
 
 }  // namespace cocoon

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cocone/cell_order.h"
+#include "cocone/facet_size.h"
 #include "cocone/good_parts.h"
 #include "delaunay/circulate.h"
 #include "geom/disjoint_sets.h"
@@ -389,17 +389,19 @@ bool CertifiedSurface::holds_first_hull_candidate(const TriangulationView& view,
     const auto [a, b, d] = view.facet_vertices(facet_id(c, 3));
     return candidates.has_umbrella(a) && candidates.has_umbrella(b) && candidates.has_umbrella(d);
   };
+  FacetSize least = {};  // of first_hull_
   const auto consider = [&](CellId c) {
     if (!is_hull_candidate(c)) return;
-    if (first_hull_.is_none() ||
-        sorted_corners(view, facet_id(c, 3)) < sorted_corners(view, facet_id(first_hull_, 3))) {
-      first_hull_ = c;
-    }
+    const FacetSize size = size_of_facet(view, facet_id(c, 3));
+    if (!first_hull_.is_none() && !(size < least)) return;
+    first_hull_ = c;
+    least = size;
   };
   if (first_hull_.is_none() || !is_hull_candidate(first_hull_)) {
     first_hull_ = CellId();
     for (const CellId c : sides_.ids()) consider(c);
   } else {
+    least = size_of_facet(view, facet_id(first_hull_, 3));
     for (const CellId c : change.created) consider(c);
     for (const FacetId f : touched) {
       consider(cell_of(f));

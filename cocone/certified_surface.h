@@ -13,8 +13,8 @@
 //   4. A candidate off S has a corner on S: samples that S leaves out have no surface of their own.
 //   5. Every finite cell has a good vertex.
 //   6. The good vertices hang together by edges of S, and so does S.
-//   7. Of the hull candidates whose corners have umbrellas the lexicographically smallest is in S,
-//      its outer side towards infinity, with a good corner.
+//   7. Of the hull candidates whose corners have umbrellas the one with the smallest circle
+//      (facet_size.h) is in S, its outer side towards infinity, with a good corner.
 //
 // Then S is the result of all later stages. extract_manifold begins at that hull candidate and, by
 // 3, walks over S alone, from the outer side, whatever the order of its rounds: a facet off S would

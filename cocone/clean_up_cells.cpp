@@ -44,11 +44,11 @@ class CleanUp {
         cosines_(triangulation, options.flat_ratio),
         spacings_(triangulation, stars_),
         energy_(triangulation, cosines_, stars_, spacings_, marks, options, out_),
-        region_(find_doubtful_region(triangulation, marks, stars_, most_clump_cells(),
-                                     options.thin_support)),
+        region_(find_doubtful_region(triangulation, marks, stars_, spacings_, most_clump_cells(),
+                                     options.thin_support, execution)),
         side_split_(triangulation, out_),
         best_move_(triangulation, stars_, out_, energy_, side_split_),
-        compound_move_(triangulation, region_, energy_, best_move_, options),
+        compound_move_(triangulation, spacings_, region_, energy_, best_move_, options),
         handle_loops_(triangulation, stars_, out_),
         handle_closing_(triangulation, stars_, cosines_, region_, out_, energy_, options) {
     counters_.undecided_cells = region_.undecided.size();
@@ -78,7 +78,7 @@ class CleanUp {
     set_preferences(std::move(centers));
     cut(region_.undecided);
     fill_cavities();
-    extend_region(triangulation_, stars_, touched_, region_);
+    extend_region(stars_, spacings_, touched_, region_);
     touched_.clear();
     flaws_ = find_surface_flaws(triangulation_, region_, out_);
     tell_flaws();
@@ -156,22 +156,7 @@ class CleanUp {
   void fill_cavities() {
     // As the peel left them all were reached from infinity.
     if (is_reach_kept(triangulation_, out_, relabeled_)) return;
-    IdVector<CellId, std::uint8_t> reached(triangulation_.num_cells(), 0);
-    std::vector<CellId> stack;
-    for (const CellId c : triangulation_.infinite_cells()) {
-      reached[c] = 1;
-      stack.push_back(c);
-    }
-    while (!stack.empty()) {
-      const CellId c = stack.back();
-      stack.pop_back();
-      for (int i = 0; i < 4; ++i) {
-        const CellId behind = triangulation_.neighbor(c, i);
-        if (reached[behind] != 0 || out_[behind] == 0) continue;
-        reached[behind] = 1;
-        stack.push_back(behind);
-      }
-    }
+    const IdVector<CellId, std::uint8_t> reached = reached_from_infinity(triangulation_, out_);
     for (const CellId c : triangulation_.finite_cells()) {
       if (out_[c] == reached[c]) continue;
       ++counters_.filled_cells;
@@ -201,7 +186,7 @@ class CleanUp {
   }
 
   // At every sample that is unused or where the surface is pinched (both ends of a non-manifold
-  // edge are), in lexicographic order, round by round until no move helps.
+  // edge are), in the order of the region, round by round until no move helps.
   void repair() {
     std::vector<VertexId> turns = flawed_vertices();
     for (bool changed = true; changed;) {
@@ -234,7 +219,7 @@ class CleanUp {
         }
       }
       turns = std::move(later);
-      extend_region(triangulation_, stars_, turns, region_);
+      extend_region(stars_, spacings_, turns, region_);
     }
   }
 
@@ -293,7 +278,7 @@ class CleanUp {
 
   // After flips: what was flawless elsewhere still is.
   void update_flaws() {
-    extend_region(triangulation_, stars_, touched_, region_);
+    extend_region(stars_, spacings_, touched_, region_);
     std::vector<VertexId> asked = std::move(touched_);
     std::erase_if(asked, [&](VertexId v) { return !region_.contains(v); });
     asked.insert(asked.end(), flaws_.unused.begin(), flaws_.unused.end());
@@ -344,7 +329,7 @@ class CleanUp {
     counters_.idle_after = idle.size();
   }
 
-  // In the doubtful region and beside it, in lexicographic order.
+  // In the doubtful region and beside it, by SpacingCache::precedes.
   std::vector<VertexId> idle_samples() {
     if (cells_with_samples_ != region_.cells.size()) {  // it only grows
       samples_ = samples_of(triangulation_, region_.cells);
@@ -356,9 +341,8 @@ class CleanUp {
     for (const VertexId v : samples_) {
       if (energy_.is_idle(v)) idle.push_back(v);
     }
-    std::sort(idle.begin(), idle.end(), [&](VertexId a, VertexId b) {
-      return triangulation_.point(a) < triangulation_.point(b);
-    });
+    std::sort(idle.begin(), idle.end(),
+              [&](VertexId a, VertexId b) { return spacings_.precedes(a, b); });
     return idle;
   }
 
@@ -378,23 +362,45 @@ class CleanUp {
                     });
   }
 
+  // That a cluster at an idle sample changes sides.
+  struct Offer {
+    Energy change;
+    VertexId at;
+    std::vector<CellId> cells;
+  };
+
+  // Those that lower the energy most first.
   bool flip_clusters_at(const std::vector<VertexId>& idle, double deep_cosine) {
+    std::size_t flipped = 0;
+    for (const Offer& offer : offers_at(idle, deep_cosine)) {
+      const std::vector<CellId>& cells = offer.cells;
+      if (!energy_.is_idle(offer.at) || !are_on_one_side(out_, cells)) continue;  // not any more
+      if (!is_attached(triangulation_, out_, cells) || energy_.change(cells) >= 0) continue;
+      if (side_split_.splits(cells) || energy_.leaves_out(cells)) continue;
+      flip(cells);
+      counters_.cluster_cells += cells.size();
+      ++flipped;
+    }
+    counters_.clusters += flipped;
+    return flipped != 0;
+  }
+
+  std::vector<Offer> offers_at(const std::vector<VertexId>& idle, double deep_cosine) {
     ZeroedArray<CellId, ClusterSize> known(triangulation_.num_cells());
-    bool flipped = false;
+    std::vector<Offer> offers;
     counters_.large_clusters = 0;
     for (const VertexId v : idle) {
-      if (!energy_.is_idle(v)) continue;  // not any more
-      for (const CellCluster& cluster : clusters_at(v, deep_cosine, known)) {
-        const std::vector<CellId>& cells = cluster.cells;
-        if (!is_attached(triangulation_, out_, cells) || energy_.change(cells) >= 0) continue;
-        if (side_split_.splits(cells) || energy_.leaves_out(cells)) continue;
-        flip(cells);
-        ++counters_.clusters;
-        counters_.cluster_cells += cells.size();
-        flipped = true;
+      for (CellCluster& cluster : clusters_at(v, deep_cosine, known)) {
+        if (!is_attached(triangulation_, out_, cluster.cells)) continue;
+        const Energy change = energy_.change(cluster.cells);
+        if (change < 0) offers.push_back({change, v, std::move(cluster.cells)});
       }
     }
-    return flipped;
+    std::sort(offers.begin(), offers.end(), [&](const Offer& a, const Offer& b) {
+      return a.change != b.change ? a.change < b.change
+                                  : precedes(triangulation_, a.cells, b.cells);
+    });
+    return offers;
   }
 
   // Those that were not asked yet, in canonical order.
@@ -423,7 +429,6 @@ class CleanUp {
   // Parts of the body whose samples and facets are not worth a part of its own.
   bool drop_components() {
     const Energy gain = to_energy(options_.component_cost);
-    bool dropped = false;
     for (const std::vector<CellId>& part :
          small_parts(triangulation_, out_, region_.cells, options_.most_cluster_cells)) {
       const bool is_left = std::any_of(part.begin(), part.end(), [&](CellId c) {
@@ -432,9 +437,8 @@ class CleanUp {
       if (is_left || energy_.change(part) >= gain) continue;
       flip(part);
       ++counters_.dropped_components;
-      dropped = true;
     }
-    return dropped;
+    return counters_.dropped_components != 0;
   }
 
   void count(std::size_t& defects, std::size_t& unused) {

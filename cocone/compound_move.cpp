@@ -5,9 +5,11 @@
 
 namespace cocoon {
 
-CompoundMove::CompoundMove(const Triangulation& triangulation, const DoubtfulRegion& region,
-                           CellEnergy& energy, BestMove& best_move, const CleanUpOptions& options)
+CompoundMove::CompoundMove(const Triangulation& triangulation, SpacingCache& spacings,
+                           const DoubtfulRegion& region, CellEnergy& energy, BestMove& best_move,
+                           const CleanUpOptions& options)
     : triangulation_(triangulation),
+      spacings_(spacings),
       region_(region),
       energy_(energy),
       best_move_(best_move),
@@ -30,9 +32,7 @@ std::vector<std::vector<CellId>> CompoundMove::find(VertexId v) {
 
 // Makes the first move and appends those that follow. By how much these change the energy.
 Energy CompoundMove::follow(std::vector<std::vector<CellId>>& moves) {
-  const auto precedes = [&](VertexId a, VertexId b) {
-    return triangulation_.point(a) < triangulation_.point(b);
-  };
+  const auto precedes = [&](VertexId a, VertexId b) { return spacings_.precedes(a, b); };
   std::set<VertexId, decltype(precedes)> turns(precedes);
   const auto make_last = [&] {
     energy_.flip(moves.back());

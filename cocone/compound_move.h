@@ -8,6 +8,7 @@
 #include "cocone/best_move.h"
 #include "cocone/cell_energy.h"
 #include "cocone/doubtful_region.h"
+#include "cocone/sample_spacing.h"
 #include "delaunay/triangulation.h"
 
 namespace cocoon {
@@ -15,8 +16,9 @@ namespace cocoon {
 class CompoundMove {
  public:
   // All references must outlive the object. O(1).
-  CompoundMove(const Triangulation& triangulation, const DoubtfulRegion& region, CellEnergy& energy,
-               BestMove& best_move, const CleanUpOptions& options);
+  CompoundMove(const Triangulation& triangulation, SpacingCache& spacings,
+               const DoubtfulRegion& region, CellEnergy& energy, BestMove& best_move,
+               const CleanUpOptions& options);
 
   // Sets of finite cells that change sides one after the other, such that the energy falls in all;
   // empty if there are none. The first max_openings openings (BestMove::openings) at v are tried:
@@ -31,6 +33,7 @@ class CompoundMove {
   Energy follow(std::vector<std::vector<CellId>>& moves);
 
   const Triangulation& triangulation_;
+  SpacingCache& spacings_;
   const DoubtfulRegion& region_;
   CellEnergy& energy_;
   BestMove& best_move_;

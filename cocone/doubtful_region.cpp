@@ -99,24 +99,12 @@ void add_thin_cells(const Triangulation& triangulation, const CellMarks& marks, 
   std::sort(cells.begin(), cells.end());
 }
 
-// In lexicographic order, from the first of these on; those before it are.
-void sort_by_place(const Triangulation& triangulation, std::size_t first,
-                   std::vector<VertexId>& vertices) {
-  struct Place {
-    double x;  // decides nearly always
-    VertexId vertex;
-  };
-  const auto precedes = [&](const Place& a, const Place& b) {
-    if (a.x != b.x) return a.x < b.x;
-    return triangulation.point(a.vertex) < triangulation.point(b.vertex);
-  };
-  std::vector<Place> places;
-  places.reserve(vertices.size());
-  for (const VertexId v : vertices) places.push_back({triangulation.point(v).x, v});
-  const auto middle = places.begin() + static_cast<std::ptrdiff_t>(first);
-  std::sort(middle, places.end(), precedes);
-  std::inplace_merge(places.begin(), middle, places.end(), precedes);
-  for (std::size_t k = 0; k < places.size(); ++k) vertices[k] = places[k].vertex;
+// By SpacingCache::precedes, from the first of these on; those before it are.
+void sort_from(std::size_t first, SpacingCache& spacings, std::vector<VertexId>& vertices) {
+  const auto precedes = [&](VertexId a, VertexId b) { return spacings.precedes(a, b); };
+  const auto middle = vertices.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(middle, vertices.end(), precedes);
+  std::inplace_merge(vertices.begin(), middle, vertices.end(), precedes);
 }
 
 void rank_vertices(DoubtfulRegion& region) {
@@ -136,14 +124,15 @@ std::vector<VertexId> doubtful_vertices(const Triangulation& triangulation, cons
     const bool doubtful = marks.good[v] == 0 || is_corner[v] != 0 || is_contradicted(marks, v);
     if (doubtful && !region.is_left(v)) vertices.push_back(v);
   }
-  sort_by_place(triangulation, 0, vertices);
   return vertices;
 }
 
 }  // namespace
 
 DoubtfulRegion find_doubtful_region(const Triangulation& triangulation, const CellMarks& marks,
-                                    StarCache& stars, std::size_t most_cells, int thin_support) {
+                                    StarCache& stars, SpacingCache& spacings,
+                                    std::size_t most_cells, int thin_support,
+                                    const Execution& execution) {
   DoubtfulRegion region;
   region.undecided = poor_cells(triangulation, marks, stars);
   if (region.undecided.size() > most_cells) leave_large_clumps(triangulation, most_cells, region);
@@ -152,14 +141,16 @@ DoubtfulRegion find_doubtful_region(const Triangulation& triangulation, const Ce
     add_thin_cells(triangulation, marks, stars, contradicted, thin_support, region);
   }
   region.vertices = doubtful_vertices(triangulation, marks, region);
+  spacings.prepare(region.vertices, execution);
+  sort_from(0, spacings, region.vertices);
   region.rank = ZeroedArray<VertexId, std::uint32_t>(triangulation.num_vertices());
   rank_vertices(region);
   region.cells = stars.cells_at(region.vertices);
   return region;
 }
 
-void extend_region(const Triangulation& triangulation, StarCache& stars,
-                   std::span<const VertexId> vertices, DoubtfulRegion& region) {
+void extend_region(StarCache& stars, SpacingCache& spacings, std::span<const VertexId> vertices,
+                   DoubtfulRegion& region) {
   const std::size_t before = region.vertices.size();
   for (const VertexId v : vertices) {
     if (region.contains(v) || region.is_left(v)) continue;
@@ -172,7 +163,7 @@ void extend_region(const Triangulation& triangulation, StarCache& stars,
   region.cells.insert(region.cells.end(), more.begin(), more.end());
   std::inplace_merge(region.cells.begin(), region.cells.begin() + middle, region.cells.end());
   region.cells.erase(std::unique(region.cells.begin(), region.cells.end()), region.cells.end());
-  sort_by_place(triangulation, before, region.vertices);
+  sort_from(before, spacings, region.vertices);
   rank_vertices(region);
 }
 

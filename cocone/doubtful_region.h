@@ -8,14 +8,16 @@
 #include <vector>
 
 #include "cocone/mark_cells.h"
+#include "cocone/sample_spacing.h"
 #include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
 
 struct DoubtfulRegion {
-  std::vector<VertexId> vertices;  // where something may be wrong, in lexicographic order
+  std::vector<VertexId> vertices;  // where something may be wrong, by SpacingCache::precedes
   ZeroedArray<VertexId, std::uint32_t> rank;  // 1 + position in `vertices`; 0: not among them
   std::vector<CellId> cells;                  // at these vertices, infinite ones too; increasing
   std::vector<CellId> undecided;  // poor cells but for those left, and thin ones; increasing
@@ -32,17 +34,18 @@ struct DoubtfulRegion {
 // facets are a clump. Clumps of more than `most_cells` cells are left alone, with the vertices that
 // no other poor cell has. Thin cells, with good vertices, but at most `thin_support`, are
 // undecided, too, at contradicted vertices and where they hang together with undecided cells by
-// facets, unless they have a vertex that is left. `stars`: of this triangulation. Complexity:
-// O(vertices + d log d) for d such vertices with their stars, besides what the first question to
-// `stars` costs, and passes over the cells in the order of memory if they are many.
+// facets, unless they have a vertex that is left. `stars`, `spacings`: of this triangulation.
+// Complexity: O(vertices + d log d) for d such vertices with their stars, besides what the first
+// question to `stars` costs, and passes over the cells in the order of memory if they are many.
 DoubtfulRegion find_doubtful_region(
     const Triangulation& triangulation, const CellMarks& marks, StarCache& stars,
-    std::size_t most_cells = std::numeric_limits<std::size_t>::max(), int thin_support = 0);
+    SpacingCache& spacings, std::size_t most_cells = std::numeric_limits<std::size_t>::max(),
+    int thin_support = 0, const Execution& execution = {});
 
 // Takes further vertices into the region, each with its cells. Complexity: O(region + k log k) for
 // k of them, with their stars.
-void extend_region(const Triangulation& triangulation, StarCache& stars,
-                   std::span<const VertexId> vertices, DoubtfulRegion& region);
+void extend_region(StarCache& stars, SpacingCache& spacings, std::span<const VertexId> vertices,
+                   DoubtfulRegion& region);
 
 // Is a vertex of the cell left alone? O(1).
 bool has_left_vertex(const Triangulation& triangulation, const DoubtfulRegion& region, CellId c);

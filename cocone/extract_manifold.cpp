@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "cocone/cell_order.h"
+#include "cocone/facet_size.h"
 #include "cocone/half_facets.h"
 #include "cocone/walk_reach.h"
 
@@ -75,15 +77,15 @@ class Walk {
     return starts;
   }
 
-  // Each facet once, seen from its positive side, or from the other one if that is the inside of a
+  // Each facet once, seen from its wider side, or from the other one if that is the inside of a
   // flat tetrahedron all of whose facets are candidates.
   std::vector<Half> other_starts() const {
     std::vector<Half> starts;
     for (std::uint32_t t = 0; t < candidates_.size(); ++t) {
       if (!may_start(2 * t)) continue;
-      const Half positive = sees_positive_side(2 * t) ? 2 * t : 2 * t + 1;
-      const bool inside_flat = candidates_.set.bits(cell_of(facet_of(positive))) == 15;
-      starts.push_back(inside_flat ? other_half(positive) : positive);
+      const Half wide = wider_half(t);
+      const bool inside_flat = candidates_.set.bits(cell_of(facet_of(wide))) == 15;
+      starts.push_back(inside_flat ? other_half(wide) : wide);
     }
     return starts;
   }
@@ -96,31 +98,38 @@ class Walk {
     return true;
   }
 
-  struct Start {
-    Point lowest;  // corner; decides nearly always
-    Half half;
-  };
-
-  // In the order of their sorted corners.
-  void walk_from(const std::vector<Half>& halves) {
+  // By the size of their facets.
+  void walk_from(std::vector<Half> halves) {
     if (halves.empty()) return;
-    std::vector<Start> starts;
-    starts.reserve(halves.size());
-    for (const Half h : halves) starts.push_back({lowest_corner(h), h});
-    const auto earlier = [&](const Start& a, const Start& b) {
-      if (a.lowest != b.lowest) return a.lowest < b.lowest;
-      return sorted_corners(triangulation_, facet_of(a.half)) <
-             sorted_corners(triangulation_, facet_of(b.half));
-    };
     // Nearly always the first walk covers all: sort only what it leaves.
-    const Half first = std::min_element(starts.begin(), starts.end(), earlier)->half;
+    const Half first = smallest(halves);
     const bool may_reach = walks_ == 0 && first_walk_ == FirstWalk::at_once;
     if (!may_reach || !reach_from(first)) walk(first);
-    std::erase_if(starts, [&](const Start& start) { return !may_start(start.half); });
-    std::sort(starts.begin(), starts.end(), earlier);
-    for (const Start& start : starts) {
-      if (may_start(start.half)) walk(start.half);
+    std::erase_if(halves, [&](Half h) { return !may_start(h); });
+    std::vector<std::pair<FacetSize, Half>> starts;
+    starts.reserve(halves.size());
+    for (const Half h : halves) starts.emplace_back(size_of(h), h);
+    std::sort(starts.begin(), starts.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [size, half] : starts) {
+      if (may_start(half)) walk(half);
     }
+  }
+
+  // No circle is narrower than a side of its triangle is long: most need not be measured.
+  Half smallest(const std::vector<Half>& halves) const {
+    constexpr double more_than_rounding = 1 + 1e-9;
+    Half best = halves.front();
+    FacetSize least = size_of(best);
+    for (const Half h : halves) {
+      const double diameter = 4 * least.squared_circumradius;
+      if (squared_longest_side(h) > more_than_rounding * diameter) continue;
+      const FacetSize size = size_of(h);
+      if (!(size < least)) continue;
+      least = size;
+      best = h;
+    }
+    return best;
   }
 
   // --- the walk
@@ -214,10 +223,10 @@ class Walk {
     });
   }
 
-  // Of the two sides from which one round may propose a facet the positive one is taken.
+  // Of the two sides from which one round may propose a facet the wider one is taken.
   bool is_accepted(Half h) const {
     const std::uint8_t from_back = walk_state::proposed[other_half(h) & 1U];
-    return (states_[triangle_of_half(h)] & from_back) == 0 || sees_positive_side(h);
+    return (states_[triangle_of_half(h)] & from_back) == 0 || wider_half(triangle_of_half(h)) == h;
   }
 
   void keep(Half h) {
@@ -232,7 +241,7 @@ class Walk {
       if (states_[t] != walk_state::open) continue;
       const auto [a, b, c] = candidates_.corners[t];
       if ((on_surface_[a] | on_surface_[b] | on_surface_[c]) != 0) continue;
-      apart.push_back(sees_positive_side(2 * t) ? 2 * t : 2 * t + 1);
+      apart.push_back(wider_half(t));
     }
     for (const Half h : apart) keep(h);
     unwalked_ = apart.size();
@@ -240,9 +249,35 @@ class Walk {
 
   // --- canonical choices
 
-  Point lowest_corner(Half h) const {
+  FacetSize size_of(Half h) const { return size_of_facet(triangulation_, facet_of(h)); }
+
+  double squared_longest_side(Half h) const {
     const auto [a, b, c] = corners(h);
-    return std::min({triangulation_.point(a), triangulation_.point(b), triangulation_.point(c)});
+    const Point& p = triangulation_.point(a);
+    const Point& q = triangulation_.point(b);
+    const Point& r = triangulation_.point(c);
+    return std::max({squared_distance(p, q), squared_distance(q, r), squared_distance(r, p)});
+  }
+
+  // The half of a triangle with more space before it; of equal ones the positive one.
+  Half wider_half(std::uint32_t t) const {
+    const double front = reach_before(2 * t);
+    const double back = reach_before(2 * t + 1);
+    if (front != back) return front > back ? 2 * t : 2 * t + 1;
+    return sees_positive_side(2 * t) ? 2 * t : 2 * t + 1;
+  }
+
+  // How far the cell on the side of the half-facet reaches away from the corners: the sum of their
+  // squared distances from its fourth vertex.
+  double reach_before(Half h) const {
+    const FacetId f = facet_of(h);
+    const VertexId ahead = triangulation_.opposite_vertex(f);
+    if (ahead == infinite_vertex) return std::numeric_limits<double>::infinity();
+    double sum = 0;
+    for (const Point& p : sorted_corners(triangulation_, f)) {
+      sum += squared_distance(p, triangulation_.point(ahead));
+    }
+    return sum;
   }
 
   // Does the half-facet lie on the side to which the normal of its sorted corners points?

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "delaunay/triangulation.h"
+#include "delaunay/triangulation_view.h"
 #include "geom/point.h"
 
 namespace cocoon {
@@ -24,6 +24,7 @@ struct FacetSize {
 
 // R = |u| |v| |u - v| / (2 |u x v|), squared; infinite for collinear corners. The same bits from
 // both sides of the facet. Precondition: a finite facet. O(1).
-FacetSize size_of_facet(const Triangulation& triangulation, FacetId f);
+FacetSize size_of_triangle(const std::array<Point, 3>& sorted_corners);
+FacetSize size_of_facet(const TriangulationView& triangulation, FacetId f);
 
 }  // namespace cocoon

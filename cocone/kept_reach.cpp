@@ -105,4 +105,25 @@ bool is_reach_kept(const Triangulation& triangulation, const IdVector<CellId, st
   return KeptReach(triangulation, out, changed, most_cells).run();
 }
 
+IdVector<CellId, std::uint8_t> reached_from_infinity(const Triangulation& triangulation,
+                                                     const IdVector<CellId, std::uint8_t>& out) {
+  IdVector<CellId, std::uint8_t> reached(triangulation.num_cells(), 0);
+  std::vector<CellId> stack;
+  for (const CellId c : triangulation.infinite_cells()) {
+    reached[c] = 1;
+    stack.push_back(c);
+  }
+  while (!stack.empty()) {
+    const CellId c = stack.back();
+    stack.pop_back();
+    for (int i = 0; i < 4; ++i) {
+      const CellId behind = triangulation.neighbor(c, i);
+      if (reached[behind] != 0 || out[behind] == 0) continue;
+      reached[behind] = 1;
+      stack.push_back(behind);
+    }
+  }
+  return reached;
+}
+
 }  // namespace cocoon

@@ -19,4 +19,9 @@ namespace cocoon {
 bool is_reach_kept(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
                    std::span<const CellId> changed, std::size_t most_cells = 20000);
 
+// 1 for each cell that infinity reaches through OUT cells (`out` is 1), itself included; else 0.
+// Complexity: O(cells).
+IdVector<CellId, std::uint8_t> reached_from_infinity(const Triangulation& triangulation,
+                                                     const IdVector<CellId, std::uint8_t>& out);
+
 }  // namespace cocoon

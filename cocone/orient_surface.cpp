@@ -6,14 +6,16 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/facet_size.h"
+
 namespace cocoon {
 namespace {
 
-std::array<Point, 3> sorted_points(const TriangleMesh& mesh, TriangleId t) {
+FacetSize size_of(const TriangleMesh& mesh, TriangleId t) {
   const auto [a, b, c] = mesh.triangles[t];
   std::array<Point, 3> points{mesh.points[a], mesh.points[b], mesh.points[c]};
   std::sort(points.begin(), points.end());
-  return points;
+  return size_of_triangle(points);
 }
 
 // Whether the triangles of a component that run against its first one stay and the others turn: if
@@ -31,7 +33,7 @@ std::vector<std::uint8_t> choose_ways(const TriangleMesh& mesh, const EdgeCompon
   for (const TriangleId t : mesh.triangles.ids()) {
     const std::uint32_t k = found.component_of[t.index()];
     if (2 * components[k].turned != components[k].triangles) continue;
-    if (smallest[k].is_none() || sorted_points(mesh, t) < sorted_points(mesh, smallest[k])) {
+    if (smallest[k].is_none() || size_of(mesh, t) < size_of(mesh, smallest[k])) {
       smallest[k] = t;
       ways[k] = found.turned[t.index()];
     }

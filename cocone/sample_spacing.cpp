@@ -94,6 +94,7 @@ void SpacingCache::prepare(std::span<const VertexId> vertices, const Execution& 
         SpacingBuffer shortest;
         visit_stars(triangulation_, stars_, begin, end, vertex_at, [&](std::size_t k) {
           const VertexId v = vertices[k];
+          if (spacing_[v] != 0) return;
           spacing_[v] = sample_spacing(triangulation_, stars_.star(v), v, edges, shortest);
         });
       });
@@ -104,6 +105,13 @@ double SpacingCache::of(VertexId v) {
     spacing_[v] = sample_spacing(triangulation_, stars_.star(v), v, edges, shortest_);
   }
   return spacing_[v];
+}
+
+bool SpacingCache::precedes(VertexId a, VertexId b) {
+  const double spacing_a = of(a);
+  const double spacing_b = of(b);
+  if (spacing_a != spacing_b) return spacing_a > spacing_b;
+  return triangulation_.point(a) < triangulation_.point(b);
 }
 
 bool SpacingCache::is_outlier(VertexId v, double ratio) {

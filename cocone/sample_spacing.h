@@ -65,6 +65,9 @@ class SpacingCache {
 
   // Complexity: O(star) when first asked.
   double of(VertexId v);
+  // The canonical order of samples, wherever the axes lie: larger spacings first, of equal ones
+  // the lexicographically smaller point. Complexity: as of().
+  bool precedes(VertexId a, VertexId b);
   // Whether the spacing of v exceeds `ratio` times the median of its neighbors' spacings.
   // Complexity: O(stars of v and of its neighbors).
   bool is_outlier(VertexId v, double ratio);

@@ -35,10 +35,10 @@ struct SideEvidence {
 // are taken for granted, and what has none for IN. The weight of a chain is the product of its
 // rules' weights. Cells are settled in the order of how clear their evidence is (power crust):
 // uncontested ones and large |out - in| first, and pass on their stronger side. Ties go to the
-// lexicographically smaller corners: a function of the point set. `centers`: of the finite cells of
-// the region (BallCosines::prepare). Complexity: O(u log u) for u undecided cells, and two passes
-// over the cells at their vertices. Source: Amenta, Choi & Kolluri 2001 (the power crust, labeling
-// of poles).
+// smaller corners in the order of the region's vertices: a function of the point set. `centers`: of
+// the finite cells of the region (BallCosines::prepare). Complexity: O(u log u) for u undecided
+// cells, and two passes over the cells at their vertices. Source: Amenta, Choi & Kolluri 2001 (the
+// power crust, labeling of poles).
 ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,
                                                 BallCosines& cosines,
                                                 const ZeroedArray<CellId, Point>& centers,

@@ -17,6 +17,22 @@ double dihedral_cosine(VertexHandle a, VertexHandle b, VertexHandle c, VertexHan
   return dot(u, v) / (norm(u) * norm(v));
 }
 
+double squared_circumradius(const Facet& f) {
+  const Vec3 u = place(corner(f, 1)) - place(corner(f, 0));
+  const Vec3 v = place(corner(f, 2)) - place(corner(f, 0));
+  const double twice_area = norm(cross(u, v));
+  if (twice_area == 0) return infinity;
+  const double radius = norm(u) * norm(v) * norm(v - u) / (2 * twice_area);
+  return radius * radius;
+}
+
+// Where a walk may begin.
+struct Start {
+  bool on_hull;
+  double size;
+  Facet facet;  // seen from the side of the walk
+};
+
 class Sheet {
  public:
   explicit Sheet(Delaunay& delaunay) : delaunay_(delaunay) {}
@@ -34,17 +50,20 @@ class Sheet {
     }
   }
 
-  // From each facet on the hull and then each other one that is not reached, walks over the side
-  // that is seen.
+  // From each facet on the hull and then each other one that is not reached, the smallest circle
+  // first: nothing of that depends on where the axes lie.
   void walk() {
-    for (const bool hull : {true, false}) {
-      for (const Facet& f : delaunay_.finite_facets()) {
-        const Facet mirror = delaunay_.mirror_facet(f);
-        const bool at_hull = delaunay_.is_infinite(f.first) || delaunay_.is_infinite(mirror.first);
-        if (at_hull == hull && may_start(f)) {
-          walk_from(delaunay_.is_infinite(mirror.first) ? mirror : f);
-        }
-      }
+    std::vector<Start> starts;
+    for (const Facet& f : delaunay_.finite_facets()) {
+      if (!may_start(f)) continue;
+      const Facet wider = on_wider_side(f);
+      starts.push_back({delaunay_.is_infinite(wider.first), squared_circumradius(f), wider});
+    }
+    std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) {
+      return a.on_hull != b.on_hull ? a.on_hull : a.size < b.size;
+    });
+    for (const Start& start : starts) {
+      if (may_start(start.facet)) walk_from(start.facet);
     }
   }
 
@@ -61,6 +80,21 @@ class Sheet {
       if (!corner(f, k)->info().umbrella || corner(f, k)->info().on_surface) return false;
     }
     return true;
+  }
+
+  // Seen from where the fourth vertex of the cell is farther from the corners.
+  Facet on_wider_side(const Facet& f) const {
+    const auto reach = [&](const Facet& half) {
+      const VertexHandle ahead = half.first->vertex(half.second);
+      double sum = 0;
+      for (int k = 0; k < 3; ++k) {
+        sum += delaunay_.is_infinite(ahead) ? infinity
+                                            : squared_norm(place(corner(f, k)) - place(ahead));
+      }
+      return sum;
+    };
+    const Facet mirror = delaunay_.mirror_facet(f);
+    return reach(mirror) > reach(f) ? mirror : f;
   }
 
   bool& visited(const Facet& f) const {

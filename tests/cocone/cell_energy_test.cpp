@@ -90,8 +90,9 @@ TEST(CellEnergy, PartsOfStarsAndFlawsAreThoseOfThePlainSearch) {
       CellMarks marks;
       marks.good = VertexSet(t.num_vertices(), 0);
       StarCache region_stars(t);
-      const SurfaceFlaws flaws =
-          find_surface_flaws(t, find_doubtful_region(t, marks, region_stars), labeling.out);
+      SpacingCache spacings(t, region_stars);
+      const SurfaceFlaws flaws = find_surface_flaws(
+          t, find_doubtful_region(t, marks, region_stars, spacings), labeling.out);
       std::size_t unused = 0;
       std::size_t pinched = 0;
       for (const VertexId v : t.vertices()) {

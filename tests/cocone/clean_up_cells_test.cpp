@@ -298,8 +298,10 @@ TEST(CleanUpCells, WithoutUndecidedCellsNothingChanges) {
     marks.conflicts = 0;
     marks.good = VertexSet(s.triangulation.num_vertices(), 0);
     StarCache stars(s.triangulation);
+    SpacingCache spacings(s.triangulation, stars);
     HandleLoops loops(s.triangulation, stars, marks.reached);
-    for (const Triangle& loop : loops.find(find_doubtful_region(s.triangulation, marks, stars))) {
+    const DoubtfulRegion region = find_doubtful_region(s.triangulation, marks, stars, spacings);
+    for (const Triangle& loop : loops.find(region)) {
       if (!loops.is_handle(loop, 10000)) continue;
       CellMarks decided = marks;
       decided.good = VertexSet(s.triangulation.num_vertices(), 1);
@@ -351,7 +353,7 @@ TEST(CleanUpCells, SameResultForEveryInputOrder) {
   std::size_t flat = 0;
   std::size_t closed = 0;
   for (const std::vector<Point>& points :
-       {vertices_of_model("elephant.off"), shapes::noisy_sphere(1500, 0.06, 1),
+       {vertices_of_model("elephant.off"), shapes::noisy_sphere(1500, 0.06, 5),
         shapes::noisy_sphere(1500, 0.06, 16), shapes::noisy_sphere(1500, 0.05, 2),
         turned_plate(3, false), turned_plate(4, true)}) {
     const ReconstructResult expected = reconstruct_tight(points);

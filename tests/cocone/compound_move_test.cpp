@@ -12,8 +12,8 @@ struct Mover {
   explicit Mover(Labeling& labeling)
       : split(labeling.stages.triangulation, labeling.out),
         single(labeling.stages.triangulation, labeling.stars, labeling.out, labeling.energy, split),
-        compound(labeling.stages.triangulation, region, labeling.energy, single, labeling.options) {
-  }
+        compound(labeling.stages.triangulation, labeling.spacings, region, labeling.energy, single,
+                 labeling.options) {}
   DoubtfulRegion region;
   SideSplit split;
   BestMove single;

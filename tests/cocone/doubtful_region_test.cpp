@@ -30,9 +30,14 @@ TEST(DoubtfulRegion, HasTheCellsAtItsVertices) {
     }
     ASSERT_FALSE(undecided.empty());
     StarCache stars(t);
-    const DoubtfulRegion region = find_doubtful_region(t, marks, stars);
+    SpacingCache spacings(t, stars);
+    const DoubtfulRegion region = find_doubtful_region(t, marks, stars, spacings);
     EXPECT_EQ(region.cells, cells);
     EXPECT_EQ(region.undecided, undecided);
+    for (std::size_t k = 1; k < region.vertices.size(); ++k) {
+      EXPECT_GT(spacings.of(region.vertices[k - 1]), spacings.of(region.vertices[k]));
+      EXPECT_TRUE(spacings.precedes(region.vertices[k - 1], region.vertices[k]));
+    }
   }
 }
 
@@ -48,7 +53,8 @@ TEST(DoubtfulRegion, SpreadsThroughThinCells) {
     if (v.value % 700 == 1) marks.contradicted[v] = 1;
   }
   StarCache stars(t);
-  const DoubtfulRegion poor = find_doubtful_region(t, marks, stars);
+  SpacingCache spacings(t, stars);
+  const DoubtfulRegion poor = find_doubtful_region(t, marks, stars, spacings);
   for (const int thin_support : {1, 2, 3}) {
     const auto is_thin = [&](CellId c) {
       int good = 0;
@@ -79,7 +85,7 @@ TEST(DoubtfulRegion, SpreadsThroughThinCells) {
       thin += is_thin(c) ? 1U : 0U;
     }
     const DoubtfulRegion region =
-        find_doubtful_region(t, marks, stars, t.num_cells(), thin_support);
+        find_doubtful_region(t, marks, stars, spacings, t.num_cells(), thin_support);
     EXPECT_EQ(region.undecided, undecided);
     EXPECT_EQ(region.thin_cells, undecided.size() - poor.undecided.size());
     EXPECT_GT(region.thin_cells, 0U);
@@ -97,12 +103,13 @@ TEST(DoubtfulRegion, LeavesLargeClumpsOnly) {
   CellMarks marks;
   marks.good = VertexSet(t.num_vertices(), 0);
   StarCache stars(t);
+  SpacingCache spacings(t, stars);
   const std::size_t all = t.num_finite_cells();
-  const DoubtfulRegion asked = find_doubtful_region(t, marks, stars, all);
+  const DoubtfulRegion asked = find_doubtful_region(t, marks, stars, spacings, all);
   EXPECT_EQ(asked.undecided.size(), all);
   EXPECT_EQ(asked.left_cells, 0U);
   EXPECT_EQ(asked.vertices.size(), t.num_vertices());
-  const DoubtfulRegion left = find_doubtful_region(t, marks, stars, all - 1);
+  const DoubtfulRegion left = find_doubtful_region(t, marks, stars, spacings, all - 1);
   EXPECT_TRUE(left.undecided.empty());
   EXPECT_EQ(left.left_cells, all);
   EXPECT_TRUE(left.vertices.empty());
@@ -111,8 +118,9 @@ TEST(DoubtfulRegion, LeavesLargeClumpsOnly) {
   for (const VertexId v : t.vertices()) {
     marks.good[v] = t.point(v).x > 0.3 && t.point(v).x < 0.6 ? 1 : 0;
   }
-  const DoubtfulRegion small = find_doubtful_region(t, marks, stars);
-  const DoubtfulRegion some = find_doubtful_region(t, marks, stars, small.undecided.size() / 2);
+  const DoubtfulRegion small = find_doubtful_region(t, marks, stars, spacings);
+  const DoubtfulRegion some =
+      find_doubtful_region(t, marks, stars, spacings, small.undecided.size() / 2);
   EXPECT_GT(some.left_cells, small.undecided.size() / 2);
   EXPECT_GT(some.undecided.size(), 0U);
   EXPECT_EQ(some.left_cells + some.undecided.size(), small.undecided.size());
@@ -132,15 +140,16 @@ TEST(DoubtfulRegion, IsExtendedToWhatItWouldBe) {
     if (v.value % 5 == 0) more.push_back(v);
   }
   StarCache stars(t);
-  DoubtfulRegion extended = find_doubtful_region(t, marks, stars);
+  SpacingCache spacings(t, stars);
+  DoubtfulRegion extended = find_doubtful_region(t, marks, stars, spacings);
   const std::vector<CellId> undecided = extended.undecided;
   more.push_back(more.front());
   std::reverse(more.begin(), more.end());
-  extend_region(t, stars, more, extended);
+  extend_region(stars, spacings, more, extended);
   for (const VertexId v : t.vertices()) {
     if (v.value % 5 == 0) marks.good[v] = 0;
   }
-  const DoubtfulRegion expected = find_doubtful_region(t, marks, stars);
+  const DoubtfulRegion expected = find_doubtful_region(t, marks, stars, spacings);
   EXPECT_EQ(extended.vertices, expected.vertices);
   EXPECT_EQ(extended.cells, expected.cells);
   EXPECT_EQ(extended.undecided, undecided);

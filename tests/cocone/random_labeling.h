@@ -150,7 +150,7 @@ inline DoubtfulRegion whole(Labeling& labeling) {
   region.rank = ZeroedArray<VertexId, std::uint32_t>(t.num_vertices());
   std::vector<VertexId> vertices;
   for (const VertexId v : t.vertices()) vertices.push_back(v);
-  extend_region(t, labeling.stars, vertices, region);
+  extend_region(labeling.stars, labeling.spacings, vertices, region);
   return region;
 }
 

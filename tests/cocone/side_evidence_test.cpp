@@ -1,6 +1,7 @@
 #include "cocone/side_evidence.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -40,7 +41,8 @@ struct Scene {
       if (random.uniform() < 0.3) marks.labels[c] = CellLabel::unmarked;
     }
     StarCache stars(t);
-    region = find_doubtful_region(t, marks, stars, t.num_cells(), thin_support);
+    SpacingCache spacings(t, stars);
+    region = find_doubtful_region(t, marks, stars, spacings, t.num_cells(), thin_support);
   }
 
   bool is_thin(CellId c) const { return !is_poor(stages.triangulation, marks.good, c); }
@@ -162,7 +164,14 @@ class PlainEvidence {
       return std::pair(out == 0 || in == 0, std::abs(out - in));
     };
     if (clarity(a) != clarity(b)) return clarity(a) > clarity(b);
-    return sorted_corners(t_, a) < sorted_corners(t_, b);
+    return sorted_ranks(a) < sorted_ranks(b);
+  }
+
+  std::array<std::uint32_t, 4> sorted_ranks(CellId c) const {
+    std::array<std::uint32_t, 4> ranks;
+    for (std::size_t i = 0; i < 4; ++i) ranks[i] = scene_.region.rank[t_.cell(c).vertices[i]];
+    std::sort(ranks.begin(), ranks.end());
+    return ranks;
   }
 
   void settle() {
