@@ -110,7 +110,7 @@ double SpacingCache::of(VertexId v) {
 bool SpacingCache::precedes(VertexId a, VertexId b) {
   const double spacing_a = of(a);
   const double spacing_b = of(b);
-  if (spacing_a != spacing_b) return spacing_a > spacing_b;
+  if (spacing_a != spacing_b) return spacing_a < spacing_b;
   return triangulation_.point(a) < triangulation_.point(b);
 }
 

@@ -65,7 +65,7 @@ class SpacingCache {
 
   // Complexity: O(star) when first asked.
   double of(VertexId v);
-  // The canonical order of samples, wherever the axes lie: larger spacings first, of equal ones
+  // The canonical order of samples, wherever the axes lie: smaller spacings first, of equal ones
   // the lexicographically smaller point. Complexity: as of().
   bool precedes(VertexId a, VertexId b);
   // Whether the spacing of v exceeds `ratio` times the median of its neighbors' spacings.

@@ -35,7 +35,7 @@ TEST(DoubtfulRegion, HasTheCellsAtItsVertices) {
     EXPECT_EQ(region.cells, cells);
     EXPECT_EQ(region.undecided, undecided);
     for (std::size_t k = 1; k < region.vertices.size(); ++k) {
-      EXPECT_GT(spacings.of(region.vertices[k - 1]), spacings.of(region.vertices[k]));
+      EXPECT_LT(spacings.of(region.vertices[k - 1]), spacings.of(region.vertices[k]));
       EXPECT_TRUE(spacings.precedes(region.vertices[k - 1], region.vertices[k]));
     }
   }
