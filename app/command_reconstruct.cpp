@@ -123,18 +123,20 @@ void add_stages(JsonReport& report, const ReconstructArguments& arguments,
 }
 
 // Sessions and open surfaces have none (require_possible_noise_filter).
-NoiseFilter noise_filter_of(const ReconstructArguments& arguments) {
+NoiseFilter noise_filter_of(const ReconstructArguments& arguments, std::size_t faces) {
   if (arguments.noise == "robust") return NoiseFilter::used;
   const bool possible = arguments.surface == "tight" && arguments.session.empty();
   if (possible && arguments.densify) return NoiseFilter::no_noise;
-  return possible ? NoiseFilter::not_used : NoiseFilter::no_option;
+  if (!possible) return NoiseFilter::no_option;
+  return faces > 0 ? NoiseFilter::not_used_on_mesh : NoiseFilter::not_used;
 }
 
+// `faces`: those of the file, if their vertices alone are the samples.
 DensifiedMesh read_input(Job& job, const ReconstructArguments& arguments,
-                         VertexProperties* properties) {
+                         VertexProperties* properties, std::size_t& faces) {
   if (arguments.densify) return read_densified(job, arguments.points, *arguments.densify);
   DensifiedMesh input;
-  input.points = read_cloud(job, arguments.points, "input", properties);
+  input.points = read_cloud(job, arguments.points, "input", properties, &faces);
   return input;
 }
 
@@ -166,7 +168,8 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   const ReconstructOptions& options = stages.surface;
   VertexProperties properties;
   const bool keep = holds_properties(arguments.mesh);
-  const DensifiedMesh input = read_input(job, arguments, keep ? &properties : nullptr);
+  std::size_t faces = 0;
+  const DensifiedMesh input = read_input(job, arguments, keep ? &properties : nullptr, faces);
   const std::vector<Point>& points = input.points;
   std::optional<UpdateSession> session;
   ReconstructResult result = naming_input(arguments.points, [&] {
@@ -182,7 +185,8 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
     return tight ? reconstruct_tight_again(points, input.sides, options, job.execution())
                  : reconstruct_cocone(points, options, job.execution());
   });
-  require_surface(job, arguments.points, result, points, options);
+  require_surface(job, arguments.points, result, points, options,
+                  faces > 0 ? ", or sample the triangles of this mesh (--densify SPACING)" : "");
   const SurfaceDoubts doubts = timed(job.execution(), "check", [&] {
     return surface_doubts(result, points, stages.doubts, job.execution());
   });
@@ -209,7 +213,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
           result.duplicates, result.unused_points, result.tetrahedra);
   job.say_outputs("{} -> {}", surface_summary(certificate), arguments.mesh);
   std::vector<Finding> findings =
-      findings_of(doubts, result.points - result.duplicates, noise_filter_of(arguments));
+      findings_of(doubts, result.points - result.duplicates, noise_filter_of(arguments, faces));
   const bool parted = certificate.edge_manifold && certificate.vertex_manifold;
   std::erase_if(findings, [&](const Finding& f) { return parted && f.kind == "contacts"; });
   report_findings(job, findings);

@@ -115,7 +115,7 @@ std::string in_folder(const std::string& folder, const std::string& name) {
 }
 
 std::vector<Point> read_cloud(Job& job, const std::string& path, const std::string& section,
-                              VertexProperties* properties) {
+                              VertexProperties* properties, std::size_t* faces) {
   PointReadOptions options;
   options.keep_properties = properties != nullptr;
   options.skip_non_finite = job.shared().skip_non_finite;
@@ -133,6 +133,7 @@ std::vector<Point> read_cloud(Job& job, const std::string& path, const std::stri
   }
   warn_of_trailing_bytes(job, path, section, cloud.trailing_bytes);
   if (properties != nullptr) *properties = std::move(cloud.properties);
+  if (faces != nullptr) *faces = cloud.faces;
   return std::move(cloud.points);
 }
 

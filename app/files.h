@@ -47,9 +47,9 @@ std::string in_folder(const std::string& folder, const std::string& name);
 
 // Reads points; times it as stage "read". What the reader left out is counted in the report's
 // section `section` ("input") and warned of. `properties`, if not null, gets what a PLY file says
-// of its vertices beside their position.
+// of its vertices beside their position, `faces` how many faces the file has, which are not used.
 std::vector<Point> read_cloud(Job& job, const std::string& path, const std::string& section,
-                              VertexProperties* properties = nullptr);
+                              VertexProperties* properties = nullptr, std::size_t* faces = nullptr);
 
 // Reads what may be a mesh or a point cloud: a file without triangles gives points alone.
 TriangleMesh read_shape(Job& job, const std::string& path, const std::string& section,

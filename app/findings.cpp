@@ -10,6 +10,10 @@ namespace cocoon::app {
 
 namespace {
 
+bool is_filter_left(NoiseFilter filter) {
+  return filter == NoiseFilter::not_used || filter == NoiseFilter::not_used_on_mesh;
+}
+
 // A deviation of normal noise from the median roughness it causes (surface_doubts.h).
 double noise_of(double roughness) { return roughness / 0.7; }
 
@@ -35,28 +39,35 @@ std::string longest_edge(const DoubtfulSpot& spot, double spacing) {
 }
 
 // `many`: so many samples fail that scans may overlap without agreeing.
+const char* remedy_of_sparse(bool many, NoiseFilter filter) {
+  if (filter == NoiseFilter::no_noise) return "a smaller SPACING of --densify may help";
+  if (filter == NoiseFilter::not_used_on_mesh) {
+    return "scan such places more densely, or sample the triangles of this mesh (--densify "
+           "SPACING)";
+  }
+  return many && filter == NoiseFilter::not_used
+             ? "scan such places more densely, or try --noise robust if scans overlap there"
+             : "scan such places more densely";
+}
+
 Finding sparse_finding(const SurfaceDoubts& d, bool many, NoiseFilter filter) {
   return {
       "sparse",
-      fmt::format(
-          "samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
-          "there is {}, near {}; {}{}",
-          sparse_samples(d), longest_edge(d.sparse[0], d.spacing), place_name(d.sparse[0].at),
-          filter == NoiseFilter::no_noise ? "a smaller SPACING of --densify may help"
-                                          : "scan such places more densely",
-          many && filter == NoiseFilter::not_used ? ", or try --noise robust if scans overlap there"
-                                                  : ""),
+      fmt::format("samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
+                  "there is {}, near {}; {}",
+                  sparse_samples(d), longest_edge(d.sparse[0], d.spacing),
+                  place_name(d.sparse[0].at), remedy_of_sparse(many, filter)),
       d.boundary_samples + d.gap_samples, d.sparse};
 }
 
 Finding noise_finding(const SurfaceDoubts& d, NoiseFilter filter) {
-  return {"noise",
-          fmt::format("noise is about {:.0f} % of the spacing {:.3g}; {}",
-                      100 * noise_of(d.roughness), d.spacing,
-                      filter == NoiseFilter::not_used ? "try --noise robust"
-                                                      : "smooth or thin out the points"),
-          0,
-          {}};
+  return {
+      "noise",
+      fmt::format("noise is about {:.0f} % of the spacing {:.3g}; {}", 100 * noise_of(d.roughness),
+                  d.spacing,
+                  is_filter_left(filter) ? "try --noise robust" : "smooth or thin out the points"),
+      0,
+      {}};
 }
 
 Finding fragments_finding(const SurfaceDoubts& d, NoiseFilter filter) {
@@ -75,6 +86,7 @@ const char* reason_of_unused(NoiseFilter filter) {
     case NoiseFilter::used:
       return "such count as noise or outliers";
     case NoiseFilter::not_used:
+    case NoiseFilter::not_used_on_mesh:
       return "outliers (--noise robust finds more of them), inner surfaces (--cavities keeps "
              "them), "
              "or samples too sparse there";

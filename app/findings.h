@@ -22,6 +22,7 @@ enum class NoiseFilter {
   no_noise,   // samples of a mesh (--densify)
   no_option,  // or nothing is left for it to do
   not_used,
+  not_used_on_mesh,  // the same; the samples are the vertices of a mesh, which may be made dense
   used,
   of_strays,  // not used; it would leave out stray samples only
 };

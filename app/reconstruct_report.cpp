@@ -132,21 +132,23 @@ void add_noise(JsonReport& report, const NoiseCounters& noise) {
 }
 
 void require_surface(Job& job, const std::string& file, const ReconstructResult& result,
-                     Points points, const ReconstructOptions& options) {
+                     Points points, const ReconstructOptions& options,
+                     const std::string& other_remedy) {
   report_verification(job.report(), file, result.verification);
   if (result.status != SurfaceStatus::no_surface && result.status != SurfaceStatus::empty) return;
   const SampleDoubts doubts = sample_doubts(points, options, {}, job.execution());
   const double rho = options.boundary.rho;
   if (result.status == SurfaceStatus::no_surface) {
-    throw InputError(
-        fmt::format("{}: no surface: none of the {} samples lies well inside one: {}; {}", file,
-                    result.vertices, ratios_said(doubts, rho), samples_said(doubts, rho)));
+    throw InputError(fmt::format(
+        "{}: no surface: none of the {} samples lies well inside one: {}; {}{}", file,
+        result.vertices, ratios_said(doubts, rho), samples_said(doubts, rho), other_remedy));
   }
-  throw InputError(fmt::format(
-      "{}: no surface: nothing is left of {}; {} of {} samples count as boundary by "
-      "--rho {:.3g}; {}",
-      file, counted(result.counters.candidates, "candidate triangle"),
-      result.counters.boundary_samples, result.vertices, rho, samples_said(doubts, rho)));
+  throw InputError(
+      fmt::format("{}: no surface: nothing is left of {}; {} of {} samples count as boundary by "
+                  "--rho {:.3g}; {}{}",
+                  file, counted(result.counters.candidates, "candidate triangle"),
+                  result.counters.boundary_samples, result.vertices, rho, samples_said(doubts, rho),
+                  other_remedy));
 }
 
 }  // namespace cocoon::app

@@ -20,8 +20,10 @@ void add_noise(JsonReport& report, const NoiseCounters& noise);
 
 // Throws InputError unless the status is ok: what failed, the numbers and places that say why, what
 // to try; `points` and `options` are those of the reconstruction. If a verification was asked for,
-// it goes to the report (app/verification.h), or refutes the result.
+// it goes to the report (app/verification.h), or refutes the result. `other_remedy`: what else to
+// try, after a comma.
 void require_surface(Job& job, const std::string& file, const ReconstructResult& result,
-                     Points points, const ReconstructOptions& options);
+                     Points points, const ReconstructOptions& options,
+                     const std::string& other_remedy = {});
 
 }  // namespace cocoon::app

@@ -44,6 +44,7 @@ PointCloud read_points(const std::filesystem::path& path, const PointReadOptions
     PolygonSoup soup = read_polygon_soup(path, options.keep_properties);
     check_corners(soup, path);
     non_finite = soup.non_finite;
+    cloud.faces = soup.face_ends.size();
     cloud.points = std::move(soup.points);
     cloud.properties = std::move(soup.properties);
     cloud.trailing_bytes = soup.trailing_bytes;

@@ -26,6 +26,7 @@ struct PointReadOptions {
 struct PointCloud {
   std::vector<Point> points;  // in the order of the file
   std::size_t skipped = 0;    // points that were not finite, with skip_non_finite
+  std::size_t faces = 0;      // mesh files: in the file, not read
   std::string header;         // text files: the line of column names that was skipped, if any
   std::size_t columns = 0;    // text files: of the first row; columns behind the third are ignored
   // Text files: the count in a first line of its own, if there is one. More points may follow.

@@ -68,6 +68,7 @@ TEST(Findings, ManyFailingSamplesMayBeOverlappingScans) {
   EXPECT_TRUE(names_filter(100, NoiseFilter::not_used));
   EXPECT_FALSE(names_filter(100, NoiseFilter::used));
   EXPECT_FALSE(names_filter(100, NoiseFilter::no_option));
+  EXPECT_FALSE(names_filter(100, NoiseFilter::not_used_on_mesh));
   doubts.gap_samples = 1;
   EXPECT_FALSE(names_filter(1000, NoiseFilter::not_used));
 }

@@ -5,7 +5,9 @@
 #include <string>
 
 #include "geom/random.h"
+#include "io/mesh_file.h"
 #include "tests/gallery.h"
+#include "tests/mesh_gallery.h"
 #include "tests/run_program.h"
 #include "tests/test_clouds.h"
 
@@ -51,6 +53,26 @@ TEST(Findings, AreWarningsInTheSummary) {
   EXPECT_NE(run.out.find("warning: 1 of 801 points is not on the surface; it is "),
             std::string::npos)
       << run.out;
+}
+
+// The corners of a CAD part alone are no sampling of it, but its triangles can be sampled.
+TEST(Findings, OfAMeshNameItsTriangles) {
+  const TemporaryFolder folder;
+  const std::string part = folder.file("part.off");
+  const std::string out = folder.file("mesh.ply");
+  write_mesh(part, gallery::cube());
+  const std::string advice = ", or sample the triangles of this mesh (--densify SPACING)";
+  ProgramRun run = run_program({"reconstruct", part, "-o", out, "--rho", "0.001"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.error.find(advice), std::string::npos) << run.error;
+  const std::string plate = std::string(COCOON_TEST_DATA) + "/models/plate_holes.stl";
+  run = run_program({"reconstruct", plate, "-o", out});
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_NE(run.out.find(advice), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("--noise robust"), std::string::npos) << run.out;
+  const std::string points = folder.write("points.xyz", whole_sphere(800) + point_line(9, 0, 0));
+  run = run_program({"reconstruct", points, "-o", out, "--rho", "0.001"});
+  EXPECT_EQ(run.error.find("mesh ("), std::string::npos) << run.error;
 }
 
 // Where there is no surface, the error names the numbers and places that say why.
