@@ -149,6 +149,13 @@ ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
   return std::move(result.surface);
 }
 
+void write_session(Job& job, const ReconstructArguments& arguments, UpdateSession&& session) {
+  timed(job.execution(), "write", [&] {
+    save_session(arguments.session, {std::move(session).release(), arguments.parameters, {}},
+                 job.outputs());
+  });
+}
+
 void require_possible_options(const ReconstructArguments& arguments) {
   require_possible_noise_filter(arguments);
   require_use_of_options(arguments);
@@ -200,12 +207,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   timed(job.execution(), "write", [&] {
     write_mesh(arguments.mesh, result.mesh, properties, {.ascii = arguments.ascii}, job.outputs());
   });
-  if (session) {
-    timed(job.execution(), "write", [&] {
-      save_session(arguments.session, {std::move(*session).release(), arguments.parameters, {}},
-                   job.outputs());
-    });
-  }
+  if (session) write_session(job, arguments, std::move(*session));
 
   add_stages(job.report(), arguments, stages);
   add_reconstruction(job.report(), result, certificate);
