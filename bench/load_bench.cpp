@@ -5,7 +5,6 @@
 //   load_bench [LARGEST [THREADS]]     sizes 10^4, 10^5, ... up to LARGEST (10^6), and LARGEST
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <sys/resource.h>
@@ -13,6 +12,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include "bench/options.h"
 #include "bench/point_sets.h"
 #include "bench/stopwatch.h"
 #include "cocone/reconstruct.h"
@@ -144,8 +144,11 @@ bool measure(const Shape& shape, const Work& work, std::size_t count, int thread
 
 int main(int argc, char** argv) {
   using namespace cocoon::bench;
-  const std::size_t largest = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000000;
-  const int threads = argc > 2 ? std::atoi(argv[2]) : 1;
+  const Options options(argc, argv);
+  const std::vector<std::string>& given = options.rest();
+  if (given.size() > 2) options.fail("takes two numbers at most");
+  const std::size_t largest = given.empty() ? 1000000 : options.as_number(given[0]);
+  const int threads = given.size() < 2 ? 1 : static_cast<int>(options.as_number(given[1]));
   std::vector<std::size_t> sizes;
   for (std::size_t size = 10000; size < largest; size *= 10) sizes.push_back(size);
   sizes.push_back(largest);

@@ -1,15 +1,16 @@
 // How well the update does on the procedural models of the paper's examples, where the truth is
 // known: all models, over many seeds, with ideal scans, with registration errors and with noise.
 //
-//   ./dev bench update_scores                                the table of bench/update_quality.md
-//   build/release/bench/update_scores_bench SEEDS [MODEL] [SIZE]   fewer seeds, one model, a share
-//                                                            of the paper's counts
+//   ./dev bench update_scores             the table of bench/update_quality.md
+//   --seeds N                             20 of each model
+//   --model NAME                          one model only
+//   --percent N                           of the paper's numbers of points
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "bench/options.h"
 #include "cocone/reconstruct.h"
 #include "geom/mesh_measure.h"
 #include "io/sample_models.h"
@@ -132,16 +133,22 @@ void score_model(const std::string& name, std::uint64_t seeds, double size) {
 }  // namespace cocoon
 
 int main(int argc, char** argv) {
-  const std::uint64_t seeds = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 20;
-  const std::string only = argc > 2 ? argv[2] : "";
-  const double size = argc > 3 ? std::strtod(argv[3], nullptr) : 1;
+  cocoon::bench::Options options(argc, argv);
+  const std::size_t seeds = options.number("--seeds", 20);
+  const std::string only = options.text("--model", "");
+  const double size = 0.01 * static_cast<double>(options.number("--percent", 100));
+  options.require_no_rest();
+  const std::vector<std::string> names = cocoon::sample_model_names();
+  if (!only.empty() && std::find(names.begin(), names.end(), only) == names.end()) {
+    options.fail("does not know the model '" + only + "'");
+  }
   std::printf(
       "The worst of %d seeds; distances in spacings of the initial model.\n"
       "| model | scan | done | removed | precision | recall | wrong topology | mean | RMS | "
       "Hausdorff | margin, degrees | moved vertices |\n"
       "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
       static_cast<int>(seeds));
-  for (const std::string& name : cocoon::sample_model_names()) {
+  for (const std::string& name : names) {
     if (only.empty() || only == name) cocoon::score_model(name, seeds, size);
   }
   return 0;
