@@ -81,7 +81,7 @@ class Filter {
     const Triangulation& triangulation = samples_.triangulation();
     OuterSkin skin = outer_skin(triangulation, dual(), samples_.spacing(), noise_);
     if (noise_.max_leak >= 1) return skin;
-    const IdVector<CellId, std::uint8_t> outside = surface().outside();
+    const IdVector<CellId, std::uint8_t> outside = surface().outside(execution_);
     if (outside.empty()) return skin;
     NoiseCounters& counters = result_.counters;
     for (const CellId c : triangulation.finite_cells()) {

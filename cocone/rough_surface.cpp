@@ -14,7 +14,7 @@ namespace cocoon {
 
 RoughSurface::RoughSurface(const Triangulation& triangulation, const Dual& dual,
                            const ReconstructOptions& options, const Execution& execution)
-    : triangulation_(triangulation), options_(options), execution_(execution) {
+    : triangulation_(triangulation), options_(options) {
   ConeSides sides;
   poles_ = compute_poles(triangulation, dual, options.cocone.cosine, sides, execution);
   const Cocones cocones = intersect_cocones(triangulation, std::move(sides), execution);
@@ -29,11 +29,11 @@ RoughSurface::RoughSurface(const Triangulation& triangulation, const Dual& dual,
   good_ = good_vertices(triangles_, labels_.boundary, options.good_vertices, execution);
 }
 
-IdVector<CellId, std::uint8_t> RoughSurface::outside() const {
+IdVector<CellId, std::uint8_t> RoughSurface::outside(const Execution& execution) const {
   if (labels_.interior() == 0) return {};
-  CellMarks marks = mark_cells(triangulation_, triangles_, good_, {}, execution_);
-  marks = peel_cells(triangulation_, triangles_.set, std::move(marks), options_.peel, execution_);
-  clean_up_cells(triangulation_, poles_, marks, options_.clean_up, execution_);
+  CellMarks marks = mark_cells(triangulation_, triangles_, good_, {}, execution);
+  marks = peel_cells(triangulation_, triangles_.set, std::move(marks), options_.peel, execution);
+  clean_up_cells(triangulation_, poles_, marks, options_.clean_up, execution);
   return std::move(marks.reached);
 }
 

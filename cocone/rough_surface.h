@@ -18,7 +18,8 @@ namespace cocoon {
 
 class RoughSurface {
  public:
-  // Extracts the surface by the options of its stages. All references must outlive the object.
+  // Extracts the surface by the options of its stages. Triangulation and options must outlive the
+  // object.
   // Complexity: as these stages, O(cells).
   RoughSurface(const Triangulation& triangulation, const Dual& dual,
                const ReconstructOptions& options, const Execution& execution = {});
@@ -26,12 +27,11 @@ class RoughSurface {
   // 1 = one disk of the surface surrounds the sample (good_vertices); none if there is no surface.
   const VertexSet& good() const { return good_.good; }
   // Closes the surface: 1 = outside, by marking, peel and clean-up; empty if there is no surface.
-  IdVector<CellId, std::uint8_t> outside() const;
+  IdVector<CellId, std::uint8_t> outside(const Execution& execution = {}) const;
 
  private:
   const Triangulation& triangulation_;
   const ReconstructOptions& options_;
-  const Execution& execution_;
   Poles poles_;
   BoundarySamples labels_;
   LinkedFacets triangles_;
