@@ -1,7 +1,5 @@
 #include "cocone/orient_surface.h"
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -12,10 +10,7 @@ namespace cocoon {
 namespace {
 
 FacetSize size_of(const TriangleMesh& mesh, TriangleId t) {
-  const auto [a, b, c] = mesh.triangles[t];
-  std::array<Point, 3> points{mesh.points[a], mesh.points[b], mesh.points[c]};
-  std::sort(points.begin(), points.end());
-  return size_of_triangle(points);
+  return size_of_triangle(sorted_corners(corners_of(mesh, t)));
 }
 
 // Whether the triangles of a component that run against its first one stay and the others turn: if

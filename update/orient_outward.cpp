@@ -9,6 +9,7 @@
 #include "geom/edge_components.h"
 #include "geom/linked_sides.h"
 #include "geom/mixed_bits.h"
+#include "geom/triangles_by_area.h"
 
 namespace cocoon {
 namespace {
@@ -27,14 +28,17 @@ bool sides_cancel(const TriangleMesh& mesh) {
   return sum == 0;
 }
 
+// Of the tetrahedron between a triangle and the apex; positive if it faces away from there.
+double volume_over(const TriangleMesh& mesh, TriangleId t, const Point& apex) {
+  const auto [a, b, c] = corners_of(mesh, t);
+  return dot(a - apex, cross(b - apex, c - apex)) / 6;
+}
+
 double volume_of(const TriangleMesh& mesh) {
   double sum = 0;
-  const Point& origin = mesh.points[mesh.triangles[TriangleId(0)][0]];
-  for (const TriangleId t : mesh.triangles.ids()) {
-    const auto [a, b, c] = corners_of(mesh, t);
-    sum += dot(a - origin, cross(b - origin, c - origin));
-  }
-  return sum / 6;
+  const Point& apex = mesh.points[mesh.triangles[TriangleId(0)][0]];
+  for (const TriangleId t : mesh.triangles.ids()) sum += volume_over(mesh, t, apex);
+  return sum;
 }
 
 // What is measured of each part.
@@ -73,10 +77,9 @@ std::vector<Part> measure(const TriangleMesh& mesh, const LinkedSides& sides,
     if (part.open_edges > 0) part.center = part.center / static_cast<double>(part.open_edges);
   }
   for (const TriangleId t : mesh.triangles.ids()) {
-    const auto [a, b, c] = corners_of(mesh, t);
     Part& part = parts[found.component_of[t.index()]];
-    part.area += 0.5 * norm(cross(b - a, c - a));
-    part.volume += dot(a - part.center, cross(b - part.center, c - part.center)) / 6;
+    part.area += area_of(mesh, t);
+    part.volume += volume_over(mesh, t, part.center);
   }
   for (std::size_t k = 0; k < parts.size(); ++k) {
     Part& part = parts[k];
