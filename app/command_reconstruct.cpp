@@ -193,7 +193,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
                  : reconstruct_cocone(points, options, job.execution());
   });
   require_surface(job, arguments.points, result, points, options,
-                  faces > 0 ? ", or sample the triangles of this mesh (--densify SPACING)" : "");
+                  faces > 0 ? std::string(", ") + remedy_of_mesh : "");
   const SurfaceDoubts doubts = timed(job.execution(), "check", [&] {
     return surface_doubts(result, points, stages.doubts, job.execution());
   });

@@ -39,11 +39,10 @@ std::string longest_edge(const DoubtfulSpot& spot, double spacing) {
 }
 
 // `many`: so many samples fail that scans may overlap without agreeing.
-const char* remedy_of_sparse(bool many, NoiseFilter filter) {
+std::string remedy_of_sparse(bool many, NoiseFilter filter) {
   if (filter == NoiseFilter::no_noise) return "a smaller SPACING of --densify may help";
   if (filter == NoiseFilter::not_used_on_mesh) {
-    return "scan such places more densely, or sample the triangles of this mesh (--densify "
-           "SPACING)";
+    return std::string("scan such places more densely, ") + remedy_of_mesh;
   }
   return many && filter == NoiseFilter::not_used
              ? "scan such places more densely, or try --noise robust if scans overlap there"

@@ -17,6 +17,10 @@ struct Finding {
   std::vector<DoubtfulSpot> spots;  // worst first
 };
 
+// What to do if the samples are the vertices of a mesh.
+inline constexpr const char* remedy_of_mesh =
+    "or sample the triangles of this mesh (--densify SPACING)";
+
 // Whether the user may filter noise (--noise robust), and has.
 enum class NoiseFilter {
   no_noise,   // samples of a mesh (--densify)
