@@ -122,8 +122,8 @@ class Walk {
     Half best = halves.front();
     FacetSize least = size_of(best);
     for (const Half h : halves) {
-      const double diameter = 4 * least.squared_circumradius;
-      if (squared_longest_side(h) > more_than_rounding * diameter) continue;
+      const double squared_diameter = 4 * least.squared_circumradius;
+      if (squared_longest_side(h) > more_than_rounding * squared_diameter) continue;
       const FacetSize size = size_of(h);
       if (!(size < least)) continue;
       least = size;

@@ -1,5 +1,6 @@
 #include "cocone/remaining_samples.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "cocone/outlier_rounds.h"
@@ -50,15 +51,13 @@ VertexSet RemainingSamples::outliers() const {
 RemainingSamples::Outliers RemainingSamples::leave_out_outliers(const VertexSet& first,
                                                                 const VertexSet& spared) {
   // Without one that goes there are no rounds, for which the triangulation would be used up.
-  Outliers none;
   bool any_goes = false;
   for (const VertexId v : first.ids()) {
-    if (first[v] == 0) continue;
-    const bool stays = !spared.empty() && spared[v] != 0;
-    none.spared += stays ? 1U : 0U;
-    any_goes |= !stays;
+    any_goes |= first[v] != 0 && (spared.empty() || spared[v] == 0);
   }
-  if (!any_goes) return none;
+  if (!any_goes) {
+    return {.spared = static_cast<std::size_t>(std::count(first.begin(), first.end(), 1))};
+  }
   const IdVector<PointId, VertexId> vertex_of_point = triangulation_.vertex_of_point();
   const OutlierRounds outliers = outlier_rounds(std::move(triangulation_), std::move(spacing_),
                                                 first, spared, noise_, execution_);
