@@ -84,7 +84,8 @@ class CleanUp {
     tell_flaws();
     repair();
     flip_clusters();
-    if (drop_components()) repair();
+    drop_components();
+    if (counters_.dropped_components > 0) repair();
     if (make_compound_moves()) repair();
     if (close_handles()) repair();
     update_flaws();
@@ -427,7 +428,7 @@ class CleanUp {
   bool is_body(CellId c) { return !triangulation_.is_infinite(c) && !cosines_.is_flat(c); }
 
   // Parts of the body whose samples and facets are not worth a part of its own.
-  bool drop_components() {
+  void drop_components() {
     const Energy gain = to_energy(options_.component_cost);
     for (const std::vector<CellId>& part :
          small_parts(triangulation_, out_, region_.cells, options_.most_cluster_cells)) {
@@ -438,7 +439,6 @@ class CleanUp {
       flip(part);
       ++counters_.dropped_components;
     }
-    return counters_.dropped_components != 0;
   }
 
   void count(std::size_t& defects, std::size_t& unused) {
