@@ -93,13 +93,13 @@ struct UpdateResult {
   // Euler numbers, from the numbers of vertices in use and of triangles.
   std::ptrdiff_t euler_before = 0;
   std::ptrdiff_t euler = 0;
-  std::size_t unexplained_handles = 0;
+  std::size_t unexplained_handles = 0;  // of a model with open edges always 0
   // Of the updated points, without its mesh; counts of duplicates and unused points are here.
   ReconstructResult reconstruction;
 };
 
-// Updates `model`, a closed mesh oriented outward, by `clouds` registered to it, each of which
-// covers a part of the model and overlaps the rest along its rim.
+// Updates `model`, a closed mesh oriented outward (others: orient_outward()), by `clouds`
+// registered to it, each of which covers a part of the model and overlaps the rest along its rim.
 // Vertices of the result: kept vertices in the order of the model, then cloud points in the order
 // given, without those not on the surface. Every edge of the result is balanced
 // (reconstruct_tight), whatever the model was.

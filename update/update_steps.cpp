@@ -218,12 +218,13 @@ void UpdateSteps::look_for_losses(const ModelIndex& index) {
   if (result_.unused_changes.is_doubtful(options_.unused_changes)) {
     warn(warning_of_unused_changes(result_.unused_changes));
   }
+  const std::size_t handles =
+      unexplained_handles(result_.clouds, result_.euler_before, result_.euler);
   // To close the holes of an open model changes its Euler number, too.
-  if (!index.has_open_sides()) {
-    result_.unexplained_handles =
-        unexplained_handles(result_.clouds, result_.euler_before, result_.euler);
+  if (handles > 0 && !index.has_open_sides()) {
+    result_.unexplained_handles = handles;
+    warn(warning_of_handles(handles));
   }
-  if (result_.unexplained_handles > 0) warn(warning_of_handles(result_.unexplained_handles));
   std::vector<VertexId> lost = lost_vertices(index, result_.replacement, result_.vertex_map,
                                              result_.reconstruction.unused_points == 0);
   // What samples lie over or under was scanned through, however far away they are.
