@@ -80,11 +80,17 @@ constexpr std::array<Threshold, 25> of_clean_up{{
      tight, [](Options& o) -> Field { return &o.surface.clean_up.component_cost; }},
 }};
 
-constexpr std::array<Threshold, 11> of_clouds_and_findings{{
+constexpr std::array<Threshold, 14> of_clouds_and_findings{{
     {"noise-neighbors", "Noise filter: edges that make the spacing of a sample", 1, 1000, whole,
      outliers, [](Options& o) -> Field { return &o.noise.neighbors; }},
     {"noise-outlier-ratio", "Noise filter: spacing of outliers, in spacings of their neighbors", 1,
      1e6, number, outliers, [](Options& o) -> Field { return &o.noise.outlier_ratio; }},
+    {"noise-clump-link", "Noise filter: samples of a clump are so many spacings apart at most", 0,
+     1e6, number, noise, [](Options& o) -> Field { return &o.noise.clump_link_ratio; }},
+    {"noise-clump-share", "Noise filter: clumps are a smaller share of the samples; 0: they stay",
+     0, 1, number, noise, [](Options& o) -> Field { return &o.noise.clump_share; }},
+    {"noise-clump-depth", "Noise filter: samples of a clump so many links from good ones stay", 0,
+     1000, whole, noise, [](Options& o) -> Field { return &o.noise.clump_depth; }},
     {"noise-large-ratio", "Noise filter: large balls have larger radii, in spacings", 0, 1e6,
      number, noise, [](Options& o) -> Field { return &o.noise.large_ratio; }},
     {"noise-deep-angle", "Noise filter: large balls on one side meet at this angle at most", 0, 180,

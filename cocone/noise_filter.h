@@ -31,6 +31,14 @@ struct NoiseOptions {
   // round. Without this a sparse region beside a dense one goes, row after row. False: outliers are
   // told by spacing alone.
   bool spare_good = true;
+  // Clumps of stray samples (floating_clumps.h): what hangs together, within so many usual spacings
+  // from each to the next, with no sample that a disk of the surface surrounds. Less, and a random
+  // sampling falls apart; more, and clumps are one with the noise of the body beside them.
+  double clump_link_ratio = 2;
+  // With this share of all samples it is a layer of noise, no clump. 0: clumps stay.
+  double clump_share = 0.02;
+  // Samples so many links from one with a disk around it stay.
+  std::size_t clump_depth = 2;
   double large_ratio = 1.7;     // larger: thinner skin, smoother, but narrow gaps close
   double deep_cosine = 0.7071;  // cosine of deep_angle, 45 degrees
   // Samples that the Cocone surface of the layer surrounds by one disk stay, on the skin or not: so

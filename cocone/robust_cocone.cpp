@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/floating_clumps.h"
 #include "cocone/remaining_samples.h"
 #include "cocone/rough_surface.h"
 #include "delaunay/voronoi_dual.h"
@@ -24,27 +25,52 @@ class Filter {
 
   RobustSamples run() {
     result_.distinct = samples_.triangulation().num_vertices();
+    // Clumps first: beside a dense one a good sample would stand alone. And again after the
+    // outliers, by which some may hang together with the rest.
+    leave_out_clumps();
     leave_out_outliers();
+    if (result_.counters.outliers > 0) leave_out_clumps();
     judge_layer();
     result_.kept = samples_.kept();
     return std::move(result_);
   }
 
  private:
+  void leave_out_clumps() {
+    if (noise_.clump_share <= 0) return;
+    const FloatingClumps found =
+        floating_clumps(samples_.triangulation(), samples_.stars(), samples_.spacing(),
+                        surface().good(), noise_, execution_);
+    NoiseCounters& counters = result_.counters;
+    if (found.clumps == 0) return;
+    counters.clumps += found.clumps;
+    counters.clump_samples += found.samples;
+    if (found.largest > counters.largest_clump) {
+      counters.largest_clump = found.largest;
+      counters.largest_clump_at = samples_.input_of(found.at);
+    }
+    samples_.leave_out(found.out);
+    samples_.triangulate();
+    forget_surface();
+  }
+
   void leave_out_outliers() {
     const VertexSet first = samples_.outliers();
     const bool any = std::find(first.begin(), first.end(), 1) != first.end();
     const RemainingSamples::Outliers outliers =
         any && noise_.spare_good ? samples_.leave_out_outliers(first, surface().good())
                                  : samples_.leave_out_outliers(first);
-    if (outliers.count > 0) {
-      surface_.reset();
-      dual_.reset();
-    }
+    if (outliers.count > 0) forget_surface();
     NoiseCounters& counters = result_.counters;
     counters.outliers = outliers.count;
     counters.outlier_rounds = outliers.rounds;
     counters.spared_samples = outliers.spared;
+  }
+
+  // Of samples that are no longer all there.
+  void forget_surface() {
+    surface_.reset();
+    dual_.reset();
   }
 
   // Of the samples that remain, built when first asked for.
