@@ -241,9 +241,10 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
   sub->add_option("--session", reconstruct.session,
                   "Also write a session, from which 'update --session' goes on without this work")
       ->type_name("FILE");
-  sub->add_option("--noise", reconstruct.noise,
-                  "robust: leave out outliers and what lies inside a layer of noise first (Robust "
-                  "Cocone; tight surfaces only); none (default): every sample counts")
+  sub->add_option(
+         "--noise", reconstruct.noise,
+         "robust: leave out clumps of stray points, outliers and what lies inside a layer of "
+         "noise first (Robust Cocone; tight surfaces only); none (default): every sample counts")
       ->check(CLI::IsMember({"none", "robust"}));
   add_surface_options(*sub, reconstruct.parameters, "1 / 1.2 if --surface is tight, else 0.3");
   add_stages_of_reconstruct(*sub, reconstruct);

@@ -140,12 +140,15 @@ DensifiedMesh read_input(Job& job, const ReconstructArguments& arguments,
   return input;
 }
 
+// `findings`: what is to be told of the filter.
 ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
-                                const StageOptions& options) {
+                                const StageOptions& options, std::vector<Finding>& findings) {
   RobustResult result = reconstruct_robust(points, options.noise, options.surface, job.execution());
   add_noise(job.report(), result.noise);
-  job.say("noise: {} and {} inside the layer left out", counted(result.noise.outliers, "outlier"),
+  job.say("noise: {}, {} in clumps and {} inside the layer left out",
+          counted(result.noise.outliers, "outlier"), counted(result.noise.clump_samples, "point"),
           counted(result.noise.layer_samples, "point"));
+  if (result.noise.clumps > 0) findings.push_back(clumps_finding(result.noise, points));
   return std::move(result.surface);
 }
 
@@ -179,6 +182,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   const DensifiedMesh input = read_input(job, arguments, keep ? &properties : nullptr, faces);
   const std::vector<Point>& points = input.points;
   std::optional<UpdateSession> session;
+  std::vector<Finding> findings;
   ReconstructResult result = naming_input(arguments.points, [&] {
     if (!arguments.session.empty()) {
       UpdateOptions update = update_options(arguments.parameters);
@@ -188,7 +192,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
       reconstruction.mesh = session->model();
       return reconstruction;
     }
-    if (arguments.noise == "robust") return without_noise(job, points, stages);
+    if (arguments.noise == "robust") return without_noise(job, points, stages, findings);
     return tight ? reconstruct_tight_again(points, input.sides, options, job.execution())
                  : reconstruct_cocone(points, options, job.execution());
   });
@@ -214,8 +218,9 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   job.say("{} points ({} duplicates, {} not on the surface), {} tetrahedra", result.points,
           result.duplicates, result.unused_points, result.tetrahedra);
   job.say_outputs("{} -> {}", surface_summary(certificate), arguments.mesh);
-  std::vector<Finding> findings =
+  const std::vector<Finding> of_surface =
       findings_of(doubts, result.points - result.duplicates, noise_filter_of(arguments, faces));
+  findings.insert(findings.end(), of_surface.begin(), of_surface.end());
   const bool parted = certificate.edge_manifold && certificate.vertex_manifold;
   std::erase_if(findings, [&](const Finding& f) { return parted && f.kind == "contacts"; });
   report_findings(job, findings);

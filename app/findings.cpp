@@ -70,13 +70,15 @@ Finding noise_finding(const SurfaceDoubts& d, NoiseFilter filter) {
 }
 
 Finding fragments_finding(const SurfaceDoubts& d, NoiseFilter filter) {
+  const bool leaves_out_strays =
+      filter == NoiseFilter::of_strays || filter == NoiseFilter::not_used;
   return {
       "fragments",
       fmt::format("{} beside the main surface; {} has {} and is {:.3g} across, near {}; add "
                   "samples there or remove stray ones{}",
                   counted(d.fragments, "small part"), d.fragments == 1 ? "it" : "the largest",
                   counted(d.dust[0].count, "triangle"), d.dust[0].size, place_name(d.dust[0].at),
-                  filter == NoiseFilter::of_strays ? " (as --noise robust does)" : ""),
+                  leaves_out_strays ? " (as --noise robust does)" : ""),
       d.fragments, d.dust};
 }
 
@@ -140,6 +142,18 @@ std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, Noi
   if (!d.unused.empty()) findings.push_back(unused_finding(d, points, filter));
   if (!d.contacts.empty()) findings.push_back(contacts_finding(d));
   return findings;
+}
+
+Finding clumps_finding(const NoiseCounters& noise, Points points) {
+  const Point& at = points[noise.largest_clump_at.index()];
+  return {
+      "clumps",
+      fmt::format("{} in {} left out as stray ones; {} has {}, near {}; if it is a body, "
+                  "--noise-clump-share 0 keeps it",
+                  counted(noise.clump_samples, "sample"), counted(noise.clumps, "clump"),
+                  noise.clumps == 1 ? "it" : "the largest", noise.largest_clump, place_name(at)),
+      noise.clumps,
+      {{.at = at, .count = noise.largest_clump}}};
 }
 
 void add_findings(JsonReport& report, const std::vector<Finding>& findings) {

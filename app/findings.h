@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "app/job.h"
+#include "cocone/robust_cocone.h"
 #include "cocone/surface_doubts.h"
+#include "geom/point.h"
 
 namespace cocoon::app {
 
 struct Finding {
-  std::string kind;     // stable: "sparse", "noise", "fragments", "unused", "contacts"
+  std::string kind;     // stable: "sparse", "noise", "clumps", "fragments", "unused",
+                        // "contacts"
   std::string message;  // one line: what, how much, where, what to do
   std::size_t count = 0;
   std::vector<DoubtfulSpot> spots;  // worst first
@@ -41,6 +44,10 @@ struct FindingLimits {
 // Nothing for a surface that is what it should be. `points`: how many there were, duplicates apart.
 std::vector<Finding> findings_of(const SurfaceDoubts& doubts, std::size_t points,
                                  NoiseFilter filter, const FindingLimits& limits = {});
+
+// That the noise filter left out clumps (noise.clumps > 0), and where the largest is: it may be a
+// small body. `points`: those that the filter was given.
+Finding clumps_finding(const NoiseCounters& noise, Points points);
 
 // As the array "findings" of the report, which is empty if there are none: kind, message, count,
 // spots (at, count, size).

@@ -120,6 +120,7 @@ void add_reconstruction(JsonReport& report, const ReconstructResult& result,
 void add_noise(JsonReport& report, const NoiseCounters& noise) {
   report.set("noise/clumps", noise.clumps);
   report.set("noise/clump_samples", noise.clump_samples);
+  report.set("noise/largest_clump", noise.largest_clump);
   report.set("noise/outliers", noise.outliers);
   report.set("noise/outlier_rounds", noise.outlier_rounds);
   report.set("noise/spared_samples", noise.spared_samples);

@@ -27,9 +27,7 @@ class RemainingSamples {
   const VertexStars& stars() const { return stars_; }
   const IdVector<VertexId, double>& spacing() const { return spacing_; }
   // Where the point at a vertex was given; of equal ones one. O(1).
-  PointId input_of(VertexId v) const {
-    return inputs_[triangulation_.point_of_vertex(v).index()];
-  }
+  PointId input_of(VertexId v) const { return inputs_[triangulation_.point_of_vertex(v).index()]; }
   // 1 = the point remains; equal points share their fate.
   const IdVector<PointId, std::uint8_t>& kept() const { return kept_; }
 

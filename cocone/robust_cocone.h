@@ -13,9 +13,9 @@
 namespace cocoon {
 
 struct NoiseCounters {
-  std::size_t clumps = 0;          // of stray samples, left out
-  std::size_t clump_samples = 0;   // different points of them
-  std::size_t largest_clump = 0;   // different points of it
+  std::size_t clumps = 0;         // of stray samples, left out
+  std::size_t clump_samples = 0;  // different points of them
+  std::size_t largest_clump = 0;  // different points of it
   // Where its lexicographically smallest point was given; none if there is no clump.
   PointId largest_clump_at;
   std::size_t outliers = 0;        // different points left out as outliers

@@ -50,8 +50,7 @@ IdVector<VertexId, double> usual_spacing(const Triangulation& triangulation,
       collect_neighbors(triangulation, stars.star(v), v, around);
       spacings.clear();
       for (const VertexId w : around) spacings.push_back(spacing[w]);
-      const auto median =
-          spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+      const auto median = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
       std::nth_element(spacings.begin(), median, spacings.end());
       usual[v] = std::max(spacing[v], *median);
     });

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "cocone/remaining_samples.h"
-#include "cocone/sample_spacing.h"
-#include "geom/disjoint_sets.h"
+#include "cocone/sample_parts.h"
 
 namespace cocoon {
 
@@ -39,41 +37,20 @@ class Strays {
   // Whether there were any; then the triangulation is still that with them.
   bool leave_out_small_parts() {
     const Triangulation& triangulation = samples_.triangulation();
-    const std::vector<std::uint32_t> part = parts();
-    std::vector<std::size_t> size(part.size(), 0);
-    for (const VertexId v : triangulation.vertices()) ++size[part[v.index()]];
-    const std::size_t largest = *std::max_element(size.begin(), size.end());
-    const std::size_t enough = std::min(options_.min_part, largest);
+    IdVector<VertexId, double> reach = samples_.spacing();
+    for (const VertexId v : triangulation.vertices()) reach[v] *= options_.link_ratio;
+    const SampleParts parts = sample_parts(triangulation, reach);
+    const std::size_t enough = std::min(options_.min_part, parts.largest);
     VertexSet out(triangulation.num_vertices(), 0);
     for (const VertexId v : triangulation.vertices()) {
-      if (size[part[v.index()]] >= enough) continue;
+      if (parts.size[parts.part[v]] >= enough) continue;
       out[v] = 1;
       ++result_.in_small_parts;
-      result_.small_parts += part[v.index()] == v.index() ? 1U : 0U;  // its root
+      result_.small_parts += parts.part[v] == v ? 1U : 0U;
     }
     const bool found = std::find(out.begin(), out.end(), 1) != out.end();
     if (found) samples_.leave_out(out);
     return found;
-  }
-
-  // The part of each vertex among those that hang together: the smallest vertex of it.
-  std::vector<std::uint32_t> parts() {
-    const Triangulation& triangulation = samples_.triangulation();
-    const IdVector<VertexId, double>& spacing = samples_.spacing();
-    DisjointSets sets(triangulation.num_vertices());
-    std::vector<VertexId> around;
-    for (const VertexId v : triangulation.vertices()) {
-      collect_neighbors(triangulation, samples_.stars().star(v), v, around);
-      for (const VertexId w : around) {
-        if (w < v) continue;
-        const double reach = options_.link_ratio * std::min(spacing[v], spacing[w]);
-        if (distance(triangulation.point(v), triangulation.point(w)) > reach) continue;
-        sets.join(v.value, w.value);
-      }
-    }
-    std::vector<std::uint32_t> part(triangulation.num_vertices());
-    for (const VertexId v : triangulation.vertices()) part[v.index()] = sets.root(v.value);
-    return part;
   }
 
   const StrayOptions& options_;

@@ -108,6 +108,40 @@ TEST(Findings, UpdatesAdviseTheirFilterForStraysOnly) {
   }
 }
 
+// The filter of reconstruct leaves out clumps, which become parts; nothing of it helps if it is in
+// use, or if the samples are the vertices of a mesh.
+TEST(Findings, FragmentsNameTheFilterWhereItHelps) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.dust = one_spot;
+  doubts.fragments = 2;
+  const auto names_filter = [&](NoiseFilter filter) {
+    const std::string message = findings_of(doubts, 100, filter).front().message;
+    return message.find("--noise robust") != std::string::npos;
+  };
+  EXPECT_TRUE(names_filter(NoiseFilter::not_used));
+  EXPECT_FALSE(names_filter(NoiseFilter::not_used_on_mesh));
+  EXPECT_FALSE(names_filter(NoiseFilter::used));
+  EXPECT_FALSE(names_filter(NoiseFilter::no_option));
+}
+
+TEST(Findings, ClumpsAreToldWithTheirPlace) {
+  NoiseCounters noise;
+  noise.clumps = 2;
+  noise.clump_samples = 31;
+  noise.largest_clump = 19;
+  noise.largest_clump_at = PointId(1);
+  const std::vector<Point> points{{0, 0, 0}, {1, 2, 3}};
+  const Finding two = clumps_finding(noise, points);
+  EXPECT_EQ(two.kind, "clumps");
+  EXPECT_EQ(two.count, 2U);
+  EXPECT_EQ(two.message,
+            "31 samples in 2 clumps left out as stray ones; the largest has 19, near (1, 2, 3); if "
+            "it is a body, --noise-clump-share 0 keeps it");
+  noise.clumps = 1;
+  EXPECT_NE(clumps_finding(noise, points).message.find("it has 19"), std::string::npos);
+}
+
 TEST(Findings, UnusedPointsAreOneOrMany) {
   SurfaceDoubts doubts;
   doubts.spacing = 0.1;

@@ -183,8 +183,8 @@ TEST(NoiseFilter, TheSkinStaysWhereItMayBe) {
 TEST(RobustCocone, PublishedFilterKeepsTheSkinAlone) {
   const std::vector<Point> points = shaken(shapes::torus(80, 40, 0.4, 0.3, 5), 0.01, 6);
   const RobustSamples ours = robust_samples(points);
-  const RobustSamples published =
-      robust_samples(points, {.spare_good = false, .keep_good = false, .max_leak = 1});
+  const RobustSamples published = robust_samples(
+      points, {.spare_good = false, .clump_share = 0, .keep_good = false, .max_leak = 1});
   EXPECT_FALSE(ours.counters.held);
   EXPECT_EQ(ours.counters.leaked_cells, 0U);
   EXPECT_GT(ours.counters.inner_cells, 0U);
@@ -208,14 +208,16 @@ TEST(RobustCocone, ChoosesAsTheTwinOnCgal) {
       {"outliers", shapes::joined(shapes::sphere(1500, 11), scattered(40, 3, 12)), 0},
       {"open", shaken(shapes::cut_sphere(1500, 0.5, 13), 0.02, 14), 0},
       {"volume", shapes::random_cube(1200, 15), 0}};
-  const std::vector<NoiseOptions> choices{{.spare_good = false, .keep_good = false, .max_leak = 1},
-                                          {.neighbors = 6,
-                                           .outlier_ratio = 2,
-                                           .spare_good = false,
-                                           .large_ratio = 2.5,
-                                           .deep_cosine = 0.9,
-                                           .keep_good = false,
-                                           .max_leak = 1}};
+  const std::vector<NoiseOptions> choices{
+      {.spare_good = false, .clump_share = 0, .keep_good = false, .max_leak = 1},
+      {.neighbors = 6,
+       .outlier_ratio = 2,
+       .spare_good = false,
+       .clump_share = 0,
+       .large_ratio = 2.5,
+       .deep_cosine = 0.9,
+       .keep_good = false,
+       .max_leak = 1}};
   for (const Noisy& set : sets) {
     for (NoiseOptions noise : choices) {
       const RobustSamples skin = robust_samples(set.points, noise);
@@ -246,7 +248,7 @@ TEST(RobustCocone, SparesAsTheTwinOnCgal) {
   IdVector<PointId, std::uint8_t> spared(points.size(), 0);
   for (const PointId p : spared.ids()) spared[p] = surface.good()[vertex_of_point[p]];
 
-  const NoiseOptions noise{.keep_good = false, .max_leak = 1};
+  const NoiseOptions noise{.clump_share = 0, .keep_good = false, .max_leak = 1};
   const RobustSamples samples = robust_samples(points, noise);
   const auto fates = ref::cgal_noise_filter(points, noise, spared);
   std::size_t outliers = 0;

@@ -51,6 +51,42 @@ TEST(Noise, LayersBecomeOneClosedSurface) {
   EXPECT_EQ(check.exit_code, 0) << check.error;
 }
 
+TEST(Noise, ClumpsAreLeftOutAndToldOf) {
+  const TemporaryFolder folder;
+  std::mt19937 random(5);
+  std::string text = whole_sphere(2000);
+  for (int i = 0; i < 25; ++i) {
+    const auto uniform = [&] { return 0.3 * static_cast<double>(random()) / 4294967296.0; };
+    const double x = uniform();
+    const double y = uniform();
+    text += point_line(2 + x, y, uniform());
+  }
+  const std::string cloud = folder.write("cloud.xyz", text);
+  const auto reconstructed = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"reconstruct", cloud, "-o", folder.file("mesh.ply"), "--noise",
+                                     "robust", "--json", "-"});
+    const ProgramRun run = run_program(options);
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    return Json::parse(run.out);
+  };
+  const Json report = reconstructed({});
+  EXPECT_EQ(report["surface"]["components"], 1);
+  EXPECT_EQ(report["noise"]["clumps"], 1);
+  EXPECT_GE(report["noise"]["clump_samples"], 20);
+  EXPECT_EQ(report["noise"]["largest_clump"], report["noise"]["clump_samples"]);
+  EXPECT_EQ(report["parameters"]["noise_clump_share"], 0.02);
+  EXPECT_EQ(report["parameters"]["noise_clump_link"], 2);
+  EXPECT_EQ(report["parameters"]["noise_clump_depth"], 2);
+  const Json& finding = report["findings"][0];
+  EXPECT_EQ(finding["kind"], "clumps");
+  EXPECT_NEAR(finding["spots"][0]["at"][0].get<double>(), 2.1, 0.2);
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--noise-clump-share", "0"}, {"--noise-clump-link", "0.01"}}) {
+    const Json other = reconstructed(options);
+    EXPECT_NE(other["noise"]["clump_samples"], report["noise"]["clump_samples"]) << options[0];
+  }
+}
+
 TEST(Noise, IsForClosedSurfacesOfPlainRuns) {
   const TemporaryFolder folder;
   const std::string cloud = folder.write("cloud.xyz", whole_sphere(200));
