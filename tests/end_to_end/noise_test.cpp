@@ -40,7 +40,8 @@ TEST(Noise, LayersBecomeOneClosedSurface) {
       run_program({"reconstruct", cloud, "-o", mesh, "--noise", "robust", "--json", "-"});
   ASSERT_EQ(run.exit_code, 0) << run.error;
   const Json report = Json::parse(run.out);
-  EXPECT_EQ(report["noise"]["outliers"], 10);
+  const Json& noise = report["noise"];  // that some strays are near each other saves none
+  EXPECT_EQ(noise["outliers"].get<int>() + noise["clump_samples"].get<int>(), 10);
   EXPECT_GT(report["noise"]["layer_samples"], 100);
   EXPECT_EQ(report["input"]["points"], 2010);
   EXPECT_EQ(report["surface"]["genus"], 0);
@@ -76,7 +77,7 @@ TEST(Noise, ClumpsAreLeftOutAndToldOf) {
   EXPECT_EQ(report["noise"]["largest_clump"], report["noise"]["clump_samples"]);
   EXPECT_EQ(report["parameters"]["noise_clump_share"], 0.02);
   EXPECT_EQ(report["parameters"]["noise_clump_link"], 2);
-  EXPECT_EQ(report["parameters"]["noise_clump_depth"], 2);
+  EXPECT_EQ(report["parameters"]["noise_clump_depth"], 1000);
   const Json& finding = report["findings"][0];
   EXPECT_EQ(finding["kind"], "clumps");
   EXPECT_NEAR(finding["spots"][0]["at"][0].get<double>(), 2.1, 0.2);
