@@ -14,7 +14,7 @@
 #include "app/surface_report.h"
 #include "app/update_report.h"
 #include "app/verification.h"
-#include "cocone/surface_doubts.h"
+#include "cocone/checks/surface_doubts.h"
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"

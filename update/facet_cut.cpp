@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cocone/max_flow.h"
+#include "cocone/energy/max_flow.h"
 #include "geom/zeroed_array.h"
 #include "update/grow_regions.h"
 

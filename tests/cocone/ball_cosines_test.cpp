@@ -1,4 +1,4 @@
-#include "cocone/ball_cosines.h"
+#include "cocone/energy/ball_cosines.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "cocone/cell_order.h"
+#include "cocone/facets/cell_order.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/voronoi_dual.h"
 #include "tests/gallery.h"

@@ -1,11 +1,11 @@
-#include "cocone/best_move.h"
+#include "cocone/clean_up/best_move.h"
 
 #include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "cocone/cell_order.h"
+#include "cocone/facets/cell_order.h"
 #include "delaunay/circulate.h"
 #include "tests/cocone/random_labeling.h"
 

@@ -1,11 +1,11 @@
-#include "cocone/cell_arms.h"
+#include "cocone/samples/cell_arms.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <gtest/gtest.h>
 
-#include "cocone/double_cone.h"
+#include "cocone/samples/double_cone.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 

@@ -1,4 +1,4 @@
-#include "cocone/cell_cluster.h"
+#include "cocone/clean_up/cell_cluster.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "cocone/cell_energy.h"
+#include "cocone/energy/cell_energy.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "cocone/surface_flaws.h"
+#include "cocone/clean_up/surface_flaws.h"
 #include "tests/cocone/random_labeling.h"
 
 namespace cocoon {

@@ -1,4 +1,4 @@
-#include "cocone/certain_surface.h"
+#include "cocone/marking/certain_surface.h"
 
 #include <algorithm>
 #include <cstdint>

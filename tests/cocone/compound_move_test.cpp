@@ -1,4 +1,4 @@
-#include "cocone/compound_move.h"
+#include "cocone/clean_up/compound_move.h"
 
 #include <gtest/gtest.h>
 #include <vector>

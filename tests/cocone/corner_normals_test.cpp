@@ -1,5 +1,5 @@
 // Normals of many triangles at once are those of one by one, to the bit.
-#include "cocone/corner_normals.h"
+#include "cocone/facets/corner_normals.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -24,7 +24,8 @@ Vec3 corner_normal(const IdVector<VertexId, Point>& points, const Triangle& corn
 
 TEST(CornerNormals, AreThoseOfEachTriangle) {
   Random random(1);
-  for (const double scale : {1.0, 0x1p-300, 0x1p+500, 0x1p+513, 0x1p+520}) {  // the last ones overflow
+  for (const double scale :
+       {1.0, 0x1p-300, 0x1p+500, 0x1p+513, 0x1p+520}) {  // the last ones overflow
     IdVector<VertexId, Point> points;
     for (int i = 0; i < 40; ++i) points.push_back(scale * random.in_unit_cube());
     for (const std::size_t count : {1U, 2U, 7U, 8U, 100U}) {

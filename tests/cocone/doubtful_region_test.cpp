@@ -1,4 +1,4 @@
-#include "cocone/doubtful_region.h"
+#include "cocone/energy/doubtful_region.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "cocone/facet_doubts.h"
+#include "cocone/samples/facet_doubts.h"
 
 #include <algorithm>
 #include <array>

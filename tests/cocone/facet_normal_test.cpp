@@ -1,9 +1,9 @@
-#include "cocone/facet_normal.h"
+#include "cocone/facets/facet_normal.h"
 
 #include <gtest/gtest.h>
 #include <map>
 
-#include "cocone/cell_order.h"
+#include "cocone/facets/cell_order.h"
 #include "delaunay/delaunay.h"
 #include "tests/cocone/sample_shapes.h"
 

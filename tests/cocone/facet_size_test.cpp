@@ -1,4 +1,4 @@
-#include "cocone/facet_size.h"
+#include "cocone/facets/facet_size.h"
 
 #include <algorithm>
 #include <array>

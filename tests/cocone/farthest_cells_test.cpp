@@ -1,4 +1,4 @@
-#include "cocone/farthest_cells.h"
+#include "cocone/samples/farthest_cells.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "cocone/half_labels.h"
+#include "cocone/marking/half_labels.h"
 
 #include <gtest/gtest.h>
 

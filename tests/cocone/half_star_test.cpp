@@ -1,4 +1,4 @@
-#include "cocone/half_star.h"
+#include "cocone/facets/half_star.h"
 
 #include <gtest/gtest.h>
 #include <set>

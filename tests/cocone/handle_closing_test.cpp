@@ -1,13 +1,13 @@
-#include "cocone/handle_closing.h"
+#include "cocone/clean_up/handle_closing.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <span>
 #include <vector>
 
-#include "cocone/best_move.h"
-#include "cocone/cell_order.h"
-#include "cocone/handle_loops.h"
+#include "cocone/clean_up/best_move.h"
+#include "cocone/clean_up/handle_loops.h"
+#include "cocone/facets/cell_order.h"
 #include "tests/cocone/random_labeling.h"
 
 namespace cocoon {

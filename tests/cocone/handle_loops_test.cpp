@@ -1,4 +1,4 @@
-#include "cocone/handle_loops.h"
+#include "cocone/clean_up/handle_loops.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

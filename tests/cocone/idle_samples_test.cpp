@@ -1,4 +1,4 @@
-#include "cocone/idle_samples.h"
+#include "cocone/clean_up/idle_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "cocone/facet_size.h"
+#include "cocone/facets/facet_size.h"
 #include "tests/cocone/random_labeling.h"
 
 namespace cocoon {

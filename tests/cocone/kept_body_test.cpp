@@ -1,6 +1,6 @@
 // Whether a body that goes on from one before is smooth, and what has changed, is as if both had
 // been looked at as a whole.
-#include "cocone/kept_body.h"
+#include "cocone/kept/kept_body.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

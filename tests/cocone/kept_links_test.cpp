@@ -1,5 +1,5 @@
 // Links that go on from those before are the ones of link_facets, whatever the history.
-#include "cocone/kept_links.h"
+#include "cocone/kept/kept_links.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/known_candidates.h"
+#include "cocone/live/known_candidates.h"
 #include "geom/random.h"
 #include "tests/cocone/live_samples.h"
 #include "tests/cocone/sample_shapes.h"

@@ -1,5 +1,5 @@
 // Marks that go on from those before are the ones of mark_cells, whatever the history.
-#include "cocone/kept_marks.h"
+#include "cocone/kept/kept_marks.h"
 
 #include <gtest/gtest.h>
 #include <string>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cocone/extract_manifold.h"
-#include "cocone/known_candidates.h"
+#include "cocone/live/known_candidates.h"
 #include "geom/random.h"
 #include "tests/cocone/live_samples.h"
 #include "tests/cocone/sample_shapes.h"

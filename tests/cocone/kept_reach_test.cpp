@@ -1,4 +1,4 @@
-#include "cocone/kept_reach.h"
+#include "cocone/clean_up/kept_reach.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Sides told where something has changed are those that the whole old mesh tells.
-#include "cocone/kept_sides.h"
+#include "cocone/kept/kept_sides.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cocone/kept_body.h"
+#include "cocone/kept/kept_body.h"
 #include "geom/random.h"
 #include "tests/cocone/live_body.h"
 #include "tests/cocone/sample_shapes.h"

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "cocone/lent_delaunay.h"
+#include "cocone/live/lent_delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 
 namespace cocoon {

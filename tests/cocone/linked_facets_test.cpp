@@ -1,4 +1,4 @@
-#include "cocone/linked_facets.h"
+#include "cocone/facets/linked_facets.h"
 
 #include <algorithm>
 #include <cstdint>

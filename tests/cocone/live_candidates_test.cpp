@@ -1,5 +1,5 @@
 // What is kept up to date is what the stages give from scratch, whatever the history.
-#include "cocone/live_candidates.h"
+#include "cocone/live/live_candidates.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cocone/cell_order.h"
+#include "cocone/facets/cell_order.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
 #include "geom/random.h"

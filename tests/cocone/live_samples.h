@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cocone/live_candidates.h"
+#include "cocone/live/live_candidates.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"

@@ -1,4 +1,4 @@
-#include "cocone/max_flow.h"
+#include "cocone/energy/max_flow.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

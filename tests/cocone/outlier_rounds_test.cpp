@@ -1,4 +1,4 @@
-#include "cocone/outlier_rounds.h"
+#include "cocone/noise/outlier_rounds.h"
 
 #include <algorithm>
 #include <cmath>

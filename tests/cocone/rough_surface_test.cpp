@@ -1,4 +1,4 @@
-#include "cocone/rough_surface.h"
+#include "cocone/noise/rough_surface.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cocone/sample_doubts.h"
+#include "cocone/checks/sample_doubts.h"
 
 #include <algorithm>
 #include <cmath>

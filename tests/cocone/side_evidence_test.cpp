@@ -1,4 +1,4 @@
-#include "cocone/side_evidence.h"
+#include "cocone/energy/side_evidence.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/cell_order.h"
 #include "cocone/clean_up_cells.h"
+#include "cocone/facets/cell_order.h"
 #include "geom/random.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"

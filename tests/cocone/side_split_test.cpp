@@ -1,4 +1,4 @@
-#include "cocone/side_split.h"
+#include "cocone/clean_up/side_split.h"
 
 #include <gtest/gtest.h>
 #include <set>

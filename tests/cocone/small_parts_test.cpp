@@ -1,10 +1,10 @@
-#include "cocone/small_parts.h"
+#include "cocone/clean_up/small_parts.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "cocone/cell_order.h"
+#include "cocone/facets/cell_order.h"
 #include "tests/cocone/random_labeling.h"
 
 namespace cocoon {

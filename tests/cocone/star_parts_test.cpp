@@ -1,4 +1,4 @@
-#include "cocone/star_parts.h"
+#include "cocone/energy/star_parts.h"
 
 #include <gtest/gtest.h>
 #include <vector>

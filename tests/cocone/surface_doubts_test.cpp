@@ -1,4 +1,4 @@
-#include "cocone/surface_doubts.h"
+#include "cocone/checks/surface_doubts.h"
 
 #include <algorithm>
 #include <cmath>

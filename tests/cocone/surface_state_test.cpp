@@ -1,4 +1,4 @@
-#include "cocone/surface_state.h"
+#include "cocone/live/surface_state.h"
 
 #include <gtest/gtest.h>
 #include <limits>

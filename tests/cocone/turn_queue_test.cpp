@@ -1,4 +1,4 @@
-#include "cocone/turn_queue.h"
+#include "cocone/energy/turn_queue.h"
 
 #include <algorithm>
 #include <cstdint>

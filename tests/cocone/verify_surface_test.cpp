@@ -1,6 +1,6 @@
 // The verification accepts what the stages make, and each of its tests refutes what it is there
 // for.
-#include "cocone/verify_surface.h"
+#include "cocone/checks/verify_surface.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // What a walk reaches without rounds is what it reaches in rounds.
-#include "cocone/walk_reach.h"
+#include "cocone/facets/walk_reach.h"
 
 #include <algorithm>
 #include <cstdint>
