@@ -23,9 +23,9 @@
 #include "geom/signed_distance.h"
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
-#include "update/lost_triangles.h"
-#include "update/update_messages.h"
-#include "update/vertex_origins.h"
+#include "update/report/lost_triangles.h"
+#include "update/report/update_messages.h"
+#include "update/report/vertex_origins.h"
 
 namespace cocoon::app {
 

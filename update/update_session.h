@@ -15,9 +15,9 @@
 #include "geom/id_vector.h"
 #include "geom/list_edit.h"
 #include "geom/triangle_mesh.h"
-#include "update/mesh_change.h"
-#include "update/mesh_edit.h"
-#include "update/model_index.h"
+#include "update/model/mesh_change.h"
+#include "update/model/mesh_edit.h"
+#include "update/model/model_index.h"
 #include "update/update_model.h"
 
 namespace cocoon {

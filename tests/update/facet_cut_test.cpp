@@ -1,4 +1,4 @@
-#include "update/facet_cut.h"
+#include "update/regions/facet_cut.h"
 
 #include <gtest/gtest.h>
 #include <vector>

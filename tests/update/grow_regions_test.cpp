@@ -1,4 +1,4 @@
-#include "update/grow_regions.h"
+#include "update/regions/grow_regions.h"
 
 #include <gtest/gtest.h>
 

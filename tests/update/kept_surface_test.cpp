@@ -1,4 +1,4 @@
-#include "update/kept_surface.h"
+#include "update/regions/kept_surface.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

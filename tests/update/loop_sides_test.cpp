@@ -1,4 +1,4 @@
-#include "update/loop_sides.h"
+#include "update/regions/loop_sides.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "update/lost_triangles.h"
+#include "update/report/lost_triangles.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "update/mesh_change.h"
+#include "update/model/mesh_change.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "update/mesh_edit.h"
+#include "update/model/mesh_edit.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "geom/random.h"
 #include "geom/triangle_order.h"
 #include "tests/mesh_gallery.h"
-#include "update/mesh_change.h"
+#include "update/model/mesh_change.h"
 
 namespace cocoon {
 namespace {

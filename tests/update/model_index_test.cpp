@@ -1,4 +1,4 @@
-#include "update/model_index.h"
+#include "update/model/model_index.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "update/near_facets.h"
+#include "update/model/near_facets.h"
 
 #include <gtest/gtest.h>
 #include <limits>

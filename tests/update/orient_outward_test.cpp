@@ -1,4 +1,4 @@
-#include "update/orient_outward.h"
+#include "update/model/orient_outward.h"
 
 #include <gtest/gtest.h>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "update/overlooked_vertices.h"
+#include "update/report/overlooked_vertices.h"
 
 #include <gtest/gtest.h>
 #include <vector>

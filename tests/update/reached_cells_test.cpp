@@ -1,4 +1,4 @@
-#include "update/reached_cells.h"
+#include "update/model/reached_cells.h"
 
 #include <gtest/gtest.h>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "update/rim_index.h"
+#include "update/cloud/rim_index.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "update/rim_seams.h"
+#include "update/cloud/rim_seams.h"
 
 #include <gtest/gtest.h>
 #include <vector>

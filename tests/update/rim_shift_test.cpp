@@ -1,4 +1,4 @@
-#include "update/rim_shift.h"
+#include "update/report/rim_shift.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "update/scanned_vertices.h"
+#include "update/regions/scanned_vertices.h"
 
 #include <gtest/gtest.h>
 

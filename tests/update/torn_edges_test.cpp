@@ -1,4 +1,4 @@
-#include "update/torn_edges.h"
+#include "update/cloud/torn_edges.h"
 
 #include <algorithm>
 #include <cmath>

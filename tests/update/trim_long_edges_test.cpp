@@ -1,4 +1,4 @@
-#include "update/trim_long_edges.h"
+#include "update/cloud/trim_long_edges.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "update/unexplained_handles.h"
+#include "update/report/unexplained_handles.h"
 
 #include <gtest/gtest.h>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "update/unscanned_losses.h"
+#include "update/report/unscanned_losses.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

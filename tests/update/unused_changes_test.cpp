@@ -1,4 +1,4 @@
-#include "update/unused_changes.h"
+#include "update/report/unused_changes.h"
 
 #include <gtest/gtest.h>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "update/update_messages.h"
+#include "update/report/update_messages.h"
 
 #include <gtest/gtest.h>
 #include <string>

@@ -1,4 +1,4 @@
-#include "update/vertex_origins.h"
+#include "update/report/vertex_origins.h"
 
 #include <gtest/gtest.h>
 #include <vector>
