@@ -9,7 +9,7 @@
 #include "cocone/extract_manifold.h"
 #include "cocone/live/known_candidates.h"
 #include "geom/random.h"
-#include "tests/cocone/live_samples.h"
+#include "tests/cocone/kept/live_samples.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/gallery.h"
 #include "tests/long_tests.h"

@@ -8,7 +8,7 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/random.h"
-#include "tests/cocone/lend.h"
+#include "tests/cocone/kept/lend.h"
 
 namespace cocoon {
 

@@ -12,7 +12,7 @@
 
 #include "cocone/kept/kept_body.h"
 #include "geom/random.h"
-#include "tests/cocone/live_body.h"
+#include "tests/cocone/kept/live_body.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/long_tests.h"
 

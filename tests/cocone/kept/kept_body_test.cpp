@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geom/random.h"
-#include "tests/cocone/live_body.h"
+#include "tests/cocone/kept/live_body.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/long_tests.h"
 

@@ -11,7 +11,7 @@
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/point_hash.h"
 #include "geom/random.h"
-#include "tests/cocone/lend.h"
+#include "tests/cocone/kept/lend.h"
 
 namespace cocoon {
 
