@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/job.h"
+#include "cocone/checks/surface_doubts.h"
 #include "cocone/robust_cocone.h"
-#include "cocone/surface_doubts.h"
 #include "geom/point.h"
 
 namespace cocoon::app {

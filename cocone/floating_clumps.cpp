@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cocone/sample_parts.h"
-#include "cocone/sample_spacing.h"
+#include "cocone/samples/sample_spacing.h"
 
 namespace cocoon {
 namespace {

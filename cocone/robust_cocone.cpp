@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cocone/floating_clumps.h"
-#include "cocone/remaining_samples.h"
-#include "cocone/rough_surface.h"
+#include "cocone/noise/remaining_samples.h"
+#include "cocone/noise/rough_surface.h"
 #include "delaunay/voronoi_dual.h"
 
 namespace cocoon {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "cocone/sample_spacing.h"
+#include "cocone/samples/sample_spacing.h"
 #include "delaunay/circulate.h"
 #include "geom/disjoint_sets.h"
 

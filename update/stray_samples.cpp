@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cocone/remaining_samples.h"
+#include "cocone/noise/remaining_samples.h"
 #include "cocone/sample_parts.h"
 
 namespace cocoon {

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "cocone/noise/rough_surface.h"
 #include "cocone/robust_cocone.h"
-#include "cocone/rough_surface.h"
 #include "cocone/sample_parts.h"
-#include "cocone/sample_spacing.h"
+#include "cocone/samples/sample_spacing.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/mesh_check.h"
