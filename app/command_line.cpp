@@ -307,6 +307,9 @@ void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) 
                   "small file beside it (32)")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
+  sub->add_flag("--together", watch.together,
+                "Take files that come together, each before those before it have settled, as views "
+                "of one change: they are applied in one update");
   sub->add_flag("--once", watch.once, "Stop when all clouds that are there have been looked at");
   add_surface_options(*sub, watch.parameters, rho_of_clouds);
   add_cloud_filter(*sub, watch.filter);

@@ -103,6 +103,7 @@ struct WatchArguments {
   double poll = 0.5;            // seconds between two looks into the folder
   double settle = 1;            // seconds that a file must have stayed the same
   bool once = false;            // stop when everything there has been looked at
+  bool together = false;        // files that come together are views of one change
   std::size_t save_every = 32;  // clouds, until the whole session is written again
   bool ascii = false;
   std::optional<double> densify;  // spacing of samples added to the model, a mesh

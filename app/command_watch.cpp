@@ -4,8 +4,11 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <limits>
+#include <span>
+#include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "app/cloud_filter.h"
 #include "app/commands.h"
@@ -32,18 +35,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file that is a cloud, as it was when it was read.
+// Files that are clouds, as they were when they were read, and are applied together.
 struct Drop {
-  NotedFile file;
-  std::string name;  // as messages show it
-  std::vector<std::vector<Point>> clouds;
   std::chrono::steady_clock::time_point start;
+  std::vector<NotedFile> files;
+  std::vector<std::string> names;  // as messages show them
+  std::vector<std::vector<Point>> clouds;
+  StraySamples strays;  // counts of all clouds
+
+  std::string name() const { return fmt::format("{}", fmt::join(names, ", ")); }
+  // One of several, alone.
+  Drop only(std::size_t k) const {
+    return {std::chrono::steady_clock::now(), {files[k]}, {names[k]}, {clouds[k]}, {}};
+  }
 };
 
 bool has_changed_since(const FolderWatch::CompleteFile& file) {
   std::error_code gone;
   const fs::file_time_type changed = fs::last_write_time(file.path, gone);
   return !gone && changed != file.changed;
+}
+
+void add_counts(const StraySamples& more, StraySamples& strays) {
+  strays.outliers += more.outliers;
+  strays.in_small_parts += more.in_small_parts;
+  strays.small_parts += more.small_parts;
 }
 
 class Watch {
@@ -71,12 +87,22 @@ class Watch {
   // Until it is time to stop.
   void follow_folder() {
     FolderWatch folder(arguments_.folder, to_milliseconds(arguments_.settle), own_files());
+    std::vector<FolderWatch::CompleteFile> held;  // until no other file is being written
     for (;;) {
-      for (const FolderWatch::CompleteFile& file : folder.poll()) {
-        look_at(file);
+      for (FolderWatch::CompleteFile& file : folder.poll()) {
+        if (arguments_.together) {
+          std::erase_if(held, [&](const auto& before) { return before.path == file.path; });
+          held.push_back(std::move(file));
+        } else {
+          look_at({&file, 1});
+        }
         if (interrupted()) return;
       }
-      if (folder.waiting() == 0) tell_findings();
+      if (folder.waiting() == 0) {
+        look_at(std::exchange(held, {}));
+        if (interrupted()) return;
+        tell_findings();
+      }
       if (arguments_.once && folder.waiting() == 0 && ++idle_polls_ > 1) return;
       if (!pause()) return;
     }
@@ -174,53 +200,77 @@ class Watch {
     state_.pending = 0;
   }
 
-  // After a cloud was applied or refused: the same with the cloud in place of the session, as a
+  // After clouds were applied or refused: the same with the clouds in place of the session, as a
   // rule.
-  void keep(PendingCloud cloud) {
-    if (state_.pending + 1 >= arguments_.save_every) {
-      state_.notes.push_back(std::move(cloud.note));
+  void keep(const PendingUpdate& update) {
+    const auto note = [&] {
+      state_.notes.insert(state_.notes.end(), update.notes.begin(), update.notes.end());
+    };
+    if (state_.pending + update.notes.size() >= arguments_.save_every) {
+      note();
       return save_whole();
     }
     FileBatch outputs;
-    save_pending_cloud(session_file_, state_.notes, cloud, outputs);
-    if (!cloud.refused) {
+    save_pending_clouds(session_file_, state_.notes, update, outputs);
+    if (!update.refused) {
       write_mesh(arguments_.mesh, model(), {.ascii = arguments_.ascii}, &outputs);
     }
     outputs.commit();
-    state_.notes.push_back(std::move(cloud.note));
-    ++state_.pending;
+    note();
+    state_.pending += update.notes.size();
   }
 
-  // One line whatever happens to the cloud, unless it was looked at before the program began; what
+  // One line whatever happens to each cloud, unless it was looked at before the program began; what
   // happens to our own files ends the command.
-  void look_at(const FolderWatch::CompleteFile& file) {
+  void look_at(std::span<const FolderWatch::CompleteFile> files) {
     Drop drop;
     drop.start = std::chrono::steady_clock::now();
-    drop.name = display_name(file.path.filename());
-    try {
-      drop.file = noted_file(file.path, file.changed);
-      if (file.was_there && is_noted(state_.notes, drop.file)) {
-        ++known_;
-        return;
-      }
-      drop.clouds.push_back(read_cloud(job_, file.path.string(), "input"));
-    } catch (const Cancelled&) {
-      return;  // the interrupt
-    } catch (const Error& error) {
-      return refuse(drop.name, error.what());
+    for (const FolderWatch::CompleteFile& file : files) {
+      if (!read(file, drop)) return;
     }
-    // Written while it was read: once complete it will be told of again.
-    if (!has_changed_since(file)) apply(std::move(drop));
+    if (!drop.files.empty()) apply(drop);
   }
 
-  void apply(Drop drop) {
-    StraySamples strays;
+  // False: the interrupt.
+  bool read(const FolderWatch::CompleteFile& file, Drop& drop) {
+    const std::string name = display_name(file.path.filename());
+    NotedFile noted;
+    std::vector<Point> cloud;
+    try {
+      noted = noted_file(file.path, file.changed);
+      if (file.was_there && is_noted(state_.notes, noted)) {
+        ++known_;
+        return true;
+      }
+      cloud = read_cloud(job_, file.path.string(), "input");
+    } catch (const Cancelled&) {
+      return false;
+    } catch (const Error& error) {
+      // What could not even be read is not noted: it changes nothing when it is tried again.
+      tell_refused(name, error.what());
+      return true;
+    }
+    // Written while it was read: once complete it will be told of again.
+    if (has_changed_since(file)) return true;
+    try {
+      if (filter_) {
+        add_counts(leave_out_strays(name, cloud, *filter_, {job_.execution().threads}),
+                   drop.strays);
+      }
+    } catch (const Error& error) {
+      refuse(noted, name, error.what());
+      return true;
+    }
+    drop.files.push_back(std::move(noted));
+    drop.names.push_back(name);
+    drop.clouds.push_back(std::move(cloud));
+    return true;
+  }
+
+  void apply(const Drop& drop) {
     SessionUpdate update;
     const std::size_t local_before = state_.session->local_changes();
     try {
-      if (filter_) {
-        strays = leave_out_strays(drop.name, drop.clouds[0], *filter_, {job_.execution().threads});
-      }
       update = state_.session->apply(drop.clouds, job_.execution());
     } catch (const Cancelled&) {
       return;  // the interrupt; the session is as it was
@@ -234,23 +284,25 @@ class Watch {
         surface.counters.boundary_samples > 0) {
       findings_are_due_ = true;
     }
-    keep({note_of_applied(drop.file), std::move(drop.clouds[0]), arguments_.parameters.rho});
-    ++applied_;
-    tell_applied(drop, update, strays);
+    PendingUpdate applied{{}, drop.clouds, arguments_.parameters.rho};
+    for (const NotedFile& file : drop.files) applied.notes.push_back(note_of_applied(file));
+    keep(applied);
+    applied_ += drop.files.size();
+    tell_applied(drop, update);
   }
 
-  void tell_applied(const Drop& drop, const SessionUpdate& update, const StraySamples& strays) {
+  void tell_applied(const Drop& drop, const SessionUpdate& update) {
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - drop.start;
-    std::string line =
-        fmt::format("{}: {} points for {} of the model, {} triangles new, {} gone, {:.2f} s",
-                    drop.name, update.result.reconstruction.points - update.result.replacement.kept,
-                    update.result.replacement.replaced, update.change.added.size(),
-                    update.change.removed.size(), time.count());
+    std::string line = fmt::format(
+        "{}: {} points for {} of the model, {} triangles new, {} gone, {:.2f} s", drop.name(),
+        update.result.reconstruction.points - update.result.replacement.kept,
+        update.result.replacement.replaced, update.change.added.size(),
+        update.change.removed.size(), time.count());
     const std::string topology = topology_change(update.result);
     if (!topology.empty()) line += "; " + topology;
-    if (filter_) line += fmt::format("; {} left out as noise", told_strays(strays));
+    if (filter_) line += fmt::format("; {} left out as noise", told_strays(drop.strays));
     for (const std::string& warning : update.result.warnings) {
-      line += "; warning: " + with_cloud_names(warning, {drop.name});
+      line += "; warning: " + with_cloud_names(warning, drop.names);
     }
     say(line);
   }
@@ -272,16 +324,23 @@ class Watch {
     flush_output();
   }
 
-  // What could not even be read is not noted: it changes nothing when it is tried again.
-  void refuse(const std::string& name, const std::string& why) {
+  void tell_refused(const std::string& name, const std::string& why) {
     ++refused_;
-    say(fmt::format("{}: not applied: {}", name, with_cloud_names(why, {name})));
+    say(fmt::format("{}: not applied: {}", name, why));
   }
 
   // Killed before the note is kept, the program tries the cloud again on the same model.
+  void refuse(const NotedFile& file, const std::string& name, const std::string& why) {
+    tell_refused(name, why);
+    keep({{note_of_refused(file)}, {}, arguments_.parameters.rho, true});
+  }
+
+  // What is refused together is tried one after the other: some of it may be good.
   void refuse(const Drop& drop, const std::string& why) {
-    refuse(drop.name, why);
-    keep({note_of_refused(drop.file), {}, arguments_.parameters.rho, true});
+    const std::string told = with_cloud_names(why, drop.names);
+    if (drop.files.size() == 1) return refuse(drop.files[0], drop.names[0], told);
+    say(fmt::format("{}: not applied together: {}; each by itself:", drop.name(), told));
+    for (std::size_t k = 0; k < drop.files.size() && !interrupted(); ++k) apply(drop.only(k));
   }
 
   // False if it is time to stop.

@@ -17,9 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view magic = "COCOONCL";
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version = 3;
 constexpr std::uint32_t oldest_version = 1;
-constexpr std::size_t header_size = 48;
+constexpr std::uint32_t first_version_with_count = 3;
+constexpr std::size_t least_header = 48;  // of versions 1 and 2
 
 enum Bits : std::uint32_t { has_rho = 1, is_refused = 2 };
 
@@ -30,15 +31,39 @@ std::uint64_t history_of(std::span<const std::string> notes) {
   return checksum_of(std::move(text));
 }
 
-PendingCloud load_pending_cloud(const fs::path& path, std::span<const std::string> notes) {
+// What the header says of one cloud.
+struct CloudSizes {
+  std::uint64_t note_bytes = 0;
+  std::uint64_t points = 0;
+};
+
+// None if these numbers do not fit the file.
+std::optional<std::vector<CloudSizes>> next_sizes(SummedReader& file, bool counted) {
+  const std::uint64_t clouds = counted ? file.next<std::uint64_t>() : 1;
+  if (clouds == 0 || clouds > file.left() / sizeof(CloudSizes)) return std::nullopt;
+  std::vector<CloudSizes> sizes(clouds);
+  file.fill<std::uint64_t>(std::span(sizes));
+  std::size_t left = file.left();
+  for (const auto& [note_bytes, points] : sizes) {
+    if (note_bytes > left || points > left / sizeof(Point)) return std::nullopt;
+    const std::size_t size = sizeof(Point) * points + round_up_to_8(note_bytes);
+    if (size > left) return std::nullopt;
+    left -= size;
+  }
+  if (left != 0) return std::nullopt;
+  return sizes;
+}
+
+PendingUpdate load_update(const fs::path& path, std::span<const std::string> notes) {
   SummedReader file(path, magic, "cloud of a session");
   const auto damaged = [&] {
     return file_error(path,
                       "the numbers in the header do not fit the file; remove it, and put its "
                       "cloud into the folder again");
   };
-  if (magic.size() + file.left() < header_size) throw damaged();
-  if (const auto found = file.next<std::uint32_t>(); found < oldest_version || found > version) {
+  if (magic.size() + file.left() < least_header) throw damaged();
+  const auto found = file.next<std::uint32_t>();
+  if (found < oldest_version || found > version) {
     throw file_error(path,
                      fmt::format("cloud of a session of version {}, but only versions {} to {} "
                                  "can be read; finish it with the program that wrote it",
@@ -47,26 +72,28 @@ PendingCloud load_pending_cloud(const fs::path& path, std::span<const std::strin
   const auto bits = file.next<std::uint32_t>();
   const auto rho = file.next<double>();
   const auto history = file.next<std::uint64_t>();
-  const auto note_bytes = file.next<std::uint64_t>();
-  const auto points = file.next<std::uint64_t>();
-  if (note_bytes > file.left() || points > file.left() ||
-      24 * points + round_up_to_8(note_bytes) != file.left()) {
+  PendingUpdate update;
+  if ((bits & has_rho) != 0) update.rho = rho;
+  update.refused = (bits & is_refused) != 0;
+  const std::optional<std::vector<CloudSizes>> sizes =
+      next_sizes(file, found >= first_version_with_count);
+  if (!sizes) {
     file.finish();  // knows better, as a rule
     throw damaged();
   }
-  PendingCloud cloud;
-  if ((bits & has_rho) != 0) cloud.rho = rho;
-  cloud.refused = (bits & is_refused) != 0;
-  if (cloud.refused && points > 0) throw damaged();
-  cloud.points.resize(points);
-  file.fill<double>(std::span(cloud.points));
-  cloud.note = file.take(note_bytes);
-  file.skip_to_word();
+  for (const auto& [note_bytes, points] : *sizes) {
+    if (update.refused && points > 0) throw damaged();
+    std::vector<Point> cloud(points);
+    file.fill<double>(std::span(cloud));
+    if (!update.refused) update.clouds.push_back(std::move(cloud));
+    update.notes.push_back(file.take(note_bytes));
+    file.skip_to_word();
+  }
   file.finish();
   if (history != history_of(notes)) {
     throw file_error(path, "follows another session than the one beside it; remove one of them");
   }
-  return cloud;
+  return update;
 }
 
 }  // namespace
@@ -75,31 +102,40 @@ std::string pending_cloud_file(const std::string& session, std::size_t notes) {
   return fmt::format("{}.cloud-{}", session, notes);
 }
 
-void save_pending_cloud(const std::string& session, std::span<const std::string> notes,
-                        const PendingCloud& cloud, FileBatch& batch) {
+void save_pending_clouds(const std::string& session, std::span<const std::string> notes,
+                         const PendingUpdate& update, FileBatch& batch) {
+  const auto cloud_at = [&](std::size_t c) {
+    return update.refused ? std::span<const Point>{} : std::span<const Point>(update.clouds[c]);
+  };
   SummedFile file(pending_cloud_file(session, notes.size()));
   file.append(magic);
   file.append(version);
-  file.append((cloud.rho ? has_rho : 0U) | (cloud.refused ? is_refused : 0U));
-  file.append(cloud.rho.value_or(0));
+  file.append((update.rho ? has_rho : 0U) | (update.refused ? is_refused : 0U));
+  file.append(update.rho.value_or(0));
   file.append(history_of(notes));
-  file.append(std::uint64_t{cloud.note.size()});
-  file.append(std::uint64_t{cloud.points.size()});
-  file.append_numbers<double>(std::span(cloud.points));
-  file.append(std::string_view(cloud.note));
-  file.fill_word();
+  file.append(std::uint64_t{update.notes.size()});
+  for (std::size_t c = 0; c < update.notes.size(); ++c) {
+    file.append(std::uint64_t{update.notes[c].size()});
+    file.append(std::uint64_t{cloud_at(c).size()});
+  }
+  for (std::size_t c = 0; c < update.notes.size(); ++c) {
+    file.append_numbers<double>(cloud_at(c));
+    file.append(std::string_view(update.notes[c]));
+    file.fill_word();
+  }
   file.commit(&batch);
 }
 
-std::vector<PendingCloud> load_pending_clouds(const std::string& session,
-                                              std::span<const std::string> notes) {
+std::vector<PendingUpdate> load_pending_clouds(const std::string& session,
+                                               std::span<const std::string> notes) {
   std::vector<std::string> before(notes.begin(), notes.end());
-  std::vector<PendingCloud> clouds;
+  std::vector<PendingUpdate> updates;
   for (;;) {
     const fs::path path = pending_cloud_file(session, before.size());
-    if (!fs::exists(path)) return clouds;
-    clouds.push_back(load_pending_cloud(path, before));
-    before.push_back(clouds.back().note);
+    if (!fs::exists(path)) return updates;
+    updates.push_back(load_update(path, before));
+    const std::vector<std::string>& more = updates.back().notes;
+    before.insert(before.end(), more.begin(), more.end());
   }
 }
 
@@ -135,25 +171,24 @@ void resume_session(const std::string& path, SavedSession saved, const SurfaceAr
     arguments.rho = rho;
     resumed.session.emplace(std::move(snapshot), update_options(arguments), SnapshotCheck::done);
   };
-  const std::vector<PendingCloud> clouds = load_pending_clouds(path, saved.notes);
+  const std::vector<PendingUpdate> updates = load_pending_clouds(path, saved.notes);
   resumed.notes = std::move(saved.notes);
-  resumed.pending = clouds.size();
-  take_up(std::move(saved.snapshot), clouds.empty() ? parameters.rho : clouds.front().rho);
-  for (const PendingCloud& cloud : clouds) {
-    if (cloud.refused) {
-      resumed.notes.push_back(cloud.note);
-      continue;
+  resumed.pending = 0;
+  take_up(std::move(saved.snapshot), updates.empty() ? parameters.rho : updates.front().rho);
+  for (const PendingUpdate& update : updates) {
+    if (!update.refused) {
+      if (update.rho != arguments.rho) take_up(resumed.session->snapshot(), update.rho);
+      const UpdateResult result = resumed.session->apply(update.clouds, execution).result;
+      if (result.status != UpdateStatus::ok) {
+        throw InputError(
+            fmt::format("{}: a cloud that was applied before is refused now ({}): {}; "
+                        "begin again from the model",
+                        pending_cloud_file(path, resumed.notes.size()), name_of(result.status),
+                        result.message));
+      }
     }
-    if (cloud.rho != arguments.rho) take_up(resumed.session->snapshot(), cloud.rho);
-    const std::vector<std::vector<Point>> points{cloud.points};
-    const UpdateResult result = resumed.session->apply(points, execution).result;
-    if (result.status != UpdateStatus::ok) {
-      throw InputError(fmt::format(
-          "{}: a cloud that was applied before is refused now ({}): {}; "
-          "begin again from the model",
-          pending_cloud_file(path, resumed.notes.size()), name_of(result.status), result.message));
-    }
-    resumed.notes.push_back(cloud.note);
+    resumed.notes.insert(resumed.notes.end(), update.notes.begin(), update.notes.end());
+    resumed.pending += update.notes.size();
   }
   if (arguments.rho != parameters.rho) take_up(resumed.session->snapshot(), parameters.rho);
 }

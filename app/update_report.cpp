@@ -135,13 +135,13 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/updated_points", replacement.points.size());
 }
 
-const char* verdict_on(const GroupAngle& group, const std::vector<RegionId>& islands) {
+}  // namespace
+
+const char* verdict_on(const GroupAngle& group, std::span<const RegionId> islands) {
   if (!group.under_cloud) return "kept";
   const bool contradicted = std::find(islands.begin(), islands.end(), group.group) != islands.end();
   return contradicted ? "replaced: samples off the model lie over it" : "replaced";
 }
-
-}  // namespace
 
 void add_update(JsonReport& report, const UpdateRecord& record) {
   const UpdateResult& result = record.result;

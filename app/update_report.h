@@ -34,6 +34,9 @@ struct UpdateRecord {
 // "topology: Euler characteristic 0 -> 2": a handle went, or a part came; empty: it is as before.
 std::string topology_change(const UpdateResult& result);
 
+// "kept" or "replaced", and why if not for its angle.
+const char* verdict_on(const GroupAngle& group, std::span<const RegionId> islands);
+
 // The sections "input", "delaunay", "surface" and "update".
 void add_update(JsonReport& report, const UpdateRecord& record);
 

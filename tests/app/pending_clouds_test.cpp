@@ -1,5 +1,7 @@
 #include "app/pending_clouds.h"
 
+#include <cstdint>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -14,18 +16,24 @@ namespace cocoon::app {
 namespace {
 
 const std::vector<std::string> notes = {"model"};
-const PendingCloud applied = {"one", {{1, 2, 3}, {4, 5, 6}}, 0.25};
-const PendingCloud refused = {"two", {}, {}, true};
+const PendingUpdate applied = {{"one"}, {{{1, 2, 3}, {4, 5, 6}}}, 0.25};
+const PendingUpdate refused = {{"two"}, {}, {}, true};
+const PendingUpdate together = {{"three", "and four"}, {{{7, 8, 9}}, {{1, 1, 1}, {2, 2, 2}}}, {}};
+
+// Bytes of the file.
+constexpr std::size_t at_version = 8;
+constexpr std::size_t at_bits = 12;
+constexpr std::size_t at_count = 32;
 
 // Each follows those before it.
-std::string save(const TemporaryFolder& folder, const std::vector<PendingCloud>& clouds) {
+std::string save(const TemporaryFolder& folder, const std::vector<PendingUpdate>& updates) {
   std::string session = (folder / "s").string();
   std::vector<std::string> before = notes;
-  for (const PendingCloud& cloud : clouds) {
+  for (const PendingUpdate& update : updates) {
     FileBatch batch;
-    save_pending_cloud(session, before, cloud, batch);
+    save_pending_clouds(session, before, update, batch);
     batch.commit();
-    before.push_back(cloud.note);
+    before.insert(before.end(), update.notes.begin(), update.notes.end());
   }
   return session;
 }
@@ -38,38 +46,57 @@ std::string with_byte(std::string bytes, std::size_t at, char value) {
   return bytes;
 }
 
-TEST(PendingCloud, AppliedAndRefusedReadBackInOrder) {
+TEST(PendingClouds, ReadBackInOrder) {
   const TemporaryFolder folder;
-  const std::string session = save(folder, {refused, applied, refused});
-  const std::vector<PendingCloud> loaded = load_pending_clouds(session, notes);
-  ASSERT_EQ(loaded.size(), 3U);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const PendingCloud& saved = k == 1 ? applied : refused;
-    EXPECT_EQ(loaded[k].note, saved.note);
-    EXPECT_EQ(loaded[k].points, saved.points);
-    EXPECT_EQ(loaded[k].rho, saved.rho);
-    EXPECT_EQ(loaded[k].refused, saved.refused);
+  const std::vector<PendingUpdate> saved = {refused, together, applied, refused};
+  const std::vector<PendingUpdate> loaded = load_pending_clouds(save(folder, saved), notes);
+  ASSERT_EQ(loaded.size(), saved.size());
+  for (std::size_t k = 0; k < saved.size(); ++k) {
+    EXPECT_EQ(loaded[k].notes, saved[k].notes);
+    EXPECT_EQ(loaded[k].clouds, saved[k].clouds);
+    EXPECT_EQ(loaded[k].rho, saved[k].rho);
+    EXPECT_EQ(loaded[k].refused, saved[k].refused);
   }
+  EXPECT_TRUE(std::filesystem::exists(pending_cloud_file((folder / "s").string(), 4)));
 }
 
-TEST(PendingCloud, VersionsBeforeAreReadAndOthersRefused) {
+// These had no number of clouds.
+TEST(PendingClouds, VersionsBeforeAreReadAndOthersRefused) {
   const TemporaryFolder folder;
   const std::string session = save(folder, {applied});
-  const std::string file = pending_cloud_file(session, 1);
-  const std::string bytes(read_file(file).view());
-  folder.write("s.cloud-1", with_byte(bytes, 8, 1));
-  EXPECT_EQ(load_pending_clouds(session, notes).at(0).points, applied.points);
-  for (const char version : {'\x00', '\x03'}) {
-    folder.write("s.cloud-1", with_byte(bytes, 8, version));
+  const std::string bytes(read_file(pending_cloud_file(session, 1)).view());
+  std::string before = bytes;
+  before.erase(at_count, sizeof(std::uint64_t));
+  for (const char version : {'\x01', '\x02'}) {
+    folder.write("s.cloud-1", with_byte(before, at_version, version));
+    const PendingUpdate loaded = load_pending_clouds(session, notes).at(0);
+    EXPECT_EQ(loaded.clouds, applied.clouds);
+    EXPECT_EQ(loaded.notes, applied.notes);
+  }
+  for (const char version : {'\x00', '\x04'}) {
+    folder.write("s.cloud-1", with_byte(bytes, at_version, version));
     EXPECT_THROW(load_pending_clouds(session, notes), FileError) << static_cast<int>(version);
   }
 }
 
-TEST(PendingCloud, ARefusedOneHasNoPoints) {
+TEST(PendingClouds, NumbersThatDoNotFitTheFileAreRefused) {
+  const TemporaryFolder folder;
+  const std::string session = save(folder, {together});
+  const std::string bytes(read_file(pending_cloud_file(session, 1)).view());
+  for (const std::size_t at : {at_count, at_count + 8, at_count + 16, at_count + 31}) {
+    for (const char value : {'\x00', '\x7f', '\xff'}) {
+      if (bytes[at] == value) continue;
+      folder.write("s.cloud-1", with_byte(bytes, at, value));
+      EXPECT_THROW(load_pending_clouds(session, notes), FileError) << at;
+    }
+  }
+}
+
+TEST(PendingClouds, ARefusedOneHasNoPoints) {
   const TemporaryFolder folder;
   const std::string session = save(folder, {applied});
   const std::string bytes(read_file(pending_cloud_file(session, 1)).view());
-  folder.write("s.cloud-1", with_byte(bytes, 12, 3));
+  folder.write("s.cloud-1", with_byte(bytes, at_bits, 3));
   EXPECT_THROW(load_pending_clouds(session, notes), FileError);
 }
 

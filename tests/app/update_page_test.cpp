@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <utility>
+#include <variant>
 
 #include "app/update_report.h"
 #include "geom/signed_distance.h"
@@ -28,11 +30,22 @@ struct UpdatedSphere {
   }
   ReportPage page() const {
     UpdateRecord record{"sphere", model, names, clouds, result, certificate};
+    for (const auto& cloud : clouds) record.deviation.push_back(signed_distances(model, cloud));
     const Points vertices = result.mesh.points.raw();
-    record.deviation = {
-        signed_distances(model, clouds[0]),
-        signed_distances(model, vertices.subspan(result.reconstruction.point_of_vertex.size()))};
+    record.deviation.push_back(
+        signed_distances(model, vertices.subspan(result.reconstruction.point_of_vertex.size())));
     return update_page(record, {});
+  }
+  // As two views that overlap, each of which sees somewhat more than a half.
+  void divide_cloud() {
+    const std::vector<Point> whole = std::exchange(clouds[0], {});
+    clouds.emplace_back();
+    for (const Point& p : whole) {
+      if (p.x < 0.2) clouds[0].push_back(p);
+      if (p.x > -0.2) clouds[1].push_back(p);
+    }
+    names = {"left", "right"};
+    result = update_model(model, clouds);
   }
 
   TriangleMesh model = gallery::sphere(4);
@@ -101,6 +114,67 @@ TEST(UpdatePage, DeviationIsPositiveOutsideTheOldModel) {
 TEST(UpdatePage, LooksAtTheChange) {
   EXPECT_GT(UpdatedSphere(1).page().view.elevation_deg, 0);
   EXPECT_LT(UpdatedSphere(-1).page().view.elevation_deg, 0);
+}
+
+const PageTable& table_of(const ReportPage& page, const std::string& title) {
+  return *std::find_if(page.tables.begin(), page.tables.end(),
+                       [&](const PageTable& table) { return table.title == title; });
+}
+
+TEST(UpdatePage, JoinedCloudsHaveOneSurfaceAndRim) {
+  UpdatedSphere sphere;
+  sphere.divide_cloud();
+  ASSERT_EQ(sphere.result.status, UpdateStatus::ok) << sphere.result.message;
+  ASSERT_EQ(sphere.result.clouds[1].joined_with, 0U);
+  const ReportPage page = sphere.page();
+  const auto has_geometry = [&](const std::string& id) {
+    return std::any_of(page.geometries.begin(), page.geometries.end(),
+                       [&](const PageGeometry& geometry) { return geometry.id == id; });
+  };
+  EXPECT_TRUE(has_geometry("cloud-1") && has_geometry("cloud-2"));
+  EXPECT_TRUE(has_geometry("cloud-1-surface") && has_geometry("cloud-1-loops"));
+  EXPECT_FALSE(has_geometry("cloud-2-surface") || has_geometry("cloud-2-loops"));
+  // Corners of the surface are points of the cloud in which they lie.
+  const PageGeometry& surface = geometry_of(page, "cloud-1-surface");
+  EXPECT_EQ(surface.name, "Cocone surface of the clouds 1, 2");
+  const TriangleMesh& mesh = sphere.result.clouds[0].surface.mesh;
+  ASSERT_EQ(surface.indices.size(), 3 * mesh.triangles.size());
+  for (const TriangleId t : mesh.triangles.ids()) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(page.points.positions[surface.indices[3 * t.index() + k]],
+                mesh.points[mesh.triangles[t][k]]);
+    }
+  }
+  EXPECT_EQ(table_of(page, "Boundary").rows.size(), 1U);
+}
+
+TEST(UpdatePage, AnglesComeWithTheVerdictOfTheSummary) {
+  UpdatedSphere sphere;
+  ASSERT_EQ(sphere.result.replaced_groups.size(), 1U);
+  const std::vector<GroupAngle>& groups = sphere.result.clouds[0].groups;
+  const auto expect_verdicts = [&] {
+    const ReportPage page = sphere.page();
+    const PageTable& table = table_of(page, "Mean angle at the rim");
+    ASSERT_EQ(table.rows.size(), groups.size());
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      EXPECT_EQ(std::get<std::string>(table.rows[k].back()),
+                verdict_on(groups[k], sphere.result.islands));
+    }
+  };
+  expect_verdicts();
+  // If it had gone since samples contradict it.
+  sphere.result.islands = sphere.result.replaced_groups;
+  expect_verdicts();
+}
+
+TEST(UpdateReport, VerdictsSayWhyAGroupGoes) {
+  GroupAngle group;
+  group.group = RegionId(3);
+  const std::vector<RegionId> islands = {RegionId(1), RegionId(3)};
+  EXPECT_STREQ(verdict_on(group, islands), "kept");
+  group.under_cloud = true;
+  EXPECT_STREQ(verdict_on(group, {}), "replaced");
+  EXPECT_STREQ(verdict_on(group, islands), "replaced: samples off the model lie over it");
 }
 
 // Vertices that are no input points, as --manifold adds them.

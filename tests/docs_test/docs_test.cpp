@@ -70,6 +70,14 @@ TEST(Documents, NamedSourcesExist) {
 }
 
 // Names of authors as texts cite them: "Doi & Koide", "Cline et al.", "Cook 1986".
+// Which are compiled and run: tests/CMakeLists.txt.
+TEST(Documents, EachStageHasAnExample) {
+  for (const auto& entry : fs::directory_iterator(root / "docs/stages")) {
+    const std::string page = content_of(entry.path().string());
+    EXPECT_FALSE(matches(page, "docs/examples/([a-z_]+\\.cpp)").empty()) << entry.path();
+  }
+}
+
 std::set<std::string> authors_in(const std::string& text, bool with_years) {
   const std::string name = "([A-Z][^ ,.;:()*|]*[a-z])";  // not a venue, as SoCG
   std::set<std::string> names = matches(text, name + " (?:&|et al)");

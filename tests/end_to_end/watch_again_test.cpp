@@ -14,39 +14,15 @@ namespace {
 
 using namespace std::chrono_literals;
 using cocoon::test::content_of;
+using cocoon::test::count;
 using cocoon::test::north;
 using cocoon::test::ProgramRun;
 using cocoon::test::run_program;
-using cocoon::test::RunningProgram;
 using cocoon::test::south;
 using cocoon::test::sphere_cap;
-using cocoon::test::TemporaryFolder;
 using cocoon::test::wait_for;
 using cocoon::test::Watched;
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++found;
-  }
-  return found;
-}
-
-// The program while it runs, and how often it has said something.
-struct Watching {
-  explicit Watching(const std::vector<std::string>& arguments) : program(outputs, arguments) {
-    EXPECT_TRUE(has_said(": "));
-  }
-  bool has_said(const std::string& text, std::size_t times = 1) const {
-    return wait_for([&] { return count(content_of(outputs.file("stdout")), text) >= times; });
-  }
-  std::string end(int signal) const {
-    program.send(signal);
-    return program.wait().out;
-  }
-  TemporaryFolder outputs;
-  RunningProgram program;
-};
+using cocoon::test::Watching;
 
 // The top of a high bump: far from the sphere, but not from the bump.
 const std::string bump = sphere_cap(4000, 0.8, 0.8);

@@ -62,17 +62,52 @@ struct Watched {
     once.push_back("--once");
     return once;
   }
-  // What two updates of the program itself give.
+  // What updates of the program itself give, each by one of the clouds.
   std::string expected(const std::vector<std::string>& clouds) const {
+    std::vector<std::vector<std::string>> updates;
+    updates.reserve(clouds.size());
+    for (const std::string& cloud : clouds) updates.push_back({cloud});
+    return expected_of_updates(updates);
+  }
+  // Each by several clouds together.
+  std::string expected_of_updates(const std::vector<std::vector<std::string>>& updates) const {
     std::string model = arguments[1];
-    for (std::size_t k = 0; k < clouds.size(); ++k) {
+    for (std::size_t k = 0; k < updates.size(); ++k) {
       const std::string next = folder.file("expected" + std::to_string(k) + ".ply");
-      const std::string cloud = folder.write("expected.xyz", clouds[k]);
-      EXPECT_EQ(run_program({"update", model, cloud, "-o", next}).exit_code, 0);
+      std::vector<std::string> command = {"update", model};
+      for (std::size_t c = 0; c < updates[k].size(); ++c) {
+        command.push_back(folder.write("expected" + std::to_string(c) + ".xyz", updates[k][c]));
+      }
+      command.insert(command.end(), {"-o", next});
+      EXPECT_EQ(run_program(command).exit_code, 0);
       model = next;
     }
     return content_of(model);
   }
+};
+
+inline std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+// `cocoon watch` while it runs, and how often it has said something.
+struct Watching {
+  explicit Watching(const std::vector<std::string>& arguments) : program(outputs, arguments) {
+    EXPECT_TRUE(has_said(": "));
+  }
+  bool has_said(const std::string& text, std::size_t times = 1) const {
+    return wait_for([&] { return count(content_of(outputs.file("stdout")), text) >= times; });
+  }
+  std::string end(int signal) const {
+    program.send(signal);
+    return program.wait().out;
+  }
+  TemporaryFolder outputs;
+  RunningProgram program;
 };
 
 }  // namespace cocoon::test

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "app/pending_clouds.h"
 #include "app/session_file.h"
@@ -17,23 +18,26 @@ namespace cocoon::fuzz {
 
 namespace {
 
-void check_pending_cloud(const TemporaryFolder& folder) {
-  const std::vector<app::PendingCloud> clouds =
+bool same_bits(const std::vector<Point>& a, const std::vector<Point>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Point)) == 0);
+}
+
+void check_pending_clouds(const TemporaryFolder& folder) {
+  const std::vector<app::PendingUpdate> updates =
       app::load_pending_clouds((folder / "a.session").string(), {});
-  require(clouds.size() == 1, "there is one");
+  require(updates.size() == 1, "there is one");
+  const app::PendingUpdate& update = updates[0];
   FileBatch batch;
-  app::save_pending_cloud((folder / "b.session").string(), {}, clouds[0], batch);
+  app::save_pending_clouds((folder / "b.session").string(), {}, update, batch);
   batch.commit();
-  const app::PendingCloud again =
+  const app::PendingUpdate again =
       app::load_pending_clouds((folder / "b.session").string(), {}).at(0);
-  require(again.note == clouds[0].note, "the note reads back");
-  require(again.rho.has_value() == clouds[0].rho.has_value(), "so does whether rho was given");
-  require(again.refused == clouds[0].refused, "and whether it was refused");
-  const auto same_bits = [](const Point& a, const Point& b) {
-    return std::memcmp(&a, &b, sizeof a) == 0;
-  };
-  require(std::equal(again.points.begin(), again.points.end(), clouds[0].points.begin(),
-                     clouds[0].points.end(), same_bits),
+  require(again.notes == update.notes, "the notes read back");
+  require(again.rho.has_value() == update.rho.has_value(), "so does whether rho was given");
+  require(again.refused == update.refused, "and whether it was refused");
+  require(std::equal(again.clouds.begin(), again.clouds.end(), update.clouds.begin(),
+                     update.clouds.end(), same_bits),
           "the points read back");
 }
 
@@ -51,7 +55,7 @@ void session_file_target(Bytes bytes) {
   try {
     if (content.starts_with("COCOONCL")) {
       folder.write("a.session.cloud-0", content);
-      check_pending_cloud(folder);
+      check_pending_clouds(folder);
       return;
     }
     session = app::load_session(folder.write("a.session", content).string());

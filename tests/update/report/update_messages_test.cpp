@@ -35,6 +35,20 @@ TEST(UpdateMessages, ACutThatHardlyCostsAnythingIsNotSaid) {
   EXPECT_TRUE(warnings_of_cut(cut, {.clear_doubt = 0.1}).empty());
 }
 
+TEST(UpdateMessages, ADoubtfulCutSaysWhatIsMissing) {
+  RegionCut cut;
+  cut.cut_length = 4.5;
+  cut.contradicted = 2;
+  cut.seeds_under = 7;
+  EXPECT_TRUE(says({reason_of_doubtful_cut(cut)}, "none is left that tells where it ends"));
+  cut.seeds_outside = 3;
+  EXPECT_TRUE(
+      says({reason_of_doubtful_cut(cut)},
+           "4.5 median edges of cuts where it is missing, and 2 in contradiction, beside 3;"));
+  cut.seeds_under = 0;
+  EXPECT_TRUE(says({reason_of_doubtful_cut(cut)}, "none is left that tells where it ends"));
+}
+
 TEST(UpdateMessages, LossesHaveAPlace) {
   EXPECT_EQ(warning_of_unscanned({.far = 3, .vertices = 2, .distance = 4.25}, 3, {1, 2.5, -3}),
             "2 vertices of the model are gone though nothing was scanned within 3 spacings of "

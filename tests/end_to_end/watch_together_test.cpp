@@ -1,0 +1,117 @@
+// `watch --together`: files that come together are views of one change.
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/end_to_end/watched_folder.h"
+#include "tests/run_program.h"
+#include "tests/test_clouds.h"
+
+namespace {
+
+using cocoon::test::content_of;
+using cocoon::test::count;
+using cocoon::test::north;
+using cocoon::test::point_line;
+using cocoon::test::ProgramRun;
+using cocoon::test::run_program;
+using cocoon::test::south;
+using cocoon::test::Watched;
+using cocoon::test::Watching;
+
+// What a scanner sees of the bump from one side: of each point, how far along x it lies.
+std::string view(double sign) {
+  std::string text;
+  std::istringstream lines(north);
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  while (lines >> x >> y >> z) {
+    if (sign * x > -0.25) text += point_line(x, y, z);
+  }
+  return text;
+}
+
+const std::string left = view(-1);
+const std::string right = view(1);
+
+struct WatchedTogether : Watched {
+  // On a busy machine a while may pass between two files.
+  WatchedTogether() {
+    *(std::find(arguments.begin(), arguments.end(), "--settle") + 1) = "1";
+    arguments.emplace_back("--together");
+  }
+};
+
+TEST(WatchTogether, ViewsThatComeTogetherAreOneUpdate) {
+  const WatchedTogether watched;
+  watched.put("left.xyz", left);
+  watched.put("right.xyz", right);
+  const ProgramRun run = run_program(watched.once());
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_EQ(count(run.out, "left.xyz, right.xyz: "), 1U) << run.out;
+  EXPECT_EQ(count(run.out, "2 clouds applied, 0 refused"), 1U) << run.out;
+  EXPECT_EQ(content_of(watched.mesh), watched.expected_of_updates({{left, right}}));
+  EXPECT_NE(content_of(watched.mesh), watched.expected({left, right}));
+}
+
+TEST(WatchTogether, WhatComesLaterIsAnotherUpdate) {
+  const WatchedTogether watched;
+  const Watching program(watched.arguments);
+  watched.put("south.xyz", south);
+  ASSERT_TRUE(program.has_said("south.xyz: "));
+  watched.put("left.xyz", left);
+  watched.put("right.xyz", right);
+  ASSERT_TRUE(program.has_said("left.xyz, right.xyz: "));
+  program.end(SIGTERM);
+  EXPECT_EQ(content_of(watched.mesh), watched.expected_of_updates({{south}, {left, right}}));
+}
+
+TEST(WatchTogether, WithoutItEachIsAnUpdate) {
+  const Watched watched;
+  watched.put("left.xyz", left);
+  watched.put("right.xyz", right);
+  ASSERT_EQ(run_program(watched.once()).exit_code, 0);
+  EXPECT_EQ(content_of(watched.mesh), watched.expected({left, right}));
+}
+
+TEST(WatchTogether, AreKeptTogetherWhateverEndsTheProgram) {
+  const WatchedTogether watched;
+  {
+    const Watching program(watched.arguments);
+    watched.put("left.xyz", left);
+    watched.put("right.xyz", right);
+    ASSERT_TRUE(program.has_said("left.xyz, right.xyz: "));
+    program.end(SIGKILL);
+  }
+  EXPECT_TRUE(std::filesystem::exists(watched.mesh + ".session.cloud-1"));
+  std::filesystem::remove(watched.mesh);
+  const ProgramRun run = run_program(watched.once());
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_EQ(count(run.out, "resumed with 2 clouds applied\n"), 1U) << run.out;
+  EXPECT_EQ(count(run.out, "0 clouds applied, 0 refused, 2 known from before"), 1U) << run.out;
+  EXPECT_EQ(content_of(watched.mesh), watched.expected_of_updates({{left, right}}));
+}
+
+TEST(WatchTogether, WhatIsRefusedTogetherIsTriedOneByOne) {
+  const WatchedTogether watched;
+  std::string far;
+  std::istringstream lines(north);
+  for (double x = 0, y = 0, z = 0; lines >> x >> y >> z;) far += point_line(x + 9, y, z);
+  watched.put("bad.xyz", "1 2 3\nfour five six\n");
+  watched.put("far.xyz", far);
+  watched.put("left.xyz", left);
+  const ProgramRun run = run_program(watched.once());
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_EQ(count(run.out, "bad.xyz: not applied: "), 1U) << run.out;
+  EXPECT_EQ(count(run.out, "far.xyz, left.xyz: not applied together: "), 1U) << run.out;
+  EXPECT_EQ(count(run.out, "far.xyz: not applied: "), 1U) << run.out;
+  EXPECT_EQ(count(run.out, "1 cloud applied, 2 refused"), 1U) << run.out;
+  EXPECT_EQ(content_of(watched.mesh), watched.expected({left}));
+}
+
+}  // namespace
