@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/floating_clumps.h"
+#include "cocone/noise/floating_clumps.h"
 #include "cocone/noise/remaining_samples.h"
 #include "cocone/noise/rough_surface.h"
 #include "delaunay/voronoi_dual.h"

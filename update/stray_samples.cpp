@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cocone/noise/remaining_samples.h"
-#include "cocone/sample_parts.h"
+#include "cocone/noise/sample_parts.h"
 
 namespace cocoon {
 

@@ -1,9 +1,9 @@
-#include "cocone/floating_clumps.h"
+#include "cocone/noise/floating_clumps.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "cocone/sample_parts.h"
+#include "cocone/noise/sample_parts.h"
 #include "cocone/samples/sample_spacing.h"
 
 namespace cocoon {

@@ -1,4 +1,4 @@
-#include "cocone/floating_clumps.h"
+#include "cocone/noise/floating_clumps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cocone/noise/rough_surface.h"
+#include "cocone/noise/sample_parts.h"
 #include "cocone/robust_cocone.h"
-#include "cocone/sample_parts.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/voronoi_dual.h"

@@ -1,4 +1,4 @@
-#include "cocone/sample_parts.h"
+#include "cocone/noise/sample_parts.h"
 
 #include <algorithm>
 #include <vector>
