@@ -9,30 +9,57 @@
 namespace cocoon {
 namespace {
 
-// 1 = within so many links of a good sample.
-VertexSet near_good(const Triangulation& triangulation, const VertexStars& stars,
-                    const IdVector<VertexId, double>& reach, const VertexSet& good,
-                    std::size_t links) {
-  VertexSet near = good;
-  std::vector<VertexId> front;
-  for (const VertexId v : triangulation.vertices()) {
-    if (good[v] != 0) front.push_back(v);
+std::vector<VertexId> bad_samples(const VertexSet& good) {
+  std::vector<VertexId> bad;
+  for (const VertexId v : good.ids()) {
+    if (good[v] == 0) bad.push_back(v);
   }
-  std::vector<VertexId> next;
+  return bad;
+}
+
+// How far the links of bad samples reach, and of their neighbors; nothing is asked about others.
+IdVector<VertexId, double> reach_of_links(const Triangulation& triangulation,
+                                          const VertexStars& stars,
+                                          const IdVector<VertexId, double>& spacing,
+                                          const std::vector<VertexId>& bad, double ratio,
+                                          const Execution& execution) {
+  VertexSet is_asked(triangulation.num_vertices(), 0);
+  std::vector<VertexId> asked;
   std::vector<VertexId> around;
-  for (; links > 0 && !front.empty(); --links) {
-    next.clear();
-    for (const VertexId v : front) {
-      collect_neighbors(triangulation, stars.star(v), v, around);
-      for (const VertexId w : around) {
-        if (near[w] != 0 || !is_linked(triangulation, reach, v, w)) continue;
-        near[w] = 1;
-        next.push_back(w);
-      }
-    }
-    front.swap(next);
+  const auto ask = [&](VertexId v) {
+    if (is_asked[v] == 0) asked.push_back(v);
+    is_asked[v] = 1;
+  };
+  for (const VertexId v : bad) {
+    ask(v);
+    collect_neighbors(triangulation, stars.star(v), v, around);
+    for (const VertexId w : around) ask(w);
   }
-  return near;
+  IdVector<VertexId, double> reach = usual_spacing(triangulation, stars, spacing, asked, execution);
+  for (const VertexId v : asked) reach[v] *= ratio;
+  return reach;
+}
+
+// The bad samples that more than so many links part from every good one.
+std::vector<VertexId> deep_samples(const Triangulation& triangulation, const VertexStars& stars,
+                                   const IdVector<VertexId, double>& reach,
+                                   std::vector<VertexId> bad, const VertexSet& good,
+                                   std::size_t links) {
+  VertexSet near = good;
+  std::vector<VertexId> around;
+  const auto is_linked_to_near = [&](VertexId v) {
+    collect_neighbors(triangulation, stars.star(v), v, around);
+    return std::any_of(around.begin(), around.end(), [&](VertexId w) {
+      return near[w] != 0 && is_linked(triangulation, reach, v, w);
+    });
+  };
+  for (; links > 0; --links) {
+    const auto far = std::stable_partition(bad.begin(), bad.end(), is_linked_to_near);
+    if (far == bad.begin()) break;
+    for (auto v = bad.begin(); v != far; ++v) near[*v] = 1;
+    bad.erase(bad.begin(), far);
+  }
+  return bad;
 }
 
 }  // namespace
@@ -43,28 +70,29 @@ FloatingClumps floating_clumps(const Triangulation& triangulation, const VertexS
   const std::size_t all = triangulation.num_vertices();
   FloatingClumps result;
   result.out = VertexSet(all, 0);
-  const bool any_good = std::find(good.begin(), good.end(), 1) != good.end();
-  if (options.clump_share <= 0 || !any_good) return result;
-  IdVector<VertexId, double> reach = usual_spacing(triangulation, stars, spacing, execution);
-  for (const VertexId v : triangulation.vertices()) reach[v] *= options.clump_link_ratio;
-  const VertexSet near = near_good(triangulation, stars, reach, good, options.clump_depth);
-  if (std::find(near.begin(), near.end(), 0) == near.end()) return result;
+  const std::vector<VertexId> bad = bad_samples(good);
+  if (options.clump_share <= 0 || bad.empty() || bad.size() == all) return result;
+  const IdVector<VertexId, double> reach =
+      reach_of_links(triangulation, stars, spacing, bad, options.clump_link_ratio, execution);
+  const std::vector<VertexId> far =
+      deep_samples(triangulation, stars, reach, bad, good, options.clump_depth);
+  if (far.empty()) return result;
 
   const SampleParts parts = sample_parts(triangulation, reach, good);
   IdVector<VertexId, std::size_t> deep(all, 0);  // samples of each part
-  for (const VertexId v : triangulation.vertices()) {
+  for (const VertexId v : far) {
     const VertexId part = parts.part[v];
     const std::size_t size = parts.size[part];
     const bool is_clump =
         size > options.neighbors &&
         static_cast<double>(size) < options.clump_share * static_cast<double>(all);
-    if (near[v] != 0 || !is_clump) continue;
+    if (!is_clump) continue;
     result.out[v] = 1;
     ++result.samples;
     result.clumps += deep[part]++ == 0 ? 1U : 0U;
     result.largest = std::max(result.largest, deep[part]);
   }
-  for (const VertexId v : triangulation.vertices()) {
+  for (const VertexId v : far) {
     if (result.out[v] == 0 || deep[parts.part[v]] < result.largest) continue;
     if (result.at.is_none() || triangulation.point(v) < triangulation.point(result.at)) {
       result.at = v;

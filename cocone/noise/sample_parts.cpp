@@ -38,15 +38,16 @@ SampleParts sample_parts(const Triangulation& triangulation,
 IdVector<VertexId, double> usual_spacing(const Triangulation& triangulation,
                                          const VertexStars& stars,
                                          const IdVector<VertexId, double>& spacing,
+                                         std::span<const VertexId> vertices,
                                          const Execution& execution) {
   constexpr std::size_t grain = 4096;  // vertices a chunk
-  IdVector<VertexId, double> usual(triangulation.num_vertices());
+  IdVector<VertexId, double> usual(triangulation.num_vertices(), 0);
   const auto measure = [&](std::size_t begin, std::size_t end) {
     std::vector<VertexId> around;
     std::vector<double> spacings;
-    const auto vertex_at = [](std::size_t k) { return VertexId(k); };
+    const auto vertex_at = [&](std::size_t k) { return vertices[k]; };
     visit_stars(triangulation, stars, begin, end, vertex_at, [&](std::size_t k) {
-      const VertexId v(k);
+      const VertexId v = vertices[k];
       collect_neighbors(triangulation, stars.star(v), v, around);
       spacings.clear();
       for (const VertexId w : around) spacings.push_back(spacing[w]);
@@ -55,7 +56,7 @@ IdVector<VertexId, double> usual_spacing(const Triangulation& triangulation,
       usual[v] = std::max(spacing[v], *median);
     });
   };
-  parallel_chunks(execution, triangulation.num_vertices(), grain, measure);
+  parallel_chunks(execution, vertices.size(), grain, measure);
   return usual;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 
 #include "cocone/facet_set.h"
 #include "delaunay/triangulation.h"
@@ -31,12 +32,13 @@ inline bool is_linked(const Triangulation& triangulation, const IdVector<VertexI
 SampleParts sample_parts(const Triangulation& triangulation,
                          const IdVector<VertexId, double>& reach, const VertexSet& apart = {});
 
-// Per vertex: its spacing (noise_filter.h), but at least the median (the upper one of two) of its
-// Delaunay neighbors'. Two samples that happen to be close then still reach the others around them.
-// Complexity: O(cells) expected, parallel.
+// Of each of these vertices: its spacing (noise_filter.h), but at least the median (the upper one
+// of two) of its Delaunay neighbors'. Two samples that happen to be close then still reach the
+// others around them. Of others 0. Complexity: O(vertices + stars) expected, parallel.
 IdVector<VertexId, double> usual_spacing(const Triangulation& triangulation,
                                          const VertexStars& stars,
                                          const IdVector<VertexId, double>& spacing,
+                                         std::span<const VertexId> vertices,
                                          const Execution& execution = {});
 
 }  // namespace cocoon

@@ -54,6 +54,12 @@ std::size_t count_kept(const RobustSamples& samples, std::size_t begin, std::siz
   return count;
 }
 
+std::vector<VertexId> all_vertices(const Triangulation& t) {
+  std::vector<VertexId> vertices;
+  for (const VertexId v : t.vertices()) vertices.push_back(v);
+  return vertices;
+}
+
 TEST(SampleParts, HangTogetherWithinReachOfBoth) {
   const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 3}, {0, 0, 4}};
   const Triangulation t = delaunay(points).triangulation;
@@ -78,7 +84,7 @@ TEST(SampleParts, UsualSpacingIsThatOfTheNeighborsAtLeast) {
   const Triangulation t = delaunay(points).triangulation;
   const VertexStars stars = vertex_stars(t);
   const IdVector<VertexId, double> own = sample_spacing(t, stars, 1);
-  const IdVector<VertexId, double> usual = usual_spacing(t, stars, own);
+  const IdVector<VertexId, double> usual = usual_spacing(t, stars, own, all_vertices(t));
   for (const VertexId v : t.vertices()) EXPECT_EQ(usual[v], 1);
   EXPECT_NEAR(own[t.vertex_of_point()[PointId(points.size() - 1)]], 0.01, 1e-9);
 }
@@ -146,7 +152,7 @@ TEST(FloatingClumps, AreThoseOfTheirDefinition) {
   for (const std::size_t depth : {0U, 1U, 2U, 5U}) {
     const NoiseOptions options{.clump_depth = depth};
     const FloatingClumps found = floating_clumps(t, stars, spacing, good, options);
-    const auto usual = usual_spacing(t, stars, spacing);
+    const auto usual = usual_spacing(t, stars, spacing, all_vertices(t));
     const auto linked = [&](VertexId v, VertexId w) {
       return distance(t.point(v), t.point(w)) <= 2 * std::min(usual[v], usual[w]);
     };
