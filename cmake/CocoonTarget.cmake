@@ -19,10 +19,10 @@ if(COCOON_SANITIZE)
 endif()
 
 # cocoon_layer(name DEPENDS layers... [PRIVATE targets...]): the library of one folder. All .cpp
-# files of the folder belong to it. Headers are included from the project's root.
+# files of the folder and its sub-folders belong to it. Headers are included from the project's root.
 function(cocoon_layer name)
   cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp */*.cpp)
   add_library(cocoon_${name} STATIC ${sources})
   add_library(Cocoon::${name} ALIAS cocoon_${name})
   set_target_properties(cocoon_${name} PROPERTIES EXPORT_NAME ${name}
