@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/job.h"
-#include "cocone/surface_doubts.h"
+#include "cocone/checks/surface_doubts.h"
 
 namespace cocoon::app {
 

@@ -8,7 +8,7 @@
 #include "geom/equal_points.h"
 #include "geom/mesh_check.h"
 #include "geom/weld_vertices.h"
-#include "update/orient_outward.h"
+#include "update/model/orient_outward.h"
 
 namespace cocoon::app {
 

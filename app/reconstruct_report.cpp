@@ -6,7 +6,7 @@
 #include "app/findings.h"
 #include "app/surface_report.h"
 #include "app/verification.h"
-#include "cocone/sample_doubts.h"
+#include "cocone/checks/sample_doubts.h"
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "geom/place_name.h"

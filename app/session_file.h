@@ -4,7 +4,7 @@
 //   8              "COCOONUS"
 //   4, 4           version (4; 3 differs in what `watch` notes, watch_notes.h, and is read, too);
 //                  bits: 1 = paper mode, 2, 4, 8 = the following angles were given, 16 = the
-//                  surface is certified (cocone/certified_surface.h)
+//                  surface is certified (cocone/kept/certified_surface.h)
 //   8, 8, 8        alpha, cocone angle, sharp angle in degrees, 64-bit floating point
 //   8, 8, 8        numbers of model vertices n, triangles t, points k
 //   8, 8, 8        bytes of the notes, of the triangulation, and of what is known of its surface
@@ -13,7 +13,8 @@
 //                  multiple of 8
 //                  the notes: a line of text each; zero bytes up to a multiple of 8
 //                  the triangulation as io/triangulation_block.h has it, or nothing
-//                  the surface (cocone/surface_state.h), or nothing; with v vertices and c cells:
+//                  the surface (cocone/live/surface_state.h), or nothing; with v vertices and c
+//                  cells:
 //   24 v, 4 v      normals, steps
 //   v, v, c, c     flags of vertices, samples, flags of cells, pruned candidates
 //   c, v           sides and sheets, if certified; zero bytes up to a multiple of 8

@@ -11,9 +11,9 @@
 
 #include "app/json_report.h"
 #include "cocone/boundary_loops.h"
+#include "cocone/checks/surface_doubts.h"
 #include "cocone/noise_filter.h"
 #include "cocone/reconstruct.h"
-#include "cocone/surface_doubts.h"
 
 namespace cocoon::app {
 

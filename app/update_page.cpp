@@ -8,7 +8,7 @@
 #include "app/surface_report.h"
 #include "app/update_report.h"
 #include "geom/counted.h"
-#include "update/vertex_origins.h"
+#include "update/report/vertex_origins.h"
 
 namespace cocoon::app {
 

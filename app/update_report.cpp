@@ -5,7 +5,7 @@
 
 #include "app/surface_report.h"
 #include "geom/counted.h"
-#include "update/update_messages.h"
+#include "update/report/update_messages.h"
 
 namespace cocoon::app {
 

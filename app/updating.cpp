@@ -14,7 +14,7 @@
 #include "app/surface_report.h"
 #include "app/update_report.h"
 #include "app/verification.h"
-#include "cocone/surface_doubts.h"
+#include "cocone/checks/surface_doubts.h"
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
@@ -23,9 +23,9 @@
 #include "geom/signed_distance.h"
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
-#include "update/lost_triangles.h"
-#include "update/update_messages.h"
-#include "update/vertex_origins.h"
+#include "update/report/lost_triangles.h"
+#include "update/report/update_messages.h"
+#include "update/report/vertex_origins.h"
 
 namespace cocoon::app {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/json_report.h"
-#include "cocone/verify_surface.h"
+#include "cocone/checks/verify_surface.h"
 #include "delaunay/check_delaunay.h"
 
 namespace cocoon::app {

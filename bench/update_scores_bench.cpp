@@ -15,7 +15,7 @@
 #include "geom/mesh_measure.h"
 #include "io/sample_models.h"
 #include "io/scan_errors.h"
-#include "update/update_score.h"
+#include "update/report/update_score.h"
 
 namespace cocoon {
 namespace {

@@ -1,7 +1,7 @@
 // The thresholds of Boundary: which samples lie where the cloud is too sparse or ends.
 #pragma once
 
-#include "cocone/cocone_radii.h"
+#include "cocone/samples/cocone_radii.h"
 
 namespace cocoon {
 

@@ -4,9 +4,9 @@
 #include <bit>
 #include <vector>
 
-#include "cocone/cocone_radii.h"
-#include "cocone/facet_doubts.h"
-#include "cocone/shared_flags.h"
+#include "cocone/samples/cocone_radii.h"
+#include "cocone/samples/facet_doubts.h"
+#include "cocone/samples/shared_flags.h"
 
 namespace cocoon {
 namespace {

@@ -48,7 +48,7 @@
 
 #include <cstddef>
 
-#include "cocone/idle_samples.h"
+#include "cocone/clean_up/idle_samples.h"
 #include "cocone/mark_cells.h"
 #include "cocone/poles.h"
 #include "delaunay/triangulation.h"

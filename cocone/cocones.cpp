@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cocone/met_facets.h"
+#include "cocone/samples/met_facets.h"
 
 namespace cocoon {
 namespace {

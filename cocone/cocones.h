@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "cocone/cone_sides.h"
 #include "cocone/poles.h"
+#include "cocone/samples/cone_sides.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/execution.h"

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "cocone/live/surface_state.h"
 #include "cocone/reconstruct.h"
-#include "cocone/surface_state.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/ids.h"
@@ -76,9 +76,10 @@ class DynamicTightCocone {
   // numbers of the points.
   Edited edit(Points points, const ListEdit<PointId>& change, const Execution& execution = {},
               const OldSurface& old = {});
-  // To be called if the caller's mesh is not what the last call found, as where sides were known for
-  // it that the call was not told: is_smooth() is false then, unless the surface is certain, which
-  // leaves no choice. Of an old surface that is handed over only `sides` is asked the next time.
+  // To be called if the caller's mesh is not what the last call found, as where sides were known
+  // for it that the call was not told: is_smooth() is false then, unless the surface is certain,
+  // which leaves no choice. Of an old surface that is handed over only `sides` is asked the next
+  // time.
   void forget_body();
   // Adds what an edit left out, but for the mesh. Precondition: the result is that of the points so
   // far, each a vertex of the mesh. Complexity: O(n).

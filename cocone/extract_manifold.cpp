@@ -7,10 +7,10 @@
 #include <optional>
 #include <utility>
 
-#include "cocone/cell_order.h"
-#include "cocone/facet_size.h"
-#include "cocone/half_facets.h"
-#include "cocone/walk_reach.h"
+#include "cocone/facets/cell_order.h"
+#include "cocone/facets/facet_size.h"
+#include "cocone/facets/half_facets.h"
+#include "cocone/facets/walk_reach.h"
 
 namespace cocoon {
 namespace {

@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "cocone/linked_facets.h"
+#include "cocone/facets/linked_facets.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 

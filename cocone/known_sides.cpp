@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "cocone/half_star.h"
-#include "cocone/old_triangles.h"
+#include "cocone/facets/half_star.h"
+#include "cocone/marking/old_triangles.h"
 #include "geom/parallel_list.h"
 #include "geom/parallel_reduce.h"
 

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "cocone/cell_label.h"
 #include "cocone/facet_set.h"
+#include "cocone/marking/cell_label.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"

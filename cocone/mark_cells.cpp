@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/carried_marks.h"
-#include "cocone/disputed_marks.h"
-#include "cocone/half_labels.h"
-#include "cocone/half_star.h"
+#include "cocone/facets/half_star.h"
 #include "cocone/known_sides.h"
+#include "cocone/marking/carried_marks.h"
+#include "cocone/marking/disputed_marks.h"
+#include "cocone/marking/half_labels.h"
 #include "delaunay/circulate.h"
 #include "delaunay/star_cache.h"
 #include "geom/sort_ids.h"

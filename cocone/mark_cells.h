@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "cocone/facet_set.h"
-#include "cocone/half_star.h"
+#include "cocone/facets/half_star.h"
+#include "cocone/facets/linked_facets.h"
 #include "cocone/known_sides.h"
-#include "cocone/linked_facets.h"
 #include "cocone/umbrella.h"
 #include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cocone/sample_spacing.h"
+#include "cocone/samples/sample_spacing.h"
 #include "delaunay/circulate.h"
 
 namespace cocoon {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/facet_size.h"
+#include "cocone/facets/facet_size.h"
 
 namespace cocoon {
 namespace {

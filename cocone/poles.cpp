@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/cell_arms.h"
-#include "cocone/double_cone.h"
-#include "cocone/farthest_cells.h"
-#include "cocone/shared_maxima.h"
+#include "cocone/samples/cell_arms.h"
+#include "cocone/samples/double_cone.h"
+#include "cocone/samples/farthest_cells.h"
+#include "cocone/samples/shared_maxima.h"
 #include "delaunay/vertex_stars.h"
 
 namespace cocoon {

@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <span>
 
-#include "cocone/cone_sides.h"
 #include "cocone/facet_set.h"
+#include "cocone/samples/cone_sides.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/execution.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cocone/facet_set.h"
-#include "cocone/linked_facets.h"
+#include "cocone/facets/linked_facets.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "cocone/candidate_triangles.h"
-#include "cocone/certain_surface.h"
 #include "cocone/extract_manifold.h"
 #include "cocone/mark_cells.h"
+#include "cocone/marking/certain_surface.h"
 #include "cocone/orient_surface.h"
 #include "cocone/poles.h"
 #include "cocone/surface_mesh.h"

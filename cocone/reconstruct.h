@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "cocone/boundary_samples.h"
+#include "cocone/checks/verify_surface.h"
 #include "cocone/clean_up_cells.h"
 #include "cocone/cocones.h"
 #include "cocone/extract_manifold.h"
 #include "cocone/facet_set.h"
-#include "cocone/linked_facets.h"
+#include "cocone/facets/linked_facets.h"
 #include "cocone/peel_cells.h"
 #include "cocone/prune_sharp_edges.h"
 #include "cocone/umbrella.h"
-#include "cocone/verify_surface.h"
 #include "delaunay/delaunay.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/remaining_samples.h"
-#include "cocone/rough_surface.h"
+#include "cocone/noise/remaining_samples.h"
+#include "cocone/noise/rough_surface.h"
 #include "delaunay/voronoi_dual.h"
 
 namespace cocoon {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/shared_flags.h"
+#include "cocone/samples/shared_flags.h"
 #include "geom/parallel_list.h"
 #include "geom/triangle_order.h"
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "cocone/linked_facets.h"
+#include "cocone/facets/linked_facets.h"
 #include "cocone/mark_cells.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"

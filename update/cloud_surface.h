@@ -10,10 +10,10 @@
 #include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/triangle_mesh.h"
+#include "update/cloud/rim_seams.h"
+#include "update/cloud/trim_long_edges.h"
 #include "update/cloud_rim.h"
-#include "update/rim_seams.h"
 #include "update/scan_rows.h"
-#include "update/trim_long_edges.h"
 
 namespace cocoon {
 

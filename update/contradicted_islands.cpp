@@ -7,8 +7,8 @@
 #include "geom/id_vector.h"
 #include "geom/nearest_point.h"
 #include "geom/triangle_mesh.h"
-#include "update/near_facets.h"
-#include "update/sample_heights.h"
+#include "update/model/near_facets.h"
+#include "update/model/sample_heights.h"
 
 namespace cocoon {
 

@@ -7,8 +7,8 @@
 
 #include "geom/ids.h"
 #include "update/choose_regions.h"
-#include "update/model_index.h"
-#include "update/scan.h"
+#include "update/cloud/scan.h"
+#include "update/model/model_index.h"
 #include "update/segment_model.h"
 
 namespace cocoon {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "geom/sort_ids.h"
-#include "update/facet_cut.h"
-#include "update/rim_index.h"
+#include "update/cloud/rim_index.h"
+#include "update/regions/facet_cut.h"
 
 namespace cocoon {
 

@@ -10,13 +10,13 @@
 #include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
+#include "update/cloud/scan.h"
 #include "update/cloud_rim.h"
-#include "update/model_index.h"
-#include "update/scan.h"
+#include "update/model/model_index.h"
+#include "update/model/triangle_set.h"
 #include "update/scan_ends.h"
 #include "update/segment_model.h"
 #include "update/trace_border.h"
-#include "update/triangle_set.h"
 
 namespace cocoon {
 

@@ -12,7 +12,7 @@
 #include "geom/nearest_point.h"
 #include "geom/sort_ids.h"
 #include "geom/triangle_projection.h"
-#include "update/near_facets.h"
+#include "update/model/near_facets.h"
 
 namespace cocoon {
 

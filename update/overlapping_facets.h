@@ -10,7 +10,7 @@
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 #include "update/cloud_rim.h"
-#include "update/model_index.h"
+#include "update/model/model_index.h"
 
 namespace cocoon {
 
@@ -92,7 +92,7 @@ struct Overlap {
 // one connected part of the model: if all but max_unmatched_share of its points do, the others look
 // for their facets on that part, too (a speck of dust beside the surface would break the band).
 // Complexity: a few operations for each vertex and facet of the model, and O(rim log(model)) where
-// the rim lies on it (update/near_facets.h); O(model log(model)) for rims far away and for
+// the rim lies on it (update/model/near_facets.h); O(model log(model)) for rims far away and for
 // nearest_vertex_star. Deterministic: ties by lexicographic corners.
 // Source: Woo & Dey 2005, section 3.3, Eq. 1-3.
 Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,

@@ -6,7 +6,7 @@
 #include "geom/box.h"
 #include "geom/box_tree.h"
 #include "geom/nearest_point.h"
-#include "update/near_facets.h"
+#include "update/model/near_facets.h"
 
 namespace cocoon {
 

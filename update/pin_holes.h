@@ -6,7 +6,7 @@
 
 #include "geom/point.h"
 #include "update/cloud_rim.h"
-#include "update/model_index.h"
+#include "update/model/model_index.h"
 
 namespace cocoon {
 

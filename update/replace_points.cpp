@@ -9,7 +9,7 @@
 #include "geom/list_edit.h"
 #include "geom/nearest_point.h"
 #include "geom/sort_ids.h"
-#include "update/rim_index.h"
+#include "update/cloud/rim_index.h"
 
 namespace cocoon {
 

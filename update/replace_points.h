@@ -12,8 +12,8 @@
 #include "geom/triangle_mesh.h"
 #include "update/choose_regions.h"
 #include "update/cloud_rim.h"
-#include "update/model_index.h"
-#include "update/scanned_vertices.h"
+#include "update/model/model_index.h"
+#include "update/regions/scanned_vertices.h"
 #include "update/segment_model.h"
 
 namespace cocoon {

@@ -7,7 +7,7 @@
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "update/cloud_rim.h"
-#include "update/model_index.h"
+#include "update/model/model_index.h"
 #include "update/segment_model.h"
 #include "update/trace_border.h"
 

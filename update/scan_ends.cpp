@@ -7,9 +7,9 @@
 #include "geom/nearest_point.h"
 #include "geom/sort_ids.h"
 #include "geom/zeroed_array.h"
-#include "update/reached_cells.h"
-#include "update/sample_heights.h"
-#include "update/scanned_places.h"
+#include "update/cloud/scanned_places.h"
+#include "update/model/reached_cells.h"
+#include "update/model/sample_heights.h"
 
 namespace cocoon {
 

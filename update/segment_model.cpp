@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geom/visit_where.h"
-#include "update/grow_regions.h"
+#include "update/regions/grow_regions.h"
 
 namespace cocoon {
 

@@ -8,8 +8,8 @@
 #include "geom/ids.h"
 #include "geom/sparse_vector.h"
 #include "geom/triangle_mesh.h"
-#include "update/model_index.h"
-#include "update/triangle_set.h"
+#include "update/model/model_index.h"
+#include "update/model/triangle_set.h"
 
 namespace cocoon {
 

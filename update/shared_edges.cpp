@@ -4,8 +4,8 @@
 
 #include "geom/box.h"
 #include "geom/nearest_point.h"
-#include "update/reached_cells.h"
-#include "update/rim_seams.h"
+#include "update/cloud/rim_seams.h"
+#include "update/model/reached_cells.h"
 
 namespace cocoon {
 

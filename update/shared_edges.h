@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "update/cloud/scan.h"
 #include "update/cloud_rim.h"
-#include "update/scan.h"
 
 namespace cocoon {
 

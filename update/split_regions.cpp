@@ -9,7 +9,7 @@
 
 #include "geom/box.h"
 #include "geom/nearest_point.h"
-#include "update/rim_index.h"
+#include "update/cloud/rim_index.h"
 
 namespace cocoon {
 

@@ -9,7 +9,7 @@
 #include "geom/ids.h"
 #include "geom/point.h"
 #include "update/cloud_rim.h"
-#include "update/model_index.h"
+#include "update/model/model_index.h"
 #include "update/segment_model.h"
 
 namespace cocoon {

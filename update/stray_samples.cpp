@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/remaining_samples.h"
-#include "cocone/sample_spacing.h"
+#include "cocone/noise/remaining_samples.h"
+#include "cocone/samples/sample_spacing.h"
 #include "geom/disjoint_sets.h"
 
 namespace cocoon {

@@ -10,9 +10,9 @@
 #include "geom/execution.h"
 #include "geom/ids.h"
 #include "update/cloud_rim.h"
-#include "update/model_index.h"
+#include "update/model/model_index.h"
+#include "update/model/triangle_set.h"
 #include "update/overlapping_facets.h"
-#include "update/triangle_set.h"
 
 namespace cocoon {
 

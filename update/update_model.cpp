@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "geom/errors.h"
+#include "update/cloud/ordinary_size.h"
 #include "update/joined_clouds.h"
-#include "update/ordinary_size.h"
-#include "update/update_messages.h"
+#include "update/report/update_messages.h"
 #include "update/update_steps.h"
 
 namespace cocoon {

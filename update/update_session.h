@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "cocone/dynamic_tight_cocone.h"
-#include "cocone/surface_state.h"
+#include "cocone/live/surface_state.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/list_edit.h"
 #include "geom/triangle_mesh.h"
-#include "update/mesh_change.h"
-#include "update/mesh_edit.h"
-#include "update/model_index.h"
+#include "update/model/mesh_change.h"
+#include "update/model/mesh_edit.h"
+#include "update/model/model_index.h"
 #include "update/update_model.h"
 
 namespace cocoon {
@@ -92,7 +92,7 @@ class UpdateSession {
   MeshChange undo(const Execution& execution = {});
 
   // Updates and undos whose surface was looked at only where points changed
-  // (cocone/certified_surface.h); the others ran the stages over the whole triangulation.
+  // (cocone/kept/certified_surface.h); the others ran the stages over the whole triangulation.
   std::size_t local_changes() const { return surface_.local_changes(); }
 
   // Complexity: O(n).

@@ -8,10 +8,10 @@
 
 #include "geom/errors.h"
 #include "geom/sort_ids.h"
-#include "update/kept_surface.h"
-#include "update/model_index.h"
-#include "update/update_messages.h"
-#include "update/updated_vertices.h"
+#include "update/model/model_index.h"
+#include "update/regions/kept_surface.h"
+#include "update/report/update_messages.h"
+#include "update/report/updated_vertices.h"
 
 namespace cocoon {
 

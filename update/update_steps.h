@@ -11,7 +11,7 @@
 #include "geom/id_vector.h"
 #include "geom/triangle_mesh.h"
 #include "update/joined_clouds.h"
-#include "update/model_index.h"
+#include "update/model/model_index.h"
 #include "update/update_model.h"
 
 namespace cocoon {

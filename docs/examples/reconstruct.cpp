@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "cocone/surface_doubts.h"
+#include "cocone/checks/surface_doubts.h"
 #include "geom/mesh_check.h"
 
 std::vector<cocoon::Point> torus(int around, int across) {

@@ -9,7 +9,7 @@
 #include "cocone/reconstruct.h"
 #include "update/choose_regions.h"
 #include "update/cloud_surface.h"
-#include "update/model_index.h"
+#include "update/model/model_index.h"
 #include "update/overlapping_facets.h"
 #include "update/replace_points.h"
 #include "update/rim_angles.h"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "cocone/handle_loops.h"
+#include "cocone/clean_up/handle_loops.h"
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
 #include "geom/random.h"

@@ -5,8 +5,8 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-#include "cocone/cocone_radii.h"
-#include "cocone/double_cone.h"
+#include "cocone/samples/cocone_radii.h"
+#include "cocone/samples/double_cone.h"
 #include "delaunay/circulate.h"
 #include "ref/dense_cocone_sampling.h"
 #include "tests/cocone/sample_shapes.h"

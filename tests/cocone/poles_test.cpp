@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cocone/cocone_radii.h"
+#include "cocone/samples/cocone_radii.h"
 #include "ref/brute_force_poles.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/cell_energy.h"
-#include "cocone/doubtful_region.h"
+#include "cocone/energy/cell_energy.h"
+#include "cocone/energy/doubtful_region.h"
 #include "geom/random.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"

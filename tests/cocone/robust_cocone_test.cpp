@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "cocone/noise/rough_surface.h"
 #include "cocone/noise_filter.h"
-#include "cocone/rough_surface.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/mesh_check.h"

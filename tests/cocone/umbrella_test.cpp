@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/cell_order.h"
+#include "cocone/facets/cell_order.h"
 #include "cocone/prune_sharp_edges.h"
 #include "geom/random.h"
 #include "tests/cocone/sample_shapes.h"

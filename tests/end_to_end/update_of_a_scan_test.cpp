@@ -12,7 +12,7 @@
 #include "geom/random_point.h"
 #include "io/point_file.h"
 #include "tests/end_to_end/local_update.h"
-#include "update/model_index.h"
+#include "update/model/model_index.h"
 #include "update/update_model.h"
 
 namespace cocoon {

@@ -16,7 +16,7 @@
 #include "tests/end_to_end/local_update.h"
 #include "tests/gallery.h"
 #include "tests/update/hand_made_models.h"
-#include "update/model_index.h"
+#include "update/model/model_index.h"
 #include "update/update_model.h"
 
 namespace cocoon {

@@ -13,7 +13,7 @@
 #include "io/sample_models.h"
 #include "io/scan_errors.h"
 #include "tests/update/hand_made_models.h"
-#include "update/update_score.h"
+#include "update/report/update_score.h"
 
 namespace cocoon {
 namespace {

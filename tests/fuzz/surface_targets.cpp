@@ -16,8 +16,8 @@
 #include "geom/surface_distance.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/gallery.h"
+#include "update/report/vertex_origins.h"
 #include "update/update_model.h"
-#include "update/vertex_origins.h"
 
 namespace cocoon::fuzz {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "update/cloud_report.h"
+#include "update/report/cloud_report.h"
 
 namespace cocoon {
 namespace {

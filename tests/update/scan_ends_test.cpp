@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/update/hand_made_models.h"
-#include "update/triangle_set.h"
+#include "update/model/triangle_set.h"
 
 namespace cocoon {
 namespace {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "tests/update/hand_made_models.h"
-#include "update/loop_sides.h"
 #include "update/overlapping_facets.h"
+#include "update/regions/loop_sides.h"
 
 namespace cocoon {
 namespace {

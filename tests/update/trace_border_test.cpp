@@ -9,7 +9,7 @@
 #include "geom/random.h"
 #include "tests/mesh_gallery.h"
 #include "tests/update/hand_made_models.h"
-#include "update/loop_sides.h"
+#include "update/regions/loop_sides.h"
 #include "update/segment_model.h"
 
 namespace cocoon {

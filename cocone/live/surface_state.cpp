@@ -1,0 +1,116 @@
+#include "cocone/live/surface_state.h"
+
+#include <algorithm>
+#include <string>
+
+#include "geom/errors.h"
+#include "geom/parallel_reduce.h"
+
+namespace cocoon {
+namespace {
+
+void require(bool condition, const char* what) {
+  if (!condition)
+    throw InputError(std::string("what is known of the surface does not fit: ") + what);
+}
+
+template <class Holds>
+void require_at_cells(const Execution& execution, std::size_t cells, const char* what,
+                      const Holds& holds) {
+  const std::size_t wrong =
+      first_failing(execution, cells, [&](std::size_t c) { return holds(CellId(c)); });
+  if (wrong < cells) require(false, (what + std::to_string(wrong)).c_str());
+}
+
+template <class Range, class Test>
+void require_all(const Range& range, Test test, const char* what) {
+  require(std::all_of(range.begin(), range.end(), test), what);
+}
+
+// The flags of facet f, all above them shifted away.
+unsigned flags_at(const IdVector<CellId, std::uint8_t>& flags, FacetId f) {
+  return static_cast<unsigned>(flags[cell_of(f)] >> index_of(f));
+}
+
+// Of a facet with one of these flags; the cell behind it finds out if only that one has it.
+bool is_possible(const Triangulation& triangulation, const CandidateState& state, FacetId f) {
+  const FacetId m = triangulation.mirror(f);
+  const unsigned candidate = flags_at(state.cell_flags, f) & flags_at(state.cell_flags, m) & 1U;
+  const unsigned pruned = flags_at(state.pruned, f) ^ flags_at(state.pruned, m);
+  return candidate != 0 && (pruned & 1U) == 0 && triangulation.is_finite_facet(f);
+}
+
+bool is_possible(const Triangulation& triangulation, const CandidateState& state, CellId c) {
+  const unsigned flags = state.cell_flags[c];
+  const unsigned kind = triangulation.is_infinite(c) ? cell_flag::infinite : cell_flag::finite;
+  bool possible =
+      (flags & (cell_flag::infinite | cell_flag::finite)) == kind && state.pruned[c] < 16;
+  const unsigned facets = (flags & cell_flag::candidate_facets) | state.pruned[c];
+  for (int i = 0; possible && (facets >> i) != 0; ++i) {
+    if (((facets >> i) & 1U) != 0) possible = is_possible(triangulation, state, facet_id(c, i));
+  }
+  return possible;
+}
+
+// Facets of the surface are candidates that were not pruned; each has an outer and an inner side.
+bool has_possible_sides(const Triangulation& triangulation, const SurfaceState& state, CellId c) {
+  constexpr unsigned both = side_flag::outer | side_flag::inner;
+  const unsigned sides = state.sides[c];
+  const unsigned on_surface = (sides | sides >> 4) & 15U;
+  const unsigned left = state.candidates.cell_flags[c] & ~unsigned{state.candidates.pruned[c]};
+  bool possible = (on_surface & ~left) == 0;
+  for (int i = 0; (on_surface >> i) != 0; ++i) {
+    if (((on_surface >> i) & 1U) == 0) continue;
+    const unsigned here = flags_at(state.sides, facet_id(c, i)) & both;
+    const unsigned behind = flags_at(state.sides, triangulation.mirror(facet_id(c, i))) & both;
+    possible = possible && here != both && here + behind == both;
+  }
+  return possible;
+}
+
+// The vertices of the surface, and no others, have a sheet.
+void check_sheets(const Triangulation& triangulation, const SurfaceState& state) {
+  require_all(
+      state.sheets, [](SheetAt sheet) { return sheet <= SheetAt::good; }, "a sheet");
+  VertexSet on_surface(triangulation.num_vertices(), 0);
+  for (const CellId c : state.sides.ids()) {
+    const unsigned outer = state.sides[c] & 15U;
+    for (int i = 0; (outer >> i) != 0; ++i) {
+      if (((outer >> i) & 1U) == 0) continue;
+      for (const VertexId v : triangulation.facet_vertices(facet_id(c, i))) on_surface[v] = 1;
+    }
+  }
+  for (const VertexId v : state.sheets.ids()) {
+    require((state.sheets[v] != SheetAt::none) == (on_surface[v] != 0), "a vertex of the surface");
+  }
+}
+
+}  // namespace
+
+void check_surface_state(const Triangulation& triangulation, const SurfaceState& state,
+                         const Execution& execution) {
+  if (state.empty()) return;
+  const CandidateState& candidates = state.candidates;
+  const std::size_t vertices = triangulation.num_vertices();
+  const std::size_t cells = triangulation.num_cells();
+  require(candidates.normals.size() == vertices && candidates.vertex_flags.size() == vertices &&
+              candidates.samples.size() == vertices && candidates.steps.size() == vertices &&
+              candidates.cell_flags.size() == cells && candidates.pruned.size() == cells &&
+              (state.sides.empty() || state.sides.size() == cells) &&
+              state.sheets.size() == (state.sides.empty() ? 0 : vertices),
+          "other numbers of vertices or cells");
+  require_all(
+      candidates.normals, [](const Vec3& n) { return is_finite(n); }, "a normal");
+  require_all(
+      candidates.vertex_flags, [](unsigned flags) { return flags < 8; }, "a vertex");
+  require_all(
+      candidates.samples, [](SampleState s) { return s <= SampleState::interior; }, "a sample");
+  require_at_cells(execution, cells, "flags of cell ",
+                   [&](CellId c) { return is_possible(triangulation, candidates, c); });
+  if (state.sides.empty()) return;
+  require_at_cells(execution, cells, "a side of cell ",
+                   [&](CellId c) { return has_possible_sides(triangulation, state, c); });
+  check_sheets(triangulation, state);
+}
+
+}  // namespace cocoon

@@ -1,0 +1,69 @@
+#include "cocone/noise/remaining_samples.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cocone/noise/outlier_rounds.h"
+#include "geom/working_scale.h"
+
+namespace cocoon {
+
+RemainingSamples::RemainingSamples(Points points, const NoiseOptions& noise,
+                                   const DelaunayOptions& options, const Execution& execution)
+    : noise_(noise), options_(options), execution_(execution), kept_(points.size(), 1) {
+  const double scale = working_scale(points);
+  points_.reserve(points.size());
+  for (const Point& p : points) points_.push_back(scale * p);
+  for (std::size_t i = 0; i < points.size(); ++i) inputs_.push_back(PointId(i));
+  triangulate();
+}
+
+void RemainingSamples::triangulate() {
+  triangulation_ = delaunay(points_, options_, execution_).triangulation;
+  stars_ = vertex_stars(triangulation_);
+  spacing_ = sample_spacing(triangulation_, stars_, noise_.neighbors, execution_);
+}
+
+void RemainingSamples::leave_out(const VertexSet& out) {
+  leave_out(out, triangulation_.vertex_of_point());
+}
+
+void RemainingSamples::leave_out(const VertexSet& out,
+                                 const IdVector<PointId, VertexId>& vertex_of_point) {
+  std::vector<Point> points;
+  std::vector<PointId> inputs;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (out[vertex_of_point[PointId(i)]] != 0) {
+      kept_[inputs_[i]] = 0;
+    } else {
+      points.push_back(points_[i]);
+      inputs.push_back(inputs_[i]);
+    }
+  }
+  points_ = std::move(points);
+  inputs_ = std::move(inputs);
+}
+
+VertexSet RemainingSamples::outliers() const {
+  return outlier_samples(triangulation_, stars_, spacing_, noise_.outlier_ratio, execution_);
+}
+
+RemainingSamples::Outliers RemainingSamples::leave_out_outliers(const VertexSet& first,
+                                                                const VertexSet& spared) {
+  // Without one that goes there are no rounds, for which the triangulation would be used up.
+  bool any_goes = false;
+  for (const VertexId v : first.ids()) {
+    any_goes |= first[v] != 0 && (spared.empty() || spared[v] == 0);
+  }
+  if (!any_goes) {
+    return {.spared = static_cast<std::size_t>(std::count(first.begin(), first.end(), 1))};
+  }
+  const IdVector<PointId, VertexId> vertex_of_point = triangulation_.vertex_of_point();
+  const OutlierRounds outliers = outlier_rounds(std::move(triangulation_), std::move(spacing_),
+                                                first, spared, noise_, execution_);
+  leave_out(outliers.out, vertex_of_point);
+  triangulate();
+  return {outliers.count, outliers.spared, outliers.rounds};
+}
+
+}  // namespace cocoon

@@ -1,0 +1,92 @@
+#include "update/model/orient_outward.h"
+
+#include <gtest/gtest.h>
+#include <utility>
+
+#include "geom/mesh_check.h"
+#include "geom/mesh_measure.h"
+#include "geom/random.h"
+#include "tests/mesh_gallery.h"
+
+namespace cocoon {
+namespace {
+
+using gallery::cube;
+using gallery::flipped;
+using gallery::join;
+using gallery::translated;
+
+TriangleMesh turned_at_random(TriangleMesh mesh, double share, std::uint64_t seed) {
+  Random random(seed);
+  for (Triangle& t : mesh.triangles) {
+    if (random.uniform() < share) std::swap(t[1], t[2]);
+  }
+  return mesh;
+}
+
+TriangleMesh without_first(const TriangleMesh& mesh, std::size_t count) {
+  TriangleMesh result{mesh.points, {}};
+  for (const TriangleId t : mesh.triangles.ids()) {
+    if (t.index() >= count) result.triangles.push_back(mesh.triangles[t]);
+  }
+  return result;
+}
+
+const TriangleMesh hollow = join(cube(3), flipped(translated(cube(1), {1, 1, 1})));
+
+TEST(OrientOutward, WhatFacesOutwardStays) {
+  for (const TriangleMesh& mesh :
+       {cube(), gallery::torus(20, 8), hollow, without_first(gallery::sphere(3), 5),
+        gallery::open_patch(4, 4), flipped(gallery::open_patch(4, 4)), TriangleMesh{}}) {
+    TriangleMesh oriented = mesh;
+    EXPECT_EQ(orient_outward(oriented).turned, 0U);
+    EXPECT_EQ(oriented.triangles, mesh.triangles);
+  }
+}
+
+TEST(OrientOutward, WhatFacesInwardIsTurned) {
+  for (const TriangleMesh& mesh :
+       {cube(), gallery::torus(20, 8), hollow, without_first(gallery::sphere(3), 5),
+        join(cube(), translated(cube(2), {5, 0, 0}))}) {
+    TriangleMesh oriented = flipped(mesh);
+    EXPECT_EQ(orient_outward(oriented).turned, mesh.triangles.size());
+    EXPECT_TRUE(mesh_check(oriented).oriented);
+    EXPECT_EQ(mesh_measure(oriented).signed_volume, mesh_measure(mesh).signed_volume);
+  }
+}
+
+// Whatever share was turned: one of the two ways is outward, and no vote can tell which.
+TEST(OrientOutward, TrianglesAtOddsAgree) {
+  const TriangleMesh mesh = join(gallery::sphere(3), translated(gallery::torus(20, 8), {9, 0, 0}));
+  for (const double share : {0.01, 0.3, 0.5, 0.9}) {
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      TriangleMesh oriented = turned_at_random(mesh, share, seed);
+      EXPECT_GT(orient_outward(oriented).turned, 0U);
+      EXPECT_TRUE(mesh_check(oriented).is_closed_manifold());
+      EXPECT_DOUBLE_EQ(mesh_measure(oriented).signed_volume, mesh_measure(mesh).signed_volume);
+    }
+  }
+}
+
+// A sheet at odds agrees in the end, but the side that most triangles showed stays.
+TEST(OrientOutward, SheetsKeepTheirSide) {
+  for (const TriangleMesh& patch :
+       {gallery::open_patch(6, 6), flipped(gallery::open_patch(6, 6))}) {
+    TriangleMesh oriented = patch;
+    std::swap(oriented.triangles[TriangleId(7)][1], oriented.triangles[TriangleId(7)][2]);
+    EXPECT_EQ(orient_outward(oriented).turned, 1U);
+    EXPECT_EQ(oriented.triangles, patch.triangles);
+  }
+}
+
+TEST(OrientOutward, OneSidedPartsStay) {
+  const TriangleMesh strip = translated(gallery::moebius_strip(30), {9, 0, 0});
+  TriangleMesh mesh = join(flipped(cube()), strip);
+  const OutwardReport report = orient_outward(mesh);
+  EXPECT_EQ(report.turned, 12U);
+  EXPECT_EQ(report.one_sided, 1U);
+  EXPECT_EQ(mesh.triangles, join(cube(), strip).triangles);
+}
+
+}  // namespace
+}  // namespace cocoon

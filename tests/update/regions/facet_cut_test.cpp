@@ -1,0 +1,104 @@
+#include "update/regions/facet_cut.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "geom/random.h"
+#include "tests/update/hand_made_models.h"
+
+namespace cocoon {
+namespace {
+
+constexpr std::size_t side = 40;
+constexpr double steps = 1024;
+
+struct Plane {
+  TriangleMesh mesh = testing::grid_plane(side);
+  ModelIndex model{mesh};
+  TriangleSet border = TriangleSet(mesh.triangles.size(), 0);
+
+  TriangleId at(std::size_t x, std::size_t y) const { return TriangleId(2 * (y * side + x)); }
+};
+
+// A wall with a door: the cut is the door, 3 wide, however far the walls reach.
+TEST(FacetCut, ClosesAGapTheShortestWay) {
+  Plane plane;
+  for (std::size_t y = 0; y < side; ++y) {
+    if (y >= 17 && y < 20) continue;
+    for (const std::uint32_t half : {0U, 1U}) {
+      plane.border[TriangleId(plane.at(20, y).value + half)] = 1;
+    }
+  }
+  std::vector<FacetPull> pulls;
+  for (std::size_t y = 0; y < side; ++y) {
+    if (y >= 17 && y < 20) continue;
+    pulls.push_back({plane.at(19, y), 1024});
+    pulls.push_back({plane.at(21, y), -1024});
+  }
+  const FacetCut cut = facet_cut(plane.model, plane.border, pulls, steps);
+  EXPECT_EQ(cut.sides.size(), 3U);
+  for (const HalfedgeId s : cut.sides) {
+    EXPECT_EQ(cut.source[triangle_of(s)], 1);
+    EXPECT_NEAR(plane.model.centroid(triangle_of(s)).x, 20, 1);
+  }
+  for (const TriangleId t : plane.mesh.triangles.ids()) {
+    if (plane.border[t] != 0) {
+      EXPECT_EQ(cut.source[t], 0);
+      continue;
+    }
+    const double x = plane.model.centroid(t).x;
+    if (x < 20 || x > 21) {
+      EXPECT_EQ(cut.source[t], x < 20 ? 1 : 0);
+    }
+  }
+}
+
+// Wherever it is looked for at first, the cut is that of all facets.
+TEST(FacetCut, IsTheSameForEveryFirstNeighborhood) {
+  Random random(4);
+  for (int round = 0; round < 40; ++round) {
+    Plane plane;
+    for (std::size_t i = 0; i < 6 * side; ++i) {
+      plane.border[TriangleId(random.below(plane.mesh.triangles.size()))] = 1;
+    }
+    std::vector<FacetPull> pulls;
+    TriangleSet pulled = plane.border;
+    for (std::size_t i = 0; i < 4 + 10 * static_cast<std::size_t>(round); ++i) {
+      const TriangleId t(random.below(plane.mesh.triangles.size()));
+      if (pulled[t] != 0) continue;
+      pulled[t] = 1;
+      const bool left = plane.model.centroid(t).x + 8 * random.uniform() < 20;
+      pulls.push_back({t, left ? 3000 : -3000});
+    }
+    const FacetCut all = facet_cut(plane.model, plane.border, pulls, steps, {.first_steps = 1000});
+    for (const std::size_t first : {std::size_t{1}, std::size_t{3}, std::size_t{8}}) {
+      const FacetCut cut =
+          facet_cut(plane.model, plane.border, pulls, steps, {.first_steps = first});
+      EXPECT_EQ(cut.source, all.source);
+      EXPECT_EQ(cut.source_facets, all.source_facets);
+      EXPECT_EQ(cut.sides, all.sides);
+    }
+  }
+}
+
+TEST(FacetCut, WithoutPullsNothingIsOnTheSourceSide) {
+  const Plane plane;
+  const FacetCut cut = facet_cut(plane.model, plane.border, {}, steps);
+  EXPECT_EQ(cut.source_facets, 0U);
+  EXPECT_TRUE(cut.sides.empty());
+}
+
+// Parts of a model may be so far away that sums of lengths are beyond all integers.
+TEST(FacetCut, SidesMayBeOfAnyLength) {
+  Plane plane;
+  for (Point& p : plane.mesh.points) p = 1e30 * p;
+  const ModelIndex model(plane.mesh);
+  const std::int64_t longest = side_in_steps(model, plane.at(1, 1), 0, steps);
+  EXPECT_EQ(longest, std::int64_t{1} << 40);
+  const std::vector<FacetPull> pulls{{plane.at(3, 3), 4 * longest}, {plane.at(9, 9), -4 * longest}};
+  const FacetCut cut = facet_cut(model, plane.border, pulls, steps);
+  EXPECT_EQ(cut.source_facets, 1U);  // three sides cost less than the pull
+}
+
+}  // namespace
+}  // namespace cocoon

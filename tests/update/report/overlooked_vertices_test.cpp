@@ -1,0 +1,79 @@
+#include "update/report/overlooked_vertices.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "cocone/reconstruct.h"
+#include "io/sample_models.h"
+#include "tests/update/hand_made_models.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+namespace {
+
+// A plane of 20 x 20 unit squares, scanned anew at its vertices in the square from 5 to 15.
+struct ScannedPlane {
+  TriangleMesh model = testing::grid_plane(20);
+  ModelIndex index{model};
+  std::vector<std::vector<Point>> clouds;
+  std::vector<CloudRim> rims;
+  Replacement replacement;
+
+  ScannedPlane() {
+    TriangleMesh surface = testing::grid_plane(10);
+    for (Point& p : surface.points) p = p + Vec3{5, 5, 0.1};
+    rims = {cloud_rim(surface)};
+    rims[0].seam_edges = 1;
+    clouds = {surface.points.raw()};
+    for (const VertexId v : model.points.ids()) {
+      replacement.point_of_vertex.push_back(PointId(v.index()));
+    }
+  }
+  std::size_t count(const OverlookedOptions& options = {}) const { return found(options).count; }
+  OverlookedVertices found(const OverlookedOptions& options = {}) const {
+    return overlooked_vertices(index, replacement, rims, clouds, options);
+  }
+};
+
+TEST(OverlookedVertices, ThoseThatStayAmongSamplesFarFromTheRim) {
+  ScannedPlane scene;
+  ASSERT_EQ(scene.rims[0].median_edge, 1);
+  EXPECT_EQ(scene.count(), 25U);  // from 8 to 12
+  EXPECT_EQ(scene.model.points[scene.found().farthest], (Point{10, 10, 0}));
+  EXPECT_EQ(scene.count({.min_rim_distance = 1.5}), 49U);
+  EXPECT_EQ(scene.count({.reach = 0.09}), 0U);
+  for (const VertexId v : scene.model.points.ids()) {
+    if (scene.model.points[v].x > 9.5) scene.replacement.point_of_vertex[v] = PointId();
+  }
+  EXPECT_EQ(scene.count(), 10U);
+  scene.rims[0].seam_edges = 0;  // nothing is torn
+  EXPECT_EQ(scene.count(), 0U);
+  scene.rims[0].seam_edges = 1;
+  scene.rims[0].loops.clear();
+  EXPECT_EQ(scene.count(), 0U);
+}
+
+// The test block has sharp edges, at which the surface of its scan is torn.
+TEST(OverlookedVertices, AreCountedWhereTheScanIsTornAndWarnedOf) {
+  const SampleModel sample = sample_model("block", {.seed = 1});
+  const TriangleMesh model = reconstruct_tight(sample.initial).mesh;
+  const auto warns = [&](const UpdateOptions& options, bool torn) {
+    const UpdateResult result = update_model(model, sample.clouds, options);
+    EXPECT_EQ(result.status, UpdateStatus::ok);
+    EXPECT_EQ(result.clouds[0].surface.rim.seam_edges > 0, torn);
+    bool found = false;
+    for (const std::string& warning : result.warnings) {
+      found = found || warning.find("in the midst of the new samples") != std::string::npos;
+    }
+    EXPECT_EQ(found, result.overlooked.count >= options.overlooked.min_count);
+    return found;
+  };
+  UpdateOptions wide;  // so that vertices beside the rim count as well
+  wide.overlooked.reach = 3;
+  wide.overlooked.min_rim_distance = 0;
+  EXPECT_FALSE(warns({}, true));
+  EXPECT_TRUE(warns(wide, true));
+}
+
+}  // namespace
+}  // namespace cocoon

@@ -1,0 +1,52 @@
+#include "update/report/rim_shift.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/random.h"
+#include "tests/update/hand_made_models.h"
+
+namespace cocoon {
+namespace {
+
+using testing::circle;
+using testing::rim_of;
+
+double shift_of(const TriangleMesh& mesh, const CloudRim& rim) {
+  const ModelIndex model(mesh);
+  return rim_shift(model, rim, overlapping_facets(model, rim));
+}
+
+// Moved along the surface, the rim of a cap still lies on the sphere nearly all around.
+TEST(RimShift, TellsACloudMovedAlongTheSurface) {
+  const TriangleMesh ball = testing::sphere(5);
+  for (const double moved : {0.0, 0.02, 0.06}) {
+    RimLoop loop = testing::cap_rim(120, {0, 0, 1}, 0.8);
+    for (Point& p : loop.points) p = p + moved * Vec3{1, 0, 0};
+    CloudRim rim = rim_of({loop});
+    rim.spacing = 0.04;
+    EXPECT_NEAR(shift_of(ball, rim), moved, 0.1 * moved + 0.002);
+  }
+}
+
+TEST(RimShift, TellsACloudMovedOffTheSurface) {
+  const CloudRim rim = rim_of({circle(40, {10, 10, 0.6}, 6)});
+  EXPECT_NEAR(shift_of(testing::grid_plane(20), rim), 0.6, 0.02);
+}
+
+// Nothing tells along a plane; few points tell nothing.
+TEST(RimShift, IsZeroWhereNothingTells) {
+  EXPECT_NEAR(shift_of(testing::grid_plane(20), rim_of({circle(40, {10, 10, 0}, 6)})), 0, 1e-12);
+  EXPECT_EQ(shift_of(testing::grid_plane(20), rim_of({circle(11, {10, 10, 0.6}, 6)})), 0);
+}
+
+// Where the rim leaves the model, as in the shadow of a boss, its points are of the change.
+TEST(RimShift, LeavesOutWhatIsOfTheChange) {
+  RimLoop loop = circle(60, {10, 10, 0.1}, 6);
+  for (std::size_t i = 0; i < 12; ++i) loop.points[i].z = 2.5;
+  CloudRim rim = rim_of({loop});
+  rim.spacing = 0.6;
+  EXPECT_NEAR(shift_of(testing::grid_plane(20), rim), 0.1, 0.01);
+}
+
+}  // namespace
+}  // namespace cocoon

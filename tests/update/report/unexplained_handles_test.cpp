@@ -1,0 +1,39 @@
+#include "update/report/unexplained_handles.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace cocoon {
+namespace {
+
+// A cloud with that many loops on the model, a pin-hole there, and a loop off it.
+CloudReport cloud_with(std::size_t loops) {
+  CloudReport cloud;
+  cloud.loops.resize(loops + 2);
+  for (std::size_t l = 0; l <= loops; ++l) cloud.loops[l].match = LoopMatch::on_model;
+  cloud.loops[loops].pin_hole = true;
+  return cloud;
+}
+
+TEST(UnexplainedHandles, TwoRimsMakeOneHandle) {
+  const std::vector<CloudReport> patch = {cloud_with(1)};
+  EXPECT_EQ(unexplained_handles(patch, 2, 2), 0U);
+  EXPECT_EQ(unexplained_handles(patch, 2, 0), 1U);
+  const std::vector<CloudReport> drill = {cloud_with(2)};
+  EXPECT_EQ(unexplained_handles(drill, 2, 0), 0U);
+  EXPECT_EQ(unexplained_handles(drill, 2, -4), 2U);
+  EXPECT_EQ(unexplained_handles(drill, 0, 2), 0U);  // a handle goes
+  const std::vector<CloudReport> several = {cloud_with(2), cloud_with(3), cloud_with(0)};
+  EXPECT_EQ(unexplained_handles(several, 2, -4), 0U);
+  EXPECT_EQ(unexplained_handles(several, 2, -6), 1U);
+}
+
+TEST(UnexplainedHandles, ATornSurfaceMayHaveLostALoop) {
+  std::vector<CloudReport> drill = {cloud_with(1)};
+  drill[0].surface.rim.seam_edges = 3;
+  EXPECT_EQ(unexplained_handles(drill, 2, 0), 0U);
+  EXPECT_EQ(unexplained_handles(drill, 2, -2), 1U);
+}
+
+}  // namespace
+}  // namespace cocoon

@@ -1,0 +1,106 @@
+#include "update/report/update_messages.h"
+
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+namespace cocoon {
+namespace {
+
+bool says(const std::vector<std::string>& warnings, const std::string& words) {
+  for (const std::string& warning : warnings) {
+    if (warning.find(words) != std::string::npos) return true;
+  }
+  return false;
+}
+
+// Right updates, too, have rims with gaps: that is a note.
+TEST(UpdateMessages, CutsAreNotesAndScanEndsWarnings) {
+  RegionCut cut;
+  EXPECT_TRUE(warnings_of_cut(cut).empty());
+  EXPECT_TRUE(notes_of_cut(cut).empty());
+  cut.cut_edges = 3;
+  EXPECT_TRUE(warnings_of_cut(cut).empty());
+  EXPECT_TRUE(says(notes_of_cut(cut), "3 edges"));
+  cut.scan_ends = 1;
+  EXPECT_TRUE(says(warnings_of_cut(cut), "1 facet)"));
+}
+
+// One edge is missing in a rim of a hundred: it says where its sides are.
+TEST(UpdateMessages, ACutThatHardlyCostsAnythingIsNotSaid) {
+  RegionCut cut;
+  cut.cut_edges = 1;
+  cut.seeds_under = cut.seeds_outside = 100;
+  cut.cut_length = 4;
+  EXPECT_TRUE(notes_of_cut(cut).empty());
+  cut.contradicted = 2;
+  EXPECT_TRUE(says(notes_of_cut(cut), "1 edge)"));
+  EXPECT_TRUE(notes_of_cut(cut, {.clear_doubt = 0.1}).empty());
+}
+
+// A shadow of the scanner ends on the new surface, not on the model.
+TEST(UpdateMessages, ARimThatLeavesTheModelPartOfTheWayIsSaid) {
+  CloudReport cloud;
+  cloud.surface.rim.spacing = 2;
+  cloud.median_distance = 0.4;
+  cloud.largest_distance = 2.3;
+  EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
+  cloud.largest_distance = 3.4;
+  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "by up to 1.5 spacings"));
+  EXPECT_TRUE(warnings_of_cloud(cloud, {.raised_distance = 2}, {}).empty());
+}
+
+TEST(UpdateMessages, ADoubtfulCutSaysWhatIsMissing) {
+  RegionCut cut;
+  cut.cut_length = 4.5;
+  cut.contradicted = 2;
+  cut.seeds_under = 7;
+  EXPECT_TRUE(says({reason_of_doubtful_cut(cut)}, "none is left that tells where it ends"));
+  cut.seeds_outside = 3;
+  EXPECT_TRUE(
+      says({reason_of_doubtful_cut(cut)},
+           "4.5 median edges of cuts where it is missing, and 2 in contradiction, beside 3;"));
+  cut.seeds_under = 0;
+  EXPECT_TRUE(says({reason_of_doubtful_cut(cut)}, "none is left that tells where it ends"));
+}
+
+TEST(UpdateMessages, LossesHaveAPlace) {
+  EXPECT_EQ(warning_of_unscanned({.far = 3, .vertices = 2, .distance = 4.25}, 3, {1, 2.5, -3}),
+            "2 vertices of the model are gone though nothing was scanned within 3 spacings of "
+            "them; the farthest is 4.25 spacings from all samples, at (1, 2.5, -3); look at the "
+            "result, and scan there, too, or let the cloud reach less far");
+  EXPECT_TRUE(says({warning_of_unscanned({.vertices = 1, .distance = 5}, 3, {})},
+                   "1 vertex of the model is gone though nothing was scanned within 3 spacings of "
+                   "it; it is 5 spacings"));
+}
+
+TEST(UpdateMessages, PinHolesAndSeamsAreCounted) {
+  CloudRim rim;
+  rim.pin_holes = 2;
+  rim.seam_loops = 1;
+  EXPECT_NE(reason_of_closed_cloud(rim).find("(2 pin-holes, 1 seam):"), std::string::npos);
+}
+
+// Half a spacing is as good as scans are registered; what is torn at edges is no reason to worry.
+TEST(UpdateMessages, ARimOffTheModelIsSaid) {
+  CloudReport cloud;
+  cloud.surface.rim.spacing = 2;
+  cloud.surface.rim.seam_loops = 3;
+  cloud.surface.rim.non_orientable = 1;
+  cloud.median_distance = 1.2;
+  EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
+  EXPECT_EQ(notes_of_surface(cloud.surface).size(), 2U);
+  cloud.median_distance = 2.5;
+  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "1.25 spacings off the model"));
+  EXPECT_TRUE(warnings_of_cloud(cloud, {.step_distance = 1.5}, {}).empty());
+  cloud.median_distance = 0.2;
+  cloud.shift = 1.4;
+  EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
+  cloud.shift = 1.8;
+  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "as if the cloud were moved by 0.9 spacings"));
+  cloud.surface.rim.seamed_loops = 1;
+  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "runs along seams"));
+}
+
+}  // namespace
+}  // namespace cocoon

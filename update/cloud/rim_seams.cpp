@@ -1,0 +1,123 @@
+#include "update/cloud/rim_seams.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geom/nearest_point.h"
+#include "update/model/reached_cells.h"
+
+namespace cocoon {
+
+namespace {
+
+// Unit, orthogonal to edge i, away from the apex; the zero vector if the triangle has no area.
+Vec3 outward(const RimLoop& loop, std::size_t i) {
+  const Vec3 along = unit(loop.points[loop.next(i)] - loop.points[i]);
+  const Vec3 apex = loop.apexes[i] - loop.points[i];
+  return unit(dot(apex, along) * along - apex);
+}
+
+// The samples near the places beyond the edges of all loops: few of the cloud.
+std::vector<Point> samples_beyond(Points cloud, const CloudRim& rim, double reach) {
+  std::vector<Point> places;
+  const auto list = [&](const std::vector<RimLoop>& loops, double spacing) {
+    for (const RimLoop& loop : loops) {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        places.push_back(place_beyond(loop, i, spacing));
+      }
+    }
+  };
+  list(rim.loops, rim.spacing);
+  list(rim.pin_hole_loops, rim.median_edge);
+  return points_near(cloud, places, reach * std::max(rim.spacing, rim.median_edge));
+}
+
+bool has_cloud_beyond(const NearestPointTree& tree, Points samples, const RimLoop& loop,
+                      std::size_t i, double spacing, double reach) {
+  const NearestPoint nearest = tree.nearest(place_beyond(loop, i, spacing));
+  const Point& sample = samples[nearest.point.index()];
+  if (sample == loop.points[i] || sample == loop.points[loop.next(i)]) return false;
+  return nearest.squared_distance <= reach * reach * spacing * spacing;
+}
+
+bool is_seam(const RimLoop& loop, const RimSeamOptions& options) {
+  return static_cast<double>(loop.inner_edges()) >
+         options.max_seam_share * static_cast<double>(loop.size());
+}
+
+// The flags of the loop, with those marked, too, that lie between two marked ones and are fewer.
+std::vector<std::uint8_t> without_short_runs(const RimLoop& loop, std::size_t shortest) {
+  const std::size_t size = loop.size();
+  std::vector<std::uint8_t> inner = loop.inner;
+  const auto first = std::find(inner.begin(), inner.end(), 1);
+  if (first == inner.end()) return inner;
+  const auto start = static_cast<std::size_t>(first - inner.begin());
+  std::size_t run = 0;
+  for (std::size_t k = 1; k <= size; ++k) {  // ends at the edge where it begins
+    if (loop.inner[(start + k) % size] == 0) {
+      ++run;
+      continue;
+    }
+    for (std::size_t back = 1; run < shortest && back <= run; ++back) {
+      inner[(start + k - back) % size] = 1;
+    }
+    run = 0;
+  }
+  return inner;
+}
+
+// Finds the rim in a loop that is mostly seam. Returns whether there is one.
+bool keep_rim_of_seam(RimLoop& loop, double median_edge, const RimSeamOptions& options) {
+  if (options.min_rim_run == 0) return false;
+  std::vector<std::uint8_t> inner = without_short_runs(loop, options.min_rim_run);
+  double length = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (inner[i] == 0) length += distance(loop.points[i], loop.points[loop.next(i)]);
+  }
+  if (length < options.min_rim_length * median_edge || length == 0) return false;
+  loop.inner = std::move(inner);
+  return true;
+}
+
+}  // namespace
+
+Point place_beyond(const RimLoop& loop, std::size_t i, double spacing) {
+  return 0.5 * (loop.points[i] + loop.points[loop.next(i)]) + spacing * outward(loop, i);
+}
+
+void mark_rim_seams(Points cloud, CloudRim& rim, const RimSeamOptions& options) {
+  const std::vector<Point> samples = samples_beyond(cloud, rim, options.reach);
+  std::optional<NearestPointTree> tree;
+  if (!samples.empty()) tree.emplace(samples);
+  const auto mark = [&](RimLoop& loop, double spacing) {
+    loop.inner.assign(loop.size(), 0);
+    for (std::size_t i = 0; tree && i < loop.size(); ++i) {
+      if (has_cloud_beyond(*tree, samples, loop, i, spacing, options.reach)) loop.inner[i] = 1;
+    }
+  };
+  for (RimLoop& loop : rim.loops) mark(loop, rim.spacing);
+  for (RimLoop& loop : rim.pin_hole_loops) mark(loop, rim.median_edge);
+  rim.rim_edges = 0;
+  rim.seam_edges = 0;
+  for (const RimLoop& loop : rim.loops) {
+    rim.rim_edges += loop.size();
+    rim.seam_edges += loop.inner_edges();
+  }
+  std::vector<RimLoop> rims;
+  for (RimLoop& loop : rim.loops) {
+    const bool is_mostly_seam = is_seam(loop, options);
+    if (is_mostly_seam && !keep_rim_of_seam(loop, rim.median_edge, options)) {
+      ++rim.seam_loops;
+      continue;
+    }
+    rim.seamed_loops += is_mostly_seam ? 1U : 0U;
+    rims.push_back(std::move(loop));
+  }
+  rim.loops = std::move(rims);
+  std::erase_if(rim.pin_hole_loops, [&](const RimLoop& loop) { return is_seam(loop, options); });
+}
+
+}  // namespace cocoon

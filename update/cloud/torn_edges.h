@@ -1,0 +1,41 @@
+// Loops beside which the scan goes on off the model: seams at the edges of a change.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "geom/point.h"
+#include "update/cloud_rim.h"
+#include "update/model/model_index.h"
+
+namespace cocoon {
+
+struct TornEdgeOptions {
+  // A sample within so many rim spacings of the middle of an edge,
+  double reach = 1.5;
+  // that lies so many of them out from it, along the surface beside the edge,
+  double min_outward = 0.2;
+  // and is farther from the model than that middle is, or closer to it, by so many, shows that the
+  // edge is torn.
+  double min_step = 0.4;
+  // A loop is a seam if a larger share of it is torn or has cloud beyond it (RimLoop::inner),
+  double max_seam_share = 0.5;
+  // and a larger share of its other edges is torn: the few torn ones of a rim with many inner edges
+  // do not make a seam of it.
+  double min_torn_share = 0.2;
+};
+
+// `clouds`: that of the rim, and all others. Marks loops that are seams (RimLoop::is_seam, and all
+// of their edges as RimLoop::inner), and counts such edges of them (CloudRim::seam_edges,
+// torn_edges). Nothing is marked if no rim would be left. Edges here and there are no seam: a rim
+// may run close to what has changed. Why: where a wall meets the model at a sharp edge, as at the
+// mouth of a drilled hole, the surface of the scan is torn along it. The loop that this leaves lies
+// on the model, as that around a hole in the scan does; but there all samples near by lie on the
+// model, too. The other side of the same tear is the upper edge of the wall: off the model, with
+// samples beyond it that lie on it. Complexity: O(n) for n samples, and what NearFacets takes.
+// Deterministic. Source: ours.
+void mark_torn_edges(const ModelIndex& model, std::span<const std::vector<Point>> clouds,
+                     CloudRim& rim, const TornEdgeOptions& options = {});
+
+}  // namespace cocoon

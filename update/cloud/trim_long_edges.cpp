@@ -1,0 +1,217 @@
+#include "update/cloud/trim_long_edges.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "geom/median.h"
+#include "geom/mesh_adjacency.h"
+#include "geom/sort_ids.h"
+
+namespace cocoon {
+
+namespace {
+
+// Where a slot is bridged, few vertices take most of the long edges: their median is long, too.
+constexpr double lower_quartile = 0.25;
+
+// One flag per side, the same for all sides of an edge; one per triangle.
+using SideFlags = std::vector<std::uint8_t>;
+using TriangleFlags = std::vector<std::uint8_t>;
+
+// The local spacing at vertices that are asked for: the lower quartile of the edge lengths,
+// smoothed to the median over the vertex and its neighbors, since two samples may lie close
+// together by chance.
+class LocalSpacing {
+ public:
+  explicit LocalSpacing(const TriangleMesh& mesh)
+      : mesh_(mesh), quartiles_(mesh.points.size(), unknown), spacings_(quartiles_) {
+    list_triangles_at_vertices(mesh, adjacency_);
+  }
+
+  // Precondition: v has an edge.
+  double at(VertexId v) {
+    double& spacing = spacings_[v];
+    if (spacing != unknown) return spacing;
+    const std::vector<VertexId> around = neighbors(v);
+    numbers_.assign(1, quartile(v, around));
+    for (const VertexId w : around) numbers_.push_back(quartile(w));
+    return spacing = quantile_in_place(numbers_, 0.5);
+  }
+
+ private:
+  static constexpr double unknown = -1;
+
+  double quartile(VertexId v) {
+    return quartiles_[v] != unknown ? quartiles_[v] : quartile(v, neighbors(v));
+  }
+
+  double quartile(VertexId v, const std::vector<VertexId>& around) {
+    std::vector<double> lengths;
+    lengths.reserve(around.size());
+    for (const VertexId w : around) lengths.push_back(distance(mesh_.points[v], mesh_.points[w]));
+    return quartiles_[v] = quantile_in_place(lengths, lower_quartile);
+  }
+
+  // Each once: one for each edge.
+  std::vector<VertexId> neighbors(VertexId v) const {
+    std::vector<VertexId> found;
+    for (const TriangleId t : adjacency_.triangles_at(v)) {
+      const Triangle& triangle = mesh_.triangles[t];
+      if (repeats_a_vertex(triangle)) continue;
+      for (const VertexId w : triangle) {
+        if (w != v) found.push_back(w);
+      }
+    }
+    make_set(found);
+    return found;
+  }
+
+  const TriangleMesh& mesh_;
+  MeshAdjacency adjacency_;  // triangles at vertices only
+  IdVector<VertexId, double> quartiles_;
+  IdVector<VertexId, double> spacings_;
+  std::vector<double> numbers_;
+};
+
+// At each vertex a length that no local spacing is below: of the shortest edge that ends there or
+// at a neighbor.
+IdVector<VertexId, double> shortest_around(const TriangleMesh& mesh, const LinkedSides& sides,
+                                           std::span<const double> lengths) {
+  IdVector<VertexId, double> at(mesh.points.size(), std::numeric_limits<double>::infinity());
+  for (SideId side = 0; side < lengths.size(); ++side) {
+    if (!sides.has_edge(side)) continue;
+    for (const VertexId v : ends_of_side(mesh, side)) at[v] = std::min(at[v], lengths[side]);
+  }
+  IdVector<VertexId, double> around = at;
+  for (SideId side = 0; side < lengths.size(); ++side) {
+    if (!sides.has_edge(side)) continue;
+    const auto [a, b] = ends_of_side(mesh, side);
+    around[a] = std::min(around[a], at[b]);
+    around[b] = std::min(around[b], at[a]);
+  }
+  return around;
+}
+
+// Empty if there are none. Only for what may be long is the spacing looked at.
+SideFlags long_edges(const TriangleMesh& mesh, const LinkedSides& sides, double max_edge) {
+  std::vector<double> lengths(sides.links.size());
+  for (SideId side = 0; side < lengths.size(); ++side) {
+    const auto [a, b] = ends_of_side(mesh, side);
+    lengths[side] = distance(mesh.points[a], mesh.points[b]);
+  }
+  const IdVector<VertexId, double> shortest = shortest_around(mesh, sides, lengths);
+  std::vector<SideId> suspects;
+  for (SideId side = 0; side < lengths.size(); ++side) {
+    const auto [a, b] = ends_of_side(mesh, side);
+    const bool suspect = lengths[side] > max_edge * std::min(shortest[a], shortest[b]);
+    if (suspect && sides.has_edge(side)) suspects.push_back(side);
+  }
+  if (suspects.empty()) return {};
+  LocalSpacing spacing(mesh);
+  SideFlags is_long(lengths.size(), 0);
+  bool any = false;
+  for (const SideId side : suspects) {
+    const auto [a, b] = ends_of_side(mesh, side);
+    if (!(lengths[side] > max_edge * std::min(spacing.at(a), spacing.at(b)))) continue;
+    is_long[side] = 1;
+    any = true;
+  }
+  return any ? is_long : SideFlags{};
+}
+
+bool has_long_edge(const SideFlags& is_long, std::uint32_t t) {
+  return (is_long[3 * t] | is_long[3 * t + 1] | is_long[3 * t + 2]) != 0;
+}
+
+// Marks the edge-connected clusters of triangles with a long edge; returns how many triangles.
+std::size_t mark_clusters(const LinkedSides& sides, const SideFlags& is_long,
+                          std::size_t min_cluster, TriangleFlags& removed) {
+  std::size_t count = 0;
+  TriangleFlags seen(removed.size(), 0);
+  for (std::uint32_t seed = 0; seed < removed.size(); ++seed) {
+    if (seen[seed] != 0 || !has_long_edge(is_long, seed)) continue;
+    std::vector<std::uint32_t> cluster(1, seed);
+    seen[seed] = 1;
+    for (std::size_t head = 0; head < cluster.size(); ++head) {
+      const SideId first = 3 * cluster[head];
+      for (SideId side = first; side < first + 3; ++side) {
+        if (!sides.is_two_sided(side)) continue;
+        const std::uint32_t next = triangle_of_side(sides.links[side]);
+        if (seen[next] != 0 || !has_long_edge(is_long, next)) continue;
+        seen[next] = 1;
+        cluster.push_back(next);
+      }
+    }
+    if (cluster.size() < min_cluster) continue;
+    for (const std::uint32_t t : cluster) removed[t] = 1;
+    count += cluster.size();
+  }
+  return count;
+}
+
+// The one triangle that is left at an edge; a number that is none if there is none or several.
+std::uint32_t last_triangle_at(const LinkedSides& sides, SideId side,
+                               const TriangleFlags& removed) {
+  constexpr std::uint32_t none = 0xFFFFFFFFU;
+  std::uint32_t found = none;
+  std::size_t count = 0;
+  sides.for_each_at_edge(side, [&](SideId other) {
+    if (removed[triangle_of_side(other)] != 0) return;
+    found = triangle_of_side(other);
+    ++count;
+  });
+  return count == 1 ? found : none;
+}
+
+// Marks triangles with a long edge at which no other triangle is left; returns how many.
+std::size_t mark_from_rim(const LinkedSides& sides, const SideFlags& is_long,
+                          TriangleFlags& removed) {
+  std::vector<SideId> open;
+  for (SideId side = 0; side < is_long.size(); ++side) {
+    if (is_long[side] != 0) open.push_back(side);
+  }
+  std::size_t count = 0;
+  while (!open.empty()) {
+    const std::uint32_t t = last_triangle_at(sides, open.back(), removed);
+    open.pop_back();
+    if (t >= removed.size()) continue;
+    removed[t] = 1;
+    ++count;
+    for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
+      if (is_long[side] != 0) open.push_back(side);
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+TrimmedSurface trim_long_edges(TriangleMesh surface, const TrimOptions& options) {
+  TrimmedSurface result;
+  LinkedSides sides = link_sides(surface);
+  const SideFlags is_long =
+      options.max_edge > 0 ? long_edges(surface, sides, options.max_edge) : SideFlags{};
+  if (is_long.empty()) {
+    result.mesh = std::move(surface);
+    result.sides = std::move(sides);
+    return result;
+  }
+  TriangleFlags removed(surface.triangles.size(), 0);
+  result.in_clusters = mark_clusters(sides, is_long, options.min_cluster, removed);
+  result.at_rim = mark_from_rim(sides, is_long, removed);
+
+  result.mesh.points = std::move(surface.points);
+  result.mesh.triangles.reserve(surface.triangles.size());
+  for (const TriangleId t : surface.triangles.ids()) {
+    if (removed[t.index()] == 0) result.mesh.triangles.push_back(surface.triangles[t]);
+  }
+  result.sides = link_rest(sides, removed);
+  return result;
+}
+
+}  // namespace cocoon

@@ -1,0 +1,244 @@
+#include "update/model/model_index.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geom/box.h"
+#include "geom/changed_adjacency.h"
+#include "geom/edited_ids.h"
+#include "geom/errors.h"
+#include "geom/sort_ids.h"
+#include "geom/zeroed_array.h"
+
+namespace cocoon {
+
+namespace {
+
+const TriangleMesh& checked(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) {
+    throw InputError("update: the model has no triangles; give a closed mesh or reconstruct one");
+  }
+  for (const TriangleId t : mesh.triangles.ids()) {
+    for (const VertexId v : mesh.triangles[t]) {
+      if (v.index() < mesh.points.size() && is_finite(mesh.points[v])) continue;
+      throw InputError("update: triangle " + std::to_string(t.value) +
+                       " of the model names vertex " + std::to_string(v.value) +
+                       ", which is missing or not finite; repair the mesh");
+    }
+  }
+  return mesh;
+}
+
+// Empty if all triangles are of one component.
+IdVector<TriangleId, std::uint32_t> components_of(const MeshAdjacency& adjacency) {
+  constexpr std::uint32_t none = 0xFFFFFFFFU;
+  IdVector<TriangleId, std::uint32_t> components(adjacency.neighbors.size(), none);
+  std::uint32_t count = 0;
+  std::vector<TriangleId> stack;
+  for (const TriangleId seed : components.ids()) {
+    if (components[seed] != none) continue;
+    components[seed] = count;
+    stack.assign(1, seed);
+    while (!stack.empty()) {
+      const TriangleId t = stack.back();
+      stack.pop_back();
+      for (const TriangleId next : adjacency.neighbors[t]) {
+        if (next.is_none() || components[next] != none) continue;
+        components[next] = count;
+        stack.push_back(next);
+      }
+    }
+    ++count;
+  }
+  if (count <= 1) components = {};
+  return components;
+}
+
+// Whether one can go from each of the triangles, all different, to each other one within them.
+bool hang_together(std::span<const TriangleId> triangles, const MeshAdjacency& adjacency) {
+  if (triangles.empty()) return true;
+  ZeroedArray<TriangleId, std::uint8_t> open(adjacency.neighbors.size());  // and not reached yet
+  for (const TriangleId t : triangles) open[t] = 1;
+  open[triangles[0]] = 0;
+  std::size_t count = 1;
+  std::vector<TriangleId> stack(1, triangles[0]);
+  while (!stack.empty()) {
+    const TriangleId t = stack.back();
+    stack.pop_back();
+    for (const TriangleId next : adjacency.neighbors[t]) {
+      if (next.is_none() || open[next] == 0) continue;
+      open[next] = 0;
+      ++count;
+      stack.push_back(next);
+    }
+  }
+  return count == triangles.size();
+}
+
+}  // namespace
+
+ModelIndex::ModelIndex(const TriangleMesh& mesh)
+    : mesh_(&checked(mesh)),
+      adjacency_(mesh_neighbors(mesh)),
+      components_(components_of(adjacency_)) {}
+
+ModelIndex::ModelIndex(const TriangleMesh& mesh, const IndexBefore& before) : mesh_(&mesh) {
+  const MeshChange& change = before.change;
+  std::optional<ChangedAdjacency> changed = changed_neighbors(
+      mesh, {before.mesh, before.index.adjacency_, change.vertex_map, change.triangle_map});
+  if (!changed) {
+    *this = ModelIndex(mesh);
+    return;
+  }
+  adjacency_ = std::move(changed->adjacency);
+  // From a triangle that stayed one comes, within those that stayed, to one that went, hence to the
+  // seam: if that hangs together so does all.
+  const bool connected = before.index.is_connected() &&
+                         (change.added.empty() || !change.removed.empty()) &&
+                         hang_together(changed->seam, adjacency_);
+  if (!connected) components_ = components_of(adjacency_);
+  distinct_points_ = before.distinct_points;
+}
+
+ModelIndex ModelIndex::of_smooth(const TriangleMesh& mesh) {
+  ModelIndex index;
+  index.mesh_ = &mesh;
+  index.adjacency_.neighbors = neighbors_across_sides(mesh);
+  index.prepare_for_edits();
+  return index;
+}
+
+void ModelIndex::prepare_for_edits() {
+  distinct_points_ = true;
+  adjacency_.vertex_begin = {};
+  adjacency_.vertex_triangles = {};
+  triangle_at_.resize(mesh_->points.size());
+  cells_ = GridCells(mesh_->points);
+  longest_side_ = 0;
+  for (const TriangleId t : mesh_->triangles.ids()) {
+    for (const VertexId v : mesh_->triangles[t]) triangle_at_[v] = t;
+    take_in_sides(t);
+  }
+}
+
+void ModelIndex::take_in_sides(TriangleId t) {
+  const Vec3 size = box_of(corners_of(*mesh_, t)).size();
+  longest_side_ = std::max({longest_side_, size.x, size.y, size.z});
+}
+
+bool ModelIndex::is_really_smooth() const {
+  const auto& neighbors = adjacency_.neighbors;
+  for (const TriangleId t : neighbors.ids()) {
+    if (repeats_a_vertex(mesh_->triangles[t])) return false;
+    for (const TriangleId next : neighbors[t]) {
+      if (next.is_none()) return false;
+    }
+  }
+  // Ways around all vertices meet all corners, once each; on other meshes one may never come back.
+  const std::size_t corners = 3 * neighbors.size();
+  std::size_t met = 0;
+  for (const VertexId v : mesh_->points.ids()) {
+    const TriangleId first = triangle_at_[v];
+    if (first.is_none()) return false;
+    TriangleId t = first;
+    do {
+      t = next_around(v, t);
+    } while (++met <= corners && t != first);
+    if (met > corners) return false;
+  }
+  return met == corners && components_of(adjacency_).empty();
+}
+
+void ModelIndex::edit(const Edit& edit) {
+  assert(is_smooth());
+  auto& neighbors = adjacency_.neighbors;
+  // Triangles that came, or lost a neighbor.
+  std::vector<TriangleId> seam = edit.triangles.added;
+  for (const TriangleId t : edit.triangles.removed) {
+    for (const TriangleId next : neighbors[t]) {
+      const TriangleId now = edit.triangle_map[next];
+      if (!now.is_none()) seam.push_back(now);
+    }
+  }
+  make_set(seam);
+
+  constexpr std::array<TriangleId, 3> open{};
+  const std::vector fresh(edit.triangles.added.size(), open);
+  const EditedIds<TriangleId> triangles(edit.triangles, edit.triangle_map);
+  const auto renew = [&](auto block) { return triangles.renew(block); };
+  edit_list_by_blocks(neighbors, edit.triangles, fresh, renew);
+  link_open_sides(seam);
+  const std::vector<TriangleId> none(edit.vertices.added.size());
+  edit_list_by_blocks(triangle_at_, edit.vertices, none, renew);
+  std::vector<Point> added;
+  added.reserve(edit.vertices.added.size());
+  for (const VertexId v : edit.vertices.added) added.push_back(mesh_->points[v]);
+  cells_.edit(edit.vertices, added);
+  for (const TriangleId t : edit.triangles.added) take_in_sides(t);
+  // Whoever lost a triangle has one beside it, or new ones.
+  for (const TriangleId t : seam) {
+    for (const VertexId v : mesh_->triangles[t]) triangle_at_[v] = t;
+  }
+}
+
+// Links the sides of these triangles that have no neighbor, two by two: each waits in a table with
+// open addresses, by its edge, for the other one.
+void ModelIndex::link_open_sides(std::span<const TriangleId> triangles) {
+  struct Waiting {
+    std::uint64_t edge = 0;  // no edge: its ends differ
+    HalfedgeId side;
+  };
+  std::vector<Waiting> table(std::bit_ceil(6 * triangles.size() + 2));
+  const std::size_t mask = table.size() - 1;
+  auto& neighbors = adjacency_.neighbors;
+  for (const TriangleId t : triangles) {
+    for (int i = 0; i < 3; ++i) {
+      if (!neighbors[t][static_cast<std::size_t>(i)].is_none()) continue;
+      const auto [a, b] = ends_of(*mesh_, halfedge_of(t, i));
+      const std::uint64_t edge = std::uint64_t{std::min(a, b).value} << 32 | std::max(a, b).value;
+      std::size_t at = (edge * 0x9E3779B97F4A7C15U) >> 32 & mask;
+      while (table[at].edge != 0 && table[at].edge != edge) at = (at + 1) & mask;
+      if (table[at].edge == 0) {
+        table[at] = {edge, halfedge_of(t, i)};
+        continue;
+      }
+      const HalfedgeId other = table[at].side;
+      neighbors[t][static_cast<std::size_t>(i)] = triangle_of(other);
+      neighbors[triangle_of(other)][static_cast<std::size_t>(corner_of(other))] = t;
+    }
+  }
+}
+
+std::vector<TriangleId> ModelIndex::triangles_at(VertexId v) const {
+  std::vector<TriangleId> found;
+  for_each_triangle_at(v, [&](TriangleId t) { found.push_back(t); });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+bool ModelIndex::has_open_sides() const {
+  if (is_smooth()) return false;
+  return std::any_of(adjacency_.neighbors.begin(), adjacency_.neighbors.end(), [](const auto& at) {
+    return std::any_of(at.begin(), at.end(), [](TriangleId t) { return t.is_none(); });
+  });
+}
+
+Vec3 ModelIndex::normal(TriangleId t) const {
+  const auto [a, b, c] = corners_from_smallest(corners_of(*mesh_, t));
+  return unit(cross(b - a, c - a));
+}
+
+Point ModelIndex::centroid(TriangleId t) const {
+  const auto [a, b, c] = sorted_corners(corners_of(*mesh_, t));
+  return (a + b + c) / 3;
+}
+
+}  // namespace cocoon

@@ -1,0 +1,135 @@
+// A mesh with what the stages of the update ask of its facets: neighbors, normals, parts.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "geom/box.h"
+#include "geom/grid_cells.h"
+#include "geom/id_vector.h"
+#include "geom/list_edit.h"
+#include "geom/mesh_adjacency.h"
+#include "geom/triangle_mesh.h"
+#include "geom/visit_where.h"
+#include "update/model/mesh_change.h"
+
+namespace cocoon {
+
+class ModelIndex;
+
+// The index of a mesh before a change, that mesh, and what changed.
+struct IndexBefore {
+  const ModelIndex& index;
+  const TriangleMesh& mesh;
+  const MeshChange& change;
+  // Whether it is known that no two points of the changed mesh are equal.
+  bool distinct_points = false;
+};
+
+// Refers to a mesh, which must outlive it and not change. Safe to query from many threads.
+class ModelIndex {
+ public:
+  // Throws InputError for a mesh without triangles, or with a triangle that names a vertex that is
+  // not there or has a coordinate that is not finite. Complexity: O(t + v).
+  explicit ModelIndex(const TriangleMesh& mesh);
+  // The same, faster where both meshes are closed and connected: there only the sides at triangles
+  // that came or went are linked. Precondition: `before.index` is that of a mesh equal to
+  // `before.mesh`, and `mesh` is what `before.change` made of it, with finite points.
+  ModelIndex(const TriangleMesh& mesh, const IndexBefore& before);
+
+  // The same for a mesh that is known to be connected and closed, with one umbrella at each vertex
+  // and no two equal points: its sides are linked, and no more. Complexity: O(t + v).
+  static ModelIndex of_smooth(const TriangleMesh& mesh);
+  // Whether the mesh of an index by of_smooth() is connected and closed, with one umbrella at each
+  // vertex: for meshes from files. Complexity: O(t + v).
+  bool is_really_smooth() const;
+  // What edit() has to know of an edit of the mesh: what went and came, in the mesh before and
+  // after, and where all the others are now (places_after).
+  struct Edit {
+    const ListEdit<VertexId>& vertices;
+    const ListEdit<TriangleId>& triangles;
+    const IdVector<TriangleId, TriangleId>& triangle_map;
+  };
+  // Follows an edit of the mesh, which has been carried out. Precondition: before and after it is
+  // as of_smooth() demands; triangles that stay have their corners in the same order. Complexity:
+  // O(t + v), a pass in place over each list, and sorting what is new.
+  void edit(const Edit& edit);
+  bool can_edit() const { return is_smooth(); }
+  // Makes it one that can. Precondition: the mesh is as of_smooth() demands. Complexity: O(t + v).
+  void prepare_for_edits();
+
+  const TriangleMesh& mesh() const { return *mesh_; }
+  // Its neighbors alone: without edges, and triangles_at() is asked for here.
+  const MeshAdjacency& adjacency() const { return adjacency_; }
+  // The triangles that have the vertex as a corner, in the order of their ids. Complexity:
+  // O(triangles found), a bit more for sorting.
+  std::vector<TriangleId> triangles_at(VertexId v) const;
+  // Calls visit(triangle) for each of them, in any order, without making a list.
+  template <class Visit>
+  void for_each_triangle_at(VertexId v, Visit visit) const {
+    if (!is_smooth()) {
+      for (const TriangleId t : adjacency_.triangles_at(v)) visit(t);
+      return;
+    }
+    const TriangleId first = triangle_at_[v];
+    TriangleId t = first;
+    do {
+      visit(t);
+      t = next_around(v, t);
+    } while (t != first);
+  }
+  // Calls visit(vertex) for each vertex in the box, ascending. Complexity: O(v).
+  template <class Visit>
+  void for_each_vertex_in(const Box& box, const Visit& visit) const {
+    const auto& points = mesh_->points;
+    if (is_smooth()) return cells_.visit_in(box, points, visit);
+    visit_where(
+        points.size(), [&](std::size_t i) { return contains(box, points[VertexId(i)]); },
+        [&](std::size_t i) { visit(VertexId(i)); });
+  }
+  // Whether a triangle has the vertex.
+  bool is_used(VertexId v) const {
+    return is_smooth() ? !triangle_at_[v].is_none() : !adjacency_.triangles_at(v).empty();
+  }
+  // Whether it is known that each vertex has one.
+  bool uses_all_vertices() const { return is_smooth(); }
+  // Whether it is known that the triangles at each vertex hang together by sides that two have.
+  bool has_one_fan_at_each_vertex() const { return is_smooth(); }
+  // Whether a side of a triangle has no other triangle, or several. Complexity: O(t) where that is
+  // not known.
+  bool has_open_sides() const;
+  // No side of a triangle is longer than this along any axis. Infinity: not known.
+  double longest_side() const { return longest_side_; }
+  // Unit normal, outward if the mesh is oriented; the zero vector for a facet without area.
+  Vec3 normal(TriangleId t) const;
+  Point centroid(TriangleId t) const;
+  // Facets connected across edges (with no third facet) have the same number.
+  std::uint32_t component(TriangleId t) const { return is_connected() ? 0 : components_[t]; }
+  // Whether all facets are.
+  bool is_connected() const { return components_.empty(); }
+  // Whether it is known that the mesh has no two equal points.
+  bool has_distinct_points() const { return distinct_points_; }
+
+ private:
+  ModelIndex() = default;
+  bool is_smooth() const { return !triangle_at_.empty(); }
+  // The triangle after t on the way around one of its corners.
+  TriangleId next_around(VertexId v, TriangleId t) const {
+    const Triangle& corners = mesh_->triangles[t];
+    return adjacency_.neighbors[t][corners[0] == v ? 1 : corners[1] == v ? 2 : 0];
+  }
+  void link_open_sides(std::span<const TriangleId> triangles);
+  void take_in_sides(TriangleId t);
+
+  const TriangleMesh* mesh_ = nullptr;
+  MeshAdjacency adjacency_;                         // if smooth: no lists at vertices
+  IdVector<VertexId, TriangleId> triangle_at_;      // if smooth: one of those at the vertex
+  GridCells cells_;                                 // if smooth: of the vertices
+  IdVector<TriangleId, std::uint32_t> components_;  // empty: all are of one
+  bool distinct_points_ = false;
+  double longest_side_ = std::numeric_limits<double>::infinity();  // if smooth: a bound
+};
+
+}  // namespace cocoon

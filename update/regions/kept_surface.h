@@ -1,0 +1,50 @@
+// What is left of the model's surface by an update.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cocone/known_sides.h"
+#include "geom/ids.h"
+#include "geom/triangle_mesh.h"
+#include "update/choose_regions.h"
+#include "update/model/model_index.h"
+#include "update/replace_points.h"
+#include "update/segment_model.h"
+
+namespace cocoon {
+
+// The model's triangles in kept regions, off the border, whose corners all stay, by the updated
+// points: their places in the surface are known. Refers to what it is made of.
+class KeptSurface {
+ public:
+  KeptSurface(const ModelIndex& model, const Regions& regions, const RegionChoice& choice,
+              const Replacement& replacement)
+      : model_(model), regions_(regions), choice_(choice), replacement_(replacement) {}
+
+  // As the stages want it told; refers to this object.
+  OldSurface told() const;
+
+  // All of them. Complexity: O(t).
+  std::vector<KnownTriangle> triangles() const;
+  // The updated points at which others of the model's triangles were; each may come several times.
+  // Complexity: O(border + triangles that went), as a rule.
+  std::vector<PointId> torn() const;
+  // Those with one of these updated points (ascending), each once. Precondition: kept vertices are
+  // distinct. Complexity: O(k log k) for k triangles and vertices that went.
+  std::vector<KnownTriangle> at(std::span<const PointId> points) const;
+
+ private:
+  bool is_replaced(RegionId region) const {
+    return region.is_none() || choice_.replaced[region] != 0;
+  }
+  KnownTriangle corners(TriangleId t) const;
+  void append(TriangleId t, std::vector<KnownTriangle>& known) const;
+
+  const ModelIndex& model_;
+  const Regions& regions_;
+  const RegionChoice& choice_;
+  const Replacement& replacement_;
+};
+
+}  // namespace cocoon

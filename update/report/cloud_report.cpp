@@ -1,0 +1,113 @@
+#include "update/report/cloud_report.h"
+
+#include <numbers>
+#include <utility>
+
+namespace cocoon {
+
+std::vector<CloudRim> rims_of(std::span<const CloudReport> clouds) {
+  std::vector<CloudRim> rims;
+  rims.reserve(clouds.size());
+  for (const CloudReport& cloud : clouds) rims.push_back(cloud.surface.rim);
+  return rims;
+}
+
+std::vector<std::uint8_t> partial_rims(std::span<const CloudReport> clouds) {
+  std::vector<std::uint8_t> partial;
+  for (const CloudReport& cloud : clouds) partial.push_back(cloud.surface.rim.is_partial() ? 1 : 0);
+  return partial;
+}
+
+std::vector<Scan> scans_of(std::span<const std::vector<Point>> clouds,
+                           std::span<const CloudReport> reports) {
+  std::vector<Scan> scans;
+  scans.reserve(clouds.size());
+  for (std::size_t c = 0; c < clouds.size(); ++c) {
+    scans.push_back({clouds[c], reports[c].surface.rim.median_edge});
+  }
+  return scans;
+}
+
+std::vector<CloudRim> border_rims_of(std::span<const CloudReport> clouds) {
+  std::vector<CloudRim> rims = rims_of(clouds);
+  for (std::size_t c = 0; c < clouds.size(); ++c) {
+    for (std::size_t l = 0; l < rims[c].loops.size(); ++l) {
+      if (clouds[c].loops[l].match != LoopMatch::on_model) rims[c].loops[l] = {};
+    }
+  }
+  return rims;
+}
+
+std::vector<CloudReport> reports_of_members(std::vector<CloudReport> reports,
+                                            std::span<const JoinedCloud> joined,
+                                            std::size_t clouds) {
+  std::vector<CloudReport> result(clouds);
+  for (std::size_t j = 0; j < joined.size(); ++j) {
+    const std::size_t first = joined[j].members.front();
+    for (const std::size_t c : joined[j].members) {
+      if (c == first) continue;
+      CloudReport& report = result[c];
+      report.joined_with = first;
+      report.surface.rim.spacing = reports[j].surface.rim.spacing;
+      report.surface.rim.median_edge = reports[j].surface.rim.median_edge;
+      report.groups = reports[j].groups;
+      report.replaced_groups = reports[j].replaced_groups;
+      report.margin_deg = reports[j].margin_deg;
+    }
+    result[first] = std::move(reports[j]);
+  }
+  return result;
+}
+
+std::vector<std::size_t> members_told(std::span<const CloudReport> reports, std::size_t c) {
+  std::vector<std::size_t> members = {c};
+  for (std::size_t other = 0; other < reports.size(); ++other) {
+    if (reports[other].joined_with == c) members.push_back(other);
+  }
+  return members;
+}
+
+CloudPoint point_told(std::span<const CloudReport> reports,
+                      std::span<const std::vector<Point>> clouds, std::size_t c, PointId p) {
+  CloudPoint point{c, p.index()};
+  for (std::size_t next = c + 1; point.index >= clouds[point.cloud].size(); ++next) {
+    if (reports[next].joined_with != c) continue;
+    point.index -= clouds[point.cloud].size();
+    point.cloud = next;
+  }
+  return point;
+}
+
+void enter_overlap(const Overlap& overlap, CloudReport& report) {
+  report.overlapping_facets = overlap.facets;
+  report.star_misses = overlap.star_misses;
+  report.facing_away = overlap.facing_away;
+  report.steep = overlap.steep;
+  report.relocated = overlap.relocated;
+  report.largest_distance = overlap.largest_distance;
+  report.median_distance = overlap.median_distance;
+  for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
+    report.loops[l].match = overlap.loops[l].match;
+    report.loops[l].unmatched = overlap.loops[l].unmatched;
+    report.loops[l].covered = overlap.loops[l].covered;
+  }
+}
+
+void enter_border(const Border& border, CloudReport& report) {
+  report.border_facets = border.num_facets;
+  report.walks = border.walks;
+  report.searches = border.searches;
+  report.breaks = border.breaks;
+}
+
+void enter_choice(const CloudChoice& choice, CloudReport& report) {
+  constexpr double degrees_per_radian = 180 / std::numbers::pi;
+  report.margin_deg = choice.margin * degrees_per_radian;
+  for (const RegionVerdict& verdict : choice.regions) {
+    report.groups.push_back({verdict.region, verdict.mean_angle * degrees_per_radian, verdict.edges,
+                             verdict.under_cloud});
+    if (verdict.under_cloud) report.replaced_groups.push_back(verdict.region);
+  }
+}
+
+}  // namespace cocoon

@@ -1,0 +1,106 @@
+// What an update tells of each of its clouds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geom/ids.h"
+#include "geom/point.h"
+#include "update/choose_regions.h"
+#include "update/cloud/scan.h"
+#include "update/cloud_surface.h"
+#include "update/cut_regions.h"
+#include "update/joined_clouds.h"
+#include "update/overlapping_facets.h"
+#include "update/regions/loop_sides.h"
+#include "update/segment_model.h"
+#include "update/trace_border.h"
+
+namespace cocoon {
+
+// One boundary loop of a cloud.
+struct LoopReport {
+  std::size_t edges = 0;
+  double perimeter = 0;
+  bool pin_hole = false;  // opened, since the model goes on through it (open_pin_holes)
+  LoopMatch match = LoopMatch::off_model;
+  std::size_t unmatched = 0;  // rim points too far from the model
+  std::size_t covered = 0;    // of these, points on another cloud
+  // Of its band alone, without split_regions(); meaningful if on_model.
+  Separation separation = Separation::separates;
+};
+
+// How one cloud saw one region of the model.
+struct GroupAngle {
+  RegionId group;
+  double mean_angle_deg = 0;
+  std::size_t edges = 0;  // rim edges that counted
+  bool under_cloud = false;
+};
+
+struct CloudReport {
+  // The cloud that tells of the surface and the rim of this one, too, since they overlap each
+  // other (join_clouds). Then only regions and spacing are told here, and those are of both.
+  std::optional<std::size_t> joined_with;
+  CloudSurface surface;                        // with rim, rho and trials
+  std::vector<LoopReport> loops;               // as in surface.rim
+  std::size_t boundary_points = 0;             // rim points
+  std::vector<TriangleId> overlapping_facets;  // facets of the model with a rim point on them
+  std::size_t star_misses = 0;                 // see Overlap
+  std::size_t facing_away = 0;
+  std::size_t steep = 0;
+  std::size_t relocated = 0;
+  double largest_distance = 0;
+  double median_distance = 0;
+  double shift = 0;               // see rim_shift()
+  std::size_t border_facets = 0;  // with those traced between rim points
+  std::size_t walks = 0;          // see Border
+  std::size_t searches = 0;
+  std::size_t breaks = 0;
+  std::vector<GroupAngle> groups;         // in the order of groups
+  std::vector<RegionId> replaced_groups;  // those under this cloud
+  double margin_deg = 180;                // of its least clear loop; of all if it was cut
+  // If its rim was partial and it was cut, alone or as the first of joined ones; without the
+  // labels.
+  RegionCut cut;
+};
+
+std::vector<CloudRim> rims_of(std::span<const CloudReport> clouds);
+// Of each cloud whether its rim is partial.
+std::vector<std::uint8_t> partial_rims(std::span<const CloudReport> clouds);
+// clouds[c] belongs to reports[c].
+std::vector<Scan> scans_of(std::span<const std::vector<Point>> clouds,
+                           std::span<const CloudReport> reports);
+// The rims that form the border: of loops that are none of it only the place is left.
+std::vector<CloudRim> border_rims_of(std::span<const CloudReport> clouds);
+
+// The reports of the clouds given, from those of joined ones: the first of each takes over all that
+// is told, points of joined clouds being those of its members one after the other.
+std::vector<CloudReport> reports_of_members(std::vector<CloudReport> reports,
+                                            std::span<const JoinedCloud> joined,
+                                            std::size_t clouds);
+
+// The clouds of whose samples the surface is that cloud c tells of: itself, and those joined with
+// it, ascending. Complexity: O(clouds).
+std::vector<std::size_t> members_told(std::span<const CloudReport> reports, std::size_t c);
+
+// A point of a cloud given.
+struct CloudPoint {
+  std::size_t cloud = 0;
+  std::size_t index = 0;
+};
+
+// Which point is meant where cloud c tells of its point p: one of its own, or one of those joined
+// with it. clouds[c] belongs to reports[c]. Complexity: O(clouds).
+CloudPoint point_told(std::span<const CloudReport> reports,
+                      std::span<const std::vector<Point>> clouds, std::size_t c, PointId p);
+
+// Enters what the stages found of a cloud. Complexity: O(what is entered).
+void enter_overlap(const Overlap& overlap, CloudReport& report);
+void enter_border(const Border& border, CloudReport& report);
+void enter_choice(const CloudChoice& choice, CloudReport& report);
+
+}  // namespace cocoon

@@ -1,0 +1,57 @@
+#include "update/report/lost_triangles.h"
+
+#include <algorithm>
+
+#include "geom/closest_facet.h"
+#include "geom/median.h"
+#include "geom/triangles_by_area.h"
+#include "update/cloud/scanned_places.h"
+
+namespace cocoon {
+
+LostTriangles lost_triangles(const TriangleMesh& model,
+                             const IdVector<VertexId, PointId>& point_of_vertex,
+                             const IdVector<TriangleId, TriangleId>& triangle_map) {
+  LostTriangles result;
+  for (const TriangleId t : model.triangles.ids()) {
+    const Triangle& corners = model.triangles[t];
+    const bool stays = std::none_of(corners.begin(), corners.end(),
+                                    [&](VertexId v) { return point_of_vertex[v].is_none(); });
+    if (!stays) continue;
+    ++result.staying;
+    result.staying_area += area_of(model, t);
+    if (triangle_map[t].is_none()) result.lost.push_back(t);
+  }
+  return result;
+}
+
+AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const TriangleId> triangles,
+                                 const TriangleMesh& updated, std::span<const Scan> scans,
+                                 const AstrayOptions& options) {
+  const ClosestFacetTree tree(updated);
+  ScannedPlaces scanned;
+  for (const Scan& scan : scans) scanned.add(scan.samples, options.reach * scan.spacing);
+  AstrayTriangles result;
+  std::vector<double> sides;
+  double largest = 0;
+  for (const TriangleId t : triangles) {
+    const auto [a, b, c] = corners_of(model, t);
+    const double side = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    const double limit = options.tolerance * side;
+    const Point middle = a + (1.0 / 3) * ((b - a) + (c - a));
+    if (tree.closest(middle).squared_distance <= limit * limit) continue;
+    if (scanned.contain(middle)) continue;
+    const double area = area_of(model, t);
+    ++result.count;
+    result.area += area;
+    sides.push_back(side);
+    if (area > largest) {
+      largest = area;
+      result.largest = t;
+    }
+  }
+  result.longest_side = median(std::move(sides));
+  return result;
+}
+
+}  // namespace cocoon

@@ -1,0 +1,62 @@
+// Triangles of the model that an update loses though nothing was scanned there: a sign that the
+// model is no dense sampling of its surface, or that more has gone than should.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "geom/triangle_mesh.h"
+#include "update/cloud/scan.h"
+#include "update/model/mesh_change.h"
+
+namespace cocoon {
+
+struct LostTriangles {
+  std::size_t staying = 0;       // triangles of the model all of whose vertices stay
+  double staying_area = 0;       // theirs
+  std::vector<TriangleId> lost;  // those of them that the updated mesh does not have, ascending
+};
+
+// The updated mesh is made from points alone. Where these sample the model's surface densely it has
+// the model's triangles again, but for some at the rim of the change, and where four samples on one
+// circle have another diagonal. A vertex stays if it is one of the updated points, whether or not
+// these are all on the surface: `point_of_vertex` as in Replacement. `triangle_map`: each triangle
+// in the updated mesh, as in MeshChange. Complexity: O(t). Source: ours.
+LostTriangles lost_triangles(const TriangleMesh& model,
+                             const IdVector<VertexId, PointId>& point_of_vertex,
+                             const IdVector<TriangleId, TriangleId>& triangle_map);
+
+struct AstrayOptions {
+  // The middle of a triangle is off the updated mesh if farther from it than this share of the
+  // triangle's longest side.
+  double tolerance = 0.05;
+  // A place has been scanned if a sample lies within this many spacings of its cloud.
+  double reach = 3;
+  // For whoever tells of them. Looked for only if so many triangles are lost, and this share of
+  // those that stay; worth a warning from this share of their area on. Of dense models at most
+  // 0.003 are lost.
+  std::size_t min_lost = 20;
+  double min_lost_share = 0.1;
+  double min_area_share = 0.02;
+  // The model is too coarse for the scans if its astray triangles are longer than this many of
+  // their spacings; else something else went wrong.
+  double coarse_ratio = 3;
+};
+
+struct AstrayTriangles {
+  std::size_t count = 0;
+  double area = 0;          // in squares of the coordinates' unit
+  double longest_side = 0;  // of each triangle; the median of these
+  TriangleId largest = {};  // by area; of several the first
+};
+
+// Those of `triangles` whose middles are off the updated mesh although nothing was scanned there.
+// From the few vertices of a mesh with large triangles, as CAD programs give, another shape is
+// made. Complexity: O(t log t + t log n) for n samples. Precondition: `updated` has triangles.
+// Source: ours.
+AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const TriangleId> triangles,
+                                 const TriangleMesh& updated, std::span<const Scan> scans,
+                                 const AstrayOptions& options = {});
+
+}  // namespace cocoon

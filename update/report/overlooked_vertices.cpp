@@ -1,0 +1,39 @@
+#include "update/report/overlooked_vertices.h"
+
+#include <algorithm>
+
+#include "update/cloud/rim_index.h"
+#include "update/cloud/scanned_places.h"
+
+namespace cocoon {
+
+OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacement& replacement,
+                                       std::span<const CloudRim> rims,
+                                       std::span<const std::vector<Point>> clouds,
+                                       const OverlookedOptions& options) {
+  const auto is_partial = [](const CloudRim& rim) { return rim.is_partial(); };
+  if (std::none_of(rims.begin(), rims.end(), is_partial)) return {};
+  const RimIndex rim_index(rims);
+  if (rim_index.empty()) return {};
+  ScannedPlaces scanned;
+  for (std::size_t c = 0; c < clouds.size(); ++c) {
+    scanned.add(clouds[c], options.reach * rims[c].median_edge);
+  }
+  OverlookedVertices found;
+  double farthest = options.min_rim_distance;
+  for (const VertexId v : model.mesh().points.ids()) {
+    if (replacement.point_of_vertex[v].is_none()) continue;
+    const Point& p = model.mesh().points[v];
+    if (!scanned.contain(p)) continue;
+    const RimSide side = rim_index.side_of(p);
+    const double edges = side.distance / rims[side.rim].median_edge;
+    if (!(edges > options.min_rim_distance)) continue;
+    ++found.count;
+    if (!(edges > farthest)) continue;
+    farthest = edges;
+    found.farthest = v;
+  }
+  return found;
+}
+
+}  // namespace cocoon

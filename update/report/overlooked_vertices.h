@@ -1,0 +1,43 @@
+// Vertices of the model that stay in the midst of a cloud: a sign that its rim was not found whole.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "geom/point.h"
+#include "update/cloud_rim.h"
+#include "update/model/model_index.h"
+#include "update/replace_points.h"
+
+namespace cocoon {
+
+struct OverlookedOptions {
+  // A vertex has been scanned anew if a sample is as close as this share of the median edge of the
+  // cloud's surface. (ScannedOptions::sample_reach is a share of the model's spacing.)
+  double reach = 0.36;
+  // It is overlooked if it stays and is farther from the rims than this many of these edges.
+  double min_rim_distance = 3;
+  // Fewer of them mean nothing: a thin wall, a fold of the rim. Measured on scans of parts: 0 to 6
+  // after updates that went right, 15 to 250 where a part of the cloud lay on a region that stayed.
+  std::size_t min_count = 8;
+};
+
+struct OverlookedVertices {
+  std::size_t count = 0;
+  VertexId farthest = {};  // from the rims, in median edges; of several the first
+};
+
+// Which vertices of the model stay although they have been scanned anew far from the rim. Where
+// a cloud lies on the model as it was, both have the same surface, and the old samples of it go; so
+// there are none unless a part of the rim is missing, or the wrong region was chosen. They show
+// regions that stay wrongly, not those that go wrongly. Looked for where a rim is partial
+// (CloudRim::is_partial): else all are whole, and there are none.
+// rims[i] belongs to clouds[i]; those that formed the border.
+// Complexity: O(v + n log n) for v vertices and n samples. Deterministic. Source: ours.
+OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacement& replacement,
+                                       std::span<const CloudRim> rims,
+                                       std::span<const std::vector<Point>> clouds,
+                                       const OverlookedOptions& options = {});
+
+}  // namespace cocoon

@@ -1,0 +1,59 @@
+#include "update/report/rim_shift.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <vector>
+
+namespace cocoon {
+namespace {
+
+// A rim point over the plane of its facet.
+struct Height {
+  Eigen::Vector3d normal;  // unit
+  double height = 0;
+};
+
+std::vector<Height> heights_of(const ModelIndex& model, const CloudRim& rim,
+                               const Overlap& overlap) {
+  std::vector<Height> heights;
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    if (overlap.loops[l].match != LoopMatch::on_model) continue;
+    const RimLoop& loop = rim.loops[l];
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const TriangleId facet = overlap.loops[l].facets[i];
+      if (loop.is_inner_point(i) || facet.is_none()) continue;
+      const Vec3 n = model.normal(facet);
+      const double height = dot(loop.points[i] - model.centroid(facet), n);
+      heights.push_back({Eigen::Vector3d(n.x, n.y, n.z), height});
+    }
+  }
+  return heights;
+}
+
+}  // namespace
+
+double rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
+                 const ShiftOptions& options) {
+  const std::vector<Height> heights = heights_of(model, rim, overlap);
+  if (heights.size() < options.min_points) return 0;
+  const auto all = static_cast<double>(heights.size());
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  for (std::size_t round = 0; round < options.rounds; ++round) {
+    Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d moments = Eigen::Vector3d::Zero();
+    double used = 0;
+    for (const Height& h : heights) {
+      const double residual = std::abs(h.height - h.normal.dot(shift));
+      if (round > 0 && residual > options.max_residual * rim.spacing) continue;
+      normals += h.normal * h.normal.transpose();
+      moments += h.height * h.normal;
+      ++used;
+    }
+    if (used < options.min_share * all) return 0;
+    normals += options.prior * used * Eigen::Matrix3d::Identity();
+    shift = normals.ldlt().solve(moments);
+  }
+  return shift.norm();
+}
+
+}  // namespace cocoon

@@ -1,0 +1,37 @@
+// How far a cloud seems to be out of register, told by its rim on unchanged surface.
+#pragma once
+
+#include <cstddef>
+
+#include "update/cloud_rim.h"
+#include "update/model/model_index.h"
+#include "update/overlapping_facets.h"
+
+namespace cocoon {
+
+struct ShiftOptions {
+  // Fewer matched rim points tell nothing.
+  std::size_t min_points = 12;
+  // Points farther off the shifted model than this many rim spacings are of the change, or of the
+  // far side of a wall: they are left out in the next round.
+  double max_residual = 1;
+  // If fewer than this share of the points remain, no shift explains them.
+  double min_share = 0.5;
+  std::size_t rounds = 4;
+  // Directions in which the rim tells nothing, as along a plane: a shift there costs this share of
+  // what it would if all normals lay in it.
+  double prior = 0.02;
+  // A shift of more rim spacings than this is worth a warning.
+  double max_shift = 0.75;
+};
+
+// The length of the translation t that explains best how high the rim points lie over the planes of
+// their facets, in units of the coordinates: least squares of dot(n, t) - height, in rounds. Where
+// a cloud was moved along the surface most of its rim still lies on the model; the places where the
+// surface turns tell. 0 if too few points are matched or agree.
+// Complexity: O(rim). Deterministic, but for roundings, whatever the order of the loops.
+// Source: ours; point-to-plane registration (Chen & Medioni 1992) without rotation.
+double rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
+                 const ShiftOptions& options = {});
+
+}  // namespace cocoon

@@ -1,0 +1,60 @@
+// Vertices of the model that an update loses though nothing was scanned near them.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "geom/id_vector.h"
+#include "geom/ids.h"
+#include "geom/point.h"
+#include "update/cloud/scan.h"
+#include "update/model/model_index.h"
+#include "update/replace_points.h"
+
+namespace cocoon {
+
+struct UnscannedOptions {
+  // Nothing was scanned near a vertex if each sample is farther away than this many spacings: the
+  // median edge of the sample's cloud, or the mean edge of the model at the vertex, if that is
+  // more.
+  double reach = 3;
+  // A sample farther from the model than this many spacings shows that it was changed there (as
+  // ScanEndOptions::off_model).
+  double off_model = 0.5;
+  // Such samples within this many spacings of where it begins explain what went: a boss that was
+  // taken off leaves its place.
+  double change_reach = 5;
+  // At this share of the vertices where it begins, at least.
+  double explained = 0.5;
+  // But nothing explains that more than this share of the model goes so.
+  double max_explained_share = 0.5;
+};
+
+// The vertices of the model's triangles that are not in the updated mesh, ascending. `vertex_map`:
+// where they are in it, looked at only unless `all_used`: all updated points are in it.
+// Complexity: O(found), else O(v).
+std::vector<VertexId> lost_vertices(const ModelIndex& model, const Replacement& replacement,
+                                    const IdVector<VertexId, VertexId>& vertex_map, bool all_used);
+
+struct UnscannedLosses {
+  std::size_t far = 0;       // lost vertices with no sample near them
+  std::size_t vertices = 0;  // of these, with nothing that explains it
+  // Of those the one farthest from all samples (of several the first), and how far, in spacings.
+  VertexId farthest = {};
+  double distance = 0;
+};
+
+// Of the lost vertices those that no sample is near. That is as it should be where material was
+// taken away or filled in: there the surface keeps its handles, and samples off the model lie
+// around. If handles went, or parts came (`lost_handles`: the Euler characteristic rose), or where
+// all samples around lie on the model, something went that nobody scanned: a handle that begins
+// under the cloud, an island in a scan whose rim was not found, what was left over and no longer
+// makes a surface. Vertices that hang together by edges of the model went for one reason.
+// Complexity: O(n log n) for n samples, lost vertices and their triangles, if there are any; what
+// NearFacets takes if any is far. Deterministic. Source: ours.
+UnscannedLosses unscanned_losses(const ModelIndex& model, std::span<const VertexId> lost,
+                                 std::span<const Scan> scans, bool lost_handles,
+                                 const UnscannedOptions& options = {});
+
+}  // namespace cocoon

@@ -1,0 +1,46 @@
+// Samples that show a change and are not on the updated surface.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "geom/point.h"
+#include "update/cloud/scan.h"
+#include "update/model/model_index.h"
+
+namespace cocoon {
+
+struct UnusedChangeOptions {
+  // A sample farther from the model than this many spacings of its scan shows a change.
+  double off_model = 0.7;
+  // A stray point is no change: around an unused sample there are at least so many more of them
+  std::size_t neighbors = 3;
+  // within so many spacings.
+  double reach = 2;
+  // A larger share of all samples off the model is worth a warning, or so many of them. Of 463
+  // updates one of 247 right ones had such a share, and half of 216 wrong ones.
+  double min_share = 0.02;
+  std::size_t min_count = 50;
+};
+
+struct UnusedChanges {
+  std::size_t samples = 0;  // off the model, not on the surface, and no stray points
+  std::size_t of = 0;       // samples off the model; not counted if there are no unused ones
+  Point at = {};            // one of them
+
+  bool is_doubtful(const UnusedChangeOptions& options) const {
+    return samples >= options.min_count ||
+           static_cast<double>(samples) > options.min_share * static_cast<double>(of);
+  }
+};
+
+// unused[i]: the samples of scans[i] that are not on the updated surface. Why: where the wrong part
+// of the model stays, the samples of the change lie inside the body or hang in the air.
+// Complexity: O(n log n) for n samples, and what NearFacets takes; O(scans) if all are used.
+// Deterministic. Source: ours.
+UnusedChanges unused_changes(const ModelIndex& model, std::span<const Scan> scans,
+                             std::span<const std::vector<Point>> unused,
+                             const UnusedChangeOptions& options = {});
+
+}  // namespace cocoon

@@ -1,0 +1,193 @@
+#include "update/report/update_messages.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "geom/counted.h"
+#include "geom/place_name.h"
+
+namespace cocoon {
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clouds) {
+  const auto number = [&](std::size_t k) { return std::to_string(members[k] + 1); };
+  std::string name = "cloud " + number(0) + " of " + std::to_string(clouds);
+  if (members.size() == 1) return name;
+  name += " (with " + number(1);
+  for (std::size_t k = 2; k < members.size(); ++k) {
+    name += (k + 1 < members.size() ? ", " : " and ") + number(k);
+  }
+  return name + ")";
+}
+
+std::string name_of_loop(const RimLoop& loop) {
+  return "loop of " + std::to_string(loop.size()) + " edges at " + place_name(loop.points.front());
+}
+
+std::string reason_of_closed_cloud(const CloudRim& rim) {
+  return "has no open rim (" + counted(rim.pin_holes, "pin-hole") + ", " +
+         counted(rim.seam_loops, "seam") +
+         "): it is closed, or so noisy or coarse that its rim cannot be told; give only the "
+         "changed "
+         "part with some of its surroundings, smoothed or sampled more densely";
+}
+
+std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_points,
+                                 double max_distance, double rim_spacing) {
+  return "does not lie on the model: " + std::to_string(unmatched) + " of its " +
+         std::to_string(boundary_points) + " rim points are farther from it than " +
+         rounded(max_distance) + " spacings (rim spacing " + rounded(rim_spacing) +
+         "); register it to the model, in the same units, and let it reach onto unchanged surface";
+}
+
+std::string reason_of_open_band(std::size_t max_search_facets) {
+  return "jumps between parts of the model that are not connected, or only by a way over more "
+         "than " +
+         std::to_string(max_search_facets) + " facets; update each part by a cloud of its own";
+}
+
+std::string reason_of_failed_split(SplitStatus status, const SplitRegion& split) {
+  if (status == SplitStatus::one_sided) return "the model near the rim lies on one side of it";
+  return "what is nearest to its inner side reaches " + rounded(split.reach) +
+         " cloud extents away from the cloud";
+}
+
+std::string reason_of_doubtful_cut(const RegionCut& cut) {
+  if (cut.seeds_under == 0 || cut.seeds_outside == 0) {
+    return "parts of its rim are missing, and none is left that tells where it ends on the model; "
+           "smooth it, sample more densely at sharp edges and thin walls, or let it reach farther "
+           "onto unchanged surface";
+  }
+  return "parts of its rim are missing, and what is left of it does not tell its sides apart: " +
+         rounded(cut.cut_length) + " median edges of cuts where it is missing, and " +
+         rounded(cut.contradicted) + " in contradiction, beside " +
+         rounded(std::min(cut.seeds_under, cut.seeds_outside)) +
+         "; sample more densely at sharp edges and thin walls, or add a cloud that closes the rim";
+}
+
+std::string reason_of_ambiguity(double margin) {
+  return "the regions inside and outside a rim make angles with the cloud that differ by less "
+         "than " +
+         rounded(margin) + " degrees; let the cloud reach farther onto unchanged surface";
+}
+
+std::string reason_of_empty_surface(std::size_t updated_points) {
+  return "the " + std::to_string(updated_points) +
+         " updated points give no closed surface; check that model and clouds are samples of one "
+         "surface at one scale";
+}
+
+std::string warning_of_split(const SplitRegion& split) {
+  return "does not cut the model in two; facets are taken to lie under the cloud if nearer to its "
+         "inner side than to its outer one (" +
+         counted(split.under_facets, "facet") + ", cut along " + counted(split.cut_edges, "edge") +
+         "); look at the result";
+}
+
+std::vector<std::string> warnings_of_cut(const RegionCut& cut) {
+  if (cut.scan_ends == 0) return {};
+  return {"the samples end on the model where no rim was found (" +
+          counted(cut.scan_ends, "facet") + "); what is beyond stays"};
+}
+
+std::vector<std::string> notes_of_cut(const RegionCut& cut, const CutOptions& options) {
+  if (cut.cut_edges == 0 || cut.doubt() <= options.clear_doubt) return {};
+  return {"parts of its rim are missing; the model is cut there by the shortest way (" +
+          counted(cut.cut_edges, "edge") + ")"};
+}
+
+std::string warning_of_clouds_apart(const std::string& why) {
+  return "clouds overlap each other, but do not make one surface (" + why +
+         "); each is taken by itself";
+}
+
+std::string warning_of_shared_regions(std::size_t regions) {
+  return "clouds overlap each other: " + counted(regions, "region lies", "regions lie") +
+         " under more than one";
+}
+
+std::string warning_of_narrow_margin(double degrees) {
+  return "its regions differ by only " + rounded(degrees) + " degrees; look at the result";
+}
+
+std::string warning_of_overlooked(std::size_t vertices, const Point& at) {
+  return counted(vertices, "vertex of the model stays", "vertices of the model stay") +
+         " in the midst of the new samples, as at " + place_name(at) +
+         ": a part of the rim was not found, or the wrong region "
+         "chosen; sample more densely at sharp edges and thin walls, and look at the result";
+}
+
+std::string warning_of_unused_changes(const UnusedChanges& changes) {
+  return std::to_string(changes.samples) + " of " +
+         counted(changes.of, "sample off the model is", "samples off the model are") +
+         " not on the updated surface, as at " + place_name(changes.at) +
+         ": the wrong part of the model may have stayed there; scan what joins them to the model, "
+         "such as walls, and look at the result";
+}
+
+std::string warning_of_handles(std::size_t handles) {
+  return "the updated model has " + counted(handles, "handle") +
+         " more than the rims of the clouds explain: right if the scans have " +
+         (handles == 1 ? "it" : "them") + ", else look at the result";
+}
+
+std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at) {
+  const bool one = losses.vertices == 1;
+  return counted(losses.vertices, "vertex of the model is gone", "vertices of the model are gone") +
+         " though nothing was scanned within " + rounded(reach) + " spacings of " +
+         (one ? "it; it is " : "them; the farthest is ") + rounded(losses.distance) +
+         " spacings from all samples, at " + place_name(at) +
+         "; look at the result, and scan there, too, or let the cloud reach less far";
+}
+
+std::vector<std::string> notes_of_surface(const CloudSurface& surface) {
+  std::vector<std::string> notes;
+  const auto tell = [&](std::size_t count, const char* one, const char* many) {
+    if (count > 0) notes.push_back(counted(count, one, many));
+  };
+  tell(surface.rim.seam_loops, "loop is a seam inside the cloud (a sharp edge?), not its rim",
+       "loops are seams inside the cloud (sharp edges?), not its rim");
+  tell(surface.rim.small_components, "small part of its surface is not looked at",
+       "small parts of its surface are not looked at");
+  tell(surface.rim.non_orientable, "part of its surface is one-sided",
+       "parts of its surface are one-sided");
+  return notes;
+}
+
+std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const OverlapOptions& options,
+                                           const ShiftOptions& shift) {
+  std::vector<std::string> warnings;
+  const CloudRim& rim = cloud.surface.rim;
+  if (rim.seamed_loops > 0) {
+    warnings.push_back(counted(rim.seamed_loops, "loop of its rim runs", "loops of its rim run") +
+                       " along seams inside the cloud for the most part; look at the result");
+  }
+  if (cloud.median_distance > options.step_distance * rim.spacing) {
+    warnings.push_back("its rim lies " + rounded(cloud.median_distance / rim.spacing) +
+                       " spacings off the model (median): there will be a step; register it "
+                       "better, or let it reach onto unchanged surface");
+  } else if (cloud.shift > shift.max_shift * rim.spacing) {
+    warnings.push_back("its rim lies as if the cloud were moved by " +
+                       rounded(cloud.shift / rim.spacing) + " spacings; register it better");
+  }
+  const double raised = cloud.largest_distance - cloud.median_distance;
+  if (raised > options.raised_distance * rim.spacing) {
+    warnings.push_back("its rim leaves the model here and there, by up to " +
+                       rounded(raised / rim.spacing) +
+                       " spacings: the scan ends on what has changed, as in a shadow of the "
+                       "scanner; look at the result, or scan what lies between it and the model");
+  }
+  return warnings;
+}
+
+std::string warning_of_nothing_inside() {
+  return "no region of the model lies inside; the cloud is added there; check that its units are "
+         "those of the model";
+}
+
+}  // namespace cocoon

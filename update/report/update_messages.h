@@ -1,0 +1,71 @@
+// What an update says in words: reasons and warnings, one line each.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "update/cloud_surface.h"
+#include "update/cut_regions.h"
+#include "update/overlapping_facets.h"
+#include "update/report/cloud_report.h"
+#include "update/report/rim_shift.h"
+#include "update/report/unscanned_losses.h"
+#include "update/report/unused_changes.h"
+#include "update/split_regions.h"
+
+namespace cocoon {
+
+// Four digits.
+std::string rounded(double value);
+
+// "cloud 2 of 3", "cloud 1 of 5 (with 2, 4 and 5)"; `members`: at least one, ascending, from 0.
+std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clouds);
+// "loop of 31 edges at (0, 1, 2)".
+std::string name_of_loop(const RimLoop& loop);
+
+// Why there is no rim.
+std::string reason_of_closed_cloud(const CloudRim& rim);
+// Why the rim is not on the model; `boundary_points`: of all its loops.
+std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_points,
+                                 double max_distance, double rim_spacing);
+// Why a loop does not lie on one part of the model.
+std::string reason_of_open_band(std::size_t max_search_facets);
+// Why labels do not split a region; `split`: the last part that was tried.
+std::string reason_of_failed_split(SplitStatus status, const SplitRegion& split);
+
+// Why what is left of a partial rim does not tell its sides apart.
+std::string reason_of_doubtful_cut(const RegionCut& cut);
+// Why the angles do not decide; `margin`: in degrees.
+std::string reason_of_ambiguity(double margin);
+// Why nothing is left of the updated points.
+std::string reason_of_empty_surface(std::size_t updated_points);
+
+std::string warning_of_split(const SplitRegion& split);
+std::vector<std::string> warnings_of_cut(const RegionCut& cut);
+// Only if its doubt is more than options.clear_doubt. No warning: of right updates one in five has
+// such a cut, of wrong ones one in two.
+std::vector<std::string> notes_of_cut(const RegionCut& cut, const CutOptions& options = {});
+// Clouds that overlap each other, but not as one surface; `why`: the reason.
+std::string warning_of_clouds_apart(const std::string& why);
+// Regions under more than one cloud.
+std::string warning_of_shared_regions(std::size_t regions);
+// Mean angles of regions, in degrees, that hardly differ.
+std::string warning_of_narrow_margin(double degrees);
+// `at`: one of them.
+std::string warning_of_overlooked(std::size_t vertices, const Point& at);
+std::string warning_of_unused_changes(const UnusedChanges& changes);
+// More than the rims explain.
+std::string warning_of_handles(std::size_t handles);
+// `at`: the place of the farthest vertex; `reach`: UnscannedOptions::reach.
+std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at);
+// What may be wrong with a cloud, or where it lies on the model.
+std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const OverlapOptions& options,
+                                           const ShiftOptions& shift);
+// What is unusual about its surface, but no reason to worry: two of five good updates have some.
+std::vector<std::string> notes_of_surface(const CloudSurface& surface);
+// Of a loop that encloses nothing.
+std::string warning_of_nothing_inside();
+
+}  // namespace cocoon

@@ -1,0 +1,34 @@
+#include "update/report/updated_vertices.h"
+
+#include <cstddef>
+
+#include "geom/large_pages.h"
+
+namespace cocoon {
+
+IdVector<VertexId, VertexId> updated_vertices(const Replacement& replacement,
+                                              const ReconstructResult& reconstruction) {
+  // If each point is a vertex, they have the same order.
+  const bool same = reconstruction.unused_points == 0;
+  IdVector<PointId, VertexId> vertex_of_point(same ? 0 : replacement.points.size());
+  if (!same) {
+    for (const VertexId v : reconstruction.point_of_vertex.ids()) {
+      vertex_of_point[reconstruction.point_of_vertex[v]] = v;
+    }
+  }
+  const IdVector<VertexId, PointId>& points = replacement.point_of_vertex;
+  IdVector<VertexId, VertexId> result;
+  result.reserve(points.size());
+  prefer_large_pages(result.raw());
+  result.resize(points.size());
+  static_assert(PointId().value == VertexId().value);  // none
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    result.raw()[i] = VertexId(points.raw()[i].value);
+  }
+  for (VertexId& v : result) {
+    if (!same && !v.is_none()) v = vertex_of_point[PointId(v.value)];
+  }
+  return result;
+}
+
+}  // namespace cocoon
