@@ -19,6 +19,7 @@
 #include "cocone/live/lent_delaunay.h"
 #include "cocone/live/live_candidates.h"
 #include "cocone/live/point_step.h"
+#include "cocone/live/reconstruct_stages.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/id_vector.h"

@@ -21,7 +21,7 @@ struct Dual {
   IdVector<CellId, Point> centers;  // empty in a lean dual
   // How they were obtained where floating point did not suffice (geom/circumsphere.h,
   // geom/triangle_normal.h).
-  std::size_t exact_centers = 0;  // centers and directions computed in exact integers
+  std::size_t exact_centers = 0;       // centers and directions computed in exact integers
   std::size_t facet_fallbacks = 0;     // center of a facet, or the centroid; never for exact cells
                                        // unless the true center is beyond the range of double
   std::vector<CellId> not_in_doubles;  // the cells of both counts, ascending

@@ -35,6 +35,7 @@
 
 #include "cocone/live/live_candidates.h"
 #include "cocone/live/local_facets.h"
+#include "cocone/live/reconstruct_stages.h"
 #include "cocone/live/star_finder.h"
 #include "cocone/live/surface_state.h"
 #include "cocone/reconstruct.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cocone/live/live_candidates.h"
-#include "cocone/reconstruct.h"
+#include "cocone/live/reconstruct_stages.h"
 
 namespace cocoon {
 

@@ -28,6 +28,7 @@
 #include "cocone/live/candidate_counts.h"
 #include "cocone/live/local_facets.h"
 #include "cocone/live/local_patch.h"
+#include "cocone/live/reconstruct_stages.h"
 #include "cocone/live/surface_state.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/dynamic_delaunay.h"

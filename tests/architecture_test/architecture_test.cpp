@@ -151,6 +151,83 @@ TEST(Architecture, IncludesPointOneWay) {
   }
 }
 
+// A sub-folder of a layer ("cocone/facets"), and those of the same layer that it may include.
+struct SubFolder {
+  std::string name;
+  std::set<std::string> may_include;
+};
+
+// The table of docs/design.md, row by row.
+std::vector<SubFolder> table_of_sub_folders() {
+  const std::regex row("^\\| `([a-z]+)/([a-z_]+)/` \\|[^|]*\\|([^|]*)\\|$");
+  const std::regex folder("`([a-z_]+)`");
+  std::vector<SubFolder> table;
+  for (const std::string& line : lines_of(fs::path(COCOON_SOURCE_DIR) / "docs/design.md")) {
+    std::smatch match;
+    if (!std::regex_match(line, match, row)) continue;
+    const std::string layer = match[1].str() + "/";
+    const std::string arrows = match[3];
+    SubFolder entry{layer + match[2].str(), {}};
+    for (std::sregex_iterator it(arrows.begin(), arrows.end(), folder), end; it != end; ++it) {
+      entry.may_include.insert(layer + (*it)[1].str());
+    }
+    table.push_back(entry);
+  }
+  return table;
+}
+
+// "cocone/facets" of "cocone/facets/half_star.h"; empty at the top of a layer.
+std::string sub_folder_of(const std::string& name) {
+  const std::size_t last = name.rfind('/');
+  return name.find('/') == last ? "" : name.substr(0, last);
+}
+
+TEST(Architecture, IncludesBetweenSubFoldersAreThoseOfTheTable) {
+  std::map<std::string, std::set<std::string>> may_include;
+  for (const SubFolder& entry : table_of_sub_folders()) {
+    for (const std::string& other : entry.may_include) {
+      EXPECT_TRUE(may_include.contains(other)) << entry.name << " -> " << other << ", a row below";
+    }
+    may_include[entry.name] = entry.may_include;
+  }
+  std::map<std::string, std::set<std::string>> includes;
+  const std::regex include("^ *# *include +\"([a-z_0-9/]+\\.h)\"");
+  for (const SourceFile& source : sources_of(library_layers)) {
+    const std::string from = sub_folder_of(source.name);
+    if (from.empty()) continue;
+    ASSERT_TRUE(may_include.contains(from)) << source.name << ": not in docs/design.md";
+    includes[from];
+    for (std::size_t i = 0; i < source.lines.size(); ++i) {
+      std::smatch match;
+      if (!std::regex_search(source.lines[i], match, include)) continue;
+      const std::string to = sub_folder_of(match[1]);
+      if (to.empty() || to == from || !to.starts_with(source.layer + "/")) continue;
+      EXPECT_TRUE(may_include.at(from).contains(to)) << place(source, i);
+      includes[from].insert(to);
+    }
+  }
+  EXPECT_EQ(includes, may_include);  // no row and no arrow that is not there
+}
+
+TEST(Architecture, TestsAreInTheFoldersOfWhatTheyTest) {
+  std::map<std::string, std::string> folder_of_header;  // by layer and name: "cocone/half_star"
+  for (const SourceFile& source : sources_of(library_layers)) {
+    const fs::path path = source.name;
+    const std::string concept_name = source.layer + "/" + path.stem().string();
+    if (source.is_header()) folder_of_header[concept_name] = path.parent_path().generic_string();
+  }
+  for (const SourceFile& source : sources_of({"tests"})) {
+    const fs::path path = source.name;
+    const std::string stem = path.stem().string();
+    if (!stem.ends_with("_test")) continue;
+    const std::string folder = path.parent_path().lexically_relative("tests").generic_string();
+    const std::string layer = folder.substr(0, folder.find('/'));
+    const auto found = folder_of_header.find(layer + "/" + stem.substr(0, stem.size() - 5));
+    if (found == folder_of_header.end()) continue;
+    EXPECT_EQ(folder, found->second) << source.name;
+  }
+}
+
 TEST(Architecture, OwnHeadersAreIncludedFromTheRoot) {
   EXPECT_EQ(lines_matching(product_layers, "# *include +\"[^/]*\""), "");
   EXPECT_EQ(lines_matching(product_layers, "# *include +\"\\.\\./"), "");

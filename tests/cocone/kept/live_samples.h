@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cocone/live/live_candidates.h"
+#include "cocone/live/reconstruct_stages.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cocone/facets/cell_order.h"
+#include "cocone/live/reconstruct_stages.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
 #include "geom/random.h"

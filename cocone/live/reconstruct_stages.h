@@ -1,0 +1,91 @@
+// Reconstruction for those who go on from its stages: what these have found is handed on, and what
+// is known of it beforehand taken over.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "cocone/boundary_samples.h"
+#include "cocone/extract_manifold.h"
+#include "cocone/facet_set.h"
+#include "cocone/facets/linked_facets.h"
+#include "cocone/known_sides.h"
+#include "cocone/mark_cells.h"
+#include "cocone/poles.h"
+#include "cocone/reconstruct.h"
+#include "cocone/umbrella.h"
+#include "delaunay/triangulation.h"
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+#include "geom/point.h"
+
+namespace cocoon {
+
+// The Cocone surface as the marking had it.
+struct CoconeSurface {
+  std::vector<FacetId> halves;  // its facets, seen from the side of the walk
+  VertexSet good;               // see umbrella.h; empty if the surface was not to be closed
+  std::size_t umbrellas = 0;    // vertices that it has one closed umbrella at, good or not
+  FirstWalk first_walk = FirstWalk::at_once;
+  // Its facets linked; of reconstruct_tight_from only, and if anything was marked.
+  LinkedFacets triangles;
+};
+
+// What the stages found on the way, for those who go on from it.
+struct ReconstructStages {
+  Triangulation triangulation;
+  std::vector<CellId> not_in_doubles;  // of the dual
+  Poles poles;
+  BoundarySamples boundary;
+  FacetSet candidates;  // before pruning
+  FacetSet left;        // after it
+  VertexSet umbrella;
+  CoconeSurface surface;
+};
+
+// As reconstruct_tight_again of the triangulation, and fills in `stages`.
+ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
+                                          const KnownSidesSource& known,
+                                          const ReconstructOptions& options,
+                                          const Execution& execution, ReconstructStages& stages);
+
+// What the stages up to pruning would find, if it is known beforehand (live_candidates.h).
+struct KnownCandidates {
+  IdVector<VertexId, Vec3> normals;  // of the poles
+  VertexSet boundary;
+  VertexSet umbrella;
+  LinkedFacets left;                          // candidates after pruning
+  ReconstructCounters counters;               // of these stages
+  FirstWalk first_walk = FirstWalk::at_once;  // as far as it can be told
+};
+
+// A way to what mark_cells gives (kept_marks.h).
+using Marking = std::function<CellMarks(
+    const Triangulation& triangulation, const LinkedFacets& surface, const VertexSet& boundary,
+    const KnownSidesSource& known, const GoodVertexOptions& options, const Execution& execution)>;
+
+// Whoever keeps a body (kept_body.h), and may take it instead of the mesh that bounds it: then each
+// vertex has one closed umbrella of that. `out`: 1 = a cell is not of the body. `is_flawed`: the
+// clean-up has seen a vertex without such an umbrella. False: the mesh is needed.
+using BodyTaker = std::function<bool(const Triangulation& triangulation,
+                                     const IdVector<CellId, std::uint8_t>& out, bool is_flawed)>;
+
+// What is known of a triangulation that changes, and who wants what it gives.
+struct LiveStages {
+  const IdVector<VertexId, CellId>& cell_at;  // a cell at each vertex
+  Marking mark;
+  BodyTaker take_body;
+};
+
+// As reconstruct_tight_again of the triangulation, without these stages; fills in `surface`.
+// If live.take_body takes the body the result has neither mesh nor anything by vertex.
+ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
+                                         KnownCandidates candidates, Points points,
+                                         const KnownSidesSource& known,
+                                         const ReconstructOptions& options,
+                                         const Execution& execution, const LiveStages& live,
+                                         CoconeSurface& surface);
+
+}  // namespace cocoon

@@ -1,0 +1,281 @@
+#include "cocone/reconstruct_steps.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "cocone/candidate_triangles.h"
+#include "cocone/checks/verify_surface.h"
+#include "cocone/clean_up_cells.h"
+#include "cocone/cocones.h"
+#include "cocone/marking/certain_surface.h"
+#include "cocone/orient_surface.h"
+#include "cocone/peel_cells.h"
+#include "cocone/prune_sharp_edges.h"
+#include "delaunay/delaunay.h"
+#include "delaunay/first_cells.h"
+#include "geom/errors.h"
+#include "geom/parallel_reduce.h"
+#include "geom/working_scale.h"
+
+namespace cocoon {
+namespace {
+
+// Whether the clean-up has seen the boundary of the body be no closed umbrella at some vertex.
+bool is_flawed(const CleanUpCounters& clean_up) {
+  return clean_up.left_cells + clean_up.defects_after + clean_up.unused_after != 0;
+}
+
+}  // namespace
+
+ReconstructSteps::ReconstructSteps(Points points, const ReconstructOptions& options,
+                                   const Execution& execution)
+    : points_(points), options_(effective_options(options)), execution_(execution) {}
+
+void ReconstructSteps::triangulate() {
+  std::vector<Point> scaled;
+  Points working = points_;
+  if (const double scale = working_scale(points_); scale != 1) {
+    require_exact(scale);
+    for (const Point& p : points_) scaled.push_back(scale * p);
+    working = scaled;
+  }
+  DelaunayResult built = delaunay(working, options_.delaunay, execution_);
+  result_.counters.delaunay = built.counters;
+  take(std::move(built.triangulation));
+}
+
+void ReconstructSteps::take(Triangulation triangulation) {
+  own_triangulation_ = std::move(triangulation);
+  refer_to(own_triangulation_);
+}
+
+void ReconstructSteps::refer_to(const Triangulation& triangulation) {
+  scale_ = working_scale(points_);
+  triangulation_ = &triangulation;
+  result_.points = points_.size();
+  result_.duplicates = triangulation_->num_duplicates();
+  result_.vertices = triangulation_->num_vertices();
+  result_.tetrahedra = triangulation_->num_finite_cells();
+}
+
+void ReconstructSteps::find_poles() {
+  run_step(execution_, "poles", [&](const Execution& nested) {
+    poles_ = compute_poles(*triangulation_, options_.cocone.cosine, dual_, sides_, nested);
+  });
+  ReconstructCounters& counters = result_.counters;
+  counters.exact_centers = dual_.exact_centers;
+  counters.dual_facet_fallbacks = dual_.facet_fallbacks;
+  counters.hull_vertices = poles_.hull_vertices;
+  counters.degenerate_poles = poles_.degenerate_vertices;
+}
+
+void ReconstructSteps::build_surface() {
+  Cocones cocones = run_step(execution_, "cocone", [&](const Execution& nested) {
+    return intersect_cocones(*triangulation_, std::move(sides_), nested);
+  });
+  run_step(execution_, "boundary", [&](const Execution& nested) {
+    boundary_ =
+        boundary_samples(*triangulation_, dual_, poles_, cocones, options_.boundary, nested);
+    // Not {}, which would keep the memory.
+    dual_.rays = std::vector<Vec3>();
+    dual_.hard_centers = std::vector<Point>();
+    if (stages_ == nullptr) poles_.heights = {};  // nobody else asks for them
+  });
+  run_step(execution_, "cocone", [&](const Execution& nested) {
+    CandidateTriangles candidates =
+        list_candidate_triangles(*triangulation_, cocones, boundary_.boundary, nested);
+    cocones = {};
+    if (stages_ != nullptr) stages_->candidates = candidates.set;
+    PrunedCandidates pruned =
+        prune_sharp_edges(*triangulation_, std::move(candidates), options_.prune, nested);
+    if (stages_ != nullptr) stages_->left = pruned.left.set;
+    surface_ = extract_manifold(*triangulation_, std::move(pruned.left), pruned.umbrella, nested);
+    result_.counters.candidates = pruned.candidates;
+    result_.counters.pruned = pruned.pruned;
+    result_.counters.umbrellas = pruned.umbrellas;
+    if (stages_ != nullptr) stages_->umbrella = std::move(pruned.umbrella);
+  });
+  ReconstructCounters& counters = result_.counters;
+  counters.boundary_samples = boundary_.count;
+  counters.ratio_failed = boundary_.ratio_failed;
+  counters.recovered_samples = boundary_.recovered;
+  count_surface();
+}
+
+void ReconstructSteps::extract_from(KnownCandidates candidates) {
+  const DelaunayCounters of_triangulation = result_.counters.delaunay;
+  result_.counters = candidates.counters;
+  result_.counters.delaunay = of_triangulation;
+  poles_.normals = std::move(candidates.normals);
+  boundary_.boundary = std::move(candidates.boundary);
+  boundary_.count = result_.counters.boundary_samples;
+  run_step(execution_, "cocone", [&](const Execution& nested) {
+    surface_ = extract_manifold(*triangulation_, std::move(candidates.left), candidates.umbrella,
+                                candidates.first_walk, nested);
+  });
+  count_surface();
+}
+
+void ReconstructSteps::close_surface(const KnownSidesSource& known) {
+  if (boundary_.interior() == 0) return deliver({});
+  const KnownSidesSource nothing;
+  const KnownSidesSource& sides = options_.mode == Mode::paper ? nothing : known;
+  run_step(execution_, "tight", [&](const Execution& nested) {
+    if (live_ != nullptr) return close_by(mark_by_caller(sides, nested), sides, nested);
+    GoodVertices good =
+        good_vertices(surface_.triangles, boundary_.boundary, options_.good_vertices, nested);
+    if (is_certain(*triangulation_, surface_, good, nested)) {
+      return deliver_certain(std::move(good), nested);
+    }
+    CellMarks marks =
+        mark_cells(*triangulation_, surface_.triangles, std::move(good), sides, nested);
+    forget_links();
+    close_by(std::move(marks), sides, nested);
+  });
+}
+
+void ReconstructSteps::deliver_open_surface() {
+  run_step(execution_, "cocone", [&](const Execution& nested) {
+    deliver(surface_of(*triangulation_, std::exchange(surface_.triangles, {}), surface_.halves,
+                       nested));
+    result_.counters.non_orientable_components = orient_surface(result_.mesh).non_orientable;
+    canonicalize_triangles(result_.mesh, nested);
+  });
+}
+
+void ReconstructSteps::verify(bool closed) {
+  if (!options_.verify || result_.status != SurfaceStatus::ok) return;
+  result_.verification = verify_surface(
+      *triangulation_, {result_.mesh, result_.point_of_vertex, triangulation_vertex_}, points_,
+      {.closed = closed, .scale = scale_}, execution_);
+  if (result_.verification.ok()) return;
+  result_.status = SurfaceStatus::refuted;
+  result_.mesh = {};
+}
+
+ReconstructResult ReconstructSteps::tight_result(const KnownSidesSource& known) {
+  find_poles();
+  build_surface();
+  close_surface(known);
+  verify(true);
+  return take_result();
+}
+
+CoconeSurface ReconstructSteps::take_surface() {
+  CoconeSurface surface;
+  surface.halves = std::move(surface_.halves);
+  surface.good = std::move(good_);
+  surface.first_walk = surface_.first_walk;
+  const ReconstructCounters& counters = result_.counters;
+  surface.umbrellas =
+      counters.good_vertices + counters.demoted_vertices + counters.refuted_vertices;
+  if (live_ != nullptr) surface.triangles = std::move(surface_.triangles);
+  return surface;
+}
+
+ReconstructResult ReconstructSteps::take_result() {
+  if (stages_ != nullptr) {
+    stages_->triangulation = std::move(own_triangulation_);
+    stages_->not_in_doubles = std::move(dual_.not_in_doubles);
+    stages_->poles = std::move(poles_);
+    stages_->boundary = std::move(boundary_);
+    stages_->surface = take_surface();
+  }
+  return std::move(result_);
+}
+
+void ReconstructSteps::require_exact(double scale) const {
+  require_finite(points_);
+  if (scales_exactly(points_, scale)) return;
+  throw InputError(
+      "the coordinates reach beyond 2^100 (1.27e30), and some of them are so much smaller that "
+      "no double can hold both after scaling; set those to 0, or use other units");
+}
+
+void ReconstructSteps::count_surface() {
+  ReconstructCounters& counters = result_.counters;
+  counters.surface_triangles = surface_.halves.size();
+  counters.surface_walks = surface_.walks;
+  counters.back_contacts = surface_.back_contacts;
+}
+
+CellMarks ReconstructSteps::mark_by_caller(const KnownSidesSource& known,
+                                           const Execution& execution) const {
+  return live_->mark(*triangulation_, surface_.triangles, boundary_.boundary, known,
+                     options_.good_vertices, execution);
+}
+
+void ReconstructSteps::forget_links() {
+  FacetSet set = std::move(surface_.triangles.set);
+  surface_.triangles = {};
+  surface_.triangles.set = std::move(set);
+}
+
+void ReconstructSteps::close_by(CellMarks marks, const KnownSidesSource& known,
+                                const Execution& execution) {
+  const FacetSet& surface = surface_.triangles.set;
+  marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, execution);
+  // The marking has asked already if good vertices disagreed.
+  const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
+  if (in_doubt && known && marks.known.empty()) {
+    marks.known = known(*triangulation_, surface, execution).labels;
+  }
+  ReconstructCounters& counters = result_.counters;
+  counters.clean_up = clean_up_cells(*triangulation_, poles_, marks, options_.clean_up,
+                                     live_ != nullptr ? &live_->cell_at : nullptr, execution);
+  if (options_.keep_cavities) {
+    counters.cavities = open_cavities(*triangulation_, surface, marks);
+  }
+  if (live_ != nullptr &&
+      live_->take_body(*triangulation_, marks.reached, is_flawed(counters.clean_up))) {
+    result_.status = SurfaceStatus::ok;
+  } else {
+    deliver(surface_between(*triangulation_, marks, execution));
+  }
+  counters.good_vertices = marks.good_vertices;
+  counters.demoted_vertices = marks.folded.size();
+  counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;
+  counters.marking_rounds = marks.rounds;
+  counters.marking_conflicts = marks.conflicts;
+  counters.known_cells = marks.known_cells;
+  counters.refuted_vertices = marks.refuted_vertices;
+  counters.poor_cells = marks.poor_cells;
+  counters.deferred_seeds = marks.deferred_seeds;
+  good_ = std::move(marks.good);
+}
+
+void ReconstructSteps::deliver_certain(GoodVertices good, const Execution& execution) {
+  deliver(surface_of(*triangulation_, std::exchange(surface_.triangles, {}), surface_.halves,
+                     execution));
+  ReconstructCounters& counters = result_.counters;
+  counters.good_vertices = good.count;
+  counters.demoted_vertices = good.folded.size();
+  if (options_.clean_up.enabled) {
+    counters.clean_up.unused_before = counters.clean_up.unused_after = result_.unused_points;
+  }
+  good_ = std::move(good.good);
+}
+
+void ReconstructSteps::deliver(SurfaceMesh surface) {
+  result_.mesh = std::move(surface.mesh);
+  result_.point_of_vertex = std::move(surface.point_of_vertex);
+  triangulation_vertex_ = std::move(surface.triangulation_vertex);
+  const std::size_t count = result_.mesh.points.size();
+  result_.normals.resize(count);
+  result_.boundary_sample.resize(count);
+  parallel_chunks(execution_, count, coarse_grain(count), [&](std::size_t begin, std::size_t end) {
+    for (VertexId v(begin); v.index() < end; ++v) {
+      const VertexId source = triangulation_vertex_[v];
+      result_.mesh.points[v] = points_[result_.point_of_vertex[v].index()];
+      result_.normals[v] = poles_.normals[source];
+      result_.boundary_sample[v] = boundary_.boundary[source];
+    }
+  });
+  result_.unused_points = result_.vertices - count;
+  result_.status = boundary_.interior() == 0        ? SurfaceStatus::no_surface
+                   : result_.mesh.triangles.empty() ? SurfaceStatus::empty
+                                                    : SurfaceStatus::ok;
+}
+
+}  // namespace cocoon

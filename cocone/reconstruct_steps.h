@@ -1,0 +1,105 @@
+// The steps of one reconstruction, which the compositions take from the first to the last.
+#pragma once
+
+#include "cocone/boundary_samples.h"
+#include "cocone/extract_manifold.h"
+#include "cocone/facet_set.h"
+#include "cocone/known_sides.h"
+#include "cocone/live/reconstruct_stages.h"
+#include "cocone/mark_cells.h"
+#include "cocone/poles.h"
+#include "cocone/reconstruct.h"
+#include "cocone/samples/cone_sides.h"
+#include "cocone/surface_mesh.h"
+#include "cocone/umbrella.h"
+#include "delaunay/triangulation.h"
+#include "delaunay/voronoi_dual.h"
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+#include "geom/point.h"
+
+namespace cocoon {
+
+// First a triangulation: triangulate(), take() or refer_to(). Then tight_result(); or find_poles(),
+// build_surface(), deliver_open_surface() and verify(false); or extract_from(), close_surface() and
+// verify(true). At last take_result(), unless a step has returned it.
+// Errors and complexity: those of the compositions (reconstruct.h, reconstruct_stages.h).
+class ReconstructSteps {
+ public:
+  // The points must outlive the object.
+  ReconstructSteps(Points points, const ReconstructOptions& options, const Execution& execution);
+  ReconstructSteps(const ReconstructSteps&) = delete;
+  ReconstructSteps& operator=(const ReconstructSteps&) = delete;
+
+  // From now on `live` marks cells and is asked to take the body, and take_surface() has triangles.
+  // It must outlive the object.
+  void use(const LiveStages& live) { live_ = &live; }
+  // From now on what is found is kept for `stages`, which take_result() fills in.
+  void keep_stages(ReconstructStages& stages) { stages_ = &stages; }
+
+  void triangulate();
+  // `triangulation` is that of the points times their working scale.
+  void take(Triangulation triangulation);
+  // The same without taking it over.
+  void refer_to(const Triangulation& triangulation);
+
+  void find_poles();
+
+  // The Cocone surface with its boundary samples.
+  void build_surface();
+
+  // What find_poles() and build_surface() do, but for what is known.
+  void extract_from(KnownCandidates candidates);
+
+  void close_surface(const KnownSidesSource& known);
+
+  void deliver_open_surface();
+
+  // If asked for; what is refuted is taken back.
+  void verify(bool closed);
+
+  // All that follows the triangulation.
+  ReconstructResult tight_result(const KnownSidesSource& known);
+
+  CoconeSurface take_surface();
+  ReconstructResult take_result();
+
+ private:
+  // Where scaling loses bits the surface would be that of other points.
+  void require_exact(double scale) const;
+
+  void count_surface();
+
+  CellMarks mark_by_caller(const KnownSidesSource& known, const Execution& execution) const;
+
+  // A third as much memory as the triangulation has. What is left of the links is the set of
+  // facets.
+  void forget_links();
+
+  // All that follows the marking.
+  void close_by(CellMarks marks, const KnownSidesSource& known, const Execution& execution);
+
+  // What close_by() would: nothing is left to be decided.
+  void deliver_certain(GoodVertices good, const Execution& execution);
+
+  void deliver(SurfaceMesh surface);
+
+  Points points_;
+  ReconstructOptions options_;
+  Execution execution_;
+  Triangulation own_triangulation_;  // if it was taken over
+  const Triangulation* triangulation_ = &own_triangulation_;
+  Dual dual_;
+  Poles poles_;
+  ConeSides sides_;
+  BoundarySamples boundary_;
+  const LiveStages* live_ = nullptr;  // none: mark_cells, and a mesh
+  ManifoldSurface surface_;
+  VertexSet good_;                                     // as the marks had them
+  IdVector<VertexId, VertexId> triangulation_vertex_;  // of each vertex of the result
+  double scale_ = 1;
+  ReconstructResult result_;
+  ReconstructStages* stages_ = nullptr;
+};
+
+}  // namespace cocoon
