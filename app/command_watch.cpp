@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <limits>
+#include <set>
 #include <span>
 #include <string>
 #include <thread>
@@ -317,9 +318,8 @@ class Watch {
         surface, state_.session->points(), noise_filter_of_update(filter_.has_value()),
         {job_.execution().threads}, certificate);
     for (const Finding& finding : findings) {
-      const std::vector<std::string>& told = job_.warnings();
-      if (std::find(told.begin(), told.end(), finding.message) != told.end()) continue;
-      job_.warn(finding.message);
+      if (!told_findings_.insert(finding.message).second) continue;
+      tell(job_, finding);
     }
     flush_output();
   }
@@ -363,6 +363,7 @@ class Watch {
   std::size_t known_ = 0;
   int idle_polls_ = 0;
   bool findings_are_due_ = false;
+  std::set<std::string> told_findings_;  // each message is told once
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "app/findings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -38,25 +39,60 @@ std::string longest_edge(const DoubtfulSpot& spot, double spacing) {
   return fmt::format("{:.3g} ({} times the median)", spot.size, ratio(spot.size / spacing));
 }
 
-// `many`: so many samples fail that scans may overlap without agreeing.
-std::string remedy_of_sparse(bool many, NoiseFilter filter) {
+double share(std::size_t count, std::size_t of) {
+  return of == 0 ? 0 : static_cast<double>(count) / static_cast<double>(of);
+}
+
+std::string percent(double share) {
+  return fmt::format("{:.{}f} %", 100 * share, share < 0.1 ? 1 : 0);
+}
+
+// `may_overlap`: the surface is doubtful, and neither noise nor lack of samples is why: then scans
+// may overlap there without agreeing.
+std::string remedy_of_sparse(bool may_overlap, NoiseFilter filter) {
   if (filter == NoiseFilter::no_noise) return "a smaller SPACING of --densify may help";
   if (filter == NoiseFilter::not_used_on_mesh) {
     return std::string("scan such places more densely, ") + remedy_of_mesh;
   }
-  return many && filter == NoiseFilter::not_used
+  return may_overlap && filter == NoiseFilter::not_used
              ? "scan such places more densely, or try --noise robust if scans overlap there"
              : "scan such places more densely";
 }
 
-Finding sparse_finding(const SurfaceDoubts& d, bool many, NoiseFilter filter) {
-  return {
-      "sparse",
-      fmt::format("samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
-                  "there is {}, near {}; {}",
-                  sparse_samples(d), longest_edge(d.sparse[0], d.spacing),
-                  place_name(d.sparse[0].at), remedy_of_sparse(many, filter)),
-      d.boundary_samples + d.gap_samples, d.sparse};
+// `guess`: the share of the samples where the surface is one; 0: few.
+Finding sparse_finding(const SurfaceDoubts& d, double guess, NoiseFilter filter) {
+  return {"sparse",
+          fmt::format(
+              "samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
+              "there is {}, near {}; {}{}",
+              sparse_samples(d), longest_edge(d.sparse[0], d.spacing), place_name(d.sparse[0].at),
+              guess > 0 ? "the surface is a guess at " + percent(guess) + " of them all; "
+                        : std::string(),
+              remedy_of_sparse(false, filter)),
+          d.boundary_samples + d.gap_samples, d.sparse, guess > 0};
+}
+
+// `guess`: the share of the samples where the surface is one; `remedy`: of a false one.
+Finding handles_finding(const SurfaceDoubts& d, double guess, bool warns,
+                        const std::string& remedy) {
+  const std::size_t handles = d.certificate.genus.value_or(0);
+  const std::string known = "the surface has " + counted(handles, "handle");
+  if (!warns) return {"handles", known + "; see if the object has as many", handles, {}, false};
+  return {"handles",
+          fmt::format("{} and is a guess at {} of the samples; if the object does not have as "
+                      "many, {}",
+                      known, percent(guess), remedy),
+          handles,
+          {}};
+}
+
+Finding conflicts_finding(const SurfaceDoubts& d, const std::string& remedy) {
+  return {"conflicts",
+          fmt::format("samples contradict each other {} about what is inside; walls may be joined "
+                      "or missing; look at the result; {}",
+                      counted(d.conflicts, "time"), remedy),
+          d.conflicts,
+          {}};
 }
 
 Finding noise_finding(const SurfaceDoubts& d, NoiseFilter filter) {
@@ -134,13 +170,35 @@ std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, Noi
                                  const FindingLimits& limits) {
   std::vector<Finding> findings;
   if (d.spacing == 0) return findings;
-  const bool many =
-      static_cast<double>(d.boundary_samples) > limits.sparse_share * static_cast<double>(points);
-  if (many || d.gap_samples > 0) findings.push_back(sparse_finding(d, many, filter));
-  if (noise_of(d.roughness) > limits.noise) findings.push_back(noise_finding(d, filter));
+  const double guess = share(d.unsurrounded_samples, d.samples);
+  const bool many = share(d.boundary_samples, points) > limits.sparse_share;
+  const bool is_guess = guess > limits.guess_share;
+  if (!d.sparse.empty() && (many || d.gap_samples > 0 || is_guess)) {
+    findings.push_back(sparse_finding(d, is_guess ? guess : 0, filter));
+  }
+  const bool noisy = noise_of(d.roughness) > limits.noise;
+  if (noisy) findings.push_back(noise_finding(d, filter));
   if (d.fragments > 0) findings.push_back(fragments_finding(d, filter));
-  if (!d.unused.empty()) findings.push_back(unused_finding(d, points, filter));
+  const std::string remedy = remedy_of_sparse(!noisy && !is_guess, filter);
+  if (d.certificate.genus.value_or(0) > 0 && guess > 0) {
+    findings.push_back(handles_finding(d, guess, guess > limits.handle_share, remedy));
+  }
+  if (share(d.conflicts, d.samples) > limits.conflict_share) {
+    findings.push_back(conflicts_finding(d, remedy));
+  }
+  if (!d.unused.empty()) {
+    findings.push_back(unused_finding(d, points, filter));
+    findings.back().warns =
+        filter != NoiseFilter::used && share(d.unused_points, points) > limits.unused_share;
+  }
   if (!d.contacts.empty()) findings.push_back(contacts_finding(d));
+  // Noise alone does no harm; where something else is wrong it is why.
+  for (Finding& finding : findings) {
+    if (finding.kind != "noise") continue;
+    finding.warns = std::any_of(findings.begin(), findings.end(), [&](const Finding& other) {
+      return other.kind != "noise" && other.warns;
+    });
+  }
   return findings;
 }
 
@@ -153,7 +211,8 @@ Finding clumps_finding(const NoiseCounters& noise, Points points) {
                   counted(noise.clump_samples, "sample"), counted(noise.clumps, "clump"),
                   noise.clumps == 1 ? "it" : "the largest", noise.largest_clump, place_name(at)),
       noise.clumps,
-      {{.at = at, .count = noise.largest_clump}}};
+      {{.at = at, .count = noise.largest_clump}},
+      false};
 }
 
 void add_findings(JsonReport& report, const std::vector<Finding>& findings) {
@@ -163,6 +222,7 @@ void add_findings(JsonReport& report, const std::vector<Finding>& findings) {
     entry.set("kind", finding.kind);
     entry.set("message", finding.message);
     entry.set("count", finding.count);
+    entry.set("warning", finding.warns);
     entry.set_empty_array("spots");
     for (const DoubtfulSpot& spot : finding.spots) {
       JsonReport where;
@@ -175,9 +235,17 @@ void add_findings(JsonReport& report, const std::vector<Finding>& findings) {
   }
 }
 
+void tell(Job& job, const Finding& finding) {
+  if (finding.warns) {
+    job.warn(finding.message);
+  } else {
+    job.say("note: {}", finding.message);
+  }
+}
+
 void report_findings(Job& job, const std::vector<Finding>& findings) {
   add_findings(job.report(), findings);
-  for (const Finding& finding : findings) job.warn(finding.message);
+  for (const Finding& finding : findings) tell(job, finding);
 }
 
 }  // namespace cocoon::app

@@ -13,11 +13,13 @@
 namespace cocoon::app {
 
 struct Finding {
-  std::string kind;     // stable: "sparse", "noise", "clumps", "fragments", "unused",
-                        // "contacts"
+  // stable: "sparse", "noise", "clumps", "fragments", "handles", "conflicts", "unused", "contacts"
+  std::string kind;
   std::string message;  // one line: what, how much, where, what to do
   std::size_t count = 0;
   std::vector<DoubtfulSpot> spots;  // worst first
+  // Most surfaces about which that is said are wrong somewhere. Else it is a note: most are right.
+  bool warns = true;
 };
 
 // What to do if the samples are the vertices of a mesh.
@@ -39,9 +41,20 @@ struct FindingLimits {
   double noise = 0.2;
   // The share of the points that are boundary samples: places here and there have less.
   double sparse_share = 0.05;
+  // Shares of the samples that no disk of Cocone triangles surrounds. From the first on handles are
+  // a warning, below it a note unless there are no such samples; from the second on any surface is
+  // a guess.
+  double handle_share = 0.075;
+  double guess_share = 0.2;
+  // Conflicts of inside and outside, as a share of the samples.
+  double conflict_share = 0.003;
+  // The share of the points that are not on the surface, unless a filter left them out.
+  double unused_share = 0.1;
 };
 
-// Nothing for a surface that is what it should be. `points`: how many there were, duplicates apart.
+// Nothing for a surface that is what it should be. Causes (sparse, noise) are notes unless much of
+// the surface is a guess or something else warns, too. `points`: how many there were, duplicates
+// apart. Source of the limits: docs/stages/surface_doubts.md.
 std::vector<Finding> findings_of(const SurfaceDoubts& doubts, std::size_t points,
                                  NoiseFilter filter, const FindingLimits& limits = {});
 
@@ -50,10 +63,13 @@ std::vector<Finding> findings_of(const SurfaceDoubts& doubts, std::size_t points
 Finding clumps_finding(const NoiseCounters& noise, Points points);
 
 // As the array "findings" of the report, which is empty if there are none: kind, message, count,
-// spots (at, count, size).
+// spots (at, count, size), warning (whether it is one).
 void add_findings(JsonReport& report, const std::vector<Finding>& findings);
 
-// The same, and as warnings in the summary.
+// A line of the summary: "warning: ...", which the reports keep, or "note: ...".
+void tell(Job& job, const Finding& finding);
+
+// The same, and as warnings and notes in the summary.
 void report_findings(Job& job, const std::vector<Finding>& findings);
 
 }  // namespace cocoon::app

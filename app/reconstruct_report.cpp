@@ -54,6 +54,7 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("clean_up/filled_cells", c.clean_up.filled_cells);
   set("clean_up/moves", c.clean_up.moves);
   set("clean_up/moved_cells", c.clean_up.moved_cells);
+  set("clean_up/large_stars", c.clean_up.large_stars);
   set("clean_up/clusters", c.clean_up.clusters);
   set("clean_up/cluster_cells", c.clean_up.cluster_cells);
   set("clean_up/large_clusters", c.clean_up.large_clusters);

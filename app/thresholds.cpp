@@ -27,7 +27,7 @@ constexpr std::array<Threshold, 3> of_marking{{
      angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
 }};
 
-constexpr std::array<Threshold, 25> of_clean_up{{
+constexpr std::array<Threshold, 26> of_clean_up{{
     {"most-clump-cells", "Clean-up: more undecided cells together are left as they are", 0, 4e9,
      whole, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_cells; }},
     {"most-clump-share", "Clean-up: but not if they are at most this share of all cells", 0, 1,
@@ -68,6 +68,8 @@ constexpr std::array<Threshold, 25> of_clean_up{{
      [](Options& o) -> Field { return &o.surface.clean_up.most_cluster_cells; }},
     {"max-rise", "Clean-up: what the first of several moves may cost; 0: single moves only", 0, 1e6,
      number, tight, [](Options& o) -> Field { return &o.surface.clean_up.max_rise; }},
+    {"most-move-cells", "Clean-up: at samples with more cells no moves are looked for", 0, 4e9,
+     whole, tight, [](Options& o) -> Field { return &o.surface.clean_up.most_move_cells; }},
     {"max-openings", "Clean-up: so many first moves are tried at a sample", 1, 1e6, whole, tight,
      [](Options& o) -> Field { return &o.surface.clean_up.max_openings; }},
     {"max-closing-rise", "Clean-up: what closing a handle may cost in all other terms", 0, 1e6,

@@ -181,6 +181,7 @@ void say_update(Job& job, const UpdateRecord& record) {
               cloud.surface.trials.size());
     }
     for (const std::string& note : notes_of_surface(cloud.surface)) job.say("  {}", note);
+    for (const std::string& note : notes_of_cut(cloud.cut)) job.say("  {}", note);
     for (const GroupAngle& group : cloud.groups) {
       job.say("  group {}: mean angle {:.2f} degrees, {}", group.group.value, group.mean_angle_deg,
               verdict_on(group, result.islands));

@@ -88,17 +88,6 @@ bool is_at_samples(const Finding& finding, const std::vector<std::vector<Point>>
   });
 }
 
-// Most updates leave a few samples out, and are sparse at some sharp edge, right ones like wrong
-// ones: of that only what is unusual is worth a warning.
-bool is_worth_a_warning(const Finding& finding, const UpdateResult& result) {
-  constexpr double many = 0.1;  // of all points
-  if (finding.kind == "unused") {
-    const auto points = static_cast<double>(result.replacement.points.size());
-    return static_cast<double>(result.reconstruction.unused_points) > many * points;
-  }
-  return finding.kind != "sparse";
-}
-
 // Adds what is doubtful about the updated surface to the report and to the warnings, or to `notes`;
 // where samples are sparse only at the new ones: the model has the others from before, and they
 // would be said each time. Returns the certificate of the surface.
@@ -115,7 +104,7 @@ MeshReport report_doubts(Job& job, const UpdateInput& input, UpdateResult& resul
   add_findings(job.report(), findings);
   for (const Finding& finding : findings) {
     if (finding.kind == "sparse" && !is_at_samples(finding, input.clouds)) continue;
-    (is_worth_a_warning(finding, result) ? result.warnings : notes).push_back(finding.message);
+    (finding.warns ? result.warnings : notes).push_back(finding.message);
   }
   return certificate;
 }
@@ -223,7 +212,12 @@ std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points
   SurfaceDoubts doubts = surface_doubts(surface, points, {}, execution);
   certificate = doubts.certificate;
   doubts.gap_samples = 0;
-  return findings_of(doubts, surface.points - surface.duplicates, filter);
+  doubts.unsurrounded_samples = doubts.conflicts = 0;
+  std::vector<Finding> findings = findings_of(doubts, surface.points - surface.duplicates, filter);
+  for (Finding& finding : findings) {
+    finding.warns = finding.warns || finding.kind == "noise";
+  }
+  return findings;
 }
 
 NoiseFilter noise_filter_of_update(bool filtered) {

@@ -48,7 +48,9 @@ void begin_session(Job& job, const std::string& name, const std::vector<Point>& 
 
 // What is doubtful about the surface of an updated model, `surface` with its mesh, made from
 // `points`. Long edges beside short ones are no gaps here: they are at the rim of every cloud that
-// is denser than the model. `certificate` gets that of the surface. Complexity: as surface_doubts.
+// is denser than the model. What the stages counted is of the whole model, and nothing that this
+// update could be told of. Noise is always a warning: few models have it. `certificate` gets that
+// of the surface. Complexity: as surface_doubts.
 std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points points,
                                         NoiseFilter filter, const Execution& execution,
                                         MeshReport& certificate);

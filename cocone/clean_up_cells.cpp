@@ -47,7 +47,7 @@ class CleanUp {
         region_(find_doubtful_region(triangulation, marks, stars_, spacings_, most_clump_cells(),
                                      options.thin_support, execution)),
         side_split_(triangulation, out_),
-        best_move_(triangulation, stars_, out_, energy_, side_split_),
+        best_move_(triangulation, stars_, out_, energy_, side_split_, options.most_move_cells),
         compound_move_(triangulation, spacings_, region_, energy_, best_move_, options),
         handle_loops_(triangulation, stars_, out_),
         handle_closing_(triangulation, stars_, cosines_, region_, out_, energy_, options) {
@@ -88,7 +88,9 @@ class CleanUp {
     if (counters_.dropped_components > 0) repair();
     if (make_compound_moves()) repair();
     if (close_handles()) repair();
-    update_flaws();
+    const std::vector<VertexId> flawed = flawed_vertices();
+    counters_.large_stars = static_cast<std::size_t>(std::count_if(
+        flawed.begin(), flawed.end(), [&](VertexId v) { return best_move_.is_too_large(v); }));
     count(counters_.defects_after, counters_.unused_after);
     for (const CellId c : triangulation_.finite_cells()) {
       counters_.changed_cells += out_[c] != marks_.reached[c];
@@ -201,6 +203,7 @@ class CleanUp {
         const std::uint32_t rank = now.top();
         while (!now.empty() && now.top() == rank) now.pop();
         const VertexId v = region_.vertices[rank - 1];
+        tell_turn();
         while (energy_.vertex_cost(v) != 0) {
           const std::vector<CellId> cells = best_move_.find(v);
           if (cells.empty()) {
@@ -222,6 +225,12 @@ class CleanUp {
       turns = std::move(later);
       extend_region(stars_, spacings_, turns, region_);
     }
+  }
+
+  // Moves take long where much is in doubt: somebody may want to stop.
+  void tell_turn() {
+    constexpr std::size_t turns_per_report = 64;
+    if (++turns_ % turns_per_report == 0) report_progress(execution_, "clean_up_cells", 0.5);
   }
 
   // At what single moves did not mend, once each.
@@ -337,7 +346,7 @@ class CleanUp {
       std::erase_if(samples_, [&](VertexId v) { return region_.is_left(v); });
       cells_with_samples_ = region_.cells.size();
     }
-    find_idle(samples_);
+    energy_.ask_idle(samples_, execution_);
     std::vector<VertexId> idle;
     for (const VertexId v : samples_) {
       if (energy_.is_idle(v)) idle.push_back(v);
@@ -345,22 +354,6 @@ class CleanUp {
     std::sort(idle.begin(), idle.end(),
               [&](VertexId a, VertexId b) { return spacings_.precedes(a, b); });
     return idle;
-  }
-
-  // Asks ahead about those of which it is not known. On all threads if they may share the stars.
-  void find_idle(const std::vector<VertexId>& samples) {
-    constexpr std::size_t samples_per_chunk = 1024;
-    std::vector<VertexId> asked;
-    for (const VertexId v : samples) {
-      if (!energy_.knows_idle(v)) asked.push_back(v);
-    }
-    const Execution execution = stars_.expect(asked.size()) ? execution_ : Execution{};
-    const auto sample_at = [&](std::size_t k) { return asked[k]; };
-    parallel_chunks(execution, asked.size(), samples_per_chunk,
-                    [&](std::size_t begin, std::size_t end) {
-                      visit_stars(triangulation_, stars_, begin, end, sample_at,
-                                  [&](std::size_t k) { energy_.is_idle(asked[k]); });
-                    });
   }
 
   // That a cluster at an idle sample changes sides.
@@ -466,6 +459,7 @@ class CleanUp {
   std::vector<VertexId> outliers_;
   std::vector<VertexId> samples_;  // of the region when it had so many cells, but for those left
   std::size_t cells_with_samples_ = 0;
+  std::size_t turns_ = 0;
   SurfaceFlaws flaws_;             // of the region, before what is touched_ changed
   std::vector<VertexId> touched_;  // vertices of cells that have changed sides since
   ZeroedArray<CellId, std::uint8_t> scratch_;

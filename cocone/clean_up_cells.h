@@ -84,6 +84,10 @@ struct CleanUpOptions {
   // What the label of such a cell weighs as evidence. Below, thin walls get handles; above, edges
   // are cut off.
   double mark_credit = 0.75;
+  // At samples with more cells no moves are looked for: each look is at all of them, and whatever
+  // changes there asks again. One that faces a densely sampled wall from afar has as many cells as
+  // the wall has samples.
+  std::size_t most_move_cells = 3000;
   double defect_cost = 16;
   double unused_cost = 8;  // a tent over one triangle costs less than 6
   // A sample that the peel left out is not missed if its spacing exceeds this many times the median
@@ -123,7 +127,8 @@ struct CleanUpCounters {
   std::size_t filled_cells = 0;     // OUT cells shut off from infinity, now IN
   std::size_t moves = 0;
   std::size_t moved_cells = 0;
-  std::size_t clusters = 0;  // moved as a whole
+  std::size_t large_stars = 0;  // flawed samples left because of most_move_cells
+  std::size_t clusters = 0;     // moved as a whole
   std::size_t cluster_cells = 0;
   std::size_t large_clusters = 0;  // idle samples with a cluster beyond most_cluster_cells
   std::size_t dropped_components = 0;

@@ -113,7 +113,7 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
     angles = measure_angles(index);
   }
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
-    warn_of_cloud(c, warnings_of_cut(result_.clouds[c].cut, options_.cut));
+    warn_of_cloud(c, warnings_of_cut(result_.clouds[c].cut));
   }
   if (!check_separation(index, angles)) return false;
   if (!divided_loops_.empty() && !split_divided_regions(index, angles)) return false;

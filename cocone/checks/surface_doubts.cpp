@@ -48,6 +48,7 @@ class Doubts {
     find_fragments();
     find_unused_points();
     find_contacts();
+    ask_stages();
     return std::move(doubts_);
   }
 
@@ -261,6 +262,14 @@ class Doubts {
       doubts_.contacts.push_back({result_.mesh.points[v], 1, 0});
     }
     keep_largest(doubts_.contacts, options_.max_spots);
+  }
+
+  void ask_stages() {
+    const ReconstructCounters& counters = result_.counters;
+    doubts_.samples = result_.vertices;
+    doubts_.unsurrounded_samples =
+        result_.vertices - std::min(counters.umbrellas, result_.vertices);
+    doubts_.conflicts = counters.marking_conflicts;
   }
 
   const ReconstructResult& result_;

@@ -48,6 +48,10 @@ struct SurfaceDoubts {
   std::size_t pinched_vertices = 0;
   std::vector<DoubtfulSpot> contacts;  // some ends of such edges and pinched vertices; size: 0
   MeshReport certificate;              // mesh_check of the surface
+  // Of the stages that made the surface, not of its triangles (ReconstructCounters):
+  std::size_t samples = 0;               // vertices of the triangulation
+  std::size_t unsurrounded_samples = 0;  // without one disk of Cocone triangles around them
+  std::size_t conflicts = 0;             // where marks of inside and outside met (mark_cells.h)
 };
 
 // What is doubtful about a reconstruction of `points`; empty meshes: zeros. Lists have the worst

@@ -23,14 +23,16 @@ bool is_attached(const Triangulation& triangulation, const IdVector<CellId, std:
 
 BestMove::BestMove(const Triangulation& triangulation, StarCache& stars,
                    const IdVector<CellId, std::uint8_t>& out, CellEnergy& energy,
-                   SideSplit& side_split)
+                   SideSplit& side_split, std::size_t most_cells)
     : triangulation_(triangulation),
       stars_(stars),
       out_(out),
       energy_(energy),
-      side_split_(side_split) {}
+      side_split_(side_split),
+      most_cells_(most_cells) {}
 
 std::vector<CellId> BestMove::find(VertexId v) {
+  if (is_too_large(v)) return {};
   best_change_ = 0;
   best_.clear();
   list_candidates(v, -1);
@@ -49,6 +51,7 @@ std::vector<CellId> BestMove::find(VertexId v) {
 }
 
 std::vector<BestMove::Opening> BestMove::openings(VertexId v, Energy max_rise, std::size_t most) {
+  if (is_too_large(v)) return {};
   std::vector<Opening> sets;  // with their bounds
   list_candidates(v, max_rise);
   for (const Candidate& candidate : candidates_) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,7 +24,11 @@ class BestMove {
  public:
   // All references must outlive the object. O(1).
   BestMove(const Triangulation& triangulation, StarCache& stars,
-           const IdVector<CellId, std::uint8_t>& out, CellEnergy& energy, SideSplit& side_split);
+           const IdVector<CellId, std::uint8_t>& out, CellEnergy& energy, SideSplit& side_split,
+           std::size_t most_cells);
+
+  // Has v more than most_cells cells? Then there are neither moves nor openings at it. O(1).
+  bool is_too_large(VertexId v) { return stars_.star(v).size() > most_cells_; }
 
   // The finite cells that should change sides: of the single cells at v, the pairs of neighbors
   // with one of them at v, and the parts into which the surface divides the star, those whose flip
@@ -63,6 +68,7 @@ class BestMove {
   const IdVector<CellId, std::uint8_t>& out_;
   CellEnergy& energy_;
   SideSplit& side_split_;
+  std::size_t most_cells_;
   std::vector<Candidate> candidates_;
   Energy best_change_ = 0;
   std::vector<CellId> best_;

@@ -320,6 +320,20 @@ bool CellEnergy::is_idle(VertexId v) {
   return known % 2 != 0;
 }
 
+void CellEnergy::ask_idle(std::span<const VertexId> samples, const Execution& execution) {
+  constexpr std::size_t samples_per_chunk = 1024;
+  std::vector<VertexId> asked;
+  for (const VertexId v : samples) {
+    if (!knows_idle(v)) asked.push_back(v);
+  }
+  const Execution shared = stars_.expect(asked.size()) ? execution : Execution{};
+  const auto sample_at = [&](std::size_t k) { return asked[k]; };
+  parallel_chunks(shared, asked.size(), samples_per_chunk, [&](std::size_t begin, std::size_t end) {
+    visit_stars(triangulation_, stars_, begin, end, sample_at,
+                [&](std::size_t k) { is_idle(asked[k]); });
+  });
+}
+
 // By their boundary and their vertices: the facets and edges between them stay what they are. First
 // as little as the vertices can cost; then what they do cost, large stars last.
 Energy CellEnergy::change(std::span<const CellId> cells, Energy limit) {

@@ -13,6 +13,7 @@
 #include "cocone/energy/star_parts.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/star_cache.h"
+#include "geom/execution.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
@@ -59,6 +60,8 @@ class CellEnergy {
   bool knows_idle(VertexId v) const {
     return at_[v].idle != 0 && at_[v].idle / 2 >= at_[v].changed;
   }
+  // Asks ahead about those of which it is not known: on all threads if they may share the stars.
+  void ask_idle(std::span<const VertexId> samples, const Execution& execution);
   // Tells that all vertices but those in doubt are on the surface, which is not pinched there: so
   // nobody needs to look until a flip at one. Before the first flip. O(1).
   void know_flawless_elsewhere() { flawless_elsewhere_ = true; }

@@ -56,21 +56,131 @@ TEST(Findings, SparseSamplesAreCountedWithThoseBesideGaps) {
   EXPECT_EQ(said(doubts, ";"), "samples are too sparse, or edges too sharp, at 3 samples");
 }
 
-TEST(Findings, ManyFailingSamplesMayBeOverlappingScans) {
+// The finding of one kind; it must be there.
+Finding finding_of(const SurfaceDoubts& doubts, const std::string& kind,
+                   NoiseFilter filter = NoiseFilter::not_used) {
+  for (const Finding& finding : findings_of(doubts, 1000, filter)) {
+    if (finding.kind == kind) return finding;
+  }
+  ADD_FAILURE() << "no finding: " << kind;
+  return {};
+}
+
+// Right surfaces, too, have sparse samples at their sharp edges.
+TEST(Findings, SparseSamplesAreANoteUnlessTheSurfaceIsAGuess) {
   SurfaceDoubts doubts;
   doubts.spacing = 0.1;
   doubts.sparse = one_spot;
-  doubts.boundary_samples = 6;
-  const auto names_filter = [&](std::size_t points, NoiseFilter filter) {
-    const std::vector<Finding> findings = findings_of(doubts, points, filter);
-    return findings.at(0).message.find("--noise robust") != std::string::npos;
+  doubts.boundary_samples = 500;
+  doubts.samples = 1000;
+  doubts.unsurrounded_samples = 199;
+  EXPECT_FALSE(finding_of(doubts, "sparse").warns);
+  doubts.unsurrounded_samples = 210;
+  const Finding finding = finding_of(doubts, "sparse");
+  EXPECT_TRUE(finding.warns);
+  EXPECT_NE(finding.message.find("; the surface is a guess at 21 % of them all; "),
+            std::string::npos)
+      << finding.message;
+}
+
+// Where samples are too few, or all of them noisy, overlapping scans are not the reason.
+TEST(Findings, ScansMayOverlapWhereOnlySomeOfTheSurfaceIsAGuess) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.samples = 1000;
+  doubts.conflicts = 9;
+  const auto names_filter = [&](NoiseFilter filter) {
+    return finding_of(doubts, "conflicts", filter).message.find("--noise robust") !=
+           std::string::npos;
   };
-  EXPECT_TRUE(names_filter(100, NoiseFilter::not_used));
-  EXPECT_FALSE(names_filter(100, NoiseFilter::used));
-  EXPECT_FALSE(names_filter(100, NoiseFilter::no_option));
-  EXPECT_FALSE(names_filter(100, NoiseFilter::not_used_on_mesh));
-  doubts.gap_samples = 1;
-  EXPECT_FALSE(names_filter(1000, NoiseFilter::not_used));
+  EXPECT_TRUE(names_filter(NoiseFilter::not_used));
+  EXPECT_FALSE(names_filter(NoiseFilter::used));
+  EXPECT_FALSE(names_filter(NoiseFilter::no_option));
+  EXPECT_FALSE(names_filter(NoiseFilter::not_used_on_mesh));
+  doubts.unsurrounded_samples = 300;
+  EXPECT_FALSE(names_filter(NoiseFilter::not_used));
+  doubts.unsurrounded_samples = 0;
+  doubts.roughness = 1;
+  EXPECT_FALSE(names_filter(NoiseFilter::not_used));
+  EXPECT_NE(finding_of(doubts, "noise").message.find("--noise robust"), std::string::npos);
+}
+
+// Sparse samples are no reason to leave out more of them.
+TEST(Findings, SparseSamplesDoNotNameTheFilter) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.sparse = one_spot;
+  doubts.boundary_samples = 600;
+  doubts.samples = 1000;
+  for (const std::size_t unsurrounded : {0U, 300U}) {
+    doubts.unsurrounded_samples = unsurrounded;
+    const Finding finding = finding_of(doubts, "sparse");
+    EXPECT_EQ(finding.message.find("--noise robust"), std::string::npos) << finding.message;
+  }
+}
+
+TEST(Findings, HandlesWarnWhereTheSurfaceIsAGuess) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.samples = 1000;
+  doubts.certificate.genus = 2;
+  EXPECT_TRUE(findings_of(doubts, 1000, NoiseFilter::not_used).empty());  // nothing is doubtful
+  doubts.unsurrounded_samples = 70;
+  Finding finding = finding_of(doubts, "handles");
+  EXPECT_FALSE(finding.warns);
+  EXPECT_EQ(finding.message, "the surface has 2 handles; see if the object has as many");
+  EXPECT_EQ(finding.count, 2U);
+  doubts.unsurrounded_samples = 80;
+  finding = finding_of(doubts, "handles");
+  EXPECT_TRUE(finding.warns);
+  EXPECT_EQ(finding.message,
+            "the surface has 2 handles and is a guess at 8.0 % of the samples; if the object does "
+            "not have as many, scan such places more densely, or try --noise robust if scans "
+            "overlap there");
+  doubts.certificate.genus = 0;
+  EXPECT_TRUE(findings_of(doubts, 1000, NoiseFilter::not_used).empty());
+  doubts.certificate.genus.reset();  // not manifold: another finding
+  EXPECT_TRUE(findings_of(doubts, 1000, NoiseFilter::not_used).empty());
+}
+
+TEST(Findings, ConflictsWarnFromThreeInAThousandSamplesOn) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.samples = 1000;
+  doubts.conflicts = 3;
+  EXPECT_TRUE(findings_of(doubts, 1000, NoiseFilter::not_used).empty());
+  doubts.conflicts = 4;
+  const Finding finding = finding_of(doubts, "conflicts");
+  EXPECT_TRUE(finding.warns);
+  EXPECT_EQ(finding.count, 4U);
+  EXPECT_EQ(finding.message.find("samples contradict each other 4 times about what is inside; "),
+            0U)
+      << finding.message;
+}
+
+// Noise is why something is wrong, if something is.
+TEST(Findings, NoiseWarnsBesideOtherWarnings) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.samples = 1000;
+  doubts.roughness = 1;
+  doubts.sparse = one_spot;
+  doubts.boundary_samples = 100;
+  EXPECT_FALSE(finding_of(doubts, "noise").warns);
+  doubts.conflicts = 9;
+  EXPECT_TRUE(finding_of(doubts, "noise").warns);
+  EXPECT_FALSE(finding_of(doubts, "sparse").warns);
+}
+
+TEST(Findings, UnusedPointsWarnIfManyAndNotFiltered) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.unused = one_spot;
+  doubts.unused_points = 100;
+  EXPECT_FALSE(finding_of(doubts, "unused").warns);
+  doubts.unused_points = 101;
+  EXPECT_TRUE(finding_of(doubts, "unused").warns);
+  EXPECT_FALSE(finding_of(doubts, "unused", NoiseFilter::used).warns);
 }
 
 // No advice names an option that the command does not have.

@@ -4,9 +4,12 @@
 #include <array>
 #include <gtest/gtest.h>
 #include <string>
+#include <string_view>
 
 #include "cocone/clean_up/handle_loops.h"
 #include "cocone/reconstruct.h"
+#include "geom/errors.h"
+#include "geom/execution.h"
 #include "geom/mesh_check.h"
 #include "geom/random.h"
 #include "geom/surface_distance.h"
@@ -284,6 +287,36 @@ TEST(CleanUpCells, HandlesAtSamplesWithManyCellsAreLeft) {
     left += counters.large_handles;
   }
   EXPECT_GE(left, 3U);
+}
+
+// As where a sample faces a densely sampled wall from afar: it is left, and counted.
+TEST(CleanUpCells, SamplesWithVeryManyCellsAreLeft) {
+  const std::vector<Point> points = shapes::noisy_sphere(1500, 0.05, 1);
+  ReconstructOptions options;
+  const CleanUpCounters moved = reconstruct_tight(points, options).counters.clean_up;
+  EXPECT_GT(moved.moves, 0U);
+  EXPECT_EQ(moved.large_stars, 0U);
+  options.clean_up.most_move_cells = 0;
+  const CleanUpCounters left = reconstruct_tight(points, options).counters.clean_up;
+  EXPECT_EQ(left.moves + left.compound_moves, 0U);
+  EXPECT_GT(left.large_stars, 0U);
+}
+
+// It can take long where much is in doubt: whoever wants to stop is heard.
+TEST(CleanUpCells, CanBeStoppedBetweenMoves) {
+  class Stop : public Progress {
+   public:
+    bool report(std::string_view stage, double fraction) override {
+      const bool is_within = stage.ends_with("clean_up_cells") && fraction > 0 && fraction < 1;
+      reports += is_within ? 1 : 0;
+      return !is_within;
+    }
+    std::size_t reports = 0;
+  };
+  Stop stop;
+  const std::vector<Point> points = shapes::noisy_sphere(6000, 0.05, 1);
+  EXPECT_THROW(reconstruct_tight(points, {}, {1, &stop}), Cancelled);
+  EXPECT_EQ(stop.reports, 1U);
 }
 
 // A labeling with handles, but no cell in doubt: only the samples of the handle are not good.

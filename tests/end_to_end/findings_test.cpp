@@ -46,13 +46,31 @@ TEST(Findings, NameTheGap) {
   EXPECT_NEAR(spot["size"].get<double>(), 1.4, 0.2);  // across the gap
 }
 
-TEST(Findings, AreWarningsInTheSummary) {
+// One point astray is no reason to worry; a surface full of noise is.
+TEST(Findings, AreNotesOrWarningsInTheSummary) {
   const TemporaryFolder folder;
   const std::string cloud = folder.write("cloud.xyz", whole_sphere(800) + point_line(0, 0, 0));
-  const ProgramRun run = run_program({"reconstruct", cloud, "-o", folder.file("mesh.ply")});
-  EXPECT_NE(run.out.find("warning: 1 of 801 points is not on the surface; it is "),
-            std::string::npos)
+  ProgramRun run = run_program({"reconstruct", cloud, "-o", folder.file("mesh.ply")});
+  EXPECT_NE(run.out.find("note: 1 of 801 points is not on the surface; it is "), std::string::npos)
       << run.out;
+  EXPECT_EQ(run.out.find("warning:"), std::string::npos) << run.out;
+  Random random(4);
+  std::string noisy;
+  for (const Point& p : gallery::even_sphere(2000)) {
+    const double r = 1 + random.uniform(-0.08, 0.08);  // the spacing
+    noisy += point_line(r * p.x, r * p.y, r * p.z);
+  }
+  run = run_program({"reconstruct", folder.write("noisy.xyz", noisy), "-o", folder.file("mesh.ply"),
+                     "--json", "-"});
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  const Json report = Json::parse(run.out);
+  Json warnings = Json::array();
+  for (const Json& finding : report["findings"]) {
+    if (finding["warning"].get<bool>()) warnings.push_back(finding["message"]);
+  }
+  EXPECT_EQ(report["warnings"], warnings);
+  EXPECT_NE(warnings.dump().find("the surface is a guess at "), std::string::npos) << warnings;
+  EXPECT_NE(warnings.dump().find("; try --noise robust"), std::string::npos) << warnings;
 }
 
 // The corners of a CAD part alone are no sampling of it, but its triangles can be sampled.

@@ -89,18 +89,16 @@ std::string warning_of_split(const SplitRegion& split) {
          "); look at the result";
 }
 
-std::vector<std::string> warnings_of_cut(const RegionCut& cut, const CutOptions& options) {
-  std::vector<std::string> warnings;
-  if (cut.cut_edges > 0 && cut.doubt() > options.clear_doubt) {
-    warnings.push_back(
-        "parts of its rim are missing; the model is cut there by the shortest way (" +
-        counted(cut.cut_edges, "edge") + "); look at the result");
-  }
-  if (cut.scan_ends > 0) {
-    warnings.push_back("the samples end on the model where no rim was found (" +
-                       counted(cut.scan_ends, "facet") + "); what is beyond stays");
-  }
-  return warnings;
+std::vector<std::string> warnings_of_cut(const RegionCut& cut) {
+  if (cut.scan_ends == 0) return {};
+  return {"the samples end on the model where no rim was found (" +
+          counted(cut.scan_ends, "facet") + "); what is beyond stays"};
+}
+
+std::vector<std::string> notes_of_cut(const RegionCut& cut, const CutOptions& options) {
+  if (cut.cut_edges == 0 || cut.doubt() <= options.clear_doubt) return {};
+  return {"parts of its rim are missing; the model is cut there by the shortest way (" +
+          counted(cut.cut_edges, "edge") + ")"};
 }
 
 std::string warning_of_clouds_apart(const std::string& why) {
@@ -176,6 +174,13 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
   } else if (cloud.shift > shift.max_shift * rim.spacing) {
     warnings.push_back("its rim lies as if the cloud were moved by " +
                        rounded(cloud.shift / rim.spacing) + " spacings; register it better");
+  }
+  const double raised = cloud.largest_distance - cloud.median_distance;
+  if (raised > options.raised_distance * rim.spacing) {
+    warnings.push_back("its rim leaves the model here and there, by up to " +
+                       rounded(raised / rim.spacing) +
+                       " spacings: the scan ends on what has changed, as in a shadow of the "
+                       "scanner; look at the result, or scan what lies between it and the model");
   }
   return warnings;
 }

@@ -29,6 +29,20 @@ TEST(SurfaceDoubts, NoneOnCleanSurfaces) {
   EXPECT_TRUE(doubts.sparse.empty() && doubts.dust.empty() && doubts.unused.empty());
 }
 
+TEST(SurfaceDoubts, TellWhatTheStagesCounted) {
+  std::vector<Point> points = shapes::torus(100, 50, 0.4, 0.5, 1);
+  ReconstructResult result = reconstruct_tight(points);
+  SurfaceDoubts doubts = surface_doubts(result, points);
+  EXPECT_EQ(doubts.samples, points.size());
+  EXPECT_EQ(doubts.unsurrounded_samples + doubts.conflicts, 0U);
+  points = shapes::noisy_sphere(2000, 0.03, 2);  // more than half of the spacing
+  result = reconstruct_tight(points);
+  doubts = surface_doubts(result, points);
+  EXPECT_GT(doubts.unsurrounded_samples, points.size() / 5);
+  EXPECT_EQ(doubts.unsurrounded_samples, points.size() - result.counters.umbrellas);
+  EXPECT_EQ(doubts.conflicts, result.counters.marking_conflicts);
+}
+
 TEST(SurfaceDoubts, RoughnessMeasuresNoise) {
   Random random(2);
   std::vector<Point> points;  // even, with noise of a tenth of the spacing along the normal

@@ -52,7 +52,8 @@ void for_each_vertex(std::array<double, 3> biases, std::uint64_t seed, const Vis
       Labeling labeling(points, seed, bias);
       const Triangulation& t = labeling.stages.triangulation;
       SideSplit split(t, labeling.out);
-      BestMove best_move(t, labeling.stars, labeling.out, labeling.energy, split);
+      BestMove best_move(t, labeling.stars, labeling.out, labeling.energy, split,
+                         labeling.options.most_move_cells);
       for (const VertexId v : t.vertices()) visit(labeling, split, best_move, v);
     }
   }
@@ -70,6 +71,26 @@ TEST(BestMove, IsTheBestOfAll) {
     if (!move.empty()) labeling.energy.flip(move);
   });
   for (const std::size_t count : found) EXPECT_GT(count, 0U);
+}
+
+TEST(BestMove, ThereIsNoneAtStarsThatAreTooLarge) {
+  Labeling labeling(shapes::random_cube(60, 3), 11, 0.5);
+  const Triangulation& t = labeling.stages.triangulation;
+  SideSplit split(t, labeling.out);
+  const std::size_t most = 25;
+  BestMove all(t, labeling.stars, labeling.out, labeling.energy, split, t.num_cells());
+  BestMove some(t, labeling.stars, labeling.out, labeling.energy, split, most);
+  std::size_t too_large = 0;
+  for (const VertexId v : t.vertices()) {
+    EXPECT_EQ(some.is_too_large(v), labeling.stars.star(v).size() > most);
+    const std::vector<CellId> move = all.find(v);
+    EXPECT_EQ(some.find(v), some.is_too_large(v) ? std::vector<CellId>() : move);
+    if (some.is_too_large(v)) {
+      too_large += move.empty() ? 0 : 1;
+      EXPECT_TRUE(some.openings(v, to_energy(100), 10).empty());
+    }
+  }
+  EXPECT_GT(too_large, 0U);
 }
 
 // All sets that mend v and cost little enough, by evaluating all, in canonical order.

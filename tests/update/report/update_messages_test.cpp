@@ -14,13 +14,16 @@ bool says(const std::vector<std::string>& warnings, const std::string& words) {
   return false;
 }
 
-TEST(UpdateMessages, CutsAndScanEndsAreSaid) {
+// Right updates, too, have rims with gaps: that is a note.
+TEST(UpdateMessages, CutsAreNotesAndScanEndsWarnings) {
   RegionCut cut;
-  EXPECT_TRUE(warnings_of_cut(cut, {}).empty());
+  EXPECT_TRUE(warnings_of_cut(cut).empty());
+  EXPECT_TRUE(notes_of_cut(cut).empty());
   cut.cut_edges = 3;
-  EXPECT_TRUE(says(warnings_of_cut(cut, {}), "3 edges"));
+  EXPECT_TRUE(warnings_of_cut(cut).empty());
+  EXPECT_TRUE(says(notes_of_cut(cut), "3 edges"));
   cut.scan_ends = 1;
-  EXPECT_TRUE(says(warnings_of_cut(cut, {}), "1 facet)"));
+  EXPECT_TRUE(says(warnings_of_cut(cut), "1 facet)"));
 }
 
 // One edge is missing in a rim of a hundred: it says where its sides are.
@@ -29,10 +32,22 @@ TEST(UpdateMessages, ACutThatHardlyCostsAnythingIsNotSaid) {
   cut.cut_edges = 1;
   cut.seeds_under = cut.seeds_outside = 100;
   cut.cut_length = 4;
-  EXPECT_TRUE(warnings_of_cut(cut, {}).empty());
+  EXPECT_TRUE(notes_of_cut(cut).empty());
   cut.contradicted = 2;
-  EXPECT_TRUE(says(warnings_of_cut(cut, {}), "1 edge)"));
-  EXPECT_TRUE(warnings_of_cut(cut, {.clear_doubt = 0.1}).empty());
+  EXPECT_TRUE(says(notes_of_cut(cut), "1 edge)"));
+  EXPECT_TRUE(notes_of_cut(cut, {.clear_doubt = 0.1}).empty());
+}
+
+// A shadow of the scanner ends on the new surface, not on the model.
+TEST(UpdateMessages, ARimThatLeavesTheModelPartOfTheWayIsSaid) {
+  CloudReport cloud;
+  cloud.surface.rim.spacing = 2;
+  cloud.median_distance = 0.4;
+  cloud.largest_distance = 2.3;
+  EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
+  cloud.largest_distance = 3.4;
+  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "by up to 1.5 spacings"));
+  EXPECT_TRUE(warnings_of_cloud(cloud, {.raised_distance = 2}, {}).empty());
 }
 
 TEST(UpdateMessages, ADoubtfulCutSaysWhatIsMissing) {
