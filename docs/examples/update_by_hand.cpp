@@ -1,12 +1,11 @@
 // An update stage by stage, in the order of Woo & Dey 2005, section 3, of one cloud whose rim is
 // whole. update_model does the same in one call, and what rims that are not need.
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <vector>
 
 #include "cocone/reconstruct.h"
+#include "docs/examples/bump.h"
 #include "update/choose_regions.h"
 #include "update/cloud_surface.h"
 #include "update/model/model_index.h"
@@ -16,23 +15,6 @@
 #include "update/segment_model.h"
 #include "update/trace_border.h"
 #include "update/update_model.h"
-
-// Evenly spread over the unit sphere, up to `reach` radians from the north pole; within 0.6 radians
-// moved outward to a bump of height `bump`.
-std::vector<cocoon::Point> cap(int n, double reach, double bump) {
-  std::vector<cocoon::Point> points;
-  for (int i = 0; i < n; ++i) {
-    const double z = 1 - (2.0 * i + 1) / n;
-    const double latitude = std::acos(z);
-    if (latitude > reach) break;
-    const double angle = std::numbers::pi * (3 - std::sqrt(5.0)) * i;
-    const double r = std::sqrt(1 - z * z);
-    const double rise = std::min(1.0, latitude / 0.6) * std::numbers::pi;
-    const double height = 1 + bump * (std::cos(rise) + 1) / 2;
-    points.push_back(height * cocoon::Vec3{r * std::cos(angle), r * std::sin(angle), z});
-  }
-  return points;
-}
 
 int main() {
   const cocoon::TriangleMesh model = cocoon::reconstruct_tight(cap(2000, 4, 0)).mesh;
