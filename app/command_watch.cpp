@@ -42,12 +42,12 @@ struct Drop {
   std::vector<NotedFile> files;
   std::vector<std::string> names;  // as messages show them
   std::vector<std::vector<Point>> clouds;
-  StraySamples strays;  // counts of all clouds
+  std::vector<StraySamples> strays;  // what was left out of each
 
   std::string name() const { return fmt::format("{}", fmt::join(names, ", ")); }
   // One of several, alone.
   Drop only(std::size_t k) const {
-    return {std::chrono::steady_clock::now(), {files[k]}, {names[k]}, {clouds[k]}, {}};
+    return {std::chrono::steady_clock::now(), {files[k]}, {names[k]}, {clouds[k]}, {strays[k]}};
   }
 };
 
@@ -57,10 +57,14 @@ bool has_changed_since(const FolderWatch::CompleteFile& file) {
   return !gone && changed != file.changed;
 }
 
-void add_counts(const StraySamples& more, StraySamples& strays) {
-  strays.outliers += more.outliers;
-  strays.in_small_parts += more.in_small_parts;
-  strays.small_parts += more.small_parts;
+StraySamples total_of(const std::vector<StraySamples>& strays) {
+  StraySamples total;
+  for (const StraySamples& some : strays) {
+    total.outliers += some.outliers;
+    total.in_small_parts += some.in_small_parts;
+    total.small_parts += some.small_parts;
+  }
+  return total;
 }
 
 class Watch {
@@ -253,11 +257,9 @@ class Watch {
     }
     // Written while it was read: once complete it will be told of again.
     if (has_changed_since(file)) return true;
+    StraySamples strays;
     try {
-      if (filter_) {
-        add_counts(leave_out_strays(name, cloud, *filter_, {job_.execution().threads}),
-                   drop.strays);
-      }
+      if (filter_) strays = leave_out_strays(name, cloud, *filter_, {job_.execution().threads});
     } catch (const Error& error) {
       refuse(noted, name, error.what());
       return true;
@@ -265,6 +267,7 @@ class Watch {
     drop.files.push_back(std::move(noted));
     drop.names.push_back(name);
     drop.clouds.push_back(std::move(cloud));
+    drop.strays.push_back(std::move(strays));
     return true;
   }
 
@@ -301,7 +304,7 @@ class Watch {
         update.change.removed.size(), time.count());
     const std::string topology = topology_change(update.result);
     if (!topology.empty()) line += "; " + topology;
-    if (filter_) line += fmt::format("; {} left out as noise", told_strays(drop.strays));
+    if (filter_) line += fmt::format("; {} left out as noise", told_strays(total_of(drop.strays)));
     for (const std::string& warning : update.result.warnings) {
       line += "; warning: " + with_cloud_names(warning, drop.names);
     }

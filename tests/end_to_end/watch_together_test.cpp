@@ -36,6 +36,14 @@ std::string view(double sign) {
   return text;
 }
 
+// Along x.
+std::string moved(const std::string& cloud, double by) {
+  std::string text;
+  std::istringstream lines(cloud);
+  for (double x = 0, y = 0, z = 0; lines >> x >> y >> z;) text += point_line(x + by, y, z);
+  return text;
+}
+
 const std::string left = view(-1);
 const std::string right = view(1);
 
@@ -97,13 +105,28 @@ TEST(WatchTogether, AreKeptTogetherWhateverEndsTheProgram) {
   EXPECT_EQ(content_of(watched.mesh), watched.expected_of_updates({{left, right}}));
 }
 
+// What is said of the filter is of the clouds in the line.
+TEST(WatchTogether, StraysOfAllCloudsAreCounted) {
+  const std::string strays = point_line(4, 0, 0) + point_line(0, 4, 0);
+  WatchedTogether watched;
+  watched.arguments.insert(watched.arguments.end(), {"--noise", "robust"});
+  watched.put("left.xyz", left + strays);
+  watched.put("right.xyz", right + strays);
+  std::string out = run_program(watched.once()).out;
+  EXPECT_EQ(count(out, "left.xyz, right.xyz: "), 1U) << out;
+  EXPECT_EQ(count(out, "4 points in 2 small parts left out as noise"), 1U) << out;
+  // Also if they were first tried with another one.
+  watched.put("far.xyz", moved(north, 9));
+  watched.put("right.xyz", right + strays);
+  out = run_program(watched.once()).out;
+  EXPECT_EQ(count(out, "each by itself"), 1U) << out;
+  EXPECT_EQ(count(out, "2 points in 1 small part left out as noise"), 1U) << out;
+}
+
 TEST(WatchTogether, WhatIsRefusedTogetherIsTriedOneByOne) {
   const WatchedTogether watched;
-  std::string far;
-  std::istringstream lines(north);
-  for (double x = 0, y = 0, z = 0; lines >> x >> y >> z;) far += point_line(x + 9, y, z);
   watched.put("bad.xyz", "1 2 3\nfour five six\n");
-  watched.put("far.xyz", far);
+  watched.put("far.xyz", moved(north, 9));
   watched.put("left.xyz", left);
   const ProgramRun run = run_program(watched.once());
   ASSERT_EQ(run.exit_code, 0) << run.error;
