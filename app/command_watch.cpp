@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "app/commands.h"
 #include "app/densify.h"
 #include "app/files.h"
+#include "app/findings.h"
 #include "app/folder_watch.h"
 #include "app/interrupt.h"
 #include "app/model_file.h"
@@ -104,7 +106,7 @@ class Watch {
         if (interrupted()) return;
       }
       if (folder.waiting() == 0) {
-        look_at(std::exchange(held, {}));
+        look_at_groups(std::exchange(held, {}));
         if (interrupted()) return;
         tell_findings();
       }
@@ -119,6 +121,7 @@ class Watch {
     job_.report().set("watch/known", known_);
     job_.report().set("surface/vertices", model().points.size());
     job_.report().set("surface/triangles", model().triangles.size());
+    add_findings(job_.report(), findings_);
     job_.say("stopped: {} applied, {} refused, {} known from before", counted(applied_, "cloud"),
              refused_, known_);
   }
@@ -225,6 +228,22 @@ class Watch {
     state_.pending += update.notes.size();
   }
 
+  // Those that came one soon after the other, in the order of their times.
+  void look_at_groups(std::vector<FolderWatch::CompleteFile> files) {
+    std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.changed, a.path) < std::tie(b.changed, b.path);
+    });
+    const auto longest_pause = to_milliseconds(std::max(arguments_.settle, arguments_.poll));
+    for (std::size_t first = 0; first < files.size() && !interrupted();) {
+      std::size_t end = first + 1;
+      while (end < files.size() && files[end].changed - files[end - 1].changed <= longest_pause) {
+        ++end;
+      }
+      look_at(std::span(files).subspan(first, end - first));
+      first = end;
+    }
+  }
+
   // One line whatever happens to each cloud, unless it was looked at before the program began; what
   // happens to our own files ends the command.
   void look_at(std::span<const FolderWatch::CompleteFile> files) {
@@ -233,7 +252,13 @@ class Watch {
     for (const FolderWatch::CompleteFile& file : files) {
       if (!read(file, drop)) return;
     }
-    if (!drop.files.empty()) apply(drop);
+    if (drop.files.empty()) return;
+    // They were on their way when the program was killed.
+    const bool are_alone =
+        std::any_of(drop.files.begin(), drop.files.end(),
+                    [&](const NotedFile& file) { return is_to_be_alone(state_.notes, file); });
+    if (are_alone) return apply_each(drop);
+    apply(drop);
   }
 
   // False: the interrupt.
@@ -317,10 +342,10 @@ class Watch {
     ReconstructResult surface = state_.session->reconstruction();
     surface.mesh = model();
     MeshReport certificate;
-    const std::vector<Finding> findings = findings_of_update(
-        surface, state_.session->points(), noise_filter_of_update(filter_.has_value()),
-        {job_.execution().threads}, certificate);
-    for (const Finding& finding : findings) {
+    findings_ = findings_of_update(surface, state_.session->points(),
+                                   noise_filter_of_update(filter_.has_value()),
+                                   {job_.execution().threads}, certificate);
+    for (const Finding& finding : findings_) {
       if (!told_findings_.insert(finding.message).second) continue;
       tell(job_, finding);
     }
@@ -338,11 +363,19 @@ class Watch {
     keep({{note_of_refused(file)}, {}, arguments_.parameters.rho, true});
   }
 
-  // What is refused together is tried one after the other: some of it may be good.
+  // What is refused together is tried one after the other: some of it may be good. That is noted,
+  // so that a kill on the way does not bring what is left together again.
   void refuse(const Drop& drop, const std::string& why) {
     const std::string told = with_cloud_names(why, drop.names);
     if (drop.files.size() == 1) return refuse(drop.files[0], drop.names[0], told);
     say(fmt::format("{}: not applied together: {}; each by itself:", drop.name(), told));
+    PendingUpdate apart{{}, {}, arguments_.parameters.rho, true};
+    for (const NotedFile& file : drop.files) apart.notes.push_back(note_of_alone(file));
+    keep(apart);
+    apply_each(drop);
+  }
+
+  void apply_each(const Drop& drop) {
     for (std::size_t k = 0; k < drop.files.size() && !interrupted(); ++k) apply(drop.only(k));
   }
 
@@ -366,6 +399,7 @@ class Watch {
   std::size_t known_ = 0;
   int idle_polls_ = 0;
   bool findings_are_due_ = false;
+  std::vector<Finding> findings_;        // of the last look
   std::set<std::string> told_findings_;  // each message is told once
 };
 

@@ -8,8 +8,8 @@
 //   4, 4             version (3); bits: 1 = rho was given, 2 = refused
 //   8                rho, 64-bit floating point
 //   8                what stands for the K notes: the checksum of their text
-//   8                number of clouds n, applied together; in versions 1 and 2 it is 1, and left
-//   out 16 n             of each: bytes of the note on it, number of points k (0 if refused)
+//   8                number of clouds n, applied together; versions 1 and 2 have none: it is 1
+//   16 n             of each: bytes of the note on it, number of points k (0 if refused)
 //                    then of each:
 //   24 k             coordinates
 //                    the note; zero bytes up to a multiple of 8

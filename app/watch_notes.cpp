@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view applied = "applied ";
 constexpr std::string_view refused = "refused ";
+constexpr std::string_view alone = "alone ";
 constexpr std::string_view applied_at_any_time = "cloud ";
 
 std::string content_of(const fs::path& path) {
@@ -41,6 +42,20 @@ std::string_view rest_of(std::string_view note, int words) {
   return note;
 }
 
+// The latest note on a file of that name; empty: there is none.
+std::string_view latest_note(std::span<const std::string> notes, const NotedFile& file) {
+  const std::string name = name_of(file);
+  const std::string shown_name = display_name(file.path.filename());
+  for (std::size_t k = notes.size(); k-- > 0;) {
+    const std::string_view note = notes[k];
+    if (note.starts_with(applied_at_any_time) && rest_of(note, 2) == shown_name) return note;
+    const bool is_timed =
+        note.starts_with(applied) || note.starts_with(refused) || note.starts_with(alone);
+    if (is_timed && rest_of(note, 3) == name) return note;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string note_of_model(const fs::path& model, const std::optional<double>& densify) {
@@ -56,21 +71,17 @@ NotedFile noted_file(const fs::path& path, fs::file_time_type changed) {
 
 std::string note_of_applied(const NotedFile& file) { return note_of(applied, file); }
 std::string note_of_refused(const NotedFile& file) { return note_of(refused, file); }
+std::string note_of_alone(const NotedFile& file) { return note_of(alone, file); }
 
 bool is_noted(std::span<const std::string> notes, const NotedFile& file) {
-  const std::string name = name_of(file);
-  const std::string shown_name = display_name(file.path.filename());
-  for (std::size_t k = notes.size(); k-- > 0;) {
-    const std::string& note = notes[k];
-    if (note.starts_with(applied_at_any_time)) {
-      if (rest_of(note, 2) != shown_name) continue;
-      return note == fmt::format("{}{} {}", applied_at_any_time, file.content, shown_name);
-    }
-    if (!note.starts_with(applied) && !note.starts_with(refused)) continue;
-    if (rest_of(note, 3) != name) continue;
-    return note == note_of_applied(file) || note == note_of_refused(file);
-  }
-  return false;
+  const std::string_view note = latest_note(notes, file);
+  return note == note_of_applied(file) || note == note_of_refused(file) ||
+         note == fmt::format("{}{} {}", applied_at_any_time, file.content,
+                             display_name(file.path.filename()));
+}
+
+bool is_to_be_alone(std::span<const std::string> notes, const NotedFile& file) {
+  return latest_note(notes, file) == note_of_alone(file);
 }
 
 NoteCounts count_notes(std::span<const std::string> notes) {

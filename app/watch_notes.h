@@ -4,6 +4,9 @@
 //   model CONTENT [densify SPACING]  the first note: what the session began with
 //   applied CONTENT TIME NAME        a cloud
 //   refused CONTENT TIME NAME        a cloud that could not be applied to the model of that moment
+//   alone CONTENT TIME NAME          one that could not be applied together with others; it is
+//   tried
+//                                    by itself next
 //   cloud CONTENT NAME               one that was applied, in session files of version 3
 //
 // CONTENT tells one content from another: a checksum and the size. TIME is that of the file's last
@@ -38,9 +41,12 @@ NotedFile noted_file(const std::filesystem::path& path, std::filesystem::file_ti
 
 std::string note_of_applied(const NotedFile& file);
 std::string note_of_refused(const NotedFile& file);
+std::string note_of_alone(const NotedFile& file);
 
-// Does the latest note on a file of that name tell of this one?
+// Does the latest note on a file of that name tell that this one was applied or refused?
 bool is_noted(std::span<const std::string> notes, const NotedFile& file);
+// Or that it is to be tried by itself?
+bool is_to_be_alone(std::span<const std::string> notes, const NotedFile& file);
 
 struct NoteCounts {
   std::size_t applied = 0;

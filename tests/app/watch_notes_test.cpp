@@ -60,6 +60,19 @@ TEST(WatchNotes, TheLatestNoteOnANameCounts) {
   EXPECT_FALSE(is_noted(notes, b));
 }
 
+TEST(WatchNotes, AFileThatIsToBeAloneIsStillToBeTried) {
+  const NotedFile file = file_of("a.xyz", "c0-6", 7);
+  Notes notes = {"model m", note_of_alone(file)};
+  EXPECT_FALSE(is_noted(notes, file));
+  EXPECT_TRUE(is_to_be_alone(notes, file));
+  EXPECT_FALSE(is_to_be_alone(notes, file_of("a.xyz", "c1-6", 7)));
+  EXPECT_FALSE(is_to_be_alone(notes, file_of("b.xyz", "c0-6", 7)));
+  EXPECT_EQ(count_notes(notes).applied + count_notes(notes).refused, 0U);
+  notes.push_back(note_of_applied(file));
+  EXPECT_TRUE(is_noted(notes, file));
+  EXPECT_FALSE(is_to_be_alone(notes, file));
+}
+
 TEST(WatchNotes, NotesWithoutTimeStandForAnyTime) {
   Notes notes = {"model m", "cloud c0-6 a b.xyz"};
   for (const std::int64_t time : {7, 8}) {

@@ -1,5 +1,6 @@
 // `watch --together`: files that come together are views of one change.
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -79,6 +80,24 @@ TEST(WatchTogether, WhatComesLaterIsAnotherUpdate) {
   EXPECT_EQ(content_of(watched.mesh), watched.expected_of_updates({{south}, {left, right}}));
 }
 
+// Though the program sees them at once.
+TEST(WatchTogether, APauseBetweenTheirTimesDividesUpdates) {
+  const WatchedTogether watched;
+  const auto now = std::filesystem::file_time_type::clock::now();
+  const auto put = [&](const std::string& name, const std::string& cloud, int seconds_ago) {
+    watched.put(name, cloud);
+    std::filesystem::last_write_time(watched.drop + "/" + name,
+                                     now - std::chrono::seconds(seconds_ago));
+  };
+  put("z.xyz", left, 100);
+  put("y.xyz", right, 99);
+  put("a.xyz", south, 90);
+  const std::string out = run_program(watched.once()).out;
+  EXPECT_EQ(count(out, "z.xyz, y.xyz: "), 1U) << out;
+  EXPECT_EQ(count(out, "\na.xyz: "), 1U) << out;
+  EXPECT_EQ(content_of(watched.mesh), watched.expected_of_updates({{left, right}, {south}}));
+}
+
 TEST(WatchTogether, WithoutItEachIsAnUpdate) {
   const Watched watched;
   watched.put("left.xyz", left);
@@ -103,6 +122,23 @@ TEST(WatchTogether, AreKeptTogetherWhateverEndsTheProgram) {
   EXPECT_EQ(count(run.out, "resumed with 2 clouds applied\n"), 1U) << run.out;
   EXPECT_EQ(count(run.out, "0 clouds applied, 0 refused, 2 known from before"), 1U) << run.out;
   EXPECT_EQ(content_of(watched.mesh), watched.expected_of_updates({{left, right}}));
+}
+
+// A kill on the way must not bring those that are left together again.
+TEST(WatchTogether, WhatIsTriedOneByOneStaysApartAfterAKill) {
+  const WatchedTogether watched;
+  {
+    const Watching program(watched.arguments);
+    watched.put("1.xyz", moved(north, 9));
+    watched.put("2.xyz", left);
+    watched.put("3.xyz", right);
+    ASSERT_TRUE(program.has_said("each by itself:"));
+    program.end(SIGKILL);
+  }
+  const ProgramRun run = run_program(watched.once());
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_EQ(count(run.out, ".xyz, "), 0U) << run.out;
+  EXPECT_EQ(content_of(watched.mesh), watched.expected({left, right}));
 }
 
 // What is said of the filter is of the clouds in the line.
