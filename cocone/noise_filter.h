@@ -37,9 +37,9 @@ struct NoiseOptions {
   double clump_link_ratio = 2;
   // With this share of all samples it is a layer of noise, no clump. 0: clumps stay.
   double clump_share = 0.02;
-  // Samples of a clump within so many links of a good sample stay; by default all that links join
-  // to one, so that floating clumps alone go. 2 takes clumps off the surface, too, but with them
-  // places of line scans where no disk is (docs/stages/noise_filter.md).
+  // Samples of a clump within so many links of a good sample stay; by default all that so many
+  // links join to one, so that floating clumps alone go. 2 takes clumps off the surface, too, but
+  // with them places of line scans where no disk is (docs/stages/noise_filter.md).
   std::size_t clump_depth = 1000;
   double large_ratio = 1.7;     // larger: thinner skin, smoother, but narrow gaps close
   double deep_cosine = 0.7071;  // cosine of deep_angle, 45 degrees

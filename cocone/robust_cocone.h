@@ -37,15 +37,16 @@ struct RobustSamples {
   NoiseCounters counters;
 };
 
-// Leaves outliers out, in rounds until there are none; with noise.spare_good none of the samples
-// with one disk around them on the Cocone surface of all samples. Then keeps the outer skin of the
-// rest, and with noise.keep_good the samples with one disk around them on the surface of the rest.
-// Where infinity gets into the body (noise.max_leak), the skin is that outside the closed surface
-// of the rest. `options` are for these surfaces. Everything stays if nothing is noisy.
-// Progress: "noise/...". Errors: InputError as delaunay(); also if all but coplanar points were
-// outliers. Complexity: O(n log n) expected, besides the rounds (outlier_rounds.h).
+// Leaves floating clumps out (noise.clump_share); then outliers, in rounds until there are none,
+// and clumps again if there were any; with noise.spare_good none of the samples with one disk
+// around them on the Cocone surface of all samples. Then keeps the outer skin of the rest, and with
+// noise.keep_good the samples with one disk around them on the surface of the rest. Where infinity
+// gets into the body (noise.max_leak), the skin is that outside the closed surface of the rest.
+// `options` are for these surfaces. Everything stays if nothing is noisy.
+// Progress: "noise/...". Errors: InputError as delaunay(); also if what is left is coplanar.
+// Complexity: O(n log n) expected, besides the rounds (outlier_rounds.h).
 // Deterministic: a function of the set of points.
-// Source: Dey & Goswami 2006; outliers, good samples and leaks are ours
+// Source: Dey & Goswami 2006; clumps, outliers, good samples and leaks are ours
 // (docs/stages/noise_filter.md).
 RobustSamples robust_samples(Points points, const NoiseOptions& noise = {},
                              const ReconstructOptions& options = {},

@@ -267,8 +267,11 @@ class Doubts {
   void ask_stages() {
     const ReconstructCounters& counters = result_.counters;
     doubts_.samples = result_.vertices;
-    doubts_.unsurrounded_samples =
-        result_.vertices - std::min(counters.umbrellas, result_.vertices);
+    // Those at the rim of an open surface have no umbrella, and no peel or clean-up has guessed.
+    if (doubts_.certificate.watertight) {
+      doubts_.unsurrounded_samples =
+          result_.vertices - std::min(counters.umbrellas, result_.vertices);
+    }
     doubts_.conflicts = counters.marking_conflicts;
   }
 

@@ -27,7 +27,8 @@ class BestMove {
            const IdVector<CellId, std::uint8_t>& out, CellEnergy& energy, SideSplit& side_split,
            std::size_t most_cells);
 
-  // Has v more than most_cells cells? Then there are neither moves nor openings at it. O(1).
+  // Has v more than most_cells cells? Then there are neither moves nor openings at it. O(1) if the
+  // star is known.
   bool is_too_large(VertexId v) { return stars_.star(v).size() > most_cells_; }
 
   // The finite cells that should change sides: of the single cells at v, the pairs of neighbors

@@ -1,10 +1,12 @@
 #include "cocone/noise/floating_clumps.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "cocone/noise/sample_parts.h"
 #include "cocone/samples/sample_spacing.h"
+#include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {
@@ -40,25 +42,39 @@ IdVector<VertexId, double> reach_of_links(const Triangulation& triangulation,
   return reach;
 }
 
-// The bad samples that more than so many links part from every good one.
+// The bad samples that more than so many links part from every good one: a search by whole levels,
+// from the good ones.
 std::vector<VertexId> deep_samples(const Triangulation& triangulation, const VertexStars& stars,
                                    const IdVector<VertexId, double>& reach,
                                    std::vector<VertexId> bad, const VertexSet& good,
                                    std::size_t links) {
   VertexSet near = good;
   std::vector<VertexId> around;
-  const auto is_linked_to_near = [&](VertexId v) {
+  const auto linked_neighbors = [&](VertexId v) -> const std::vector<VertexId>& {
     collect_neighbors(triangulation, stars.star(v), v, around);
-    return std::any_of(around.begin(), around.end(), [&](VertexId w) {
-      return near[w] != 0 && is_linked(triangulation, reach, v, w);
-    });
+    std::erase_if(around, [&](VertexId w) { return !is_linked(triangulation, reach, v, w); });
+    return around;
   };
-  for (; links > 0; --links) {
-    const auto far = std::stable_partition(bad.begin(), bad.end(), is_linked_to_near);
-    if (far == bad.begin()) break;
-    for (auto v = bad.begin(); v != far; ++v) near[*v] = 1;
-    bad.erase(bad.begin(), far);
+  std::vector<VertexId> level;
+  for (const VertexId v : bad) {
+    const auto& linked = linked_neighbors(v);
+    const bool is_next =
+        std::any_of(linked.begin(), linked.end(), [&](VertexId w) { return good[w] != 0; });
+    if (links > 0 && is_next) level.push_back(v);
   }
+  for (std::size_t reached = 1; !level.empty(); ++reached) {
+    for (const VertexId v : level) near[v] = 1;
+    std::vector<VertexId> next;
+    for (const VertexId v : level) {
+      if (reached == links) break;
+      for (const VertexId w : linked_neighbors(v)) {
+        if (near[w] == 0) next.push_back(w);
+      }
+    }
+    make_set(next);
+    level = std::move(next);
+  }
+  std::erase_if(bad, [&](VertexId v) { return near[v] != 0; });
   return bad;
 }
 

@@ -43,6 +43,19 @@ TEST(SurfaceDoubts, TellWhatTheStagesCounted) {
   EXPECT_EQ(doubts.conflicts, result.counters.marking_conflicts);
 }
 
+// At its rim no sample has an umbrella, and nothing was guessed there.
+TEST(SurfaceDoubts, AnOpenSurfaceIsNoGuess) {
+  std::vector<Point> strip;
+  for (int i = 0; i < 160; ++i) {
+    const double x = 0.1 * (i / 4) + 0.02 * (i % 3);
+    strip.push_back({x, 0.1 * (i % 4) + 0.01 * (i % 5), 0.05 * x * x});
+  }
+  const ReconstructResult result = reconstruct_cocone(strip, open_cloud_defaults());
+  ASSERT_FALSE(result.mesh.triangles.empty());
+  EXPECT_LT(result.counters.umbrellas, strip.size());
+  EXPECT_EQ(surface_doubts(result, strip).unsurrounded_samples, 0U);
+}
+
 TEST(SurfaceDoubts, RoughnessMeasuresNoise) {
   Random random(2);
   std::vector<Point> points;  // even, with noise of a tenth of the spacing along the normal
