@@ -42,7 +42,8 @@ struct OverlapOptions {
   // Nor does a loop other than the longest of its part of the surface if a larger share of its
   // points is unmatched or farther from the model than that one (its median), by so many spacings,
   // as in max_distance: one side of it is the shadow of the other, as in a dent that is seen at a
-  // slant. A cloud whose rim has any such point is worth a warning.
+  // slant. A rim with a point that is so many of its own spacings farther off than its median is
+  // worth a warning.
   double max_raised_share = 0.3;
   double raised_distance = 1;
   // A rim whose matched points lie farther off the model than this many spacings (the median of

@@ -69,7 +69,6 @@ TEST(Documents, NamedSourcesExist) {
   }
 }
 
-// Names of authors as texts cite them: "Doi & Koide", "Cline et al.", "Cook 1986".
 // Which are compiled and run: tests/CMakeLists.txt.
 TEST(Documents, EachStageHasAnExample) {
   for (const auto& entry : fs::directory_iterator(root / "docs/stages")) {
@@ -78,6 +77,7 @@ TEST(Documents, EachStageHasAnExample) {
   }
 }
 
+// Names of authors as texts cite them: "Doi & Koide", "Cline et al.", "Cook 1986".
 std::set<std::string> authors_in(const std::string& text, bool with_years) {
   const std::string name = "([A-Z][^ ,.;:()*|]*[a-z])";  // not a venue, as SoCG
   std::set<std::string> names = matches(text, name + " (?:&|et al)");
