@@ -66,6 +66,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("rim_spacing", cloud.surface.rim.spacing);
   entry.set("largest_distance", cloud.largest_distance);
   entry.set("median_distance", cloud.median_distance);
+  entry.set("largest_excess", cloud.largest_excess);
   entry.set("shift", cloud.shift);
   entry.set("overlapping_facets", cloud.overlapping_facets.size());
   entry.set("border_facets", cloud.border_facets);

@@ -263,6 +263,20 @@ double median_height(const RimLoop& rim, const LoopOverlap& loop) {
   return median(std::move(heights));
 }
 
+void measure_excess(const TriangleMesh& model, const CloudRim& rim, Overlap& overlap) {
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    const LoopOverlap& loop = overlap.loops[l];
+    for (std::size_t i = 0; i < rim.loops[l].size(); ++i) {
+      const TriangleId facet = loop.facets[i];
+      if (facet.is_none() || rim.loops[l].is_inner_point(i)) continue;
+      const double excess =
+          distance(loop.feet[i], rim.loops[l].points[i]) - overlap.median_distance;
+      const double spacing = std::max(rim.spacing, facet_spacing(model, facet));
+      overlap.largest_excess = std::max(overlap.largest_excess, excess / spacing);
+    }
+  }
+}
+
 void count_raised(const TriangleMesh& model, const CloudRim& rim, const OverlapOptions& options,
                   Overlap& overlap) {
   std::map<std::uint32_t, std::size_t> longest;  // of each part of the surface
@@ -381,6 +395,7 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
 
   // 3. Gathered by loop, and judged.
   gather_by_loop(rim, points, located, overlap);
+  measure_excess(model.mesh(), rim, overlap);
   count_raised(model.mesh(), rim, options, overlap);
   match_loops(rim, options, overlap);
   report_progress(execution, "overlapping_facets", 1);

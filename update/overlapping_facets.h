@@ -42,8 +42,7 @@ struct OverlapOptions {
   // Nor does a loop other than the longest of its part of the surface if a larger share of its
   // points is unmatched or farther from the model than that one (its median), by so many spacings,
   // as in max_distance: one side of it is the shadow of the other, as in a dent that is seen at a
-  // slant. A rim with a point that is so many of its own spacings farther off than its median is
-  // worth a warning.
+  // slant. A rim with a point so much farther off than its median is worth a warning.
   double max_raised_share = 0.3;
   double raised_distance = 1;
   // A rim whose matched points lie farther off the model than this many spacings (the median of
@@ -84,6 +83,9 @@ struct Overlap {
   // Of matched rim points from their facets.
   double largest_distance = 0;
   double median_distance = 0;
+  // By how many spacings, as in max_distance, a matched point at most is farther from its facet
+  // than the median.
+  double largest_excess = 0;
 };
 
 // The overlapping facet of each rim point, and which loops lie on the model at all.

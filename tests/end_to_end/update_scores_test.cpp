@@ -57,6 +57,7 @@ TEST_P(UpdateScores, ReplaceWhatIsWrongAndNothingElse) {
   const auto expect_good = [&](const Clouds& clouds, double least) {
     const UpdateResult result = update_model(model, clouds);
     ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+    for (const std::string& warning : result.warnings) ADD_FAILURE() << warning;
     EXPECT_EQ(result.regions.regions.size(), scored.groups);
     EXPECT_EQ(result.replaced_groups.size(), scored.groups - 1);
     for (const CloudReport& cloud : result.clouds) EXPECT_GT(cloud.margin_deg, 120);

@@ -42,6 +42,19 @@ TEST(OverlappingFacets, FindsTheFacetBelowEachPoint) {
   }
 }
 
+// The model's facets are the spacing where the cloud is denser.
+TEST(OverlappingFacets, TellsHowMuchFartherOffAPointIs) {
+  const TriangleMesh model = testing::grid_plane(20);
+  for (const std::size_t points : {40U, 400U}) {
+    RimLoop rim = circle(points, {10, 10, 0.3}, 6.2);
+    EXPECT_NEAR(overlapping_facets(model, rim_of({rim})).largest_excess, 0, 1e-12);
+    rim.points[7].z += 2;
+    const double excess = overlapping_facets(model, rim_of({rim})).largest_excess;
+    EXPECT_GT(excess, 2 / 1.5);
+    EXPECT_LT(excess, 2 / 0.9);
+  }
+}
+
 TEST(OverlappingFacets, AgreesWithBruteForceOnASphere) {
   const TriangleMesh model = testing::sphere(4);
   Random random(11);

@@ -175,10 +175,9 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
     warnings.push_back("its rim lies as if the cloud were moved by " +
                        rounded(cloud.shift / rim.spacing) + " spacings; register it better");
   }
-  const double raised = cloud.largest_distance - cloud.median_distance;
-  if (raised > options.raised_distance * rim.spacing) {
+  if (cloud.largest_excess > options.raised_distance) {
     warnings.push_back("its rim leaves the model here and there, by up to " +
-                       rounded(raised / rim.spacing) +
+                       rounded(cloud.largest_excess) +
                        " spacings: the scan ends on what has changed, as in a shadow of the "
                        "scanner; look at the result, or scan what lies between it and the model");
   }
