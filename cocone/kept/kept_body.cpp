@@ -1,7 +1,9 @@
 #include "cocone/kept/kept_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "cocone/facets/edge_cycle.h"
@@ -214,10 +216,11 @@ bool KeptBody::has_umbrellas(const Triangulation& triangulation, const Execution
       [&](std::size_t begin, std::size_t end, const auto& put) {
         for (CellId c(begin); c.index() < end; ++c) {
           for_facets(c, cells_[c], [&](FacetId f) {
-            const auto [x, y, z] = triangulation.facet_vertices(f);
-            put(x, [&, y, z](std::uint32_t place) { edges[place] = {y, z}; });
-            put(y, [&, z, x](std::uint32_t place) { edges[place] = {z, x}; });
-            put(z, [&, x, y](std::uint32_t place) { edges[place] = {x, y}; });
+            const std::array<VertexId, 3> corners = triangulation.facet_vertices(f);
+            for (std::size_t i = 0; i < 3; ++i) {
+              const OppositeEdge edge = {corners[(i + 1) % 3], corners[(i + 2) % 3]};
+              put(corners[i], [&, edge](std::uint32_t place) { edges[place] = edge; });
+            }
           });
         }
       });
