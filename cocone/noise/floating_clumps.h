@@ -26,7 +26,7 @@ struct FloatingClumps {
 };
 
 // Delaunay neighbors are linked within options.clump_link_ratio usual spacings (sample_parts.h) of
-// either. A clump is what links hold together without good samples (good[v] = 1, RoughSurface): of
+// both. A clump is what links hold together without good samples (good[v] = 1, RoughSurface): of
 // more samples than options.neighbors, since fewer are outliers, and less than options.clump_share
 // of all. Deep in it are those that more than options.clump_depth links part from every good one.
 // No good sample goes; nothing, if there is none. Complexity: O(cells) expected. Deterministic: a

@@ -20,7 +20,7 @@ struct SampleParts {
   std::size_t largest = 0;               // the most of these
 };
 
-// Whether two Delaunay neighbors hang together: they are within reach[v] of either. O(1).
+// Whether two Delaunay neighbors hang together: each is within the reach of the other. O(1).
 inline bool is_linked(const Triangulation& triangulation, const IdVector<VertexId, double>& reach,
                       VertexId v, VertexId w) {
   const double length = distance(triangulation.point(v), triangulation.point(w));
