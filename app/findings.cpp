@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <fmt/format.h>
 
 #include "geom/counted.h"
@@ -95,14 +96,15 @@ Finding conflicts_finding(const SurfaceDoubts& d, const std::string& remedy) {
           {}};
 }
 
-Finding noise_finding(const SurfaceDoubts& d, NoiseFilter filter) {
+Finding noise_finding(const SurfaceDoubts& d, bool warns, NoiseFilter filter) {
   return {
       "noise",
       fmt::format("noise is about {:.0f} % of the spacing {:.3g}; {}", 100 * noise_of(d.roughness),
                   d.spacing,
                   is_filter_left(filter) ? "try --noise robust" : "smooth or thin out the points"),
       0,
-      {}};
+      {},
+      warns};
 }
 
 Finding fragments_finding(const SurfaceDoubts& d, NoiseFilter filter) {
@@ -138,7 +140,7 @@ const char* reason_of_unused(NoiseFilter filter) {
   return "outliers, inner surfaces, or samples too sparse there";
 }
 
-Finding unused_finding(const SurfaceDoubts& d, std::size_t points, NoiseFilter filter) {
+Finding unused_finding(const SurfaceDoubts& d, std::size_t points, bool warns, NoiseFilter filter) {
   return {"unused",
           fmt::format("{} of {} points {} not on the surface; {} is {:.3g} ({} times the "
                       "spacing) off, at {}; {}",
@@ -146,7 +148,7 @@ Finding unused_finding(const SurfaceDoubts& d, std::size_t points, NoiseFilter f
                       d.unused_points == 1 ? "it" : "the farthest", d.unused[0].size,
                       ratio(d.unused[0].size / d.spacing), place_name(d.unused[0].at),
                       reason_of_unused(filter)),
-          d.unused_points, d.unused};
+          d.unused_points, d.unused, warns};
 }
 
 // "3 edges and 1 vertex"; only what there is
@@ -177,7 +179,7 @@ std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, Noi
     findings.push_back(sparse_finding(d, is_guess ? guess : 0, filter));
   }
   const bool noisy = noise_of(d.roughness) > limits.noise;
-  if (noisy) findings.push_back(noise_finding(d, filter));
+  const auto place_of_noise = static_cast<std::ptrdiff_t>(findings.size());
   if (d.fragments > 0) findings.push_back(fragments_finding(d, filter));
   const std::string remedy = remedy_of_sparse(!noisy && !is_guess, filter);
   if (d.certificate.genus.value_or(0) > 0 && guess > 0) {
@@ -187,17 +189,15 @@ std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, Noi
     findings.push_back(conflicts_finding(d, remedy));
   }
   if (!d.unused.empty()) {
-    findings.push_back(unused_finding(d, points, filter));
-    findings.back().warns =
+    const bool warns =
         filter != NoiseFilter::used && share(d.unused_points, points) > limits.unused_share;
+    findings.push_back(unused_finding(d, points, warns, filter));
   }
   if (!d.contacts.empty()) findings.push_back(contacts_finding(d));
-  // Noise alone does no harm; where something else is wrong it is why.
-  for (Finding& finding : findings) {
-    if (finding.kind != "noise") continue;
-    finding.warns = std::any_of(findings.begin(), findings.end(), [&](const Finding& other) {
-      return other.kind != "noise" && other.warns;
-    });
+  if (noisy) {
+    const bool warns = limits.noise_alone || std::any_of(findings.begin(), findings.end(),
+                                                         [](const Finding& f) { return f.warns; });
+    findings.insert(findings.begin() + place_of_noise, noise_finding(d, warns, filter));
   }
   return findings;
 }

@@ -39,6 +39,9 @@ enum class NoiseFilter {
 struct FindingLimits {
   // Noise as a share of the spacing: here surfaces through all points begin to fail.
   double noise = 0.2;
+  // Noise by itself does no harm: it is a warning where another one is, which it may explain. True:
+  // always, where few surfaces have it.
+  bool noise_alone = false;
   // The share of the points that are boundary samples: places here and there have less.
   double sparse_share = 0.05;
   // Shares of the samples that no disk of Cocone triangles surrounds. From the first on handles are

@@ -213,11 +213,7 @@ std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points
   certificate = doubts.certificate;
   doubts.gap_samples = 0;
   doubts.unsurrounded_samples = doubts.conflicts = 0;
-  std::vector<Finding> findings = findings_of(doubts, surface.points - surface.duplicates, filter);
-  for (Finding& finding : findings) {
-    finding.warns = finding.warns || finding.kind == "noise";
-  }
-  return findings;
+  return findings_of(doubts, surface.points - surface.duplicates, filter, {.noise_alone = true});
 }
 
 NoiseFilter noise_filter_of_update(bool filtered) {
