@@ -258,7 +258,7 @@ class Watch {
         std::any_of(drop.files.begin(), drop.files.end(),
                     [&](const NotedFile& file) { return is_to_be_alone(state_.notes, file); });
     if (are_alone) return apply_each(drop);
-    apply(drop);
+    apply(std::move(drop));
   }
 
   // False: the interrupt.
@@ -296,7 +296,7 @@ class Watch {
     return true;
   }
 
-  void apply(const Drop& drop) {
+  void apply(Drop drop) {
     SessionUpdate update;
     const std::size_t local_before = state_.session->local_changes();
     try {
@@ -313,7 +313,7 @@ class Watch {
         surface.counters.boundary_samples > 0) {
       findings_are_due_ = true;
     }
-    PendingUpdate applied{{}, drop.clouds, arguments_.parameters.rho};
+    PendingUpdate applied{{}, std::move(drop.clouds), arguments_.parameters.rho};
     for (const NotedFile& file : drop.files) applied.notes.push_back(note_of_applied(file));
     keep(applied);
     applied_ += drop.files.size();
