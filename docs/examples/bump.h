@@ -1,4 +1,4 @@
-// What the examples of updates scan: a ball, and a bump on it.
+// What the examples scan: a ball, parts of it, and a bump on it.
 #pragma once
 
 #include <algorithm>

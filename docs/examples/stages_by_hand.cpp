@@ -1,8 +1,6 @@
 // Cocone stage by stage, in the order of Woo & Dey 2005, section 2. reconstruct_cocone does the
 // same in one call; here any line can be replaced by one of your own.
-#include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <vector>
 
 #include "cocone/boundary_samples.h"
@@ -14,15 +12,10 @@
 #include "cocone/surface_mesh.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/voronoi_dual.h"
+#include "docs/examples/bump.h"
 
 int main() {
-  std::vector<cocoon::Point> ball;
-  for (int i = 0; i < 1000; ++i) {
-    const double z = 1 - (2.0 * i + 1) / 1000;
-    const double angle = std::numbers::pi * (3 - std::sqrt(5.0)) * i;
-    ball.push_back(
-        {std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z});
-  }
+  const std::vector<cocoon::Point> ball = cap(1000, 4, 0);
 
   // Cells, the Voronoi vertices dual to them, and the cells at each vertex.
   const cocoon::Triangulation cells = cocoon::delaunay(ball).triangulation;

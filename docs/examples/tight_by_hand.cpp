@@ -1,8 +1,6 @@
 // Tight Cocone stage by stage, in the order of Woo & Dey 2005, section 2.2: a ball that was not
 // scanned from below gets a closed surface. reconstruct_tight does the same in one call.
-#include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -19,17 +17,11 @@
 #include "cocone/surface_mesh.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/voronoi_dual.h"
+#include "docs/examples/bump.h"
 #include "geom/mesh_check.h"
 
 int main() {
-  std::vector<cocoon::Point> ball;
-  for (int i = 0; i < 1000; ++i) {
-    const double z = 1 - (2.0 * i + 1) / 1000;
-    if (z < -0.3) break;
-    const double angle = std::numbers::pi * (3 - std::sqrt(5.0)) * i;
-    ball.push_back(
-        {std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z});
-  }
+  const std::vector<cocoon::Point> ball = cap(1000, 1.8755, 0);
 
   // The open surface, as in stages_by_hand.cpp.
   const cocoon::Triangulation cells = cocoon::delaunay(ball).triangulation;
