@@ -1,0 +1,135 @@
+#include "geom/narrow_handles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include "geom/disjoint_sets.h"
+#include "geom/linked_mesh.h"
+#include "geom/mesh_check.h"
+#include "geom/random.h"
+#include "geom/triangle_mesh.h"
+#include "tests/mesh_gallery.h"
+
+namespace cocoon {
+namespace {
+
+using Edge = std::pair<VertexId, VertexId>;
+
+std::set<Edge> edges_of(const NarrowHandle& handle) {
+  std::set<Edge> edges;
+  for (std::size_t k = 0; k < handle.path.size(); ++k) {
+    edges.insert(std::minmax(handle.path[k], handle.path[(k + 1) % handle.path.size()]));
+  }
+  return edges;
+}
+
+// Into how many pieces triangles fall that are joined across all other edges.
+std::size_t pieces_without(const LinkedMesh& mesh, const std::set<Edge>& cut) {
+  std::size_t pieces = mesh.triangles.size();
+  std::size_t found = 0;
+  DisjointSets joined(pieces);
+  for (SideId side = 0; side < mesh.links.size(); ++side) {
+    if (!mesh.is_first(side)) continue;
+    if (cut.contains(std::minmax(mesh.from(side), mesh.to(side)))) {
+      ++found;
+      continue;
+    }
+    pieces -= joined.join(triangle_of_side(side), triangle_of_side(mesh.links[side])) ? 1U : 0U;
+  }
+  EXPECT_EQ(found, cut.size());  // the path runs along edges
+  return pieces;
+}
+
+TriangleMesh joined(const std::vector<TriangleMesh>& meshes, const std::vector<Point>& places) {
+  TriangleMesh all;
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const std::size_t first = all.points.size();
+    for (const Point& p : meshes[k].points) all.points.push_back(p + places[k]);
+    for (const Triangle& t : meshes[k].triangles) {
+      all.triangles.push_back({VertexId(t[0].index() + first), VertexId(t[1].index() + first),
+                               VertexId(t[2].index() + first)});
+    }
+  }
+  return all;
+}
+
+TEST(NarrowHandles, NoneOnABall) {
+  EXPECT_TRUE(narrow_handles(link_mesh(gallery::cube()), 5).empty());
+  EXPECT_TRUE(narrow_handles(link_mesh({}), 5).empty());
+}
+
+TEST(NarrowHandles, GoAroundTheTubeOfARing) {
+  const LinkedMesh mesh = link_mesh(gallery::torus(60, 24, 2, 0.5));
+  const std::vector<NarrowHandle> handles = narrow_handles(mesh, 1);
+  ASSERT_EQ(handles.size(), 1U);
+  const double around = 2 * std::numbers::pi * 0.5;
+  EXPECT_GE(handles[0].length, 0.98 * around);  // 24 chords
+  EXPECT_LE(handles[0].length, 1.3 * around);
+  double length = 0;
+  for (const auto& [a, b] : edges_of(handles[0])) length += norm(mesh.points[b] - mesh.points[a]);
+  EXPECT_NEAR(handles[0].length, length, 1e-12 * length);
+  EXPECT_EQ(pieces_without(mesh, edges_of(handles[0])), 1U);
+}
+
+// A thin ring, a fat one and a ball: the thin one comes first, and the ball has none.
+TEST(NarrowHandles, TheNarrowestFirst) {
+  const TriangleMesh all =
+      joined({gallery::torus(40, 20, 2, 0.9), gallery::cube(), gallery::torus(40, 20, 2, 0.2)},
+             {{0, 0, 0}, {5, 5, 5}, {0, 0, 9}});
+  ASSERT_EQ(mesh_check(all).genus, 2U);
+  const LinkedMesh mesh = link_mesh(all);
+  const std::vector<NarrowHandle> handles = narrow_handles(mesh, 2);
+  ASSERT_EQ(handles.size(), 2U);
+  EXPECT_LT(handles[0].length, handles[1].length);
+  for (const VertexId v : handles[0].path) EXPECT_GT(mesh.points[v].z, 8);
+  for (const NarrowHandle& handle : handles) {
+    EXPECT_EQ(pieces_without(mesh, edges_of(handle)), 3U);  // as many as without a cut
+  }
+  EXPECT_EQ(narrow_handles(mesh, 1).size(), 1U);
+}
+
+// Of the two ways around a handle one is told.
+TEST(NarrowHandles, AreNoMoreThanTheGenus) {
+  const LinkedMesh ring = link_mesh(gallery::torus(12, 8));
+  EXPECT_EQ(narrow_handles(ring, 10).size(), 1U);
+  EXPECT_EQ(narrow_handles(ring, 0).size(), 0U);
+}
+
+// A lattice torus is full of ties.
+TEST(NarrowHandles, AreAFunctionOfTheSurface) {
+  const TriangleMesh torus = gallery::torus(16, 8);
+  const auto places = [](const TriangleMesh& given) {
+    const LinkedMesh mesh = link_mesh(given);
+    std::vector<std::vector<Point>> paths;
+    for (const NarrowHandle& handle : narrow_handles(mesh, 5)) {
+      std::vector<Point>& path = paths.emplace_back();
+      for (const VertexId v : handle.path) path.push_back(mesh.points[v]);
+    }
+    return paths;
+  };
+  const auto expected = places(torus);
+  Random random(3);
+  for (int round = 0; round < 5; ++round) {
+    std::vector<std::uint32_t> name(torus.points.size());
+    std::iota(name.begin(), name.end(), 0U);
+    for (std::size_t k = name.size(); k > 1; --k) std::swap(name[k - 1], name[random.below(k)]);
+    TriangleMesh shuffled = torus;
+    for (const VertexId v : torus.points.ids()) {
+      shuffled.points[VertexId(std::size_t{name[v.index()]})] = torus.points[v];
+    }
+    for (Triangle& t : shuffled.triangles) {
+      for (VertexId& v : t) v = VertexId(std::size_t{name[v.index()]});
+      std::rotate(t.begin(), t.begin() + round % 3, t.end());
+    }
+    EXPECT_EQ(places(shuffled), expected);
+  }
+}
+
+}  // namespace
+}  // namespace cocoon
