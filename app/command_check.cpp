@@ -6,8 +6,11 @@
 #include "app/files.h"
 #include "app/surface_report.h"
 #include "geom/errors.h"
+#include "geom/linked_mesh.h"
 #include "geom/mesh_check.h"
 #include "geom/mesh_measure.h"
+#include "geom/narrow_handles.h"
+#include "geom/place_name.h"
 #include "geom/self_intersection.h"
 
 namespace cocoon::app {
@@ -68,6 +71,26 @@ void add_certificate(JsonReport& report, const Certificate& certificate,
   }
 }
 
+// Where a surface with a genus has them.
+void tell_handles(Job& job, const TriangleMesh& mesh, const MeshReport& report, std::size_t count) {
+  job.report().set_empty_array("surface/handles");
+  if (!report.genus) {
+    job.say("narrow handles                     - (needs a closed manifold)");
+    return;
+  }
+  const LinkedMesh linked = link_mesh(mesh, job.execution());
+  for (const NarrowHandle& handle : narrow_handles(linked, count)) {
+    const Point& at = linked.points[handle.path.front()];
+    job.say("narrow handle                      {:.6g} around, {} edges, near {}", handle.length,
+            handle.path.size(), place_name(at));
+    JsonReport entry;
+    entry.set("at", std::vector<double>{at.x, at.y, at.z});
+    entry.set("length", handle.length);
+    entry.set("edges", handle.path.size());
+    job.report().append("surface/handles", entry);
+  }
+}
+
 }  // namespace
 
 void run_check(const CheckArguments& arguments, Job& job) {
@@ -90,6 +113,7 @@ void run_check(const CheckArguments& arguments, Job& job) {
   say_certificate(job, certificate, measure);
   add_surface(job.report(), mesh, certificate.report);
   add_certificate(job.report(), certificate, measure);
+  if (arguments.handles > 0) tell_handles(job, mesh, certificate.report, arguments.handles);
   job.report().set("failed_requirements", failures);
   job.finish();
   if (!failures.empty()) {

@@ -355,6 +355,10 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
       ->type_name("WORD,...");
   sub->add_flag("--self-intersections", check.self_intersections,
                 "Also look for triangles that cross");
+  sub->add_option("--handles", check.handles,
+                  "Also tell where so many of the narrowest handles are")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1000000}))
+      ->type_name("COUNT");
 
   auto& compare = add_command<CompareArguments>(
       app, "compare", "Distances between two surfaces or clouds", chosen, shared, sub);

@@ -121,6 +121,7 @@ struct CheckArguments {
   std::string mesh;
   std::vector<std::string> required;  // words of check_requirements.h
   bool self_intersections = false;
+  std::size_t handles = 0;  // so many of the narrowest are told
 };
 
 struct CompareArguments {

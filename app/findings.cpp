@@ -73,27 +73,40 @@ Finding sparse_finding(const SurfaceDoubts& d, double guess, NoiseFilter filter)
           d.boundary_samples + d.gap_samples, d.sparse, guess > 0};
 }
 
+// "; the narrowest is 12.3 (4.1 times the spacing) around, near (1, 2, 3)", if it is known
+std::string narrowest_handle(const SurfaceDoubts& d) {
+  if (d.handles.empty()) return "";
+  const DoubtfulSpot& spot = d.handles[0];
+  return fmt::format("; {} is {:.3g} ({} times the spacing) around, near {}",
+                     d.certificate.genus == 1 ? "it" : "the narrowest", spot.size,
+                     ratio(spot.size / d.spacing), place_name(spot.at));
+}
+
 // `guess`: the share of the samples where the surface is one; `remedy`: of a false one.
 Finding handles_finding(const SurfaceDoubts& d, double guess, bool warns,
                         const std::string& remedy) {
   const std::size_t handles = d.certificate.genus.value_or(0);
   const std::string known = "the surface has " + counted(handles, "handle");
-  if (!warns) return {"handles", known + "; see if the object has as many", handles, {}, false};
+  const std::string where = narrowest_handle(d);
+  if (!warns) {
+    return {"handles", fmt::format("{}{}; see if the object has as many", known, where), handles,
+            d.handles, false};
+  }
   return {"handles",
-          fmt::format("{} and is a guess at {} of the samples; if the object does not have as "
+          fmt::format("{} and is a guess at {} of the samples{}; if the object does not have as "
                       "many, {}",
-                      known, percent(guess), remedy),
-          handles,
-          {}};
+                      known, percent(guess), where, remedy),
+          handles, d.handles};
 }
 
 Finding conflicts_finding(const SurfaceDoubts& d, const std::string& remedy) {
+  const std::string where =
+      d.contradicted.empty() ? "" : ", most near " + place_name(d.contradicted[0].at);
   return {"conflicts",
-          fmt::format("samples contradict each other {} about what is inside; walls may be joined "
-                      "or missing; look at the result; {}",
-                      counted(d.conflicts, "time"), remedy),
-          d.conflicts,
-          {}};
+          fmt::format("samples contradict each other {} about what is inside{}; walls may be "
+                      "joined or missing; look at the result; {}",
+                      counted(d.conflicts, "time"), where, remedy),
+          d.conflicts, d.contradicted};
 }
 
 Finding noise_finding(const SurfaceDoubts& d, bool warns, NoiseFilter filter) {

@@ -209,7 +209,7 @@ ReconstructResult initial_model(Job& job, const std::string& name, const std::ve
 std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points points,
                                         NoiseFilter filter, const Execution& execution,
                                         MeshReport& certificate) {
-  SurfaceDoubts doubts = surface_doubts(surface, points, {}, execution);
+  SurfaceDoubts doubts = surface_doubts(surface, points, {.place_handles = false}, execution);
   certificate = doubts.certificate;
   doubts.gap_samples = 0;
   doubts.unsurrounded_samples = doubts.conflicts = 0;

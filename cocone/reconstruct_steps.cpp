@@ -232,6 +232,7 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownSidesSource& known,
     result_.status = SurfaceStatus::ok;
   } else {
     deliver(surface_between(*triangulation_, marks, execution));
+    deliver_contradicted(marks);
   }
   counters.good_vertices = marks.good_vertices;
   counters.demoted_vertices = marks.folded.size();
@@ -243,6 +244,14 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownSidesSource& known,
   counters.poor_cells = marks.poor_cells;
   counters.deferred_seeds = marks.deferred_seeds;
   good_ = std::move(marks.good);
+}
+
+void ReconstructSteps::deliver_contradicted(const CellMarks& marks) {
+  if (marks.conflicts == 0) return;
+  result_.contradicted.resize(triangulation_vertex_.size());
+  for (const VertexId v : result_.contradicted.ids()) {
+    result_.contradicted[v] = marks.contradicted[triangulation_vertex_[v]];
+  }
 }
 
 void ReconstructSteps::deliver_certain(GoodVertices good, const Execution& execution) {

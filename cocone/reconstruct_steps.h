@@ -84,6 +84,9 @@ class ReconstructSteps {
 
   void deliver(SurfaceMesh surface);
 
+  // After deliver(): what the marks know of its vertices.
+  void deliver_contradicted(const CellMarks& marks);
+
   Points points_;
   ReconstructOptions options_;
   Execution execution_;

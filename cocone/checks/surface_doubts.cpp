@@ -13,6 +13,7 @@
 #include "geom/disjoint_sets.h"
 #include "geom/linked_mesh.h"
 #include "geom/median.h"
+#include "geom/narrow_handles.h"
 #include "geom/nearest_point.h"
 
 namespace cocoon {
@@ -44,11 +45,13 @@ class Doubts {
   SurfaceDoubts run() {
     measure_edges();
     find_sparse_samples();
+    find_contradicted_samples();
     doubts_.certificate = mesh_check(mesh_, {}, execution_);
     find_fragments();
     find_unused_points();
     find_contacts();
     ask_stages();
+    find_handles();
     return std::move(doubts_);
   }
 
@@ -145,21 +148,38 @@ class Doubts {
   }
 
   void find_sparse_samples() {
+    doubts_.sparse = groups_of(sparse_);
+    keep_largest(doubts_.sparse, options_.max_spots);
+  }
+
+  void find_contradicted_samples() {
+    if (result_.contradicted.empty()) return;
+    IdVector<VertexId, std::uint8_t> contradicted(mesh_.points.size(), 0);
+    for (const VertexId v : mesh_.points.ids()) {
+      contradicted[v] = result_.contradicted[mesh_.vertex_of[v]];
+    }
+    doubts_.contradicted = groups_of(contradicted);
+    keep_first(doubts_.contradicted, options_.max_spots, &DoubtfulSpot::count);
+  }
+
+  // Vertices that have a flag, as far as edges join them, each at the one with the longest edge.
+  std::vector<DoubtfulSpot> groups_of(const IdVector<VertexId, std::uint8_t>& flag) const {
     DisjointSets groups(mesh_.points.size());
     for (SideId side = 0; side < mesh_.links.size(); ++side) {
       const VertexId a = mesh_.from(side);
       const VertexId b = mesh_.to(side);
-      if (sparse_[a] != 0 && sparse_[b] != 0) groups.join(a.value, b.value);
+      if (flag[a] != 0 && flag[b] != 0) groups.join(a.value, b.value);
     }
+    std::vector<DoubtfulSpot> spots;
     IdVector<VertexId, std::uint32_t> spot_of(mesh_.points.size(), 0);  // place + 1
     for (const VertexId v : mesh_.points.ids()) {
-      if (sparse_[v] == 0) continue;
+      if (flag[v] == 0) continue;
       std::uint32_t& place = spot_of[VertexId(std::size_t{groups.root(v.value)})];
       if (place == 0) {
-        doubts_.sparse.push_back({mesh_.points[v], 0, longest_[v]});
-        place = static_cast<std::uint32_t>(doubts_.sparse.size());
+        spots.push_back({mesh_.points[v], 0, longest_[v]});
+        place = static_cast<std::uint32_t>(spots.size());
       }
-      DoubtfulSpot& spot = doubts_.sparse[place - 1];
+      DoubtfulSpot& spot = spots[place - 1];
       const Point& p = mesh_.points[v];
       if (longest_[v] > spot.size || (longest_[v] == spot.size && p < spot.at)) {
         spot.at = p;
@@ -167,7 +187,7 @@ class Doubts {
       }
       ++spot.count;
     }
-    keep_largest(doubts_.sparse, options_.max_spots);
+    return spots;
   }
 
   void find_fragments() {
@@ -273,6 +293,16 @@ class Doubts {
           result_.vertices - std::min(counters.umbrellas, result_.vertices);
     }
     doubts_.conflicts = counters.marking_conflicts;
+  }
+
+  // Where all samples are surrounded handles are what the samples say.
+  void find_handles() {
+    const bool any = doubts_.certificate.genus.value_or(0) > 0 && doubts_.unsurrounded_samples > 0;
+    if (!any || !options_.place_handles) return;
+    for (const NarrowHandle& handle : narrow_handles(mesh_, options_.max_spots)) {
+      doubts_.handles.push_back(
+          {mesh_.points[handle.path.front()], handle.path.size(), handle.length});
+    }
   }
 
   const ReconstructResult& result_;

@@ -28,6 +28,7 @@ struct SurfaceDoubtOptions {
   std::size_t max_spots = 3;     // of each list
   double gap_ratio = 4;          // longest edge at a vertex over the median of its edges: a gap
   double fragment_share = 0.01;  // of the triangles of the largest component: smaller ones are dust
+  bool place_handles = true;     // whether `handles` is asked for
 };
 
 struct SurfaceDoubts {
@@ -47,11 +48,16 @@ struct SurfaceDoubts {
   std::size_t bad_edges = 0;         // with more than two triangles
   std::size_t pinched_vertices = 0;
   std::vector<DoubtfulSpot> contacts;  // some ends of such edges and pinched vertices; size: 0
-  MeshReport certificate;              // mesh_check of the surface
+  // The narrowest first, if some sample is unsurrounded; count: edges around it, size: their length
+  // (narrow_handles.h). With contacts there is no genus, and none are told.
+  std::vector<DoubtfulSpot> handles;
+  MeshReport certificate;  // mesh_check of the surface
   // Of the stages that made the surface, not of its triangles (ReconstructCounters):
   std::size_t samples = 0;               // vertices of the triangulation
   std::size_t unsurrounded_samples = 0;  // without one disk of Cocone triangles around them
   std::size_t conflicts = 0;             // where marks of inside and outside met (mark_cells.h)
+  // Groups of vertices that are contradicted, joined by edges; as `sparse`, but by their counts.
+  std::vector<DoubtfulSpot> contradicted;
 };
 
 // What is doubtful about a reconstruction of `points`; empty meshes: zeros. Lists have the worst

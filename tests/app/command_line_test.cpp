@@ -128,6 +128,7 @@ TEST(CommandLine, RequirementsAreAListOfWords) {
       {"check", "m.ply", "--require", "closed,manifold,oriented", "--self-intersections"});
   EXPECT_EQ(check.required, (std::vector<std::string>{"closed", "manifold", "oriented"}));
   EXPECT_TRUE(check.self_intersections);
+  EXPECT_EQ(parsed<CheckArguments>({"check", "m.ply", "--handles", "3"}).handles, 3U);
 }
 
 TEST(CommandLine, RemainingCommands) {

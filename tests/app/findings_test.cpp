@@ -130,13 +130,15 @@ TEST(Findings, HandlesWarnWhereTheSurfaceIsAGuess) {
   EXPECT_FALSE(finding.warns);
   EXPECT_EQ(finding.message, "the surface has 2 handles; see if the object has as many");
   EXPECT_EQ(finding.count, 2U);
+  doubts.handles = {{{1, 2, 3}, 5, 0.25}};
   doubts.unsurrounded_samples = 80;
   finding = finding_of(doubts, "handles");
   EXPECT_TRUE(finding.warns);
+  EXPECT_EQ(finding.spots, doubts.handles);
   EXPECT_EQ(finding.message,
-            "the surface has 2 handles and is a guess at 8.0 % of the samples; if the object does "
-            "not have as many, scan such places more densely, or try --noise robust if scans "
-            "overlap there");
+            "the surface has 2 handles and is a guess at 8.0 % of the samples; the narrowest is "
+            "0.25 (2.5 times the spacing) around, near (1, 2, 3); if the object does not have as "
+            "many, scan such places more densely, or try --noise robust if scans overlap there");
   doubts.certificate.genus = 0;
   EXPECT_TRUE(findings_of(doubts, 1000, NoiseFilter::not_used).empty());
   doubts.certificate.genus.reset();  // not manifold: another finding
@@ -150,10 +152,13 @@ TEST(Findings, ConflictsWarnFromThreeInAThousandSamplesOn) {
   doubts.conflicts = 3;
   EXPECT_TRUE(findings_of(doubts, 1000, NoiseFilter::not_used).empty());
   doubts.conflicts = 4;
+  doubts.contradicted = one_spot;
   const Finding finding = finding_of(doubts, "conflicts");
   EXPECT_TRUE(finding.warns);
   EXPECT_EQ(finding.count, 4U);
-  EXPECT_EQ(finding.message.find("samples contradict each other 4 times about what is inside; "),
+  EXPECT_EQ(finding.spots, one_spot);
+  EXPECT_EQ(finding.message.find("samples contradict each other 4 times about what is inside, "
+                                 "most near (1, 2, 3); "),
             0U)
       << finding.message;
 }

@@ -143,6 +143,32 @@ TEST(Program, DelaunayInAllFormats) {
   EXPECT_EQ(content_of(folder.file("d.tet")).rfind("5 2\n", 0), 0U);
 }
 
+// A square ring: 3 x 3 squares without the one in the middle, as high as they are wide.
+constexpr const char* ring_off =
+    "OFF\n16 16 0\n"
+    "0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n2 1 0\n2 2 0\n1 2 0\n"
+    "0 0 1\n3 0 1\n3 3 1\n0 3 1\n1 1 1\n2 1 1\n2 2 1\n1 2 1\n"
+    "4 0 4 5 1\n4 1 5 6 2\n4 2 6 7 3\n4 3 7 4 0\n"
+    "4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n"
+    "4 0 1 9 8\n4 1 2 10 9\n4 2 3 11 10\n4 3 0 8 11\n"
+    "4 4 12 13 5\n4 5 13 14 6\n4 6 14 15 7\n4 7 15 12 4\n";
+
+TEST(Program, CheckTellsWhereHandlesAre) {
+  const TemporaryFolder folder;
+  const std::string ring = folder.write("ring.off", ring_off);
+  const Json report =
+      report_of({"check", ring, "--handles", "5", "--require", "closed,manifold,oriented"});
+  EXPECT_EQ(report["surface"]["genus"], 1);
+  const Json& handles = report["surface"]["handles"];
+  ASSERT_EQ(handles.size(), 1U);
+  EXPECT_GE(handles[0]["length"].get<double>(), 2 + 2 * std::sqrt(2));  // up, in, down, out
+  EXPECT_GE(handles[0]["edges"], 4);
+  EXPECT_EQ(handles[0]["at"].size(), 3U);
+  EXPECT_FALSE(report_of({"check", ring})["surface"].contains("handles"));
+  const std::string open = folder.write("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  EXPECT_EQ(report_of({"check", open, "--handles", "5"})["surface"]["handles"].size(), 0U);
+}
+
 TEST(Program, CheckCertifiesAndRequires) {
   const TemporaryFolder folder;
   const std::string closed = folder.write("closed.ply", tetrahedron_ply);

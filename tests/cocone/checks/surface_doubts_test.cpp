@@ -43,6 +43,32 @@ TEST(SurfaceDoubts, TellWhatTheStagesCounted) {
   EXPECT_EQ(doubts.conflicts, result.counters.marking_conflicts);
 }
 
+// Two sheets closer than their samples, beside a ball that leaves no doubt.
+TEST(SurfaceDoubts, PlaceContradictionsAndHandles) {
+  Random random(7);
+  std::vector<Point> points = shapes::sphere(800, 20, 0.5, {5, 0, 0});
+  for (int i = 0; i < 4000; ++i) {
+    const double z = i % 2 == 0 ? 0 : 0.02;
+    points.push_back({random.uniform(-1, 1), random.uniform(-1, 1), z});
+  }
+  const ReconstructResult result = reconstruct_tight(points);
+  const SurfaceDoubts doubts = surface_doubts(result, points);
+  ASSERT_GT(doubts.conflicts, 0U);
+  ASSERT_GT(doubts.contradicted.size(), 1U);
+  EXPECT_GE(doubts.contradicted[0].count, doubts.contradicted[1].count);
+  ASSERT_GT(doubts.certificate.genus.value_or(0), 3U);
+  ASSERT_EQ(doubts.handles.size(), 3U);
+  EXPECT_LE(doubts.handles[0].size, doubts.handles[1].size);
+  for (const auto& spots : {doubts.contradicted, doubts.handles}) {
+    for (const DoubtfulSpot& spot : spots) {
+      EXPECT_LT(spot.at.x, 2);
+      EXPECT_GE(spot.count, 1U);
+      EXPECT_GT(spot.size, 0);
+    }
+  }
+  EXPECT_TRUE(surface_doubts(result, points, {.place_handles = false}).handles.empty());
+}
+
 // At its rim no sample has an umbrella, and nothing was guessed there.
 TEST(SurfaceDoubts, AnOpenSurfaceIsNoGuess) {
   std::vector<Point> strip;
