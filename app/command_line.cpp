@@ -150,7 +150,8 @@ void add_stages_of_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
       ->group(stages);
   app.add_flag("!--no-clean-up", arguments.clean_up, "Leave the surface as the peel left it")
       ->group(stages);
-  for (const ThresholdUse use : {ThresholdUse::cocone, ThresholdUse::tight}) {
+  for (const ThresholdUse use :
+       {ThresholdUse::cocone, ThresholdUse::tight, ThresholdUse::clean_up}) {
     add_thresholds_of(app, use, arguments.thresholds, stages);
   }
   const std::string noise = "Noise filter (with --noise robust)";

@@ -61,6 +61,7 @@ std::vector<std::string> of_tight_surfaces(const ReconstructArguments& arguments
   if (arguments.cavities) names.push_back("--cavities");
   if (!arguments.clean_up) names.push_back("--no-clean-up");
   append_thresholds(ThresholdUse::tight, arguments, names);
+  append_thresholds(ThresholdUse::clean_up, arguments, names);
   return names;
 }
 
@@ -68,6 +69,19 @@ void require_use_of_options(const ReconstructArguments& arguments) {
   if (arguments.surface == "tight") return;
   const std::vector<std::string> names = of_tight_surfaces(arguments);
   if (!names.empty()) throw UsageError(names.front() + " needs --surface tight");
+}
+
+// Given options that say what others take away.
+void warn_of_idle_options(Job& job, const ReconstructArguments& arguments) {
+  const bool paper = arguments.parameters.mode == "paper";
+  std::vector<std::string> names;
+  if (paper && arguments.cavities) names.push_back("--cavities");
+  if (paper && arguments.radius == "tangent-plane") names.push_back("--radius tangent-plane");
+  if (paper || !arguments.clean_up) append_thresholds(ThresholdUse::clean_up, arguments, names);
+  if (names.empty()) return;
+  job.warn(fmt::format("{} {} nothing with {}", fmt::join(names, ", "),
+                       names.size() == 1 ? "does" : "do",
+                       paper ? "--mode paper" : "--no-clean-up"));
 }
 
 // Given options that a session does not keep: it has the parameters of surface_options.h only.
@@ -116,6 +130,7 @@ void add_stages(JsonReport& report, const ReconstructArguments& arguments,
   }
   if (arguments.surface != "tight") return;
   add_thresholds(report, ThresholdUse::tight, options);
+  add_thresholds(report, ThresholdUse::clean_up, options);
   const ReconstructOptions effective = effective_options(options.surface);
   report.set("parameters/deferred_seeding", effective.peel.deferred_seeding);
   report.set("parameters/cavities", effective.keep_cavities);
@@ -224,6 +239,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   const bool parted = certificate.edge_manifold && certificate.vertex_manifold;
   std::erase_if(findings, [&](const Finding& f) { return parted && f.kind == "contacts"; });
   report_findings(job, findings);
+  warn_of_idle_options(job, arguments);
   job.finish();
 }
 

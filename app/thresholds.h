@@ -29,6 +29,7 @@ struct StageOptions {
 enum class ThresholdUse {
   cocone,    // every surface
   tight,     // watertight ones
+  clean_up,  // of these, unless it is left out
   outliers,  // left out before them, by --noise robust; of the clouds of updates, too
   noise,     // the rest of that filter
   loops,     // the command boundary

@@ -14,8 +14,8 @@ namespace {
 nlohmann::json parameters(const StageOptions& options) {
   JsonReport report;
   for (const ThresholdUse use :
-       {ThresholdUse::cocone, ThresholdUse::tight, ThresholdUse::outliers, ThresholdUse::noise,
-        ThresholdUse::loops, ThresholdUse::findings}) {
+       {ThresholdUse::cocone, ThresholdUse::tight, ThresholdUse::clean_up, ThresholdUse::outliers,
+        ThresholdUse::noise, ThresholdUse::loops, ThresholdUse::findings}) {
     add_thresholds(report, use, options);
   }
   return nlohmann::json::parse(report.text())["parameters"];
@@ -69,7 +69,9 @@ TEST(Thresholds, OneThatIsGivenIsSetAndReportedAndNoOther) {
 TEST(Thresholds, GivenOnesAreNamedByUse) {
   const std::map<std::string, double> given{
       {"keep-angle", 100}, {"idle-cost", 1}, {"max-spots", 5}};
-  EXPECT_EQ(given_thresholds(ThresholdUse::tight, given), std::vector<std::string>{"--idle-cost"});
+  EXPECT_EQ(given_thresholds(ThresholdUse::clean_up, given),
+            std::vector<std::string>{"--idle-cost"});
+  EXPECT_TRUE(given_thresholds(ThresholdUse::tight, given).empty());
   EXPECT_TRUE(given_thresholds(ThresholdUse::noise, given).empty());
 }
 

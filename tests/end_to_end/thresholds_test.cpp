@@ -75,6 +75,21 @@ TEST(Thresholds, TheRadiusOfTheRatioConditionIsAnOption) {
             "cocone");
 }
 
+TEST(Thresholds, WhatDoesNothingIsSaid) {
+  const TemporaryFolder folder;
+  const auto warnings = [&](const std::vector<std::string>& options) {
+    return reconstructed(folder, options)["warnings"];
+  };
+  const Json same = warnings({"--mode", "paper", "--no-clean-up", "--no-deferred-seeding"});
+  EXPECT_EQ(same.dump().find(" nothing with "), std::string::npos) << same;
+  const Json paper = warnings({"--mode", "paper", "--cavities", "--handle-cost", "5"});
+  ASSERT_FALSE(paper.empty());
+  EXPECT_EQ(paper.back(), "--cavities, --handle-cost do nothing with --mode paper");
+  const Json peeled = warnings({"--no-clean-up", "--max-rise", "5"});
+  ASSERT_FALSE(peeled.empty());
+  EXPECT_EQ(peeled.back(), "--max-rise does nothing with --no-clean-up");
+}
+
 // Outliers on all sides keep the marks of the hull away from the ball.
 TEST(Thresholds, DeferredSeedingIsAnOption) {
   const TemporaryFolder folder;
