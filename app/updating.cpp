@@ -155,7 +155,7 @@ void add_surface_of(const UpdateSession& session, UpdateResult& result) {
 }  // namespace
 
 UpdateOptions update_options(const SurfaceArguments& arguments) {
-  UpdateOptions options;
+  UpdateOptions options = arguments.mode == "paper" ? paper_update_options() : UpdateOptions();
   options.cloud.reconstruct = surface_options(arguments, options.cloud.reconstruct);
   if (arguments.rho) {
     options.cloud.start.rho = *arguments.rho;
@@ -168,11 +168,6 @@ UpdateOptions update_options(const SurfaceArguments& arguments) {
   SurfaceArguments closed = arguments;
   closed.rho.reset();
   options.reconstruct = surface_options(closed, options.reconstruct);
-  if (arguments.mode == "paper") {
-    options.overlap.rule = LocationRule::nearest_vertex_star;
-    options.cloud.trim.max_edge = 0;
-    options.cloud.rows.min_ratio = 0;
-  }
   return options;
 }
 

@@ -22,7 +22,7 @@ namespace cocoon::app {
 
 // The library's options with what the user has set. --rho is that of the clouds' boundaries, and
 // then the only one that is tried; the other parameters hold for clouds and updated model. Mode
-// "paper" also locates rim points as the paper does.
+// "paper": paper_update_options().
 UpdateOptions update_options(const SurfaceArguments& arguments);
 
 // What goes in: the model and the clouds, with names for people.

@@ -45,6 +45,15 @@ UpdateResult take_steps(UpdateSteps& steps, const UpdateParts& parts, const Exec
 
 }  // namespace
 
+UpdateOptions paper_update_options() {
+  UpdateOptions options;
+  options.cloud.reconstruct.mode = options.reconstruct.mode = Mode::paper;
+  options.overlap.rule = LocationRule::nearest_vertex_star;
+  options.cloud.trim.max_edge = 0;
+  options.cloud.rows.min_ratio = 0;
+  return options;
+}
+
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateParts& parts, const UpdateOptions& options,
                           const Execution& execution) {

@@ -66,6 +66,11 @@ struct UpdateOptions {
   ReconstructOptions reconstruct;  // of the updated model: the defaults for closed models
 };
 
+// As near to the paper as options go: surfaces of clouds and model in Mode::paper, rim points
+// located among the facets at the nearest vertex, no long edges trimmed, no rows of a scanner
+// bridged. Every other departure stays (docs/update.md, "With --mode paper").
+UpdateOptions paper_update_options();
+
 // V - E + F of a mesh with two triangles at each edge: 2 for each part, less 2 for each handle.
 inline std::ptrdiff_t euler_number(std::size_t vertices, std::size_t triangles) {
   return static_cast<std::ptrdiff_t>(vertices) - static_cast<std::ptrdiff_t>(triangles / 2);
