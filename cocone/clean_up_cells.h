@@ -26,7 +26,7 @@
 //     each of their facets counting half, and they are OUT if one of their sides is. OUT cells that
 //     infinity cannot reach through OUT cells are then filled, as in the peel.
 //  2. Moves. At a defect or an unused sample single cells, pairs, and parts of stars change sides
-//     where that lowers E, unless they would found a new part of the body or a cavity, or what they
+//     where that lowers E, unless they would begin a new part of the body or a cavity, or what they
 //     leave would fall apart.
 //  3. Clusters. At idle samples, in doubt or beside those in doubt, whole clusters of cells
 //     (cell_cluster.h) change sides where that lowers E, under the same conditions, and if no

@@ -104,11 +104,11 @@ struct ReconstructResult {
   // 1 = what is inside is contradicted there (CellMarks::contradicted); empty if it is nowhere, and
   // of the open surface.
   IdVector<VertexId, std::uint8_t> contradicted;
-  std::size_t points = 0;                            // given
-  std::size_t duplicates = 0;                        // points equal to an earlier one
-  std::size_t unused_points = 0;                     // different points not on the surface
-  std::size_t vertices = 0;                          // of the triangulation
-  std::size_t tetrahedra = 0;                        // finite cells
+  std::size_t points = 0;         // given
+  std::size_t duplicates = 0;     // points equal to an earlier one
+  std::size_t unused_points = 0;  // different points not on the surface
+  std::size_t vertices = 0;       // of the triangulation
+  std::size_t tetrahedra = 0;     // finite cells
   ReconstructCounters counters;
   SurfaceVerification verification;  // if asked for
 };
@@ -146,8 +146,10 @@ ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points po
                                           const ReconstructOptions& options = {},
                                           const Execution& execution = {});
 
-// The Cocone surface with its boundary: open where the cloud is. As above without "tight".
-// Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Woo & Dey 2005, sections 2.1, 3.2.
+// The Cocone surface with its boundary: open where the cloud is. As above without "tight". Of a
+// scan that is open the options should be open_cloud_defaults(), as the program and the update have
+// them; by default they are those of closed surfaces, from which Tight Cocone goes on. Source:
+// Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Woo & Dey 2005, sections 2.1, 3.2.
 ReconstructResult reconstruct_cocone(Points points, const ReconstructOptions& options = {},
                                      const Execution& execution = {});
 

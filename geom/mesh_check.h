@@ -80,7 +80,7 @@ struct MeshReport {
   std::vector<MeshComponent> component_reports;  // by first triangle
   MeshExamples examples;
 
-  // Closed 2-manifold with consistent orientation and no bad triangle.
+  // Closed 2-manifold with consistent orientation, and no triangle that names a vertex twice.
   bool is_closed_manifold() const {
     return balanced && edge_manifold && vertex_manifold && repeated_vertex_triangles == 0;
   }

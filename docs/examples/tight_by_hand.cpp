@@ -51,7 +51,7 @@ int main() {
               open.triangles, open.open_edges, closed.triangles, closed.open_edges);
   std::printf(
       "%zu of %zu vertices are good, %zu cells have none, %zu changed sides after the peel\n",
-      marks.good_vertices, cells.num_vertices(), clean_up.undecided_cells, clean_up.changed_cells);
+      marks.good_vertices, cells.num_vertices(), marks.poor_cells, clean_up.changed_cells);
   const bool as_in_one_call = mesh == cocoon::reconstruct_tight(ball).mesh;
   return open.open_edges > 0 && closed.is_closed_manifold() && as_in_one_call ? 0 : 1;
 }
