@@ -208,7 +208,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
       return reconstruction;
     }
     if (arguments.noise == "robust") return without_noise(job, points, stages, findings);
-    return tight ? reconstruct_tight_again(points, input.sides, options, job.execution())
+    return tight ? reconstruct_tight_with_sides(points, input.sides, options, job.execution())
                  : reconstruct_cocone(points, options, job.execution());
   });
   require_surface(job, arguments.points, result, points, options,

@@ -190,7 +190,7 @@ ReconstructResult initial_model(Job& job, const std::string& name, const std::ve
   ReconstructResult result =
       run_step(job.execution(), "initial_model", [&](const Execution& nested) {
         return naming_input(
-            name, [&] { return reconstruct_tight_again(points, known, options, nested); });
+            name, [&] { return reconstruct_tight_with_sides(points, known, options, nested); });
       });
   require_surface(job, name, result, points, options);
   job.report().set("initial_model/points", result.points);

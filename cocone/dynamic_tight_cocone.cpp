@@ -236,8 +236,8 @@ ReconstructResult DynamicTightCocone::State::run_stages(Points points, const Old
   if (candidates.exists()) return run_later_stages(points, old, execution, may_edit);
   ReconstructStages stages;
   ReconstructResult result =
-      reconstruct_tight_again(compact_delaunay(delaunay, vertex_of_point).triangulation, points,
-                              old.sides, options, execution, stages);
+      reconstruct_tight_with_sides(compact_delaunay(delaunay, vertex_of_point).triangulation,
+                                   points, old.sides, options, execution, stages);
   take(result, std::move(stages));
   return result;
 }
@@ -402,14 +402,15 @@ DynamicTightCocone::Snapshot DynamicTightCocone::release() && {
 ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution& execution,
                                                   const KnownSidesSource& known) {
   if (working_scale(points) != 1) {
-    ReconstructResult result = reconstruct_tight_again(points, known, state_->options, execution);
+    ReconstructResult result =
+        reconstruct_tight_with_sides(points, known, state_->options, execution);
     state_->clear(points.size());
     return result;
   }
   DelaunayResult built = delaunay(points, state_->options.delaunay, execution);
   ReconstructStages stages;
-  ReconstructResult result = reconstruct_tight_again(std::move(built.triangulation), points, known,
-                                                     state_->options, execution, stages);
+  ReconstructResult result = reconstruct_tight_with_sides(
+      std::move(built.triangulation), points, known, state_->options, execution, stages);
   result.counters.delaunay = built.counters;
   state_->take(result, std::move(stages));
   return result;

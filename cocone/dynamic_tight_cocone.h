@@ -19,7 +19,7 @@
 namespace cocoon {
 
 // Keeps the Delaunay triangulation of its points from one change to the next. Every result is the
-// one that reconstruct_tight_again gives for points and known sides, bit for bit, whatever the
+// one that reconstruct_tight_with_sides gives for points and known sides, bit for bit, whatever the
 // history, but for counters.delaunay, which tell how the triangulation was changed. (A zero in a
 // normal may have the other sign if of two equal points one went, and their zeros had two signs.)
 //

@@ -133,18 +133,18 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
                                     const ReconstructOptions& options = {},
                                     const Execution& execution = {});
 
-// Both again where sides are known beforehand: after a change from triangles of the old mesh where
-// nothing has changed (known_sides.h), of samples of a solid from its mesh (sides_of_solid.h).
+// Both where sides are known beforehand: after a change from triangles of the old mesh where nothing
+// has changed (known_sides.h), of samples of a solid from its mesh (sides_of_solid.h).
 // Where cells have no good vertex, or marks contradict each other as at walls thinner than the
 // spacing, `known` is asked for the sides of cells, which neither the marking nor the clean-up
 // decides otherwise. Where nothing is in doubt it is not asked; nor is it in paper mode.
-ReconstructResult reconstruct_tight_again(Points points, const KnownSidesSource& known,
-                                          const ReconstructOptions& options = {},
-                                          const Execution& execution = {});
-ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
-                                          const KnownSidesSource& known,
-                                          const ReconstructOptions& options = {},
-                                          const Execution& execution = {});
+ReconstructResult reconstruct_tight_with_sides(Points points, const KnownSidesSource& known,
+                                               const ReconstructOptions& options = {},
+                                               const Execution& execution = {});
+ReconstructResult reconstruct_tight_with_sides(Triangulation triangulation, Points points,
+                                               const KnownSidesSource& known,
+                                               const ReconstructOptions& options = {},
+                                               const Execution& execution = {});
 
 // The Cocone surface with its boundary: open where the cloud is. As above without "tight". Of a
 // scan that is open the options should be open_cloud_defaults(), as the program and the update have

@@ -85,8 +85,8 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
   const UpdateParts parts{
       [&]() -> const ModelIndex& { return index ? *index : index.emplace(model); },
       [&](const Replacement& replacement, const OldSurface& old, const Execution& nested) {
-        ReconstructResult result =
-            reconstruct_tight_again(replacement.points, old.sides, options.reconstruct, nested);
+        ReconstructResult result = reconstruct_tight_with_sides(replacement.points, old.sides,
+                                                                options.reconstruct, nested);
         const std::size_t triangles = result.mesh.triangles.size();
         return UpdatedSurface{std::move(result), triangles};
       }};

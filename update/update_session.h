@@ -60,9 +60,9 @@ struct SessionUpdate {
 // counts, apart from those of the Delaunay kernel.
 class UpdateSession {
  public:
-  // The reconstruction of these points (reconstruct_tight_again, if sides are known) is the model;
-  // reconstruction() tells how it went. If it fails, the model is empty and cannot be updated.
-  // Errors: InputError as reconstruct_tight.
+  // The reconstruction of these points (reconstruct_tight_with_sides, if sides are known) is the
+  // model; reconstruction() tells how it went. If it fails, the model is empty and cannot be
+  // updated. Errors: InputError as reconstruct_tight.
   explicit UpdateSession(Points points, const UpdateOptions& options = {},
                          const Execution& execution = {}, const KnownSidesSource& known = {});
   // A closed mesh as it is. Its points are triangulated by the first update.

@@ -6,10 +6,11 @@
 
 namespace cocoon {
 
-ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
-                                          const KnownSidesSource& known,
-                                          const ReconstructOptions& options,
-                                          const Execution& execution, ReconstructStages& stages) {
+ReconstructResult reconstruct_tight_with_sides(Triangulation triangulation, Points points,
+                                               const KnownSidesSource& known,
+                                               const ReconstructOptions& options,
+                                               const Execution& execution,
+                                               ReconstructStages& stages) {
   ReconstructSteps steps(points, options, execution);
   steps.keep_stages(stages);
   steps.take(std::move(triangulation));

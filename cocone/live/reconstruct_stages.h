@@ -45,11 +45,12 @@ struct ReconstructStages {
   CoconeSurface surface;
 };
 
-// As reconstruct_tight_again of the triangulation, and fills in `stages`.
-ReconstructResult reconstruct_tight_again(Triangulation triangulation, Points points,
-                                          const KnownSidesSource& known,
-                                          const ReconstructOptions& options,
-                                          const Execution& execution, ReconstructStages& stages);
+// As reconstruct_tight_with_sides of the triangulation, and fills in `stages`.
+ReconstructResult reconstruct_tight_with_sides(Triangulation triangulation, Points points,
+                                               const KnownSidesSource& known,
+                                               const ReconstructOptions& options,
+                                               const Execution& execution,
+                                               ReconstructStages& stages);
 
 // What the stages up to pruning would find, if it is known beforehand (live_candidates.h).
 struct KnownCandidates {
@@ -79,7 +80,7 @@ struct LiveStages {
   BodyTaker take_body;
 };
 
-// As reconstruct_tight_again of the triangulation, without these stages; fills in `surface`.
+// As reconstruct_tight_with_sides of the triangulation, without these stages; fills in `surface`.
 // If live.take_body takes the body the result has neither mesh nor anything by vertex.
 ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
                                          KnownCandidates candidates, Points points,

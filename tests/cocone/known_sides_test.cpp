@@ -213,7 +213,7 @@ TEST(KnownSides, AreOnlyUsedWhereMarksContradictEachOther) {
   const ReconstructResult plain = reconstruct_tight(points);
   std::vector<KnownTriangle> turned = triangles_of(plain);
   for (KnownTriangle& t : turned) std::swap(t[0], t[1]);
-  const ReconstructResult again = reconstruct_tight_again(points, told_by(turned));
+  const ReconstructResult again = reconstruct_tight_with_sides(points, told_by(turned));
   EXPECT_EQ(again.mesh, plain.mesh);
   EXPECT_EQ(again.counters.known_cells, 0U);
 }
@@ -310,7 +310,7 @@ TEST(KnownSides, SettleContradictions) {
   const ReconstructResult plain = reconstruct_tight(points);
   ASSERT_GT(plain.counters.marking_conflicts, 0U);
   const std::vector<KnownTriangle> known = triangles_of(plain);
-  const ReconstructResult again = reconstruct_tight_again(points, told_by(known));
+  const ReconstructResult again = reconstruct_tight_with_sides(points, told_by(known));
   EXPECT_GT(again.counters.known_cells, 1000U);
   EXPECT_EQ(again.status, SurfaceStatus::ok);
   const MeshReport before = mesh_check(plain.mesh);
@@ -320,7 +320,7 @@ TEST(KnownSides, SettleContradictions) {
   EXPECT_NEAR(static_cast<double>(again.mesh.triangles.size()),
               static_cast<double>(plain.mesh.triangles.size()), 60);
   const ReconstructOptions paper = {.mode = Mode::paper};
-  EXPECT_EQ(reconstruct_tight_again(points, told_by(known), paper).mesh,
+  EXPECT_EQ(reconstruct_tight_with_sides(points, told_by(known), paper).mesh,
             reconstruct_tight(points, paper).mesh);
 }
 
@@ -345,12 +345,12 @@ TEST(KnownSides, AMeshIsGivenAgain) {
         const ReconstructResult model = model_of(samples, clean_up);
         const Points points = model.mesh.points.span();
         const std::vector<KnownTriangle> known = triangles_of(model);
-        const ReconstructResult again = reconstruct_tight_again(points, told_by(known));
+        const ReconstructResult again = reconstruct_tight_with_sides(points, told_by(known));
         known_cells += again.counters.known_cells;
         EXPECT_TRUE(again.mesh == model.mesh) << seed << ' ' << samples.size() << ' ' << clean_up;
         stirred += reconstruct_tight(points).mesh == model.mesh ? 0U : 1U;
         const ReconstructOptions paper = {.mode = Mode::paper};
-        EXPECT_TRUE(reconstruct_tight_again(points, told_by(known), paper).mesh ==
+        EXPECT_TRUE(reconstruct_tight_with_sides(points, told_by(known), paper).mesh ==
                     reconstruct_tight(points, paper).mesh);
       }
     }
@@ -375,7 +375,7 @@ TEST(KnownSides, ASpikeStays) {
   mesh.triangles.push_back({c, a, top});
   canonicalize_triangles(mesh);
   const Points points = mesh.points.span();
-  EXPECT_TRUE(reconstruct_tight_again(points, told_by(triangles_of(model))).mesh == mesh);
+  EXPECT_TRUE(reconstruct_tight_with_sides(points, told_by(triangles_of(model))).mesh == mesh);
   EXPECT_EQ(reconstruct_tight(points).unused_points, 1U);
 }
 
@@ -415,7 +415,7 @@ TEST(KnownSides, WhatIsFarFromAChangeStays) {
       });
     };
     const std::vector<KnownTriangle> known = far_triangles(model, points, 0.6);
-    EXPECT_EQ(lost_of(reconstruct_tight_again(moved, told_by(known))), 0) << seed;
+    EXPECT_EQ(lost_of(reconstruct_tight_with_sides(moved, told_by(known))), 0) << seed;
     stirred += lost_of(reconstruct_tight(moved)) == 0 ? 0U : 1U;
   }
   EXPECT_GT(stirred, 0U);

@@ -80,7 +80,7 @@ TEST(SidesOfSolid, KeepThinWallsWhole) {
   const std::vector<Point> points = samples_of(solid, 0.25);
   const ReconstructResult alone = reconstruct_tight(points);
   const KnownSidesSource sides = sides_told_by(solid, points);
-  const ReconstructResult told = reconstruct_tight_again(points, sides);
+  const ReconstructResult told = reconstruct_tight_with_sides(points, sides);
   const auto rms = [&](const ReconstructResult& result) {
     return surface_distance(result.mesh, solid, {.samples = 20000}).rms;
   };
@@ -91,7 +91,7 @@ TEST(SidesOfSolid, KeepThinWallsWhole) {
 
   ReconstructOptions paper;
   paper.mode = Mode::paper;
-  EXPECT_EQ(reconstruct_tight_again(points, sides, paper).mesh.triangles,
+  EXPECT_EQ(reconstruct_tight_with_sides(points, sides, paper).mesh.triangles,
             reconstruct_tight(points, paper).mesh.triangles);
 }
 
@@ -102,8 +102,9 @@ TEST(SidesOfSolid, AreToldAtTheScaleOfTheTriangulation) {
   const TriangleMesh tiny = gallery::scaled(solid, 0x1p-150);
   std::vector<Point> tiny_points = points;
   for (Point& p : tiny_points) p = 0x1p-150 * p;
-  EXPECT_EQ(reconstruct_tight_again(tiny_points, sides_told_by(tiny, tiny_points)).mesh.triangles,
-            reconstruct_tight_again(points, sides_told_by(solid, points)).mesh.triangles);
+  EXPECT_EQ(
+      reconstruct_tight_with_sides(tiny_points, sides_told_by(tiny, tiny_points)).mesh.triangles,
+      reconstruct_tight_with_sides(points, sides_told_by(solid, points)).mesh.triangles);
 }
 
 // A hollow box: what is known to be outside is not lost to the cavity's wall being told already.
@@ -112,10 +113,11 @@ TEST(SidesOfSolid, LetCavitiesBeKept) {
       gallery::cube(4), gallery::flipped(gallery::translated(gallery::cube(2), {1, 1, 1})));
   const std::vector<Point> points = samples_of(solid, 0.2);
   const KnownSidesSource sides = sides_told_by(solid, points);
-  const ReconstructResult filled = reconstruct_tight_again(points, sides);
+  const ReconstructResult filled = reconstruct_tight_with_sides(points, sides);
   EXPECT_GT(filled.unused_points, 500U);
   EXPECT_EQ(mesh_check(filled.mesh).components, 1U);
-  const ReconstructResult hollow = reconstruct_tight_again(points, sides, {.keep_cavities = true});
+  const ReconstructResult hollow =
+      reconstruct_tight_with_sides(points, sides, {.keep_cavities = true});
   EXPECT_EQ(hollow.counters.cavities.cavities, 1U);
   EXPECT_EQ(hollow.unused_points, 0U);
   EXPECT_EQ(mesh_check(hollow.mesh).components, 2U);
