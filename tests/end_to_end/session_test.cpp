@@ -68,7 +68,7 @@ TEST(Session, RefusesWhatDoesNotFit) {
   ASSERT_EQ(run_program({"reconstruct", points, "-o", mesh, "--session", session}).exit_code, 0);
   expect_error(run_program({"update", "--session", session, cloud, "-o", mesh, "--alpha", "20"}), 2,
                "--rho");
-  expect_error(run_program({"update", "--session", session, "-o", mesh}), 2, "MODEL");
+  expect_error(run_program({"update", "--session", session, "-o", mesh}), 2, "CLOUD");
   expect_error(run_program({"update", mesh, "-o", mesh}), 2, "CLOUD");
   expect_error(run_program({"update", "--session", session, cloud, "-o", session}), 2, "output");
   // A refused cloud leaves the session as it was.
