@@ -75,6 +75,7 @@ class Watch {
       : arguments_(arguments),
         job_(job),
         session_file_(arguments.session.empty() ? arguments.mesh + ".session" : arguments.session),
+        folder_(arguments.folder, to_milliseconds(arguments.settle), own_files()),
         options_(update_options(arguments.parameters)),
         filter_(cloud_filter(arguments.filter)) {
     require_outputs(job, {{arguments.mesh, mesh_extensions}, {session_file_}}, {arguments.model});
@@ -93,10 +94,11 @@ class Watch {
 
   // Until it is time to stop.
   void follow_folder() {
-    FolderWatch folder(arguments_.folder, to_milliseconds(arguments_.settle), own_files());
     std::vector<FolderWatch::CompleteFile> held;  // until no other file is being written
-    for (;;) {
-      for (FolderWatch::CompleteFile& file : folder.poll()) {
+    do {
+      std::vector<FolderWatch::CompleteFile> files;
+      if (!look_into_folder(files)) continue;
+      for (FolderWatch::CompleteFile& file : files) {
         if (arguments_.together) {
           std::erase_if(held, [&](const auto& before) { return before.path == file.path; });
           held.push_back(std::move(file));
@@ -105,14 +107,13 @@ class Watch {
         }
         if (interrupted()) return;
       }
-      if (folder.waiting() == 0) {
+      if (folder_.waiting() == 0) {
         look_at_groups(std::exchange(held, {}));
         if (interrupted()) return;
         tell_findings();
       }
-      if (arguments_.once && folder.waiting() == 0 && ++idle_polls_ > 1) return;
-      if (!pause()) return;
-    }
+      if (arguments_.once && folder_.waiting() == 0 && ++idle_polls_ > 1) return;
+    } while (pause());
   }
 
   void report() {
@@ -206,6 +207,27 @@ class Watch {
     outputs.commit();
     remove_pending_clouds(session_file_);
     state_.pending = 0;
+  }
+
+  // False if the folder cannot be read now. It may be back later: that is told once. Where nobody
+  // waits for it, or it could never be read, that ends the command.
+  bool look_into_folder(std::vector<FolderWatch::CompleteFile>& files) {
+    try {
+      files = folder_.poll();
+    } catch (const FileError& error) {
+      if (arguments_.once || !folder_was_read_) throw;
+      if (!std::exchange(folder_is_away_, true)) {
+        say(fmt::format("{}; waiting until it can be read again", error.what()));
+      }
+      return false;
+    }
+    folder_was_read_ = true;
+    if (std::exchange(folder_is_away_, false)) say(arguments_.folder + ": can be read again");
+    const bool all_in_reach = folder_.out_of_reach().empty();
+    if (std::exchange(all_in_reach_, all_in_reach) && !all_in_reach) {
+      say(folder_.out_of_reach() + "; waiting until that is possible");
+    }
+    return true;
   }
 
   // After clouds were applied or refused: the same with the clouds in place of the session, as a
@@ -391,6 +413,10 @@ class Watch {
   const WatchArguments& arguments_;
   Job& job_;
   std::string session_file_;
+  FolderWatch folder_;
+  bool folder_was_read_ = false;
+  bool folder_is_away_ = false;
+  bool all_in_reach_ = true;
   UpdateOptions options_;
   std::optional<StrayOptions> filter_;
   ResumedSession state_;
