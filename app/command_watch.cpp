@@ -29,6 +29,7 @@
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "io/file_bytes.h"
+#include "io/input_file.h"
 #include "io/lock_file.h"
 #include "io/mesh_file.h"
 
@@ -117,14 +118,15 @@ class Watch {
   }
 
   void report() {
+    const std::size_t refused = refused_ + unreadable_.size();
     job_.report().set("watch/applied", applied_);
-    job_.report().set("watch/refused", refused_);
+    job_.report().set("watch/refused", refused);
     job_.report().set("watch/known", known_);
     job_.report().set("surface/vertices", model().points.size());
     job_.report().set("surface/triangles", model().triangles.size());
     add_findings(job_.report(), findings_);
     job_.say("stopped: {} applied, {} refused, {} known from before", counted(applied_, "cloud"),
-             refused_, known_);
+             refused, known_);
   }
 
  private:
@@ -297,11 +299,19 @@ class Watch {
       cloud = read_cloud(job_, file.path.string(), "input");
     } catch (const Cancelled&) {
       return false;
+    } catch (const UnreadableFile& error) {
+      folder_.try_again(file.path);
+      if (!unreadable_.insert(file.path).second) return true;
+      say(fmt::format("{}: not applied: {}; it is tried again until it can be read", name,
+                      error.what()));
+      return true;
     } catch (const Error& error) {
-      // What could not even be read is not noted: it changes nothing when it is tried again.
+      // What makes no sense is not noted: it changes nothing when it is tried again.
+      unreadable_.erase(file.path);
       tell_refused(name, error.what());
       return true;
     }
+    unreadable_.erase(file.path);
     // Written while it was read: once complete it will be told of again.
     if (has_changed_since(file)) return true;
     StraySamples strays;
@@ -423,6 +433,7 @@ class Watch {
   std::size_t applied_ = 0;
   std::size_t refused_ = 0;
   std::size_t known_ = 0;
+  std::set<fs::path> unreadable_;  // told, and tried again
   int idle_polls_ = 0;
   bool findings_are_due_ = false;
   std::vector<Finding> findings_;        // of the last look

@@ -146,4 +146,9 @@ std::vector<FolderWatch::CompleteFile> FolderWatch::poll() {
   return complete;
 }
 
+void FolderWatch::try_again(const fs::path& file) {
+  const auto seen = seen_.find(file);
+  if (seen != seen_.end()) seen->second.reported = false;
+}
+
 }  // namespace cocoon::app

@@ -48,6 +48,9 @@ class FolderWatch {
   // there is none. They do not wait, and are told of when they can be looked at.
   const std::string& out_of_reach() const { return out_of_reach_; }
 
+  // Polls tell of that file again: it could not be read.
+  void try_again(const std::filesystem::path& file);
+
  private:
   // Device and inode of a folder.
   using Place = std::pair<dev_t, ino_t>;

@@ -221,6 +221,21 @@ TEST(FolderWatch, AFolderThatWasAwayIsNotNew) {
   EXPECT_EQ(names(watch.poll()), Names{"moved.xyz"});
 }
 
+TEST(FolderWatch, WhatCannotBeReadIsToldAgain) {
+  const TemporaryFolder folder;
+  put(folder, "a.xyz", 60s);
+  FolderWatch watch(folder.path(), 10s);
+  watch.poll();
+  for (int poll = 0; poll < 3; ++poll) {
+    const auto files = watch.poll();
+    ASSERT_EQ(names(files), Names{"a.xyz"});
+    EXPECT_TRUE(files[0].was_there);
+    EXPECT_EQ(watch.waiting(), 0U);
+    watch.try_again(files[0].path);
+    EXPECT_EQ(watch.waiting(), 0U);
+  }
+}
+
 TEST(FolderWatch, OtherFilesAreNotLookedAt) {
   const TemporaryFolder folder;
   FolderWatch watch(folder.path(), 10s);

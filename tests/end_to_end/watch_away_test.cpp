@@ -108,5 +108,29 @@ TEST(WatchAway, AFolderThatCannotBeReadAtFirstIsAnError) {
   set_permissions(watched.drop, 0700);
 }
 
+TEST(WatchAway, AFileThatCannotBeReadIsAppliedWhenItCan) {
+  if (!permissions_can_be_obeyed()) GTEST_SKIP() << "root cannot give up its rights here";
+  const Watched watched;
+  const std::string file = watched.drop + "/1.xyz";
+  watched.put("1.xyz", north);
+  set_permissions(file, 0);
+  const ProgramRun once = run_program(watched.once(), obey_permissions);
+  EXPECT_EQ(once.exit_code, 0) << once.error;
+  EXPECT_EQ(count(once.out, "0 clouds applied, 1 refused"), 1U) << once.out;
+  const Watching program(watched.arguments, obey_permissions);
+  ASSERT_TRUE(program.has_said("1.xyz: not applied: " + file +
+                               ": cannot be read (Permission denied); check the name and the "
+                               "permissions; it is tried again until it can be read\n"));
+  watched.put("2.xyz", south);
+  ASSERT_TRUE(program.has_said("2.xyz: "));
+  let_it_look();
+  set_permissions(file, 0600);
+  ASSERT_TRUE(program.has_said("\n1.xyz: ", 2));
+  const std::string out = program.end(SIGTERM);
+  EXPECT_EQ(count(out, "\n1.xyz: "), 2U) << out;
+  EXPECT_EQ(count(out, "2 clouds applied, 0 refused"), 1U) << out;
+  EXPECT_EQ(content_of(watched.mesh), watched.expected({south, north}));
+}
+
 }  // namespace
 }  // namespace cocoon::test
