@@ -46,19 +46,15 @@ struct Drop {
   std::vector<std::string> names;  // as messages show them
   std::vector<std::vector<Point>> clouds;
   std::vector<StraySamples> strays;  // what was left out of each
+  bool has_to_wait = false;          // one of those that belong to it was being written
 
   std::string name() const { return fmt::format("{}", fmt::join(names, ", ")); }
   // One of several, alone.
   Drop only(std::size_t k) const {
-    return {std::chrono::steady_clock::now(), {files[k]}, {names[k]}, {clouds[k]}, {strays[k]}};
+    const auto now = std::chrono::steady_clock::now();
+    return {now, {files[k]}, {names[k]}, {clouds[k]}, {strays[k]}, false};
   }
 };
-
-bool has_changed_since(const FolderWatch::CompleteFile& file) {
-  std::error_code gone;
-  const fs::file_time_type changed = fs::last_write_time(file.path, gone);
-  return !gone && changed != file.changed;
-}
 
 StraySamples total_of(const std::vector<StraySamples>& strays) {
   StraySamples total;
@@ -276,6 +272,10 @@ class Watch {
     for (const FolderWatch::CompleteFile& file : files) {
       if (!read(file, drop)) return;
     }
+    if (drop.has_to_wait) {
+      for (const NotedFile& file : drop.files) folder_.wait_for(file.path);
+      return;
+    }
     if (drop.files.empty()) return;
     // They were on their way when the program was killed.
     const bool are_alone =
@@ -290,6 +290,7 @@ class Watch {
     const std::string name = display_name(file.path.filename());
     NotedFile noted;
     std::vector<Point> cloud;
+    std::string no_cloud;  // why it is none
     try {
       noted = noted_file(file.path, file.changed);
       if (file.was_there && is_noted(state_.notes, noted)) {
@@ -306,14 +307,20 @@ class Watch {
                       error.what()));
       return true;
     } catch (const Error& error) {
-      // What makes no sense is not noted: it changes nothing when it is tried again.
-      unreadable_.erase(file.path);
-      tell_refused(name, error.what());
-      return true;
+      no_cloud = error.what();
     }
     unreadable_.erase(file.path);
-    // Written while it was read: once complete it will be told of again.
-    if (has_changed_since(file)) return true;
+    // Written while it was read: what was read may be half of it.
+    if (has_changed(file)) {
+      folder_.wait_for(file.path);
+      drop.has_to_wait = true;
+      return true;
+    }
+    // What makes no sense is not noted: it changes nothing when it is tried again.
+    if (!no_cloud.empty()) {
+      tell_refused(name, no_cloud);
+      return true;
+    }
     StraySamples strays;
     try {
       if (filter_) strays = leave_out_strays(name, cloud, *filter_, {job_.execution().threads});

@@ -120,7 +120,7 @@ std::vector<FolderWatch::CompleteFile> FolderWatch::poll() {
       const bool is_settled = now - file.changed >= settle_ || poll_time - file.since >= settle_;
       if (file.since != poll_time && is_settled) {
         file.reported = true;
-        complete.push_back({path, file.changed, file.was_there});
+        complete.push_back({path, *file.size, file.changed, file.was_there});
       } else {
         ++waiting;
       }
@@ -149,6 +149,22 @@ std::vector<FolderWatch::CompleteFile> FolderWatch::poll() {
 void FolderWatch::try_again(const fs::path& file) {
   const auto seen = seen_.find(file);
   if (seen != seen_.end()) seen->second.reported = false;
+}
+
+void FolderWatch::wait_for(const fs::path& file) {
+  const auto seen = seen_.find(file);
+  if (seen == seen_.end() || !std::exchange(seen->second.reported, false)) return;
+  seen->second.size.reset();
+  ++waiting_;
+}
+
+bool has_changed(const FolderWatch::CompleteFile& file) {
+  std::optional<std::uintmax_t> size;
+  fs::file_time_type changed;
+  std::error_code error;
+  measure(file.path, size, changed, error);
+  if (error) return !says_gone(error);
+  return size != file.size || changed != file.changed;
 }
 
 }  // namespace cocoon::app

@@ -30,6 +30,7 @@ class FolderWatch {
  public:
   struct CompleteFile {
     std::filesystem::path path;
+    std::uintmax_t size = 0;
     std::filesystem::file_time_type changed;
     bool was_there = false;  // at the first poll of that folder, with that length and time
   };
@@ -50,13 +51,15 @@ class FolderWatch {
 
   // Polls tell of that file again: it could not be read.
   void try_again(const std::filesystem::path& file);
+  // The same when it has become complete again: it changed while it was read.
+  void wait_for(const std::filesystem::path& file);
 
  private:
   // Device and inode of a folder.
   using Place = std::pair<dev_t, ino_t>;
   struct Seen {
     Place place;                         // where it was seen last
-    std::optional<std::uintmax_t> size;  // none: it could not be looked at
+    std::optional<std::uintmax_t> size;  // none: it could not be looked at, or is to be anew
     std::filesystem::file_time_type changed;
     std::chrono::steady_clock::time_point since;  // seen with that size and time
     bool was_there = false;
@@ -80,5 +83,8 @@ class FolderWatch {
   std::size_t waiting_ = 0;
   std::string out_of_reach_;
 };
+
+// Is a file another one than a poll told of? One that is gone is not.
+bool has_changed(const FolderWatch::CompleteFile& file);
 
 }  // namespace cocoon::app

@@ -236,6 +236,42 @@ TEST(FolderWatch, WhatCannotBeReadIsToldAgain) {
   }
 }
 
+// Also if it is as it was when the next poll comes.
+TEST(FolderWatch, WhatChangedWhileItWasReadWaitsAgain) {
+  const TemporaryFolder folder;
+  put(folder, "a.xyz", 60s);
+  FolderWatch watch(folder.path(), 10s);
+  watch.poll();
+  for (int poll = 0; poll < 2; ++poll) {
+    const auto files = watch.poll();
+    ASSERT_EQ(names(files), Names{"a.xyz"});
+    EXPECT_TRUE(files[0].was_there);
+    watch.wait_for(files[0].path);
+    EXPECT_EQ(watch.waiting(), 1U);
+    EXPECT_EQ(names(watch.poll()), Names{});
+    EXPECT_EQ(watch.waiting(), 1U);
+  }
+}
+
+TEST(FolderWatch, LengthOrTimeTellThatAFileHasChanged) {
+  const TemporaryFolder folder;
+  put(folder, "a.xyz", 60s);
+  FolderWatch watch(folder.path(), 10s);
+  watch.poll();
+  const FolderWatch::CompleteFile file = watch.poll().at(0);
+  EXPECT_FALSE(has_changed(file));
+  put(folder, "a.xyz", 60s, "1 2 3\n4 5 6\n");
+  std::filesystem::last_write_time(file.path, file.changed);
+  EXPECT_TRUE(has_changed(file));
+  put(folder, "a.xyz", 59s);
+  EXPECT_TRUE(has_changed(file));
+  put(folder, "a.xyz", 60s);
+  std::filesystem::last_write_time(file.path, file.changed);
+  EXPECT_FALSE(has_changed(file));
+  std::filesystem::remove(file.path);
+  EXPECT_FALSE(has_changed(file));
+}
+
 TEST(FolderWatch, OtherFilesAreNotLookedAt) {
   const TemporaryFolder folder;
   FolderWatch watch(folder.path(), 10s);

@@ -1,11 +1,14 @@
 // What `watch` does when files, or the folder, cannot be looked at for a while, as those of a share
-// that is unmounted.
+// that is unmounted, and when a file changes while it is read.
 #include <chrono>
 #include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
+#include <sys/stat.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 #include "tests/end_to_end/watched_folder.h"
@@ -17,6 +20,8 @@ namespace cocoon::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+const std::string flat = sphere_cap(4000, 0.8);
 
 void set_permissions(const std::string& path, unsigned mode) {
   fs::permissions(path, static_cast<fs::perms>(mode));
@@ -130,6 +135,86 @@ TEST(WatchAway, AFileThatCannotBeReadIsAppliedWhenItCan) {
   EXPECT_EQ(count(out, "\n1.xyz: "), 2U) << out;
   EXPECT_EQ(count(out, "2 clouds applied, 0 refused"), 1U) << out;
   EXPECT_EQ(content_of(watched.mesh), watched.expected({south, north}));
+}
+
+// A file that is changed as soon as somebody opens it to read: that one waits until it has changed.
+class ChangedWhenOpened {
+ public:
+  ChangedWhenOpened(const std::string& path, const std::string& content)
+      : file_(open(path.c_str(), O_RDWR | O_CLOEXEC)) {
+    std::signal(SIGIO, SIG_IGN);
+    EXPECT_EQ(write(file_, content.data(), content.size()), static_cast<ssize_t>(content.size()));
+    is_held_ = fcntl(file_, F_SETLEASE, F_WRLCK) == 0;
+  }
+  ~ChangedWhenOpened() { close(file_); }
+  ChangedWhenOpened(const ChangedWhenOpened&) = delete;
+  ChangedWhenOpened& operator=(const ChangedWhenOpened&) = delete;
+
+  bool is_held() const { return is_held_; }
+  // Adds `more` and, so that only the length has changed, sets the time that it had.
+  void change(const std::string& more) const {
+    EXPECT_TRUE(wait_for([&] { return fcntl(file_, F_GETLEASE) != F_WRLCK; }));
+    struct stat status = {};
+    EXPECT_EQ(fstat(file_, &status), 0);
+    EXPECT_EQ(write(file_, more.data(), more.size()), static_cast<ssize_t>(more.size()));
+    const timespec times[2] = {status.st_atim, status.st_mtim};
+    EXPECT_EQ(futimens(file_, times), 0);
+    EXPECT_EQ(fcntl(file_, F_SETLEASE, F_UNLCK), 0);
+  }
+
+ private:
+  int file_;
+  bool is_held_ = false;
+};
+
+TEST(WatchAway, WhatChangesWhileItIsReadIsReadAgain) {
+  const Watched watched;
+  const std::size_t half = north.find('\n', north.size() / 2) + 1;
+  const std::string part = watched.folder.write("part", "");
+  const ChangedWhenOpened file(part, north.substr(0, half));
+  if (!file.is_held()) GTEST_SKIP() << "this file system has no leases";
+  fs::rename(part, watched.drop + "/1.xyz");
+  const RunningProgram program(watched.folder, watched.once());
+  file.change(north.substr(half));
+  const ProgramRun run = program.wait();
+  EXPECT_EQ(count(run.out, "1.xyz: "), 1U) << run.out;
+  EXPECT_EQ(count(run.out, "1 cloud applied, 0 refused"), 1U) << run.out;
+  EXPECT_EQ(content_of(watched.mesh), watched.expected({north}));
+}
+
+// What makes no sense may be the half of something.
+TEST(WatchAway, WhatChangesWhileItIsReadIsNotRefused) {
+  const Watched watched;
+  const std::string part = watched.folder.write("part", "");
+  const ChangedWhenOpened file(part, "1 2 3\n4 5");
+  if (!file.is_held()) GTEST_SKIP() << "this file system has no leases";
+  fs::rename(part, watched.drop + "/1.xyz");
+  const RunningProgram program(watched.folder, watched.once());
+  file.change(" x\n");
+  const ProgramRun run = program.wait();
+  EXPECT_EQ(count(run.out, "1.xyz: not applied: "), 1U) << run.out;
+  EXPECT_EQ(count(run.out, "0 clouds applied, 1 refused"), 1U) << run.out;
+}
+
+// Views of one change wait for each other.
+TEST(WatchAway, WhatIsAppliedTogetherWaitsForAll) {
+  Watched watched;
+  watched.arguments.emplace_back("--together");
+  const std::string part = watched.folder.write("part", "");
+  const std::size_t half = north.find('\n', north.size() / 2) + 1;
+  const ChangedWhenOpened file(part, north.substr(0, half));
+  if (!file.is_held()) GTEST_SKIP() << "this file system has no leases";
+  fs::rename(part, watched.drop + "/2.xyz");
+  const fs::file_time_type time = fs::last_write_time(watched.drop + "/2.xyz");
+  for (const std::string name : {"1.xyz", "3.xyz"}) {
+    watched.put(name, name == "1.xyz" ? south : flat);
+    fs::last_write_time(watched.drop + "/" + name, time);
+  }
+  const RunningProgram program(watched.folder, watched.once());
+  file.change(north.substr(half));
+  const ProgramRun run = program.wait();
+  EXPECT_EQ(count(run.out, "\n1.xyz, 2.xyz, 3.xyz: "), 1U) << run.out;
+  EXPECT_EQ(count(run.out, "3 clouds applied, 0 refused"), 1U) << run.out;
 }
 
 }  // namespace
