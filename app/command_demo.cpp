@@ -8,7 +8,14 @@
 namespace cocoon::app {
 
 void run_demo(const DemoArguments& arguments, Job& job) {
-  require_outputs(job, {});
+  const auto output = [&](const char* name) { return in_folder(arguments.folder, name); };
+  const bool is_asked_for = place_of(job.shared().json) == place_of(output("report.json"));
+  make_folder(arguments.folder);
+  require_outputs(job, {{output("initial.ply")},
+                        {output("cloud.ply")},
+                        {output("updated.ply")},
+                        {output("report.html")},
+                        {is_asked_for ? "" : output("report.json")}});
   const UpdateOptions options = update_options({});
   const SampleModel block = timed(job.execution(), "sample", [] { return sample_model("block"); });
   UpdateInput input;
@@ -17,13 +24,10 @@ void run_demo(const DemoArguments& arguments, Job& job) {
   input.clouds = block.clouds;
   input.cloud_names.assign(block.clouds.size(), "U-shaped cloud");
 
-  make_folder(arguments.folder);
-  write_mesh(in_folder(arguments.folder, "initial.ply"), input.model, {}, job.outputs());
-  write_points(in_folder(arguments.folder, "cloud.ply"), input.clouds.front(), {}, job.outputs());
-  update_and_write(job, input, options,
-                   {in_folder(arguments.folder, "updated.ply"), "",
-                    in_folder(arguments.folder, "report.html"), false});
-  job.finish(in_folder(arguments.folder, "report.json"));
+  write_mesh(output("initial.ply"), input.model, {}, job.outputs());
+  write_points(output("cloud.ply"), input.clouds.front(), {}, job.outputs());
+  update_and_write(job, input, options, {output("updated.ply"), "", output("report.html"), false});
+  job.finish(is_asked_for ? "" : output("report.json"));
 }
 
 }  // namespace cocoon::app

@@ -96,6 +96,14 @@ void add_surface_options(CLI::App& app, SurfaceArguments& parameters, const std:
   add_verify(app, parameters.verify);
 }
 
+// Of what is on by default: CLI11's own negative flags ("!--no-...") stand with "{false}" in
+// --help.
+CLI::Option* add_switch_off(CLI::App& app, const std::string& name, bool& is_on,
+                            const std::string& meaning) {
+  return app.add_flag_callback(
+      name, [&is_on] { is_on = false; }, meaning);
+}
+
 CLI::Option* add_mesh_output(CLI::App& app, std::string& mesh, bool& ascii) {
   app.add_flag("--ascii", ascii, "Write text where the format has a binary and a text form");
   return app
@@ -141,26 +149,26 @@ void add_thresholds_of(CLI::App& app, ThresholdUse use, std::map<std::string, do
 void add_stages_of_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
   const std::string stages = "Single stages (defaults in the report; not with --session)";
   add_radius(app, arguments.radius, stages);
-  app.add_flag("!--no-deferred-seeding", arguments.deferred_seeding,
-               "Peel what no mark has reached, as published, instead of marking it from its widest "
-               "opening")
+  add_switch_off(
+      app, "--no-deferred-seeding", arguments.deferred_seeding,
+      "Peel what no mark has reached, as published, instead of marking it from its widest opening")
       ->group(stages);
   app.add_flag("--cavities", arguments.cavities,
                "Keep closed surfaces inside the body: they bound hollows of it")
       ->group(stages);
-  app.add_flag("!--no-clean-up", arguments.clean_up, "Leave the surface as the peel left it")
+  add_switch_off(app, "--no-clean-up", arguments.clean_up, "Leave the surface as the peel left it")
       ->group(stages);
   for (const ThresholdUse use :
        {ThresholdUse::cocone, ThresholdUse::tight, ThresholdUse::clean_up}) {
     add_thresholds_of(app, use, arguments.thresholds, stages);
   }
   const std::string noise = "Noise filter (with --noise robust)";
-  app.add_flag("!--noise-skin-only", arguments.noise_keep_good,
-               "Leave out all samples off the outer skin, as published: good ones, too")
+  add_switch_off(app, "--noise-skin-only", arguments.noise_keep_good,
+                 "Leave out all samples off the outer skin, as published: good ones, too")
       ->group(noise);
-  app.add_flag("!--noise-spacing-only", arguments.noise_spare_good,
-               "Tell outliers by their spacing alone, also where the surface of all samples "
-               "surrounds them")
+  add_switch_off(app, "--noise-spacing-only", arguments.noise_spare_good,
+                 "Tell outliers by their spacing alone, also where the surface of all samples "
+                 "surrounds them")
       ->group(noise);
   for (const ThresholdUse use : {ThresholdUse::outliers, ThresholdUse::noise}) {
     add_thresholds_of(app, use, arguments.thresholds, noise);
@@ -381,6 +389,13 @@ void require_known_command(const CLI::App& app, int argc, const char* const* arg
   throw UsageError(fmt::format("'{}' is no command; there are {}", first, names));
 }
 
+std::string problem_told(const CLI::App& app, const CLI::ParseError& error) {
+  std::string problem = in_one_line(error.what());
+  // With a session the first of the arguments without a name is a cloud (settle_model).
+  const bool is_of_session = app.get_subcommand("update")->count("--session") > 0;
+  return is_of_session && problem == "MODEL is required" ? "CLOUD is required" : problem;
+}
+
 }  // namespace
 
 Request parse_command_line(int argc, const char* const* argv) {
@@ -408,11 +423,10 @@ Request parse_command_line(int argc, const char* const* argv) {
     }
   } catch (const CLI::CallForVersion& version) {
     return TextRequest{std::string(version.what()) + "\n"};
-  } catch (const CLI::Success&) {  // --help
-    const auto chosen = app.get_subcommands();
-    return TextRequest{chosen.empty() ? app.help() : chosen.front()->help()};
+  } catch (const CLI::Success&) {    // --help
+    return TextRequest{app.help()};  // of the chosen command, if there is one
   } catch (const CLI::ParseError& error) {
-    throw UsageError(in_one_line(error.what()) + " (see cocoon --help)");
+    throw UsageError(problem_told(app, error) + " (see cocoon --help)");
   }
   return line;
 }

@@ -10,8 +10,12 @@
 namespace cocoon::app {
 
 void run_sample(const SampleArguments& arguments, Job& job) {
-  require_outputs(job, {});
   const std::string folder = arguments.folder.empty() ? arguments.name : arguments.folder;
+  make_folder(folder);
+  require_outputs(job, {{in_folder(folder, "initial.xyz")},
+                        {in_folder(folder, "cloud-1.xyz")},
+                        {in_folder(folder, "truth.ply")},
+                        {in_folder(folder, "replaced.txt")}});
   SampleOptions options;
   options.points = arguments.points;
   options.cloud_points = arguments.cloud_points;
@@ -21,7 +25,6 @@ void run_sample(const SampleArguments& arguments, Job& job) {
   });
 
   timed(job.execution(), "write", [&] {
-    make_folder(folder);
     write_points(in_folder(folder, "initial.xyz"), model.initial, {}, job.outputs());
     for (std::size_t c = 0; c < model.clouds.size(); ++c) {
       write_points(in_folder(folder, fmt::format("cloud-{}.xyz", c + 1)), model.clouds[c], {},

@@ -29,6 +29,7 @@
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "io/file_bytes.h"
+#include "io/input_file.h"
 #include "io/lock_file.h"
 #include "io/mesh_file.h"
 
@@ -45,19 +46,15 @@ struct Drop {
   std::vector<std::string> names;  // as messages show them
   std::vector<std::vector<Point>> clouds;
   std::vector<StraySamples> strays;  // what was left out of each
+  bool has_to_wait = false;          // one of those that belong to it was being written
 
   std::string name() const { return fmt::format("{}", fmt::join(names, ", ")); }
   // One of several, alone.
   Drop only(std::size_t k) const {
-    return {std::chrono::steady_clock::now(), {files[k]}, {names[k]}, {clouds[k]}, {strays[k]}};
+    const auto now = std::chrono::steady_clock::now();
+    return {now, {files[k]}, {names[k]}, {clouds[k]}, {strays[k]}, false};
   }
 };
-
-bool has_changed_since(const FolderWatch::CompleteFile& file) {
-  std::error_code gone;
-  const fs::file_time_type changed = fs::last_write_time(file.path, gone);
-  return !gone && changed != file.changed;
-}
 
 StraySamples total_of(const std::vector<StraySamples>& strays) {
   StraySamples total;
@@ -75,6 +72,7 @@ class Watch {
       : arguments_(arguments),
         job_(job),
         session_file_(arguments.session.empty() ? arguments.mesh + ".session" : arguments.session),
+        folder_(arguments.folder, to_milliseconds(arguments.settle), own_files()),
         options_(update_options(arguments.parameters)),
         filter_(cloud_filter(arguments.filter)) {
     require_outputs(job, {{arguments.mesh, mesh_extensions}, {session_file_}}, {arguments.model});
@@ -93,10 +91,11 @@ class Watch {
 
   // Until it is time to stop.
   void follow_folder() {
-    FolderWatch folder(arguments_.folder, to_milliseconds(arguments_.settle), own_files());
     std::vector<FolderWatch::CompleteFile> held;  // until no other file is being written
-    for (;;) {
-      for (FolderWatch::CompleteFile& file : folder.poll()) {
+    do {
+      std::vector<FolderWatch::CompleteFile> files;
+      if (!look_into_folder(files)) continue;
+      for (FolderWatch::CompleteFile& file : files) {
         if (arguments_.together) {
           std::erase_if(held, [&](const auto& before) { return before.path == file.path; });
           held.push_back(std::move(file));
@@ -105,25 +104,25 @@ class Watch {
         }
         if (interrupted()) return;
       }
-      if (folder.waiting() == 0) {
+      if (folder_.waiting() == 0) {
         look_at_groups(std::exchange(held, {}));
         if (interrupted()) return;
         tell_findings();
       }
-      if (arguments_.once && folder.waiting() == 0 && ++idle_polls_ > 1) return;
-      if (!pause()) return;
-    }
+      if (arguments_.once && folder_.waiting() == 0 && ++idle_polls_ > 1) return;
+    } while (pause());
   }
 
   void report() {
+    const std::size_t refused = refused_ + unreadable_.size();
     job_.report().set("watch/applied", applied_);
-    job_.report().set("watch/refused", refused_);
+    job_.report().set("watch/refused", refused);
     job_.report().set("watch/known", known_);
     job_.report().set("surface/vertices", model().points.size());
     job_.report().set("surface/triangles", model().triangles.size());
     add_findings(job_.report(), findings_);
     job_.say("stopped: {} applied, {} refused, {} known from before", counted(applied_, "cloud"),
-             refused_, known_);
+             refused, known_);
   }
 
  private:
@@ -208,6 +207,27 @@ class Watch {
     state_.pending = 0;
   }
 
+  // False if the folder cannot be read now. It may be back later: that is told once. Where nobody
+  // waits for it, or it could never be read, that ends the command.
+  bool look_into_folder(std::vector<FolderWatch::CompleteFile>& files) {
+    try {
+      files = folder_.poll();
+    } catch (const FileError& error) {
+      if (arguments_.once || !folder_was_read_) throw;
+      if (!std::exchange(folder_is_away_, true)) {
+        say(fmt::format("{}; waiting until it can be read again", error.what()));
+      }
+      return false;
+    }
+    folder_was_read_ = true;
+    if (std::exchange(folder_is_away_, false)) say(arguments_.folder + ": can be read again");
+    const bool all_in_reach = folder_.out_of_reach().empty();
+    if (std::exchange(all_in_reach_, all_in_reach) && !all_in_reach) {
+      say(folder_.out_of_reach() + "; waiting until that is possible");
+    }
+    return true;
+  }
+
   // After clouds were applied or refused: the same with the clouds in place of the session, as a
   // rule.
   void keep(const PendingUpdate& update) {
@@ -252,6 +272,10 @@ class Watch {
     for (const FolderWatch::CompleteFile& file : files) {
       if (!read(file, drop)) return;
     }
+    if (drop.has_to_wait) {
+      for (const NotedFile& file : drop.files) folder_.wait_for(file.path);
+      return;
+    }
     if (drop.files.empty()) return;
     // They were on their way when the program was killed.
     const bool are_alone =
@@ -266,6 +290,7 @@ class Watch {
     const std::string name = display_name(file.path.filename());
     NotedFile noted;
     std::vector<Point> cloud;
+    std::string no_cloud;  // why it is none
     try {
       noted = noted_file(file.path, file.changed);
       if (file.was_there && is_noted(state_.notes, noted)) {
@@ -275,13 +300,27 @@ class Watch {
       cloud = read_cloud(job_, file.path.string(), "input");
     } catch (const Cancelled&) {
       return false;
+    } catch (const UnreadableFile& error) {
+      folder_.try_again(file.path);
+      if (!unreadable_.insert(file.path).second) return true;
+      say(fmt::format("{}: not applied: {}; it is tried again until it can be read", name,
+                      error.what()));
+      return true;
     } catch (const Error& error) {
-      // What could not even be read is not noted: it changes nothing when it is tried again.
-      tell_refused(name, error.what());
+      no_cloud = error.what();
+    }
+    unreadable_.erase(file.path);
+    // Written while it was read: what was read may be half of it.
+    if (has_changed(file)) {
+      folder_.wait_for(file.path);
+      drop.has_to_wait = true;
       return true;
     }
-    // Written while it was read: once complete it will be told of again.
-    if (has_changed_since(file)) return true;
+    // What makes no sense is not noted: it changes nothing when it is tried again.
+    if (!no_cloud.empty()) {
+      tell_refused(name, no_cloud);
+      return true;
+    }
     StraySamples strays;
     try {
       if (filter_) strays = leave_out_strays(name, cloud, *filter_, {job_.execution().threads});
@@ -391,12 +430,17 @@ class Watch {
   const WatchArguments& arguments_;
   Job& job_;
   std::string session_file_;
+  FolderWatch folder_;
+  bool folder_was_read_ = false;
+  bool folder_is_away_ = false;
+  bool all_in_reach_ = true;
   UpdateOptions options_;
   std::optional<StrayOptions> filter_;
   ResumedSession state_;
   std::size_t applied_ = 0;
   std::size_t refused_ = 0;
   std::size_t known_ = 0;
+  std::set<fs::path> unreadable_;  // told, and tried again
   int idle_polls_ = 0;
   bool findings_are_due_ = false;
   std::vector<Finding> findings_;        // of the last look

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -41,19 +42,41 @@ void require_extension(const OutputFile& output) {
       fmt::format("{}: unknown kind of output '{}'; one of{}", output.path, extension, known));
 }
 
+// A descriptor of this process (/dev/stdout, /dev/fd/3), or a link to one.
+bool is_descriptor(fs::path path) {
+  constexpr int most_links = 40;
+  std::error_code error;
+  const fs::path descriptors = fs::canonical("/proc/self/fd", error);
+  for (int i = 0; i < most_links && !error && fs::is_symlink(path, error); ++i) {
+    if (fs::canonical(path.parent_path(), error) == descriptors) return !error;
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  return false;
+}
+
+// A file is written as another one that is renamed over it (io/atomic_file.h), behind all links:
+// its folder must be writable, whether it exists or not. What is no file, or open already, is
+// written as it is.
 void require_writable(const std::string& path) {
   require_possible_name(path);
   std::error_code ignored;
-  const fs::path target(path);
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) throw FileError(path + ": is a folder; name a file to write");
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    if (access(path.c_str(), W_OK) == 0) return;
+    throw FileError(path + ": cannot be written (" + std::strerror(errno) + "); name another file");
+  }
+  if (is_descriptor(fs::absolute(path, ignored))) return;
+  const fs::path target = follow_links(path);
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  if (fs::is_directory(target, ignored)) {
-    throw FileError(path + ": is a folder; name a file to write");
-  }
   if (!fs::is_directory(folder, ignored)) {
-    throw FileError(path + ": there is no folder " + folder.string() + "; make it first");
+    const std::string link = target == path ? "" : "is a link to " + target.string() + ", but ";
+    throw FileError(path + ": " + link + "there is no folder " + folder.string() +
+                    "; make it first");
   }
-  if (access(folder.c_str(), W_OK | X_OK) != 0 && access(path.c_str(), W_OK) != 0) {
-    throw FileError(path + ": no permission to write in " + folder.string());
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw FileError(path + ": no file can be written or replaced in " + folder.string() + " (" +
+                    std::strerror(errno) + "); name another folder, or check its permissions");
   }
 }
 
@@ -107,7 +130,8 @@ void make_folder(const std::string& path) {
   require_possible_name(path);
   std::error_code error;
   fs::create_directories(path, error);
-  if (error) throw FileError(path + ": cannot make this folder: " + error.message());
+  if (error)
+    throw FileError(path + ": cannot make this folder: " + error.message() + "; name another one");
 }
 
 std::string in_folder(const std::string& folder, const std::string& name) {

@@ -99,7 +99,7 @@ PendingUpdate load_update(const fs::path& path, std::span<const std::string> not
 }  // namespace
 
 std::string pending_cloud_file(const std::string& session, std::size_t notes) {
-  return fmt::format("{}.cloud-{}", session, notes);
+  return fmt::format("{}.cloud-{}", follow_links(session).string(), notes);
 }
 
 void save_pending_clouds(const std::string& session, std::span<const std::string> notes,
@@ -140,7 +140,7 @@ std::vector<PendingUpdate> load_pending_clouds(const std::string& session,
 }
 
 void remove_pending_clouds(const std::string& session) {
-  const fs::path path(session);
+  const fs::path path = follow_links(session);
   const std::string prefix = path.filename().string() + ".cloud-";
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::error_code error;

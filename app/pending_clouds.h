@@ -42,7 +42,8 @@ struct PendingUpdate {
   bool refused = false;                    // they were not applied, and there are no points
 };
 
-// Its name: SESSION.cloud-K.
+// Its name: SESSION.cloud-K, where SESSION is the file behind all symbolic links: who takes it up
+// by another name must find the clouds.
 std::string pending_cloud_file(const std::string& session, std::size_t notes);
 
 // `notes`: those before it. The file waits for the batch to be put in place. Precondition: at least

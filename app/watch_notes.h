@@ -12,10 +12,11 @@
 // CONTENT tells one content from another: a checksum and the size. TIME is that of the file's last
 // change, in nanoseconds since 1970.
 //
-// A file that was there before the program began, and is as the latest note on its name says, was
-// looked at already; with another content or another time somebody has put it there since, also if
-// an earlier note says the same. (A note without time stands for any time.) What was refused is
-// noted, too: tried again after a restart it could be applied after all, on top of newer clouds.
+// A file that was there before the program began, or when its folder was first listed
+// (folder_watch.h), and is as the latest note on its name says, was looked at already; with another
+// content or another time somebody has put it there since, also if an earlier note says the same.
+// (A note without time stands for any time.) What was refused is noted, too: tried again after a
+// restart it could be applied after all, on top of newer clouds.
 #pragma once
 
 #include <cstddef>

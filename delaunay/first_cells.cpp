@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "geom/counted.h"
 #include "geom/errors.h"
 #include "geom/orient3d.h"
 #include "geom/parallel_reduce.h"
@@ -59,11 +60,14 @@ int bring_simplex_to_front(const IdVector<VertexId, Point>& points,
 
 void require_space(int dimension, std::size_t count) {
   if (count < 4) {
-    throw InputError("only " + std::to_string(count) +
-                     " different points: a triangulation of space needs at least 4");
+    throw InputError("only " + counted(count, "different point") +
+                     ": a triangulation of space needs at least 4, not all in one plane; give "
+                     "more points");
   }
   if (dimension < 2) {
-    throw InputError("all points lie on one line: no triangulation of space, no surface");
+    throw InputError(
+        "all points lie on one line: no triangulation of space; a surface needs points off the "
+        "line, and off any plane");
   }
   if (dimension < 3) {
     throw InputError(

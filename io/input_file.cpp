@@ -16,7 +16,8 @@ namespace {
 constexpr const char* it_is_a_folder = "it is a folder";
 
 [[noreturn]] void throw_unreadable(const std::filesystem::path& path, const std::string& reason) {
-  throw file_error(path, "cannot be read (" + reason + "); check the name and the permissions");
+  const std::string told = "cannot be read (" + reason + "); check the name and the permissions";
+  throw UnreadableFile(file_error(path, told).what());
 }
 
 }  // namespace

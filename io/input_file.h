@@ -5,11 +5,20 @@
 #include <filesystem>
 #include <optional>
 
+#include "geom/errors.h"
+
 namespace cocoon {
+
+// The system does not give the bytes of a file: it is not there, permissions or a device are in the
+// way. What the bytes say is not to blame, and the same file may be read later.
+class UnreadableFile : public FileError {
+ public:
+  using FileError::FileError;
+};
 
 class InputFile {
  public:
-  // Throws FileError if it cannot be opened, or if it is a folder.
+  // Throws UnreadableFile if it cannot be opened, or if it is a folder.
   explicit InputFile(const std::filesystem::path& path);
   ~InputFile();
   InputFile(const InputFile&) = delete;
@@ -18,7 +27,8 @@ class InputFile {
   const std::filesystem::path& path() const { return path_; }
   // In bytes; none for pipes and devices.
   std::optional<std::size_t> size() const { return size_; }
-  // Reads the next bytes, up to `most`; returns how many, less only at the end. Throws FileError.
+  // Reads the next bytes, up to `most`; returns how many, less only at the end. Throws
+  // UnreadableFile.
   std::size_t read(char* to, std::size_t most);
 
  private:
@@ -27,8 +37,8 @@ class InputFile {
   std::optional<std::size_t> size_;
 };
 
-// Throws FileError, as the constructor does, if there is nothing at that path, or a folder. Opens
-// nothing: a pipe would wait. O(1).
+// Throws UnreadableFile, as the constructor does, if there is nothing at that path, or a folder.
+// Opens nothing: a pipe would wait. O(1).
 void require_input(const std::filesystem::path& path);
 
 }  // namespace cocoon

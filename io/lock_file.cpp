@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "io/atomic_file.h"
 #include "io/file_bytes.h"
 
 namespace cocoon {
@@ -24,7 +25,7 @@ bool is_still_there(int descriptor, const std::filesystem::path& path) {
 
 }  // namespace
 
-LockFile::LockFile(const std::filesystem::path& file) : lock_(file) {
+LockFile::LockFile(const std::filesystem::path& file) : lock_(follow_links(file)) {
   lock_ += ".lock";
   const auto fail = [&](const std::string& why) {
     if (descriptor_ >= 0) ::close(descriptor_);

@@ -4,6 +4,8 @@
 //   - The lock ends with the process, however it ends; a ".lock" that a killed process has left
 //     behind is taken over.
 //   - It keeps out those who ask for it, nobody else.
+//   - By whatever symbolic links the file is named: the ".lock" lies beside the file that they lead
+//     to.
 #pragma once
 
 #include <filesystem>

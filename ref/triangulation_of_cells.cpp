@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "geom/counted.h"
 #include "geom/errors.h"
 
 namespace cocoon::ref {
@@ -104,8 +105,8 @@ DistinctPoints distinct_points(Points points) {
     result.vertex_of_point[PointId(i)] = VertexId(result.points.size() - 1);
   }
   if (result.points.size() < 4) {
-    throw InputError("only " + std::to_string(result.points.size()) +
-                     " different points: a triangulation of space needs at least 4");
+    throw InputError("only " + counted(result.points.size(), "different point") +
+                     ": a triangulation of space needs at least 4");
   }
   return result;
 }

@@ -163,6 +163,31 @@ TEST(CommandLine, HelpAndVersionAreTexts) {
   EXPECT_NE(update_help.find("--html"), std::string::npos);
 }
 
+TEST(CommandLine, HelpOfACommandIsAsOneTypesIt) {
+  for (const char* name : {"demo", "sample", "reconstruct", "boundary", "update", "watch",
+                           "delaunay", "check", "compare"}) {
+    const std::string help = std::get<TextRequest>(parse({name, "--help"})).text;
+    EXPECT_NE(help.find(std::string("Usage: cocoon ") + name + " "), std::string::npos) << help;
+    EXPECT_EQ(help.find("{false}"), std::string::npos) << help;
+  }
+}
+
+TEST(CommandLine, WhatIsMissingIsNamed) {
+  const auto expect_missing = [](const std::vector<const char*>& arguments,
+                                 const std::string& what) {
+    try {
+      parse(arguments);
+      ADD_FAILURE() << "accepted without " << what;
+    } catch (const UsageError& error) {
+      EXPECT_EQ(error.what(), what + " is required (see cocoon --help)");
+    }
+  };
+  expect_missing({"update", "-o", "u.ply"}, "MODEL");
+  expect_missing({"update", "m.ply", "-o", "u.ply"}, "CLOUD");
+  expect_missing({"update", "--session", "s", "-o", "u.ply"}, "CLOUD");
+  expect_missing({"watch", "--session", "s", "-o", "u.ply"}, "MODEL");
+}
+
 TEST(CommandLine, WrongOnesAreUsageErrorsOfOneLine) {
   const std::vector<std::vector<const char*>> wrong = {
       {},

@@ -46,6 +46,23 @@ std::string with_byte(std::string bytes, std::size_t at, char value) {
   return bytes;
 }
 
+// Who saved them used one name, who takes the session up another one.
+TEST(PendingClouds, LieBesideTheSessionBehindSymbolicLinks) {
+  const TemporaryFolder folder;
+  const TemporaryFolder elsewhere;
+  const std::string session = (folder / "real").string();
+  const std::string link = (elsewhere / "link").string();
+  std::filesystem::create_symlink(session, folder / "s");
+  std::filesystem::create_symlink(folder / "s", link);
+  save(folder, {applied});
+  EXPECT_TRUE(std::filesystem::exists(session + ".cloud-1"));
+  for (const std::string& name : {session, link}) {
+    EXPECT_EQ(load_pending_clouds(name, notes).size(), 1U) << name;
+  }
+  remove_pending_clouds(link);
+  EXPECT_FALSE(std::filesystem::exists(session + ".cloud-1"));
+}
+
 TEST(PendingClouds, ReadBackInOrder) {
   const TemporaryFolder folder;
   const std::vector<PendingUpdate> saved = {refused, together, applied, refused};

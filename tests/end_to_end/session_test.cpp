@@ -68,7 +68,7 @@ TEST(Session, RefusesWhatDoesNotFit) {
   ASSERT_EQ(run_program({"reconstruct", points, "-o", mesh, "--session", session}).exit_code, 0);
   expect_error(run_program({"update", "--session", session, cloud, "-o", mesh, "--alpha", "20"}), 2,
                "--rho");
-  expect_error(run_program({"update", "--session", session, "-o", mesh}), 2, "MODEL");
+  expect_error(run_program({"update", "--session", session, "-o", mesh}), 2, "CLOUD");
   expect_error(run_program({"update", mesh, "-o", mesh}), 2, "CLOUD");
   expect_error(run_program({"update", "--session", session, cloud, "-o", session}), 2, "output");
   // A refused cloud leaves the session as it was.
@@ -170,6 +170,10 @@ TEST(Watch, HoldsItsSession) {
   const std::string updated = watched.folder.file("updated.ply");
   const std::string cloud = watched.folder.write("south.xyz", south);
   const std::string model = watched.arguments[1];
+  const std::string link = watched.folder.file("link");
+  std::filesystem::create_symlink(session, link);
+  expect_error(run_program({"update", "--session", link, cloud, "-o", updated}), 1,
+               link + ": is in use by another run");
   for (const std::vector<std::string>& arguments :
        {watched.once(),
         std::vector<std::string>{"update", "--session", session, cloud, "-o", updated},

@@ -21,6 +21,7 @@ using cocoon::test::point_line;
 using cocoon::test::ProgramRun;
 using cocoon::test::run_program;
 using cocoon::test::south;
+using cocoon::test::wait_for;
 using cocoon::test::Watched;
 using cocoon::test::Watching;
 
@@ -133,6 +134,8 @@ TEST(WatchTogether, WhatIsTriedOneByOneStaysApartAfterAKill) {
     watched.put("2.xyz", left);
     watched.put("3.xyz", right);
     ASSERT_TRUE(program.has_said("each by itself:"));
+    ASSERT_TRUE(wait_for(  // the note on that is kept after it is said
+        [&] { return std::filesystem::exists(watched.mesh + ".session.cloud-1"); }));
     program.end(SIGKILL);
   }
   const ProgramRun run = run_program(watched.once());

@@ -96,7 +96,8 @@ inline std::size_t count(const std::string& text, const std::string& part) {
 
 // `cocoon watch` while it runs, and how often it has said something.
 struct Watching {
-  explicit Watching(const std::vector<std::string>& arguments) : program(outputs, arguments) {
+  explicit Watching(const std::vector<std::string>& arguments, void (*limit)() = nullptr)
+      : program(outputs, arguments, limit) {
     EXPECT_TRUE(has_said(": "));
   }
   bool has_said(const std::string& text, std::size_t times = 1) const {

@@ -48,6 +48,23 @@ TEST(LockFile, OfAKilledProcessIsTakenOver) {
   EXPECT_EQ(folder.num_files(), 0U);
 }
 
+// Also if the file does not exist yet.
+TEST(LockFile, IsOnTheFileBehindSymbolicLinks) {
+  const TemporaryFolder folder;
+  const TemporaryFolder elsewhere;
+  std::filesystem::create_symlink(folder / "link", elsewhere / "link to link");
+  std::filesystem::create_symlink("file", folder / "link");
+  for (const std::filesystem::path& name : {folder / "file", elsewhere / "link to link"}) {
+    const LockFile lock(name);
+    EXPECT_TRUE(std::filesystem::exists(folder / "file.lock"));
+    for (const std::filesystem::path& other :
+         {folder / "file", folder / "link", elsewhere / "link to link"}) {
+      EXPECT_EQ(message_of<FileError>(other, [&] { const LockFile second(other); }), in_use);
+    }
+  }
+  EXPECT_EQ(elsewhere.num_files(), 1U);
+}
+
 TEST(LockFile, FoldersThatAreMissingAreNamed) {
   const TemporaryFolder folder;
   EXPECT_EQ(message_of<FileError>(folder / "no/a", [&] { LockFile(folder / "no/a"); }),
