@@ -56,6 +56,7 @@ void Job::finish(const std::string& copy_of_report) {
   report_.set("peak_memory_bytes", peak_memory_bytes());
   progress_line_.clear();
   const std::string text = report_.text();
+  flush_output();  // the report may go to the same place by another name: /dev/stdout
   if (shared_.json == "-") {
     print_output(text);
   } else if (!shared_.json.empty()) {

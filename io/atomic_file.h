@@ -10,8 +10,10 @@
 //   - A new file gets the permissions that the umask gives; a replaced file keeps its own. Owner
 //     and extended attributes are not kept, and hard links to the old file keep the old bytes.
 //   - A symbolic link stays: the file it leads to is replaced.
-//   - A target that exists and is no regular file (/dev/stdout, a pipe) cannot be replaced: it is
-//     opened and written directly, and a failure may leave a part in it.
+//   - A target that exists and is no regular file (/dev/full, a pipe) cannot be replaced: it is
+//     opened and written directly, and a failure may leave a part in it. So is a descriptor of this
+//     process (/dev/stdout, /dev/fd/3, links to such), whatever it leads to: it is duplicated, so
+//     that what it is open for holds, and writing goes on where it stands (`>> log`).
 //   - Several files of one job appear together, or none of them: see FileBatch.
 #pragma once
 
