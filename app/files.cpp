@@ -28,6 +28,16 @@ void warn_of_trailing_bytes(Job& job, const std::string& path, const std::string
                        counted(bytes, "byte was not read,", "bytes were not read,")));
 }
 
+// A list of corners whose count is too small above all: a face comes out that was not meant.
+void warn_of_surplus_lines(Job& job, const std::string& path, const std::string& section,
+                           std::size_t lines, std::size_t first) {
+  if (lines == 0) return;
+  job.report().set(section + "/surplus_lines", lines);
+  job.warn(fmt::format(
+      "{}:{}: {} more values than the header announces; the last ones were not read", path, first,
+      lines == 1 ? "this line has" : fmt::format("this line and {} more have", lines - 1)));
+}
+
 void require_extension(const OutputFile& output) {
   std::error_code ignored;
   if (output.extensions.empty() || fs::is_directory(output.path, ignored)) return;  // said below
@@ -131,6 +141,7 @@ std::vector<Point> read_cloud(Job& job, const std::string& path, const std::stri
     job.warn(fmt::format("{}: announces {}, but {} follow; all of them were read", path,
                          counted(*cloud.announced, "point"), cloud.points.size() + cloud.skipped));
   }
+  warn_of_surplus_lines(job, path, section, cloud.surplus_lines, cloud.first_surplus_line);
   warn_of_trailing_bytes(job, path, section, cloud.trailing_bytes);
   if (properties != nullptr) *properties = std::move(cloud.properties);
   if (faces != nullptr) *faces = cloud.faces;
@@ -154,6 +165,7 @@ TriangleMesh read_shape(Job& job, const std::string& path, const std::string& se
     job.warn(fmt::format("{}: {} left out", path,
                          counted(left_out, "face without area was", "faces without area were")));
   }
+  warn_of_surplus_lines(job, path, section, read.surplus_lines, read.first_surplus_line);
   warn_of_trailing_bytes(job, path, section, read.trailing_bytes);
   return mesh;
 }

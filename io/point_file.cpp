@@ -47,6 +47,8 @@ PointCloud read_points(const std::filesystem::path& path, const PointReadOptions
     cloud.faces = soup.face_ends.size();
     cloud.points = std::move(soup.points);
     cloud.properties = std::move(soup.properties);
+    cloud.surplus_lines = soup.surplus_lines;
+    cloud.first_surplus_line = soup.first_surplus_line;
     cloud.trailing_bytes = soup.trailing_bytes;
   }
   cloud.properties.rows = cloud.points.size();

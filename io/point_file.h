@@ -31,6 +31,8 @@ struct PointCloud {
   std::size_t columns = 0;    // text files: of the first row; columns behind the third are ignored
   // Text files: the count in a first line of its own, if there is one. More points may follow.
   std::optional<std::size_t> announced;
+  std::size_t surplus_lines = 0;  // ascii PLY: see MeshReadReport
+  std::size_t first_surplus_line = 0;
   std::size_t trailing_bytes = 0;  // PLY and OFF: behind the last element, not read
   VertexProperties properties;     // one row per point; no column unless asked for
 };

@@ -44,6 +44,7 @@ TriangleMesh triangles_of(PolygonSoup&& soup, const std::filesystem::path& path,
   report = {};
   report.faces = soup.face_ends.size();
   report.surplus_lines = soup.surplus_lines;
+  report.first_surplus_line = soup.first_surplus_line;
   report.trailing_bytes = soup.trailing_bytes;
 
   TriangleMesh mesh;

@@ -23,6 +23,7 @@ struct PolygonSoup {
   NonFinitePoints non_finite;           // which points are not finite
   VertexProperties properties;          // PLY, if asked for
   std::size_t surplus_lines = 0;        // see MeshReadReport
+  std::size_t first_surplus_line = 0;
   std::size_t trailing_bytes = 0;
 
   void end_face() { face_ends.push_back(corners.size()); }

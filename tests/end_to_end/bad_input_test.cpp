@@ -161,6 +161,18 @@ TEST(BadInput, MoreThanAFileAnnouncesIsAWarning) {
                  behind + ": 5 bytes were not read, behind what its header announces");
   expect_warning({"check", mesh},
                  mesh + ": 7 bytes were not read, behind what its header announces");
+  const std::string mesh_header =
+      header + "element face 4\nproperty list uchar int vertex_indices\nend_header\n" + corners;
+  const std::string lines =
+      folder.write("lines.ply", mesh_header + "3 0 2 1 3\n3 0 1 3\n" + "3 0 3 2 1\n3 1 2 3\n");
+  expect_warning({"check", lines}, lines + ":14: this line and 1 more have more values than the " +
+                                       "header announces; the last ones were not read");
+  const std::string line =
+      folder.write("line.ply", header + "end_header\n0 0 0\n1 0 0 5\n" + "0 1 0\n0 0 1\n");
+  expect_warning({"delaunay", line, "-o", out},
+                 line +
+                     ":9: this line has more values than the header announces; the last ones "
+                     "were not read");
 }
 
 TEST(BadInput, MeshWithoutTriangles) {
