@@ -19,6 +19,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
+void warn_of_skipped(Job& job, const std::string& path, const std::string& section,
+                     std::size_t points) {
+  if (points == 0) return;
+  job.report().set(section + "/skipped_non_finite", points);
+  job.warn(fmt::format(
+      "{}: {} left out", path,
+      counted(points, "point is not finite and was", "points are not finite and were")));
+}
+
 // What lies behind the last element that a header announces may be what the user wants most.
 void warn_of_trailing_bytes(Job& job, const std::string& path, const std::string& section,
                             std::size_t bytes) {
@@ -130,12 +139,7 @@ std::vector<Point> read_cloud(Job& job, const std::string& path, const std::stri
   options.keep_properties = properties != nullptr;
   options.skip_non_finite = job.shared().skip_non_finite;
   PointCloud cloud = timed(job.execution(), "read", [&] { return read_points(path, options); });
-  if (cloud.skipped > 0) {
-    job.report().set(section + "/skipped_non_finite", cloud.skipped);
-    job.warn(fmt::format(
-        "{}: {} left out", path,
-        counted(cloud.skipped, "point is not finite and was", "points are not finite and were")));
-  }
+  warn_of_skipped(job, path, section, cloud.skipped);
   if (cloud.announced && *cloud.announced < cloud.points.size() + cloud.skipped) {
     job.report().set(section + "/announced_points", *cloud.announced);
     job.warn(fmt::format("{}: announces {}, but {} follow; all of them were read", path,
@@ -154,9 +158,12 @@ TriangleMesh read_shape(Job& job, const std::string& path, const std::string& se
     return {IdVector<VertexId, Point>(read_cloud(job, path, section, properties)), {}};
   }
   MeshReadReport read;
+  const MeshReadOptions options = {job.shared().skip_non_finite};
   TriangleMesh mesh = timed(job.execution(), "read", [&] {
-    return properties == nullptr ? read_mesh(path, read) : read_mesh(path, read, *properties);
+    return properties == nullptr ? read_mesh(path, read, options)
+                                 : read_mesh(path, read, *properties, options);
   });
+  warn_of_skipped(job, path, section, read.skipped);
   job.report().set(section + "/faces", read.faces);
   if (read.polygons > 0) job.report().set(section + "/polygons_cut", read.polygons);
   const std::size_t left_out = read.short_faces + read.degenerate_triangles;

@@ -31,12 +31,28 @@ void check_writable(const std::filesystem::path& path, const TriangleMesh& mesh)
   }
 }
 
+// `properties`: null if nobody wants them.
+TriangleMesh mesh_of(PolygonSoup&& soup, const std::filesystem::path& path, MeshReadReport& report,
+                     VertexProperties* properties, const MeshReadOptions& options) {
+  soup.properties.rows = soup.points.size();
+  std::size_t skipped = 0;
+  if (options.skip_non_finite && soup.face_ends.empty()) {
+    skipped = remove_non_finite(soup.points, soup.properties);
+    soup.non_finite = {};
+  }
+  if (properties != nullptr) *properties = std::move(soup.properties);
+  TriangleMesh mesh = triangles_of(std::move(soup), path, report);
+  report.skipped = skipped;
+  return mesh;
+}
+
 }  // namespace
 
 bool has_mesh_extension(const std::filesystem::path& path) { return is_mesh(format_of(path)); }
 
-TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report) {
-  return triangles_of(read_polygon_soup(path), path, report);
+TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report,
+                       const MeshReadOptions& options) {
+  return mesh_of(read_polygon_soup(path), path, report, nullptr, options);
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& path) {
@@ -45,11 +61,8 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report,
-                       VertexProperties& properties) {
-  PolygonSoup soup = read_polygon_soup(path, true);
-  properties = std::move(soup.properties);
-  properties.rows = soup.points.size();
-  return triangles_of(std::move(soup), path, report);
+                       VertexProperties& properties, const MeshReadOptions& options) {
+  return mesh_of(read_polygon_soup(path, true), path, report, &properties, options);
 }
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,

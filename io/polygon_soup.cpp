@@ -33,6 +33,16 @@ void check_corners(const PolygonSoup& soup, const std::filesystem::path& path) {
   }
 }
 
+std::size_t remove_non_finite(std::vector<Point>& points, VertexProperties& properties) {
+  std::vector<std::uint8_t> kept;
+  kept.reserve(points.size());
+  for (const Point& point : points) kept.push_back(is_finite(point) ? 1 : 0);
+  const std::size_t removed =
+      std::erase_if(points, [](const Point& point) { return !is_finite(point); });
+  if (removed > 0) properties = select_properties(properties, kept);
+  return removed;
+}
+
 TriangleMesh triangles_of(PolygonSoup&& soup, const std::filesystem::path& path,
                           MeshReadReport& report) {
   if (soup.points.size() >= Id<VertexTag>::none_value - 1) {

@@ -32,6 +32,10 @@ struct PolygonSoup {
 // Throws FileError, naming the face, if a corner is no vertex. Complexity: O(corners).
 void check_corners(const PolygonSoup& soup, const std::filesystem::path& path);
 
+// Removes the points that are not finite, with their rows of `properties` (one row per point), and
+// returns how many they are. Complexity: O(points).
+std::size_t remove_non_finite(std::vector<Point>& points, VertexProperties& properties);
+
 // The triangles of the faces: polygons are cut by triangulate_polygon, faces with fewer than three
 // corners and triangles with a repeated corner are left out and counted in `report`. Vertices and
 // triangles keep the order of the file. Throws FileError if a corner is no vertex or a point not

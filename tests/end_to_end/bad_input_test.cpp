@@ -135,6 +135,31 @@ TEST(BadInput, NonFinitePointsCanBeLeftOutOnDemand) {
   EXPECT_NE(run.out.find("warning"), std::string::npos);
 }
 
+// A cloud in a file that could hold a mesh, where it is the model or what is compared.
+TEST(BadInput, NonFinitePointsOfModelsWithoutFacesCanBeLeftOut) {
+  const TemporaryFolder folder;
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\n"
+      "property double z\nproperty uchar red\n";
+  const std::string corners = "0 0 0 1\n1 0 0 2\nnan 5 5 3\n0 1 0 4\n0 0 1 5\n";
+  const std::string cloud = folder.write("cloud.ply", header + "end_header\n" + corners);
+  const std::string mesh = folder.write(
+      "mesh.ply", header + "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+                      corners + "3 0 1 3\n");
+  const std::string other = folder.write("other.xyz", "0 0 0\n1 0 0\n");
+  const std::string told = "warning: " + cloud + ": 1 point is not finite and was left out\n";
+  Names compare = {"compare", cloud, other};
+  Names update = {"update", cloud, other, "-o", folder.file("out.ply")};
+  for (Names* command : {&compare, &update}) {
+    expect_error(run_program(*command), 1, "point 2 (counted from 0) has a coordinate");
+    command->push_back("--skip-non-finite");
+  }
+  EXPECT_NE(run_program(compare).out.find(told), std::string::npos);
+  EXPECT_EQ(run_program(compare).exit_code, 0);
+  EXPECT_NE(run_program(update).out.find(told), std::string::npos);  // two points are no cloud
+  expect_error(run_program({"compare", mesh, mesh, "--skip-non-finite"}), 1, "point 2");
+}
+
 // Where a file and its own counts disagree, but nothing is missing, the user is told.
 TEST(BadInput, MoreThanAFileAnnouncesIsAWarning) {
   const TemporaryFolder folder;
