@@ -65,14 +65,14 @@ TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report
   return mesh_of(read_polygon_soup(path, true), path, report, &properties, options);
 }
 
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
-                const MeshWriteOptions& options, FileBatch* batch) {
-  write_mesh(path, mesh, VertexProperties{}, options, batch);
+FloatRounding write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+                         const MeshWriteOptions& options, FileBatch* batch) {
+  return write_mesh(path, mesh, VertexProperties{}, options, batch);
 }
 
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
-                const VertexProperties& properties, const MeshWriteOptions& options,
-                FileBatch* batch) {
+FloatRounding write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+                         const VertexProperties& properties, const MeshWriteOptions& options,
+                         FileBatch* batch) {
   const FileFormat format = format_of(path);
   if (!is_mesh(format)) {
     throw file_error(path, "meshes are not written with extension " +
@@ -88,7 +88,14 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
   if (format == FileFormat::obj) write_obj(file, mesh);
   if (format == FileFormat::off) write_off(file, mesh);
   if (format == FileFormat::stl) write_stl(file, mesh, options);
+  FloatRounding rounding;
+  if (format == FileFormat::stl ? !options.ascii
+                                : format == FileFormat::ply && options.single_precision) {
+    rounding = float_rounding(mesh);
+  }
   file.commit(batch);
+  if (batch != nullptr && rounding.is_noticeable()) batch->note({path, rounding});
+  return rounding;
 }
 
 }  // namespace cocoon

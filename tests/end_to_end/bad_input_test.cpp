@@ -1,6 +1,8 @@
 // Bad input: exit code 1, one line that says what is wrong and where, no output file, nothing left
 // behind.
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -198,6 +200,35 @@ TEST(BadInput, MoreThanAFileAnnouncesIsAWarning) {
                  line +
                      ":9: this line has more values than the header announces; the last ones "
                      "were not read");
+}
+
+// Far from the origin floats are too far apart; text has all digits.
+TEST(BadInput, AMeshThatTheOutputCannotKeepIsAWarning) {
+  const TemporaryFolder folder;
+  std::string shifted;
+  std::istringstream rows(whole_sphere(300));
+  for (double x = 0, y = 0, z = 0; rows >> x >> y >> z;) {
+    shifted += point_line(x + 5e6, y + 5e6, z);
+  }
+  const std::string near = folder.write("near.xyz", whole_sphere(300));
+  const std::string far = folder.write("far.xyz", shifted);
+  const auto told = [&](std::vector<std::string> arguments) {
+    const std::string json = folder.file("report.json");
+    arguments.insert(arguments.end(), {"--json", json});
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    const nlohmann::json report = nlohmann::json::parse(content_of(json));
+    const bool warned =
+        run.out.find("in the floats of binary STL vertices move") != std::string::npos;
+    EXPECT_EQ(warned, report.contains("rounding")) << run.out;
+    EXPECT_EQ(warned, report["warnings"].dump().find("--ascii") != std::string::npos);
+    return warned;
+  };
+  const std::string stl = folder.file("out.stl");
+  EXPECT_TRUE(told({"reconstruct", far, "-o", stl}));
+  EXPECT_FALSE(told({"reconstruct", far, "-o", stl, "--ascii"}));
+  EXPECT_FALSE(told({"reconstruct", far, "-o", folder.file("out.ply")}));
+  EXPECT_FALSE(told({"reconstruct", near, "-o", stl}));
 }
 
 TEST(BadInput, MeshWithoutTriangles) {
