@@ -19,6 +19,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Which columns of a text file were taken, where it names them; a name that does not tell may be
+// that of something else.
+void tell_columns(Job& job, const std::string& path, const std::string& section,
+                  const PointCloud& cloud) {
+  const auto& [x, y, z] = cloud.coordinate_names;
+  if (x.empty() && y.empty() && z.empty()) return;
+  job.report().set(section + "/coordinate_columns", std::vector<std::string>{x, y, z});
+  if (cloud.told_columns) return;
+  job.say("note: {}: no columns are named x, y, z; taken are the first three: {}, {}, {}", path, x,
+          y, z);
+}
+
 void warn_of_skipped(Job& job, const std::string& path, const std::string& section,
                      std::size_t points) {
   if (points == 0) return;
@@ -139,6 +151,7 @@ std::vector<Point> read_cloud(Job& job, const std::string& path, const std::stri
   options.keep_properties = properties != nullptr;
   options.skip_non_finite = job.shared().skip_non_finite;
   PointCloud cloud = timed(job.execution(), "read", [&] { return read_points(path, options); });
+  tell_columns(job, path, section, cloud);
   warn_of_skipped(job, path, section, cloud.skipped);
   if (cloud.announced && *cloud.announced < cloud.points.size() + cloud.skipped) {
     job.report().set(section + "/announced_points", *cloud.announced);

@@ -231,6 +231,23 @@ TEST(BadInput, AMeshThatTheOutputCannotKeepIsAWarning) {
   EXPECT_FALSE(told({"reconstruct", near, "-o", stl}));
 }
 
+TEST(BadInput, ColumnsWithoutNamesThatTellAreANote) {
+  const TemporaryFolder folder;
+  const std::string rows = "1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n5,0,2,2\n";
+  const std::string out = folder.file("out.tet");
+  const std::string unknown = folder.write("unknown.csv", "id,east,north,up\n" + rows);
+  EXPECT_NE(run_program({"delaunay", unknown, "-o", out})
+                .out.find("note: " + unknown +
+                          ": no columns are named x, y, z; taken are the first "
+                          "three: id, east, north\n"),
+            std::string::npos);
+  const std::string known = folder.write("known.csv", "id,Points:0,Points:1,Points:2\n" + rows);
+  const ProgramRun run = run_program({"delaunay", known, "-o", out, "--json", "-"});
+  EXPECT_EQ(run.out.find("note"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(run.out)["input"]["coordinate_columns"].dump(),
+            R"(["Points:0","Points:1","Points:2"])");
+}
+
 TEST(BadInput, MeshWithoutTriangles) {
   const TemporaryFolder folder;
   const std::string points =
