@@ -20,6 +20,27 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Which columns of a text file were taken, where it names them; a name that does not tell may be
+// that of something else.
+void tell_columns(Job& job, const std::string& path, const std::string& section,
+                  const PointCloud& cloud) {
+  const auto& [x, y, z] = cloud.coordinate_names;
+  if (x.empty() && y.empty() && z.empty()) return;
+  job.report().set(section + "/coordinate_columns", std::vector<std::string>{x, y, z});
+  if (cloud.told_columns) return;
+  job.say("note: {}: no columns are named x, y, z; taken are the first three: {}, {}, {}", path, x,
+          y, z);
+}
+
+void warn_of_skipped(Job& job, const std::string& path, const std::string& section,
+                     std::size_t points) {
+  if (points == 0) return;
+  job.report().set(section + "/skipped_non_finite", points);
+  job.warn(fmt::format(
+      "{}: {} left out", path,
+      counted(points, "point is not finite and was", "points are not finite and were")));
+}
+
 // What lies behind the last element that a header announces may be what the user wants most.
 void warn_of_trailing_bytes(Job& job, const std::string& path, const std::string& section,
                             std::size_t bytes) {
@@ -27,6 +48,16 @@ void warn_of_trailing_bytes(Job& job, const std::string& path, const std::string
   job.report().set(section + "/trailing_bytes", bytes);
   job.warn(fmt::format("{}: {} behind what its header announces", path,
                        counted(bytes, "byte was not read,", "bytes were not read,")));
+}
+
+// A list of corners whose count is too small above all: a face comes out that was not meant.
+void warn_of_surplus_lines(Job& job, const std::string& path, const std::string& section,
+                           std::size_t lines, std::size_t first) {
+  if (lines == 0) return;
+  job.report().set(section + "/surplus_lines", lines);
+  job.warn(fmt::format(
+      "{}:{}: {} more values than the header announces; the last ones were not read", path, first,
+      lines == 1 ? "this line has" : fmt::format("this line and {} more have", lines - 1)));
 }
 
 void require_extension(const OutputFile& output) {
@@ -144,17 +175,14 @@ std::vector<Point> read_cloud(Job& job, const std::string& path, const std::stri
   options.keep_properties = properties != nullptr;
   options.skip_non_finite = job.shared().skip_non_finite;
   PointCloud cloud = timed(job.execution(), "read", [&] { return read_points(path, options); });
-  if (cloud.skipped > 0) {
-    job.report().set(section + "/skipped_non_finite", cloud.skipped);
-    job.warn(fmt::format(
-        "{}: {} left out", path,
-        counted(cloud.skipped, "point is not finite and was", "points are not finite and were")));
-  }
+  tell_columns(job, path, section, cloud);
+  warn_of_skipped(job, path, section, cloud.skipped);
   if (cloud.announced && *cloud.announced < cloud.points.size() + cloud.skipped) {
     job.report().set(section + "/announced_points", *cloud.announced);
     job.warn(fmt::format("{}: announces {}, but {} follow; all of them were read", path,
                          counted(*cloud.announced, "point"), cloud.points.size() + cloud.skipped));
   }
+  warn_of_surplus_lines(job, path, section, cloud.surplus_lines, cloud.first_surplus_line);
   warn_of_trailing_bytes(job, path, section, cloud.trailing_bytes);
   if (properties != nullptr) *properties = std::move(cloud.properties);
   if (faces != nullptr) *faces = cloud.faces;
@@ -167,9 +195,12 @@ TriangleMesh read_shape(Job& job, const std::string& path, const std::string& se
     return {IdVector<VertexId, Point>(read_cloud(job, path, section, properties)), {}};
   }
   MeshReadReport read;
+  const MeshReadOptions options = {job.shared().skip_non_finite};
   TriangleMesh mesh = timed(job.execution(), "read", [&] {
-    return properties == nullptr ? read_mesh(path, read) : read_mesh(path, read, *properties);
+    return properties == nullptr ? read_mesh(path, read, options)
+                                 : read_mesh(path, read, *properties, options);
   });
+  warn_of_skipped(job, path, section, read.skipped);
   job.report().set(section + "/faces", read.faces);
   if (read.polygons > 0) job.report().set(section + "/polygons_cut", read.polygons);
   const std::size_t left_out = read.short_faces + read.degenerate_triangles;
@@ -178,6 +209,7 @@ TriangleMesh read_shape(Job& job, const std::string& path, const std::string& se
     job.warn(fmt::format("{}: {} left out", path,
                          counted(left_out, "face without area was", "faces without area were")));
   }
+  warn_of_surplus_lines(job, path, section, read.surplus_lines, read.first_surplus_line);
   warn_of_trailing_bytes(job, path, section, read.trailing_bytes);
   return mesh;
 }

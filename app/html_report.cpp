@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <stdexcept>
 #include <string_view>
 
@@ -24,21 +25,29 @@ void append_float(std::string& bytes, double value) {
   for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xFFU);
 }
 
-std::string packed(const std::vector<Point>& points, const Point& origin) {
+std::string packed(const std::vector<Point>& points, const Point& origin, double unit) {
   std::string bytes;
   bytes.reserve(12 * points.size());
   for (const Point& p : points) {
-    const Vec3 relative = p - origin;
+    const Vec3 relative = (p - origin) / unit;
     for (int axis = 0; axis < 3; ++axis) append_float(bytes, relative[axis]);
   }
   return base64_of(bytes);
 }
 
-std::string packed(const std::vector<double>& values) {
+std::string packed(const std::vector<double>& values, double unit) {
   std::string bytes;
   bytes.reserve(4 * values.size());
-  for (const double value : values) append_float(bytes, value);
+  for (const double value : values) append_float(bytes, value / unit);
   return base64_of(bytes);
+}
+
+// What lengths of up to `most` are stored in: 1, but for sizes that are no floats, or whose squares
+// are none, which viewers compute, a power of two near them.
+double unit_of(double most) {
+  constexpr double largest = 0x1p40;
+  if (!(most > 0) || (most <= largest && most >= 1 / largest)) return 1;
+  return std::ldexp(1.0, std::ilogb(most));
 }
 
 // Differences of successive numbers (modulo 2^32), small ones of either sign made small unsigned
@@ -89,8 +98,12 @@ void set_labels(JsonReport& data, const PageLabels& labels) {
 void add_points(const PagePoints& points, JsonReport& data) {
   const Point origin = center_of(points.positions);
   data.set("origin", std::vector<double>{origin.x, origin.y, origin.z});
+  double reach = 0;
+  for (const Point& p : points.positions) reach = std::max(reach, max_norm(p - origin));
+  const double unit = unit_of(reach);
+  data.set("unit", unit);
   JsonReport entry;
-  entry.set("positions", packed(points.positions, origin));
+  entry.set("positions", packed(points.positions, origin, unit));
   set_labels(entry, points.labels);
   entry.set_empty_array("parts");
   for (const PagePart& part : points.parts) {
@@ -104,7 +117,11 @@ void add_points(const PagePoints& points, JsonReport& data) {
   for (const PageField& field : points.fields) {
     JsonReport numbers;
     numbers.set("name", field.name);
-    numbers.set("values", packed(field.values));
+    double most = 0;
+    for (const double value : field.values) most = std::max(most, std::fabs(value));
+    const double field_unit = unit_of(most);
+    numbers.set("unit", field_unit);
+    numbers.set("values", packed(field.values, field_unit));
     entry.append("fields", numbers);
   }
   data.set("points", entry);

@@ -94,9 +94,10 @@ struct ReportPage {
 };
 
 // The whole page. Positions are stored as float32 relative to the center of all points, so that
-// large coordinates do not lose the shape; `numbers` is shown in full at the end.
-// Errors: std::logic_error for a geometry with an index beyond the points.
-// Complexity: linear; about 5 bytes of page for each index and 16 for each point.
+// large coordinates do not lose the shape, and in a unit other than 1 if their size or its square
+// is no float; so are fields. `numbers` is shown in full at the end. Errors: std::logic_error for a
+// geometry with an index beyond the points. Complexity: linear; about 5 bytes of page for each
+// index and 16 for each point.
 std::string html_page(const ReportPage& page, const JsonReport& numbers);
 
 }  // namespace cocoon::app

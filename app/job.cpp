@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include "app/standard_streams.h"
+#include "geom/counted.h"
 
 namespace cocoon::app {
 
@@ -31,6 +32,22 @@ void Job::warn(const std::string& warning) {
   say("warning: {}", warning);
 }
 
+// The program writes floats to binary STL only.
+void Job::warn_of_rounding() {
+  for (const RoundedFile& file : outputs_.take_rounded()) {
+    const FloatRounding& rounding = file.rounding;
+    report_.set("rounding/merged_vertices", rounding.merged_vertices);
+    report_.set("rounding/largest_move", rounding.largest_move);
+    report_.set("rounding/median_edge", rounding.median_edge);
+    warn(fmt::format(
+        "{}: in the floats of binary STL vertices move by up to {:.3g} (median edge {:.3g}), and "
+        "{} with others: it may be closed or manifold no longer; add --ascii, or write PLY, OBJ "
+        "or OFF",
+        file.target.string(), rounding.largest_move, rounding.median_edge,
+        counted(rounding.merged_vertices, "falls together", "fall together")));
+  }
+}
+
 std::vector<StageTime> Job::timings() const {
   std::vector<StageTime> result;
   for (const StageTime& time : clock_.times()) {
@@ -44,6 +61,7 @@ std::vector<StageTime> Job::timings() const {
 }
 
 void Job::finish(const std::string& copy_of_report) {
+  warn_of_rounding();
   report_.set_empty_array("warnings");
   for (const std::string& warning : warnings_) report_.append("warnings", warning);
   for (const StageTime& time : timings()) report_.set("timings_s/" + time.stage, time.seconds);
@@ -56,6 +74,7 @@ void Job::finish(const std::string& copy_of_report) {
   report_.set("peak_memory_bytes", peak_memory_bytes());
   progress_line_.clear();
   const std::string text = report_.text();
+  flush_output();  // the report may go to the same place by another name: /dev/stdout
   if (shared_.json == "-") {
     print_output(text);
   } else if (!shared_.json.empty()) {

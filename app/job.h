@@ -53,6 +53,9 @@ class Job {
 
  private:
   void say_line(const std::string& line);
+  // Warns of meshes among the outputs whose files are other surfaces than the program told of,
+  // since floats are too coarse for them; the numbers are in section "rounding" of the report.
+  void warn_of_rounding();
 
   SharedArguments shared_;
   ProgressLine progress_line_;

@@ -39,7 +39,8 @@ class JsonReport {
 
   // The text, indented by two spaces, with a newline at its end.
   std::string text() const;
-  // The text on one line, for a script element of a page: it contains no "</".
+  // The text on one line, for a script element of a page: it contains no '<'. "</script>" would end
+  // the element, "<!--<script>" keep the next end from doing so.
   std::string script_text() const;
 
  private:

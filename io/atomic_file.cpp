@@ -1,8 +1,10 @@
 #include "io/atomic_file.h"
 
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fcntl.h>
+#include <string>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -20,6 +22,40 @@ bool is_link(const std::filesystem::path& path) {
   return std::filesystem::is_symlink(std::filesystem::symlink_status(path, error));
 }
 
+// What the links in the last component of `path` lead to, one step.
+std::filesystem::path next_behind(const std::filesystem::path& path, std::error_code& error) {
+  // An absolute name replaces all.
+  return path.parent_path() / std::filesystem::read_symlink(path, error);
+}
+
+// The names in such folders are the numbers of this process's descriptors.
+bool is_folder_of_descriptors(const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::path place =
+      std::filesystem::canonical(folder.empty() ? "." : folder, error);
+  if (error) return false;
+  for (const char* known : {"/proc/self/fd", "/proc/thread-self/fd", "/dev/fd"}) {
+    if (place == std::filesystem::canonical(known, error) && !error) return true;
+  }
+  return false;
+}
+
+// The descriptor of this process that the path names, through links (/dev/stdout is one); -1: none.
+int own_descriptor(std::filesystem::path path) {
+  for (int i = 0; i <= most_links; ++i) {
+    const std::string name = path.filename().string();
+    int number = -1;
+    const auto [end, wrong] = std::from_chars(name.data(), name.data() + name.size(), number);
+    const bool is_number = wrong == std::errc() && end == name.data() + name.size();
+    if (is_number && number >= 0 && is_folder_of_descriptors(path.parent_path())) return number;
+    if (!is_link(path)) return -1;
+    std::error_code error;
+    path = next_behind(path, error);
+    if (error) return -1;
+  }
+  return -1;
+}
+
 [[noreturn]] void throw_write_error(const std::filesystem::path& target, const char* action,
                                     int error_number) {
   throw file_error(target, std::string(action) + " (" + std::strerror(error_number) +
@@ -31,9 +67,9 @@ bool is_link(const std::filesystem::path& path) {
 std::filesystem::path follow_links(std::filesystem::path path) {
   for (int i = 0; i < most_links && is_link(path); ++i) {
     std::error_code error;
-    const std::filesystem::path leads_to = std::filesystem::read_symlink(path, error);
+    const std::filesystem::path leads_to = next_behind(path, error);
     if (error) return path;
-    path = path.parent_path() / leads_to;  // an absolute leads_to replaces all
+    path = leads_to;
   }
   return path;
 }
@@ -57,6 +93,12 @@ AtomicFile::AtomicFile(const std::filesystem::path& target) : target_(target) {
   struct stat status = {};
   const bool exists = ::stat(target_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) require(EISDIR);
+  // Whoever opened it may have more in that file, and goes on writing to it.
+  if (const int descriptor = own_descriptor(target_); descriptor >= 0) {
+    direct_ = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+    if (direct_ < 0) require(errno);
+    return;
+  }
   if (exists && !S_ISREG(status.st_mode)) {
     direct_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
     if (direct_ < 0) require(errno);

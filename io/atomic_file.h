@@ -10,8 +10,10 @@
 //   - A new file gets the permissions that the umask gives; a replaced file keeps its own. Owner
 //     and extended attributes are not kept, and hard links to the old file keep the old bytes.
 //   - A symbolic link stays: the file it leads to is replaced.
-//   - A target that exists and is no regular file (/dev/stdout, a pipe) cannot be replaced: it is
-//     opened and written directly, and a failure may leave a part in it.
+//   - A target that exists and is no regular file (/dev/full, a pipe) cannot be replaced: it is
+//     opened and written directly, and a failure may leave a part in it. So is a descriptor of this
+//     process (/dev/stdout, /dev/fd/3, links to such), whatever it leads to: it is duplicated, so
+//     that what it is open for holds, and writing goes on where it stands (`>> log`).
 //   - Several files of one job appear together, or none of them: see FileBatch.
 #pragma once
 
@@ -19,8 +21,10 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "io/float_rounding.h"
 #include "io/part_file.h"
 
 namespace cocoon {
@@ -28,6 +32,12 @@ namespace cocoon {
 // The path behind all symbolic links in the last component, also if it does not exist yet; one that
 // is a link still for a loop of them.
 std::filesystem::path follow_links(std::filesystem::path path);
+
+// A file in which a mesh is noticeably another one than was written.
+struct RoundedFile {
+  std::filesystem::path target;
+  FloatRounding rounding;
+};
 
 // Files that wait to appear together: complete and on the disk, each as a temporary file. What can
 // fail while a job writes its outputs (a full disk above all) fails before the first target is
@@ -43,6 +53,10 @@ class FileBatch {
   // then, those after it are removed.
   void commit();
 
+  // What is to be told of files before they appear: by their writers, and taken by who tells it.
+  void note(RoundedFile file) { rounded_.push_back(std::move(file)); }
+  std::vector<RoundedFile> take_rounded() { return std::exchange(rounded_, {}); }
+
  private:
   friend class AtomicFile;
   struct Waiting {
@@ -50,6 +64,7 @@ class FileBatch {
     PartFile part;
   };
   std::vector<Waiting> waiting_;
+  std::vector<RoundedFile> rounded_;
 };
 
 class AtomicFile {

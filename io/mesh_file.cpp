@@ -31,12 +31,28 @@ void check_writable(const std::filesystem::path& path, const TriangleMesh& mesh)
   }
 }
 
+// `properties`: null if nobody wants them.
+TriangleMesh mesh_of(PolygonSoup&& soup, const std::filesystem::path& path, MeshReadReport& report,
+                     VertexProperties* properties, const MeshReadOptions& options) {
+  soup.properties.rows = soup.points.size();
+  std::size_t skipped = 0;
+  if (options.skip_non_finite && soup.face_ends.empty()) {
+    skipped = remove_non_finite(soup.points, soup.properties);
+    soup.non_finite = {};
+  }
+  if (properties != nullptr) *properties = std::move(soup.properties);
+  TriangleMesh mesh = triangles_of(std::move(soup), path, report);
+  report.skipped = skipped;
+  return mesh;
+}
+
 }  // namespace
 
 bool has_mesh_extension(const std::filesystem::path& path) { return is_mesh(format_of(path)); }
 
-TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report) {
-  return triangles_of(read_polygon_soup(path), path, report);
+TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report,
+                       const MeshReadOptions& options) {
+  return mesh_of(read_polygon_soup(path), path, report, nullptr, options);
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& path) {
@@ -45,21 +61,18 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report,
-                       VertexProperties& properties) {
-  PolygonSoup soup = read_polygon_soup(path, true);
-  properties = std::move(soup.properties);
-  properties.rows = soup.points.size();
-  return triangles_of(std::move(soup), path, report);
+                       VertexProperties& properties, const MeshReadOptions& options) {
+  return mesh_of(read_polygon_soup(path, true), path, report, &properties, options);
 }
 
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
-                const MeshWriteOptions& options, FileBatch* batch) {
-  write_mesh(path, mesh, VertexProperties{}, options, batch);
+FloatRounding write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+                         const MeshWriteOptions& options, FileBatch* batch) {
+  return write_mesh(path, mesh, VertexProperties{}, options, batch);
 }
 
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
-                const VertexProperties& properties, const MeshWriteOptions& options,
-                FileBatch* batch) {
+FloatRounding write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+                         const VertexProperties& properties, const MeshWriteOptions& options,
+                         FileBatch* batch) {
   const FileFormat format = format_of(path);
   if (!is_mesh(format)) {
     throw file_error(path, "meshes are not written with extension " +
@@ -75,7 +88,14 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
   if (format == FileFormat::obj) write_obj(file, mesh);
   if (format == FileFormat::off) write_off(file, mesh);
   if (format == FileFormat::stl) write_stl(file, mesh, options);
+  FloatRounding rounding;
+  if (format == FileFormat::stl ? !options.ascii
+                                : format == FileFormat::ply && options.single_precision) {
+    rounding = float_rounding(mesh);
+  }
   file.commit(batch);
+  if (batch != nullptr && rounding.is_noticeable()) batch->note({path, rounding});
+  return rounding;
 }
 
 }  // namespace cocoon

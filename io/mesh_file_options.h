@@ -13,14 +13,24 @@ struct MeshWriteOptions {
   bool single_precision = false;
 };
 
+struct MeshReadOptions {
+  // A point with a coordinate that is not a finite number is an error. With true it is left out of
+  // files without faces, and counted; faces need all of their corners.
+  bool skip_non_finite = false;
+};
+
 // What a reader met that the mesh itself does not show. All 0 but `faces`: a plain triangle mesh.
 struct MeshReadReport {
   std::size_t faces = 0;                 // in the file
   std::size_t polygons = 0;              // faces with more than three corners, cut into triangles
   std::size_t short_faces = 0;           // faces with fewer than three corners, left out
   std::size_t degenerate_triangles = 0;  // triangles with a repeated corner, left out
-  std::size_t surplus_lines = 0;         // ascii PLY: lines with more values than announced
-  std::size_t trailing_bytes = 0;        // behind the last element, not read
+  // Ascii PLY: lines of any element with more values than announced, the last of which are not
+  // read, and the number of the first one.
+  std::size_t surplus_lines = 0;
+  std::size_t first_surplus_line = 0;
+  std::size_t skipped = 0;         // points that were not finite, with skip_non_finite
+  std::size_t trailing_bytes = 0;  // behind the last element, not read
 };
 
 }  // namespace cocoon

@@ -190,6 +190,7 @@ PolygonSoup read_elements(const FileBytes& file, const PlyHeader& header, bool k
   ElementReader<Body> reader(file, body, keep_properties, soup);
   for (const PlyElement& element : header.elements) reader.read(element);
   soup.surplus_lines = body.surplus_lines();
+  soup.first_surplus_line = body.first_surplus_line();
   soup.trailing_bytes = body.trailing_bytes();
   return soup;
 }

@@ -128,7 +128,7 @@ bool PlyTextBody::append(PlyType type, std::size_t count, std::string& bytes) {
 }
 
 void PlyTextBody::end_element() {
-  if (!fields_.done()) ++surplus_lines_;
+  if (!fields_.done() && ++surplus_lines_ == 1) first_surplus_line_ = line();
 }
 
 void PlyTextBody::fail_value(const char* expected) {

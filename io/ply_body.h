@@ -42,6 +42,7 @@ class PlyTextBody {
   void end_element();
   std::size_t line() const { return header_lines_ + lines_.number(); }
   std::size_t surplus_lines() const { return surplus_lines_; }
+  std::size_t first_surplus_line() const { return first_surplus_line_; }
   std::size_t trailing_bytes() const { return lines_.rest_without_blanks().size(); }
 
  private:
@@ -52,6 +53,7 @@ class PlyTextBody {
   TextLines lines_;
   Fields fields_{std::string_view()};
   std::size_t surplus_lines_ = 0;
+  std::size_t first_surplus_line_ = 0;
 };
 
 class PlyBinaryBody {
@@ -70,6 +72,7 @@ class PlyBinaryBody {
   void end_element() {}
   std::size_t line() const { return 0; }
   std::size_t surplus_lines() const { return 0; }
+  std::size_t first_surplus_line() const { return 0; }
   std::size_t trailing_bytes() const { return static_cast<std::size_t>(end_ - at_); }
 
  private:

@@ -1,6 +1,5 @@
 #include "io/point_file.h"
 
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -11,22 +10,11 @@
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
+#include "io/polygon_soup.h"
 #include "io/read_polygon_soup.h"
 #include "io/xyz.h"
 
 namespace cocoon {
-
-namespace {
-
-// Removes what is not finite, and counts it.
-void remove_non_finite(PointCloud& cloud) {
-  std::vector<std::uint8_t> kept;
-  for (const Point& point : cloud.points) kept.push_back(is_finite(point) ? 1 : 0);
-  cloud.skipped = std::erase_if(cloud.points, [](const Point& point) { return !is_finite(point); });
-  if (cloud.skipped > 0) cloud.properties = select_properties(cloud.properties, kept);
-}
-
-}  // namespace
 
 PointCloud read_points(const std::filesystem::path& path, const PointReadOptions& options) {
   const FileFormat format = format_of(path);
@@ -47,11 +35,13 @@ PointCloud read_points(const std::filesystem::path& path, const PointReadOptions
     cloud.faces = soup.face_ends.size();
     cloud.points = std::move(soup.points);
     cloud.properties = std::move(soup.properties);
+    cloud.surplus_lines = soup.surplus_lines;
+    cloud.first_surplus_line = soup.first_surplus_line;
     cloud.trailing_bytes = soup.trailing_bytes;
   }
   cloud.properties.rows = cloud.points.size();
   if (options.skip_non_finite) {
-    remove_non_finite(cloud);
+    cloud.skipped = remove_non_finite(cloud.points, cloud.properties);
   } else {
     non_finite.finish(path);
   }

@@ -1,6 +1,7 @@
 // Point clouds from and to files, by extension (upper or lower case).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -27,15 +28,21 @@ struct PointCloud {
   std::vector<Point> points;  // in the order of the file
   std::size_t skipped = 0;    // points that were not finite, with skip_non_finite
   std::size_t faces = 0;      // mesh files: in the file, not read
-  std::string header;         // text files: the line of column names that was skipped, if any
-  std::size_t columns = 0;    // text files: of the first row; columns behind the third are ignored
+  std::string header;         // text files: the line of column names, if any
+  std::size_t columns = 0;    // text files: of the first row
+  // Text files with names of columns: those that were taken as x, y, z, and whether their names
+  // told so; if not, they are the first three.
+  std::array<std::string, 3> coordinate_names;
+  bool told_columns = false;
   // Text files: the count in a first line of its own, if there is one. More points may follow.
   std::optional<std::size_t> announced;
+  std::size_t surplus_lines = 0;  // ascii PLY: see MeshReadReport
+  std::size_t first_surplus_line = 0;
   std::size_t trailing_bytes = 0;  // PLY and OFF: behind the last element, not read
   VertexProperties properties;     // one row per point; no column unless asked for
 };
 
-// Text (.xyz .pts .txt .csv .npts .pwn .asc): one point a line, x y z first, see io/xyz.h. Mesh
+// Text (.xyz .pts .txt .csv .npts .pwn .asc): one point a line, see io/xyz.h. Mesh
 // files (.ply .obj .off .stl) give their vertices; STL is welded exactly.
 // Throws FileError, with the line where there is one, for another extension, for what cannot be
 // read, for a coordinate that is not a finite number (see the options), and for a text without a

@@ -33,6 +33,16 @@ void check_corners(const PolygonSoup& soup, const std::filesystem::path& path) {
   }
 }
 
+std::size_t remove_non_finite(std::vector<Point>& points, VertexProperties& properties) {
+  std::vector<std::uint8_t> kept;
+  kept.reserve(points.size());
+  for (const Point& point : points) kept.push_back(is_finite(point) ? 1 : 0);
+  const std::size_t removed =
+      std::erase_if(points, [](const Point& point) { return !is_finite(point); });
+  if (removed > 0) properties = select_properties(properties, kept);
+  return removed;
+}
+
 TriangleMesh triangles_of(PolygonSoup&& soup, const std::filesystem::path& path,
                           MeshReadReport& report) {
   if (soup.points.size() >= Id<VertexTag>::none_value - 1) {
@@ -44,6 +54,7 @@ TriangleMesh triangles_of(PolygonSoup&& soup, const std::filesystem::path& path,
   report = {};
   report.faces = soup.face_ends.size();
   report.surplus_lines = soup.surplus_lines;
+  report.first_surplus_line = soup.first_surplus_line;
   report.trailing_bytes = soup.trailing_bytes;
 
   TriangleMesh mesh;

@@ -23,6 +23,7 @@ struct PolygonSoup {
   NonFinitePoints non_finite;           // which points are not finite
   VertexProperties properties;          // PLY, if asked for
   std::size_t surplus_lines = 0;        // see MeshReadReport
+  std::size_t first_surplus_line = 0;
   std::size_t trailing_bytes = 0;
 
   void end_face() { face_ends.push_back(corners.size()); }
@@ -30,6 +31,10 @@ struct PolygonSoup {
 
 // Throws FileError, naming the face, if a corner is no vertex. Complexity: O(corners).
 void check_corners(const PolygonSoup& soup, const std::filesystem::path& path);
+
+// Removes the points that are not finite, with their rows of `properties` (one row per point), and
+// returns how many they are. Complexity: O(points).
+std::size_t remove_non_finite(std::vector<Point>& points, VertexProperties& properties);
 
 // The triangles of the faces: polygons are cut by triangulate_polygon, faces with fewer than three
 // corners and triangles with a repeated corner are left out and counted in `report`. Vertices and

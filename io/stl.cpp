@@ -97,25 +97,33 @@ class StlTextReader {
     return true;
   }
 
-  void expect(std::string_view lower_case) {
+  void next_word_of_facet() {
     if (!next_word()) fail("the file ends within a facet; it is cut off");
-    if (!is(lower_case)) {
-      fail("expected " + std::string(lower_case) + ", found " + in_quotes(word_));
+  }
+
+  // The last word of a file may be half of one.
+  [[noreturn]] void fail_expected(const std::string& expected) {
+    if (fields_.done() && lines_.rest_without_blanks().empty()) {
+      fail("the file ends within a facet; it is cut off");
     }
+    fail("expected " + expected + ", found " + in_quotes(word_));
+  }
+
+  void expect(std::string_view lower_case) {
+    next_word_of_facet();
+    if (!is(lower_case)) fail_expected(std::string(lower_case));
   }
 
   // facet normal a b c / outer loop / vertex x y z (three times or more) / endloop / endfacet
   void read_facet() {
     expect("normal");
-    for (int i = 0; i < 3; ++i) {
-      if (!next_word()) fail("the file ends within a facet; it is cut off");
-    }
+    for (int i = 0; i < 3; ++i) next_word_of_facet();
     expect("outer");
     expect("loop");
     const std::size_t line = lines_.number();
     const std::size_t begin = soup_.corners.size();
-    while (next_word() && is("vertex")) read_corner();
-    if (!is("endloop")) fail("expected vertex or endloop, found " + in_quotes(word_));
+    for (next_word_of_facet(); is("vertex"); next_word_of_facet()) read_corner();
+    if (!is("endloop")) fail_expected("vertex or endloop");
     if (soup_.corners.size() < begin + 3) fail("a facet has fewer than three corners");
     expect("endfacet");
     soup_.end_face();
@@ -125,8 +133,8 @@ class StlTextReader {
   void read_corner() {
     double xyz[3];
     for (double& value : xyz) {
-      if (!next_word()) fail("the file ends within a vertex; it is cut off");
-      if (!Fields(word_).number(value)) fail("expected a number, found " + in_quotes(word_));
+      next_word_of_facet();
+      if (!Fields(word_).number(value)) fail_expected("a number");
     }
     const Point point{xyz[0], xyz[1], xyz[2]};
     if (!is_finite(point)) soup_.non_finite.note(soup_.points.size(), lines_.number());

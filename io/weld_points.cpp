@@ -13,10 +13,16 @@ std::size_t PointWelder::slot_of(const Point& point) const {
 
 void PointWelder::grow() {
   table_.assign(2 * table_.size(), empty);
-  for (std::size_t i = 0; i < points_.size(); ++i) table_[slot_of(points_[i])] = i;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (is_finite(points_[i])) table_[slot_of(points_[i])] = i;
+  }
 }
 
 std::size_t PointWelder::add(const Point& point) {
+  if (!is_finite(point)) {
+    points_.push_back(point);
+    return points_.size() - 1;
+  }
   std::size_t slot = slot_of(point);
   if (table_[slot] != empty) return table_[slot];
   if (2 * (points_.size() + 1) > table_.size()) {

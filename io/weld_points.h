@@ -9,7 +9,8 @@
 namespace cocoon {
 
 // Appends to `points` what is not in it yet. Points are equal if their coordinates are (-0 = 0, as
-// everywhere); the bits of the first one stay. An open-addressing table: O(1) expected per point.
+// everywhere); the bits of the first one stay. Points that are not finite equal none: they would
+// all come to the same place of the table. An open-addressing table: O(1) expected per point.
 class PointWelder {
  public:
   // `points` must outlive this object, and only this object may change it.

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
+#include "io/column_names.h"
 #include "io/file_format.h"
 #include "io/number_text.h"
 #include "io/point_text.h"
@@ -43,21 +45,45 @@ bool read_separator(const char*& at, const char* end, Separator& separator) {
   return at != begin;
 }
 
-// The columns of a line as text, for the rare lines that are no plain rows.
+// What separates the columns of a line: what there is of ; and , outside of quotes, in this order.
+char separator_of(std::string_view line) {
+  char found = ' ';
+  char last = ' ';
+  bool is_quoted = false;
+  for (const char* at = line.data(); at != line.data() + line.size(); last = *at++) {
+    if (*at == '"') is_quoted = !is_quoted;
+    if (is_quoted) continue;
+    if (is_blank(last) && is_comment(at, line.data() + line.size())) break;
+    if (*at == ';') return *at;
+    if (*at == ',') found = *at;
+  }
+  return found;
+}
+
+// The columns of a line as text, for the rare lines that are no plain rows. Blanks around them are
+// left out, and so is an empty last one.
 std::vector<std::string_view> split_columns(std::string_view line) {
+  const char separator = separator_of(line);
   std::vector<std::string_view> columns;
   const char* at = line.data();
   const char* end = at + line.size();
-  Separator separator = Separator::none;
   skip_blanks(at, end);
   while (at != end && !is_comment(at, end)) {
     const char* begin = at;
-    const bool is_quoted = *at == '"';
-    if (is_quoted) ++at;
-    while (at != end && (is_quoted ? *at != '"' : !is_blank(*at) && *at != ',' && *at != ';')) ++at;
-    if (is_quoted && at != end) ++at;
-    columns.emplace_back(begin, static_cast<std::size_t>(at - begin));
-    while (at != end && !read_separator(at, end, separator)) ++at;
+    const char* column_end = at;  // without the blanks behind it
+    bool is_quoted = false;
+    while (at != end) {
+      if (*at == '"') is_quoted = !is_quoted;
+      if (!is_quoted && (separator == ' ' ? is_blank(*at) : *at == separator)) break;
+      if (!is_blank(*at)) {
+        if (at != column_end && is_comment(at, end)) break;
+        column_end = at + 1;
+      }
+      ++at;
+    }
+    columns.emplace_back(begin, static_cast<std::size_t>(column_end - begin));
+    if (at != end && *at == separator) ++at;
+    skip_blanks(at, end);
   }
   return columns;
 }
@@ -83,16 +109,6 @@ bool is_name(std::string_view column) {
          first == '"' || first == '\'';
 }
 
-// The axis that a column is called: 'x', 'y', 'z', or 0 for another name.
-char axis_of(std::string_view name) {
-  if (name.size() >= 3 && (name.front() == '"' || name.front() == '\'')) {
-    name = name.substr(1, name.size() - 2);
-  }
-  if (name.size() != 1) return 0;
-  const char lower = static_cast<char>(name[0] | 0x20);
-  return lower >= 'x' && lower <= 'z' ? lower : '\0';
-}
-
 class XyzReader {
  public:
   XyzReader(const FileBytes& file, NonFinitePoints& non_finite)
@@ -104,8 +120,12 @@ class XyzReader {
       const char* at = line.data();
       const char* end = at + line.size();
       skip_blanks(at, end);
-      if (at == end || is_comment(at, end)) continue;
+      if (at == end) continue;
       line = {at, static_cast<std::size_t>(end - at)};
+      if (is_comment(at, end)) {
+        if (cloud_.points.empty()) read_comment(line);
+        continue;
+      }
       if (cloud_.points.empty() && (read_count(line) || read_header(line))) continue;
       read_row(line);
     }
@@ -120,6 +140,52 @@ class XyzReader {
   }
 
   void read_row(std::string_view line) {
+    if (cloud_.points.empty()) begin_rows(line);
+    if (columns_.at != CoordinateColumns().at) {
+      read_row_by_names(line);
+    } else {
+      read_plain_row(line);
+    }
+  }
+
+  // Before the first row, by its number of columns: a comment that happens to name x, y, z is none
+  // of their names if it has another one.
+  void begin_rows(std::string_view line) {
+    cloud_.columns = split_columns(line).size();
+    if (cloud_.header.empty() && comment_columns_.told == CoordinateColumns::Told::all &&
+        comment_names_.size() == cloud_.columns) {
+      columns_ = comment_columns_;
+      names_ = comment_names_;
+    }
+    cloud_.told_columns = columns_.told == CoordinateColumns::Told::all;
+    if (names_.empty()) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      cloud_.coordinate_names[axis] = names_[columns_.at[axis]];
+    }
+  }
+
+  void read_row_by_names(std::string_view line) {
+    const std::vector<std::string_view> columns = split_columns(line);
+    if (columns.size() != names_.size()) {
+      fail("has " + std::to_string(columns.size()) + " columns, but the header names " +
+           std::to_string(names_.size()) +
+           "; if the comma is a decimal comma, write a point instead");
+    }
+    double xyz[3] = {};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::string_view text = columns[columns_.at[axis]];
+      const char* at = text.data();
+      if (parse_double(at, text.data() + text.size(), xyz[axis]) &&
+          at == text.data() + text.size()) {
+        continue;
+      }
+      fail("column " + std::to_string(columns_.at[axis] + 1) +
+           " is not a decimal number: " + in_quotes(text));
+    }
+    add({xyz[0], xyz[1], xyz[2]});
+  }
+
+  void read_plain_row(std::string_view line) {
     const char* at = line.data();
     const char* end = at + line.size();
     std::array<double, 3> xyz = {};
@@ -141,9 +207,10 @@ class XyzReader {
       fail("mixes separators; if the comma is a decimal comma, write a point instead");
     }
     if (separators[0] == Separator::comma) check_comma_columns(line);
-    if (cloud_.points.empty()) cloud_.columns = split_columns(line).size();
+    add({xyz[0], xyz[1], xyz[2]});
+  }
 
-    const Point point{xyz[0], xyz[1], xyz[2]};
+  void add(const Point& point) {
     if (!is_finite(point)) non_finite_.note(cloud_.points.size(), lines_.number());
     cloud_.points.push_back(point);
   }
@@ -169,6 +236,19 @@ class XyzReader {
     return true;
   }
 
+  // CloudCompare's names of the columns are one.
+  void read_comment(std::string_view line) {
+    line.remove_prefix(line.front() == '#' ? 1 : 2);
+    const std::vector<std::string_view> names = split_columns(line);
+    const CoordinateColumns columns = coordinate_columns(names);
+    if (columns.told != CoordinateColumns::Told::all) return;
+    for (const std::string_view name : names) {
+      if (!name.empty() && name.back() == ':') return;  // "columns: x y z" names what follows
+    }
+    comment_columns_ = columns;
+    comment_names_.assign(names.begin(), names.end());
+  }
+
   bool read_header(std::string_view line) {
     if (!cloud_.header.empty()) return false;
     const std::vector<std::string_view> names = split_columns(line);
@@ -176,12 +256,11 @@ class XyzReader {
     for (std::size_t i = 0; i < 3; ++i) {
       if (!is_name(names[i])) return false;
     }
-    bool names_axes = false;
-    for (std::string_view name : names) names_axes = names_axes || axis_of(name) != 0;
-    if (names_axes &&
-        (axis_of(names[0]) != 'x' || axis_of(names[1]) != 'y' || axis_of(names[2]) != 'z')) {
-      fail("the header does not name x, y, z as the first three columns; reorder the columns");
+    columns_ = coordinate_columns(names);
+    if (columns_.told == CoordinateColumns::Told::some) {
+      fail("the header names some of x, y, z, but not all three; name the columns of all, or none");
     }
+    names_.assign(names.begin(), names.end());
     if (line.find(',') != std::string_view::npos) comma_columns_ = count_comma_columns(line);
     cloud_.header = line;
     return true;
@@ -215,6 +294,10 @@ class XyzReader {
   NonFinitePoints& non_finite_;
   std::size_t count_line_ = 0;     // of the announced count
   std::size_t comma_columns_ = 0;  // 0: not known yet
+  CoordinateColumns columns_;
+  std::vector<std::string> names_;  // of all columns; empty: there is no header
+  CoordinateColumns comment_columns_;
+  std::vector<std::string> comment_names_;
   PointCloud cloud_;
 };
 

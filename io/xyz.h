@@ -10,7 +10,8 @@
 
 namespace cocoon {
 
-// Reads rows "x y z ...": the first three columns; what follows is not read.
+// Reads rows "x y z ...": the first three columns, or those that a header names x, y, z
+// (io/column_names.h); others are not read.
 //   - Columns are separated by blanks, by commas or by semicolons (blanks around those do not
 //     matter). A row that mixes them among its first columns is refused: "0,5 1 2" is a decimal
 //     comma. Rows separated by commas must all have the same number of columns, for the same
@@ -18,7 +19,9 @@ namespace cocoon {
 //   - # and // start a comment where a row or a column could start; blank lines are skipped.
 //   - The first line may be a count alone (then as many rows must follow; more are read, too, and
 //     the caller can tell by PointCloud::announced) or a header: names in its first three columns.
-//     If the names x, y, z occur in it, then there.
+//     If some of x, y, z are named in it, then all three; PointCloud tells which columns were
+//     taken. A comment before the rows that names all three is a header, too, if the first row has
+//     as many columns.
 //   - A .pwn file of a count, so many points, and then as many rows of three numbers of length 1
 //     (within 1 %) has its normals there: these rows are left out.
 // Throws FileError with the line for a row that has fewer than three columns or no number where one

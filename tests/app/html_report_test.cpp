@@ -1,5 +1,6 @@
 #include "app/html_report.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <gtest/gtest.h>
@@ -103,6 +104,7 @@ TEST(HtmlReport, HoldsTheSceneAndTheNumbers) {
 TEST(HtmlReport, PositionsAreRelativeToTheirCenter) {
   const nlohmann::json data = data_of(html_page(tetrahedron_page(), JsonReport()));
   EXPECT_EQ(data["origin"], (std::vector<double>{10.5, 0.5, 0.5}));
+  EXPECT_EQ(data["unit"], 1);
   EXPECT_EQ(
       floats_of(data["points"]["positions"]),
       (std::vector<float>{-.5F, -.5F, -.5F, .5F, -.5F, -.5F, -.5F, .5F, -.5F, -.5F, -.5F, .5F}));
@@ -113,6 +115,23 @@ TEST(HtmlReport, KeepsTheShapeFarFromTheOrigin) {
   for (Point& p : page.points.positions) p.x += 4500000;  // float32 steps there: 0.5
   const nlohmann::json data = data_of(html_page(page, JsonReport()));
   EXPECT_EQ(floats_of(data["points"]["positions"])[3], 0.5F);
+}
+
+TEST(HtmlReport, KeepsTheShapeOfSizesThatAreNoFloats) {
+  for (const double size : {0x1p200, 0x1p-190, 0x1p64, 0x1p-64}) {
+    ReportPage page = tetrahedron_page();
+    for (Point& p : page.points.positions) p = size * p;
+    for (double& value : page.points.fields[0].values) value *= size;
+    const nlohmann::json data = data_of(html_page(page, JsonReport()));
+    const double unit = data["unit"];
+    const std::vector<float> positions = floats_of(data["points"]["positions"]);
+    const double field_unit = data["points"]["fields"][0]["unit"];
+    const std::vector<float> values = floats_of(data["points"]["fields"][0]["values"]);
+    EXPECT_EQ(unit * positions[0], -.5 * size);
+    EXPECT_EQ(field_unit * values[1], -.5 * size);
+    EXPECT_EQ(std::abs(positions[0]), 1);
+    EXPECT_EQ(std::abs(values[1]), 1);
+  }
 }
 
 // Small steps of either sign, and differences that need all 32 bits.

@@ -1,6 +1,8 @@
 // Bad input: exit code 1, one line that says what is wrong and where, no output file, nothing left
 // behind.
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -137,6 +139,31 @@ TEST(BadInput, NonFinitePointsCanBeLeftOutOnDemand) {
   EXPECT_NE(run.out.find("warning"), std::string::npos);
 }
 
+// A cloud in a file that could hold a mesh, where it is the model or what is compared.
+TEST(BadInput, NonFinitePointsOfModelsWithoutFacesCanBeLeftOut) {
+  const TemporaryFolder folder;
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\n"
+      "property double z\nproperty uchar red\n";
+  const std::string corners = "0 0 0 1\n1 0 0 2\nnan 5 5 3\n0 1 0 4\n0 0 1 5\n";
+  const std::string cloud = folder.write("cloud.ply", header + "end_header\n" + corners);
+  const std::string mesh = folder.write(
+      "mesh.ply", header + "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+                      corners + "3 0 1 3\n");
+  const std::string other = folder.write("other.xyz", "0 0 0\n1 0 0\n");
+  const std::string told = "warning: " + cloud + ": 1 point is not finite and was left out\n";
+  Names compare = {"compare", cloud, other};
+  Names update = {"update", cloud, other, "-o", folder.file("out.ply")};
+  for (Names* command : {&compare, &update}) {
+    expect_error(run_program(*command), 1, "point 2 (counted from 0) has a coordinate");
+    command->push_back("--skip-non-finite");
+  }
+  EXPECT_NE(run_program(compare).out.find(told), std::string::npos);
+  EXPECT_EQ(run_program(compare).exit_code, 0);
+  EXPECT_NE(run_program(update).out.find(told), std::string::npos);  // two points are no cloud
+  expect_error(run_program({"compare", mesh, mesh, "--skip-non-finite"}), 1, "point 2");
+}
+
 // Where a file and its own counts disagree, but nothing is missing, the user is told.
 TEST(BadInput, MoreThanAFileAnnouncesIsAWarning) {
   const TemporaryFolder folder;
@@ -163,6 +190,64 @@ TEST(BadInput, MoreThanAFileAnnouncesIsAWarning) {
                  behind + ": 5 bytes were not read, behind what its header announces");
   expect_warning({"check", mesh},
                  mesh + ": 7 bytes were not read, behind what its header announces");
+  const std::string mesh_header =
+      header + "element face 4\nproperty list uchar int vertex_indices\nend_header\n" + corners;
+  const std::string lines =
+      folder.write("lines.ply", mesh_header + "3 0 2 1 3\n3 0 1 3\n" + "3 0 3 2 1\n3 1 2 3\n");
+  expect_warning({"check", lines}, lines + ":14: this line and 1 more have more values than the " +
+                                       "header announces; the last ones were not read");
+  const std::string line =
+      folder.write("line.ply", header + "end_header\n0 0 0\n1 0 0 5\n" + "0 1 0\n0 0 1\n");
+  expect_warning({"delaunay", line, "-o", out},
+                 line +
+                     ":9: this line has more values than the header announces; the last ones "
+                     "were not read");
+}
+
+// Far from the origin floats are too far apart; text has all digits.
+TEST(BadInput, AMeshThatTheOutputCannotKeepIsAWarning) {
+  const TemporaryFolder folder;
+  std::string shifted;
+  std::istringstream rows(whole_sphere(300));
+  for (double x = 0, y = 0, z = 0; rows >> x >> y >> z;) {
+    shifted += point_line(x + 5e6, y + 5e6, z);
+  }
+  const std::string near = folder.write("near.xyz", whole_sphere(300));
+  const std::string far = folder.write("far.xyz", shifted);
+  const auto told = [&](std::vector<std::string> arguments) {
+    const std::string json = folder.file("report.json");
+    arguments.insert(arguments.end(), {"--json", json});
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    const nlohmann::json report = nlohmann::json::parse(content_of(json));
+    const bool warned =
+        run.out.find("in the floats of binary STL vertices move") != std::string::npos;
+    EXPECT_EQ(warned, report.contains("rounding")) << run.out;
+    EXPECT_EQ(warned, report["warnings"].dump().find("--ascii") != std::string::npos);
+    return warned;
+  };
+  const std::string stl = folder.file("out.stl");
+  EXPECT_TRUE(told({"reconstruct", far, "-o", stl}));
+  EXPECT_FALSE(told({"reconstruct", far, "-o", stl, "--ascii"}));
+  EXPECT_FALSE(told({"reconstruct", far, "-o", folder.file("out.ply")}));
+  EXPECT_FALSE(told({"reconstruct", near, "-o", stl}));
+}
+
+TEST(BadInput, ColumnsWithoutNamesThatTellAreANote) {
+  const TemporaryFolder folder;
+  const std::string rows = "1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n5,0,2,2\n";
+  const std::string out = folder.file("out.tet");
+  const std::string unknown = folder.write("unknown.csv", "id,east,north,up\n" + rows);
+  EXPECT_NE(run_program({"delaunay", unknown, "-o", out})
+                .out.find("note: " + unknown +
+                          ": no columns are named x, y, z; taken are the first "
+                          "three: id, east, north\n"),
+            std::string::npos);
+  const std::string known = folder.write("known.csv", "id,Points:0,Points:1,Points:2\n" + rows);
+  const ProgramRun run = run_program({"delaunay", known, "-o", out, "--json", "-"});
+  EXPECT_EQ(run.out.find("note"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(run.out)["input"]["coordinate_columns"].dump(),
+            R"(["Points:0","Points:1","Points:2"])");
 }
 
 TEST(BadInput, MeshWithoutTriangles) {

@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -88,6 +89,25 @@ TEST_F(StandardStreams, ErrorsThatCannotBeWrittenKeepTheExitCode) {
   }
   std::filesystem::remove(flat);
   expect_only("what was there before");
+}
+
+// A log that the shell opened for appending keeps what was in it, and gets all of the output.
+TEST_F(StandardStreams, OutputsToAStreamByItsNameDoNotReplaceItsFile) {
+  const std::string log = folder_.write("log", "old\n");
+  std::filesystem::create_symlink("/dev/stdout", folder_.file("link.ply"));
+  setenv("COCOON_TEST_LOG", log.c_str(), 1);
+  const auto append = [] {
+    dup2(open(getenv("COCOON_TEST_LOG"), O_WRONLY | O_APPEND), STDOUT_FILENO);
+  };
+  ASSERT_EQ(run_program({"check", mesh_, "--json", "/dev/stdout"}, append).exit_code, 0);
+  const std::string checked = content_of(log);
+  EXPECT_EQ(checked.rfind("old\nvertices", 0), 0U) << checked;
+  const std::size_t report = checked.find("\n{");
+  ASSERT_NE(report, std::string::npos) << checked;
+  EXPECT_TRUE(nlohmann::json::accept(checked.substr(report)));
+  const Names into_link = {"reconstruct", cloud_, "-o", folder_.file("link.ply"), "--quiet"};
+  ASSERT_EQ(run_program(into_link, append).exit_code, 0);
+  EXPECT_EQ(content_of(log).rfind(checked + "ply\nformat", 0), 0U);
 }
 
 // One of several outputs that cannot be written: the others are not touched, either.

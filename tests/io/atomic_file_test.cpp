@@ -146,6 +146,33 @@ TEST(AtomicFile, AFullDiskIsAnError) {
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));  // not replaced
 }
 
+// As `>> log` of a shell: the file that a descriptor leads to is not replaced.
+TEST(AtomicFile, DescriptorsOfThisProcessAreWrittenWhereTheyStand) {
+  if (!std::filesystem::exists("/proc/self/fd")) GTEST_SKIP() << "no names of descriptors";
+  const TemporaryFolder folder;
+  folder.write("log", "old,");
+  const int descriptor = ::open((folder / "log").c_str(), O_WRONLY | O_APPEND);
+  ASSERT_GE(descriptor, 0);
+  const std::string number = std::to_string(descriptor);
+  std::filesystem::create_symlink("/dev/fd/" + number, folder / "link");
+  std::filesystem::create_symlink("link", folder / "link to link");
+  FileBatch batch;
+  write_file("/dev/fd/" + number, "1,");
+  write_file("/proc/self/fd/" + number, "2,");
+  write_file("/proc/thread-self/fd/" + number, "3,");
+  write_file("/proc/" + std::to_string(::getpid()) + "/fd/" + number, "4,");
+  write_file(folder / "link", "5,");
+  write_file(folder / "link to link", "6,", &batch);
+  batch.commit();
+  EXPECT_EQ(::write(descriptor, "7", 1), 1);
+  ::close(descriptor);
+  EXPECT_EQ(content_of(folder / "log"), "old,1,2,3,4,5,6,7");
+  EXPECT_EQ(
+      message_of<FileError>("/dev/fd/" + number, [&] { write_file("/dev/fd/" + number, "x"); }),
+      ": cannot be written (Bad file descriptor); check the folder, its permissions and the "
+      "free space");
+}
+
 TEST(FileBatch, FilesAppearTogether) {
   const TemporaryFolder folder;
   folder.write("a.txt", "old");

@@ -2,6 +2,7 @@
 // writers: polylines, base64.
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <map>
 #include <random>
 #include <vector>
@@ -119,6 +120,22 @@ TEST(PointWelder, FindsEqualPointsAndKeepsTheFirst) {
     ASSERT_EQ(welder.add(p), expected);
   }
   EXPECT_EQ(points.size(), known.size());
+}
+
+// A table in which all of these meet at one place takes minutes.
+TEST(PointWelder, PointsThatAreNotFiniteEqualNone) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Point> points;
+  PointWelder welder(points);
+  const std::size_t count = 300'000;
+  for (std::size_t i = 0; i < count; i += 3) {
+    ASSERT_EQ(welder.add({nan, nan, nan}), i);
+    ASSERT_EQ(welder.add({infinity, 0, 0}), i + 1);
+    ASSERT_EQ(welder.add({static_cast<double>(i), 0, 0}), i + 2);
+  }
+  EXPECT_EQ(welder.add({3, 0, 0}), 5U);
+  EXPECT_EQ(points.size(), count);
 }
 
 TEST(PolylineFile, LoopsAreClosedAndOnlyTheirPointsAreWritten) {

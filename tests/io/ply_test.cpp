@@ -218,6 +218,10 @@ TEST(Ply, BlankLinesAreSkippedAndSurplusValuesCounted) {
   EXPECT_EQ(mesh.points.size(), 3U);
   EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}, {2, 1, 0}}));
   EXPECT_EQ(report.surplus_lines, 2U);
+  EXPECT_EQ(report.first_surplus_line, 15U);
+  const PointCloud cloud = read_points(path);
+  EXPECT_EQ(cloud.surplus_lines, 2U);
+  EXPECT_EQ(cloud.first_surplus_line, 15U);
 }
 
 }  // namespace

@@ -101,6 +101,15 @@ TEST_F(TextFormats, StlTextThatEndsEarlyIsRefused) {
             ":8: the file ends without endsolid; it is cut off");
   EXPECT_EQ(message("a.stl", "solid\n" + facet + "facet normal 0 0"),
             ":9: the file ends within a facet; it is cut off");
+  // Wherever it is cut: between words and within one, but for the end of a number.
+  const std::string complete = "solid\n" + facet;
+  for (std::size_t size = complete.find("normal"); size + 2 < complete.size(); ++size) {
+    EXPECT_TRUE(message("a.stl", complete.substr(0, size))
+                    .ends_with(": the file ends within a facet; it is cut off"))
+        << size;
+  }
+  EXPECT_EQ(message("a.stl", complete + "facet normal 0 0 1 outer loop edge 0 0 0\n"),
+            ":9: expected vertex or endloop, found 'edge'");
   EXPECT_EQ(message("a.stl",
                     "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 0 1\n"
                     "endloop\nendfacet\nendsolid\n"),

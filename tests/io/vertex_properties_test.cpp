@@ -165,17 +165,22 @@ TEST(VertexProperties, TextIsReadToTheNearestFloat) {
 
 TEST(VertexProperties, PointsThatAreLeftOutTakeTheirRowAlong) {
   const TemporaryFolder folder;
-  const PointCloud cloud = read_points(
-      folder.write(
-          "a.ply",
-          ply("ascii", "element vertex 3\n" + xyz + "property list uchar int l\nproperty uchar t\n",
-              "0 0 1 1 11 1\nnan 0 2 2 21 22 2\n0 0 3 1 31 3\n")),
-      {.skip_non_finite = true, .keep_properties = true});
+  const auto path = folder.write(
+      "a.ply",
+      ply("ascii", "element vertex 3\n" + xyz + "property list uchar int l\nproperty uchar t\n",
+          "0 0 1 1 11 1\nnan 0 2 2 21 22 2\n0 0 3 1 31 3\n"));
+  const PointCloud cloud = read_points(path, {.skip_non_finite = true, .keep_properties = true});
   EXPECT_EQ(cloud.skipped, 1U);
   EXPECT_EQ(cloud.properties.rows, 2U);
   EXPECT_EQ(cloud.properties.columns[0].values, bytes_of<std::int32_t>({11, 31}));
   EXPECT_EQ(cloud.properties.columns[0].ends, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(cloud.properties.columns[1].values, "\1\3");
+  MeshReadReport report;
+  VertexProperties properties;
+  const TriangleMesh mesh = read_mesh(path, report, properties, {.skip_non_finite = true});
+  EXPECT_EQ(mesh.points.raw(), cloud.points);
+  EXPECT_EQ(report.skipped, 1U);
+  EXPECT_EQ(properties, cloud.properties);
 }
 
 VertexProperty column(const std::string& name, PlyType type, const std::string& values) {

@@ -47,6 +47,28 @@ TEST_F(Xyz, CountsAndHeaders) {
   EXPECT_EQ(read("0\n").points.size(), 0U);
 }
 
+TEST_F(Xyz, ColumnsAreFoundByTheirNames) {
+  for (const char* content :
+       {"id,x,y,z\n7,1,2,3\n8,4,5,6\n", "\"y\",\"x\",\"z\"\n2,1,3\n5,4,6\n",
+        "scalars,Points:0,Points:1,Points:2\n7,1,2,3\n8,4,5,6\n",
+        "\"a, b\",\"Points:2\",\"Points:1\",\"Points:0\"\n7,3,2,1\n\"8,9\",6,5,4\n",
+        "Name;Points_0;Points_1;Points_2\nan a;1;2;3\nb;4;5;6\n", "t Z Y X\n0 3 2 1 # c\n0 6 5 4\n",
+        "return number, x [mm], y [mm], z(mm)\n7, 1, 2, 3\n8, 4, 5, 6\n",
+        "//X Y Z R\n2\n1 2 3 7\n4 5 6 8\n", "# made by a scanner\n# id x y z\n7 1 2 3\n8 4 5 6\n",
+        "# x y z are in mm\n1 2 3 7\n4 5 6 8\n", "# after z y x\n1 2 3\n4 5 6\n",
+        "# columns: x y z\n1 2 3 7\n4 5 6 8\n", "x y z t # a;b\n1 2 3 7\n4 5 6 8\n",
+        "1 2 3\n# z y x\n4 5 6\n"}) {
+    EXPECT_EQ(read(content).points, two) << content;
+  }
+  const PointCloud told = read("id,Z,x,y\n7,3,1,2\n");
+  EXPECT_TRUE(told.told_columns);
+  EXPECT_EQ(told.coordinate_names, (std::array<std::string, 3>{"x", "y", "Z"}));
+  const PointCloud others = read("scalars,east,north,height\n1,2,3,4\n");
+  EXPECT_FALSE(others.told_columns);
+  EXPECT_EQ(others.coordinate_names, (std::array<std::string, 3>{"scalars", "east", "north"}));
+  EXPECT_EQ(read("1 2 3\n").coordinate_names, (std::array<std::string, 3>{}));
+}
+
 TEST_F(Xyz, ReadsAllRowsWhereMoreFollowThanAnnounced) {
   for (const char* content : {"1\n1 2 3\n4 5 6\n", "0\n1 2 3\n4 5 6\n"}) {
     const PointCloud cloud = read(content);
@@ -78,10 +100,14 @@ TEST_F(Xyz, RefusesWhatItCannotBeSureOf) {
             ":2: has 5 columns, earlier lines have 4; " + decimal_comma);
   EXPECT_EQ(message("x,y,z\n0,5,1,2\n"),
             ":2: has 4 columns, earlier lines have 3; " + decimal_comma);
-  EXPECT_EQ(message("id,x,y,z\n1,2,3,4\n"),
-            ":1: the header does not name x, y, z as the first three columns; reorder the columns");
-  EXPECT_EQ(message("\"y\",\"x\",\"z\"\n1,2,3\n"),
-            ":1: the header does not name x, y, z as the first three columns; reorder the columns");
+  EXPECT_EQ(message("id,x,y,height\n1,2,3,4\n"),
+            ":1: the header names some of x, y, z, but not all three; name the columns of all, or "
+            "none");
+  EXPECT_EQ(message("id;x;y;z\n1;0,5;1;2\n"), ":2: column 2 is not a decimal number: '0,5'");
+  EXPECT_EQ(message("id,x,y,z\n1,0,5,1,2\n"),
+            ":2: has 5 columns, but the header names 4; " + decimal_comma);
+  EXPECT_EQ(message("id x y z\n1 1 2 3\n2 4 5\n"),
+            ":3: has 3 columns, but the header names 4; " + decimal_comma);
   EXPECT_EQ(message("# c\n3\n1 2 3\n4 5 6\n"),
             ":2: announces 3 points, but 2 follow; the file is cut off");
   EXPECT_EQ(message("1 2 3\n4 5\n"), ":2: a row needs three numbers x y z, this one has 2");

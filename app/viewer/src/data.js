@@ -1,8 +1,9 @@
 // What C++ wrote (app/html_report.cpp), unpacked:
 //
 // view:       {azimuth_deg, elevation_deg}: where the viewer stands at first
+// unit:       what positions are stored in; a power of two, 1 for all but extreme sizes
 // points:     {positions: Float32Array x,y,z relative to `origin`, parts: [{name, first, count}],
-//              texts, labels: Uint32Array, fields: [{name, values: Float32Array}]}
+//              texts, labels: Uint32Array, fields: [{name, unit, values: Float32Array}]}
 // geometries: [{id, name, kind: triangles | lines | points, indices: Uint32Array, texts, labels}]
 // layers:     [{id, name, geometry, color, labels, field, opacity}]
 // stages:     [{name, caption, layers: ids}]

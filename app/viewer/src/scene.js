@@ -143,8 +143,9 @@ export class ReportScene {
     });
     const field = this.report.points.fields.find(({name}) => name === layer.field);
     if (field) {
-      layer.scale = field.values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
-      buffer.setAttribute("color", new BufferAttribute(colorsOf(field.values, layer.scale), 3));
+      const most = field.values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+      layer.scale = field.unit * most;
+      buffer.setAttribute("color", new BufferAttribute(colorsOf(field.values, most), 3));
       material.color.set("#ffffff");
       material.vertexColors = true;
     }

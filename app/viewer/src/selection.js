@@ -24,9 +24,9 @@ export function describe(report, {layer, element: id, vertex}) {
               `${(vertex - part.first).toLocaleString("en-US")} of ${part.name}`]);
   const label = report.points.texts[report.points.labels[vertex]];
   if (label) lines.push(["", label]);
-  const place = [0, 1, 2].map(k => report.points.positions[3 * vertex + k] + report.origin[k]);
+  const place = [0, 1, 2].map(k => report.unit * report.points.positions[3 * vertex + k] + report.origin[k]);
   lines.push(["at", place.map(x => numberText(x, 6)).join(", ")]);
-  for (const field of report.points.fields) lines.push([field.name, numberText(field.values[vertex])]);
+  for (const field of report.points.fields) lines.push([field.name, numberText(field.unit * field.values[vertex])]);
   return lines;
 }
 

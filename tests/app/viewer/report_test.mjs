@@ -3,7 +3,7 @@
 // Ends with "N passed, N failed", and exit code 1 if one failed.
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
-import {mkdtempSync, rmSync, statSync} from "node:fs";
+import {mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {lookAt, openReport, placeOf, settle, startBrowser} from "./browser.mjs";
@@ -206,6 +206,23 @@ test("without WebGL the text remains", async () => {
   } finally {
     await browser.close();
   }
+});
+
+test("sizes that are no floats, and names that look like markup", async browser => {
+  const at = name => join(folder, name);
+  const huge = (from, to) => writeFileSync(at(to), readFileSync(at(from), "utf8").trim().split("\n")
+    .map(line => line.split(" ").map(x => x * 1e42).join(" ")).join("\n") + "\n");
+  cocoon("sample", "block", "-o", folder);
+  huge("initial.xyz", "<!--<script>.xyz");
+  huge("cloud-1.xyz", "huge.xyz");
+  cocoon("update", at("<!--<script>.xyz"), at("huge.xyz"), "-o", at("huge.ply"), "--html", at("huge.html"));
+  const {page, complaints} = await openReport(browser, at("huge.html"), {...desktop, hash: "#stage=5"});
+  const {drawn} = await lookAt(page, 4);
+  assert.ok(drawn > 0.1, `${drawn} of the pixels drawn`);
+  await page.mouse.click(450, 400);
+  assert.match(await cardText(page), /(,\d{3}){13}/);
+  assert.ok((await page.textContent("body")).includes("<!--<script>.xyz"));
+  assert.deepEqual(complaints, []);
 });
 
 test("200,000 triangles: one file of moderate size that shows and picks", async browser => {
