@@ -29,12 +29,13 @@ class Telling {
   KnownSides run() {
     find_facets();
     find_intact();
+    if (any_missing_) find_undisturbed();
     if (!tell_at_once()) tell_by_vertices();
     return labels();
   }
 
  private:
-  enum AtVertex : std::uint8_t { corner = 1, intact = 2, missing = 4 };
+  enum AtVertex : std::uint8_t { corner = 1, intact = 2, missing = 4, undisturbed = 8 };
   using Found = OldTriangles::Found;
 
   // The old triangles that are facets: most of them are likely ones.
@@ -46,6 +47,7 @@ class Telling {
       find_facets([&](std::size_t begin, std::size_t end, std::vector<Found>& found) {
         for (CellId c(begin); c.index() < end; ++c) list_missing_triangles(c, found);
       });
+      any_missing_ = list_corners_of_missing();
     }
   }
 
@@ -91,6 +93,19 @@ class Telling {
                                                            (old_.is_intact(v) ? intact : 0));
                       }
                     });
+  }
+
+  void find_undisturbed() {
+    IdVector<VertexId, std::uint8_t> beside_new(at_.size(), 0);
+    for (const CellId c : triangulation_.finite_cells()) {
+      const Cell& cell = triangulation_.cell(c);
+      if (vertices_with(corner, cell) == 15) continue;
+      for (const VertexId v : cell.vertices) beside_new[v] = 1;
+    }
+    for (const VertexId v : triangulation_.vertices()) {
+      if ((at_[v] & intact) != 0 || beside_new[v] != 0 || !old_.is_closed(v)) continue;
+      at_[v] = static_cast<std::uint8_t>(at_[v] | undisturbed);
+    }
   }
 
   // Bit i: vertex i of the cell has this flag.
@@ -177,8 +192,9 @@ class Telling {
     for (const CellId c : triangulation_.finite_cells()) {
       if (told_[c] == told_both) ++known.contradictions;
       const CellLabel label = label_told(told_[c]);
-      if (label == CellLabel::unmarked) continue;
       const Cell& cell = triangulation_.cell(c);
+      if (told_[c] == 0 && vertices_with(undisturbed, cell) == 15) known.undisturbed.push_back(c);
+      if (label == CellLabel::unmarked) continue;
       if (!is_believed(vertices_with(corner, cell), vertices_with(intact, cell))) continue;
       known.labels[c] = label;
       ++known.cells;
@@ -193,6 +209,7 @@ class Telling {
   OldTriangles old_;
   IdVector<VertexId, std::uint8_t> at_;  // flags
   IdVector<CellId, std::uint8_t> told_;
+  bool any_missing_ = false;  // of the triangles: no facets
 };
 
 }  // namespace

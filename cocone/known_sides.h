@@ -23,6 +23,9 @@ struct KnownSides {
   IdVector<CellId, CellLabel> labels;
   std::size_t cells = 0;           // that have a label
   std::size_t contradictions = 0;  // cells told both: they stay unmarked
+  // Cells that are told nothing, though all around their corners is old. Not those of a mesh whose
+  // triangles were facets of a triangulation of its vertices: sheets closer than its vertices are.
+  std::vector<CellId> undisturbed;
 };
 
 // What tells the sides of a triangulation's cells; asked only where something is in doubt.
@@ -56,7 +59,10 @@ struct OldSurface {
 // labeled only if every corner of a triangle that it has is intact, for where a vertex keeps all
 // its triangles the surface has not changed. Infinite cells are not labeled (they are OUT anyway).
 // If the triangles bound a union of cells, no cell is told both. Without triangles nothing is
-// known. Triangles are looked for in `likely` first, which changes nothing else. Complexity:
+// known. A vertex is undisturbed if its triangles leave no gap and all its neighbors are corners of
+// triangles, though not all triangles at it are facets; a cell is if all its vertices are. (In a
+// mesh of facets none is: what takes a triangle away is a new neighbor of each of its corners.)
+// Triangles are looked for in `likely` first, which changes nothing else. Complexity:
 // O(cells + t) for t triangles, for bounded valence; in part parallel. Deterministic: independent
 // of their order and of the threads. Source: ours, docs/stages/mark_cells.md.
 KnownSides known_sides(const Triangulation& triangulation, std::span<const KnownTriangle> triangles,

@@ -38,23 +38,29 @@ double longest_edge(const Corners& p) {
 
 KnownSides sides_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
                           const SidesOfSolidOptions& options, const Execution& execution) {
-  if (!mesh_check(solid).balanced) return {};
   std::vector<CellId> cells;
-  std::vector<Point> centroids;
-  for (const CellId c : triangulation.finite_cells()) {
-    cells.push_back(c);
-    centroids.push_back(centroid(corners_of_cell(triangulation, c)));
-  }
-  const std::vector<double> heights = signed_distances(solid, centroids, execution);
+  cells.reserve(triangulation.num_finite_cells());
+  for (const CellId c : triangulation.finite_cells()) cells.push_back(c);
   KnownSides known;
-  known.labels = IdVector<CellId, CellLabel>(triangulation.num_cells(), CellLabel::unmarked);
+  add_sides_of_solid(triangulation, solid, cells, known, options, execution);
+  return known;
+}
+
+void add_sides_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+                        std::span<const CellId> cells, KnownSides& known,
+                        const SidesOfSolidOptions& options, const Execution& execution) {
+  if (!mesh_check(solid).balanced) return;
+  std::vector<Point> centroids;
+  centroids.reserve(cells.size());
+  for (const CellId c : cells) centroids.push_back(centroid(corners_of_cell(triangulation, c)));
+  const std::vector<double> heights = signed_distances(solid, centroids, execution);
+  known.labels.resize(triangulation.num_cells(), CellLabel::unmarked);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double length = longest_edge(corners_of_cell(triangulation, cells[i]));
     if (!(std::abs(heights[i]) > options.min_depth * length)) continue;
     known.labels[cells[i]] = heights[i] > 0 ? CellLabel::out : CellLabel::in;
     ++known.cells;
   }
-  return known;
 }
 
 KnownSidesSource sides_told_by(TriangleMesh solid, Points samples,

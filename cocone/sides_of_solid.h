@@ -1,9 +1,12 @@
 // The sides of cells between samples of a solid whose surface is at hand as a mesh.
 #pragma once
 
+#include <span>
+
 #include "cocone/known_sides.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
+#include "geom/ids.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 
@@ -26,6 +29,11 @@ struct SidesOfSolidOptions {
 // docs/stages/mark_cells.md.
 KnownSides sides_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
                           const SidesOfSolidOptions& options = {}, const Execution& execution = {});
+
+// The same for `cells` only, beside what is known of others.
+void add_sides_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+                        std::span<const CellId> cells, KnownSides& known,
+                        const SidesOfSolidOptions& options = {}, const Execution& execution = {});
 
 // Asks sides_of_solid for `solid`, in the coordinates of its samples, in their triangulation: that
 // of working_scale(samples) times them (reconstruct.h). Keeps the mesh. Complexity: O(n + t).

@@ -51,6 +51,8 @@ bool OldTriangles::is_intact(VertexId v) const {
   }) && (is_one_cycle(spokes) || is_balanced(spokes));
 }
 
+bool OldTriangles::is_closed(VertexId v) const { return is_corner(v) && is_balanced(fan(v)); }
+
 bool OldTriangles::is_balanced(std::span<const Spoke> fan) {
   const auto count = [&](VertexId Spoke::*end, VertexId w) {
     return std::count_if(fan.begin(), fan.end(), [&](const Spoke& s) { return s.*end == w; });

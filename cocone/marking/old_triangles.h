@@ -63,6 +63,9 @@ class OldTriangles {
   // Whether all old triangles at the vertex are facets, and leave no gap. Precondition: those that
   // are were entered. Complexity: O(triangles at v), as a rule.
   bool is_intact(VertexId v) const;
+  // Whether there are old triangles at the vertex, facets or not, and they leave no gap.
+  // Complexity: as is_intact.
+  bool is_closed(VertexId v) const;
   // Tells the cells at an intact vertex that lie on that side of a triangle there. Complexity:
   // O(cells at v).
   template <class Cells>

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "cocone/sides_of_solid.h"
 #include "geom/sort_ids.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 
@@ -11,13 +13,27 @@ OldSurface KeptSurface::told() const {
   OldSurface told;
   told.sides = [this](const Triangulation& triangulation, const FacetSet& surface,
                       const Execution& execution) {
-    return known_sides(triangulation, triangles(), surface, execution);
+    KnownSides known = known_sides(triangulation, triangles(), surface, execution);
+    if (!known.undisturbed.empty()) tell_by_model(triangulation, known, execution);
+    return known;
   };
   if (replacement_.kept_are_distinct) {
     told.triangles.torn = [this] { return torn(); };
     told.triangles.at = [this](std::span<const PointId> points) { return at(points); };
   }
   return told;
+}
+
+void KeptSurface::tell_by_model(const Triangulation& triangulation, KnownSides& known,
+                                const Execution& execution) const {
+  const double scale = working_scale(replacement_.points);
+  if (scale == 1) {
+    add_sides_of_solid(triangulation, model_.mesh(), known.undisturbed, known, {}, execution);
+    return;
+  }
+  TriangleMesh solid = model_.mesh();
+  for (Point& p : solid.points) p = scale * p;
+  add_sides_of_solid(triangulation, solid, known.undisturbed, known, {}, execution);
 }
 
 std::vector<KnownTriangle> KeptSurface::triangles() const {

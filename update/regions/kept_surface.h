@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "cocone/known_sides.h"
+#include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "geom/ids.h"
 #include "geom/triangle_mesh.h"
 #include "update/choose_regions.h"
@@ -22,7 +24,8 @@ class KeptSurface {
               const Replacement& replacement)
       : model_(model), regions_(regions), choice_(choice), replacement_(replacement) {}
 
-  // As the stages want it told; refers to this object.
+  // As the stages want it told; refers to this object. Undisturbed cells (known_sides.h) are on
+  // the side of the whole model on which they lie.
   OldSurface told() const;
 
   // All of them. Complexity: O(t).
@@ -38,6 +41,8 @@ class KeptSurface {
   bool is_replaced(RegionId region) const {
     return region.is_none() || choice_.replaced[region] != 0;
   }
+  void tell_by_model(const Triangulation& triangulation, KnownSides& known,
+                     const Execution& execution) const;
   KnownTriangle corners(TriangleId t) const;
   void append(TriangleId t, std::vector<KnownTriangle>& known) const;
 

@@ -1,16 +1,50 @@
 #include "update/regions/kept_surface.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <set>
 #include <vector>
 
+#include "cocone/reconstruct.h"
+#include "delaunay/delaunay.h"
+#include "geom/random.h"
+#include "tests/cocone/sample_shapes.h"
 #include "tests/update/replaced_disk.h"
 
 namespace cocoon {
 namespace {
 
 using testing::ReplacedDisk;
+
+// A cube of 14 unit steps, its faces stirred.
+std::vector<Point> rough_cube(std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Point> points = shapes::cube_grid(14);
+  const auto stir = [&](double& x) {
+    if (x > 0 && x < 14) x += 0.3 * (2 * random.uniform() - 1);
+  };
+  for (Point& p : points) {
+    stir(p.x);
+    stir(p.y);
+    stir(p.z);
+  }
+  return points;
+}
+
+// Two cubes, each reconstructed by itself, in one mesh.
+TriangleMesh cubes_side_by_side(double gap) {
+  TriangleMesh model = reconstruct_tight(rough_cube(1)).mesh;
+  const TriangleMesh other =
+      reconstruct_tight(shapes::moved(rough_cube(2), {14 + gap, 0.4, 0.3})).mesh;
+  const auto count = static_cast<std::uint32_t>(model.points.size());
+  for (const Point& p : other.points) model.points.push_back(p);
+  for (const auto& [a, b, c] : other.triangles) {
+    model.triangles.push_back(
+        {VertexId(a.value + count), VertexId(b.value + count), VertexId(c.value + count)});
+  }
+  return model;
+}
 
 TEST(KeptSurface, TrianglesOfKeptRegionsAreKnown) {
   const ReplacedDisk scene;
@@ -82,6 +116,40 @@ TEST(KeptSurface, TellsWhereTrianglesAreMissing) {
   std::vector<PointId> everywhere;
   for (std::size_t p = 0; p < result.points.size(); ++p) everywhere.push_back(PointId(p));
   EXPECT_EQ(kept.at(everywhere), known);
+}
+
+// Where sheets are closer to each other than their vertices are, triangles of the model are no
+// facets.
+TEST(KeptSurface, WhatIsUndisturbedIsToldByTheModel) {
+  const double gap = 0.3;
+  const TriangleMesh model = cubes_side_by_side(gap);
+  Regions regions;
+  regions.region_of_facet =
+      SparseVector<TriangleId, RegionId>(model.triangles.size(), RegionId(0U));
+  RegionChoice choice;
+  choice.replaced.resize(1);
+  Replacement replacement;
+  const Points points = model.points.span();
+  replacement.points.assign(points.begin(), points.end());
+  replacement.kept = points.size();
+  for (const VertexId v : model.points.ids()) {
+    replacement.point_of_vertex.push_back(PointId(v.value));
+  }
+  const ModelIndex index(model);
+  const KeptSurface kept(index, regions, choice, replacement);
+  const Triangulation triangulation = delaunay(points).triangulation;
+  const KnownSides known =
+      kept.told().sides(triangulation, FacetSet(triangulation.num_cells()), {});
+  std::size_t between = 0;
+  for (const CellId c : triangulation.finite_cells()) {
+    const auto& [v, w, x, y] = triangulation.cell(c).vertices;
+    const Point middle = 0.25 * (triangulation.point(v) + triangulation.point(w) +
+                                 triangulation.point(x) + triangulation.point(y));
+    if (middle.x < 14.1 || middle.x > 13.9 + gap) continue;
+    ++between;
+    EXPECT_EQ(known.labels[c], CellLabel::out);
+  }
+  EXPECT_GT(between, 100U);
 }
 
 }  // namespace
