@@ -124,7 +124,7 @@ class CleanUp {
 
   void set_preferences(ZeroedArray<CellId, Point> centers) {
     const ZeroedArray<CellId, SideEvidence> evidence = side_evidence(
-        triangulation_, cosines_, centers, poles_, marks_, region_, options_.mark_credit);
+        triangulation_, cosines_, centers, spacings_, poles_, marks_, region_, options_);
     for (const CellId c : region_.undecided) {
       const double margin = static_cast<double>(evidence[c].in) - evidence[c].out;
       energy_.set_preference(c, to_energy(options_.evidence_weight * margin));

@@ -68,9 +68,15 @@ struct CleanUpOptions {
   // slivers across the empty space change sides to use samples inside a noisy layer.
   double stretch_cost = 3;
   double stretch_ratio = 6;  // longer than so many spacings; below, thin walls lose samples
-  // A facet costs 1 at most if the balls lie on its two sides: 2.5 overrules most surfaces. Above,
-  // noisy layers get handles; up to 2 thin plates that are turned lose holes.
-  double evidence_weight = 2.5;
+  // A facet costs 1 at most if the balls lie on its two sides: 2.25 overrules most surfaces. Above,
+  // noisy layers get handles; from 1.5 down thin plates lose holes.
+  double evidence_weight = 2.25;
+  // As evidence, the two poles of a sample lie on different sides of the surface. That counts in
+  // full if the nearer one is so many spacings off, and not at all up to the smaller number: both
+  // poles of a sample inside a layer of noise lie on one side. 0, 0: always; with 2 and 4 thin
+  // plates that are turned lose holes.
+  double near_pole_ratio = 1;
+  double full_pole_ratio = 3;
   // Below 0.4 well sampled thin parts shrink; above 1 wrong marks of bad samples stay.
   double mark_weight = 0.5;
   // Cells are flat whose height is at most this much of the size of their largest facet: four

@@ -20,14 +20,15 @@ struct AtVertex {
   CellId negative;
   double reach_of_positive;  // squared
   double reach_of_negative;
+  double trust;  // in what one of them says of the other
   bool on_hull;
 };
 
 class Propagation {
  public:
   Propagation(const Triangulation& triangulation, BallCosines& cosines,
-              const ZeroedArray<CellId, Point>& centers, const Poles& poles, const CellMarks& marks,
-              const DoubtfulRegion& region, double mark_credit)
+              const ZeroedArray<CellId, Point>& centers, SpacingCache& spacings, const Poles& poles,
+              const CellMarks& marks, const DoubtfulRegion& region, const CleanUpOptions& options)
       : triangulation_(triangulation),
         cosines_(cosines),
         poles_(poles),
@@ -40,8 +41,9 @@ class Propagation {
     rank();
     find_domain();
     find_poles();
+    trust_poles(spacings, options);
     settle_known();
-    credit_marks(marks, mark_credit);
+    credit_marks(marks, options.mark_credit);
   }
 
   ZeroedArray<CellId, SideEvidence> run() {
@@ -166,6 +168,17 @@ class Propagation {
       for (const CellId pole : {at_vertices_[v].positive, at_vertices_[v].negative}) {
         if (!pole.is_none()) nodes_[pole].is_pole = true;
       }
+    }
+  }
+
+  void trust_poles(SpacingCache& spacings, const CleanUpOptions& options) {
+    const double width = options.full_pole_ratio - options.near_pole_ratio;
+    for (const VertexId v : asked_.ids()) {
+      if (asked_[v] == 0) continue;
+      AtVertex& here = at_vertices_[v];
+      const double ratio = std::sqrt(here.reach_of_negative) / spacings.of(v);
+      here.trust = width > 0 ? std::clamp((ratio - options.near_pole_ratio) / width, 0.0, 1.0)
+                             : (ratio >= options.full_pole_ratio ? 1 : 0);
     }
   }
 
@@ -306,7 +319,7 @@ class Propagation {
       other = pair.positive == c ? pair.negative : pair.positive;
     }
     if (other.is_none()) return;
-    raise(other, !out, weight * -dot(unit(center(other) - p), arm));
+    raise(other, !out, weight * pair.trust * -dot(unit(center(other) - p), arm));
   }
 
   const Triangulation& triangulation_;
@@ -325,15 +338,15 @@ class Propagation {
 
 }  // namespace
 
-ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,
-                                                BallCosines& cosines,
-                                                const ZeroedArray<CellId, Point>& centers,
-                                                const Poles& poles, const CellMarks& marks,
-                                                const DoubtfulRegion& region, double mark_credit) {
+ZeroedArray<CellId, SideEvidence> side_evidence(
+    const Triangulation& triangulation, BallCosines& cosines,
+    const ZeroedArray<CellId, Point>& centers, SpacingCache& spacings, const Poles& poles,
+    const CellMarks& marks, const DoubtfulRegion& region, const CleanUpOptions& options) {
   if (region.undecided.empty()) {
     return ZeroedArray<CellId, SideEvidence>(triangulation.num_cells());
   }
-  return Propagation(triangulation, cosines, centers, poles, marks, region, mark_credit).run();
+  return Propagation(triangulation, cosines, centers, spacings, poles, marks, region, options)
+      .run();
 }
 
 }  // namespace cocoon

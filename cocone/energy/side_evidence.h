@@ -6,19 +6,23 @@
 //   deep balls agree:     balls that meet across a facet under the angle beta have the same side,
 //                         weight cos(beta); 1 for equal balls, 0 and below for touching ones
 //   opposite poles differ: the two poles c, d of a sample s lie on different sides, weight
-//                         -cos(angle c s d)
+//                         -cos(angle c s d), less where the nearer one is within full_pole_ratio
+//                         spacings of s, and none within near_pole_ratio: inside a layer of noise
+//                         both are on one side
 //
 // Flat cells (ball_cosines.h) have no say and are no poles; balls meet through them.
 // Infinity is OUT and decided cells have the side of their label, both with weight 1; infinite
 // cells tell that to opposite poles only, having no balls. Thin cells (doubtful_region.h) have that
-// of theirs with weight mark_credit, but none at vertices where labels are in conflict: good
-// vertices are not always right there.
+// of theirs with weight mark_credit (all three are options of clean_up_cells.h), but none at
+// vertices where labels are in conflict: good vertices are not always right there.
 #pragma once
 
+#include "cocone/clean_up_cells.h"
 #include "cocone/energy/ball_cosines.h"
 #include "cocone/energy/doubtful_region.h"
 #include "cocone/mark_cells.h"
 #include "cocone/poles.h"
+#include "cocone/samples/sample_spacing.h"
 #include "delaunay/triangulation.h"
 #include "geom/point.h"
 #include "geom/zeroed_array.h"
@@ -36,13 +40,13 @@ struct SideEvidence {
 // rules' weights. Cells are settled in the order of how clear their evidence is (power crust):
 // uncontested ones and large |out - in| first, and pass on their stronger side. Ties go to the
 // smaller corners in the order of the region's vertices: a function of the point set. `centers`: of
-// the finite cells of the region (BallCosines::prepare). Complexity: O(u log u) for u undecided
+// the finite cells of the region (BallCosines::prepare); `spacings`: asked for those of the
+// undecided cells. Complexity: O(u log u) for u undecided
 // cells, and two passes over the cells at their vertices. Source: Amenta, Choi & Kolluri 2001 (the
 // power crust, labeling of poles).
-ZeroedArray<CellId, SideEvidence> side_evidence(const Triangulation& triangulation,
-                                                BallCosines& cosines,
-                                                const ZeroedArray<CellId, Point>& centers,
-                                                const Poles& poles, const CellMarks& marks,
-                                                const DoubtfulRegion& region, double mark_credit);
+ZeroedArray<CellId, SideEvidence> side_evidence(
+    const Triangulation& triangulation, BallCosines& cosines,
+    const ZeroedArray<CellId, Point>& centers, SpacingCache& spacings, const Poles& poles,
+    const CellMarks& marks, const DoubtfulRegion& region, const CleanUpOptions& options);
 
 }  // namespace cocoon

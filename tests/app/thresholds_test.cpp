@@ -43,7 +43,7 @@ TEST(Thresholds, AreOneFieldEach) {
 TEST(Thresholds, OneThatIsGivenIsSetAndReportedAndNoOther) {
   const nlohmann::json defaults = parameters({});
   ASSERT_EQ(defaults.size(), thresholds().size());
-  EXPECT_EQ(defaults["evidence_weight"], 2.5);
+  EXPECT_EQ(defaults["evidence_weight"], 2.25);
   EXPECT_NEAR(defaults["keep_angle_deg"].get<double>(), 134.4, 0.1);
   EXPECT_EQ(defaults["crease_angle_deg"].dump(), "90.0");  // not 90.00000000000001
   for (const Threshold& t : thresholds()) {

@@ -52,18 +52,15 @@ struct Scene {
   DoubtfulRegion region;
 };
 
-struct Weights {
-  double flat_ratio = CleanUpOptions{}.flat_ratio;
-  double mark_credit = CleanUpOptions{}.mark_credit;
-};
-
 // The same by asking all cells at every turn.
 class PlainEvidence {
  public:
-  PlainEvidence(const Scene& scene, const Weights& weights)
+  PlainEvidence(const Scene& scene, const CleanUpOptions& options)
       : scene_(scene),
         t_(scene.stages.triangulation),
-        cosines_(t_, weights.flat_ratio),
+        cosines_(t_, options.flat_ratio),
+        stars_(t_),
+        spacings_(t_, stars_),
         evidence_(t_.num_cells()),
         is_undecided_(t_.num_cells(), 0),
         poles_(t_.num_vertices()) {
@@ -71,13 +68,13 @@ class PlainEvidence {
     for (const CellId c : t_.cells()) all.push_back(c);
     centers_ = cosines_.prepare(all, {});
     for (const CellId c : scene.region.undecided) is_undecided_[c] = 1;
-    for (const VertexId v : t_.vertices()) poles_[v] = poles_of(v);
+    for (const VertexId v : t_.vertices()) poles_[v] = poles_of(v, options);
     hear_infinity();
     for (const CellId c : t_.finite_cells()) {
       if (is_undecided_[c] == 0) tell(c, is_out(c), 1);
     }
     for (const CellId c : scene.region.undecided) {
-      if (has_credit(c)) hear(c, is_out(c), weights.mark_credit);
+      if (has_credit(c)) hear(c, is_out(c), options.mark_credit);
     }
     settle();
   }
@@ -90,6 +87,7 @@ class PlainEvidence {
     bool on_hull = false;
     CellId positive;
     CellId negative;
+    double trust = 1;
   };
 
   bool is_out(CellId c) const { return scene_.marks.labels[c] == CellLabel::out; }
@@ -112,7 +110,7 @@ class PlainEvidence {
            std::pair(centers_[b], sorted_corners(t_, b));
   }
 
-  PolePair poles_of(VertexId v) {
+  PolePair poles_of(VertexId v, const CleanUpOptions& options) {
     PolePair pair;
     std::vector<CellId> cells;
     for (const CellId c : scene_.stages.stars.star(v)) {
@@ -125,6 +123,12 @@ class PlainEvidence {
     for (const CellId c : cells) {
       const Vec3 normal = pair.on_hull ? scene_.stages.poles.normals[v] : arm(v, pair.positive);
       if (dot(arm(v, c), normal) < 0 && is_rather_pole(v, c, pair.negative)) pair.negative = c;
+    }
+    if (pair.negative.is_none()) return pair;
+    const double ratio = norm(arm(v, pair.negative)) / spacings_.of(v);
+    if (ratio < options.full_pole_ratio) {
+      pair.trust = std::max(0.0, (ratio - options.near_pole_ratio) /
+                                     (options.full_pole_ratio - options.near_pole_ratio));
     }
     return pair;
   }
@@ -139,7 +143,8 @@ class PlainEvidence {
     for (const VertexId v : t_.vertices()) {
       const CellId inner = poles_[v].negative;
       if (!poles_[v].on_hull || inner.is_none()) continue;
-      hear(inner, false, -dot(scene_.stages.poles.normals[v], unit(arm(v, inner))));
+      const double cosine = dot(scene_.stages.poles.normals[v], unit(arm(v, inner)));
+      hear(inner, false, poles_[v].trust * -cosine);
     }
   }
 
@@ -151,10 +156,10 @@ class PlainEvidence {
       hear(cosines_.beyond(f), out, weight * cosines_.contact(f));
     }
     for (const VertexId v : t_.cell(c).vertices) {
-      const auto [on_hull, positive, negative] = poles_[v];
+      const auto [on_hull, positive, negative, trust] = poles_[v];
       if (positive.is_none() || negative.is_none() || (c != positive && c != negative)) continue;
       const double cosine = dot(unit(arm(v, positive)), unit(arm(v, negative)));
-      hear(c == positive ? negative : positive, !out, weight * -cosine);
+      hear(c == positive ? negative : positive, !out, weight * trust * -cosine);
     }
   }
 
@@ -192,6 +197,8 @@ class PlainEvidence {
   const Scene& scene_;
   const Triangulation& t_;
   BallCosines cosines_;
+  StarCache stars_;
+  SpacingCache spacings_;
   ZeroedArray<CellId, Point> centers_;
 
   IdVector<CellId, SideEvidence> evidence_;
@@ -199,11 +206,15 @@ class PlainEvidence {
   IdVector<VertexId, PolePair> poles_;
 };
 
-ZeroedArray<CellId, SideEvidence> evidence_of(const Scene& scene, const Weights& weights = {}) {
-  BallCosines cosines(scene.stages.triangulation, weights.flat_ratio);
+ZeroedArray<CellId, SideEvidence> evidence_of(const Scene& scene,
+                                              const CleanUpOptions& options = {}) {
+  const Triangulation& t = scene.stages.triangulation;
+  BallCosines cosines(t, options.flat_ratio);
+  StarCache stars(t);
+  SpacingCache spacings(t, stars);
   const ZeroedArray<CellId, Point> centers = cosines.prepare(scene.region.cells, {});
-  return side_evidence(scene.stages.triangulation, cosines, centers, scene.stages.poles,
-                       scene.marks, scene.region, weights.mark_credit);
+  return side_evidence(t, cosines, centers, spacings, scene.stages.poles, scene.marks, scene.region,
+                       options);
 }
 
 struct Counts {
@@ -213,11 +224,11 @@ struct Counts {
   std::size_t flat = 0;
 };
 
-Counts compare(const Scene& scene, const Weights& weights = {}) {
+Counts compare(const Scene& scene, const CleanUpOptions& options = {}) {
   const Triangulation& t = scene.stages.triangulation;
-  const ZeroedArray<CellId, SideEvidence> evidence = evidence_of(scene, weights);
-  const PlainEvidence plain(scene, weights);
-  BallCosines cosines(t, weights.flat_ratio);
+  const ZeroedArray<CellId, SideEvidence> evidence = evidence_of(scene, options);
+  const PlainEvidence plain(scene, options);
+  BallCosines cosines(t, options.flat_ratio);
   Counts counts;
   std::size_t unlike = 0;
   for (const CellId c : t.cells()) {
@@ -285,6 +296,24 @@ TEST(SideEvidence, BallsMeetThroughFlatCells) {
     }
   }
   EXPECT_GT(flat, 100U);
+}
+
+// Samples in a thick layer: their nearer poles say less, and those within one spacing nothing.
+TEST(SideEvidence, NearPolesSayLess) {
+  const Scene scene(shapes::noisy_sphere(300, 0.1, 3), 0.05, 3);
+  compare(scene, {.near_pole_ratio = 0, .full_pole_ratio = 0});
+  compare(scene, {.near_pole_ratio = 0.5, .full_pole_ratio = 8});
+  const auto all = [&](const CleanUpOptions& options) {
+    const ZeroedArray<CellId, SideEvidence> evidence = evidence_of(scene, options);
+    double sum = 0;
+    for (const CellId c : scene.region.undecided) sum += evidence[c].out + evidence[c].in;
+    return sum;
+  };
+  const double always = all({.near_pole_ratio = 0, .full_pole_ratio = 0});
+  const double never = all({.near_pole_ratio = 1e6, .full_pole_ratio = 2e6});
+  EXPECT_LT(never, 0.9 * always);
+  EXPECT_LT(all({}), always);
+  EXPECT_GT(all({}), never);
 }
 
 // All that is known is infinity: what is deep within hears of it by the poles of the hull.
