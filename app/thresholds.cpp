@@ -27,7 +27,7 @@ constexpr std::array<Threshold, 3> of_marking{{
      angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
 }};
 
-constexpr std::array<Threshold, 28> of_clean_up{{
+constexpr std::array<Threshold, 29> of_clean_up{{
     {"most-clump-cells", "Clean-up: more undecided cells together are left as they are", 0, 4e9,
      whole, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_cells; }},
     {"most-clump-share", "Clean-up: but not if they are at most this share of all cells", 0, 1,
@@ -44,6 +44,8 @@ constexpr std::array<Threshold, 28> of_clean_up{{
      number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.near_pole_ratio; }},
     {"full-pole-ratio", "Clean-up: from so many spacings on all it can say", 0, 1e6, number,
      clean_up, [](Options& o) -> Field { return &o.surface.clean_up.full_pole_ratio; }},
+    {"pole-good-share", "Clean-up: the same where this share of the samples around is good", 0, 1,
+     number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.pole_good_share; }},
     {"stretch-cost", "Clean-up: a facet much longer than its samples lie apart", 0, 1000, number,
      clean_up, [](Options& o) -> Field { return &o.surface.clean_up.stretch_cost; }},
     {"stretch-ratio", "Clean-up: such facets are longer than so many spacings", 0, 1e6, number,

@@ -72,11 +72,13 @@ struct CleanUpOptions {
   // noisy layers get handles; from 1.5 down thin plates lose holes.
   double evidence_weight = 2.25;
   // As evidence, the two poles of a sample lie on different sides of the surface. That counts in
-  // full if the nearer one is so many spacings off, and not at all up to the smaller number: both
-  // poles of a sample inside a layer of noise lie on one side. 0, 0: always; with 2 and 4 thin
-  // plates that are turned lose holes.
-  double near_pole_ratio = 1;
-  double full_pole_ratio = 3;
+  // full if the nearer one is full_pole_ratio spacings off, and not at all up to near_pole_ratio:
+  // both poles of a sample inside a layer of noise lie on one side. Above, thin plates lose holes;
+  // 0, 0: always. Beside sharp edges poles are near, too; so it counts in full, too, where so large
+  // a share of the samples around is good, and proportionally below.
+  double near_pole_ratio = 0.75;
+  double full_pole_ratio = 2.25;
+  double pole_good_share = 0.5;
   // Below 0.4 well sampled thin parts shrink; above 1 wrong marks of bad samples stay.
   double mark_weight = 0.5;
   // Cells are flat whose height is at most this much of the size of their largest facet: four

@@ -41,7 +41,7 @@ class Propagation {
     rank();
     find_domain();
     find_poles();
-    trust_poles(spacings, options);
+    trust_poles(spacings, marks.good, options);
     settle_known();
     credit_marks(marks, options.mark_credit);
   }
@@ -171,15 +171,39 @@ class Propagation {
     }
   }
 
-  void trust_poles(SpacingCache& spacings, const CleanUpOptions& options) {
+  void trust_poles(SpacingCache& spacings, const VertexSet& good, const CleanUpOptions& options) {
+    const IdVector<VertexId, double> good_around = good_shares(good);
     const double width = options.full_pole_ratio - options.near_pole_ratio;
     for (const VertexId v : asked_.ids()) {
       if (asked_[v] == 0) continue;
       AtVertex& here = at_vertices_[v];
       const double ratio = std::sqrt(here.reach_of_negative) / spacings.of(v);
-      here.trust = width > 0 ? std::clamp((ratio - options.near_pole_ratio) / width, 0.0, 1.0)
-                             : (ratio >= options.full_pole_ratio ? 1 : 0);
+      const double far = ratio >= options.full_pole_ratio
+                             ? 1
+                             : std::max(0.0, (ratio - options.near_pole_ratio) / width);
+      const double calm =
+          options.pole_good_share > 0 ? std::min(1.0, good_around[v] / options.pole_good_share) : 1;
+      here.trust = far + (1 - far) * calm;
     }
+  }
+
+  // Of the other corners of the finite cells at each vertex that is asked for.
+  IdVector<VertexId, double> good_shares(const VertexSet& good) {
+    IdVector<VertexId, double> share(asked_.size(), 0);
+    IdVector<VertexId, std::uint32_t> corners(asked_.size(), 0);
+    for (const CellId c : domain_) {
+      if (triangulation_.is_infinite(c)) continue;
+      int good_corners = 0;
+      for (const VertexId v : triangulation_.cell(c).vertices) good_corners += good[v];
+      for_asked_vertices(c, [&](VertexId v) {
+        share[v] += good_corners - good[v];
+        corners[v] += 3;
+      });
+    }
+    for (const VertexId v : asked_.ids()) {
+      if (corners[v] != 0) share[v] /= corners[v];
+    }
+    return share;
   }
 
   template <class Visit>

@@ -6,14 +6,15 @@
 //   deep balls agree:     balls that meet across a facet under the angle beta have the same side,
 //                         weight cos(beta); 1 for equal balls, 0 and below for touching ones
 //   opposite poles differ: the two poles c, d of a sample s lie on different sides, weight
-//                         -cos(angle c s d), less where the nearer one is within full_pole_ratio
-//                         spacings of s, and none within near_pole_ratio: inside a layer of noise
-//                         both are on one side
+//                         -cos(angle c s d) times the trust t + (1 - t) g in s. t grows from 0 to 1
+//                         as the nearer pole is near_pole_ratio to full_pole_ratio spacings off, g
+//                         from 0 to 1 as the share of good samples among the corners around is up
+//                         to pole_good_share: in a layer of noise both poles are on one side
 //
 // Flat cells (ball_cosines.h) have no say and are no poles; balls meet through them.
 // Infinity is OUT and decided cells have the side of their label, both with weight 1; infinite
 // cells tell that to opposite poles only, having no balls. Thin cells (doubtful_region.h) have that
-// of theirs with weight mark_credit (all three are options of clean_up_cells.h), but none at
+// of theirs with weight mark_credit (all these are options of clean_up_cells.h), but none at
 // vertices where labels are in conflict: good vertices are not always right there.
 #pragma once
 
