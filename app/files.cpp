@@ -73,18 +73,6 @@ void require_extension(const OutputFile& output) {
       fmt::format("{}: unknown kind of output '{}'; one of{}", output.path, extension, known));
 }
 
-// A descriptor of this process (/dev/stdout, /dev/fd/3), or a link to one.
-bool is_descriptor(fs::path path) {
-  constexpr int most_links = 40;
-  std::error_code error;
-  const fs::path descriptors = fs::canonical("/proc/self/fd", error);
-  for (int i = 0; i < most_links && !error && fs::is_symlink(path, error); ++i) {
-    if (fs::canonical(path.parent_path(), error) == descriptors) return !error;
-    path = path.parent_path() / fs::read_symlink(path, error);
-  }
-  return false;
-}
-
 // A file is written as another one that is renamed over it (io/atomic_file.h), behind all links:
 // its folder must be writable, whether it exists or not. What is no file, or open already, is
 // written as it is.
@@ -97,7 +85,7 @@ void require_writable(const std::string& path) {
     if (access(path.c_str(), W_OK) == 0) return;
     throw FileError(path + ": cannot be written (" + std::strerror(errno) + "); name another file");
   }
-  if (is_descriptor(fs::absolute(path, ignored))) return;
+  if (own_descriptor(path) >= 0) return;
   const fs::path target = follow_links(path);
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored)) {

@@ -27,7 +27,7 @@ constexpr std::array<Threshold, 3> of_marking{{
      angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
 }};
 
-constexpr std::array<Threshold, 29> of_clean_up{{
+constexpr std::array<Threshold, 24> of_clean_up{{
     {"most-clump-cells", "Clean-up: more undecided cells together are left as they are", 0, 4e9,
      whole, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_cells; }},
     {"most-clump-share", "Clean-up: but not if they are at most this share of all cells", 0, 1,
@@ -36,16 +36,6 @@ constexpr std::array<Threshold, 29> of_clean_up{{
      number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.flat_ratio; }},
     {"thin-support", "Clean-up: good vertices of cells that doubt spreads to", 0, 3, whole,
      clean_up, [](Options& o) -> Field { return &o.surface.clean_up.thin_support; }},
-    {"mark-credit", "Clean-up: weight of their labels as evidence", 0, 1, number, clean_up,
-     [](Options& o) -> Field { return &o.surface.clean_up.mark_credit; }},
-    {"evidence-weight", "Clean-up: evidence of the poles against a cell's label", 0, 1000, number,
-     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.evidence_weight; }},
-    {"near-pole-ratio", "Clean-up: a pole this many spacings off says nothing of the other", 0, 1e6,
-     number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.near_pole_ratio; }},
-    {"full-pole-ratio", "Clean-up: from so many spacings on all it can say", 0, 1e6, number,
-     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.full_pole_ratio; }},
-    {"pole-good-share", "Clean-up: the same where this share of the samples around is good", 0, 1,
-     number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.pole_good_share; }},
     {"stretch-cost", "Clean-up: a facet much longer than its samples lie apart", 0, 1000, number,
      clean_up, [](Options& o) -> Field { return &o.surface.clean_up.stretch_cost; }},
     {"stretch-ratio", "Clean-up: such facets are longer than so many spacings", 0, 1e6, number,
@@ -89,6 +79,19 @@ constexpr std::array<Threshold, 29> of_clean_up{{
      clean_up, [](Options& o) -> Field { return &o.surface.clean_up.component_cost; }},
 }};
 
+constexpr std::array<Threshold, 5> of_evidence{{
+    {"mark-credit", "Clean-up: weight of their labels as evidence", 0, 1, number, clean_up,
+     [](Options& o) -> Field { return &o.surface.clean_up.mark_credit; }},
+    {"evidence-weight", "Clean-up: evidence of the poles against a cell's label", 0, 1000, number,
+     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.evidence_weight; }},
+    {"near-pole-ratio", "Clean-up: a pole this many spacings off says nothing of the other", 0, 1e6,
+     number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.near_pole_ratio; }},
+    {"full-pole-ratio", "Clean-up: from so many spacings on all it can say", 0, 1e6, number,
+     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.full_pole_ratio; }},
+    {"pole-good-share", "Clean-up: the same where this share of the samples around is good", 0, 1,
+     number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.pole_good_share; }},
+}};
+
 constexpr std::array<Threshold, 14> of_clouds_and_findings{{
     {"noise-neighbors", "Noise filter: edges that make the spacing of a sample", 1, 1000, whole,
      outliers, [](Options& o) -> Field { return &o.noise.neighbors; }},
@@ -121,9 +124,12 @@ constexpr std::array<Threshold, 14> of_clouds_and_findings{{
 }};
 
 constexpr auto table = [] {
-  std::array<Threshold, of_marking.size() + of_clean_up.size() + of_clouds_and_findings.size()> all;
+  std::array<Threshold, of_marking.size() + of_clean_up.size() + of_evidence.size() +
+                            of_clouds_and_findings.size()>
+      all;
   auto end = std::copy(of_marking.begin(), of_marking.end(), all.begin());
   end = std::copy(of_clean_up.begin(), of_clean_up.end(), end);
+  end = std::copy(of_evidence.begin(), of_evidence.end(), end);
   std::copy(of_clouds_and_findings.begin(), of_clouds_and_findings.end(), end);
   return all;
 }();

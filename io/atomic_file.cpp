@@ -40,22 +40,6 @@ bool is_folder_of_descriptors(const std::filesystem::path& folder) {
   return false;
 }
 
-// The descriptor of this process that the path names, through links (/dev/stdout is one); -1: none.
-int own_descriptor(std::filesystem::path path) {
-  for (int i = 0; i <= most_links; ++i) {
-    const std::string name = path.filename().string();
-    int number = -1;
-    const auto [end, wrong] = std::from_chars(name.data(), name.data() + name.size(), number);
-    const bool is_number = wrong == std::errc() && end == name.data() + name.size();
-    if (is_number && number >= 0 && is_folder_of_descriptors(path.parent_path())) return number;
-    if (!is_link(path)) return -1;
-    std::error_code error;
-    path = next_behind(path, error);
-    if (error) return -1;
-  }
-  return -1;
-}
-
 [[noreturn]] void throw_write_error(const std::filesystem::path& target, const char* action,
                                     int error_number) {
   throw file_error(target, std::string(action) + " (" + std::strerror(error_number) +
@@ -72,6 +56,21 @@ std::filesystem::path follow_links(std::filesystem::path path) {
     path = leads_to;
   }
   return path;
+}
+
+int own_descriptor(std::filesystem::path path) {
+  for (int i = 0; i <= most_links; ++i) {
+    const std::string name = path.filename().string();
+    int number = -1;
+    const auto [end, wrong] = std::from_chars(name.data(), name.data() + name.size(), number);
+    const bool is_number = wrong == std::errc() && end == name.data() + name.size();
+    if (is_number && number >= 0 && is_folder_of_descriptors(path.parent_path())) return number;
+    if (!is_link(path)) return -1;
+    std::error_code error;
+    path = next_behind(path, error);
+    if (error) return -1;
+  }
+  return -1;
 }
 
 void FileBatch::commit() {

@@ -33,6 +33,10 @@ namespace cocoon {
 // is a link still for a loop of them.
 std::filesystem::path follow_links(std::filesystem::path path);
 
+// The descriptor of this process that a path names, through links (/dev/stdout, /dev/fd/3); -1:
+// none. What is open already is written as it is, not replaced.
+int own_descriptor(std::filesystem::path path);
+
 // A file in which a mesh is noticeably another one than was written.
 struct RoundedFile {
   std::filesystem::path target;
