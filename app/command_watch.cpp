@@ -202,6 +202,7 @@ class Watch {
     save_session(session_file_, {state_.session->snapshot(), arguments_.parameters, state_.notes},
                  &outputs);
     write_mesh(arguments_.mesh, model(), {.ascii = arguments_.ascii}, &outputs);
+    job_.warn_of_rounding(outputs);
     outputs.commit();
     remove_pending_clouds(session_file_);
     state_.pending = 0;
@@ -243,6 +244,7 @@ class Watch {
     if (!update.refused) {
       write_mesh(arguments_.mesh, model(), {.ascii = arguments_.ascii}, &outputs);
     }
+    job_.warn_of_rounding(outputs);
     outputs.commit();
     note();
     state_.pending += update.notes.size();

@@ -33,8 +33,9 @@ void Job::warn(const std::string& warning) {
 }
 
 // The program writes floats to binary STL only.
-void Job::warn_of_rounding() {
-  for (const RoundedFile& file : outputs_.take_rounded()) {
+void Job::warn_of_rounding(FileBatch& batch) {
+  for (const RoundedFile& file : batch.take_rounded()) {
+    if (!rounded_.insert(file.target.string()).second) continue;
     const FloatRounding& rounding = file.rounding;
     report_.set("rounding/merged_vertices", rounding.merged_vertices);
     report_.set("rounding/largest_move", rounding.largest_move);
@@ -61,7 +62,7 @@ std::vector<StageTime> Job::timings() const {
 }
 
 void Job::finish(const std::string& copy_of_report) {
-  warn_of_rounding();
+  warn_of_rounding(outputs_);
   report_.set_empty_array("warnings");
   for (const std::string& warning : warnings_) report_.append("warnings", warning);
   for (const StageTime& time : timings()) report_.set("timings_s/" + time.stage, time.seconds);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,10 @@ class Job {
 
   // Where the outputs wait until all of them are complete.
   FileBatch* outputs() { return &outputs_; }
+  // Warns of meshes in a batch whose files are other surfaces than the program told of, since
+  // floats are too coarse for them; the numbers are in section "rounding" of the report. Once for
+  // each file, whatever is written later. finish() does so for outputs().
+  void warn_of_rounding(FileBatch& batch);
 
   // Seconds of each outermost stage so far; what runs nested in it is part of it.
   std::vector<StageTime> timings() const;
@@ -53,16 +58,13 @@ class Job {
 
  private:
   void say_line(const std::string& line);
-  // Warns of meshes among the outputs whose files are other surfaces than the program told of,
-  // since floats are too coarse for them; the numbers are in section "rounding" of the report.
-  void warn_of_rounding();
-
   SharedArguments shared_;
   ProgressLine progress_line_;
   StageClock clock_;
   JsonReport report_;
   FileBatch outputs_;
   std::vector<std::string> warnings_;
+  std::set<std::string> rounded_;  // files that were warned of
   bool lines_wait_ = false;
   std::string waiting_lines_;
 };

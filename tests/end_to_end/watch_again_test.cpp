@@ -4,6 +4,7 @@
 #include <csignal>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <sstream>
 #include <string>
 
 #include "tests/end_to_end/watched_folder.h"
@@ -16,6 +17,7 @@ using namespace std::chrono_literals;
 using cocoon::test::content_of;
 using cocoon::test::count;
 using cocoon::test::north;
+using cocoon::test::point_line;
 using cocoon::test::ProgramRun;
 using cocoon::test::run_program;
 using cocoon::test::south;
@@ -23,6 +25,7 @@ using cocoon::test::sphere_cap;
 using cocoon::test::wait_for;
 using cocoon::test::Watched;
 using cocoon::test::Watching;
+using cocoon::test::whole_sphere;
 
 // The top of a high bump: far from the sphere, but not from the bump.
 const std::string bump = sphere_cap(4000, 0.8, 0.8);
@@ -141,6 +144,27 @@ TEST(WatchAgain, ACloudThatComesAgainWhileTheProgramIsDown) {
   std::filesystem::last_write_time(scan, time + 1s);
   out = run_program(watched.once()).out;
   EXPECT_EQ(count(out, "1 cloud applied, 0 refused, 0 known from before"), 1U) << out;
+}
+
+// The mesh is written after each cloud.
+TEST(WatchAgain, AMeshThatFloatsCannotKeepIsToldOnce) {
+  const auto far = [](const std::string& points) {
+    std::string text;
+    std::istringstream rows(points);
+    for (double x = 0, y = 0, z = 0; rows >> x >> y >> z;) {
+      text += point_line(x + 5e6, y + 5e6, z);
+    }
+    return text;
+  };
+  Watched watched;
+  watched.arguments[1] = watched.folder.write("far.xyz", far(whole_sphere(1500)));
+  watched.arguments[4] = watched.folder.file("out.stl");
+  watched.put("1.xyz", far(north));
+  watched.put("2.xyz", far(south));
+  const ProgramRun run = run_program(watched.once());
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_EQ(count(run.out, "2 clouds applied"), 1U) << run.out;
+  EXPECT_EQ(count(run.out, "in the floats of binary STL vertices move"), 1U) << run.out;
 }
 
 }  // namespace
