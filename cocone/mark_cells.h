@@ -33,8 +33,8 @@ struct CellMarks {
   IdVector<CellId, CellLabel> known;
   // After peel_cells: 1 = reached from infinity. The body is the set of finite cells not reached.
   IdVector<CellId, std::uint8_t> reached;
-  // After peel_cells, empty if there are no conflicts: 1 = a good vertex whose cells are not OUT on
-  // one side of the surface and IN (or unmarked) on the other.
+  // After peel_cells, empty if there are no conflicts up to then: 1 = a good vertex whose cells are
+  // not OUT on one side of the surface and IN (or unmarked) on the other.
   VertexSet contradicted;
 
   std::size_t good_vertices = 0;

@@ -133,8 +133,8 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
                                     const ReconstructOptions& options = {},
                                     const Execution& execution = {});
 
-// Both where sides are known beforehand: after a change from triangles of the old mesh where nothing
-// has changed (known_sides.h), of samples of a solid from its mesh (sides_of_solid.h).
+// Both where sides are known beforehand: after a change from triangles of the old mesh where
+// nothing has changed (known_sides.h), of samples of a solid from its mesh (sides_of_solid.h).
 // Where cells have no good vertex, or marks contradict each other as at walls thinner than the
 // spacing, `known` is asked for the sides of cells, which neither the marking nor the clean-up
 // decides otherwise. Where nothing is in doubt it is not asked; nor is it in paper mode.

@@ -247,7 +247,7 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownSidesSource& known,
 }
 
 void ReconstructSteps::deliver_contradicted(const CellMarks& marks) {
-  if (marks.conflicts == 0) return;
+  if (marks.contradicted.empty()) return;  // those of cavities have no places
   result_.contradicted.resize(triangulation_vertex_.size());
   for (const VertexId v : result_.contradicted.ids()) {
     result_.contradicted[v] = marks.contradicted[triangulation_vertex_[v]];

@@ -127,6 +127,19 @@ ReconstructResult hollow(const std::vector<Point>& points) {
   return reconstruct_tight(points, options);
 }
 
+// So few samples of a hollow that what they say of its sides is in conflict.
+TEST(ReconstructTight, CavitiesMayBeInConflict) {
+  std::size_t conflicts = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const ReconstructResult result =
+        hollow(shapes::joined(shapes::sphere(1500, seed), shapes::sphere(100, seed + 100, 0.5)));
+    EXPECT_TRUE(mesh_check(result.mesh).watertight);
+    EXPECT_TRUE(result.contradicted.empty());
+    conflicts += result.counters.marking_conflicts;
+  }
+  EXPECT_GT(conflicts, 0U);
+}
+
 TEST(ReconstructTight, CavitiesAreKeptIfAskedFor) {
   const ReconstructResult result =
       hollow(shapes::joined(shapes::sphere(3000, 6), shapes::sphere(1000, 7, 0.4)));
