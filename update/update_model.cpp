@@ -7,6 +7,7 @@
 #include "geom/errors.h"
 #include "update/cloud/ordinary_size.h"
 #include "update/joined_clouds.h"
+#include "update/model/hollows.h"
 #include "update/report/update_messages.h"
 #include "update/update_steps.h"
 
@@ -85,8 +86,10 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
   const UpdateParts parts{
       [&]() -> const ModelIndex& { return index ? *index : index.emplace(model); },
       [&](const Replacement& replacement, const OldSurface& old, const Execution& nested) {
-        ReconstructResult result = reconstruct_tight_with_sides(replacement.points, old.sides,
-                                                                options.reconstruct, nested);
+        ReconstructOptions surface = options.reconstruct;
+        surface.keep_cavities = surface.keep_cavities || has_hollow(*index);
+        ReconstructResult result =
+            reconstruct_tight_with_sides(replacement.points, old.sides, surface, nested);
         const std::size_t triangles = result.mesh.triangles.size();
         return UpdatedSurface{std::move(result), triangles};
       }};

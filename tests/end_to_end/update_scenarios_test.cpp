@@ -434,36 +434,6 @@ TEST(UpdateScenarios, OtherBodiesAreKept) {
   EXPECT_EQ(result.replaced_groups.size(), 1U);
 }
 
-// Tight Cocone fills cavities: no point sees them from outside. Their vertices are counted, named
-// in a warning, and gone from the map.
-TEST(UpdateScenarios, ALostCavityIsReported) {
-  TriangleMesh model = sphere_model(sphere_size);
-  const std::size_t outer = model.points.size();
-  const TriangleMesh cavity = sphere_model(1000);
-  for (const Point& p : cavity.points) model.points.push_back(0.4 * p);
-  for (const auto& [a, b, c] : cavity.triangles) {
-    model.triangles.push_back(
-        {VertexId(outer + a.index()), VertexId(outer + c.index()), VertexId(outer + b.index())});
-  }
-  const Clouds clouds = {raised_cap(4 * sphere_size, {0, 0, 1}, 0.6, 0.25)};
-  const UpdateResult result = update_model(model, clouds);
-  expect_local_update(
-      model, clouds, result,
-      [&](const Point& p) {
-        return norm(p) < 0.5 || polar_angle(p, {0, 0, 1}) < 0.52;
-      },
-      [&](const Point& p) {
-        return norm(p) > 0.5 && polar_angle(p, {0, 0, 1}) > 0.62;
-      });
-  EXPECT_EQ(mesh_check(result.mesh).components, 1U);
-  EXPECT_EQ(result.reconstruction.unused_points, cavity.points.size());
-  EXPECT_EQ(result.unscanned.vertices, cavity.points.size());
-  const std::string warning =
-      std::to_string(cavity.points.size()) + " vertices of the model are gone though nothing was";
-  EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(),
-                          [&](const std::string& w) { return w.starts_with(warning); }));
-}
-
 TEST(UpdateScenarios, CallerMistakes) {
   const TriangleMesh model = sphere_model(300);
   EXPECT_THROW(update_model(model, Clouds{}), InputError);

@@ -1,0 +1,70 @@
+// The update of a model with a hollow that no point outside sees.
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "cocone/reconstruct.h"
+#include "geom/mesh_check.h"
+#include "tests/end_to_end/local_update.h"
+#include "tests/gallery.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+namespace {
+
+using testing::Clouds;
+using testing::expect_local_update;
+
+double polar_angle(const Point& p) { return std::acos(std::clamp(unit(p).z, -1.0, 1.0)); }
+
+// A ball with a hollow, and a hill on top.
+struct HollowBall {
+  TriangleMesh model = reconstruct_tight(gallery::even_sphere(3000)).mesh;
+  Clouds clouds = {{}};
+  std::size_t inner = 0;  // vertices of the hollow
+
+  HollowBall() {
+    const TriangleMesh cavity = reconstruct_tight(gallery::even_sphere(1000)).mesh;
+    const std::size_t outer = model.points.size();
+    inner = cavity.points.size();
+    for (const Point& p : cavity.points) model.points.push_back(0.4 * p);
+    for (const auto& [a, b, c] : cavity.triangles) {
+      model.triangles.push_back(
+          {VertexId(outer + a.index()), VertexId(outer + c.index()), VertexId(outer + b.index())});
+    }
+    for (const Point& p : gallery::even_sphere(12001)) {
+      const double angle = polar_angle(p);
+      if (angle <= 0.6) clouds[0].push_back((1 + 0.25 * testing::hill(angle, 0.4)) * p);
+    }
+  }
+};
+
+TEST(UpdateHollow, IsKept) {
+  const HollowBall ball;
+  const UpdateResult result = update_model(ball.model, ball.clouds);
+  expect_local_update(
+      ball.model, ball.clouds, result,
+      [](const Point& p) { return norm(p) > 0.5 && polar_angle(p) < 0.52; },
+      [](const Point& p) { return norm(p) < 0.5 || polar_angle(p) > 0.62; });
+  EXPECT_EQ(mesh_check(result.mesh).components, 2U);
+  EXPECT_EQ(result.reconstruction.unused_points, 0U);
+  EXPECT_EQ(result.unscanned.vertices, 0U);
+}
+
+// Tight Cocone as published fills it. Its vertices are counted, named in a warning, and gone from
+// the map.
+TEST(UpdateHollow, IsFilledAndReportedInPaperMode) {
+  const HollowBall ball;
+  const UpdateResult result = update_model(ball.model, ball.clouds, paper_update_options());
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_EQ(mesh_check(result.mesh).components, 1U);
+  EXPECT_GE(result.unscanned.vertices, ball.inner);
+  EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& w) {
+    return w.find(" vertices of the model are gone though nothing was") != std::string::npos;
+  }));
+}
+
+}  // namespace
+}  // namespace cocoon
