@@ -22,6 +22,7 @@ class TreeAndCotree {
   explicit TreeAndCotree(const LinkedMesh& mesh)
       : mesh_(mesh),
         distance_(mesh.points.size(), std::numeric_limits<double>::infinity()),
+        turn_(mesh.points.size(), 0),
         parent_(mesh.points.size()) {
     rank_vertices();
     for (const VertexId v : by_rank_) {
@@ -84,8 +85,11 @@ class TreeAndCotree {
       const Entry nearest = queue.top();
       queue.pop();
       const VertexId v = by_rank_[nearest.second];
-      if (nearest.first > distance_[v]) continue;
+      if (turn_[v] != 0) continue;
+      turn_[v] = ++turns_;
+      // Edges may be too short to add to the distance: who had a turn keeps its parent.
       const auto reach = [&](VertexId w) {
+        if (turn_[w] != 0) return;
         const double reached = nearest.first + length(v, w);
         if (reached < distance_[w]) {
           distance_[w] = reached;
@@ -109,10 +113,8 @@ class TreeAndCotree {
     return parent_[a] == b || parent_[b] == a;
   }
 
-  // Which of the two paths to the root goes on, until they are one.
-  bool is_farther(VertexId a, VertexId b) const {
-    return distance_[a] != distance_[b] ? distance_[a] > distance_[b] : rank_[a] > rank_[b];
-  }
+  // Which of the two paths to the root goes on, until they are one: parents had earlier turns.
+  bool is_farther(VertexId a, VertexId b) const { return turn_[a] > turn_[b]; }
 
   Cycle cycle_of(SideId side) const {
     VertexId a = mesh_.from(side);
@@ -148,6 +150,8 @@ class TreeAndCotree {
   std::vector<VertexId> by_rank_;
   IdVector<VertexId, std::uint32_t> rank_;
   IdVector<VertexId, double> distance_;
+  IdVector<VertexId, std::uint32_t> turn_;  // when the distance was known; 0: it is not
+  std::uint32_t turns_ = 0;
   IdVector<VertexId, VertexId> parent_;
 };
 

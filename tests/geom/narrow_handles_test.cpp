@@ -101,6 +101,19 @@ TEST(NarrowHandles, AreNoMoreThanTheGenus) {
   EXPECT_EQ(narrow_handles(ring, 0).size(), 0U);
 }
 
+// Edges without length, and some too short to be added to a distance.
+TEST(NarrowHandles, EdgesMayHaveNoLength) {
+  TriangleMesh torus = gallery::torus(16, 8);
+  for (std::size_t i = 40; i < 80; ++i) {
+    torus.points[VertexId(i)] = torus.points[VertexId(std::size_t{40})];
+    torus.points[VertexId(i)].x += i % 3 == 0 ? 4e-16 : 0;
+  }
+  const LinkedMesh mesh = link_mesh(torus);
+  const std::vector<NarrowHandle> handles = narrow_handles(mesh, 1);
+  ASSERT_EQ(handles.size(), 1U);
+  EXPECT_EQ(pieces_without(mesh, edges_of(handles[0])), 1U);
+}
+
 // A lattice torus is full of ties.
 TEST(NarrowHandles, AreAFunctionOfTheSurface) {
   const TriangleMesh torus = gallery::torus(16, 8);
