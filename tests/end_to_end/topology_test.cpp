@@ -89,7 +89,8 @@ TEST(Topology, LossesAreSaidByAllThatUpdate) {
   EXPECT_TRUE(says(line, "topology: Euler characteristic 0 -> 2")) << line;
 }
 
-// A cavity cannot be scanned, and is filled: what made it is told, of points before the update.
+// A cavity cannot be scanned, and is filled unless the model has it, or the published way is asked
+// for: what made it is told, of points before the update.
 TEST(Topology, ACavityThatIsFilledIsSaid) {
   const TemporaryFolder folder;
   std::vector<Point> points = gallery::even_sphere(2000);
@@ -110,8 +111,13 @@ TEST(Topology, ACavityThatIsFilledIsSaid) {
   ASSERT_EQ(
       run_program({"reconstruct", folder.file("hollow.xyz"), "--cavities", "-o", mesh}).exit_code,
       0);
-  const std::string of_mesh =
+  const std::string kept =
       run_program({"update", mesh, folder.file("cap.xyz"), "-o", folder.file("out.ply")}).out;
+  EXPECT_TRUE(says(kept, "2 components")) << kept;
+  EXPECT_FALSE(says(kept, "not on the surface")) << kept;
+  const std::string of_mesh = run_program({"update", mesh, folder.file("cap.xyz"), "-o",
+                                           folder.file("out.ply"), "--mode", "paper"})
+                                  .out;
   EXPECT_TRUE(says(of_mesh, "500 vertices of the model are gone though nothing was scanned"))
       << of_mesh;
   // Once, with a place and what may be the reason.
