@@ -58,6 +58,7 @@ class Job {
 
  private:
   void say_line(const std::string& line);
+
   SharedArguments shared_;
   ProgressLine progress_line_;
   StageClock clock_;

@@ -54,12 +54,11 @@ MeshMeasure mesh_measure(const TriangleMesh& mesh) {
   const Point origin = measure.box.center();
   CompensatedSum area;
   CompensatedSum volume;
-  for (const Triangle& triangle : mesh.triangles) {
-    const Vec3 a = mesh.points[triangle[0]] - origin;
-    const Vec3 b = mesh.points[triangle[1]] - origin;
-    const Vec3 c = mesh.points[triangle[2]] - origin;
-    area.add(norm(cross(b - a, c - a)) / 2);
-    volume.add(dot(a, cross(b, c)) / 6);
+  for (const TriangleId t : mesh.triangles.ids()) {
+    const auto [p, q, r] = corners_of(mesh, t);
+    const Vec3 a = p - origin;
+    area.add(norm(cross((q - origin) - a, (r - origin) - a)) / 2);
+    volume.add(volume_over(mesh, t, origin));
   }
   measure.area = area.value();
   measure.signed_volume = volume.value();

@@ -31,6 +31,13 @@ struct MeshMeasure {
   friend bool operator==(const MeshMeasure&, const MeshMeasure&) = default;
 };
 
+// Signed volume of the tetrahedron between a triangle and the apex: positive if it faces away from
+// there. O(1).
+inline double volume_over(const TriangleMesh& mesh, TriangleId t, const Point& apex) {
+  const auto [a, b, c] = corners_of(mesh, t);
+  return dot(a - apex, cross(b - apex, c - apex)) / 6;
+}
+
 // Measures `mesh`, whose triangles must name vertices that are there (else InputError). The volume
 // is the sum of the tetrahedra between each triangle and the center of the box: for a surface that
 // is not closed it depends on that center. Sums are compensated, so that they are right to about

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <numbers>
+#include <sstream>
 #include <string>
 
 namespace cocoon::test {
@@ -36,6 +37,14 @@ inline std::string sphere_cap(std::size_t n, double reach, double bump = 0) {
 }
 
 inline std::string whole_sphere(std::size_t n) { return sphere_cap(n, 4); }
+
+// The same where floats are half a unit apart.
+inline std::string far_from_origin(const std::string& points) {
+  std::string text;
+  std::istringstream rows(points);
+  for (double x = 0, y = 0, z = 0; rows >> x >> y >> z;) text += point_line(x + 5e6, y + 5e6, z);
+  return text;
+}
 
 // 18 points of a sphere of radius 0.1 around (4, 0, 0): a small part beside the unit sphere.
 inline std::string crumb() {

@@ -2,7 +2,6 @@
 // behind.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -207,13 +206,8 @@ TEST(BadInput, MoreThanAFileAnnouncesIsAWarning) {
 // Far from the origin floats are too far apart; text has all digits.
 TEST(BadInput, AMeshThatTheOutputCannotKeepIsAWarning) {
   const TemporaryFolder folder;
-  std::string shifted;
-  std::istringstream rows(whole_sphere(300));
-  for (double x = 0, y = 0, z = 0; rows >> x >> y >> z;) {
-    shifted += point_line(x + 5e6, y + 5e6, z);
-  }
   const std::string near = folder.write("near.xyz", whole_sphere(300));
-  const std::string far = folder.write("far.xyz", shifted);
+  const std::string far = folder.write("far.xyz", far_from_origin(whole_sphere(300)));
   const auto told = [&](std::vector<std::string> arguments) {
     const std::string json = folder.file("report.json");
     arguments.insert(arguments.end(), {"--json", json});

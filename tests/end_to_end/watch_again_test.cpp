@@ -4,7 +4,6 @@
 #include <csignal>
 #include <filesystem>
 #include <gtest/gtest.h>
-#include <sstream>
 #include <string>
 
 #include "tests/end_to_end/watched_folder.h"
@@ -16,8 +15,8 @@ namespace {
 using namespace std::chrono_literals;
 using cocoon::test::content_of;
 using cocoon::test::count;
+using cocoon::test::far_from_origin;
 using cocoon::test::north;
-using cocoon::test::point_line;
 using cocoon::test::ProgramRun;
 using cocoon::test::run_program;
 using cocoon::test::south;
@@ -148,19 +147,11 @@ TEST(WatchAgain, ACloudThatComesAgainWhileTheProgramIsDown) {
 
 // The mesh is written after each cloud.
 TEST(WatchAgain, AMeshThatFloatsCannotKeepIsToldOnce) {
-  const auto far = [](const std::string& points) {
-    std::string text;
-    std::istringstream rows(points);
-    for (double x = 0, y = 0, z = 0; rows >> x >> y >> z;) {
-      text += point_line(x + 5e6, y + 5e6, z);
-    }
-    return text;
-  };
   Watched watched;
-  watched.arguments[1] = watched.folder.write("far.xyz", far(whole_sphere(1500)));
+  watched.arguments[1] = watched.folder.write("far.xyz", far_from_origin(whole_sphere(1500)));
   watched.arguments[4] = watched.folder.file("out.stl");
-  watched.put("1.xyz", far(north));
-  watched.put("2.xyz", far(south));
+  watched.put("1.xyz", far_from_origin(north));
+  watched.put("2.xyz", far_from_origin(south));
   const ProgramRun run = run_program(watched.once());
   EXPECT_EQ(run.exit_code, 0) << run.error;
   EXPECT_EQ(count(run.out, "2 clouds applied"), 1U) << run.out;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "geom/mesh_measure.h"
 #include "geom/point.h"
 
 namespace cocoon {
@@ -17,11 +18,10 @@ bool has_hollow(const ModelIndex& model) {
   };
   std::vector<Part> parts;
   for (const TriangleId t : mesh.triangles.ids()) {
-    const auto [a, b, c] = corners_of(mesh, t);
     if (model.component(t) >= parts.size()) parts.resize(model.component(t) + 1);
     Part& part = parts[model.component(t)];
-    if (!part.is_begun) part = {a, 0, true};
-    part.volume += dot(a - part.apex, cross(b - part.apex, c - part.apex));
+    if (!part.is_begun) part = {mesh.points[mesh.triangles[t][0]], 0, true};
+    part.volume += volume_over(mesh, t, part.apex);
   }
   return std::any_of(parts.begin(), parts.end(), [](const Part& p) { return p.volume < 0; });
 }

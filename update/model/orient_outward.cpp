@@ -8,6 +8,7 @@
 #include "cocone/orient_surface.h"
 #include "geom/edge_components.h"
 #include "geom/linked_sides.h"
+#include "geom/mesh_measure.h"
 #include "geom/mixed_bits.h"
 #include "geom/triangles_by_area.h"
 
@@ -26,12 +27,6 @@ bool sides_cancel(const TriangleMesh& mesh) {
     sum += word(a, b) + word(b, c) + word(c, a) - word(b, a) - word(c, b) - word(a, c);
   }
   return sum == 0;
-}
-
-// Of the tetrahedron between a triangle and the apex; positive if it faces away from there.
-double volume_over(const TriangleMesh& mesh, TriangleId t, const Point& apex) {
-  const auto [a, b, c] = corners_of(mesh, t);
-  return dot(a - apex, cross(b - apex, c - apex)) / 6;
 }
 
 double volume_of(const TriangleMesh& mesh) {
