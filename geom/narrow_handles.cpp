@@ -30,25 +30,6 @@ class TreeAndCotree {
     }
   }
 
-  // Of each edge of neither tree, the shortest first.
-  std::vector<NarrowHandle> cycles() const {
-    std::vector<Cycle> edges;
-    for (SideId side = 0; side < mesh_.links.size(); ++side) {
-      if (mesh_.is_first(side) && !is_in_tree(side)) edges.push_back(cycle_of(side));
-    }
-    std::sort(edges.begin(), edges.end(), std::greater<>());
-    DisjointSets joined(mesh_.triangles.size());
-    std::erase_if(edges, [&](const Cycle& edge) {
-      return joined.join(triangle_of_side(edge.side), triangle_of_side(mesh_.links[edge.side]));
-    });
-    std::vector<NarrowHandle> found;
-    for (auto edge = edges.rbegin(); edge != edges.rend(); ++edge) {
-      found.push_back({path_of(edge->side), edge->length});
-    }
-    return found;
-  }
-
- private:
   struct Cycle {
     double length = 0;
     std::uint32_t smaller = 0;  // ranks of the ends of its edge
@@ -60,6 +41,40 @@ class TreeAndCotree {
     }
   };
 
+  // Those of the edges of neither tree, the shortest first.
+  std::vector<Cycle> cycles() const {
+    std::vector<Cycle> edges;
+    for (SideId side = 0; side < mesh_.links.size(); ++side) {
+      if (mesh_.is_first(side) && !is_in_tree(side)) edges.push_back(cycle_of(side));
+    }
+    std::sort(edges.begin(), edges.end(), std::greater<>());
+    DisjointSets joined(mesh_.triangles.size());
+    std::erase_if(edges, [&](const Cycle& edge) {
+      return joined.join(triangle_of_side(edge.side), triangle_of_side(mesh_.links[edge.side]));
+    });
+    std::reverse(edges.begin(), edges.end());
+    return edges;
+  }
+
+  std::vector<VertexId> path_of(SideId side) const {
+    VertexId a = mesh_.from(side);
+    VertexId b = mesh_.to(side);
+    if (rank_[b] < rank_[a]) std::swap(a, b);
+    std::vector<VertexId> path{a};
+    std::vector<VertexId> back{b};
+    while (a != b) {
+      if (is_farther(a, b)) {
+        path.push_back(a = parent_[a]);
+      } else {
+        back.push_back(b = parent_[b]);
+      }
+    }
+    back.pop_back();  // where they meet is in both
+    path.insert(path.end(), back.rbegin(), back.rend());
+    return path;
+  }
+
+ private:
   // Equal places, as at parted sheets, by what the vertices are called.
   void rank_vertices() {
     by_rank_.reserve(mesh_.points.size());
@@ -128,24 +143,6 @@ class TreeAndCotree {
     return {ends - 2 * distance_[a], smaller, larger, side};
   }
 
-  std::vector<VertexId> path_of(SideId side) const {
-    VertexId a = mesh_.from(side);
-    VertexId b = mesh_.to(side);
-    if (rank_[b] < rank_[a]) std::swap(a, b);
-    std::vector<VertexId> path{a};
-    std::vector<VertexId> back{b};
-    while (a != b) {
-      if (is_farther(a, b)) {
-        path.push_back(a = parent_[a]);
-      } else {
-        back.push_back(b = parent_[b]);
-      }
-    }
-    back.pop_back();  // where they meet is in both
-    path.insert(path.end(), back.rbegin(), back.rend());
-    return path;
-  }
-
   const LinkedMesh& mesh_;
   std::vector<VertexId> by_rank_;
   IdVector<VertexId, std::uint32_t> rank_;
@@ -158,12 +155,14 @@ class TreeAndCotree {
 }  // namespace
 
 std::vector<NarrowHandle> narrow_handles(const LinkedMesh& mesh, std::size_t max_count) {
-  std::vector<NarrowHandle> cycles = TreeAndCotree(mesh).cycles();
+  const TreeAndCotree trees(mesh);
+  const auto cycles = trees.cycles();
   max_count = std::min(max_count, cycles.size() / 2);
   std::vector<NarrowHandle> narrow;
   IdVector<VertexId, std::uint8_t> taken(mesh.points.size(), 0);
-  for (NarrowHandle& handle : cycles) {
+  for (const auto& cycle : cycles) {
     if (narrow.size() == max_count) break;
+    NarrowHandle handle{trees.path_of(cycle.side), cycle.length};
     constexpr std::size_t most_shared = 3;  // one of so many vertices
     const auto shared = static_cast<std::size_t>(std::count_if(
         handle.path.begin(), handle.path.end(), [&](VertexId v) { return taken[v] != 0; }));

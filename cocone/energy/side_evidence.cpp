@@ -20,7 +20,9 @@ struct AtVertex {
   CellId negative;
   double reach_of_positive;  // squared
   double reach_of_negative;
-  double trust;  // in what one of them says of the other
+  double trust;          // in what one of them says of the other
+  std::uint32_t around;  // the other corners of the cells, and those of them that are good
+  std::uint32_t good_around;
   bool on_hull;
 };
 
@@ -172,7 +174,7 @@ class Propagation {
   }
 
   void trust_poles(SpacingCache& spacings, const VertexSet& good, const CleanUpOptions& options) {
-    const IdVector<VertexId, double> good_around = good_shares(good);
+    count_good_around(good);
     const double width = options.full_pole_ratio - options.near_pole_ratio;
     for (const VertexId v : asked_.ids()) {
       if (asked_[v] == 0) continue;
@@ -181,29 +183,24 @@ class Propagation {
       const double far = ratio >= options.full_pole_ratio
                              ? 1
                              : std::max(0.0, (ratio - options.near_pole_ratio) / width);
+      const double share =
+          here.around == 0 ? 0 : static_cast<double>(here.good_around) / here.around;
       const double calm =
-          options.pole_good_share > 0 ? std::min(1.0, good_around[v] / options.pole_good_share) : 1;
+          options.pole_good_share > 0 ? std::min(1.0, share / options.pole_good_share) : 1;
       here.trust = far + (1 - far) * calm;
     }
   }
 
-  // Of the other corners of the finite cells at each vertex that is asked for.
-  IdVector<VertexId, double> good_shares(const VertexSet& good) {
-    IdVector<VertexId, double> share(asked_.size(), 0);
-    IdVector<VertexId, std::uint32_t> corners(asked_.size(), 0);
+  void count_good_around(const VertexSet& good) {
     for (const CellId c : domain_) {
       if (triangulation_.is_infinite(c)) continue;
-      int good_corners = 0;
+      std::uint32_t good_corners = 0;
       for (const VertexId v : triangulation_.cell(c).vertices) good_corners += good[v];
       for_asked_vertices(c, [&](VertexId v) {
-        share[v] += good_corners - good[v];
-        corners[v] += 3;
+        at_vertices_[v].good_around += good_corners - good[v];
+        at_vertices_[v].around += 3;
       });
     }
-    for (const VertexId v : asked_.ids()) {
-      if (corners[v] != 0) share[v] /= corners[v];
-    }
-    return share;
   }
 
   template <class Visit>

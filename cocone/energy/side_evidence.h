@@ -42,9 +42,9 @@ struct SideEvidence {
 // uncontested ones and large |out - in| first, and pass on their stronger side. Ties go to the
 // smaller corners in the order of the region's vertices: a function of the point set. `centers`: of
 // the finite cells of the region (BallCosines::prepare); `spacings`: asked for those of the
-// undecided cells. Complexity: O(u log u) for u undecided
-// cells, and two passes over the cells at their vertices. Source: Amenta, Choi & Kolluri 2001 (the
-// power crust, labeling of poles).
+// undecided cells' samples. Complexity: O(u log u) for u undecided cells, and three passes over the
+// cells at their vertices. Source: Amenta, Choi & Kolluri 2001 (the power crust, labeling of
+// poles); the trust is ours.
 ZeroedArray<CellId, SideEvidence> side_evidence(
     const Triangulation& triangulation, BallCosines& cosines,
     const ZeroedArray<CellId, Point>& centers, SpacingCache& spacings, const Poles& poles,
