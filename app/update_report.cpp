@@ -57,6 +57,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("cut_length", cloud.cut.cut_length);
   entry.set("cut_contradicted", cloud.cut.contradicted);
   entry.set("scan_ends", cloud.cut.scan_ends);
+  entry.set("contradicted_samples", cloud.contradicted.count);
   entry.set("boundary_points", cloud.boundary_points);
   entry.set("boundary_samples", cloud.surface.boundary_samples);
   entry.set("set_aside", cloud.surface.set_aside);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "cocone/boundary_samples.h"
 #include "cocone/checks/verify_surface.h"
@@ -101,9 +102,9 @@ struct ReconstructResult {
   IdVector<VertexId, PointId> point_of_vertex;       // first input point at each mesh vertex
   IdVector<VertexId, Vec3> normals;                  // n_p: unit, sign free
   IdVector<VertexId, std::uint8_t> boundary_sample;  // 1 = boundary sample, 0 = interior
-  // 1 = what is inside is contradicted there (CellMarks::contradicted); empty if it is nowhere, and
-  // of the open surface.
-  IdVector<VertexId, std::uint8_t> contradicted;
+  // Points where what is inside is contradicted (CellMarks::contradicted), on the surface or not;
+  // of equal ones the first, ascending. Of the open surface none.
+  std::vector<PointId> contradicted;
   std::size_t points = 0;         // given
   std::size_t duplicates = 0;     // points equal to an earlier one
   std::size_t unused_points = 0;  // different points not on the surface

@@ -232,8 +232,8 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownSidesSource& known,
     result_.status = SurfaceStatus::ok;
   } else {
     deliver(surface_between(*triangulation_, marks, execution));
-    deliver_contradicted(marks);
   }
+  result_.contradicted = points_at(std::move(marks.contradicted));
   counters.good_vertices = marks.good_vertices;
   counters.demoted_vertices = marks.folded.size();
   counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;
@@ -246,12 +246,16 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownSidesSource& known,
   good_ = std::move(marks.good);
 }
 
-void ReconstructSteps::deliver_contradicted(const CellMarks& marks) {
-  if (marks.contradicted.empty()) return;  // those of cavities have no places
-  result_.contradicted.resize(triangulation_vertex_.size());
-  for (const VertexId v : result_.contradicted.ids()) {
-    result_.contradicted[v] = marks.contradicted[triangulation_vertex_[v]];
+std::vector<PointId> ReconstructSteps::points_at(VertexSet vertices) const {
+  std::vector<PointId> points;
+  if (vertices.empty()) return points;
+  const IdVector<PointId, VertexId>& vertex_of_point = triangulation_->vertex_of_point();
+  for (const PointId p : vertex_of_point.ids()) {
+    std::uint8_t& wanted = vertices[vertex_of_point[p]];
+    if (wanted != 0) points.push_back(p);
+    wanted = 0;
   }
+  return points;
 }
 
 void ReconstructSteps::deliver_certain(GoodVertices good, const Execution& execution) {

@@ -84,8 +84,8 @@ class ReconstructSteps {
 
   void deliver(SurfaceMesh surface);
 
-  // After deliver(): what the marks know of its vertices.
-  void deliver_contradicted(const CellMarks& marks);
+  // The first point at each vertex of the set, ascending. An empty set is one of no vertices.
+  std::vector<PointId> points_at(VertexSet vertices) const;
 
   Points points_;
   ReconstructOptions options_;

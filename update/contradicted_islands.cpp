@@ -117,6 +117,21 @@ RegionId part_near(const ModelIndex& model, const std::vector<Point>& places, do
   return part;
 }
 
+// Who saw the region saw the part of it that goes.
+void note_island(RegionId region, RegionId part, std::vector<RegionVerdict>& verdicts) {
+  const auto seen = std::find_if(verdicts.begin(), verdicts.end(),
+                                 [&](const RegionVerdict& v) { return v.region == region; });
+  if (seen == verdicts.end()) return;
+  RegionVerdict verdict = *seen;
+  verdict.region = part;
+  verdict.under_cloud = true;
+  if (part == region) {
+    *seen = verdict;
+  } else {
+    verdicts.push_back(verdict);
+  }
+}
+
 }  // namespace
 
 std::vector<ContradictedIsland> part_contradicted_islands(const ModelIndex& model,
@@ -146,6 +161,13 @@ std::vector<ContradictedIsland> part_contradicted_islands(const ModelIndex& mode
   }
   if (regions.regions.size() > before) count_and_group(model, regions);
   return found;
+}
+
+void choose_island(const ContradictedIsland& island, RegionChoice& choice) {
+  choice.replaced[island.part] = 1;
+  for (CloudChoice& cloud : choice.clouds) {
+    note_island(island.region, island.part, cloud.regions);
+  }
 }
 
 }  // namespace cocoon

@@ -51,4 +51,8 @@ std::vector<ContradictedIsland> part_contradicted_islands(const ModelIndex& mode
                                                           Regions& regions,
                                                           const IslandOptions& options = {});
 
+// Has the part go: clouds that saw the region saw the part under them. Precondition:
+// `choice.replaced` has an entry for the part. Complexity: O(verdicts).
+void choose_island(const ContradictedIsland& island, RegionChoice& choice);
+
 }  // namespace cocoon

@@ -30,6 +30,7 @@
 #include "update/regions/loop_sides.h"
 #include "update/replace_points.h"
 #include "update/report/cloud_report.h"
+#include "update/report/contradicted_samples.h"
 #include "update/report/overlooked_vertices.h"
 #include "update/report/rim_shift.h"
 #include "update/report/unexplained_handles.h"
@@ -62,6 +63,7 @@ struct UpdateOptions {
   OverlookedOptions overlooked;
   UnscannedOptions unscanned;
   UnusedChangeOptions unused_changes;
+  ContradictedOptions contradicted;
   ShiftOptions shift;
   ReconstructOptions reconstruct;  // of the updated model: the defaults for closed models
 };

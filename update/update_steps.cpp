@@ -10,6 +10,8 @@
 #include "geom/sort_ids.h"
 #include "update/model/model_index.h"
 #include "update/regions/kept_surface.h"
+#include "update/report/contradicted_samples.h"
+#include "update/report/samples_with_flag.h"
 #include "update/report/update_messages.h"
 #include "update/report/updated_vertices.h"
 
@@ -18,21 +20,6 @@ namespace cocoon {
 namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
-
-// Who saw the region saw the part of it that goes.
-void note_island(RegionId region, RegionId part, std::vector<RegionVerdict>& verdicts) {
-  const auto seen = std::find_if(verdicts.begin(), verdicts.end(),
-                                 [&](const RegionVerdict& v) { return v.region == region; });
-  if (seen == verdicts.end()) return;
-  RegionVerdict verdict = *seen;
-  verdict.region = part;
-  verdict.under_cloud = true;
-  if (part == region) {
-    *seen = verdict;
-  } else {
-    verdicts.push_back(verdict);
-  }
-}
 
 }  // namespace
 
@@ -135,10 +122,9 @@ void UpdateSteps::take_islands(const ModelIndex& index) {
   const std::vector<ContradictedIsland> islands = part_contradicted_islands(
       index, choice, scans_of(clouds_, result_.clouds), result_.regions, options_.islands);
   choice.replaced.resize(result_.regions.regions.size(), 0);
-  for (const auto& [region, part] : islands) {
-    result_.islands.push_back(part);
-    choice.replaced[part] = 1;
-    for (CloudChoice& cloud : choice.clouds) note_island(region, part, cloud.regions);
+  for (const ContradictedIsland& island : islands) {
+    result_.islands.push_back(island.part);
+    choose_island(island, choice);
   }
   make_set(result_.islands);
 }
@@ -194,26 +180,31 @@ void UpdateSteps::warn_of_cloud(std::size_t c, const std::vector<std::string>& w
 
 // The samples of each cloud that are no vertices of the updated mesh.
 std::vector<std::vector<Point>> UpdateSteps::unused_samples() const {
-  std::vector<std::vector<Point>> unused(clouds_.size());
-  if (result_.reconstruction.unused_points == 0) return unused;
-  std::vector<std::uint8_t> used(result_.replacement.points.size(), 0);
-  for (const PointId p : result_.reconstruction.point_of_vertex) used[p.index()] = 1;
-  for (std::size_t c = 0; c < clouds_.size(); ++c) {
-    for (const std::size_t member : joined_[c].members) {
-      const IdVector<PointId, PointId>& positions =
-          result_.replacement.point_of_cloud_point[member];
-      for (const PointId k : positions.ids()) {
-        std::uint8_t& told = used[positions[k].index()];
-        if (told == 0) unused[c].push_back(given_[member][k.index()]);
-        told = 1;  // of equal samples once
-      }
-    }
+  if (result_.reconstruction.unused_points == 0) {
+    return std::vector<std::vector<Point>>(clouds_.size());
   }
-  return unused;
+  IdVector<PointId, std::uint8_t> unused(result_.replacement.points.size(), 1);
+  for (const PointId p : result_.reconstruction.point_of_vertex) unused[p] = 0;
+  return samples_with_flag(result_.replacement, joined_, given_, std::move(unused));
+}
+
+void UpdateSteps::look_for_contradictions(std::span<const Scan> scans) {
+  if (result_.reconstruction.contradicted.empty()) return;
+  IdVector<PointId, std::uint8_t> flags(result_.replacement.points.size(), 0);
+  for (const PointId p : result_.reconstruction.contradicted) flags[p] = 1;
+  const std::vector<std::vector<Point>> contradicted =
+      samples_with_flag(result_.replacement, joined_, given_, std::move(flags));
+  for (std::size_t c = 0; c < clouds_.size(); ++c) {
+    ContradictedSamples& found = result_.clouds[c].contradicted;
+    found = contradicted_samples(scans[c], contradicted[c], options_.contradicted);
+    if (found.is_doubtful(options_.contradicted))
+      warn_of_cloud(c, {warning_of_contradicted(found)});
+  }
 }
 
 void UpdateSteps::look_for_losses(const ModelIndex& index) {
   const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
+  look_for_contradictions(scans);
   result_.unused_changes = unused_changes(index, scans, unused_samples(), options_.unused_changes);
   if (result_.unused_changes.is_doubtful(options_.unused_changes)) {
     warn(warning_of_unused_changes(result_.unused_changes));

@@ -10,6 +10,7 @@
 #include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/triangle_mesh.h"
+#include "update/cloud/scan.h"
 #include "update/joined_clouds.h"
 #include "update/model/model_index.h"
 #include "update/update_model.h"
@@ -57,6 +58,7 @@ class UpdateSteps {
   // Has contradicted islands go.
   void take_islands(const ModelIndex& index);
   std::vector<std::vector<Point>> unused_samples() const;
+  void look_for_contradictions(std::span<const Scan> scans);
   void look_for_losses(const ModelIndex& index);
 
   // Calls visit(cloud, loop) for the loops that take part in the border.

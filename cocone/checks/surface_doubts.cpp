@@ -153,10 +153,12 @@ class Doubts {
   }
 
   void find_contradicted_samples() {
-    if (result_.contradicted.empty()) return;
+    const std::vector<PointId>& points = result_.contradicted;
+    if (points.empty()) return;
     IdVector<VertexId, std::uint8_t> contradicted(mesh_.points.size(), 0);
     for (const VertexId v : mesh_.points.ids()) {
-      contradicted[v] = result_.contradicted[mesh_.vertex_of[v]];
+      const PointId p = result_.point_of_vertex[mesh_.vertex_of[v]];
+      contradicted[v] = std::binary_search(points.begin(), points.end(), p) ? 1 : 0;
     }
     doubts_.contradicted = groups_of(contradicted);
     keep_first(doubts_.contradicted, options_.max_spots, &DoubtfulSpot::count);

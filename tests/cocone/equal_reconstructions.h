@@ -31,6 +31,7 @@ inline void expect_equal_reconstruction(const ReconstructResult& actual,
   EXPECT_TRUE(actual.point_of_vertex == expected.point_of_vertex);
   EXPECT_TRUE(actual.normals == expected.normals);
   EXPECT_TRUE(actual.boundary_sample == expected.boundary_sample);
+  EXPECT_TRUE(actual.contradicted == expected.contradicted);
   EXPECT_EQ(actual.points, expected.points);
   EXPECT_EQ(actual.duplicates, expected.duplicates);
   EXPECT_EQ(actual.unused_points, expected.unused_points);

@@ -94,6 +94,7 @@ inline void expect_equal_reports(const UpdateResult& actual, const UpdateResult&
     EXPECT_EQ(actual.clouds[c].overlapping_facets, expected.clouds[c].overlapping_facets);
     EXPECT_EQ(actual.clouds[c].border_facets, expected.clouds[c].border_facets);
     EXPECT_EQ(actual.clouds[c].margin_deg, expected.clouds[c].margin_deg);
+    EXPECT_EQ(actual.clouds[c].contradicted.count, expected.clouds[c].contradicted.count);
   }
   expect_equal_reconstruction(actual.reconstruction, expected.reconstruction);
 }

@@ -16,6 +16,7 @@
 #include "update/joined_clouds.h"
 #include "update/overlapping_facets.h"
 #include "update/regions/loop_sides.h"
+#include "update/report/contradicted_samples.h"
 #include "update/segment_model.h"
 #include "update/trace_border.h"
 
@@ -64,6 +65,7 @@ struct CloudReport {
   std::vector<GroupAngle> groups;         // in the order of groups
   std::vector<RegionId> replaced_groups;  // those under this cloud
   double margin_deg = 180;                // of its least clear loop; of all if it was cut
+  ContradictedSamples contradicted;       // its samples, on the updated model
   // If its rim was partial and it was cut, alone or as the first of joined ones; without the
   // labels.
   RegionCut cut;

@@ -130,6 +130,13 @@ std::string warning_of_unused_changes(const UnusedChanges& changes) {
          "such as walls, and look at the result";
 }
 
+std::string warning_of_contradicted(const ContradictedSamples& samples) {
+  return std::to_string(samples.count) + " of its samples contradict each other about what is " +
+         "inside, most near " + place_name(samples.at) +
+         ": walls may be joined or missing there; sample more densely at gaps and thin walls, and "
+         "look at the result";
+}
+
 std::string warning_of_handles(std::size_t handles) {
   return "the updated model has " + counted(handles, "handle") +
          " more than the rims of the clouds explain: right if the scans have " +

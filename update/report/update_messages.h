@@ -10,6 +10,7 @@
 #include "update/cut_regions.h"
 #include "update/overlapping_facets.h"
 #include "update/report/cloud_report.h"
+#include "update/report/contradicted_samples.h"
 #include "update/report/rim_shift.h"
 #include "update/report/unscanned_losses.h"
 #include "update/report/unused_changes.h"
@@ -56,6 +57,7 @@ std::string warning_of_narrow_margin(double degrees);
 // `at`: one of them.
 std::string warning_of_overlooked(std::size_t vertices, const Point& at);
 std::string warning_of_unused_changes(const UnusedChanges& changes);
+std::string warning_of_contradicted(const ContradictedSamples& samples);
 // More than the rims explain.
 std::string warning_of_handles(std::size_t handles);
 // `at`: the place of the farthest vertex; `reach`: UnscannedOptions::reach.

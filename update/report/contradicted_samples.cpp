@@ -1,0 +1,29 @@
+#include "update/report/contradicted_samples.h"
+
+#include <cstdint>
+
+#include "geom/box_tree.h"
+
+namespace cocoon {
+
+ContradictedSamples contradicted_samples(const Scan& scan, std::span<const Point> contradicted,
+                                         const ContradictedOptions& options) {
+  ContradictedSamples found{contradicted.size(), scan.samples.size(), {}};
+  if (!found.is_doubtful(options)) return found;
+  const BoxTree tree = tree_of_points(contradicted);
+  const double bound = options.reach * scan.spacing * (options.reach * scan.spacing);
+  std::size_t most = 0;
+  for (const Point& p : contradicted) {
+    std::size_t near = 0;  // itself among them
+    tree.visit_near(p, bound, [&](std::uint32_t slot) {
+      near += squared_distance(contradicted[tree.items()[slot]], p) <= bound ? 1U : 0U;
+      return bound;
+    });
+    if (near < most || (near == most && found.at < p)) continue;
+    most = near;
+    found.at = p;
+  }
+  return found;
+}
+
+}  // namespace cocoon
