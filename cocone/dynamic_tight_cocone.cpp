@@ -372,6 +372,7 @@ DynamicTightCocone::DynamicTightCocone(DynamicTightCocone&&) noexcept = default;
 DynamicTightCocone& DynamicTightCocone::operator=(DynamicTightCocone&&) noexcept = default;
 
 const ReconstructOptions& DynamicTightCocone::options() const { return state_->options; }
+void DynamicTightCocone::keep_cavities(bool keep) { state_->options.keep_cavities = keep; }
 std::size_t DynamicTightCocone::num_points() const { return state_->num_points; }
 std::size_t DynamicTightCocone::local_changes() const { return state_->local_changes; }
 

@@ -44,6 +44,10 @@ class DynamicTightCocone {
   // others ran all stages over the whole triangulation.
   std::size_t local_changes() const;
 
+  // Whether closed surfaces inside the body bound hollows, from the next call on: the only option
+  // that may change, since all that is kept is the same with and without it.
+  void keep_cavities(bool keep);
+
   // Takes these points, in this order, instead of those so far.
   ReconstructResult reconstruct(Points points, const Execution& execution = {},
                                 const KnownSidesSource& known = {});

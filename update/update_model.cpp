@@ -87,7 +87,7 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
       [&]() -> const ModelIndex& { return index ? *index : index.emplace(model); },
       [&](const Replacement& replacement, const OldSurface& old, const Execution& nested) {
         ReconstructOptions surface = options.reconstruct;
-        surface.keep_cavities = surface.keep_cavities || has_hollow(*index);
+        surface.keep_cavities = keeps_cavities(surface, *index);
         ReconstructResult result =
             reconstruct_tight_with_sides(replacement.points, old.sides, surface, nested);
         const std::size_t triangles = result.mesh.triangles.size();

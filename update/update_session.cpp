@@ -10,6 +10,7 @@
 
 #include "geom/errors.h"
 #include "geom/sort_ids.h"
+#include "update/model/hollows.h"
 
 namespace cocoon {
 namespace {
@@ -193,6 +194,7 @@ std::optional<ListEdit<PointId>> UpdateSession::edit_of_points(
 ReconstructResult UpdateSession::reconstruct(const Replacement& replacement, const OldSurface& old,
                                              const Execution& execution, Pending& pending) {
   ReconstructResult result;
+  surface_.keep_cavities(keeps_cavities(options_.reconstruct, *index_));
   if (surface_.num_points() == 0) {
     result = surface_.reconstruct(replacement.points, execution, old.sides);
   } else if (pending.points = edit_of_points(replacement); pending.points) {

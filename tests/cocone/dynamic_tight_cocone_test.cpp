@@ -12,6 +12,7 @@
 
 #include "geom/errors.h"
 #include "geom/list_edit.h"
+#include "geom/mesh_check.h"
 #include "geom/random.h"
 #include "tests/cocone/equal_reconstructions.h"
 #include "tests/gallery.h"
@@ -423,6 +424,23 @@ TEST(DynamicTightCocone, CompletesAResultAfterACancelledChange) {
     EXPECT_THROW(cocone.edit(fewer, {{PointId(0)}, {}}, {1, &progress}), Cancelled);
     cocone.complete(result);
     expect_equal_reconstruction(result, expected);
+  }
+}
+
+// A sphere in a sphere, with and without the hollow by turns.
+TEST(DynamicTightCocone, CavitiesAreKeptFromTheNextCallOn) {
+  ChangingPoints changing(gallery::even_sphere(1500));
+  for (const Point& p : gallery::even_sphere(500)) changing.points.push_back(0.4 * p);
+  DynamicTightCocone cocone;
+  cocone.reconstruct(changing.points);
+  Random random(7);
+  for (const bool keep : {true, false, false, true}) {
+    cocone.keep_cavities(keep);
+    const Point center = random.on_unit_sphere();
+    changing.change([&](const Point& p) { return distance(p, center) < 0.1; }, {1.01 * center});
+    ReconstructResult expected;
+    is_local_and_equal(cocone, changing, expected);
+    EXPECT_EQ(mesh_check(expected.mesh).components, keep ? 2U : 1U);
   }
 }
 

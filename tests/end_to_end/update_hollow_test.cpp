@@ -9,12 +9,12 @@
 #include "geom/mesh_check.h"
 #include "tests/end_to_end/local_update.h"
 #include "tests/gallery.h"
-#include "update/update_model.h"
+#include "tests/update/session_checks.h"
+#include "update/update_session.h"
 
 namespace cocoon {
 namespace {
 
-using testing::Clouds;
 using testing::expect_local_update;
 
 double polar_angle(const Point& p) { return std::acos(std::clamp(unit(p).z, -1.0, 1.0)); }
@@ -51,6 +51,19 @@ TEST(UpdateHollow, IsKept) {
   EXPECT_EQ(mesh_check(result.mesh).components, 2U);
   EXPECT_EQ(result.reconstruction.unused_points, 0U);
   EXPECT_EQ(result.unscanned.vertices, 0U);
+}
+
+// In a session, too, from one update to the next and behind what was taken back.
+TEST(UpdateHollow, IsKeptBySessions) {
+  HollowBall ball;
+  UpdateSession session(ball.model);
+  EXPECT_TRUE(apply_and_compare(session, ball.clouds));
+  for (Point& p : ball.clouds[0]) p = -1.0 * p;
+  EXPECT_TRUE(apply_and_compare(session, ball.clouds));
+  EXPECT_EQ(mesh_check(session.model()).components, 2U);
+  session.undo();
+  EXPECT_TRUE(apply_and_compare(session, ball.clouds));
+  EXPECT_EQ(mesh_check(session.model()).components, 2U);
 }
 
 // Tight Cocone as published fills it. Its vertices are counted, named in a warning, and gone from
