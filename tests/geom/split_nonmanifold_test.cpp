@@ -250,6 +250,21 @@ TEST(SplitNonmanifold, TouchingBodiesAreParted) {
   }
 }
 
+// Two tetrahedra with an edge in common and facets in one half-plane from it, one inside the other
+// there: which facets bound one wedge does not depend on what the ends of the edge are called.
+TEST(SplitNonmanifold, FacetsInOneHalfPlane) {
+  const TriangleMesh mesh = gallery::make_mesh(
+      {{0, 0, 0}, {0, 0, 1}, {1, 0, 0.25}, {2, 0, 0.5}, {1, 2, 0.5}, {2, 1, 0.5}},
+      {{1, 2, 4}, {0, 4, 2}, {0, 1, 4}, {0, 2, 1}, {1, 3, 5}, {0, 5, 3}, {0, 1, 5}, {0, 3, 1}});
+  const SplitSurface expected = split_nonmanifold(mesh);
+  EXPECT_TRUE(mesh_check(expected.mesh).is_closed_manifold());
+  for (unsigned order = 1; order <= 20; ++order) {
+    const SplitSurface split = split_nonmanifold(gallery::shuffled(mesh, order));
+    EXPECT_EQ(split.copies, expected.copies) << order;
+    EXPECT_EQ(mesh_check(split.mesh).components, mesh_check(expected.mesh).components) << order;
+  }
+}
+
 // Where as many triangles do not run each way, sides stay open; three sheets at one edge.
 TEST(SplitNonmanifold, SheetsWithoutPartnerStayOpen) {
   const TriangleMesh fan = gallery::make_mesh(
