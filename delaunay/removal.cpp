@@ -15,10 +15,7 @@ RemovalCounters& RemovalCounters::operator+=(const RemovalCounters& other) {
   flat_borders += other.flat_borders;
   cells_deleted += other.cells_deleted;
   cells_created += other.cells_created;
-  filling.walk_steps += other.filling.walk_steps;
-  filling.conflict_tests += other.filling.conflict_tests;
-  filling.cells_created += other.filling.cells_created;
-  filling.cells_deleted += other.filling.cells_deleted;
+  filling += other.filling;
   return *this;
 }
 

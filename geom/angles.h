@@ -8,8 +8,9 @@ namespace cocoon {
 // Angle in [0, pi] at which the half planes from the edge through apex_a and through apex_b meet:
 // the angle between the parts of apex_a - edge_from and apex_b - edge_from orthogonal to the edge.
 // 0: one folded onto the other, pi: a smooth continuation. NaN if the edge has no length or an apex
-// lies on its line. Symmetric in the apexes and, up to rounding, in the ends of the edge. Absolute
-// error a few 2^-53 for well-shaped triangles: atan2 of both components, so no loss near 0 and pi.
+// lies on its line, as far as floating point can tell. Symmetric in the apexes and, up to rounding,
+// in the ends of the edge. Absolute error a few 2^-53 for well-shaped triangles: atan2 of both
+// components, so no loss near 0 and pi.
 // Source: the angle of Woo & Dey 2005 section 3.4 as its text and figures need it; see
 // literal_dihedral for the printed equations.
 double wedge_angle(const Point& edge_from, const Point& edge_to, const Point& apex_a,

@@ -30,8 +30,9 @@ class ClosestFacetTree {
   // The triangle closest to p. Triangles at equal computed distance (p is closest to their common
   // edge or vertex): the one whose corners, sorted, are lexicographically smallest by coordinates;
   // equal triangles: the smallest id. So the surface alone decides, not the order of its triangles.
-  // p must be finite. Complexity: O(log t) for p near the surface, O(t) at worst (p is equally far
-  // from all, as the center of a sphere is). Thread-safe.
+  // p must be finite, lengths within those of triangle_projection.h. Complexity: O(log t) for p
+  // near the surface, O(t) at worst (p is equally far from all, as the center of a sphere is).
+  // Thread-safe.
   ClosestFacet closest(const Point& p) const;
 
  private:

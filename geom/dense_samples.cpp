@@ -12,6 +12,7 @@
 #include "geom/random.h"
 #include "geom/random_point.h"
 #include "geom/triangles_by_area.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
@@ -92,21 +93,19 @@ bool is_sharp(const LinkedMesh& mesh, SideId side, double sharp_cosine) {
   throw InputError(text.str());
 }
 
-// The area in squares of one spacing. Throws InputError if these are too many.
-double squares_of(double spacing, double area) {
-  if (!(spacing > 0) || !std::isfinite(spacing)) {
-    throw InputError("the spacing of samples must be a positive number");
-  }
+// The area in squares of one spacing. Throws InputError if these are too many. `scale`: what
+// coordinates and spacing were multiplied by.
+double squares_of(double spacing, double area, double scale) {
   const double squares = area / spacing / spacing;
   if (squares <= most_dense_samples) return squares;
   std::ostringstream count;
   count << "about " << squares;
-  refuse(spacing, count.str(), std::sqrt(area / most_dense_samples));
+  refuse(spacing / scale, count.str(), std::sqrt(area / most_dense_samples) / scale);
 }
 
 // Evenly along all sharp edges, without their ends.
 std::vector<Point> samples_of_sharp_edges(const TriangleMesh& mesh,
-                                          const DenseSampleOptions& options,
+                                          const DenseSampleOptions& options, double scale,
                                           const Execution& execution) {
   const LinkedMesh linked = link_mesh(mesh, execution);
   std::vector<Point> samples;
@@ -120,7 +119,8 @@ std::vector<Point> samples_of_sharp_edges(const TriangleMesh& mesh,
     const double parts = std::ceil(length_here / options.spacing);
     length += length_here;
     if (length / options.spacing > most_dense_samples) {
-      refuse(options.spacing, "too many along the sharp edges", length / most_dense_samples);
+      refuse(options.spacing / scale, "too many along the sharp edges",
+             length / most_dense_samples / scale);
     }
     for (double k = 1; k < parts; ++k) samples.push_back(a + (k / parts) * (b - a));
   }
@@ -183,14 +183,12 @@ class Darts {
   std::vector<Point>& samples_;
 };
 
-}  // namespace
-
-std::vector<Point> dense_samples(const TriangleMesh& mesh, const DenseSampleOptions& options,
-                                 const Execution& execution) {
-  require_valid_triangles(mesh);
-  const double squares = squares_of(options.spacing, TrianglesByArea(mesh).area());
+// `scale`: what coordinates and spacing were multiplied by.
+std::vector<Point> samples_of(const TriangleMesh& mesh, const DenseSampleOptions& options,
+                              double scale, const Execution& execution) {
+  const double squares = squares_of(options.spacing, TrianglesByArea(mesh).area(), scale);
   report_progress(execution, "dense_samples", 0);
-  std::vector<Point> samples = samples_of_sharp_edges(mesh, options, execution);
+  std::vector<Point> samples = samples_of_sharp_edges(mesh, options, scale, execution);
   SampleGrid grid(options.closest * options.spacing,
                   mesh.points.size() + samples.size() + static_cast<std::size_t>(squares));
   for (const Point& p : mesh.points) grid.add(p, {});
@@ -201,6 +199,26 @@ std::vector<Point> dense_samples(const TriangleMesh& mesh, const DenseSampleOpti
     darts.throw_into(a, b, c);
   }
   report_progress(execution, "dense_samples", 1);
+  return samples;
+}
+
+}  // namespace
+
+// Areas take fourth powers of lengths: beyond working sizes they would overflow or vanish.
+std::vector<Point> dense_samples(const TriangleMesh& mesh, const DenseSampleOptions& options,
+                                 const Execution& execution) {
+  require_valid_triangles(mesh);
+  if (!(options.spacing > 0) || !std::isfinite(options.spacing)) {
+    throw InputError("the spacing of samples must be a positive number");
+  }
+  const double scale = working_scale(mesh.points.raw());
+  if (scale == 1) return samples_of(mesh, options, 1, execution);
+  TriangleMesh scaled = mesh;
+  for (Point& p : scaled.points) p = scale * p;
+  DenseSampleOptions scaled_options = options;
+  scaled_options.spacing *= scale;
+  std::vector<Point> samples = samples_of(scaled, scaled_options, scale, execution);
+  for (Point& p : samples) p = p / scale;
   return samples;
 }
 

@@ -1,10 +1,12 @@
 #include "geom/mesh_measure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "geom/mesh_adjacency.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
@@ -43,15 +45,20 @@ EdgeLengths measure_edges(const TriangleMesh& mesh) {
           .mean = sum.value() / static_cast<double>(n)};
 }
 
-}  // namespace
-
-MeshMeasure mesh_measure(const TriangleMesh& mesh) {
-  MeshMeasure measure;
-  measure.edge_lengths = measure_edges(mesh);
+Box box_of_corners(const TriangleMesh& mesh) {
+  Box box;
   for (const Triangle& triangle : mesh.triangles) {
-    for (const VertexId v : triangle) measure.box.include(mesh.points[v]);
+    for (const VertexId v : triangle) box.include(mesh.points[v]);
   }
-  const Point origin = measure.box.center();
+  return box;
+}
+
+// Preconditions: valid triangles, coordinates of working size.
+MeshMeasure measure_scaled(const TriangleMesh& mesh, const Box& box) {
+  MeshMeasure measure;
+  measure.box = box;
+  measure.edge_lengths = measure_edges(mesh);
+  const Point origin = box.center();
   CompensatedSum area;
   CompensatedSum volume;
   for (const TriangleId t : mesh.triangles.ids()) {
@@ -62,6 +69,28 @@ MeshMeasure mesh_measure(const TriangleMesh& mesh) {
   }
   measure.area = area.value();
   measure.signed_volume = volume.value();
+  return measure;
+}
+
+}  // namespace
+
+// Areas take fourth powers of lengths: beyond working sizes they would overflow or vanish.
+MeshMeasure mesh_measure(const TriangleMesh& mesh) {
+  require_valid_triangles(mesh);
+  const Box box = box_of_corners(mesh);
+  const double scale = working_scale(std::array{box.low, box.high});
+  if (scale == 1) return measure_scaled(mesh, box);
+  TriangleMesh scaled = mesh;
+  for (Point& p : scaled.points) p = scale * p;
+  MeshMeasure measure = measure_scaled(scaled, box_of_corners(scaled));
+  measure.box = box;
+  measure.area = measure.area / scale / scale;
+  measure.signed_volume = measure.signed_volume / scale / scale / scale;
+  EdgeLengths& edges = measure.edge_lengths;
+  for (double* length : {&edges.min, &edges.first_decile, &edges.median, &edges.last_decile,
+                         &edges.max, &edges.mean}) {
+    *length /= scale;
+  }
   return measure;
 }
 

@@ -23,8 +23,8 @@ class NearestPointTree {
   explicit NearestPointTree(Points points);
 
   // The point nearest to p; at equal computed distance the lexicographically smallest one, of equal
-  // points the one given first. p must be finite. Complexity: O(log n) on ordinary sets, O(n) at
-  // worst. Thread-safe.
+  // points the one given first. p must be finite, squared distances in the range of double.
+  // Complexity: O(log n) on ordinary sets, O(n) at worst. Thread-safe.
   NearestPoint nearest(const Point& p) const;
 
  private:

@@ -7,6 +7,7 @@
 #include "geom/orient3d.h"
 #include "geom/point_hash.h"
 #include "geom/sign.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
@@ -28,8 +29,9 @@ bool are_flat(Points points) {
   return third != nullptr;
 }
 
-// From three points that are far apart, chosen whatever the order of the points.
-Vec3 normal_of(Points points) {
+// From three points that are far apart, chosen whatever the order of the points; these times
+// `scale` have working size.
+Vec3 normal_of(Points points, double scale) {
   const Point first = *std::min_element(points.begin(), points.end(),
                                         [](const auto& a, const auto& b) { return (a <=> b) < 0; });
   const auto farthest = [&](const auto& measure) {
@@ -40,10 +42,11 @@ Vec3 normal_of(Points points) {
     }
     return best;
   };
-  const Point second = farthest([&](const Point& p) { return norm(p - first); });
-  const Point third =
-      farthest([&](const Point& p) { return norm(cross(second - first, p - first)); });
-  return unit(cross(second - first, third - first));
+  const auto way_to = [&](const Point& p) { return scale * p - scale * first; };
+  const Point second = farthest([&](const Point& p) { return norm(way_to(p)); });
+  const Vec3 along = way_to(second);
+  const Point third = farthest([&](const Point& p) { return norm(cross(along, way_to(p))); });
+  return unit(cross(along, way_to(third)));
 }
 
 // In [-1, 1).
@@ -54,8 +57,15 @@ double random_share(const Point& p) {
 }  // namespace
 
 std::vector<Point> moved_off_plane(Points points, const OffPlaneOptions& options) {
+  // Hundreds of roundings of a coordinate: far from the origin less might move nothing.
+  constexpr double least_share_of_coordinate = 0x1p-44;
   if (!are_flat(points)) return {};
-  const Vec3 step = options.share * max_norm(box_of(points).size()) * normal_of(points);
+  const double scale = working_scale(points);
+  const Box box = box_of(points);
+  const double extent = max_norm(scale * box.high - scale * box.low);
+  const double coordinate = scale * std::max(max_norm(box.low), max_norm(box.high));
+  const double reach = std::max(options.share * extent, least_share_of_coordinate * coordinate);
+  const Vec3 step = (reach * normal_of(points, scale)) / scale;
   std::vector<Point> moved;
   moved.reserve(points.size());
   for (const Point& p : points) moved.push_back(p + random_share(p) * step);

@@ -9,7 +9,8 @@ namespace cocoon {
 
 struct OffPlaneOptions {
   // How far points are moved at most, relative to the extent of the cloud: far less than they are
-  // apart, far more than rounding.
+  // apart, far more than rounding. Very far from the origin, where it is not: 2^-44 of the largest
+  // coordinate.
   double share = 0x1p-20;
 };
 

@@ -46,7 +46,7 @@ class Random {
   constexpr double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
   constexpr double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-  // In [0, count), count > 0. The bias is below count / 2^64.
+  // In [0, count), count > 0. The bias is below count / 2^53.
   constexpr std::size_t below(std::size_t count) {
     return static_cast<std::size_t>(uniform() * static_cast<double>(count));
   }

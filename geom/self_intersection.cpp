@@ -1,6 +1,8 @@
 #include "geom/self_intersection.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <string>
 
 #include "geom/box_tree.h"
@@ -130,7 +132,8 @@ Corners checked_corners(const TriangleMesh& mesh, TriangleId t) {
 
 struct ChunkResult {
   std::size_t tested = 0;
-  std::vector<std::array<TriangleId, 2>> pairs;
+  std::size_t intersecting = 0;
+  std::vector<std::array<TriangleId, 2>> pairs;  // the first ones
 };
 
 }  // namespace
@@ -178,26 +181,33 @@ SelfIntersections self_intersection(const TriangleMesh& mesh,
   // 2. Test each triangle against those of larger id near it.
   constexpr std::size_t grain = 1024;
   std::vector<ChunkResult> chunks((ids.size() + grain - 1) / grain);
+  std::vector<std::atomic<std::uint8_t>> in_a_pair(ids.size());
   parallel_chunks(execution, ids.size(), grain, [&](std::size_t begin, std::size_t end) {
     ChunkResult& chunk = chunks[begin / grain];
+    std::vector<TriangleId> met;
     for (std::size_t i = begin; i < end; ++i) {
+      met.clear();
       tree.visit_overlapping(boxes[i], [&](std::uint32_t slot) {
         const std::size_t j = tree.items()[slot];
         if (j <= i || !overlap(boxes[i], boxes[j])) return;
         ++chunk.tested;
-        if (triangles_intersect(corners[i], corners[j])) chunk.pairs.push_back({ids[i], ids[j]});
+        if (!triangles_intersect(corners[i], corners[j])) return;
+        met.push_back(ids[j]);
+        in_a_pair[j].store(1, std::memory_order_relaxed);
       });
+      if (!met.empty()) in_a_pair[i].store(1, std::memory_order_relaxed);
+      chunk.intersecting += met.size();
+      std::sort(met.begin(), met.end());
+      met.resize(std::min(met.size(), options.max_pairs - chunk.pairs.size()));
+      for (const TriangleId other : met) chunk.pairs.push_back({ids[i], other});
     }
-    std::sort(chunk.pairs.begin(), chunk.pairs.end());
   });
 
   // 3. Chunks run in the order of ids, so that their lists in a row are sorted.
-  IdVector<TriangleId, char> in_a_pair(mesh.triangles.size(), 0);
   for (const ChunkResult& chunk : chunks) {
     result.tested_pairs += chunk.tested;
-    result.count += chunk.pairs.size();
+    result.count += chunk.intersecting;
     for (const auto& pair : chunk.pairs) {
-      in_a_pair[pair[0]] = in_a_pair[pair[1]] = 1;
       if (result.pairs.size() < options.max_pairs) result.pairs.push_back(pair);
     }
   }

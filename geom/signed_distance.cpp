@@ -8,6 +8,7 @@
 #include "geom/mesh_check.h"
 #include "geom/triangle_projection.h"
 #include "geom/winding_number.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 
@@ -71,21 +72,22 @@ class Pseudonormals {
   IdVector<VertexId, Vec3> of_vertex_;
 };
 
-// Tells inside from outside.
+// Tells inside from outside: winding numbers are exact as they are, normals want working sizes.
 class Sides {
  public:
-  explicit Sides(const TriangleMesh& mesh) {
+  Sides(const TriangleMesh& mesh, const TriangleMesh& scaled) {
     if (mesh_check(mesh).balanced) {
       numbers_.emplace(mesh);
     } else {
-      normals_.emplace(mesh);
+      normals_.emplace(scaled);
     }
   }
 
-  // Of a point, with the closest one of the mesh.
-  bool is_inside(const Point& p, TriangleId closest, const ClosestPoint& foot) const {
+  // Of a point and itself scaled, with the closest one of the scaled mesh.
+  bool is_inside(const Point& p, const Point& scaled, TriangleId closest,
+                 const ClosestPoint& foot) const {
     if (numbers_) return numbers_->at(p) != 0;
-    return dot(p - foot.point, normals_->at(closest, foot.feature)) < 0;
+    return dot(scaled - foot.point, normals_->at(closest, foot.feature)) < 0;
   }
 
  private:
@@ -93,25 +95,36 @@ class Sides {
   std::optional<Pseudonormals> normals_;   // of others
 };
 
-}  // namespace
-
-std::vector<double> signed_distances(const TriangleMesh& mesh, Points points,
-                                     const Execution& execution) {
-  const ClosestFacetTree tree(mesh);
-  const Sides sides(mesh);
+// `scaled`: the mesh times the scale, a power of two.
+std::vector<double> distances_by_scale(const TriangleMesh& mesh, const TriangleMesh& scaled,
+                                       double scale, Points points, const Execution& execution) {
+  const ClosestFacetTree tree(scaled);
+  const Sides sides(mesh, scaled);
   std::vector<double> distances(points.size());
   report_progress(execution, "signed_distance", 0);
   parallel_chunks(execution, points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const ClosestFacet facet = tree.closest(points[i]);
-      const ClosestPoint foot =
-          closest_point_on_triangle(points[i], corners_of(mesh, facet.triangle));
-      const double distance = std::sqrt(foot.squared_distance);
-      distances[i] = sides.is_inside(points[i], facet.triangle, foot) ? -distance : distance;
+      const Point p = scale * points[i];
+      const ClosestFacet facet = tree.closest(p);
+      const ClosestPoint foot = closest_point_on_triangle(p, corners_of(scaled, facet.triangle));
+      const double distance = std::sqrt(foot.squared_distance) / scale;
+      distances[i] = sides.is_inside(points[i], p, facet.triangle, foot) ? -distance : distance;
     }
   });
   report_progress(execution, "signed_distance", 1);
   return distances;
+}
+
+}  // namespace
+
+// Projections take fourth powers of lengths: beyond working sizes they would overflow or vanish.
+std::vector<double> signed_distances(const TriangleMesh& mesh, Points points,
+                                     const Execution& execution) {
+  const double scale = working_scale(mesh.points.raw());
+  if (scale == 1) return distances_by_scale(mesh, mesh, 1, points, execution);
+  TriangleMesh scaled = mesh;
+  for (Point& p : scaled.points) p = scale * p;
+  return distances_by_scale(mesh, scaled, scale, points, execution);
 }
 
 }  // namespace cocoon

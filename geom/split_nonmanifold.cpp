@@ -28,15 +28,12 @@ class AroundLine {
     }
   }
 
-  bool precedes(const Point& p, const Point& q) const {
+  // Negative: the half-plane through p comes before that through q; zero: they are the same.
+  Sign compare(const Point& p, const Point& q) const {
     const int quarter_p = quarter(p);
     const int quarter_q = quarter(q);
-    if (quarter_p != quarter_q) return quarter_p < quarter_q;
-    if (quarter_p % 2 == 1) {
-      const Sign turn = orient3d(u_, v_, p, q);
-      if (turn != Sign::zero) return turn == Sign::positive;
-    }
-    return p < q;
+    if (quarter_p != quarter_q) return quarter_p < quarter_q ? Sign::negative : Sign::positive;
+    return quarter_p % 2 == 1 ? -orient3d(u_, v_, p, q) : Sign::zero;
   }
 
  private:
@@ -117,23 +114,28 @@ class Splitter {
   }
 
   // In angular order about u -> v a triangle that runs v -> u has the inside ahead, one that runs
-  // u -> v has it behind: they match like brackets.
+  // u -> v has it behind: they match like brackets. Of triangles in one half-plane those that have
+  // it behind come first, so that bodies that touch along a facet are two.
   void pair_wedges(EdgeId e) {
-    const auto [u, v] = adjacency_.edges[e];
+    auto [u, v] = adjacency_.edges[e];
+    if (mesh_.points[v] < mesh_.points[u]) std::swap(u, v);  // not as they happen to be numbered
     const std::span<const HalfedgeId> sides = adjacency_.halfedges_at(e);
     std::vector<HalfedgeId> ring(sides.begin(), sides.end());
     const AroundLine order(mesh_.points[u], mesh_.points[v], apex(ring.front()));
+    const auto opens = [&, end = v](HalfedgeId side) { return ends_of(mesh_, side)[0] == end; };
     std::sort(ring.begin(), ring.end(), [&](HalfedgeId a, HalfedgeId b) {
       const Point& p = apex(a);
       const Point& q = apex(b);
-      return p == q ? a < b : order.precedes(p, q);
+      if (const Sign sign = order.compare(p, q); sign != Sign::zero) return sign == Sign::negative;
+      if (opens(a) != opens(b)) return opens(b);
+      return p == q ? a < b : p < q;  // equal ones may stand for each other
     });
     std::vector<HalfedgeId> open;
     std::size_t paired = 0;
     for (std::size_t k = 0; k < 2 * ring.size(); ++k) {  // brackets may close past the start
       const HalfedgeId side = ring[k % ring.size()];
       if (!partner_[side].is_none()) continue;
-      if (ends_of(mesh_, side)[0] == v) {
+      if (opens(side)) {
         if (k < ring.size()) open.push_back(side);
       } else if (!open.empty()) {
         pair(open.back(), side);
@@ -204,21 +206,22 @@ class Splitter {
 
   // Pairs of sides (each by one side) that share both ends with another pair, but for the first.
   std::vector<HalfedgeId> find_seams() {
-    std::vector<std::tuple<VertexId, VertexId, Key, HalfedgeId>> pairs;
+    std::vector<std::tuple<VertexId, VertexId, Key, Key, HalfedgeId>> pairs;
     for (const HalfedgeId suspect : suspects_) {
       const HalfedgeId other = partner_[suspect];
       const HalfedgeId side = other.is_none() ? suspect : std::min(suspect, other);
       const auto [from, to] = ends_of(result_.mesh, side);
       Key first = key(triangle_of(suspect));
-      if (!other.is_none()) first = std::min(first, key(triangle_of(other)));
-      pairs.emplace_back(std::min(from, to), std::max(from, to), first, side);
+      Key second = other.is_none() ? first : key(triangle_of(other));
+      if (second < first) std::swap(first, second);  // triangles of two pairs may coincide
+      pairs.emplace_back(std::min(from, to), std::max(from, to), first, second, side);
     }
     suspects_.clear();
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     std::vector<HalfedgeId> seams;
     for (std::size_t k = 1; k < pairs.size(); ++k) {
-      const auto& [a, b, first, side] = pairs[k];
+      const auto& [a, b, first, second, side] = pairs[k];
       if (a == std::get<0>(pairs[k - 1]) && b == std::get<1>(pairs[k - 1])) seams.push_back(side);
     }
     return seams;

@@ -28,7 +28,8 @@ struct PlaneProjection {
 };
 
 // Floating point: D to a few roundings of |p - v1|; a barycentric coordinate within rounding of 0
-// may come out on either side. Squared lengths must be in the range of double. Complexity: O(1).
+// may come out on either side. Squared areas must be in the range of double: lengths within
+// 2^-250 to 2^250. Complexity: O(1).
 PlaneProjection project_to_triangle_plane(const Point& p, const TrianglePoints& triangle);
 
 // Where on a triangle the closest point lies.
@@ -41,7 +42,7 @@ struct ClosestPoint {
 };
 
 // The point of the closed triangle closest to p; also for degenerate triangles (then of their
-// longest edge, or their single point). Complexity: O(1).
+// longest edge, or their single point). Lengths as above. Complexity: O(1).
 // Source: the Voronoi regions of a triangle, Ericson 2005, section 5.1.5.
 ClosestPoint closest_point_on_triangle(const Point& p, const TrianglePoints& triangle);
 

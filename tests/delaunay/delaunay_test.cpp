@@ -51,6 +51,9 @@ std::vector<NamedSet> oracle_sets() {
          points.push_back({0, 0, 0});
          return points;
        }},
+      // Integers whose determinants have more digits than a double.
+      {"large_integer_sphere", [] { return scaled(integer_sphere(1105), 61); }},
+      {"larger_integer_sphere", [] { return scaled(integer_sphere(1105), 6007); }},
       {"box_faces", [] { return box_faces(12); }},
       {"box_faces_not_dyadic", [] { return box_faces(10); }},
       {"plane_and_apex", [] { return plane_and_apex(30); }},

@@ -2,6 +2,7 @@
 #include "delaunay/dynamic_delaunay.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
@@ -344,6 +345,39 @@ TEST(DynamicDelaunay, CancelledAtTheEndWhenWhatStaysIsFlat) {
       *std::find_if(live.begin(), live.end(), [&](VertexId v) { return dynamic.point(v).z != 0; });
   // The start, the points, the end.
   EXPECT_EQ(replace_cancelled_everywhere(dynamic, {apex}, {{1, 2, 7}, {2, 1, 6}}), 3);
+}
+
+// A grid on which values of the filter are exact, and then points far finer.
+TEST(DynamicDelaunay, FinerPointsComeLater) {
+  for (const double step : {1.0, 0x1p10}) {
+    DynamicDelaunay dynamic;
+    dynamic.insert(
+        gallery::scaled(gallery::shifted(gallery::integer_grid(2), {-0.5, -0.5, -0.5}), 16 * step));
+    dynamic.insert(gallery::scaled(gallery::sphere(300), step));
+    expect_fresh(dynamic);
+    for (const Point& p : gallery::scaled(gallery::sphere(300, 2), step)) {
+      dynamic.insert(std::vector{p});
+    }
+    expect_fresh(dynamic);
+  }
+}
+
+// Unlike a fresh build it does not scale: where products of the filters underflow, or overflow.
+TEST(DynamicDelaunay, TinyAndHugeCoordinates) {
+  for (const auto& points : {gallery::sphere(150), gallery::ulp_pairs(60), gallery::integer_grid(5),
+                             gallery::box_faces(3), gallery::scaled(gallery::box_faces(2), 0.1)}) {
+    for (const int exponent : {-1000, -300, -215, -107, -104, -101, -98, -95, 98, 101, 104, 300}) {
+      const std::vector<Point> scaled =
+          gallery::shuffled(gallery::scaled(points, std::ldexp(1.0, exponent)));
+      DynamicDelaunay dynamic;
+      dynamic.insert(Points(scaled).first(20));  // a fresh build
+      dynamic.insert(scaled);
+      expect_fresh(dynamic);
+      dynamic.remove(patch(dynamic, {}, 20));
+      expect_fresh(dynamic);
+      if (HasFatalFailure()) FAIL() << exponent;
+    }
+  }
 }
 
 TEST(DynamicDelaunay, MovesWithItsMemory) {

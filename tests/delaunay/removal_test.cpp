@@ -78,7 +78,7 @@ TEST(Removal, RemovesAllButFivePoints) {
     dynamic.insert(points);
     std::vector<VertexId> live = live_vertices(dynamic);
     Random(2).shuffle(live);
-    // Keep a set that spans space: the first five that do.
+    // Five random ones span space.
     std::vector<VertexId> removed(live.begin() + 5, live.end());
     try {
       dynamic.remove(removed);
@@ -167,6 +167,7 @@ TEST(Removal, TenThousandOperations) {
   EXPECT_GT(removal.holes, 4000U);
   EXPECT_EQ(removal.largest_hole, largest);
   EXPECT_GT(removal.flat_borders, 5U);
+  EXPECT_GT(removal.filling.perturbed_inspheres, 1000U);
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
-// Which of two points is nearer, against rational arithmetic on hand-made and random cases.
+// Which of two points is nearer, by hand and against integers that are wide enough.
 #include "geom/compare_distance.h"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "geom/exact_integer.h"
 #include "geom/random.h"
 
 namespace cocoon {
@@ -64,6 +68,38 @@ TEST(CompareDistance, AgreesWithIntegers) {
     ASSERT_EQ(compare_distance(point(0), point(3), point(6)), expected);
   }
   EXPECT_GT(ties, 100);
+}
+
+// Differences of 56 bits, which doubles round, and distances that are the same to about a rounding.
+TEST(CompareDistance, AgreesWithIntegersAroundTheBoundOfItsFilter) {
+  Random random(4);
+  using Integers = std::array<std::int64_t, 3>;
+  const auto squared = [](const Integers& p, const Integers& q) {
+    Uint128 sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto difference = static_cast<Uint128>(std::abs(p[k] - q[k]));
+      sum += difference * difference;
+    }
+    return sum;
+  };
+  const auto point = [](const Integers& p) {
+    return Point{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+  };
+  for (int n = 0; n < 200000; ++n) {
+    Integers p, a, b;
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k] = static_cast<std::int64_t>(random.bits() >> 11);
+      a[k] = static_cast<std::int64_t>(random.bits() >> 12) * 8;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t other = p[k] + a[(k + 1) % 3] - p[(k + 1) % 3];
+      b[k] = other / 8 * 8 + 8 * static_cast<std::int64_t>(random.below(3));
+    }
+    const Uint128 to_a = squared(p, a);
+    const Uint128 to_b = squared(p, b);
+    const Sign expected = to_a < to_b ? Sign::negative : to_a > to_b ? Sign::positive : Sign::zero;
+    ASSERT_EQ(compare_distance(point(p), point(a), point(b)), expected) << n;
+  }
 }
 
 }  // namespace

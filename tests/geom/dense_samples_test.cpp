@@ -109,6 +109,27 @@ TEST(DenseSamples, RefusesTooManyAlongEdges) {
   EXPECT_FALSE(dense_samples(needle, {.spacing = 1e-3}).empty());
 }
 
+// Where squares of areas leave the range of double.
+TEST(DenseSamples, CoordinatesOfAnySize) {
+  const std::vector<Point> expected = dense_samples(box(1), {.spacing = 0.5});
+  for (const double factor : {0x1p-600, 0x1p-270, 0x1p300, 0x1p1000}) {
+    TriangleMesh mesh = box(1);
+    for (Point& p : mesh.points) p = factor * p;
+    std::vector<Point> samples = dense_samples(mesh, {.spacing = 0.5 * factor});
+    for (Point& p : samples) p = p / factor;
+    EXPECT_EQ(samples, expected) << factor;
+  }
+  TriangleMesh large = box(1);
+  for (Point& p : large.points) p = 0x1p300 * p;
+  try {
+    dense_samples(large, {.spacing = 0x1p300 * 1e-9});
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("samples 2.03704e+81 apart"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(DenseSamples, FarFromTheOriginToo) {
   TriangleMesh far = box(1);
   for (Point& p : far.points) p = p + Vec3{1e300, 0, 0};

@@ -73,6 +73,22 @@ TEST(MeshMeasure, DecilesOfEdgeLengths) {
   EXPECT_EQ(edges.last_decile, 40);
 }
 
+// Areas square products of lengths: at these sizes they would leave the range of double.
+TEST(MeshMeasure, CoordinatesOfAnySize) {
+  const TriangleMesh sphere = gallery::sphere(2);
+  const MeshMeasure m = mesh_measure(sphere);
+  for (const int exponent : {-600, -300, 300, 500}) {
+    const double factor = std::ldexp(1.0, exponent);
+    const MeshMeasure scaled = mesh_measure(gallery::scaled(sphere, factor));
+    EXPECT_EQ(scaled.area, std::ldexp(m.area, 2 * exponent)) << exponent;
+    EXPECT_EQ(scaled.signed_volume, std::ldexp(m.signed_volume, 3 * exponent)) << exponent;
+    EXPECT_EQ(scaled.box.high, factor * m.box.high) << exponent;
+    EXPECT_EQ(scaled.edge_lengths.count, m.edge_lengths.count) << exponent;
+    EXPECT_EQ(scaled.edge_lengths.min, factor * m.edge_lengths.min) << exponent;
+    EXPECT_EQ(scaled.edge_lengths.mean, factor * m.edge_lengths.mean) << exponent;
+  }
+}
+
 TEST(MeshMeasure, NoTriangles) {
   TriangleMesh mesh;
   mesh.points.push_back({1, 2, 3});

@@ -49,6 +49,29 @@ TEST(OffPlane, TheOrderOfPointsDoesNotMatter) {
   EXPECT_EQ(moved, moved_off_plane(points));
 }
 
+TEST(OffPlane, CoordinatesOfAnySize) {
+  const std::vector<Point> points = slanted_points();
+  for (const double factor : {0x1p-900, 0x1p-270, 0x1p300, 0x1p1000}) {
+    std::vector<Point> scaled = points;
+    for (Point& p : scaled) p = factor * p;
+    const std::vector<Point> moved = moved_off_plane(scaled);
+    ASSERT_EQ(moved.size(), points.size()) << factor;
+    EXPECT_TRUE(moved_off_plane(moved).empty()) << factor;
+    EXPECT_LT(norm(moved[0] / factor - points[0]), 16 * 0x1p-20) << factor;
+  }
+}
+
+// Where a share of the extent would be less than the last bit of a coordinate.
+TEST(OffPlane, FarFromTheOriginToo) {
+  for (const double height : {1e9, 1e10, 1e12, 1e14}) {
+    std::vector<Point> points = slanted_points();
+    for (Point& p : points) p.z = height;
+    const std::vector<Point> moved = moved_off_plane(points);
+    ASSERT_EQ(moved.size(), points.size());
+    EXPECT_TRUE(moved_off_plane(moved).empty()) << height;
+  }
+}
+
 TEST(OffPlane, OthersAreLeft) {
   std::vector<Point> points = slanted_points();
   points.push_back({1, 1, std::nextafter(0.5, 1)});

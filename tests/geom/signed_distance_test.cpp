@@ -133,6 +133,23 @@ TEST(SignedDistance, OfAnOpenMeshIsThatOfTheNearestFacet) {
                              std::vector<Point>{{0, 0, 0.5}, {0, 0, 1.5}, {0.1, 0, -1.25}}));
 }
 
+// Where squares of areas leave the range of double, and where those of lengths do.
+TEST(SignedDistance, CoordinatesOfAnySize) {
+  TriangleMesh open = cube_around_origin();
+  open.triangles.resize(open.triangles.size() - 1);
+  const std::vector<Point> points = {{0, 0, 0.5}, {0.25, 0.5, 1.5}, {0.1, 0, -1.25}, {3, 4, 5}};
+  for (const TriangleMesh& mesh : {cube_around_origin(), open}) {
+    const std::vector<double> expected = signed_distances(mesh, points);
+    for (const double factor : {0x1p-600, 0x1p-270, 0x1p300, 0x1p1000}) {
+      std::vector<Point> scaled_points = points;
+      for (Point& p : scaled_points) p = factor * p;
+      std::vector<double> scaled = expected;
+      for (double& distance : scaled) distance *= factor;
+      EXPECT_EQ(signed_distances(gallery::scaled(mesh, factor), scaled_points), scaled) << factor;
+    }
+  }
+}
+
 TEST(SignedDistance, ThreadsDoNotMatter) {
   Random random(3);
   std::vector<Point> points;

@@ -12,6 +12,7 @@
 #include "geom/mesh_check.h"
 #include "geom/mesh_measure.h"
 #include "geom/random.h"
+#include "geom/weld_vertices.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/gallery.h"
 #include "tests/mesh_gallery.h"
@@ -220,6 +221,48 @@ TEST(SplitNonmanifold, DoesNotDependOnTheOrder) {
   };
   EXPECT_EQ(soup(split.mesh), soup(other_split.mesh));
   EXPECT_EQ(split.copies, other_split.copies);
+}
+
+// Cubes of a grid, each a closed surface of its own: where two are neighbors, facets coincide.
+TriangleMesh touching_cubes(int count, bool share_vertices, std::uint64_t seed) {
+  Random random(seed);
+  TriangleMesh mesh;
+  for (const Point& corner : gallery::integer_grid(count)) {
+    if (random.uniform() < 0.5)
+      mesh = gallery::join(mesh, gallery::translated(gallery::cube(), corner));
+  }
+  if (share_vertices) mesh = weld_vertices(mesh, repeated_points(mesh.points.raw())).mesh;
+  return mesh;
+}
+
+// Coincident facets that run against each other part the inside, whatever their numbers.
+TEST(SplitNonmanifold, TouchingBodiesAreParted) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const TriangleMesh mesh = touching_cubes(3, true, seed);
+    const std::size_t bodies = touching_cubes(3, false, seed).points.size() / 8;
+    for (unsigned order = 1; order <= 5; ++order) {
+      const SplitSurface split = split_nonmanifold(gallery::shuffled(mesh, order));
+      const MeshReport report = mesh_check(split.mesh);
+      EXPECT_TRUE(report.is_closed_manifold()) << seed;
+      EXPECT_EQ(report.components, bodies) << seed << ' ' << order;
+      EXPECT_EQ(split.midpoints, 0U) << seed << ' ' << order;
+    }
+  }
+}
+
+// Two tetrahedra with an edge in common and facets in one half-plane from it, one inside the other
+// there: which facets bound one wedge does not depend on what the ends of the edge are called.
+TEST(SplitNonmanifold, FacetsInOneHalfPlane) {
+  const TriangleMesh mesh = gallery::make_mesh(
+      {{0, 0, 0}, {0, 0, 1}, {1, 0, 0.25}, {2, 0, 0.5}, {1, 2, 0.5}, {2, 1, 0.5}},
+      {{1, 2, 4}, {0, 4, 2}, {0, 1, 4}, {0, 2, 1}, {1, 3, 5}, {0, 5, 3}, {0, 1, 5}, {0, 3, 1}});
+  const SplitSurface expected = split_nonmanifold(mesh);
+  EXPECT_TRUE(mesh_check(expected.mesh).is_closed_manifold());
+  for (unsigned order = 1; order <= 20; ++order) {
+    const SplitSurface split = split_nonmanifold(gallery::shuffled(mesh, order));
+    EXPECT_EQ(split.copies, expected.copies) << order;
+    EXPECT_EQ(mesh_check(split.mesh).components, mesh_check(expected.mesh).components) << order;
+  }
 }
 
 // Where as many triangles do not run each way, sides stay open; three sheets at one edge.
