@@ -122,4 +122,17 @@ CloudRim cloud_rim(const TriangleMesh& surface, const LinkedSides& sides,
   return rim;
 }
 
+CloudRim scaled(CloudRim rim, double factor) {
+  rim.spacing *= factor;
+  rim.median_edge *= factor;
+  for (std::vector<RimLoop>* loops : {&rim.loops, &rim.pin_hole_loops}) {
+    for (RimLoop& loop : *loops) {
+      for (Point& p : loop.points) p = factor * p;
+      for (Point& p : loop.apexes) p = factor * p;
+      loop.perimeter *= factor;
+    }
+  }
+  return rim;
+}
+
 }  // namespace cocoon

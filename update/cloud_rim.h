@@ -73,6 +73,9 @@ struct CloudRim {
   bool is_partial() const { return seam_edges > 0 || shared_edges > 0; }
 };
 
+// The rim of a cloud that is `factor` times as large. Precondition: factor > 0. O(rim).
+CloudRim scaled(CloudRim rim, double factor);
+
 struct RimOptions {
   BoundaryLoopOptions loops;
   // The outline of a small patch is not a pin-hole: a loop that boundary_loops() calls one counts

@@ -12,6 +12,7 @@
 #include "update/regions/kept_surface.h"
 #include "update/report/contradicted_samples.h"
 #include "update/report/samples_with_flag.h"
+#include "update/report/unit_factor.h"
 #include "update/report/update_messages.h"
 #include "update/report/updated_vertices.h"
 
@@ -83,7 +84,8 @@ bool UpdateSteps::find_overlapping_facets(const ModelIndex& index, const Executi
     CloudReport& report = result_.clouds[c];
     report.shift = rim_shift(index, report.surface.rim, overlaps_[c], options_.shift);
     warn_of_cloud(c, warnings_of_cloud(report, options_.overlap, options_.shift));
-    if (overlaps_[c].status == OverlapStatus::no_overlap) return fail_no_overlap(c);
+    if (overlaps_[c].status == OverlapStatus::no_overlap)
+      return fail_no_overlap(c, index, execution);
   }
   trace_borders(index, execution);
   return true;
@@ -339,12 +341,15 @@ void UpdateSteps::report_overlap(std::size_t c) {
   }
 }
 
-bool UpdateSteps::fail_no_overlap(std::size_t c) {
+bool UpdateSteps::fail_no_overlap(std::size_t c, const ModelIndex& index,
+                                  const Execution& execution) {
   const CloudReport& report = result_.clouds[c];
+  const CloudRim& rim = report.surface.rim;
   return fail(UpdateStatus::no_overlap,
               name_of_cloud(c) + " " +
                   reason_of_no_overlap(overlaps_[c].unmatched, report.boundary_points,
-                                       options_.overlap.max_distance, report.surface.rim.spacing));
+                                       options_.overlap.max_distance, rim.spacing,
+                                       unit_factor(index, rim, options_.overlap, execution)));
 }
 
 bool UpdateSteps::check_separation(const ModelIndex& index, std::span<const RegionAngles> angles) {

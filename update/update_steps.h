@@ -94,7 +94,7 @@ class UpdateSteps {
 
   void report_overlap(std::size_t c);
 
-  bool fail_no_overlap(std::size_t c);
+  bool fail_no_overlap(std::size_t c, const ModelIndex& index, const Execution& execution);
 
   // Collects the loops with one and the same region on both sides in divided_loops_.
   bool check_separation(const ModelIndex& index, std::span<const RegionAngles> angles);

@@ -301,8 +301,23 @@ TEST(UpdateScenarios, DisplacedCloud) {
   const UpdateResult result = update_model(model, clouds);
   EXPECT_EQ(result.status, UpdateStatus::no_overlap);
   EXPECT_NE(result.message.find("cloud 1"), std::string::npos) << result.message;
+  EXPECT_NE(result.message.find("register it"), std::string::npos) << result.message;
   EXPECT_EQ(result.message.find('\n'), std::string::npos);
   EXPECT_TRUE(result.mesh.triangles.empty());
+}
+
+TEST(UpdateScenarios, CloudInOtherUnits) {
+  const TriangleMesh model = sphere_model(sphere_size);
+  for (const auto& [factor, told] : {std::pair(0.001, "by 1000 it would lie there"),
+                                     {1000, "by 0.001 it would lie there"},
+                                     {25.4, "by 0.03937 it would lie there"},
+                                     {0.1, "by 10 it would lie there"}}) {
+    const Clouds clouds = {
+        gallery::scaled(raised_cap(2 * sphere_size, {0, 0, 1}, 0.6, 0.2), factor)};
+    const UpdateResult result = update_model(model, clouds);
+    EXPECT_EQ(result.status, UpdateStatus::no_overlap);
+    EXPECT_NE(result.message.find(told), std::string::npos) << result.message;
+  }
 }
 
 TEST(UpdateScenarios, ClosedCloud) {

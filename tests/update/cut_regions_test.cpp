@@ -147,7 +147,7 @@ TEST(CutRegions, DependsOnTheShapeOnly) {
   auto [other, order] = testing::shuffled(plane.mesh);
   for (Point& p : other.points) p = 1024 * p;
   const RegionCut cut = plane.cut();
-  const RegionCut again = Case(other, testing::scaled(plane.rim, 1024)).cut();
+  const RegionCut again = Case(other, scaled(plane.rim, 1024)).cut();
   for (std::size_t i = 0; i < order.size(); ++i) {
     EXPECT_EQ(again.under[TriangleId(i)], cut.under[order[i]]);
   }

@@ -37,17 +37,6 @@ inline TriangleMesh grid_plane(std::size_t n) {
   return mesh;
 }
 
-// A rim `factor` times as large; a power of two leaves every ratio as it is.
-inline CloudRim scaled(CloudRim rim, double factor) {
-  rim.spacing *= factor;
-  rim.median_edge *= factor;
-  for (RimLoop& loop : rim.loops) {
-    for (Point& p : loop.points) p = factor * p;
-    for (Point& p : loop.apexes) p = factor * p;
-  }
-  return rim;
-}
-
 // The triangles of a mesh in another order, and which of them came to each place.
 struct ShuffledMesh {
   TriangleMesh mesh;

@@ -156,7 +156,7 @@ TEST(SplitRegions, DependsOnTheShapeOnly) {
   for (Point& p : other.points) p = 1024 * p;
   std::vector<Point> cloud = disk();
   for (Point& p : cloud) p = 1024 * p;
-  const Case moved(std::move(other), testing::scaled(plane_rim(), 1024), std::move(cloud));
+  const Case moved(std::move(other), scaled(plane_rim(), 1024), std::move(cloud));
   const RegionSplit again = moved.split();
   ASSERT_EQ(again.status, SplitStatus::ok);
   for (std::size_t i = 0; i < order.size(); ++i) {

@@ -38,11 +38,18 @@ std::string reason_of_closed_cloud(const CloudRim& rim) {
 }
 
 std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_points,
-                                 double max_distance, double rim_spacing) {
-  return "does not lie on the model: " + std::to_string(unmatched) + " of its " +
-         std::to_string(boundary_points) + " rim points are farther from it than " +
-         rounded(max_distance) + " spacings (rim spacing " + rounded(rim_spacing) +
-         "); register it to the model, in the same units, and let it reach onto unchanged surface";
+                                 double max_distance, double rim_spacing,
+                                 std::optional<double> unit_factor) {
+  const std::string why = "does not lie on the model: " + std::to_string(unmatched) + " of its " +
+                          std::to_string(boundary_points) +
+                          " rim points are farther from it than " + rounded(max_distance) +
+                          " spacings (rim spacing " + rounded(rim_spacing) + "); ";
+  if (unit_factor) {
+    return why + "it has other units: multiplied by " + rounded(*unit_factor) +
+           " it would lie there";
+  }
+  return why +
+         "register it to the model, in the same units, and let it reach onto unchanged surface";
 }
 
 std::string reason_of_open_band(std::size_t max_search_facets) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,9 +29,11 @@ std::string name_of_loop(const RimLoop& loop);
 
 // Why there is no rim.
 std::string reason_of_closed_cloud(const CloudRim& rim);
-// Why the rim is not on the model; `boundary_points`: of all its loops.
+// Why the rim is not on the model; `boundary_points`: of all its loops; `unit_factor`: by which it
+// would be, see unit_factor().
 std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_points,
-                                 double max_distance, double rim_spacing);
+                                 double max_distance, double rim_spacing,
+                                 std::optional<double> unit_factor = {});
 // Why a loop does not lie on one part of the model.
 std::string reason_of_open_band(std::size_t max_search_facets);
 // Why labels do not split a region; `split`: the last part that was tried.
