@@ -46,15 +46,17 @@ BeforeTheRounds before_the_rounds(const Triangulation& triangulation, CellMarks&
   return before;
 }
 
-// Of the good vertices those that known cells may refute: at all others the labels that were
-// carried fit the surface, and what is known of their cells.
+// Of the good vertices those that known cells may refute. At all others, visited ones, the labels
+// that were carried fit the surface, and what is known of their cells. At those that were not
+// visited cells may have labels from other vertices, which need not fit.
 std::vector<VertexId> may_be_refuted(const Triangulation& triangulation,
                                      const CarriedMarks& carried, const CellMarks& marks) {
   std::vector<VertexId> asked = carried.disputed;
   for (const CellId c : triangulation.finite_cells()) {
-    if (marks.known[c] == CellLabel::unmarked || marks.known[c] == marks.labels[c]) continue;
+    if (marks.known[c] == CellLabel::unmarked) continue;
+    const bool fits = marks.known[c] == marks.labels[c];
     for (const VertexId v : triangulation.cell(c).vertices) {
-      if (marks.good[v] != 0) asked.push_back(v);
+      if (marks.good[v] != 0 && (!fits || marks.visited[v] == 0)) asked.push_back(v);
     }
   }
   make_set(asked);

@@ -9,9 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/facets/half_star.h"
+#include "cocone/marking/half_labels.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/circulate.h"
 #include "delaunay/delaunay.h"
+#include "delaunay/vertex_stars.h"
 #include "geom/mesh_check.h"
 #include "geom/random.h"
 #include "ref/mark_in_rounds.h"
@@ -238,6 +241,26 @@ CellMarks marks_by_rounds(const Stages& s, const LinkedFacets& surface,
   return rounds;
 }
 
+// How many good vertices have closed umbrellas that known cells contradict.
+std::size_t count_refuted(const Triangulation& triangulation, const FacetSet& surface,
+                          const CellMarks& marks) {
+  const VertexStars stars = vertex_stars(triangulation);
+  HalfStar half(triangulation, surface);
+  std::size_t count = 0;
+  for (const VertexId v : triangulation.vertices()) {
+    if (marks.good[v] == 0) continue;
+    half.flood(v, stars.star(v).front());
+    LabelCount flooded;
+    LabelCount rest;
+    for (const CellId c : stars.star(v)) {
+      const CellLabel side = triangulation.is_infinite(c) ? CellLabel::out : marks.known[c];
+      (half.contains(c) ? flooded : rest).add(side);
+    }
+    count += label_halves(flooded, rest).conflict ? 1U : 0U;
+  }
+  return count;
+}
+
 // Where vertices disagree, only they are asked: with the same result as all rounds, also if what is
 // known is partly wrong. Of a quarter of the body nothing is known: there they go on to disagree,
 // while elsewhere those that known cells refute are not good. False if nobody disagreed.
@@ -262,6 +285,7 @@ bool is_settled_as_by_the_rounds(const Stages& s, std::vector<KnownTriangle> tri
   EXPECT_EQ(marks.rounds, rounds.rounds);
   EXPECT_EQ(marks.conflicts, rounds.conflicts);
   EXPECT_GT(marks.refuted_vertices, 0U);
+  EXPECT_EQ(count_refuted(s.triangulation, surface.set, marks), 0U);
   EXPECT_EQ(marks.good_vertices, static_cast<std::size_t>(std::count(
                                      marks.good.begin(), marks.good.end(), std::uint8_t{1})));
   return true;
@@ -281,6 +305,28 @@ TEST(KnownSides, DisputesAreSettledAsByTheRounds) {
   }
   EXPECT_GT(disputed, 2U);
   EXPECT_GT(conflicts, 0U);
+}
+
+// Known cells may have just the labels that were carried to them from a surface the hull sees, and
+// contradict each other at vertices of another one that it does not see.
+TEST(KnownSides, RefuteVerticesThatTheHullDoesNotSee) {
+  for (const std::uint64_t seed : {50U, 468U, 494U}) {
+    std::vector<Point> inner = shapes::noisy_sphere(270, 0.013, seed + 1);
+    for (Point& p : inner) p = 0.7 * p + Vec3{0.08, 0, 0};
+    const Stages s(shapes::joined(shapes::noisy_sphere(540, 0.013, seed), inner));
+    const BoundarySamples labels = s.labels();
+    const LinkedFacets surface = s.surface(labels);
+    const CellMarks carried = mark_cells(s.triangulation, surface, labels.boundary);
+    ASSERT_LT(carried.visited_vertices, carried.good_vertices);
+    const auto told = [&](const Triangulation& t, const FacetSet&, const Execution&) {
+      KnownSides known;
+      known.labels = carried.labels;
+      for (const CellId c : t.infinite_cells()) known.labels[c] = CellLabel::unmarked;
+      return known;
+    };
+    const CellMarks marks = mark_cells(s.triangulation, surface, labels.boundary, told);
+    EXPECT_EQ(count_refuted(s.triangulation, surface.set, marks), 0U) << "seed " << seed;
+  }
 }
 
 // A surface inside the body, which the hull does not see: known cells tell where it is.
