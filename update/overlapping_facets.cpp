@@ -1,6 +1,7 @@
 #include "update/overlapping_facets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -72,21 +73,23 @@ std::vector<double> facing_signs(const ModelIndex& model, const CloudRim& rim,
 }
 
 // The paper's choice: of the facets at the nearest vertex, that which contains the projection of b
-// (Eq. 1-3); of several the one with the least distance |D| from its plane.
+// (Eq. 1-3); of several the one with the least distance |D| from its plane, ties by lexicographic
+// corners.
 ClosestFacet star_facet(const ModelIndex& model, VertexId nearest, const Point& b,
                         double max_distance) {
-  const TriangleMesh& mesh = model.mesh();
   ClosestFacet best;
   best.squared_distance = max_distance * max_distance;
+  std::array<Point, 3> corners_of_best{};
   for (const TriangleId t : model.triangles_at(nearest)) {
-    const Triangle& v = mesh.triangles[t];
-    const PlaneProjection projection =
-        project_to_triangle_plane(b, {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]});
+    const std::array<Point, 3> corners = sorted_corners(corners_of(model.mesh(), t));
+    const PlaneProjection projection = project_to_triangle_plane(b, corners);
     if (!projection.is_inside()) continue;
     const double squared = projection.signed_distance * projection.signed_distance;
     if (squared > best.squared_distance) continue;
-    if (squared == best.squared_distance && !best.triangle.is_none()) continue;
+    const bool ties = squared == best.squared_distance && !best.triangle.is_none();
+    if (ties && corners >= corners_of_best) continue;
     best = {t, projection.projected, squared};
+    corners_of_best = corners;
   }
   return best;
 }

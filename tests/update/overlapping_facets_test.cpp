@@ -1,5 +1,7 @@
 #include "update/overlapping_facets.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "geom/random.h"
@@ -212,6 +214,26 @@ TEST(OverlappingFacets, SeveralPointsInOneFacetGiveItOnce) {
   ASSERT_EQ(overlap.loops.size(), 1U);
   EXPECT_EQ(overlap.loops[0].facets, std::vector<TriangleId>(12, TriangleId(0)));
   EXPECT_EQ(overlap.facets, std::vector<TriangleId>{TriangleId(0)});
+}
+
+// Above a vertex of a plane six facets have the projection, at one distance.
+TEST(OverlappingFacets, TiesAreDecidedByCorners) {
+  const TriangleMesh model = testing::grid_plane(20);
+  TriangleMesh turned = model;  // other ids, other first corners
+  std::reverse(turned.triangles.begin(), turned.triangles.end());
+  for (Triangle& t : turned.triangles) std::rotate(t.begin(), t.begin() + 1, t.end());
+  RimLoop loop = circle(40, {10, 10, 0.3}, 6.2);
+  for (Point& p : loop.points) p = {std::round(p.x), std::round(p.y), p.z};
+  const CloudRim rim = rim_of({loop});
+  for (const LocationRule rule : {LocationRule::closest_facet, LocationRule::nearest_vertex_star}) {
+    const Overlap overlap = overlapping_facets(model, rim, {.rule = rule});
+    const Overlap of_turned = overlapping_facets(turned, rim, {.rule = rule});
+    ASSERT_EQ(overlap.unmatched + of_turned.unmatched, 0U);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      EXPECT_EQ(sorted_corners(corners_of(model, overlap.loops[0].facets[i])),
+                sorted_corners(corners_of(turned, of_turned.loops[0].facets[i])));
+    }
+  }
 }
 
 TEST(OverlappingFacets, SameForAnyThreadCount) {
