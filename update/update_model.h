@@ -97,7 +97,7 @@ struct UpdateResult {
   OverlookedVertices overlooked;
   UnscannedLosses unscanned;
   UnusedChanges unused_changes;
-  // Euler numbers, from the numbers of vertices in use and of triangles.
+  // Euler numbers, from the numbers of triangles and of vertices in use, those at one place once.
   std::ptrdiff_t euler_before = 0;
   std::ptrdiff_t euler = 0;
   std::size_t unexplained_handles = 0;  // of a model with open edges always 0

@@ -156,8 +156,8 @@ void UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
   result_.vertex_map = updated_vertices(result_.replacement, result_.reconstruction);
   const std::size_t points = result_.replacement.points.size();
   const std::size_t unused = result_.reconstruction.unused_points;
-  result_.euler_before = euler_number(model_.points.size() - result_.replacement.unused_vertices,
-                                      model_.triangles.size());
+  const std::size_t no_places = result_.replacement.unused_vertices + repeated_vertices(index);
+  result_.euler_before = euler_number(model_.points.size() - no_places, model_.triangles.size());
   result_.euler = euler_number(points - unused, surface.triangles);
   look_for_losses(index);
 }

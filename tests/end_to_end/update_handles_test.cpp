@@ -8,9 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
 #include "geom/random.h"
+#include "tests/gallery.h"
 #include "tests/update/hand_made_models.h"
+#include "update/report/unexplained_handles.h"
 #include "update/update_model.h"
 
 namespace cocoon {
@@ -175,6 +178,35 @@ TEST(UpdateWithHandles, BlockWithAClosedSlotByACap) {
   EXPECT_EQ(check.open_edges, 0U);
   EXPECT_TRUE(check.is_closed_manifold());
   EXPECT_EQ(check.euler, 2);  // the tunnel is a dead end
+}
+
+// Two boxes that share an edge, each closed by itself, as --manifold leaves contacts: the vertices
+// of the edge are there twice before, and once after the update of a place far from it.
+TEST(UpdateWithHandles, SplitContactsAreNoHandles) {
+  TriangleMesh model = reconstruct_tight(gallery::box_faces(8)).mesh;
+  const std::size_t vertices = model.points.size();
+  const std::size_t triangles = model.triangles.size();
+  for (std::size_t v = 0; v < vertices; ++v) {
+    model.points.push_back(model.points[VertexId(v)] + Vec3{2, 0, 1});
+  }
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const auto [a, b, c] = model.triangles[TriangleId(t)];
+    model.triangles.push_back({VertexId(vertices + a.index()), VertexId(vertices + b.index()),
+                               VertexId(vertices + c.index())});
+  }
+  EXPECT_EQ(repeated_vertices(ModelIndex(model)), 25U);
+  std::vector<std::vector<Point>> clouds(1);
+  for (int i = -25; i <= 25; ++i) {
+    for (int k = -25; k <= 25; ++k) {
+      const double r = 0.018 * std::sqrt(static_cast<double>(i * i + k * k));
+      if (r > 0.45) continue;
+      clouds[0].push_back({3 + 0.018 * i, 0.75 + 0.018 * k, 2 + 0.1 * hill(r, 0.3)});
+    }
+  }
+  const UpdateResult result = update_model(model, clouds);
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_EQ(result.euler, result.euler_before);
+  EXPECT_EQ(result.unexplained_handles, 0U);
 }
 
 }  // namespace
