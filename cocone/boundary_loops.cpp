@@ -8,6 +8,7 @@
 #include "cocone/orient_surface.h"
 #include "geom/edge_components.h"
 #include "geom/median.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
@@ -242,9 +243,22 @@ BoundaryLoops loops_without(const TriangleMesh& surface, const LinkedSides& side
   return result;
 }
 
+// By a copy that has been multiplied by `scale`, a power of two: squares of lengths are in the
+// range of double there.
+BoundaryLoops scaled_loops(TriangleMesh surface, double scale, const BoundaryLoopOptions& options) {
+  for (Point& p : surface.points) p = scale * p;
+  BoundaryLoops result = boundary_loops(surface, options);
+  result.median_edge /= scale;
+  for (BoundaryLoop& loop : result.loops) loop.perimeter /= scale;
+  return result;
+}
+
 }  // namespace
 
 BoundaryLoops boundary_loops(const TriangleMesh& open_surface, const BoundaryLoopOptions& options) {
+  if (const double scale = working_scale(open_surface.points.span()); scale != 1) {
+    return scaled_loops(open_surface, scale, options);
+  }
   LinkedSides sides = link_sides(open_surface);
   std::vector<std::uint8_t> surplus = surplus_triangles(open_surface, sides);
   if (surplus.empty()) return loops_of_any(open_surface, std::move(sides), options);

@@ -15,6 +15,7 @@
 #include "geom/median.h"
 #include "geom/narrow_handles.h"
 #include "geom/nearest_point.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
@@ -318,6 +319,26 @@ class Doubts {
   SurfaceDoubts doubts_;
 };
 
+// On a copy that has been multiplied by `scale`, a power of two: squares of lengths are in the
+// range of double there.
+SurfaceDoubts scaled_doubts(ReconstructResult result, Points points, double scale,
+                            const SurfaceDoubtOptions& options, const Execution& execution) {
+  std::vector<Point> scaled(points.begin(), points.end());
+  for (Point& p : scaled) p = scale * p;
+  for (Point& p : result.mesh.points) p = scale * p;
+  SurfaceDoubts doubts = Doubts(result, scaled, options, execution).run();
+  doubts.spacing /= scale;
+  for (std::vector<DoubtfulSpot>* spots :
+       {&doubts.sparse, &doubts.dust, &doubts.unused, &doubts.contacts, &doubts.handles,
+        &doubts.contradicted}) {
+    for (DoubtfulSpot& spot : *spots) {
+      spot.at = (1 / scale) * spot.at;
+      spot.size /= scale;
+    }
+  }
+  return doubts;
+}
+
 }  // namespace
 
 void keep_largest(std::vector<DoubtfulSpot>& spots, std::size_t count) {
@@ -326,6 +347,8 @@ void keep_largest(std::vector<DoubtfulSpot>& spots, std::size_t count) {
 
 SurfaceDoubts surface_doubts(const ReconstructResult& result, Points points,
                              const SurfaceDoubtOptions& options, const Execution& execution) {
+  const double scale = working_scale(points, execution);
+  if (scale != 1) return scaled_doubts(result, points, scale, options, execution);
   return Doubts(result, points, options, execution).run();
 }
 

@@ -251,6 +251,26 @@ TEST(OrientSurface, OneSidedPartsStayAsTheyAre) {
   }
 }
 
+// Also where squares of lengths leave the range of double.
+TEST(BoundaryLoops, HaveLengthsAtAnyScale) {
+  const TriangleMesh mesh = grid(9, 5, [](int x, int y) { return x == 4 && y == 2; });
+  const BoundaryLoops loops = boundary_loops(mesh);
+  ASSERT_EQ(loops.loops.size(), 2U);
+  EXPECT_EQ(loops.pin_holes, 1U);
+  for (const double scale : {0x1p+600, 0x1p-600}) {
+    TriangleMesh scaled = mesh;
+    for (Point& p : scaled.points) p = scale * p;
+    const BoundaryLoops of_scaled = boundary_loops(scaled);
+    EXPECT_EQ(of_scaled.median_edge, scale * loops.median_edge);
+    EXPECT_EQ(of_scaled.pin_holes, loops.pin_holes);
+    ASSERT_EQ(of_scaled.loops.size(), loops.loops.size());
+    for (std::size_t l = 0; l < loops.loops.size(); ++l) {
+      EXPECT_EQ(of_scaled.loops[l].perimeter, scale * loops.loops[l].perimeter);
+      EXPECT_EQ(of_scaled.loops[l].pin_hole, loops.loops[l].pin_hole);
+    }
+  }
+}
+
 TEST(BoundaryLoops, PatchHasOneRim) {
   for (const double rho : {0.13, 0.3, 0.5}) {
     ReconstructOptions options = open_cloud_defaults();

@@ -43,6 +43,35 @@ TEST(SurfaceDoubts, TellWhatTheStagesCounted) {
   EXPECT_EQ(doubts.conflicts, result.counters.marking_conflicts);
 }
 
+// Lengths, their squares and places, where squares leave the range of double.
+TEST(SurfaceDoubts, AreTheSameAtAnyScale) {
+  std::vector<Point> points = shapes::noisy_sphere(600, 0.03, 2);
+  points.push_back({0.1, 0.2, 0.05});
+  points.push_back({3, 0, 0});
+  const SurfaceDoubts doubts = surface_doubts(reconstruct_tight(points), points);
+  ASSERT_FALSE(doubts.unused.empty() || doubts.sparse.empty());
+  for (const double scale : {0x1p+600, 0x1p-600}) {
+    std::vector<Point> scaled = points;
+    for (Point& p : scaled) p = scale * p;
+    const SurfaceDoubts of_scaled = surface_doubts(reconstruct_tight(scaled), scaled);
+    EXPECT_EQ(of_scaled.spacing, scale * doubts.spacing);
+    EXPECT_EQ(of_scaled.roughness, doubts.roughness);
+    EXPECT_EQ(of_scaled.gap_samples, doubts.gap_samples);
+    const auto expect_scaled = [&](const std::vector<DoubtfulSpot>& actual,
+                                   const std::vector<DoubtfulSpot>& expected) {
+      ASSERT_EQ(actual.size(), expected.size());
+      for (std::size_t k = 0; k < actual.size(); ++k) {
+        EXPECT_EQ(actual[k].at, scale * expected[k].at);
+        EXPECT_EQ(actual[k].size, scale * expected[k].size);
+        EXPECT_EQ(actual[k].count, expected[k].count);
+      }
+    };
+    expect_scaled(of_scaled.sparse, doubts.sparse);
+    expect_scaled(of_scaled.unused, doubts.unused);
+    expect_scaled(of_scaled.dust, doubts.dust);
+  }
+}
+
 // Two sheets closer than their samples, beside a ball that leaves no doubt.
 TEST(SurfaceDoubts, PlaceContradictionsAndHandles) {
   Random random(7);
