@@ -47,7 +47,9 @@ class Doubts {
     measure_edges();
     find_sparse_samples();
     find_contradicted_samples();
-    doubts_.certificate = mesh_check(mesh_, {}, execution_);
+    // All examples: the first ones by id say nothing of the surface.
+    constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+    doubts_.certificate = mesh_check(mesh_, {.max_examples = all}, execution_);
     find_fragments();
     find_unused_points();
     find_contacts();
@@ -284,6 +286,10 @@ class Doubts {
     for (const VertexId v : report.examples.pinched_vertices) {
       doubts_.contacts.push_back({result_.mesh.points[v], 1, 0});
     }
+    const auto before = [](const DoubtfulSpot& a, const DoubtfulSpot& b) { return a.at < b.at; };
+    std::sort(doubts_.contacts.begin(), doubts_.contacts.end(), before);
+    const auto repeated = std::unique(doubts_.contacts.begin(), doubts_.contacts.end());
+    doubts_.contacts.erase(repeated, doubts_.contacts.end());
     keep_largest(doubts_.contacts, options_.max_spots);
   }
 

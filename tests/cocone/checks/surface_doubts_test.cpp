@@ -43,6 +43,19 @@ TEST(SurfaceDoubts, TellWhatTheStagesCounted) {
   EXPECT_EQ(doubts.conflicts, result.counters.marking_conflicts);
 }
 
+// Which of many contacts have places is not told by the order of points.
+TEST(SurfaceDoubts, PlaceContactsAsTheSurfaceHasThem) {
+  std::vector<Point> points = shapes::noisy_sphere(1500, 0.05, 2);
+  ReconstructOptions options;
+  options.clean_up.enabled = false;
+  const SurfaceDoubts doubts = surface_doubts(reconstruct_tight(points, options), points);
+  ASSERT_GT(doubts.bad_edges + doubts.pinched_vertices, 16U);
+  std::reverse(points.begin(), points.end());
+  const SurfaceDoubts reversed = surface_doubts(reconstruct_tight(points, options), points);
+  EXPECT_EQ(reversed.contacts, doubts.contacts);
+  EXPECT_LT(doubts.contacts[0].at, doubts.contacts[1].at);  // each place once
+}
+
 // Lengths, their squares and places, where squares leave the range of double.
 TEST(SurfaceDoubts, AreTheSameAtAnyScale) {
   std::vector<Point> points = shapes::noisy_sphere(600, 0.03, 2);
