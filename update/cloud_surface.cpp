@@ -57,13 +57,21 @@ struct Sheet {
   BoundarySamples boundary;
 };
 
+// In mode paper the radius is that of the cocone, whatever the search says.
+RimSearch effective(RimSearch search, const CloudSurfaceOptions& options) {
+  ReconstructOptions reconstruct = options.reconstruct;
+  reconstruct.boundary.radius_mode = search.radius_mode;
+  search.radius_mode = effective_options(reconstruct).boundary.radius_mode;
+  return search;
+}
+
 // The Cocone surface.
 Sheet find_sheet(const Foundation& f, const RimSearch& search, const CloudSurfaceOptions& options,
                  const Execution& execution) {
   BoundaryOptions boundary_options = options.reconstruct.boundary;
   boundary_options.rho = search.rho;
   boundary_options.alpha_cosine = search.alpha_cosine;
-  boundary_options.radius_mode = search.radius_mode;
+  boundary_options.radius_mode = effective(search, options).radius_mode;
   BoundarySamples boundary =
       boundary_samples(f.triangulation, f.dual, f.poles, f.cocones, boundary_options, execution);
   CandidateTriangles candidates =
@@ -102,7 +110,7 @@ Trial find_rim(const Scan& scan, Sheet&& found, const RimSearch& search,
                    : surface.rim.loops.empty()    ? CloudStatus::cloud_closed
                                                   : CloudStatus::ok;
   const CloudRim& rim = surface.rim;
-  trial.report = {.search = search,
+  trial.report = {.search = effective(search, options),
                   .boundary_samples = boundary.count,
                   .triangles = surface.mesh.triangles.size(),
                   .trimmed = surface.trimmed,

@@ -36,7 +36,8 @@ struct LayerOptions {
 };
 
 struct CloudSurfaceOptions {
-  // All but the fields of `boundary` that a RimSearch sets.
+  // All but the fields of `boundary` that a RimSearch sets. In Mode::paper all trials measure the
+  // radius of the cocone.
   ReconstructOptions reconstruct = open_cloud_defaults();
   RimSearch start;
   // Tried in this order while no rim is found: finer eyes for gently curved patches.

@@ -158,6 +158,21 @@ TEST(CloudSurface, OrderAndThreadsDoNotMatter) {
   }
 }
 
+// In paper mode each trial measures the radius of the cocone (docs/update.md).
+TEST(CloudSurface, PaperModeHoldsInAllTrials) {
+  const std::vector<Point> cloud = sheet(30, 0.02, 0.4, 0.6, everywhere);
+  CloudSurfaceOptions options;
+  const CloudSurface robust = cloud_surface(cloud, options);
+  options.reconstruct.mode = Mode::paper;
+  const CloudSurface paper = cloud_surface(cloud, options);
+  ASSERT_GT(paper.trials.size(), 3U);
+  for (const RimTrial& trial : paper.trials) {
+    EXPECT_EQ(trial.search.radius_mode, RadiusMode::cocone);
+  }
+  EXPECT_EQ(paper.trials[1].boundary_samples, robust.trials[1].boundary_samples);
+  EXPECT_NE(paper.trials[2].boundary_samples, robust.trials[2].boundary_samples);
+}
+
 TEST(CloudSurface, RejectsWhatCannotBeTriangulated) {
   const std::vector<Point> line = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {5, 0, 0}};
   EXPECT_THROW(cloud_surface(line), InputError);
