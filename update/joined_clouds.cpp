@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -102,13 +103,16 @@ std::vector<std::size_t> joined_clouds(std::span<const std::vector<std::size_t>>
 std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
                                      const JoinOptions& options) {
   Clouds samples(clouds);
-  std::vector<std::vector<std::size_t>> others(clouds.size());
-  for (std::size_t a = 0; a < clouds.size(); ++a) {
-    for (std::size_t b = a + 1; b < clouds.size(); ++b) {
-      if (overlap_each_other(samples, a, b, options)) others[a].push_back(b);
+  DisjointSets sets(clouds.size());
+  for (std::uint32_t a = 0; a < clouds.size(); ++a) {
+    for (std::uint32_t b = a + 1; b < clouds.size(); ++b) {
+      // Of many scans of one place most pairs need not be asked.
+      if (sets.root(a) == sets.root(b)) continue;
+      if (overlap_each_other(samples, a, b, options)) sets.join(a, b);
     }
   }
-  const std::vector<std::size_t> first = joined_clouds(others);
+  std::vector<std::size_t> first;
+  for (std::uint32_t c = 0; c < clouds.size(); ++c) first.push_back(sets.root(c));
   std::vector<JoinedCloud> joined;
   std::vector<std::size_t> place(clouds.size());
   for (std::size_t c = 0; c < clouds.size(); ++c) {
