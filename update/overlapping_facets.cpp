@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "geom/disjoint_sets.h"
 #include "geom/median.h"
 #include "geom/nearest_point.h"
 #include "geom/sort_ids.h"
@@ -334,6 +335,21 @@ void match_loops(const CloudRim& rim, const OverlapOptions& options, Overlap& ov
   overlap.status = overlaps ? OverlapStatus::ok : OverlapStatus::no_overlap;
 }
 
+// Clouds that cover each other lie on the model if one of them does.
+void refuse_off_model(DisjointSets& sets, std::span<Overlap> overlaps) {
+  std::vector<std::uint8_t> on_model(overlaps.size(), 0);
+  for (std::uint32_t c = 0; c < overlaps.size(); ++c) {
+    const auto& loops = overlaps[c].loops;
+    const bool any = std::any_of(loops.begin(), loops.end(), [](const LoopOverlap& loop) {
+      return loop.match == LoopMatch::on_model;
+    });
+    if (any) on_model[sets.root(c)] = 1;
+  }
+  for (std::uint32_t c = 0; c < overlaps.size(); ++c) {
+    if (on_model[sets.root(c)] == 0) overlaps[c].status = OverlapStatus::no_overlap;
+  }
+}
+
 // Fills located[k] for each k of `chosen`.
 void locate_points(const ModelIndex& model, const Locator& locator,
                    const std::vector<Query>& queries, const std::vector<std::size_t>& chosen,
@@ -418,14 +434,18 @@ void excuse_covered_points(std::span<const CloudRim> rims,
   std::vector<NearestPointTree> trees;
   for (const std::vector<Point>& cloud : clouds) trees.emplace_back(cloud);
 
-  for (std::size_t c = 0; c < rims.size(); ++c) {
+  DisjointSets sets(rims.size());  // of clouds that cover each other
+  for (std::uint32_t c = 0; c < rims.size(); ++c) {
     const double reach = options.max_distance * rims[c].spacing;
     auto is_covered = [&](const Point& p) {
-      for (std::size_t other = 0; other < trees.size(); ++other) {
-        if (other == c) continue;
-        if (trees[other].nearest(p).squared_distance <= reach * reach) return true;
+      bool found = false;
+      for (std::uint32_t other = 0; other < trees.size(); ++other) {
+        if (other == c || (found && sets.root(other) == sets.root(c))) continue;
+        if (trees[other].nearest(p).squared_distance > reach * reach) continue;
+        sets.join(c, other);
+        found = true;
       }
-      return false;
+      return found;
     };
     for (std::size_t l = 0; l < rims[c].loops.size(); ++l) {
       LoopOverlap& loop = overlaps[c].loops[l];
@@ -437,6 +457,7 @@ void excuse_covered_points(std::span<const CloudRim> rims,
     }
     match_loops(rims[c], options, overlaps[c]);
   }
+  refuse_off_model(sets, overlaps);
 }
 
 Overlap overlapping_facets(const TriangleMesh& model, const CloudRim& rim,

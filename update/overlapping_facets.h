@@ -68,7 +68,7 @@ struct LoopOverlap {
 
 enum class OverlapStatus {
   ok,
-  no_overlap,  // the longest loop of the cloud is off the model
+  no_overlap,  // the longest loop of the cloud is off the model, or all clouds that cover it are
 };
 
 struct Overlap {
@@ -103,7 +103,9 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
 
 // Where clouds overlap each other on changed geometry, the rim of one lies on the other and not on
 // the old model. Counts the unmatched points of each loop that are within `max_distance` rim
-// spacings of a point of another cloud as covered, and judges the loops anew without them.
+// spacings of a point of another cloud as covered, and judges the loops anew without them. If of
+// clouds that cover each other, also by way of others, none has a loop on the model, they all lie
+// off it (no_overlap).
 // clouds[i] belongs to rims[i] and overlaps[i]. Complexity: O(unmatched log(cloud)).
 // Source: ours; clouds that overlap each other do not occur in Woo & Dey 2005.
 void excuse_covered_points(std::span<const CloudRim> rims,

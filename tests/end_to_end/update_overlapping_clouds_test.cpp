@@ -54,6 +54,20 @@ TEST_P(UpdateOverlappingClouds, EndWhereAllOfThemEnd) {
   EXPECT_GT(part.left_over(update_model(part.model, clouds, alone)), 2U);
 }
 
+// Above the model: each ends in the midst of the other one, but nothing ties them to the model. Nor
+// does a cloud elsewhere that is where it should be.
+TEST_P(UpdateOverlappingClouds, AreRefusedOffTheModel) {
+  SlabWithPocket part(GetParam());
+  Clouds off = two_halves(part);
+  for (std::vector<Point>& cloud : off) {
+    for (Point& p : cloud) p.z += 40;
+  }
+  EXPECT_EQ(update_model(part.model, off).status, UpdateStatus::no_overlap);
+  off.push_back(part.scan());
+  EXPECT_EQ(update_model(part.model, off).status, UpdateStatus::no_overlap);
+  EXPECT_EQ(update_model(part.model, Clouds{off[0], off[0]}).status, UpdateStatus::no_overlap);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scans, UpdateOverlappingClouds, ::testing::Values(1, 2, 3, 4));
 
 }  // namespace
