@@ -245,9 +245,9 @@ BoundaryLoops loops_without(const TriangleMesh& surface, const LinkedSides& side
 
 // By a copy that has been multiplied by `scale`, a power of two: squares of lengths are in the
 // range of double there.
-BoundaryLoops scaled_loops(TriangleMesh surface, double scale, const BoundaryLoopOptions& options) {
-  for (Point& p : surface.points) p = scale * p;
-  BoundaryLoops result = boundary_loops(surface, options);
+BoundaryLoops scaled_loops(const TriangleMesh& surface, double scale,
+                           const BoundaryLoopOptions& options) {
+  BoundaryLoops result = boundary_loops(scaled(surface, scale), options);
   result.median_edge /= scale;
   for (BoundaryLoop& loop : result.loops) loop.perimeter /= scale;
   return result;

@@ -66,7 +66,7 @@ void add_sides_of_solid(const Triangulation& triangulation, const TriangleMesh& 
 KnownSidesSource sides_told_by(TriangleMesh solid, Points samples,
                                const SidesOfSolidOptions& options) {
   if (const double scale = working_scale(samples); scale != 1) {
-    for (Point& p : solid.points) p = scale * p;
+    solid = scaled(std::move(solid), scale);
   }
   const auto kept = std::make_shared<const TriangleMesh>(std::move(solid));
   return [kept, options](const Triangulation& triangulation, const FacetSet&,

@@ -213,11 +213,9 @@ std::vector<Point> dense_samples(const TriangleMesh& mesh, const DenseSampleOpti
   }
   const double scale = working_scale(mesh.points.raw());
   if (scale == 1) return samples_of(mesh, options, 1, execution);
-  TriangleMesh scaled = mesh;
-  for (Point& p : scaled.points) p = scale * p;
   DenseSampleOptions scaled_options = options;
   scaled_options.spacing *= scale;
-  std::vector<Point> samples = samples_of(scaled, scaled_options, scale, execution);
+  std::vector<Point> samples = samples_of(scaled(mesh, scale), scaled_options, scale, execution);
   for (Point& p : samples) p = p / scale;
   return samples;
 }

@@ -80,9 +80,8 @@ MeshMeasure mesh_measure(const TriangleMesh& mesh) {
   const Box box = box_of_corners(mesh);
   const double scale = working_scale(std::array{box.low, box.high});
   if (scale == 1) return measure_scaled(mesh, box);
-  TriangleMesh scaled = mesh;
-  for (Point& p : scaled.points) p = scale * p;
-  MeshMeasure measure = measure_scaled(scaled, box_of_corners(scaled));
+  const TriangleMesh copy = scaled(mesh, scale);
+  MeshMeasure measure = measure_scaled(copy, box_of_corners(copy));
   measure.box = box;
   measure.area = measure.area / scale / scale;
   measure.signed_volume = measure.signed_volume / scale / scale / scale;

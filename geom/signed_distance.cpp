@@ -122,9 +122,7 @@ std::vector<double> signed_distances(const TriangleMesh& mesh, Points points,
                                      const Execution& execution) {
   const double scale = working_scale(mesh.points.raw());
   if (scale == 1) return distances_by_scale(mesh, mesh, 1, points, execution);
-  TriangleMesh scaled = mesh;
-  for (Point& p : scaled.points) p = scale * p;
-  return distances_by_scale(mesh, scaled, scale, points, execution);
+  return distances_by_scale(mesh, scaled(mesh, scale), scale, points, execution);
 }
 
 }  // namespace cocoon

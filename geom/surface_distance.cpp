@@ -119,11 +119,6 @@ DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to,
           .farthest = farthest.farthest};
 }
 
-TriangleMesh scaled(TriangleMesh mesh, double scale) {
-  for (Point& p : mesh.points) p = scale * p;
-  return mesh;
-}
-
 DirectedDistance unscaled(DirectedDistance distance, double scale) {
   distance.max /= scale;
   distance.mean /= scale;

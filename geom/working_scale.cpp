@@ -35,4 +35,15 @@ bool scales_exactly(Points points, double scale) {
   });
 }
 
+std::vector<Point> scaled(Points points, double factor) {
+  std::vector<Point> copy(points.begin(), points.end());
+  for (Point& p : copy) p = factor * p;
+  return copy;
+}
+
+TriangleMesh scaled(TriangleMesh mesh, double factor) {
+  for (Point& p : mesh.points) p = factor * p;
+  return mesh;
+}
+
 }  // namespace cocoon

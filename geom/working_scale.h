@@ -1,8 +1,11 @@
 // Coordinates of extreme size, brought where floating point has room on both sides.
 #pragma once
 
+#include <vector>
+
 #include "geom/execution.h"
 #include "geom/point.h"
+#include "geom/triangle_mesh.h"
 
 namespace cocoon {
 
@@ -16,5 +19,9 @@ double working_scale(Points points, const Execution& execution = {});
 // True iff every coordinate times `scale`, a power of two, is representable: nothing is lost to
 // underflow. Complexity: O(n).
 bool scales_exactly(Points points, double scale);
+
+// Copies whose coordinates are multiplied by the factor. Complexity: O(n).
+std::vector<Point> scaled(Points points, double factor);
+TriangleMesh scaled(TriangleMesh mesh, double factor);
 
 }  // namespace cocoon

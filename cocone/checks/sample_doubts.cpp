@@ -55,9 +55,8 @@ SampleDoubts sample_doubts(Points points, const ReconstructOptions& options,
                            const SurfaceDoubtOptions& doubts, const Execution& execution) {
   const ReconstructOptions effective = effective_options(options);
   const double scale = working_scale(points);
-  std::vector<Point> scaled(points.begin(), points.end());
-  for (Point& p : scaled) p = scale * p;
-  const Triangulation triangulation = delaunay(scaled, effective.delaunay, execution).triangulation;
+  const Triangulation triangulation =
+      delaunay(scaled(points, scale), effective.delaunay, execution).triangulation;
   const IdVector<VertexId, double> spacing =
       sample_spacing(triangulation, vertex_stars(triangulation), SpacingCache::edges, execution);
   SampleDoubts result;

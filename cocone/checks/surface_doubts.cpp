@@ -329,10 +329,9 @@ class Doubts {
 // range of double there.
 SurfaceDoubts scaled_doubts(ReconstructResult result, Points points, double scale,
                             const SurfaceDoubtOptions& options, const Execution& execution) {
-  std::vector<Point> scaled(points.begin(), points.end());
-  for (Point& p : scaled) p = scale * p;
-  for (Point& p : result.mesh.points) p = scale * p;
-  SurfaceDoubts doubts = Doubts(result, scaled, options, execution).run();
+  const std::vector<Point> copy = scaled(points, scale);
+  result.mesh = scaled(std::move(result.mesh), scale);
+  SurfaceDoubts doubts = Doubts(result, copy, options, execution).run();
   doubts.spacing /= scale;
   for (std::vector<DoubtfulSpot>* spots :
        {&doubts.sparse, &doubts.dust, &doubts.unused, &doubts.contacts, &doubts.handles,

@@ -31,8 +31,7 @@ void KeptSurface::tell_by_model(const Triangulation& triangulation, KnownSides& 
     add_sides_of_solid(triangulation, model_.mesh(), known.undisturbed, known, {}, execution);
     return;
   }
-  TriangleMesh solid = model_.mesh();
-  for (Point& p : solid.points) p = scale * p;
+  const TriangleMesh solid = scaled(model_.mesh(), scale);
   add_sides_of_solid(triangulation, solid, known.undisturbed, known, {}, execution);
 }
 
