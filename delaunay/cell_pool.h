@@ -11,8 +11,9 @@
 
 namespace cocoon {
 
-// What the search for the conflict zone of the current point knows about a cell.
-enum class CellMark : std::uint8_t { untested = 0, conflict = 1, outside = 2 };
+// Whether the search for the conflict zone of the current point has found a cell. The search
+// computes with these numbers.
+enum class CellMark : std::uint8_t { untested = 0, conflict = 1 };
 
 template <>
 struct ElementStorage<CellMark> {

@@ -13,7 +13,6 @@
 #include "delaunay/circulate.h"
 #include "delaunay/first_cells.h"
 #include "delaunay/insertion_order.h"
-#include "delaunay/locate.h"
 #include "geom/errors.h"
 #include "geom/room_to_grow.h"
 #include "geom/sort_ids.h"

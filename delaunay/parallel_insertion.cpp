@@ -135,7 +135,6 @@ class alignas(128) Worker {
   // told to stop.
   void work(std::vector<std::unique_ptr<Worker>>& workers, std::size_t begin, std::size_t end,
             const Execution* execution);
-  bool has_left() const { return !left_.empty() || runs.size() != 0; }
   // All slots that it has taken and does not use; to be called when it has done its work.
   const std::vector<CellId>& free_slots() {
     while (fresh_ != fresh_end_) free_fresh_slots();

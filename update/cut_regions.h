@@ -93,7 +93,7 @@ struct CutRegions {
 };
 
 // For each cloud whether it is cut: its rim is partial (CloudRim::is_partial), or one of those it
-// is joined to. joined[c]: the first of the clouds that c is joined to (joined_clouds()).
+// is joined to. joined[c]: the first of the clouds that c is joined to (lowest_sharing_clouds()).
 std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
                                         std::span<const std::size_t> joined);
 

@@ -90,16 +90,6 @@ bool overlap_each_other(Clouds& clouds, std::size_t a, std::size_t b, const Join
 
 }  // namespace
 
-std::vector<std::size_t> joined_clouds(std::span<const std::vector<std::size_t>> others) {
-  DisjointSets sets(others.size());
-  for (std::uint32_t c = 0; c < others.size(); ++c) {
-    for (const std::size_t other : others[c]) sets.join(c, static_cast<std::uint32_t>(other));
-  }
-  std::vector<std::size_t> lowest;
-  for (std::uint32_t c = 0; c < others.size(); ++c) lowest.push_back(sets.root(c));
-  return lowest;
-}
-
 std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
                                      const JoinOptions& options) {
   Clouds samples(clouds);

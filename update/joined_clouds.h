@@ -13,10 +13,6 @@
 
 namespace cocoon {
 
-// The lowest cloud among those that hang together with each; others[c]: clouds that c overlaps.
-// Complexity: near linear in the entries.
-std::vector<std::size_t> joined_clouds(std::span<const std::vector<std::size_t>> others);
-
 struct JoinOptions {
   // Clouds overlap each other if this share of the samples of one of them, or more,
   double min_share = 0.02;

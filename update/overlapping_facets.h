@@ -63,7 +63,7 @@ struct LoopOverlap {
   std::size_t inner_points = 0;    // not looked for: between edges with cloud beyond them
   std::size_t unmatched = 0;       // points without a facet, inner points left aside
   std::size_t raised = 0;   // points farther off than raised_distance says; unmatched ones, too
-  std::size_t covered = 0;  // of these: points on another cloud, see excuse_covered_points()
+  std::size_t covered = 0;  // unmatched points on another cloud, see excuse_covered_points()
 };
 
 enum class OverlapStatus {

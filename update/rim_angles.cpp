@@ -22,8 +22,7 @@ class NearestOfGroups {
   NearestOfGroups(const TriangleMesh& mesh, const Regions& regions, const Point& midpoint)
       : mesh_(mesh), regions_(regions), midpoint_(midpoint) {}
 
-  // Enters the corners of a facet. With `only_new` only groups that had no vertex before the first
-  // widened facet take part.
+  // Enters the corners of a facet; `widened`: of the ring around those at the edge.
   void enter(TriangleId facet, bool widened) {
     for (const VertexId v : mesh_.triangles[facet]) {
       const RegionId region = regions_.group_of_vertex[v];

@@ -1,8 +1,10 @@
 #include "update/shared_edges.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "geom/box.h"
+#include "geom/disjoint_sets.h"
 #include "geom/nearest_point.h"
 #include "update/cloud/rim_seams.h"
 #include "update/model/reached_cells.h"
@@ -67,6 +69,16 @@ std::vector<std::size_t> mark_shared_edges(std::size_t c, std::span<const Scan> 
     if (shares) others.push_back(other);
   }
   return others;
+}
+
+std::vector<std::size_t> lowest_sharing_clouds(std::span<const std::vector<std::size_t>> others) {
+  DisjointSets sets(others.size());
+  for (std::uint32_t c = 0; c < others.size(); ++c) {
+    for (const std::size_t other : others[c]) sets.join(c, static_cast<std::uint32_t>(other));
+  }
+  std::vector<std::size_t> lowest;
+  for (std::uint32_t c = 0; c < others.size(); ++c) lowest.push_back(sets.root(c));
+  return lowest;
 }
 
 }  // namespace cocoon

@@ -28,4 +28,8 @@ struct SharedEdgeOptions {
 std::vector<std::size_t> mark_shared_edges(std::size_t c, std::span<const Scan> scans,
                                            CloudRim& rim, const SharedEdgeOptions& options = {});
 
+// The lowest cloud among those that hang together with each by shared edges; others[c]: the clouds
+// that mark_shared_edges() found for c. Complexity: near linear in the entries.
+std::vector<std::size_t> lowest_sharing_clouds(std::span<const std::vector<std::size_t>> others);
+
 }  // namespace cocoon

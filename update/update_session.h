@@ -79,7 +79,8 @@ class UpdateSession {
   // The current points, in the order of the user.
   Points points() const { return points_are_vertices_ ? Points(model_.points.raw()) : points_; }
   const UpdateOptions& options() const { return options_; }
-  // Of the current model, without its mesh; of a mesh that was given, empty. Complexity: O(n).
+  // Of the current model, without its mesh; empty of a mesh or a snapshot that was given.
+  // Complexity: O(n).
   ReconstructResult reconstruction() const;
 
   // Updates the model by clouds registered to it (update_model.h). Unless the status is ok, and if

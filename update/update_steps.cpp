@@ -93,7 +93,7 @@ bool UpdateSteps::find_overlapping_facets(const ModelIndex& index, const Executi
 
 bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& execution) {
   if (close_pin_holes(index, execution)) trace_borders(index, execution);
-  const std::vector<std::size_t> joined = joined_clouds(shared_with_);
+  const std::vector<std::size_t> joined = lowest_sharing_clouds(shared_with_);
   is_cut_ = clouds_to_cut(partial_rims(result_.clouds), joined);
   if (!segment(index, joined, execution)) return false;
   std::vector<RegionAngles> angles = measure_angles(index);

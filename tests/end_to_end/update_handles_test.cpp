@@ -11,6 +11,7 @@
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
 #include "geom/random.h"
+#include "tests/end_to_end/local_update.h"
 #include "tests/gallery.h"
 #include "tests/update/hand_made_models.h"
 #include "update/report/unexplained_handles.h"
@@ -19,13 +20,8 @@
 namespace cocoon {
 namespace {
 
-using Clouds = std::vector<std::vector<Point>>;
-
-// A smooth hill: 1 in the middle, 0 from `width` on.
-double hill(double distance, double width) {
-  const double t = distance / width;
-  return t < 1 ? (1 - t * t) * (1 - t * t) : 0;
-}
+using testing::Clouds;
+using testing::hill;
 
 // The block of 24 * 20 * 8 with a square hole of size 4 through it, top to bottom, in its middle.
 TriangleMesh block_with_a_hole() {

@@ -31,11 +31,6 @@ std::vector<std::vector<std::size_t>> members(const Clouds& clouds,
   return result;
 }
 
-TEST(JoinedClouds, HangTogetherByOthers) {
-  const std::vector<std::vector<std::size_t>> others = {{}, {4}, {}, {4}, {}};
-  EXPECT_EQ(joined_clouds(others), (std::vector<std::size_t>{0, 1, 2, 1, 1}));
-}
-
 TEST(JoinedClouds, OverlapEachOther) {
   const Clouds clouds = {square({0, 0, 0}), square({40, 0, 0}), square({6.5, 0.5, 0.2}),
                          square({12.5, 1, 0})};

@@ -79,5 +79,10 @@ TEST(SharedEdges, SeamsAreNotCountedAgain) {
   EXPECT_EQ(squares.rims[0].shared_edges, 0U);
 }
 
+TEST(SharedEdges, CloudsHangTogetherByOthers) {
+  const std::vector<std::vector<std::size_t>> others = {{}, {4}, {}, {4}, {}};
+  EXPECT_EQ(lowest_sharing_clouds(others), (std::vector<std::size_t>{0, 1, 2, 1, 1}));
+}
+
 }  // namespace
 }  // namespace cocoon
