@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "app/replaceable_file.h"
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "io/atomic_file.h"
@@ -96,6 +97,9 @@ void require_writable(const std::string& path) {
   if (access(folder.c_str(), W_OK | X_OK) != 0) {
     throw FileError(path + ": no file can be written or replaced in " + folder.string() + " (" +
                     std::strerror(errno) + "); name another folder, or check its permissions");
+  }
+  if (const std::string why = obstacle_to_replacing(target); !why.empty()) {
+    throw FileError(path + ": cannot be replaced: " + why + "; name another file");
   }
 }
 
