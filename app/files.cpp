@@ -162,29 +162,33 @@ std::string in_folder(const std::string& folder, const std::string& name) {
 }
 
 std::vector<Point> read_cloud(Job& job, const std::string& path, const std::string& section,
-                              VertexProperties* properties, std::size_t* faces) {
+                              VertexProperties* properties, std::size_t* faces,
+                              std::vector<std::size_t>* skipped) {
   PointReadOptions options;
   options.keep_properties = properties != nullptr;
   options.skip_non_finite = job.shared().skip_non_finite;
   PointCloud cloud = timed(job.execution(), "read", [&] { return read_points(path, options); });
   tell_columns(job, path, section, cloud);
-  warn_of_skipped(job, path, section, cloud.skipped);
-  if (cloud.announced && *cloud.announced < cloud.points.size() + cloud.skipped) {
+  warn_of_skipped(job, path, section, cloud.skipped.size());
+  const std::size_t points = cloud.points.size() + cloud.skipped.size();
+  if (cloud.announced && *cloud.announced < points) {
     job.report().set(section + "/announced_points", *cloud.announced);
     job.warn(fmt::format("{}: announces {}, but {} follow; all of them were read", path,
-                         counted(*cloud.announced, "point"), cloud.points.size() + cloud.skipped));
+                         counted(*cloud.announced, "point"), points));
   }
   warn_of_surplus_lines(job, path, section, cloud.surplus_lines, cloud.first_surplus_line);
   warn_of_trailing_bytes(job, path, section, cloud.trailing_bytes);
   if (properties != nullptr) *properties = std::move(cloud.properties);
   if (faces != nullptr) *faces = cloud.faces;
+  if (skipped != nullptr) *skipped = std::move(cloud.skipped);
   return std::move(cloud.points);
 }
 
 TriangleMesh read_shape(Job& job, const std::string& path, const std::string& section,
-                        VertexProperties* properties) {
+                        VertexProperties* properties, std::vector<std::size_t>* skipped) {
   if (!has_mesh_extension(path)) {
-    return {IdVector<VertexId, Point>(read_cloud(job, path, section, properties)), {}};
+    return {IdVector<VertexId, Point>(read_cloud(job, path, section, properties, nullptr, skipped)),
+            {}};
   }
   MeshReadReport read;
   const MeshReadOptions options = {job.shared().skip_non_finite};
@@ -192,7 +196,7 @@ TriangleMesh read_shape(Job& job, const std::string& path, const std::string& se
     return properties == nullptr ? read_mesh(path, read, options)
                                  : read_mesh(path, read, *properties, options);
   });
-  warn_of_skipped(job, path, section, read.skipped);
+  warn_of_skipped(job, path, section, read.skipped.size());
   job.report().set(section + "/faces", read.faces);
   if (read.polygons > 0) job.report().set(section + "/polygons_cut", read.polygons);
   const std::size_t left_out = read.short_faces + read.degenerate_triangles;
@@ -203,6 +207,7 @@ TriangleMesh read_shape(Job& job, const std::string& path, const std::string& se
   }
   warn_of_surplus_lines(job, path, section, read.surplus_lines, read.first_surplus_line);
   warn_of_trailing_bytes(job, path, section, read.trailing_bytes);
+  if (skipped != nullptr) *skipped = std::move(read.skipped);
   return mesh;
 }
 
