@@ -28,6 +28,12 @@ void tell_columns(Job& job, const std::string& path, const std::string& section,
   const auto& [x, y, z] = cloud.coordinate_names;
   if (x.empty() && y.empty() && z.empty()) return;
   job.report().set(section + "/coordinate_columns", std::vector<std::string>{x, y, z});
+  // Tables of R have one for the names of the rows.
+  if (cloud.columns == cloud.named_columns + 1) {
+    job.warn(path +
+             ": rows have one column more than the header names; the first three are taken as x, "
+             "y, z: if the first one numbers the rows, name it in the header");
+  }
   if (cloud.told_columns) return;
   job.say("note: {}: no columns are named x, y, z; taken are the first three: {}, {}, {}", path, x,
           y, z);

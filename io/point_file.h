@@ -35,6 +35,7 @@ struct PointCloud {
   // told so; if not, they are the first three.
   std::array<std::string, 3> coordinate_names;
   bool told_columns = false;
+  std::size_t named_columns = 0;  // text files: how many columns the header names
   // Text files: the count in a first line of its own, if there is one. More points may follow.
   std::optional<std::size_t> announced;
   std::size_t surplus_lines = 0;  // ascii PLY: see MeshReadReport

@@ -163,6 +163,21 @@ TEST(BadInput, NonFinitePointsOfModelsWithoutFacesCanBeLeftOut) {
   expect_error(run_program({"compare", mesh, mesh, "--skip-non-finite"}), 1, "point 2");
 }
 
+// As R writes a table: the first three columns of the rows need not be those of the names.
+TEST(BadInput, AColumnThatTheHeaderDoesNotNameIsAWarning) {
+  const TemporaryFolder folder;
+  const std::string warning = "rows have one column more than the header names";
+  const auto told = [&](const std::string& content) {
+    const ProgramRun run =
+        run_program({"delaunay", folder.write("a.txt", content), "-o", folder.file("out.tet")});
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    return run.out.find(warning) != std::string::npos;
+  };
+  EXPECT_TRUE(told("x y z\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"));
+  EXPECT_FALSE(told("x y z r\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"));
+  EXPECT_FALSE(told("n x y z\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"));
+}
+
 TEST(BadInput, TrianglesWithoutAreaAreComparedAsPoints) {
   const TemporaryFolder folder;
   const std::string points = "0 0 0\n1 0 0\n2 0 0\n";

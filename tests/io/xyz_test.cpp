@@ -1,3 +1,4 @@
+#include <array>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -67,6 +68,35 @@ TEST_F(Xyz, ColumnsAreFoundByTheirNames) {
   EXPECT_FALSE(others.told_columns);
   EXPECT_EQ(others.coordinate_names, (std::array<std::string, 3>{"scalars", "east", "north"}));
   EXPECT_EQ(read("1 2 3\n").coordinate_names, (std::array<std::string, 3>{}));
+}
+
+TEST_F(Xyz, TheColumnThatNumbersTheRowsMayHaveNoName) {
+  for (const char* content :
+       {",x,y,z\n0,1,2,3\n1,4,5,6\n", "; x; y; z\n0; 1; 2; 3\n1; 4; 5; 6\n",
+        ",id,x,y,z\n0,7,1,2,3\n1,8,4,5,6\n", "\tx\ty\tz\n0\t1\t2\t3\n1\t4\t5\t6\n",
+        "\tz\ty\tx\tr\n0\t3\t2\t1\t9\n1\t6\t5\t4\t9\n", "\tx\ty\tz\n\t1\t2\t3\n\t4\t5\t6\n",
+        "\"\",\"x\",\"y\",\"z\"\n\"1\",1,2,3\n\"2\",4,5,6\n"}) {
+    const PointCloud cloud = read(content);
+    EXPECT_EQ(cloud.points, two) << content;
+    EXPECT_TRUE(cloud.told_columns) << content;
+    EXPECT_EQ(cloud.named_columns, cloud.columns) << content;
+  }
+  for (const char* content : {",east,north,height\n0,1,2,3\n1,4,5,6\n",
+                              "\teast\tnorth\theight\n0\t1\t2\t3\n1\t4\t5\t6\n"}) {
+    const PointCloud cloud = read(content);
+    EXPECT_EQ(cloud.points, two) << content;
+    EXPECT_FALSE(cloud.told_columns);
+    EXPECT_EQ(cloud.coordinate_names, (std::array<std::string, 3>{"east", "north", "height"}));
+  }
+  EXPECT_EQ(message(",,x,y,z\n0,0,1,2,3\n"), ":1: column 1 is not a decimal number: ''");
+  EXPECT_EQ(message(",x,y\n0,1,2\n"), ":1: column 1 is not a decimal number: ''");
+}
+
+TEST_F(Xyz, LastValuesMayBeMissing) {
+  EXPECT_EQ(read("id,x,y,z,label\n0,1,2,3,\n1,4,5,6, \n").points, two);
+  EXPECT_EQ(read("id;x;y;z;label\n0;1;2;3;a\n1;4;5;6;\n").points, two);
+  EXPECT_EQ(message("id,x,y,z,a,b\n0,1,2,3,\n").substr(0, 39),
+            ":2: has 4 columns, but the header names");
 }
 
 TEST_F(Xyz, ReadsAllRowsWhereMoreFollowThanAnnounced) {
