@@ -98,7 +98,7 @@ TEST_F(UnwritableOutputs, FilesOfOthersInStickyFolders) {
   fs::create_symlink(old, folder.file("link.ply"));
   const auto own_no_others = [] { prctl(PR_CAPBSET_DROP, CAP_FOWNER, 0, 0, 0); };
   for (const std::string& output : {old, folder.file("link.ply")}) {
-    for (Names arguments : writings(output)) {
+    for (const Names& arguments : writings(output)) {
       expect_told_first(arguments,
                         output +
                             ": cannot be replaced: it is another user's, in a folder with the "
