@@ -145,6 +145,7 @@ class XyzReader {
     if (columns_.at != CoordinateColumns().at) {
       read_row_by_names(line);
     } else {
+      if (has_tabs_between_names_) require_coordinates(line);
       read_plain_row(line);
     }
   }
@@ -192,6 +193,20 @@ class XyzReader {
            " is not a decimal number: " + in_quotes(text));
     }
     add({xyz[0], xyz[1], xyz[2]});
+  }
+
+  // Nothing between two tabs, or before the first, is a value that is missing, unless tabs align
+  // the columns.
+  void require_coordinates(std::string_view line) const {
+    if (!begins_with_tab_ && line.find("\t\t") == std::string_view::npos) return;
+    if (split_columns(line).size() >= names_.size()) return;
+    std::size_t column = begins_with_tab_ ? 0 : 1;
+    for (std::size_t at = 0; column > 0 && column < 3; ++column) {
+      at = line.find('\t', at) + 1;
+      if (at == 0) return;
+      if (at < line.size() && line[at] == '\t') break;
+    }
+    if (column < 3) fail("column " + std::to_string(column + 1) + " is empty");
   }
 
   void read_plain_row(std::string_view line) {
@@ -276,6 +291,7 @@ class XyzReader {
     if (line.find(',') != std::string_view::npos) comma_columns_ = count_comma_columns(line);
     cloud_.header = line;
     header_begins_with_tab_ = begins_with_tab_;
+    has_tabs_between_names_ = line.find('\t') != std::string_view::npos;
     return true;
   }
 
@@ -310,6 +326,7 @@ class XyzReader {
   bool begins_with_tab_ = false;   // the current line
   // The same of pandas where tabs separate columns, if the rows have one more than the names.
   bool header_begins_with_tab_ = false;
+  bool has_tabs_between_names_ = false;
   CoordinateColumns columns_;
   std::vector<std::string> names_;  // of all columns; empty: there is no header
   CoordinateColumns comment_columns_;

@@ -92,6 +92,18 @@ TEST_F(Xyz, TheColumnThatNumbersTheRowsMayHaveNoName) {
   EXPECT_EQ(message(",x,y\n0,1,2\n"), ":1: column 1 is not a decimal number: ''");
 }
 
+TEST_F(Xyz, ValuesThatAreMissingBetweenTabsAreNoCoordinates) {
+  const std::string header = "x\ty\tz\tr\n1\t2\t3\t0\n";
+  EXPECT_EQ(message(header + "\t4\t5\t6\n"), ":3: column 1 is empty");
+  EXPECT_EQ(message(header + "4\t\t5\t6\n"), ":3: column 2 is empty");
+  EXPECT_EQ(message(header + "4\t5\t\t6\n"), ":3: column 3 is empty");
+  EXPECT_EQ(read(header + "4\t5\t6\t\n").points, two);
+  EXPECT_EQ(read(header + "4\t\t5\t6\t\t7\n").points, two);
+  EXPECT_EQ(read(header + "\t4\t5\t6\t7\n").points, two);
+  EXPECT_EQ(read("x\ty\tz\tr\tg\n1\t2\t3\t\t7\n4\t5\t6\t\t\n").points, two);
+  EXPECT_EQ(read("1\t\t2\t3\n4\t5\t\t6\n").points, two);
+}
+
 TEST_F(Xyz, LastValuesMayBeMissing) {
   EXPECT_EQ(read("id,x,y,z,label\n0,1,2,3,\n1,4,5,6, \n").points, two);
   EXPECT_EQ(read("id;x;y;z;label\n0;1;2;3;a\n1;4;5;6;\n").points, two);
