@@ -389,6 +389,17 @@ void require_known_command(const CLI::App& app, int argc, const char* const* arg
   throw UsageError(fmt::format("'{}' is no command; there are {}", first, names));
 }
 
+// As a shell makes them of variables that are not set. Taken for an option that is not given, an
+// output would be missing in the end.
+void require_no_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (!value.empty()) continue;
+      throw UsageError(option->get_name() + ": the value is empty; give one");
+    }
+  }
+}
+
 std::string problem_told(const CLI::App& app, const CLI::ParseError& error) {
   std::string problem = in_one_line(error.what());
   // With a session the first of the arguments without a name is a cloud (settle_model).
@@ -412,6 +423,8 @@ Request parse_command_line(int argc, const char* const* argv) {
   try {
     require_known_command(app, argc, argv);
     app.parse(argc, argv);
+    require_no_empty_values(app);
+    for (const CLI::App* command : app.get_subcommands()) require_no_empty_values(*command);
     if (const auto* check = std::get_if<CheckArguments>(&line.command)) {
       require_known_words(check->required);
     }

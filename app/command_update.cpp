@@ -25,6 +25,18 @@ void require_numbered_vertices(const UpdateArguments& arguments) {
                    "or .off, or leave out --map");
 }
 
+// From which point of a cloud each of its file is (empty: they are the same) to its vertex.
+void follow(const IdVector<PointId, VertexId>& vertex_of_point,
+            IdVector<VertexId, VertexId>& of_file) {
+  if (of_file.empty()) {
+    of_file = IdVector<VertexId, VertexId>(vertex_of_point.raw());
+    return;
+  }
+  for (VertexId& at : of_file.raw()) {
+    if (!at.is_none()) at = vertex_of_point[PointId(at.value)];
+  }
+}
+
 // The model and the clouds; a model given as points, or made dense, is reconstructed.
 UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& options, Job& job) {
   UpdateInput input;
@@ -65,7 +77,7 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
     for (const PointId p : dense.point_of_vertex)
       input.vertex_of_file.push_back(vertex_of_point[p]);
   } else {
-    input.vertex_of_file = IdVector<VertexId, VertexId>(std::move(vertex_of_point.raw()));
+    follow(vertex_of_point, input.vertex_of_file);
   }
   input.model = std::move(initial.mesh);
   return input;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "app/replaceable_file.h"
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "io/atomic_file.h"
@@ -27,6 +28,12 @@ void tell_columns(Job& job, const std::string& path, const std::string& section,
   const auto& [x, y, z] = cloud.coordinate_names;
   if (x.empty() && y.empty() && z.empty()) return;
   job.report().set(section + "/coordinate_columns", std::vector<std::string>{x, y, z});
+  // Tables of R have one for the names of the rows.
+  if (cloud.columns == cloud.named_columns + 1) {
+    job.warn(path +
+             ": rows have one column more than the header names; the first three are taken as x, "
+             "y, z: if the first one numbers the rows, name it in the header");
+  }
   if (cloud.told_columns) return;
   job.say("note: {}: no columns are named x, y, z; taken are the first three: {}, {}, {}", path, x,
           y, z);
@@ -97,6 +104,9 @@ void require_writable(const std::string& path) {
     throw FileError(path + ": no file can be written or replaced in " + folder.string() + " (" +
                     std::strerror(errno) + "); name another folder, or check its permissions");
   }
+  if (const std::string why = obstacle_to_replacing(target); !why.empty()) {
+    throw FileError(path + ": cannot be replaced: " + why + "; name another file");
+  }
 }
 
 }  // namespace
@@ -158,29 +168,33 @@ std::string in_folder(const std::string& folder, const std::string& name) {
 }
 
 std::vector<Point> read_cloud(Job& job, const std::string& path, const std::string& section,
-                              VertexProperties* properties, std::size_t* faces) {
+                              VertexProperties* properties, std::size_t* faces,
+                              std::vector<std::size_t>* skipped) {
   PointReadOptions options;
   options.keep_properties = properties != nullptr;
   options.skip_non_finite = job.shared().skip_non_finite;
   PointCloud cloud = timed(job.execution(), "read", [&] { return read_points(path, options); });
   tell_columns(job, path, section, cloud);
-  warn_of_skipped(job, path, section, cloud.skipped);
-  if (cloud.announced && *cloud.announced < cloud.points.size() + cloud.skipped) {
+  warn_of_skipped(job, path, section, cloud.skipped.size());
+  const std::size_t points = cloud.points.size() + cloud.skipped.size();
+  if (cloud.announced && *cloud.announced < points) {
     job.report().set(section + "/announced_points", *cloud.announced);
     job.warn(fmt::format("{}: announces {}, but {} follow; all of them were read", path,
-                         counted(*cloud.announced, "point"), cloud.points.size() + cloud.skipped));
+                         counted(*cloud.announced, "point"), points));
   }
   warn_of_surplus_lines(job, path, section, cloud.surplus_lines, cloud.first_surplus_line);
   warn_of_trailing_bytes(job, path, section, cloud.trailing_bytes);
   if (properties != nullptr) *properties = std::move(cloud.properties);
   if (faces != nullptr) *faces = cloud.faces;
+  if (skipped != nullptr) *skipped = std::move(cloud.skipped);
   return std::move(cloud.points);
 }
 
 TriangleMesh read_shape(Job& job, const std::string& path, const std::string& section,
-                        VertexProperties* properties) {
+                        VertexProperties* properties, std::vector<std::size_t>* skipped) {
   if (!has_mesh_extension(path)) {
-    return {IdVector<VertexId, Point>(read_cloud(job, path, section, properties)), {}};
+    return {IdVector<VertexId, Point>(read_cloud(job, path, section, properties, nullptr, skipped)),
+            {}};
   }
   MeshReadReport read;
   const MeshReadOptions options = {job.shared().skip_non_finite};
@@ -188,7 +202,7 @@ TriangleMesh read_shape(Job& job, const std::string& path, const std::string& se
     return properties == nullptr ? read_mesh(path, read, options)
                                  : read_mesh(path, read, *properties, options);
   });
-  warn_of_skipped(job, path, section, read.skipped);
+  warn_of_skipped(job, path, section, read.skipped.size());
   job.report().set(section + "/faces", read.faces);
   if (read.polygons > 0) job.report().set(section + "/polygons_cut", read.polygons);
   const std::size_t left_out = read.short_faces + read.degenerate_triangles;
@@ -199,6 +213,7 @@ TriangleMesh read_shape(Job& job, const std::string& path, const std::string& se
   }
   warn_of_surplus_lines(job, path, section, read.surplus_lines, read.first_surplus_line);
   warn_of_trailing_bytes(job, path, section, read.trailing_bytes);
+  if (skipped != nullptr) *skipped = std::move(read.skipped);
   return mesh;
 }
 

@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <initializer_list>
 
 namespace cocoon::app {
 
@@ -11,14 +12,21 @@ volatile std::sig_atomic_t noted_signal = 0;
 
 void note_signal(int signal) { noted_signal = signal; }
 
+// Who starts the program may have it ignore a signal: nohup, or a shell for what a script runs
+// with &.
+void note_unless_ignored(int signal) {
+  struct sigaction action = {};
+  if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) return;
+  action = {};
+  action.sa_handler = note_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(signal, &action, nullptr);
+}
+
 }  // namespace
 
 void catch_interrupts() {
-  struct sigaction action = {};
-  action.sa_handler = note_signal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) note_unless_ignored(signal);
   std::signal(SIGXFSZ, SIG_IGN);
 }
 

@@ -1,11 +1,13 @@
-// Ctrl-C (SIGINT) and SIGTERM: the running stage is asked to stop, so that no half-written file
-// stays behind; then the program ends by that signal, as a shell expects (status 130 or 143).
+// Ctrl-C (SIGINT), SIGTERM and the end of the terminal (SIGHUP): the running stage is asked to
+// stop, so that no half-written file stays behind; then the program ends by that signal, as a shell
+// expects (status 130, 143 or 129).
 #pragma once
 
 namespace cocoon::app {
 
-// From now on a first SIGINT or SIGTERM is only noted; a second one ends the program at once. A
-// file that grows beyond a limit (SIGXFSZ) is an error of the write, like a full disk.
+// From now on the first of each of these signals is only noted; a second one ends the program at
+// once. Those that are ignored when the program starts, as under nohup, stay so. A file that grows
+// beyond a limit (SIGXFSZ) is an error of the write, like a full disk.
 void catch_interrupts();
 
 bool interrupted();

@@ -1,5 +1,6 @@
 #include "app/model_file.h"
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -12,9 +13,30 @@
 
 namespace cocoon::app {
 
+namespace {
+
+// Of each point of a file, which of the `left` it is; of those that were skipped none.
+IdVector<VertexId, VertexId> without(const std::vector<std::size_t>& skipped, std::size_t left) {
+  IdVector<VertexId, VertexId> vertex_of(left + skipped.size());
+  auto next_skipped = skipped.begin();
+  std::size_t next = 0;
+  for (const VertexId of_file : vertex_of.ids()) {
+    if (next_skipped != skipped.end() && *next_skipped == of_file.index()) {
+      ++next_skipped;
+    } else {
+      vertex_of[of_file] = VertexId(next++);
+    }
+  }
+  return vertex_of;
+}
+
+}  // namespace
+
 ModelFile read_model(Job& job, const std::string& path, const std::string& section,
                      VertexProperties* properties) {
-  ModelFile model{read_shape(job, path, section, properties), {}};
+  std::vector<std::size_t> skipped;
+  ModelFile model{read_shape(job, path, section, properties, &skipped), {}};
+  if (!skipped.empty()) model.vertex_of = without(skipped, model.mesh.points.size());
   if (model.mesh.triangles.empty()) return model;
   const std::vector<RepeatedPoint> repeated = repeated_points(model.mesh.points.span());
   if (repeated.empty()) return model;

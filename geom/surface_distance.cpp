@@ -46,7 +46,8 @@ std::vector<Point> stratified_samples(const TriangleMesh& mesh, std::size_t coun
                                       std::uint64_t seed, const Execution& execution) {
   const TrianglesByArea triangles(mesh);
   if (count > 0 && !(triangles.area() > 0)) {
-    throw InputError("mesh has no area to take samples of; compare its vertices with 0 samples");
+    throw InputError(
+        "triangles have no area to take samples of; leave them out to compare the points alone");
   }
   std::vector<Point> samples(count);
   parallel_chunks(execution, count, 4096, [&](std::size_t begin, std::size_t end) {

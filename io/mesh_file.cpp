@@ -2,6 +2,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "io/atomic_file.h"
 #include "io/file_bytes.h"
@@ -35,14 +36,14 @@ void check_writable(const std::filesystem::path& path, const TriangleMesh& mesh)
 TriangleMesh mesh_of(PolygonSoup&& soup, const std::filesystem::path& path, MeshReadReport& report,
                      VertexProperties* properties, const MeshReadOptions& options) {
   soup.properties.rows = soup.points.size();
-  std::size_t skipped = 0;
+  std::vector<std::size_t> skipped;
   if (options.skip_non_finite && soup.face_ends.empty()) {
     skipped = remove_non_finite(soup.points, soup.properties);
     soup.non_finite = {};
   }
   if (properties != nullptr) *properties = std::move(soup.properties);
   TriangleMesh mesh = triangles_of(std::move(soup), path, report);
-  report.skipped = skipped;
+  report.skipped = std::move(skipped);
   return mesh;
 }
 

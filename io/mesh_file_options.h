@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 namespace cocoon {
 
@@ -29,8 +30,8 @@ struct MeshReadReport {
   // read, and the number of the first one.
   std::size_t surplus_lines = 0;
   std::size_t first_surplus_line = 0;
-  std::size_t skipped = 0;         // points that were not finite, with skip_non_finite
-  std::size_t trailing_bytes = 0;  // behind the last element, not read
+  std::size_t trailing_bytes = 0;    // behind the last element, not read
+  std::vector<std::size_t> skipped;  // with skip_non_finite: which points of the file, ascending
 };
 
 }  // namespace cocoon

@@ -41,7 +41,7 @@ class ObjReader {
     while (statement.ends_with('\\')) {
       joined_.append(statement.substr(0, statement.size() - 1));
       joined_ += ' ';
-      if (!lines_.next(statement)) statement = {};
+      statement = lines_.next(statement) ? without_comment(statement) : std::string_view{};
     }
     joined_.append(statement);
     statement = joined_;

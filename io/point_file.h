@@ -26,14 +26,16 @@ struct PointReadOptions {
 
 struct PointCloud {
   std::vector<Point> points;  // in the order of the file
-  std::size_t skipped = 0;    // points that were not finite, with skip_non_finite
-  std::size_t faces = 0;      // mesh files: in the file, not read
-  std::string header;         // text files: the line of column names, if any
-  std::size_t columns = 0;    // text files: of the first row
+  // With skip_non_finite: which points of the file were not finite, ascending.
+  std::vector<std::size_t> skipped;
+  std::size_t faces = 0;    // mesh files: in the file, not read
+  std::string header;       // text files: the line of column names, if any
+  std::size_t columns = 0;  // text files: of the first row
   // Text files with names of columns: those that were taken as x, y, z, and whether their names
   // told so; if not, they are the first three.
   std::array<std::string, 3> coordinate_names;
   bool told_columns = false;
+  std::size_t named_columns = 0;  // text files: how many columns the header names
   // Text files: the count in a first line of its own, if there is one. More points may follow.
   std::optional<std::size_t> announced;
   std::size_t surplus_lines = 0;  // ascii PLY: see MeshReadReport

@@ -33,13 +33,18 @@ void check_corners(const PolygonSoup& soup, const std::filesystem::path& path) {
   }
 }
 
-std::size_t remove_non_finite(std::vector<Point>& points, VertexProperties& properties) {
-  std::vector<std::uint8_t> kept;
-  kept.reserve(points.size());
-  for (const Point& point : points) kept.push_back(is_finite(point) ? 1 : 0);
-  const std::size_t removed =
-      std::erase_if(points, [](const Point& point) { return !is_finite(point); });
-  if (removed > 0) properties = select_properties(properties, kept);
+std::vector<std::size_t> remove_non_finite(std::vector<Point>& points,
+                                           VertexProperties& properties) {
+  std::vector<std::size_t> removed;
+  std::vector<std::uint8_t> kept(points.size(), 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (is_finite(points[i])) continue;
+    kept[i] = 0;
+    removed.push_back(i);
+  }
+  if (removed.empty()) return removed;
+  std::erase_if(points, [](const Point& point) { return !is_finite(point); });
+  properties = select_properties(properties, kept);
   return removed;
 }
 

@@ -33,8 +33,9 @@ struct PolygonSoup {
 void check_corners(const PolygonSoup& soup, const std::filesystem::path& path);
 
 // Removes the points that are not finite, with their rows of `properties` (one row per point), and
-// returns how many they are. Complexity: O(points).
-std::size_t remove_non_finite(std::vector<Point>& points, VertexProperties& properties);
+// returns which they were, ascending. Complexity: O(points).
+std::vector<std::size_t> remove_non_finite(std::vector<Point>& points,
+                                           VertexProperties& properties);
 
 // The triangles of the faces: polygons are cut by triangulate_polygon, faces with fewer than three
 // corners and triangles with a repeated corner are left out and counted in `report`. Vertices and

@@ -121,6 +121,7 @@ class XyzReader {
       const char* end = at + line.size();
       skip_blanks(at, end);
       if (at == end) continue;
+      begins_with_tab_ = line.front() == '\t';
       line = {at, static_cast<std::size_t>(end - at)};
       if (is_comment(at, end)) {
         if (cloud_.points.empty()) read_comment(line);
@@ -144,6 +145,7 @@ class XyzReader {
     if (columns_.at != CoordinateColumns().at) {
       read_row_by_names(line);
     } else {
+      if (has_tabs_between_names_) require_coordinates(line);
       read_plain_row(line);
     }
   }
@@ -157,7 +159,12 @@ class XyzReader {
       columns_ = comment_columns_;
       names_ = comment_names_;
     }
+    if (header_begins_with_tab_ && cloud_.columns == names_.size() + 1) {
+      names_.insert(names_.begin(), "");
+      for (std::size_t& at : columns_.at) ++at;
+    }
     cloud_.told_columns = columns_.told == CoordinateColumns::Told::all;
+    cloud_.named_columns = names_.size();
     if (names_.empty()) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       cloud_.coordinate_names[axis] = names_[columns_.at[axis]];
@@ -165,7 +172,10 @@ class XyzReader {
   }
 
   void read_row_by_names(std::string_view line) {
-    const std::vector<std::string_view> columns = split_columns(line);
+    std::vector<std::string_view> columns = split_columns(line);
+    const char last = line[line.find_last_not_of(" \t")];
+    const bool ends_empty = last == ',' || last == ';';
+    if (ends_empty && columns.size() + 1 == names_.size()) columns.emplace_back();
     if (columns.size() != names_.size()) {
       fail("has " + std::to_string(columns.size()) + " columns, but the header names " +
            std::to_string(names_.size()) +
@@ -183,6 +193,20 @@ class XyzReader {
            " is not a decimal number: " + in_quotes(text));
     }
     add({xyz[0], xyz[1], xyz[2]});
+  }
+
+  // Nothing between two tabs, or before the first, is a value that is missing, unless tabs align
+  // the columns.
+  void require_coordinates(std::string_view line) const {
+    if (!begins_with_tab_ && line.find("\t\t") == std::string_view::npos) return;
+    if (split_columns(line).size() >= names_.size()) return;
+    std::size_t column = begins_with_tab_ ? 0 : 1;
+    for (std::size_t at = 0; column > 0 && column < 3; ++column) {
+      at = line.find('\t', at) + 1;
+      if (at == 0) return;
+      if (at < line.size() && line[at] == '\t') break;
+    }
+    if (column < 3) fail("column " + std::to_string(column + 1) + " is empty");
   }
 
   void read_plain_row(std::string_view line) {
@@ -252,17 +276,22 @@ class XyzReader {
   bool read_header(std::string_view line) {
     if (!cloud_.header.empty()) return false;
     const std::vector<std::string_view> names = split_columns(line);
-    if (names.size() < 3) return false;
-    for (std::size_t i = 0; i < 3; ++i) {
+    // Tables of pandas have no name for the column that numbers their rows.
+    const std::size_t first = !names.empty() && names.front().empty() ? 1 : 0;
+    if (names.size() < first + 3) return false;
+    for (std::size_t i = first; i < first + 3; ++i) {
       if (!is_name(names[i])) return false;
     }
     columns_ = coordinate_columns(names);
+    if (columns_.told == CoordinateColumns::Told::none) columns_.at = {first, first + 1, first + 2};
     if (columns_.told == CoordinateColumns::Told::some) {
       fail("the header names some of x, y, z, but not all three; name the columns of all, or none");
     }
     names_.assign(names.begin(), names.end());
     if (line.find(',') != std::string_view::npos) comma_columns_ = count_comma_columns(line);
     cloud_.header = line;
+    header_begins_with_tab_ = begins_with_tab_;
+    has_tabs_between_names_ = line.find('\t') != std::string_view::npos;
     return true;
   }
 
@@ -294,6 +323,10 @@ class XyzReader {
   NonFinitePoints& non_finite_;
   std::size_t count_line_ = 0;     // of the announced count
   std::size_t comma_columns_ = 0;  // 0: not known yet
+  bool begins_with_tab_ = false;   // the current line
+  // The same of pandas where tabs separate columns, if the rows have one more than the names.
+  bool header_begins_with_tab_ = false;
+  bool has_tabs_between_names_ = false;
   CoordinateColumns columns_;
   std::vector<std::string> names_;  // of all columns; empty: there is no header
   CoordinateColumns comment_columns_;

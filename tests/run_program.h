@@ -67,7 +67,8 @@ struct ProgramRun {
 // A program that is running; its outputs go to files of `folder`.
 class RunningProgram {
  public:
-  // `limit` is called in the new process before the program begins.
+  // `limit` is called in the new process before the program begins. Signals that end programs do so
+  // there, also where the tests run under nohup.
   RunningProgram(const TemporaryFolder& outputs, std::vector<std::string> arguments,
                  void (*limit)() = nullptr)
       : out_(outputs.file("stdout")), error_(outputs.file("stderr")) {
@@ -79,6 +80,7 @@ class RunningProgram {
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
     if (limit != nullptr) limit();
     execv(argv[0], argv.data());
     _exit(127);

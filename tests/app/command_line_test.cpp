@@ -188,6 +188,30 @@ TEST(CommandLine, WhatIsMissingIsNamed) {
   expect_missing({"watch", "--session", "s", "-o", "u.ply"}, "MODEL");
 }
 
+// As of variables of a shell that are not set.
+TEST(CommandLine, EmptyValuesAreNoFileNames) {
+  const auto complaint = [](const std::vector<const char*>& arguments) -> std::string {
+    try {
+      parse(arguments);
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string told = ": the value is empty; give one";
+  EXPECT_EQ(complaint({"reconstruct", "a.xyz", "-o", ""}), "--output" + told);
+  EXPECT_EQ(complaint({"reconstruct", "a.xyz", "-o", "a.ply", "--session", ""}),
+            "--session" + told);
+  EXPECT_EQ(complaint({"boundary", "a.xyz", "-o", "a.ply", "--loops", ""}), "--loops" + told);
+  EXPECT_EQ(complaint({"update", "a.ply", "b.xyz", "-o", "a.ply", "--map", ""}), "--map" + told);
+  EXPECT_EQ(complaint({"update", "a.ply", "b.xyz", "-o", "a.ply", "--html", ""}), "--html" + told);
+  EXPECT_EQ(complaint({"update", "a.ply", "b.xyz", "", "-o", "a.ply"}), "CLOUD" + told);
+  EXPECT_EQ(complaint({"sample", "block", "-o", ""}), "--output" + told);
+  EXPECT_EQ(complaint({"check", "a.ply", "--json", ""}), "--json" + told);
+  EXPECT_EQ(complaint({"--json", "", "check", "a.ply"}), "--json" + told);
+  EXPECT_EQ(complaint({"check", ""}), "MESH" + told);
+}
+
 TEST(CommandLine, WrongOnesAreUsageErrorsOfOneLine) {
   const std::vector<std::vector<const char*>> wrong = {
       {},

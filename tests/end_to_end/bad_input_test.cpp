@@ -163,6 +163,57 @@ TEST(BadInput, NonFinitePointsOfModelsWithoutFacesCanBeLeftOut) {
   expect_error(run_program({"compare", mesh, mesh, "--skip-non-finite"}), 1, "point 2");
 }
 
+// As R writes a table: the first three columns of the rows need not be those of the names.
+TEST(BadInput, AColumnThatTheHeaderDoesNotNameIsAWarning) {
+  const TemporaryFolder folder;
+  const std::string warning = "rows have one column more than the header names";
+  const auto told = [&](const std::string& content) {
+    const ProgramRun run =
+        run_program({"delaunay", folder.write("a.txt", content), "-o", folder.file("out.tet")});
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    return run.out.find(warning) != std::string::npos;
+  };
+  EXPECT_TRUE(told("x y z\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"));
+  EXPECT_FALSE(told("x y z r\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"));
+  EXPECT_FALSE(told("n x y z\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"));
+}
+
+TEST(BadInput, TrianglesWithoutAreaAreComparedAsPoints) {
+  const TemporaryFolder folder;
+  const std::string points = "0 0 0\n1 0 0\n2 0 0\n";
+  const std::string flat = folder.write("flat.off", "OFF\n3 1 0\n" + points + "3 0 1 2\n");
+  expect_error(run_program({"compare", flat, flat}), 1,
+               "leave them out to compare the points alone");
+  const std::string cloud = folder.write("cloud.off", "OFF\n3 0 0\n" + points);
+  EXPECT_EQ(run_program({"compare", cloud, cloud}).exit_code, 0);
+}
+
+// Lines of the map are those of the file, whatever was left out of it.
+TEST(BadInput, TheMapHasALineForEachPointThatIsLeftOut) {
+  const TemporaryFolder folder;
+  const std::string cap = folder.write("cap.xyz", sphere_cap(2000, 0.8, 0.3));
+  const std::string points = whole_sphere(500);
+  const std::size_t second = points.find('\n') + 1;
+  const std::string text = folder.write(
+      "text.xyz", points.substr(0, second) + "nan 0 0\n" + points.substr(second) + "0 0 inf\n");
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 502\nproperty double x\n"
+      "property double y\nproperty double z\nend_header\n";
+  const std::string ply = folder.write("cloud.ply", header + content_of(text));
+  const auto map_of = [&](const std::string& model) {
+    const std::string map = folder.file("map.txt");
+    const ProgramRun run = run_program({"update", model, cap, "-o", folder.file("out.ply"), "--map",
+                                        map, "--skip-non-finite", "--quiet"});
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    return content_of(map);
+  };
+  std::string expected = map_of(folder.write("clean.xyz", points));
+  expected.insert(expected.find('\n') + 1, "-1\n");
+  expected += "-1\n";
+  EXPECT_EQ(map_of(text), expected);
+  EXPECT_EQ(map_of(ply), expected);
+}
+
 // Where a file and its own counts disagree, but nothing is missing, the user is told.
 TEST(BadInput, MoreThanAFileAnnouncesIsAWarning) {
   const TemporaryFolder folder;

@@ -347,22 +347,47 @@ TEST(Program, ProgressIsShownOnlyOnDemandWhenThereIsNoTerminal) {
   EXPECT_EQ(run.error.find('\r'), std::string::npos);
 }
 
-TEST(Program, InterruptLeavesNothingBehind) {
-  const TemporaryFolder folder;
-  const TemporaryFolder outputs;
-  const std::string cloud = folder.write("cloud.xyz", whole_sphere(400000));
-  const std::string out = folder.write("out.ply", "the old content");
-  const RunningProgram program(outputs, {"reconstruct", cloud, "-o", out, "--progress"});
-  // Once the points are read, triangulating so many takes long enough to be interrupted.
+// Once the points are read, triangulating many takes long enough to be interrupted.
+void interrupt_after_reading(const RunningProgram& program, int signal) {
   for (int i = 0; i < 6000 && program.error_so_far().find("read: done") == std::string::npos; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  program.send(SIGINT);
-  const ProgramRun run = program.wait();
-  EXPECT_EQ(run.signal, SIGINT) << run.exit_code << run.error;
-  EXPECT_NE(run.error.find("\ncocoon: cancelled during delaunay"), std::string::npos) << run.error;
-  EXPECT_EQ(content_of(out), "the old content");
-  EXPECT_EQ(folder.names(), (Names{"cloud.xyz", "out.ply"}));
+  program.send(signal);
+}
+
+TEST(Program, InterruptLeavesNothingBehind) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(400000));
+  const std::string out = folder.write("out.ply", "the old content");
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const TemporaryFolder outputs;
+    const RunningProgram program(outputs, {"reconstruct", cloud, "-o", out, "--progress"});
+    interrupt_after_reading(program, signal);
+    const ProgramRun run = program.wait();
+    EXPECT_EQ(run.signal, signal) << run.exit_code << run.error;
+    EXPECT_NE(run.error.find("\ncocoon: cancelled during delaunay"), std::string::npos)
+        << run.error;
+    EXPECT_EQ(content_of(out), "the old content");
+    EXPECT_EQ(folder.names(), (Names{"cloud.xyz", "out.ply"}));
+  }
+}
+
+// As under nohup, or in the background of a script.
+TEST(Program, SignalsThatAreIgnoredWhenItStartsStaySo) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(20000));
+  const auto ignore = [] {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+  };
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const TemporaryFolder outputs;
+    const std::string out = folder.file("out.ply");
+    const RunningProgram program(outputs, {"reconstruct", cloud, "-o", out, "--progress"}, ignore);
+    interrupt_after_reading(program, signal);
+    const ProgramRun run = program.wait();
+    EXPECT_EQ(run.exit_code, 0) << run.signal << run.error;
+    EXPECT_TRUE(std::filesystem::remove(out));
+  }
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST(Watch, AppliesWhatIsThereAndGoesOn) {
 }
 
 TEST(Watch, KeepsGoingOnBadFilesAndStopsOnASignal) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const Watched watched;
     const TemporaryFolder outputs;
     const RunningProgram program(outputs, watched.arguments);

@@ -1,7 +1,11 @@
 // Outputs that cannot be written are told before the work: no stage has run then.
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <string>
+#include <sys/mount.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <vector>
 
 #include "tests/file_permissions.h"
@@ -36,10 +40,11 @@ struct UnwritableOutputs : testing::Test {
   }
 
   // Each stage that is done would add a line.
-  static void expect_told_first(Names arguments, const std::string& message) {
+  static void expect_told_first(Names arguments, const std::string& message,
+                                void (*limit)() = obey_permissions) {
     SCOPED_TRACE(arguments[0] + " " + arguments[3]);
     arguments.emplace_back("--progress");
-    expect_error(run_program(arguments, obey_permissions), 1, message);
+    expect_error(run_program(arguments, limit), 1, message);
   }
 };
 
@@ -75,6 +80,62 @@ TEST_F(UnwritableOutputs, FilesInFoldersThatAreNot) {
   }
   fs::permissions(locked, fs::perms::owner_all);
   EXPECT_EQ(content_of(old), "what was there before");
+  EXPECT_FALSE(fs::exists(good));
+}
+
+// As in /tmp. The outputs named before such a one would be replaced, and the command fail.
+TEST_F(UnwritableOutputs, FilesOfOthersInStickyFolders) {
+  constexpr uid_t somebody = 65534;
+  if (geteuid() != 0 || !permissions_can_be_obeyed())
+    GTEST_SKIP() << "only root can give files away";
+  const std::string sticky = folder.file("sticky");
+  fs::create_directory(sticky);
+  const std::string old = folder.write("sticky/old.ply", "what was there before");
+  for (const std::string& name : {sticky, old}) {
+    ASSERT_EQ(chown(name.c_str(), somebody, somebody), 0);
+  }
+  fs::permissions(sticky, fs::perms::all | fs::perms::sticky_bit);
+  fs::create_symlink(old, folder.file("link.ply"));
+  const auto own_no_others = [] { prctl(PR_CAPBSET_DROP, CAP_FOWNER, 0, 0, 0); };
+  for (const std::string& output : {old, folder.file("link.ply")}) {
+    for (const Names& arguments : writings(output)) {
+      expect_told_first(arguments,
+                        output +
+                            ": cannot be replaced: it is another user's, in a folder with the "
+                            "sticky bit; name another file",
+                        own_no_others);
+    }
+  }
+  EXPECT_EQ(content_of(old), "what was there before");
+  EXPECT_FALSE(fs::exists(good));
+  const std::string fresh = folder.file("sticky/new.ply");
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(run_program({"reconstruct", points, "-o", fresh}, own_no_others).exit_code, 0);
+  }
+}
+
+std::string mount_point;
+
+// As containers get single files.
+TEST_F(UnwritableOutputs, MountPoints) {
+  constexpr int cannot_mount = 77;
+  mount_point = folder.write("mounted.ply", "what was there before");
+  const auto mount_it = [] {
+    const bool done =
+        (unshare(CLONE_NEWNS) == 0 || unshare(CLONE_NEWUSER | CLONE_NEWNS) == 0) &&
+        mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+        mount(mount_point.c_str(), mount_point.c_str(), nullptr, MS_BIND, nullptr) == 0;
+    if (!done) _exit(cannot_mount);
+  };
+  for (const Names& arguments : writings(mount_point)) {
+    if (run_program(arguments, mount_it).exit_code == cannot_mount) {
+      GTEST_SKIP() << "this user may not mount a file";
+    }
+    expect_told_first(arguments,
+                      mount_point + ": cannot be replaced: it is a mount point; name another file",
+                      mount_it);
+  }
+  EXPECT_EQ(content_of(mount_point), "what was there before");
   EXPECT_FALSE(fs::exists(good));
 }
 

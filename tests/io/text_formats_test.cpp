@@ -37,6 +37,14 @@ TEST_F(TextFormats, ObjCornersAndCommentsAndContinuation) {
   EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}, {0, 2, 1}, {3, 1, 0}}));
 }
 
+TEST_F(TextFormats, ObjCommentsOnLinesThatContinueOthers) {
+  const TriangleMesh mesh = read("a.obj",
+                                 "v 0 \\\n0 0 # origin\nv 1 0 0\nv 0 1 0\n"
+                                 "f 1 \\\n2 \\\n3 # a comment \\\nf \\\n# 9\nf 3 2 1#\n");
+  EXPECT_EQ(mesh.points.raw(), (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}, {2, 1, 0}}));
+}
+
 TEST_F(TextFormats, ObjNamesTheLineWhereAStatementBegins) {
   EXPECT_EQ(message("a.obj", "v 0 0 0\n\nv 0 \\\n1 \\\n\n"),
             ":3: a vertex needs three numbers, found the end of the line");

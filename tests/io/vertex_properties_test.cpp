@@ -170,7 +170,7 @@ TEST(VertexProperties, PointsThatAreLeftOutTakeTheirRowAlong) {
       ply("ascii", "element vertex 3\n" + xyz + "property list uchar int l\nproperty uchar t\n",
           "0 0 1 1 11 1\nnan 0 2 2 21 22 2\n0 0 3 1 31 3\n"));
   const PointCloud cloud = read_points(path, {.skip_non_finite = true, .keep_properties = true});
-  EXPECT_EQ(cloud.skipped, 1U);
+  EXPECT_EQ(cloud.skipped, (std::vector<std::size_t>{1}));
   EXPECT_EQ(cloud.properties.rows, 2U);
   EXPECT_EQ(cloud.properties.columns[0].values, bytes_of<std::int32_t>({11, 31}));
   EXPECT_EQ(cloud.properties.columns[0].ends, (std::vector<std::size_t>{1, 2}));
@@ -179,7 +179,7 @@ TEST(VertexProperties, PointsThatAreLeftOutTakeTheirRowAlong) {
   VertexProperties properties;
   const TriangleMesh mesh = read_mesh(path, report, properties, {.skip_non_finite = true});
   EXPECT_EQ(mesh.points.raw(), cloud.points);
-  EXPECT_EQ(report.skipped, 1U);
+  EXPECT_EQ(report.skipped, (std::vector<std::size_t>{1}));
   EXPECT_EQ(properties, cloud.properties);
 }
 

@@ -1,3 +1,4 @@
+#include <array>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -69,6 +70,47 @@ TEST_F(Xyz, ColumnsAreFoundByTheirNames) {
   EXPECT_EQ(read("1 2 3\n").coordinate_names, (std::array<std::string, 3>{}));
 }
 
+TEST_F(Xyz, TheColumnThatNumbersTheRowsMayHaveNoName) {
+  for (const char* content :
+       {",x,y,z\n0,1,2,3\n1,4,5,6\n", "; x; y; z\n0; 1; 2; 3\n1; 4; 5; 6\n",
+        ",id,x,y,z\n0,7,1,2,3\n1,8,4,5,6\n", "\tx\ty\tz\n0\t1\t2\t3\n1\t4\t5\t6\n",
+        "\tz\ty\tx\tr\n0\t3\t2\t1\t9\n1\t6\t5\t4\t9\n", "\tx\ty\tz\n\t1\t2\t3\n\t4\t5\t6\n",
+        "\"\",\"x\",\"y\",\"z\"\n\"1\",1,2,3\n\"2\",4,5,6\n"}) {
+    const PointCloud cloud = read(content);
+    EXPECT_EQ(cloud.points, two) << content;
+    EXPECT_TRUE(cloud.told_columns) << content;
+    EXPECT_EQ(cloud.named_columns, cloud.columns) << content;
+  }
+  for (const char* content : {",east,north,height\n0,1,2,3\n1,4,5,6\n",
+                              "\teast\tnorth\theight\n0\t1\t2\t3\n1\t4\t5\t6\n"}) {
+    const PointCloud cloud = read(content);
+    EXPECT_EQ(cloud.points, two) << content;
+    EXPECT_FALSE(cloud.told_columns);
+    EXPECT_EQ(cloud.coordinate_names, (std::array<std::string, 3>{"east", "north", "height"}));
+  }
+  EXPECT_EQ(message(",,x,y,z\n0,0,1,2,3\n"), ":1: column 1 is not a decimal number: ''");
+  EXPECT_EQ(message(",x,y\n0,1,2\n"), ":1: column 1 is not a decimal number: ''");
+}
+
+TEST_F(Xyz, ValuesThatAreMissingBetweenTabsAreNoCoordinates) {
+  const std::string header = "x\ty\tz\tr\n1\t2\t3\t0\n";
+  EXPECT_EQ(message(header + "\t4\t5\t6\n"), ":3: column 1 is empty");
+  EXPECT_EQ(message(header + "4\t\t5\t6\n"), ":3: column 2 is empty");
+  EXPECT_EQ(message(header + "4\t5\t\t6\n"), ":3: column 3 is empty");
+  EXPECT_EQ(read(header + "4\t5\t6\t\n").points, two);
+  EXPECT_EQ(read(header + "4\t\t5\t6\t\t7\n").points, two);
+  EXPECT_EQ(read(header + "\t4\t5\t6\t7\n").points, two);
+  EXPECT_EQ(read("x\ty\tz\tr\tg\n1\t2\t3\t\t7\n4\t5\t6\t\t\n").points, two);
+  EXPECT_EQ(read("1\t\t2\t3\n4\t5\t\t6\n").points, two);
+}
+
+TEST_F(Xyz, LastValuesMayBeMissing) {
+  EXPECT_EQ(read("id,x,y,z,label\n0,1,2,3,\n1,4,5,6, \n").points, two);
+  EXPECT_EQ(read("id;x;y;z;label\n0;1;2;3;a\n1;4;5;6;\n").points, two);
+  EXPECT_EQ(message("id,x,y,z,a,b\n0,1,2,3,\n").substr(0, 39),
+            ":2: has 4 columns, but the header names");
+}
+
 TEST_F(Xyz, ReadsAllRowsWhereMoreFollowThanAnnounced) {
   for (const char* content : {"1\n1 2 3\n4 5 6\n", "0\n1 2 3\n4 5 6\n"}) {
     const PointCloud cloud = read(content);
@@ -136,7 +178,7 @@ TEST_F(Xyz, NonFiniteRowsAreNamedOrSkippedOnDemand) {
       "2 more; remove or repair such points");
   const PointCloud cloud = read_points(folder.write("a.xyz", content), {.skip_non_finite = true});
   EXPECT_EQ(cloud.points, (std::vector<Point>{{1, 2, 3}, {4, 5, 6}, {0, 0, 0}}));
-  EXPECT_EQ(cloud.skipped, 3U);
+  EXPECT_EQ(cloud.skipped, (std::vector<std::size_t>{1, 3, 4}));
 }
 
 }  // namespace
