@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cocone/facets/cell_order.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/circulate.h"
 
@@ -54,8 +55,7 @@ class Flood {
     for (const VertexId v : triangulation_.cell(c).vertices) {
       largest = std::max(largest, spacing_[v]);
     }
-    const double radius =
-        distance(dual_.centers[c], triangulation_.point(triangulation_.vertex(c, 0)));
+    const double radius = distance(dual_.centers[c], sorted_corners(triangulation_, c)[0]);
     return radius > options_.large_ratio * largest;
   }
 
@@ -63,7 +63,7 @@ class Flood {
   // half-space of an infinite cell has its "center" in the direction of the ray.
   bool intersect_deeply(FacetId f, CellId behind) const {
     const CellId c = cell_of(f);
-    const Point& sample = triangulation_.point(triangulation_.facet_vertices(f)[0]);
+    const Point sample = sorted_corners(triangulation_, f)[0];
     const Vec3 here =
         triangulation_.is_infinite(c) ? dual_.centers[c] : unit(dual_.centers[c] - sample);
     return dot(here, unit(dual_.centers[behind] - sample)) >= options_.deep_cosine;
