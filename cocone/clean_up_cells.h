@@ -56,7 +56,8 @@
 
 namespace cocoon {
 
-// Costs in the unit of the facet term; chosen on 23 models (docs/stages/clean_up_cells.md).
+// Costs in the unit of the facet term; chosen on 23 models (docs/stages/clean_up_cells.md). Those
+// beyond 2^20, infinity too, count as 2^20.
 struct CleanUpOptions {
   bool enabled = true;
   // Undecided cells that hang together in larger numbers than both of these, a number and a share
