@@ -55,8 +55,18 @@ class Flood {
     for (const VertexId v : triangulation_.cell(c).vertices) {
       largest = std::max(largest, spacing_[v]);
     }
-    const double radius = distance(dual_.centers[c], sorted_corners(triangulation_, c)[0]);
-    return radius > options_.large_ratio * largest;
+    return distance(dual_.centers[c], smallest_corner(c)) > options_.large_ratio * largest;
+  }
+
+  // Lexicographically. By addresses: no branch depends on which it is.
+  const Point& smallest_corner(CellId c) const {
+    const auto& vertices = triangulation_.cell(c).vertices;
+    const Point* smallest = &triangulation_.point(vertices[0]);
+    for (std::size_t i = 1; i < 4; ++i) {
+      const Point* other = &triangulation_.point(vertices[i]);
+      smallest = *other < *smallest ? other : smallest;
+    }
+    return *smallest;
   }
 
   // |c1 - c2|^2 = r1^2 + r2^2 - 2 r1 r2 cos(angle) at every sample that both balls touch; the

@@ -27,13 +27,13 @@ class Filter {
     result_.distinct = samples_.triangulation().num_vertices();
     // Clumps first: beside a dense one a good sample would stand alone. And again after the
     // outliers, by which some may hang together with the rest.
-    // Once more where the farthest ones have gone that left no precision for the others.
+    // Once more where some have gone beside which squares of the others' lengths may have vanished.
     double scale = 0;
     do {
       scale = samples_.scale();
       leave_out_clumps();
       leave_out_outliers();
-    } while (samples_.scale() != scale);
+    } while (samples_.scale() > 0x1p+100 * scale);
     if (result_.counters.outliers > 0) leave_out_clumps();
     judge_layer();
     result_.kept = samples_.kept();

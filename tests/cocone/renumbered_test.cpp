@@ -1,6 +1,5 @@
 #include "tests/cocone/renumbered.h"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -42,6 +41,28 @@ TEST(RenumberedTriangulations, GiveTheSameSurface) {
   }
   EXPECT_GT(all.moves, 500U);
   EXPECT_GT(all.compound_moves, 10U);
+}
+
+// Where lengths, circles and energies are equal, coordinates decide.
+TEST(RenumberedTriangulations, GiveTheSameSurfaceOfLattices) {
+  CleanUpCounters all;
+  for (int side = 4; side <= 7; ++side) {
+    const std::vector<Point> points = gallery::integer_grid(side);
+    for (const double handle_cost : {32.0, 0.0}) {
+      ReconstructOptions options;
+      options.clean_up.handle_cost = handle_cost;
+      const ReconstructResult expected = reconstruct_tight(points, options);
+      const Triangulation triangulation = delaunay(points).triangulation;
+      for (const std::uint64_t numbers : {1U, 2U, 3U}) {
+        const ReconstructResult other =
+            reconstruct_tight(renumbered(triangulation, numbers), points, options);
+        EXPECT_EQ(other.mesh, expected.mesh) << side << ", " << handle_cost;
+        EXPECT_EQ(other.counters.clean_up.moves, expected.counters.clean_up.moves);
+      }
+      all.moves += expected.counters.clean_up.moves;
+    }
+  }
+  EXPECT_GT(all.moves, 100U);
 }
 
 // A lattice whose pitch is no power of two: radii that are equal but for rounding.

@@ -322,8 +322,10 @@ TEST(RobustCocone, ContradictedPointsAreThoseOfTheUser) {
 }
 
 TEST(RobustCocone, FarOutliersDoNotChangeWhatIsMadeOfTheRest) {
-  const std::vector<Point> points = shaken(gallery::even_sphere(1000), 0.04, 3);
+  std::vector<Point> points = shaken(gallery::even_sphere(1000), 0.04, 3);
+  points.push_back({0, 3, 0});
   const RobustResult alone = reconstruct_robust(points);
+  EXPECT_GT(alone.noise.outliers, 0U);
   EXPECT_GT(alone.noise.layer_samples, 0U);
   for (const double far : {1e3, 1e100, 1e150, 1e200, 1e300}) {
     std::vector<Point> more = points;
