@@ -117,8 +117,8 @@ class CleanUp {
   }
 
   std::size_t most_clump_cells() const {
-    const double share =
-        options_.most_clump_share * static_cast<double>(triangulation_.num_finite_cells());
+    const double share = std::min(options_.most_clump_share, 1.0) *
+                         static_cast<double>(triangulation_.num_finite_cells());
     return std::max(options_.most_clump_cells, static_cast<std::size_t>(share));
   }
 

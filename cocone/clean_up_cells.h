@@ -18,7 +18,7 @@
 // vertices is good (a poor cell of the peel), or if at most thin_support are and it hangs together
 // with such cells, or labels are in conflict there (doubtful_region.h). The evidence comes from the
 // poles (side_evidence.h). Cells whose sides an old mesh tells (CellMarks::known) are decided, and
-// never leave their labels.
+// never leave their labels, but for OUT ones in cavities that are filled (1).
 //
 //  1. Cut. The first three terms are minimized over all labelings of the undecided cells, those of
 //     the others held as marked: a minimum cut, so a global optimum; of several the one with most
@@ -56,7 +56,8 @@
 
 namespace cocoon {
 
-// Costs in the unit of the facet term; chosen on 23 models (docs/stages/clean_up_cells.md).
+// Costs in the unit of the facet term; chosen on 23 models (docs/stages/clean_up_cells.md). Those
+// beyond 2^20, infinity too, count as 2^20.
 struct CleanUpOptions {
   bool enabled = true;
   // Undecided cells that hang together in larger numbers than both of these, a number and a share
@@ -146,7 +147,8 @@ struct CleanUpCounters {
   std::size_t closing_cells = 0;  // that changed sides for it
   std::size_t large_handles = 0;  // left because of most_closing_cells
   std::size_t changed_cells = 0;  // that have another side now than after the peel
-  // After the peel and at the end: non-manifold edges and pinched vertices; unused samples.
+  // After the peel and at the end: what surface there is at vertices beyond one sheet (at both ends
+  // of a non-manifold edge there is); unused samples.
   std::size_t defects_before = 0;
   std::size_t defects_after = 0;
   std::size_t unused_before = 0;

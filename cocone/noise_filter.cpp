@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cocone/facets/cell_order.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/circulate.h"
 
@@ -54,16 +55,25 @@ class Flood {
     for (const VertexId v : triangulation_.cell(c).vertices) {
       largest = std::max(largest, spacing_[v]);
     }
-    const double radius =
-        distance(dual_.centers[c], triangulation_.point(triangulation_.vertex(c, 0)));
-    return radius > options_.large_ratio * largest;
+    return distance(dual_.centers[c], smallest_corner(c)) > options_.large_ratio * largest;
+  }
+
+  // Lexicographically. By addresses: no branch depends on which it is.
+  const Point& smallest_corner(CellId c) const {
+    const auto& vertices = triangulation_.cell(c).vertices;
+    const Point* smallest = &triangulation_.point(vertices[0]);
+    for (std::size_t i = 1; i < 4; ++i) {
+      const Point* other = &triangulation_.point(vertices[i]);
+      smallest = *other < *smallest ? other : smallest;
+    }
+    return *smallest;
   }
 
   // |c1 - c2|^2 = r1^2 + r2^2 - 2 r1 r2 cos(angle) at every sample that both balls touch; the
   // half-space of an infinite cell has its "center" in the direction of the ray.
   bool intersect_deeply(FacetId f, CellId behind) const {
     const CellId c = cell_of(f);
-    const Point& sample = triangulation_.point(triangulation_.facet_vertices(f)[0]);
+    const Point sample = sorted_corners(triangulation_, f)[0];
     const Vec3 here =
         triangulation_.is_infinite(c) ? dual_.centers[c] : unit(dual_.centers[c] - sample);
     return dot(here, unit(dual_.centers[behind] - sample)) >= options_.deep_cosine;

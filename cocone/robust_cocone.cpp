@@ -27,8 +27,13 @@ class Filter {
     result_.distinct = samples_.triangulation().num_vertices();
     // Clumps first: beside a dense one a good sample would stand alone. And again after the
     // outliers, by which some may hang together with the rest.
-    leave_out_clumps();
-    leave_out_outliers();
+    // Once more where some have gone beside which squares of the others' lengths may have vanished.
+    double scale = 0;
+    do {
+      scale = samples_.scale();
+      leave_out_clumps();
+      leave_out_outliers();
+    } while (samples_.scale() > 0x1p+100 * scale);
     if (result_.counters.outliers > 0) leave_out_clumps();
     judge_layer();
     result_.kept = samples_.kept();
@@ -62,8 +67,8 @@ class Filter {
                                  : samples_.leave_out_outliers(first);
     if (outliers.count > 0) forget_surface();
     NoiseCounters& counters = result_.counters;
-    counters.outliers = outliers.count;
-    counters.outlier_rounds = outliers.rounds;
+    counters.outliers += outliers.count;
+    counters.outlier_rounds += outliers.rounds;
     counters.spared_samples = outliers.spared;
   }
 
@@ -154,6 +159,7 @@ RobustResult reconstruct_robust(Points points, const NoiseOptions& noise,
   RobustResult result{reconstruct_tight(kept, options, execution), samples.counters};
   ReconstructResult& surface = result.surface;
   for (PointId& p : surface.point_of_vertex) p = inputs[p.index()];
+  for (PointId& p : surface.contradicted) p = inputs[p.index()];
   surface.points = points.size();
   surface.duplicates = points.size() - samples.distinct;
   surface.unused_points = samples.distinct - surface.mesh.points.size();

@@ -113,7 +113,7 @@ bool HandleLoops::is_handle(const Triangle& loop, std::size_t most_facets) {
       return flood.next < flood.facets.size() && flood.facets.size() <= most_facets;
     };
     while (!met && can_go_on(left_) && can_go_on(right_)) {
-      met = step(left_, loop) || step(right_, loop);
+      met = grow(left_, loop) || grow(right_, loop);
     }
   }
   for (const Flood* flood : {&left_, &right_}) {
@@ -154,15 +154,18 @@ bool HandleLoops::enter(Flood& flood, FacetId f) {
   return false;
 }
 
-// On from one facet, but not over the loop. Do the floods meet?
-bool HandleLoops::step(Flood& flood, const Triangle& loop) {
-  const FacetId f = flood.facets[flood.next++];
-  const Triangle corners = triangulation_.facet_vertices(f);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const VertexId a = corners[k];
-    const VertexId b = corners[(k + 1) % 3];
-    if (has(loop, a) && has(loop, b)) continue;
-    if (enter(flood, next_surface_facet(triangulation_, out_, f, a, b))) return true;
+// By one ring, but not over the loop. Do the floods meet? Whole rings do not depend on the order of
+// their facets.
+bool HandleLoops::grow(Flood& flood, const Triangle& loop) {
+  for (const std::size_t end = flood.facets.size(); flood.next < end; ++flood.next) {
+    const FacetId f = flood.facets[flood.next];
+    const Triangle corners = triangulation_.facet_vertices(f);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexId a = corners[k];
+      const VertexId b = corners[(k + 1) % 3];
+      if (has(loop, a) && has(loop, b)) continue;
+      if (enter(flood, next_surface_facet(triangulation_, out_, f, a, b))) return true;
+    }
   }
   return false;
 }

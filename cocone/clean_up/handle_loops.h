@@ -26,7 +26,7 @@ class HandleLoops {
   std::vector<Triangle> find(const DoubtfulRegion& region) const;
 
   // Do the edges of the loop not divide the surface? Floods from both sides of it go on by turns,
-  // facet by facet, until they meet, or one has come to its end, or each has `most_facets`, which
+  // ring by ring, until they meet, or one has come to its end or has more than `most_facets`, which
   // is a no. False, too, if one of the edges is not, or not any more, of two surface facets. True,
   // too, where a path leads from sheet to sheet over a sample at which the surface is pinched.
   // Complexity: O(what the smaller flood has), and once a byte for every facet asked for.
@@ -40,7 +40,7 @@ class HandleLoops {
   };
   bool begin(const Triangle& loop);
   bool enter(Flood& flood, FacetId f);
-  bool step(Flood& flood, const Triangle& loop);
+  bool grow(Flood& flood, const Triangle& loop);
 
   const Triangulation& triangulation_;
   StarCache& stars_;

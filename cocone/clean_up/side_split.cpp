@@ -1,5 +1,6 @@
 #include "cocone/clean_up/side_split.h"
 
+#include <numeric>
 #include <utility>
 
 namespace cocoon {
@@ -34,14 +35,20 @@ void SideSplit::begin(CellId c) {
   touched_.push_back(c);
 }
 
+// Of many fronts nearly all have met soon: then only the others are looked at.
 bool SideSplit::are_apart() {
   apart_ = count_;
+  growing_.resize(count_);
+  std::iota(growing_.begin(), growing_.end(), 0U);
+  const auto is_joined = [&](std::uint32_t k) { return fronts_[k].joined != 0; };
   while (apart_ > 1) {
-    for (std::uint32_t k = 0; k < count_ && apart_ > 1; ++k) {
-      if (fronts_[k].joined != 0) continue;
+    for (std::size_t i = 0; i < growing_.size() && apart_ > 1; ++i) {
+      const std::uint32_t k = growing_[i];
+      if (is_joined(k)) continue;
       if (fronts_[k].next == fronts_[k].cells.size()) return true;
       step(k);
     }
+    if (2 * apart_ < growing_.size()) std::erase_if(growing_, is_joined);
   }
   return false;
 }

@@ -41,7 +41,8 @@ class SideSplit {
   ZeroedArray<CellId, std::uint32_t> front_of_;  // 1 + that; zero between questions
   std::vector<Front> fronts_;                    // the first count_ of them
   std::uint32_t count_ = 0;
-  std::uint32_t apart_ = 0;  // fronts that have not met
+  std::uint32_t apart_ = 0;             // fronts that have not met
+  std::vector<std::uint32_t> growing_;  // those, and some that have
   std::vector<CellId> touched_;
 };
 

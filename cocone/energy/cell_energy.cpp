@@ -28,7 +28,9 @@ std::array<int, 2> others(int i, int j) {
 
 // Rounded to the nearest integer, halves away from zero. The difference is exact.
 Energy to_energy(double units) {
-  const double scaled = units * 0x1p+20;
+  constexpr auto most = static_cast<double>(most_energy);
+  if (std::isnan(units)) return 0;  // a cost without limit, times zero
+  const double scaled = std::clamp(units * 0x1p+20, -most, most);
   const auto whole = static_cast<Energy>(scaled);
   const double rest = scaled - static_cast<double>(whole);
   return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);

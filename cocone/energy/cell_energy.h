@@ -18,8 +18,10 @@
 
 namespace cocoon {
 
-// Energies are integers, in 2^-20 of a unit: sums are exact, whatever their order.
+// Energies are integers, in 2^-20 of a unit: sums are exact, whatever their order. So that they do
+// not overflow, one cost counts as 2^20 units at most, infinity too. NaN is 0.
 using Energy = std::int64_t;
+inline constexpr Energy most_energy = Energy{1} << 40;
 Energy to_energy(double units);
 
 class CellEnergy {
@@ -120,7 +122,7 @@ class CellEnergy {
   // What a facet costs for being longer than the samples at it lie apart, in units.
   double stretch(FacetId f);
   // More than all that could be won.
-  static constexpr Energy known_weight = Energy{1} << 40;
+  static constexpr Energy known_weight = 4 * most_energy;
   Energy preference_by_label(CellId c) const {
     const Energy weight = is_known(marks_, c) ? known_weight : mark_weight_;
     return marks_.labels[c] == CellLabel::out ? -weight : weight;

@@ -10,16 +10,26 @@ namespace cocoon {
 
 RemainingSamples::RemainingSamples(Points points, const NoiseOptions& noise,
                                    const DelaunayOptions& options, const Execution& execution)
-    : noise_(noise), options_(options), execution_(execution), kept_(points.size(), 1) {
-  const double scale = working_scale(points);
-  points_.reserve(points.size());
-  for (const Point& p : points) points_.push_back(scale * p);
+    : noise_(noise),
+      options_(options),
+      execution_(execution),
+      points_(points.begin(), points.end()),
+      kept_(points.size(), 1) {
   for (std::size_t i = 0; i < points.size(); ++i) inputs_.push_back(PointId(i));
   triangulate();
 }
 
 void RemainingSamples::triangulate() {
-  triangulation_ = delaunay(points_, options_, execution_).triangulation;
+  // Each time: what has gone may have been far off, and the rest so small beside it that squares of
+  // lengths vanished.
+  scale_ = working_scale(points_);
+  std::vector<Point> scaled;
+  if (scale_ != 1) {
+    scaled.reserve(points_.size());
+    for (const Point& p : points_) scaled.push_back(scale_ * p);
+  }
+  triangulation_ =
+      delaunay(scale_ != 1 ? Points(scaled) : Points(points_), options_, execution_).triangulation;
   stars_ = vertex_stars(triangulation_);
   spacing_ = sample_spacing(triangulation_, stars_, noise_.neighbors, execution_);
 }

@@ -16,16 +16,17 @@ namespace cocoon {
 
 class RemainingSamples {
  public:
-  // Of `noise` counts what tells outliers: neighbors and outlier_ratio. Triangulates all points,
-  // times their working scale. Errors: InputError as delaunay().
+  // Of `noise` counts what tells outliers: neighbors and outlier_ratio. Triangulates all points.
+  // Errors: InputError as delaunay().
   RemainingSamples(Points points, const NoiseOptions& noise, const DelaunayOptions& options,
                    const Execution& execution);
 
-  // Of the samples that remained when they were last triangulated, with the cells at each and its
-  // spacing (sample_spacing by noise.neighbors).
+  // Of the samples that remained when they were last triangulated, times their working scale, with
+  // the cells at each and its spacing (sample_spacing by noise.neighbors).
   const Triangulation& triangulation() const { return triangulation_; }
   const VertexStars& stars() const { return stars_; }
   const IdVector<VertexId, double>& spacing() const { return spacing_; }
+  double scale() const { return scale_; }
   // Where the point at a vertex was given; of equal ones one. O(1).
   PointId input_of(VertexId v) const { return inputs_[triangulation_.point_of_vertex(v).index()]; }
   // 1 = the point remains; equal points share their fate.
@@ -55,9 +56,10 @@ class RemainingSamples {
   NoiseOptions noise_;
   DelaunayOptions options_;
   Execution execution_;
-  std::vector<Point> points_;    // that remain
+  std::vector<Point> points_;    // that remain, as given
   std::vector<PointId> inputs_;  // where each was given
   IdVector<PointId, std::uint8_t> kept_;
+  double scale_ = 1;
   Triangulation triangulation_;
   VertexStars stars_;
   IdVector<VertexId, double> spacing_;

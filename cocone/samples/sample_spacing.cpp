@@ -79,7 +79,7 @@ double sample_spacing(const TriangulationView& triangulation, std::span<const Ce
       if (square < shortest.back().square) insert_edge({square, w}, shortest);
     }
   }
-  while (shortest.back().to == infinite_vertex) shortest.pop_back();
+  while (shortest.size() > 1 && shortest.back().to == infinite_vertex) shortest.pop_back();
   double sum = 0;
   for (const ShortEdge& edge : shortest) sum += edge.square;
   return std::sqrt(sum / static_cast<double>(shortest.size()));

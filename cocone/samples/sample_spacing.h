@@ -29,7 +29,8 @@ struct ShortEdge {
 using SpacingBuffer = std::vector<ShortEdge>;
 
 // Of v, from the lengths of that many shortest edges (at least one). In units of the coordinates;
-// sums run in increasing order. Complexity: O(star), for few edges.
+// infinite if the squares of all lengths are. Sums run in increasing order. Complexity: O(star),
+// for few edges.
 double sample_spacing(const TriangulationView& triangulation, std::span<const CellId> star,
                       VertexId v, std::size_t edges, SpacingBuffer& shortest);
 

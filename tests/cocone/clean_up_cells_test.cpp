@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -409,6 +410,24 @@ TEST(CleanUpCells, SameResultForEveryInputOrder) {
   EXPECT_GT(compound, 0U);
   EXPECT_GT(flat, 0U);
   EXPECT_GT(closed, 0U);
+}
+
+// A cost without limit is a large one.
+TEST(CleanUpCells, CostsMayBeInfinite) {
+  const std::vector<Point> points = shapes::noisy_sphere(800, 0.1, 5);
+  using Cost = double CleanUpOptions::*;
+  for (const Cost cost :
+       {&CleanUpOptions::max_rise, &CleanUpOptions::component_cost, &CleanUpOptions::defect_cost,
+        &CleanUpOptions::evidence_weight, &CleanUpOptions::most_clump_share}) {
+    ReconstructOptions large;
+    large.clean_up.*cost = 0x1p+20;
+    const ReconstructResult expected = reconstruct_tight(points, large);
+    for (const double more : {1e13, std::numeric_limits<double>::infinity()}) {
+      ReconstructOptions options;
+      options.clean_up.*cost = more;
+      EXPECT_EQ(reconstruct_tight(points, options).mesh, expected.mesh);
+    }
+  }
 }
 
 }  // namespace

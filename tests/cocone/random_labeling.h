@@ -36,7 +36,9 @@ inline std::vector<Point> ball(std::uint64_t seed) {
 
 struct Labeling {
   explicit Labeling(const std::vector<Point>& points, std::uint64_t seed = 1, double bias = 0.5)
-      : stages(points),
+      : Labeling(delaunay(points).triangulation, seed, bias) {}
+  explicit Labeling(Triangulation of_points, std::uint64_t seed = 1, double bias = 0.5)
+      : stages(std::move(of_points)),
         cosines(stages.triangulation),
         stars(stages.triangulation),
         out(stages.triangulation.num_cells(), 1),

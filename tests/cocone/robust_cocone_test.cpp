@@ -1,6 +1,7 @@
 #include "cocone/robust_cocone.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "cocone/noise/rough_surface.h"
@@ -45,6 +46,15 @@ TEST(NoiseFilter, SpacingIsTheRootMeanSquareOfShortEdges) {
   const VertexId origin = triangulation.vertex_of_point()[PointId(0)];
   EXPECT_DOUBLE_EQ(sample_spacing(triangulation, stars, 1)[origin], 1);
   EXPECT_DOUBLE_EQ(sample_spacing(triangulation, stars, 3)[origin], std::sqrt((1 + 1 + 4) / 3.0));
+}
+
+// Squares of lengths have no place in a double.
+TEST(NoiseFilter, SpacingOfImmenseTriangulationsIsInfinite) {
+  const Triangulation triangulation =
+      delaunay(gallery::scaled(gallery::even_sphere(20), 0x1p+600)).triangulation;
+  for (const double spacing : sample_spacing(triangulation, vertex_stars(triangulation), 3)) {
+    EXPECT_TRUE(std::isinf(spacing));
+  }
 }
 
 TEST(NoiseFilter, CleanSamplesAllStay) {
@@ -288,6 +298,42 @@ TEST(RobustCocone, RubbishIsBalancedToo) {
       EXPECT_EQ(report.unbalanced_edges, 0U) << seed;
       EXPECT_EQ(report.odd_edges, 0U) << seed;
     }
+  }
+}
+
+TEST(RobustCocone, ContradictedPointsAreThoseOfTheUser) {
+  Random random(1);
+  std::vector<Point> points;
+  for (int i = 0; i < 166; ++i) points.push_back(1.5 * random.in_unit_cube());
+  points = shapes::joined(std::move(points), gallery::even_sphere(500));
+  const RobustSamples samples = robust_samples(points);
+  std::vector<PointId> kept;
+  std::vector<Point> left;
+  for (const PointId p : samples.kept.ids()) {
+    if (samples.kept[p] == 0) continue;
+    kept.push_back(p);
+    left.push_back(points[p.index()]);
+  }
+  ASSERT_LT(kept.size(), points.size());
+  std::vector<PointId> expected;
+  for (const PointId p : reconstruct_tight(left).contradicted) expected.push_back(kept[p.index()]);
+  ASSERT_FALSE(expected.empty());
+  EXPECT_EQ(reconstruct_robust(points).surface.contradicted, expected);
+}
+
+TEST(RobustCocone, FarOutliersDoNotChangeWhatIsMadeOfTheRest) {
+  std::vector<Point> points = shaken(gallery::even_sphere(1000), 0.04, 3);
+  points.push_back({0, 3, 0});
+  const RobustResult alone = reconstruct_robust(points);
+  EXPECT_GT(alone.noise.outliers, 0U);
+  EXPECT_GT(alone.noise.layer_samples, 0U);
+  for (const double far : {1e3, 1e100, 1e150, 1e200, 1e300}) {
+    std::vector<Point> more = points;
+    more.push_back({far, 0, 0});
+    const RobustResult result = reconstruct_robust(more);
+    EXPECT_EQ(result.noise.outliers, alone.noise.outliers + 1) << far;
+    EXPECT_EQ(result.noise.layer_samples, alone.noise.layer_samples) << far;
+    EXPECT_EQ(result.surface.mesh, alone.surface.mesh) << far;
   }
 }
 

@@ -1,14 +1,18 @@
 #include "cocone/clean_up/handle_loops.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "cocone/facets/cell_order.h"
 #include "delaunay/circulate.h"
 #include "tests/cocone/random_labeling.h"
+#include "tests/cocone/renumbered.h"
 
 namespace cocoon {
 namespace {
@@ -118,6 +122,42 @@ TEST(HandleLoops, AreHandlesIfTheyDoNotDivideTheSurface) {
   }
   EXPECT_GT(handles, 20U);
   EXPECT_GT(others, 20U);
+}
+
+// Cells are told by their corners to be IN, one of four is not.
+Labeling told_by_corners(Triangulation triangulation) {
+  Labeling labeling(std::move(triangulation));
+  const Triangulation& t = labeling.stages.triangulation;
+  for (const CellId c : t.finite_cells()) {
+    double sum = 0;
+    for (const Point& p : sorted_corners(t, c)) sum += 7 * p.x + 11 * p.y + 13 * p.z;
+    labeling.out[c] = sum - std::floor(sum) < 0.25 ? 1 : 0;
+  }
+  return labeling;
+}
+
+TEST(HandleLoops, ALimitOfTheSearchTellsTheSameWhateverTheNumbers) {
+  const auto handles = [](const Triangulation& triangulation, std::size_t most_facets) {
+    Labeling labeling = told_by_corners(triangulation);
+    const Triangulation& t = labeling.stages.triangulation;
+    HandleLoops loops(t, labeling.stars, labeling.out);
+    std::set<std::array<Point, 3>> found;
+    for (const Triangle& loop : loops.find(whole(labeling))) {
+      if (!loops.is_handle(loop, most_facets)) continue;
+      found.insert({t.point(loop[0]), t.point(loop[1]), t.point(loop[2])});
+    }
+    return found;
+  };
+  std::size_t all = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const Triangulation triangulation = delaunay(shapes::random_cube(60, seed)).triangulation;
+    for (const std::size_t most_facets : {6U, 8U, 11U, 16U, 23U}) {
+      const auto found = handles(triangulation, most_facets);
+      EXPECT_TRUE(found == handles(renumbered(triangulation, seed), most_facets));
+      all += found.size();
+    }
+  }
+  EXPECT_GT(all, 20U);
 }
 
 }  // namespace

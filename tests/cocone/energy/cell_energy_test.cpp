@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -177,6 +178,16 @@ TEST(StarCache, TellsTheStarsOfVertexStars) {
   }
   const std::span<const CellId> again = stars.star(VertexId(0));
   EXPECT_TRUE(std::equal(first.begin(), first.end(), again.begin(), again.end()));
+}
+
+TEST(CellEnergy, CostsHaveALimit) {
+  EXPECT_EQ(to_energy(1.5), Energy{3} << 19);
+  EXPECT_EQ(to_energy(-1e6), -1000000 * (Energy{1} << 20));
+  for (const double cost : {2e6, 1e13, 1e300, std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(to_energy(cost), Energy{1} << 40);
+    EXPECT_EQ(to_energy(-cost), -(Energy{1} << 40));
+  }
+  EXPECT_EQ(to_energy(std::numeric_limits<double>::quiet_NaN()), 0);
 }
 
 }  // namespace
