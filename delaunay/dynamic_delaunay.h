@@ -67,6 +67,7 @@ class DynamicDelaunay {
   DynamicDelaunay(DynamicDelaunay&&) noexcept;
   DynamicDelaunay& operator=(DynamicDelaunay&&) noexcept;
 
+  // Precondition: `points` are not those of its own view().
   DelaunayChange insert(Points points, const Execution& execution = {});
   // Ids may be repeated. Removing all vertices leaves an empty triangulation.
   DelaunayChange remove(std::span<const VertexId> vertices, const Execution& execution = {});

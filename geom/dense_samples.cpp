@@ -211,6 +211,9 @@ std::vector<Point> dense_samples(const TriangleMesh& mesh, const DenseSampleOpti
   if (!(options.spacing > 0) || !std::isfinite(options.spacing)) {
     throw InputError("the spacing of samples must be a positive number");
   }
+  if (!(options.closest > 0)) {
+    throw InputError("how close samples may come must be a positive number of spacings");
+  }
   const double scale = working_scale(mesh.points.raw());
   if (scale == 1) return samples_of(mesh, options, 1, execution);
   DenseSampleOptions scaled_options = options;

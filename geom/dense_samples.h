@@ -31,7 +31,7 @@ inline constexpr double most_dense_samples = 1e8;
 // Points to be added to the vertices of `mesh`: first along its sharp edges, evenly, then in random
 // triangles where no sample is too close. Samples on triangles that face the other way, as across a
 // thin wall, are not close. Empty for a mesh without area. Coordinates may have any size.
-// Throws InputError if the spacing is not a positive number, if it would take more than
+// Throws InputError if `spacing` or `closest` is not a positive number, if it would take more than
 // most_dense_samples, or if a triangle names a vertex that is not there; Cancelled.
 // Complexity: O(t log t + trials n) for n samples. Deterministic.
 // Source: dart throwing: Cook 1986; on meshes: Cline et al. 2009; sharp edges first is ours.

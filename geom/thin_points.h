@@ -13,7 +13,8 @@ namespace cocoon {
 // sqrt(squared_distance_at(k)) for that one, point k, and of these none is so close to one before
 // it. Points have their turn in lexicographic order, of equal ones the first: a function of the
 // set of points. Complexity: O(n log n) for n points, with neighbors as many as lie within that
-// distance. Source: Poisson disk sampling by elimination in a fixed order.
+// distance; equal points for which it is 0 are all kept, and each looks at all of them. Source:
+// Poisson disk sampling by elimination in a fixed order.
 std::vector<PointId> thin_points(Points points,
                                  const std::function<double(PointId)>& squared_distance_at);
 

@@ -89,6 +89,9 @@ TEST(DenseSamples, RefusesSpacingsThatCannotBe) {
   for (const double spacing : {0.0, -1.0, std::numeric_limits<double>::infinity(),
                                std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(dense_samples(box(1), {.spacing = spacing}), InputError) << spacing;
+    if (spacing > 0) continue;
+    EXPECT_THROW(dense_samples(box(1), {.spacing = 0.1, .closest = spacing}), InputError)
+        << spacing;
   }
   try {
     dense_samples(box(1), {.spacing = 1e-9});
