@@ -1,8 +1,8 @@
 #include "cocone/noise_filter.h"
 
 #include <algorithm>
+#include <array>
 
-#include "cocone/facets/cell_order.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/circulate.h"
 
@@ -55,14 +55,15 @@ class Flood {
     for (const VertexId v : triangulation_.cell(c).vertices) {
       largest = std::max(largest, spacing_[v]);
     }
-    return distance(dual_.centers[c], smallest_corner(c)) > options_.large_ratio * largest;
+    const Point& sample = first_of(triangulation_.cell(c).vertices);
+    return distance(dual_.centers[c], sample) > options_.large_ratio * largest;
   }
 
-  // Lexicographically. By addresses: no branch depends on which it is.
-  const Point& smallest_corner(CellId c) const {
-    const auto& vertices = triangulation_.cell(c).vertices;
+  // Lexicographically, of a cell or a facet. By addresses: no branch depends on which it is.
+  template <std::size_t n>
+  const Point& first_of(const std::array<VertexId, n>& vertices) const {
     const Point* smallest = &triangulation_.point(vertices[0]);
-    for (std::size_t i = 1; i < 4; ++i) {
+    for (std::size_t i = 1; i < n; ++i) {
       const Point* other = &triangulation_.point(vertices[i]);
       smallest = *other < *smallest ? other : smallest;
     }
@@ -73,7 +74,7 @@ class Flood {
   // half-space of an infinite cell has its "center" in the direction of the ray.
   bool intersect_deeply(FacetId f, CellId behind) const {
     const CellId c = cell_of(f);
-    const Point sample = sorted_corners(triangulation_, f)[0];
+    const Point& sample = first_of(triangulation_.facet_vertices(f));
     const Vec3 here =
         triangulation_.is_infinite(c) ? dual_.centers[c] : unit(dual_.centers[c] - sample);
     return dot(here, unit(dual_.centers[behind] - sample)) >= options_.deep_cosine;
