@@ -147,14 +147,13 @@ void add_thresholds_of(CLI::App& app, ThresholdUse use, std::map<std::string, do
 }
 
 void add_stages_of_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
+  app.add_flag("--cavities", arguments.cavities,
+               "Keep closed surfaces inside the body: they bound hollows of it");
   const std::string stages = "Single stages (defaults in the report; not with --session)";
   add_radius(app, arguments.radius, stages);
   add_switch_off(
       app, "--no-deferred-seeding", arguments.deferred_seeding,
       "Peel what no mark has reached, as published, instead of marking it from its widest opening")
-      ->group(stages);
-  app.add_flag("--cavities", arguments.cavities,
-               "Keep closed surfaces inside the body: they bound hollows of it")
       ->group(stages);
   add_switch_off(app, "--no-clean-up", arguments.clean_up, "Leave the surface as the peel left it")
       ->group(stages);

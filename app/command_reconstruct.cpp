@@ -54,11 +54,10 @@ void require_possible_noise_filter(const ReconstructArguments& arguments) {
   }
 }
 
-// Given options of the stages that close a surface.
-std::vector<std::string> of_tight_surfaces(const ReconstructArguments& arguments) {
+// Given options of the stages that close a surface, but for --cavities.
+std::vector<std::string> of_tight_stages(const ReconstructArguments& arguments) {
   std::vector<std::string> names;
   if (!arguments.deferred_seeding) names.push_back("--no-deferred-seeding");
-  if (arguments.cavities) names.push_back("--cavities");
   if (!arguments.clean_up) names.push_back("--no-clean-up");
   append_thresholds(ThresholdUse::tight, arguments, names);
   append_thresholds(ThresholdUse::clean_up, arguments, names);
@@ -67,7 +66,8 @@ std::vector<std::string> of_tight_surfaces(const ReconstructArguments& arguments
 
 void require_use_of_options(const ReconstructArguments& arguments) {
   if (arguments.surface == "tight") return;
-  const std::vector<std::string> names = of_tight_surfaces(arguments);
+  std::vector<std::string> names = of_tight_stages(arguments);
+  if (arguments.cavities) names.push_back("--cavities");
   if (!names.empty()) throw UsageError(names.front() + " needs --surface tight");
 }
 
@@ -85,11 +85,12 @@ void warn_of_idle_options(Job& job, const ReconstructArguments& arguments) {
 }
 
 // Given options that a session does not keep: it has the parameters of surface_options.h only.
+// Hollows need no option, once the model has them.
 std::vector<std::string> unknown_to_sessions(const ReconstructArguments& arguments) {
   std::vector<std::string> names;
   if (!arguments.radius.empty()) names.push_back("--radius");
   append_thresholds(ThresholdUse::cocone, arguments, names);
-  const std::vector<std::string> tight = of_tight_surfaces(arguments);
+  const std::vector<std::string> tight = of_tight_stages(arguments);
   names.insert(names.end(), tight.begin(), tight.end());
   return names;
 }

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -53,6 +54,32 @@ TEST(Session, UpdatesAsTheMeshAloneDoes) {
     EXPECT_GT(report["update"]["replaced_points"], 100);
     std::filesystem::rename(folder.file("plain.ply"), folder.file("model.ply"));
   }
+}
+
+// Hollows that the first reconstruction kept.
+TEST(Session, KeepsHollows) {
+  const TemporaryFolder folder;
+  std::istringstream lines(whole_sphere(2000));
+  std::ostringstream points;
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  while (lines >> x >> y >> z) {
+    points << x << ' ' << y << ' ' << z << '\n' << x / 2 << ' ' << y / 2 << ' ' << z / 2 << '\n';
+  }
+  const std::string file = folder.write("points.xyz", points.str());
+  const std::string cloud = folder.write("a.xyz", north);
+  const std::string mesh = folder.file("model.ply");
+  const std::string session = folder.file("s.session");
+  ASSERT_EQ(
+      run_program({"reconstruct", file, "-o", mesh, "--cavities", "--session", session}).exit_code,
+      0);
+  ASSERT_EQ(run_program({"update", mesh, cloud, "-o", folder.file("plain.ply")}).exit_code, 0);
+  const ProgramRun live = run_program(
+      {"update", "--session", session, cloud, "-o", folder.file("live.ply"), "--json", "-"});
+  ASSERT_EQ(live.exit_code, 0) << live.error;
+  EXPECT_EQ(content_of(folder.file("plain.ply")), content_of(folder.file("live.ply")));
+  EXPECT_NE(live.out.find("\"components\": 2"), std::string::npos) << live.out;
 }
 
 TEST(Session, RefusesWhatDoesNotFit) {

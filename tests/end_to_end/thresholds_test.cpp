@@ -220,7 +220,6 @@ TEST(Thresholds, AreNotKeptBySessions) {
   const std::string session = folder.file("s.session");
   for (const std::vector<std::string>& option : {std::vector<std::string>{"--idle-cost", "1"},
                                                  {"--no-clean-up"},
-                                                 {"--cavities"},
                                                  {"--no-deferred-seeding"},
                                                  {"--radius", "cocone"}}) {
     std::vector<std::string> arguments{"reconstruct",        plate,       "-o",
