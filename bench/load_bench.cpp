@@ -36,6 +36,7 @@ struct Measured {
   std::size_t points = 0;
   Elapsed elapsed;
   bool right = false;
+  long peak_kilobytes = 0;  // of the process that measured
 };
 
 Measured measure_delaunay(const std::vector<Point>& points, int threads) {
@@ -60,14 +61,14 @@ Measured measure_paper_mode(const std::vector<Point>& points, int threads) {
   return measure_mode(points, threads, Mode::paper);
 }
 
-// Runs `body` in a process of its own; `usage` is what that used.
+// Runs `body` in a process of its own.
 template <class Body>
-int run_apart(const Body& body, rusage& usage) {
+int run_apart(const Body& body) {
   std::fflush(stdout);
   const pid_t child = fork();
   if (child == 0) _exit(body() ? 0 : 1);
   int status = -1;
-  wait4(child, &status, 0, &usage);
+  waitpid(child, &status, 0);
   return status;
 }
 
@@ -76,13 +77,10 @@ int run_apart(const Body& body, rusage& usage) {
 Measured measure_update(const std::vector<Point>& points, int threads) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("load_bench." + std::to_string(getpid()) + ".ply");
-  rusage usage = {};
-  run_apart(
-      [&] {
-        write_mesh(file, reconstruct_tight(points, {}, {.threads = threads}).mesh);
-        return true;
-      },
-      usage);
+  run_apart([&] {
+    write_mesh(file, reconstruct_tight(points, {}, {.threads = threads}).mesh);
+    return true;
+  });
   const TriangleMesh model = read_mesh(file);
   std::filesystem::remove(file);
   std::vector<Point> cap;
@@ -113,14 +111,14 @@ constexpr std::array<Work, 4> works = {{{"delaunay", measure_delaunay, true},
 bool measure(const Shape& shape, const Work& work, std::size_t count, int threads) {
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) return false;
-  rusage usage = {};
-  const int status = run_apart(
-      [&] {
-        const Measured measured = work.measure(point_set(shape.set, count), threads);
-        return write(pipe_ends[1], &measured, sizeof measured) ==
-               static_cast<ssize_t>(sizeof measured);
-      },
-      usage);
+  const int status = run_apart([&] {
+    Measured measured = work.measure(point_set(shape.set, count), threads);
+    // Not what the parent is told: that has the peak of the child's own children in it.
+    rusage own = {};
+    getrusage(RUSAGE_SELF, &own);
+    measured.peak_kilobytes = own.ru_maxrss;
+    return write(pipe_ends[1], &measured, sizeof measured) == static_cast<ssize_t>(sizeof measured);
+  });
   close(pipe_ends[1]);
   Measured measured;
   const ssize_t got = read(pipe_ends[0], &measured, sizeof measured);
@@ -134,7 +132,7 @@ bool measure(const Shape& shape, const Work& work, std::size_t count, int thread
   std::printf("| %s | %zu | %s | %.2f | %.2f | %.2f | %.0f |\n", shape.name, measured.points,
               work.name, measured.elapsed.wall, measured.elapsed.processor,
               1e6 * measured.elapsed.processor / n,
-              1024 * static_cast<double>(usage.ru_maxrss) / n);
+              1024 * static_cast<double>(measured.peak_kilobytes) / n);
   std::fflush(stdout);
   return true;
 }

@@ -6,8 +6,8 @@
 //   paper_bench [--repetitions R] [--points N] [--cloud-points N] [MODEL ...]
 //
 // R (3) repetitions in turn, medians of processor time, with all threads of time by the clock. Both
-// programs must replace the same number of points, but for those at the border (1 %), and both
-// results must be closed; else exit code 1.
+// programs must replace the same number of points, but for those at the border (1 %), and our
+// update must succeed; else exit code 1.
 #include <algorithm>
 #include <array>
 #include <cmath>

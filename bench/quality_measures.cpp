@@ -34,9 +34,11 @@ double mean_normal_error_deg(const TriangleMesh& mesh, const TriangleMesh& truth
   return area > 0 ? sum / area : 0;
 }
 
+// Of the surface with a lid on each hole: a hole is no handle.
 std::ptrdiff_t genus_of(const MeshReport& report) {
   const auto components = static_cast<std::ptrdiff_t>(report.components);
-  return components - (report.euler >= 0 ? report.euler / 2 : (report.euler - 1) / 2);
+  const std::ptrdiff_t euler = report.euler + static_cast<std::ptrdiff_t>(report.boundary_curves);
+  return components - (euler >= 0 ? euler / 2 : (euler - 1) / 2);
 }
 
 }  // namespace

@@ -12,8 +12,9 @@ struct Quality {
   bool closed = false;    // every edge has an even number of triangles
   bool manifold = false;  // no edge with more than two, no pinched vertex
   std::ptrdiff_t extra_components = 0;
-  std::ptrdiff_t extra_genus = 0;  // genus = components - Euler characteristic / 2, rounded down
-  double mean = 0;                 // distances in units of the model's spacing, both directions
+  // Genus = components - half of Euler characteristic and boundary curves, that rounded down.
+  std::ptrdiff_t extra_genus = 0;
+  double mean = 0;  // distances in units of the model's spacing, both directions
   double rms = 0;
   double max = 0;
   double normal_deg = 0;  // mean angle to the normal of the closest true facet, over the area

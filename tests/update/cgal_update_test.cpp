@@ -11,6 +11,7 @@
 #include "geom/mesh_measure.h"
 #include "io/sample_models.h"
 #include "ref/cgal_surface.h"
+#include "tests/cocone/sample_shapes.h"
 #include "update/update_model.h"
 
 namespace cocoon {
@@ -59,6 +60,30 @@ TEST(CgalSurface, OpenSurfaceIsOurs) {
   const ref::CgalSurface plain =
       ref::cgal_open_surface(points, {.rho = 0.3, .tangent_plane_radius = false});
   EXPECT_EQ(sorted(plain.triangles), sorted(reconstruct_cocone(points, options)));
+}
+
+// As published, and without the demotion of umbrellas at folds, which the plain way leaves out.
+ReconstructOptions plain_options() {
+  ReconstructOptions options;
+  options.mode = Mode::paper;
+  options.good_vertices = {.fold_cosine = 2, .crease_cosine = 2};
+  return options;
+}
+
+// Holes that the peel closes by small triangles, candidates at sharp edges, boundary samples.
+TEST(CgalSurface, IsOursWhereTheSurfaceHasHoles) {
+  for (const auto& points : {shapes::cut_sphere(1000, 0.5, 9), shapes::cut_sphere(1000, 0.0, 9),
+                             shapes::dome_patch(25, 0.5, 8), shapes::random_torus(500, 0.4, 7)}) {
+    const ReconstructResult open = reconstruct_cocone(points, plain_options());
+    const ref::CgalCoconeOptions plain = {.tangent_plane_radius = false};
+    EXPECT_GT(open.counters.boundary_samples, 20U);
+    EXPECT_GT(open.mesh.triangles.size(), 900U);
+    EXPECT_EQ(sorted(ref::cgal_open_surface(points, plain).triangles), sorted(open));
+    const ReconstructResult tight = reconstruct_tight(points, plain_options());
+    EXPECT_GT(tight.counters.poor_cells, 5U);
+    EXPECT_GT(tight.mesh.triangles.size(), open.mesh.triangles.size());
+    EXPECT_EQ(sorted(ref::cgal_tight_surface(points, plain).triangles), sorted(tight));
+  }
 }
 
 TEST(CgalUpdate, ReplacesTheSamePoints) {
