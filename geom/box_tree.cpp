@@ -56,4 +56,15 @@ BoxTree tree_of_points(std::span<const Point> points) {
   return BoxTree(boxes);
 }
 
+std::size_t count_near(const BoxTree& tree, std::span<const Point> points, const Point& p,
+                       double reach, std::size_t most) {
+  std::size_t count = 0;
+  tree.visit_near(p, reach, [&](std::uint32_t slot) {
+    const bool is_near = squared_distance(points[tree.items()[slot]], p) <= reach;
+    if (is_near && count <= most) ++count;
+    return count > most ? -1.0 : reach;
+  });
+  return count;
+}
+
 }  // namespace cocoon

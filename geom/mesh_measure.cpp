@@ -54,7 +54,7 @@ Box box_of_corners(const TriangleMesh& mesh) {
 }
 
 // Preconditions: valid triangles, coordinates of working size.
-MeshMeasure measure_scaled(const TriangleMesh& mesh, const Box& box) {
+MeshMeasure measure_at_working_size(const TriangleMesh& mesh, const Box& box) {
   MeshMeasure measure;
   measure.box = box;
   measure.edge_lengths = measure_edges(mesh);
@@ -79,9 +79,9 @@ MeshMeasure mesh_measure(const TriangleMesh& mesh) {
   require_valid_triangles(mesh);
   const Box box = box_of_corners(mesh);
   const double scale = working_scale(std::array{box.low, box.high});
-  if (scale == 1) return measure_scaled(mesh, box);
+  if (scale == 1) return measure_at_working_size(mesh, box);
   const TriangleMesh copy = scaled(mesh, scale);
-  MeshMeasure measure = measure_scaled(copy, box_of_corners(copy));
+  MeshMeasure measure = measure_at_working_size(copy, box_of_corners(copy));
   measure.box = box;
   measure.area = measure.area / scale / scale;
   measure.signed_volume = measure.signed_volume / scale / scale / scale;

@@ -23,13 +23,9 @@ void RemainingSamples::triangulate() {
   // Each time: what has gone may have been far off, and the rest so small beside it that squares of
   // lengths vanished.
   scale_ = working_scale(points_);
-  std::vector<Point> scaled;
-  if (scale_ != 1) {
-    scaled.reserve(points_.size());
-    for (const Point& p : points_) scaled.push_back(scale_ * p);
-  }
+  const std::vector<Point> copy = scale_ != 1 ? scaled(points_, scale_) : std::vector<Point>();
   triangulation_ =
-      delaunay(scale_ != 1 ? Points(scaled) : Points(points_), options_, execution_).triangulation;
+      delaunay(scale_ != 1 ? Points(copy) : Points(points_), options_, execution_).triangulation;
   stars_ = vertex_stars(triangulation_);
   spacing_ = sample_spacing(triangulation_, stars_, noise_.neighbors, execution_);
 }

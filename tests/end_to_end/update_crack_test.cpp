@@ -1,5 +1,4 @@
 // The update of a block by the scan of a narrow crack.
-#include <array>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <string>
@@ -8,6 +7,7 @@
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
 #include "tests/end_to_end/boxy_part.h"
+#include "tests/mesh_gallery.h"
 #include "update/update_session.h"
 
 namespace cocoon {
@@ -31,31 +31,27 @@ struct CrackedBlock {
   }
 
   static TriangleMesh crack() {
-    TriangleMesh mesh;
-    mesh.points = IdVector<VertexId, Point>(std::vector<Point>{{4, 2, 9},
-                                                               {13, 2, 9},
-                                                               {13, 18, 9},
-                                                               {4, 18, 9},
-                                                               {8.5, 5, 9},
-                                                               {9.1, 10, 9},
-                                                               {8.5, 15, 9},
-                                                               {7.9, 10, 9},
-                                                               {8.5, 10, 5}});
-    for (const auto& [a, b, c] : std::vector<std::array<std::uint32_t, 3>>{{0, 1, 4},
-                                                                           {1, 5, 4},
-                                                                           {1, 2, 5},
-                                                                           {2, 6, 5},
-                                                                           {2, 3, 6},
-                                                                           {3, 7, 6},
-                                                                           {3, 0, 7},
-                                                                           {0, 4, 7},
-                                                                           {4, 5, 8},
-                                                                           {5, 6, 8},
-                                                                           {6, 7, 8},
-                                                                           {7, 4, 8}}) {
-      mesh.triangles.push_back({VertexId(a), VertexId(b), VertexId(c)});
-    }
-    return mesh;
+    return gallery::make_mesh({{4, 2, 9},
+                               {13, 2, 9},
+                               {13, 18, 9},
+                               {4, 18, 9},
+                               {8.5, 5, 9},
+                               {9.1, 10, 9},
+                               {8.5, 15, 9},
+                               {7.9, 10, 9},
+                               {8.5, 10, 5}},
+                              {{0, 1, 4},
+                               {1, 5, 4},
+                               {1, 2, 5},
+                               {2, 6, 5},
+                               {2, 3, 6},
+                               {3, 7, 6},
+                               {3, 0, 7},
+                               {0, 4, 7},
+                               {4, 5, 8},
+                               {5, 6, 8},
+                               {6, 7, 8},
+                               {7, 4, 8}});
   }
 };
 

@@ -1,7 +1,5 @@
 #include "update/report/contradicted_samples.h"
 
-#include <cstdint>
-
 #include "geom/box_tree.h"
 
 namespace cocoon {
@@ -14,11 +12,7 @@ ContradictedSamples contradicted_samples(const Scan& scan, std::span<const Point
   const double bound = options.reach * scan.spacing * (options.reach * scan.spacing);
   std::size_t most = 0;
   for (const Point& p : contradicted) {
-    std::size_t near = 0;  // itself among them
-    tree.visit_near(p, bound, [&](std::uint32_t slot) {
-      near += squared_distance(contradicted[tree.items()[slot]], p) <= bound ? 1U : 0U;
-      return bound;
-    });
+    const std::size_t near = count_near(tree, contradicted, p, bound, contradicted.size());
     if (near < most || (near == most && found.at < p)) continue;
     most = near;
     found.at = p;

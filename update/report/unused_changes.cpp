@@ -1,7 +1,6 @@
 #include "update/report/unused_changes.h"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "geom/box_tree.h"
 #include "update/model/sample_heights.h"
@@ -16,13 +15,8 @@ std::vector<Point> without_strays(const std::vector<Point>& samples, std::size_t
   const BoxTree tree = tree_of_points(samples);
   const double bound = reach * reach;
   std::vector<Point> found;
-  for (const Point& p : samples) {
-    std::size_t near = 0;  // itself among them
-    tree.visit_near(p, bound, [&](std::uint32_t slot) {
-      near += squared_distance(samples[tree.items()[slot]], p) <= bound ? 1U : 0U;
-      return near > neighbors ? -1.0 : bound;
-    });
-    if (near > neighbors) found.push_back(p);
+  for (const Point& p : samples) {  // each is near itself, too
+    if (count_near(tree, samples, p, bound, neighbors) > neighbors) found.push_back(p);
   }
   return found;
 }
