@@ -18,9 +18,7 @@ StageOptions stages_of(const StrayOptions& options) {
   return stages;
 }
 
-}  // namespace
-
-std::optional<StrayOptions> cloud_filter(const CloudFilterArguments& arguments) {
+std::optional<StrayOptions> stray_options(const CloudFilterArguments& arguments) {
   if (arguments.noise == "none") {
     const std::vector<std::string> given =
         given_thresholds(ThresholdUse::outliers, arguments.thresholds);
@@ -33,6 +31,12 @@ std::optional<StrayOptions> cloud_filter(const CloudFilterArguments& arguments) 
   options.neighbors = stages.noise.neighbors;
   options.outlier_ratio = stages.noise.outlier_ratio;
   return options;
+}
+
+}  // namespace
+
+CloudFilter cloud_filter(const CloudFilterArguments& arguments) {
+  return {arguments.thin, stray_options(arguments)};
 }
 
 void add_cloud_filter(JsonReport& report, const StrayOptions& options) {

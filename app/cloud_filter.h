@@ -1,4 +1,5 @@
-// --noise robust of `update` and `watch`: clouds without stray samples.
+// --thin and --noise robust of `update` and `watch`: clouds without samples that are too close to
+// others, and without stray ones.
 #pragma once
 
 #include <optional>
@@ -12,10 +13,15 @@
 
 namespace cocoon::app {
 
-// The options of the filter; none: it is off. Throws UsageError if some are given and it is off.
-std::optional<StrayOptions> cloud_filter(const CloudFilterArguments& arguments);
+struct CloudFilter {
+  std::optional<double> thin;          // done first, if there is a distance
+  std::optional<StrayOptions> strays;  // none: they stay
+};
 
-// As "parameters/noise_*" of the report.
+// Throws UsageError if options of the filter of strays are given, and it is off.
+CloudFilter cloud_filter(const CloudFilterArguments& arguments);
+
+// The options of the filter of strays, as "parameters/noise_*" of the report.
 void add_cloud_filter(JsonReport& report, const StrayOptions& options);
 
 // "2 outliers, and 14 points in 3 small parts"; only what there is, "nothing" if there is nothing.

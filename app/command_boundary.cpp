@@ -6,6 +6,7 @@
 #include "app/reconstruct_report.h"
 #include "app/surface_options.h"
 #include "app/surface_report.h"
+#include "app/thin_cloud.h"
 #include "app/thresholds.h"
 #include "cocone/boundary_loops.h"
 #include "cocone/reconstruct.h"
@@ -56,8 +57,10 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
   const ReconstructOptions& options = stages.surface;
   VertexProperties properties;
   const bool keep = holds_properties(arguments.mesh);
-  const std::vector<Point> points =
-      read_cloud(job, arguments.points, "input", keep ? &properties : nullptr);
+  VertexProperties* const carried = keep ? &properties : nullptr;
+  std::vector<Point> points = read_cloud(job, arguments.points, "input", carried);
+  add_thinning(job.report(), arguments.thin,
+               thin_input(job, arguments.points, arguments.thin, points, carried));
   const ReconstructResult surface = naming_input(
       arguments.points, [&] { return reconstruct_cocone(points, options, job.execution()); });
   require_surface(job, arguments.points, surface, points, options);

@@ -175,7 +175,17 @@ void add_stages_of_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
   add_thresholds_of(app, ThresholdUse::findings, arguments.thresholds, "Findings");
 }
 
+void add_thin(CLI::App& app, std::optional<double>& distance, const std::string& of_what) {
+  app.add_option("--thin", distance,
+                 "Leave out points" + of_what +
+                     " closer than this to one that is used: of scans that are denser than their "
+                     "noise, or overlap")
+      ->type_name("DISTANCE")
+      ->check(between(1e-300, 1e300));
+}
+
 void add_cloud_filter(CLI::App& app, CloudFilterArguments& arguments) {
+  add_thin(app, arguments.thin, " of each new scan");
   app.add_option("--noise", arguments.noise,
                  "robust: leave stray points and small clumps of them out of each new scan first; "
                  "none (default): every sample counts")
@@ -242,6 +252,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
   sub->add_option("POINTS", reconstruct.points, "Point cloud")->required();
   add_mesh_output(*sub, reconstruct.mesh, reconstruct.ascii);
   add_densify(*sub, "POINTS", reconstruct.densify);
+  add_thin(*sub, reconstruct.thin, "");
   sub->add_option("--surface", reconstruct.surface,
                   "tight: watertight (default); cocone: the open surface")
       ->check(CLI::IsMember({"tight", "cocone"}));
@@ -263,6 +274,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
   add_mesh_output(*sub, boundary.mesh, boundary.ascii);
   sub->add_option("--loops", boundary.loops, "Write the boundary loops as polylines")
       ->type_name("FILE.obj");
+  add_thin(*sub, boundary.thin, "");
   add_surface_options(*sub, boundary.parameters, "0.3 by default");
   add_stages_of_boundary(*sub, boundary);
 

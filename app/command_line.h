@@ -34,8 +34,9 @@ struct SurfaceArguments {
   bool verify = false;                     // certify triangulation and surface before writing
 };
 
-// --noise robust of the commands that update: holds for the clouds of this call.
+// --thin and --noise robust of the commands that update: hold for the clouds of this call.
 struct CloudFilterArguments {
+  std::optional<double> thin;                // least distance of points that are used
   std::string noise = "none";                // "none" or "robust"
   std::map<std::string, double> thresholds;  // those given, by name (thresholds.h)
 };
@@ -61,6 +62,7 @@ struct ReconstructArguments {
   bool manifold = false;
   std::string noise = "none";     // "none" or "robust"
   std::optional<double> densify;  // spacing of samples added to a mesh
+  std::optional<double> thin;     // least distance of points that are used
   SurfaceArguments parameters;
   std::string radius;                        // as of boundary
   bool deferred_seeding = true;              // of the peel, in robust mode
@@ -76,6 +78,7 @@ struct BoundaryArguments {
   std::string mesh;
   std::string loops;  // empty: not written
   bool ascii = false;
+  std::optional<double> thin;  // least distance of points that are used
   SurfaceArguments parameters;
   std::string radius;  // "cocone" or "tangent-plane"; empty: as the kind of surface has it
   std::map<std::string, double> thresholds;  // those given, by name (thresholds.h)

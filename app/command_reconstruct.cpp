@@ -13,6 +13,7 @@
 #include "app/session_file.h"
 #include "app/surface_options.h"
 #include "app/surface_report.h"
+#include "app/thin_cloud.h"
 #include "app/thresholds.h"
 #include "app/updating.h"
 #include "cocone/reconstruct.h"
@@ -153,6 +154,8 @@ DensifiedMesh read_input(Job& job, const ReconstructArguments& arguments,
   if (arguments.densify) return read_densified(job, arguments.points, *arguments.densify);
   DensifiedMesh input;
   input.points = read_cloud(job, arguments.points, "input", properties, &faces);
+  add_thinning(job.report(), arguments.thin,
+               thin_input(job, arguments.points, arguments.thin, input.points, properties));
   return input;
 }
 
@@ -176,6 +179,9 @@ void write_session(Job& job, const ReconstructArguments& arguments, UpdateSessio
 }
 
 void require_possible_options(const ReconstructArguments& arguments) {
+  if (arguments.densify && arguments.thin) {
+    throw UsageError("--densify adds samples and --thin leaves points out: leave out one of them");
+  }
   require_possible_noise_filter(arguments);
   require_use_of_options(arguments);
   require_possible_session(arguments);

@@ -84,8 +84,7 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
 }
 
 // Reads the session, updates it, and writes it back together with the mesh.
-void update_session(const UpdateArguments& arguments, const std::optional<StrayOptions>& filter,
-                    Job& job) {
+void update_session(const UpdateArguments& arguments, const CloudFilter& filter, Job& job) {
   const LockFile lock(arguments.session);
   const Execution quiet{job.execution().threads};
   ResumedSession resumed;
@@ -126,7 +125,7 @@ void run_update(const UpdateArguments& arguments, Job& job) {
                    {arguments.html},
                    {arguments.session}},
                   inputs);
-  const std::optional<StrayOptions> filter = cloud_filter(arguments.filter);
+  const CloudFilter filter = cloud_filter(arguments.filter);
   if (!arguments.session.empty()) {
     update_session(arguments, filter, job);
     return;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <span>
 #include <string>
@@ -23,6 +24,7 @@
 #include "app/pending_clouds.h"
 #include "app/session_file.h"
 #include "app/standard_streams.h"
+#include "app/thin_cloud.h"
 #include "app/update_report.h"
 #include "app/updating.h"
 #include "app/watch_notes.h"
@@ -45,14 +47,15 @@ struct Drop {
   std::vector<NotedFile> files;
   std::vector<std::string> names;  // as messages show them
   std::vector<std::vector<Point>> clouds;
-  std::vector<StraySamples> strays;  // what was left out of each
+  std::vector<std::size_t> thinned;  // how many points --thin left out of each
+  std::vector<StraySamples> strays;  // what --noise robust left out of each
   bool has_to_wait = false;          // one of those that belong to it was being written
 
   std::string name() const { return fmt::format("{}", fmt::join(names, ", ")); }
   // One of several, alone.
   Drop only(std::size_t k) const {
     const auto now = std::chrono::steady_clock::now();
-    return {now, {files[k]}, {names[k]}, {clouds[k]}, {strays[k]}, false};
+    return {now, {files[k]}, {names[k]}, {clouds[k]}, {thinned[k]}, {strays[k]}, false};
   }
 };
 
@@ -323,9 +326,13 @@ class Watch {
       tell_refused(name, no_cloud);
       return true;
     }
+    std::size_t thinned = 0;
     StraySamples strays;
     try {
-      if (filter_) strays = leave_out_strays(name, cloud, *filter_, {job_.execution().threads});
+      if (filter_.thin) thinned = thin_cloud(name, *filter_.thin, cloud);
+      if (filter_.strays) {
+        strays = leave_out_strays(name, cloud, *filter_.strays, {job_.execution().threads});
+      }
     } catch (const Error& error) {
       refuse(noted, name, error.what());
       return true;
@@ -333,6 +340,7 @@ class Watch {
     drop.files.push_back(std::move(noted));
     drop.names.push_back(name);
     drop.clouds.push_back(std::move(cloud));
+    drop.thinned.push_back(thinned);
     drop.strays.push_back(std::move(strays));
     return true;
   }
@@ -370,7 +378,14 @@ class Watch {
         update.change.removed.size(), time.count());
     const std::string topology = topology_change(update.result);
     if (!topology.empty()) line += "; " + topology;
-    if (filter_) line += fmt::format("; {} left out as noise", told_strays(total_of(drop.strays)));
+    if (filter_.thin) {
+      const std::size_t thinned =
+          std::accumulate(drop.thinned.begin(), drop.thinned.end(), std::size_t{0});
+      line += fmt::format("; {} left out by --thin", counted(thinned, "point"));
+    }
+    if (filter_.strays) {
+      line += fmt::format("; {} left out as noise", told_strays(total_of(drop.strays)));
+    }
     for (const std::string& warning : update.result.warnings) {
       line += "; warning: " + with_cloud_names(warning, drop.names);
     }
@@ -384,7 +399,7 @@ class Watch {
     surface.mesh = model();
     MeshReport certificate;
     findings_ = findings_of_update(surface, state_.session->points(),
-                                   noise_filter_of_update(filter_.has_value()),
+                                   noise_filter_of_update(filter_.strays.has_value()),
                                    {job_.execution().threads}, certificate);
     for (const Finding& finding : findings_) {
       if (!told_findings_.insert(finding.message).second) continue;
@@ -437,7 +452,7 @@ class Watch {
   bool folder_is_away_ = false;
   bool all_in_reach_ = true;
   UpdateOptions options_;
-  std::optional<StrayOptions> filter_;
+  CloudFilter filter_;
   ResumedSession state_;
   std::size_t applied_ = 0;
   std::size_t refused_ = 0;

@@ -109,15 +109,25 @@ Finding conflicts_finding(const SurfaceDoubts& d, const std::string& remedy) {
           d.conflicts, d.contradicted};
 }
 
+// Samples as far apart as advised have noise of this share of their spacing, which hardly harms.
+constexpr double harmless_noise = 0.15;
+
+std::string remedy_of_noise(double noise, NoiseFilter filter) {
+  if (filter == NoiseFilter::no_noise) return "smooth the mesh first";
+  return fmt::format(
+      "{} --thin {:.2g}, which leaves out points that lie closer",
+      is_filter_left(filter) ? "try --noise robust, or" : "smooth the points, or try",
+      noise / harmless_noise);
+}
+
 Finding noise_finding(const SurfaceDoubts& d, bool warns, NoiseFilter filter) {
-  return {
-      "noise",
-      fmt::format("noise is about {:.0f} % of the spacing {:.3g}; {}", 100 * noise_of(d.roughness),
-                  d.spacing,
-                  is_filter_left(filter) ? "try --noise robust" : "smooth or thin out the points"),
-      0,
-      {},
-      warns};
+  const double noise = noise_of(d.roughness);
+  return {"noise",
+          fmt::format("noise is about {:.0f} % of the spacing {:.3g}; {}", 100 * noise, d.spacing,
+                      remedy_of_noise(noise * d.spacing, filter)),
+          0,
+          {},
+          warns};
 }
 
 Finding fragments_finding(const SurfaceDoubts& d, NoiseFilter filter) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "app/carried_properties.h"
-#include "app/cloud_filter.h"
 #include "app/files.h"
 #include "app/findings.h"
 #include "app/html_report.h"
@@ -12,6 +11,7 @@
 #include "app/reconstruct_report.h"
 #include "app/surface_options.h"
 #include "app/surface_report.h"
+#include "app/thin_cloud.h"
 #include "app/update_report.h"
 #include "app/verification.h"
 #include "cocone/checks/surface_doubts.h"
@@ -215,13 +215,19 @@ NoiseFilter noise_filter_of_update(bool filtered) {
   return filtered ? NoiseFilter::no_option : NoiseFilter::of_strays;
 }
 
-void filter_clouds(Job& job, const std::optional<StrayOptions>& filter, UpdateInput& input) {
-  if (!filter) return;
-  add_cloud_filter(job.report(), *filter);
+void filter_clouds(Job& job, const CloudFilter& filter, UpdateInput& input) {
+  std::size_t thinned = 0;
+  for (std::size_t c = 0; c < input.clouds.size(); ++c) {
+    thinned += thin_input(job, input.cloud_names[c], filter.thin, input.clouds[c],
+                          input.properties.empty() ? nullptr : &input.properties[1 + c]);
+  }
+  add_thinning(job.report(), filter.thin, thinned);
+  if (!filter.strays) return;
+  add_cloud_filter(job.report(), *filter.strays);
   for (std::size_t c = 0; c < input.clouds.size(); ++c) {
     const std::string& name = input.cloud_names[c];
     const StraySamples& strays = input.strays.emplace_back(
-        leave_out_strays(name, input.clouds[c], *filter, job.execution()));
+        leave_out_strays(name, input.clouds[c], *filter.strays, job.execution()));
     JsonReport entry;
     entry.set("outliers", strays.outliers);
     entry.set("small_parts", strays.small_parts);

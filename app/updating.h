@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cloud_filter.h"
 #include "app/command_line.h"
 #include "app/findings.h"
 #include "app/job.h"
@@ -70,9 +71,9 @@ struct UpdateOutput {
   bool manifold = false;
 };
 
-// Takes stray samples out of the clouds, and their properties, if there is a filter; counts go to
-// the report, section "noise", and to the summary.
-void filter_clouds(Job& job, const std::optional<StrayOptions>& filter, UpdateInput& input);
+// Takes samples too close to others, and stray ones, out of the clouds, with their properties, as
+// the filter says; counts go to the report, of strays to section "noise", and to the summary.
+void filter_clouds(Job& job, const CloudFilter& filter, UpdateInput& input);
 
 // The closed surface of a model given as points, as stage "initial_model"; its counts go to the
 // section "initial_model" of the report. Throws InputError if there is none.

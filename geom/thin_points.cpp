@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 
 #include "geom/box_tree.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 
@@ -29,6 +31,15 @@ std::vector<PointId> thin_points(Points points,
   }
   std::sort(kept.begin(), kept.end());
   return kept;
+}
+
+std::vector<PointId> thin_points(Points points, double distance) {
+  const double scale = working_scale(points);
+  // Where the square is too small for a double, only equal points are that close.
+  const double reach =
+      std::max(distance * scale * (distance * scale), std::numeric_limits<double>::denorm_min());
+  const auto reach_at = [&](PointId) { return reach; };
+  return scale == 1 ? thin_points(points, reach_at) : thin_points(scaled(points, scale), reach_at);
 }
 
 }  // namespace cocoon

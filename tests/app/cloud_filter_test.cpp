@@ -13,13 +13,13 @@ namespace {
 TEST(CloudFilter, OptionsAreThoseOfStraysButForWhatIsGiven) {
   CloudFilterArguments arguments;
   arguments.noise = "none";
-  EXPECT_FALSE(cloud_filter(arguments).has_value());
+  EXPECT_FALSE(cloud_filter(arguments).strays.has_value());
   arguments.noise = "robust";
-  const StrayOptions usual = cloud_filter(arguments).value();
+  const StrayOptions usual = cloud_filter(arguments).strays.value();
   EXPECT_EQ(usual.neighbors, StrayOptions{}.neighbors);
   EXPECT_EQ(usual.outlier_ratio, StrayOptions{}.outlier_ratio);
   arguments.thresholds = {{"noise-neighbors", 5}, {"noise-outlier-ratio", 7.5}};
-  const StrayOptions given = cloud_filter(arguments).value();
+  const StrayOptions given = cloud_filter(arguments).strays.value();
   EXPECT_EQ(given.neighbors, 5U);
   EXPECT_EQ(given.outlier_ratio, 7.5);
   arguments.noise = "none";

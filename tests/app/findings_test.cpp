@@ -200,8 +200,24 @@ TEST(Findings, UpdatesHaveNoNoiseFilter) {
   const std::vector<Finding> findings = findings_of(doubts, 100, NoiseFilter::no_option);
   EXPECT_EQ(findings.size(), 3U);
   for (const Finding& finding : findings) {
-    EXPECT_EQ(finding.message.find("--"), std::string::npos) << finding.message;
+    EXPECT_EQ(finding.message.find("--noise"), std::string::npos) << finding.message;
   }
+}
+
+// Noise of 0.03, which is 15 % of 0.2.
+TEST(Findings, OfNoiseNameTheDistanceWhereItIsHarmless) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.roughness = 0.21;
+  const auto advice = [&](NoiseFilter filter) {
+    return findings_of(doubts, 100, filter).at(0).message;
+  };
+  const std::string noise = "noise is about 30 % of the spacing 0.1; ";
+  const std::string thin = "--thin 0.2, which leaves out points that lie closer";
+  EXPECT_EQ(advice(NoiseFilter::not_used), noise + "try --noise robust, or " + thin);
+  EXPECT_EQ(advice(NoiseFilter::no_option), noise + "smooth the points, or try " + thin);
+  EXPECT_EQ(advice(NoiseFilter::used), advice(NoiseFilter::no_option));
+  EXPECT_EQ(advice(NoiseFilter::no_noise), noise + "smooth the mesh first");
 }
 
 // The filter of update leaves out stray samples; it is advised for them and not for noise.

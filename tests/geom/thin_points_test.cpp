@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geom/random.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
@@ -34,6 +35,23 @@ TEST(ThinPoints, EachByItsOwnDistance) {
   const auto distance_at = [&](PointId p) { return points[p.index()].x < 2 ? 4.0 : 0.01; };
   EXPECT_EQ(thin_points(points, distance_at), (std::vector{PointId(0), PointId(1), PointId(4)}));
   EXPECT_TRUE(thin_points({}, distance_at).empty());
+}
+
+// Sizes whose squares are no doubles: the same points stay at all of them.
+TEST(ThinPoints, OfOneDistanceAtAnySize) {
+  Random random(3);
+  std::vector<Point> points = {{0, 0, 0}, {0, 0, 0}};
+  for (int i = 0; i < 300; ++i) {
+    points.push_back({random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)});
+  }
+  const std::vector<PointId> kept = thin_points(points, 0.125);
+  EXPECT_EQ(kept, thin_points(points, [](PointId) { return 1.0 / 64; }));
+  EXPECT_LT(kept.size(), 250U);
+  for (const double scale : {0x1p-900, 0x1p-300, 0x1p300, 0x1p900}) {
+    EXPECT_EQ(thin_points(scaled(points, scale), 0.125 * scale), kept) << scale;
+  }
+  EXPECT_EQ(thin_points(points, 1e-300).size(), points.size() - 1) << "equal points are one";
+  EXPECT_EQ(thin_points(points, 1e300), std::vector{PointId(0)});
 }
 
 }  // namespace
