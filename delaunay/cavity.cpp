@@ -69,12 +69,12 @@ void CavityInserter::take_slots(const ConflictZone& zone) {
     free.push_back(slots_.back());
   }
   const std::size_t used = std::min(free.size(), count - slots_.size());
+  const std::size_t end = pool_.cells.size();
+  const std::size_t added = count - slots_.size() - used;
+  if (added > 0) require_cell_numbers(end + added);
   slots_.insert(slots_.end(), free.rbegin(), free.rbegin() + static_cast<std::ptrdiff_t>(used));
   free.resize(free.size() - used);
-  const std::size_t end = pool_.cells.size();
-  const std::size_t added = count - slots_.size();
   if (added == 0) return;
-  require_cell_numbers(end + added);
   for (std::size_t i = 0; i < added; ++i) slots_.push_back(CellId(end + i));
   pool_.cells.resize_for_overwrite(end + added);
   pool_.marks.resize(end + added, CellMark::untested);

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "geom/id_vector.h"
@@ -30,8 +31,9 @@ class SparseVector {
     assert(id.index() < size_);
     return elements_[place_of_[id.index() / block] + id.index() % block];
   }
-  // O(1), O(block size) for the first one of a block.
-  void set(IdType id, const T& value) {
+  // O(1), O(block size) for the first one of a block. By value: it may be an element of this list,
+  // which moves.
+  void set(IdType id, T value) {
     assert(id.index() < size_);
     std::uint32_t& place = place_of_[id.index() / block];
     if (place == 0) {
@@ -39,12 +41,12 @@ class SparseVector {
       elements_.resize(elements_.size() + block);
       std::copy_n(elements_.begin(), block, elements_.begin() + place);
     }
-    elements_[place + id.index() % block] = value;
+    elements_[place + id.index() % block] = std::move(value);
   }
-  void push_back(const T& value) {
+  void push_back(T value) {
     if (elements_.empty()) elements_.resize(block);
     place_of_.resize(num_blocks(++size_), 0);
-    set(IdType(size_ - 1), value);
+    set(IdType(size_ - 1), std::move(value));
   }
 
   // Calls visit(id) for all elements for which test(value) holds, ascending. Complexity: that of

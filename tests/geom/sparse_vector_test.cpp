@@ -1,5 +1,6 @@
 #include "geom/sparse_vector.h"
 
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -36,6 +37,19 @@ TEST(SparseVector, ByHand) {
   none.visit_where([](int) { return true; }, [&](VertexId) { FAIL(); });
   none.push_back(3);
   EXPECT_EQ(none[VertexId(0)], 3);
+}
+
+// Each set may move the elements, and with them the one whose value is to be set.
+TEST(SparseVector, TakesItsOwnElements) {
+  SparseVector<VertexId, std::vector<int>> list(6400, {1, 2, 3});
+  list.set(VertexId(0), {4, 5});
+  for (std::uint32_t i = 64; i < 6400; i += 64) list.set(VertexId(i), list[VertexId(0)]);
+  for (std::uint32_t i = 0; i < 6400; i += 64) {
+    EXPECT_EQ(list[VertexId(i)], (std::vector{4, 5})) << i;
+  }
+  const std::size_t size = list.size();
+  for (int i = 0; i < 200; ++i) list.push_back(list[VertexId(0)]);
+  EXPECT_EQ(list[VertexId(static_cast<std::uint32_t>(size + 199))], (std::vector{4, 5}));
 }
 
 // A list that is equal has equal elements, whichever of them are the usual ones.
