@@ -61,13 +61,17 @@ const auto orientation_at = [](PredicateLevel level) {
 BENCHMARK_CAPTURE(run, orient3d_filter, Family::random, exact_orientation, orientation);
 BENCHMARK_CAPTURE(run, orient3d_grid, Family::grid, exact_orientation, orientation);
 BENCHMARK_CAPTURE(run, orient3d_coplanar, Family::coplanar, exact_orientation, orientation);
-BENCHMARK_CAPTURE(run, orient3d_wide, Family::mixed, exact_orientation, orientation_at(PredicateLevel::wide));
+BENCHMARK_CAPTURE(run, orient3d_wide, Family::mixed, exact_orientation,
+                  orientation_at(PredicateLevel::wide));
 BENCHMARK_CAPTURE(run, insphere_filter, Family::random, exact_sphere, sphere);
 BENCHMARK_CAPTURE(run, insphere_grid, Family::grid, exact_sphere, sphere);
 BENCHMARK_CAPTURE(run, insphere_cospherical, Family::cospherical, exact_sphere, sphere);
-BENCHMARK_CAPTURE(run, insphere_grid_64, Family::grid, exact_sphere, sphere_at(PredicateLevel::grid_64));
-BENCHMARK_CAPTURE(run, insphere_grid_128, Family::cospherical, exact_sphere, sphere_at(PredicateLevel::grid_128));
-BENCHMARK_CAPTURE(run, insphere_grid_256, Family::cospherical, exact_sphere, sphere_at(PredicateLevel::grid_256));
+BENCHMARK_CAPTURE(run, insphere_grid_64, Family::grid, exact_sphere,
+                  sphere_at(PredicateLevel::grid_64));
+BENCHMARK_CAPTURE(run, insphere_grid_128, Family::cospherical, exact_sphere,
+                  sphere_at(PredicateLevel::grid_128));
+BENCHMARK_CAPTURE(run, insphere_grid_256, Family::cospherical, exact_sphere,
+                  sphere_at(PredicateLevel::grid_256));
 BENCHMARK_CAPTURE(run, insphere_wide, Family::mixed, exact_sphere, sphere_at(PredicateLevel::wide));
 
 }  // namespace
