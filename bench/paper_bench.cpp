@@ -19,7 +19,6 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -27,6 +26,7 @@
 #include <thread>
 #include <vector>
 
+#include "bench/common_triangles.h"
 #include "bench/options.h"
 #include "bench/stage_times.h"
 #include "bench/stopwatch.h"
@@ -134,26 +134,6 @@ struct Arguments {
   std::vector<std::string> models;
 };
 
-std::vector<std::array<Point, 3>> sorted_triangles(const TriangleMesh& mesh) {
-  std::vector<std::array<Point, 3>> triangles;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    auto& corners = triangles.emplace_back();
-    corners = {mesh.points[a], mesh.points[b], mesh.points[c]};
-    std::sort(corners.begin(), corners.end());
-  }
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
-}
-
-std::size_t common_triangles(const TriangleMesh& a, const TriangleMesh& b) {
-  std::vector<std::array<Point, 3>> common;
-  const auto of_a = sorted_triangles(a);
-  const auto of_b = sorted_triangles(b);
-  std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
-                        std::back_inserter(common));
-  return common.size();
-}
-
 // Prints what both did; whether it is the same work, as the head of this file says.
 bool agree(const Ours& ours, const TriangleMesh& threaded, const ref::CgalUpdate& cgal,
            std::size_t points) {
@@ -161,7 +141,7 @@ bool agree(const Ours& ours, const TriangleMesh& threaded, const ref::CgalUpdate
   std::size_t rim = 0;
   for (const CloudReport& cloud : ours.result.clouds) rim += cloud.boundary_points;
   const std::size_t replaced = ours.result.replacement.replaced;
-  const std::size_t common = common_triangles(mesh, cgal.mesh);
+  const std::size_t common = bench::common_triangles(mesh, cgal.mesh);
   std::printf(
       "%-12s %zu points; ours / CGAL: %zu / %zu rim points, %zu / %zu replaced, %zu / %zu "
       "triangles, %zu in common\n",

@@ -3,9 +3,10 @@
 //   threads_bench [--points N] [--sets NAME[,NAME...]] [--threads T[,T...]] [--repetitions R]
 //
 // For each set: R repetitions of a build with each number of threads, interleaved; the cells are
-// those of one thread, or the program stops. Prints the best wall-clock time of each, the processor
-// time of that run, and the counters: points put off because another thread was at work there, runs
-// of points that changed hands, and cells created beyond those of one thread. The counters mean
+// those of one thread, or the program stops with exit code 1. Prints the best wall-clock time of
+// each, the processor time of that run, both also against the first number of threads, and the
+// counters: points put off because another thread was at work there, runs
+// of points that changed hands, and cells created beyond those of the first. The counters mean
 // something also with more threads than cores.
 #include <algorithm>
 #include <cstdio>
@@ -45,14 +46,14 @@ void measure(const std::vector<Point>& points, std::uint64_t expected_cells, Row
 }
 
 void print(const std::string& set, std::size_t points, const std::vector<Row>& rows) {
-  const Row& one = rows.front();
+  const Row& first = rows.front();
   const auto n = static_cast<double>(points);
-  const auto created = static_cast<double>(one.counters.cells_created);
+  const auto created = static_cast<double>(first.counters.cells_created);
   for (const Row& row : rows) {
     std::printf("%-13s %8zu %7d | %7.0f %7.2f | %9.0f %6.2f | %7zu %7.3f | %6zu %+9.3f\n",
                 set.c_str(), points, row.threads, row.best.wall * 1e9 / n,
-                one.best.wall / row.best.wall, row.best.processor * 1e9 / n,
-                row.best.processor / one.best.processor, row.counters.retries,
+                first.best.wall / row.best.wall, row.best.processor * 1e9 / n,
+                row.best.processor / first.best.processor, row.counters.retries,
                 100 * static_cast<double>(row.counters.retries) / n, row.counters.stolen_runs,
                 100 * (static_cast<double>(row.counters.cells_created) / created - 1));
   }
@@ -65,6 +66,7 @@ int run(int argc, char** argv) {
   const std::vector<std::string> numbers = options.list("--threads", "1,2,4,8,16");
   const std::size_t repetitions = std::max<std::size_t>(1, options.number("--repetitions", 3));
   options.require_no_rest();
+  if (numbers.empty()) options.fail("needs a number of threads");
   std::printf("%-13s %8s %7s | %15s | %16s | %15s | %6s %9s\n", "set", "points", "threads",
               "wall ns/pt  x", "processor  cost", "put off      %", "stolen", "cells + %");
   for (const std::string& set : sets) {
