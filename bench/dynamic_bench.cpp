@@ -58,6 +58,7 @@ std::vector<VertexId> live_vertices(const DynamicDelaunay& dynamic) {
 std::vector<Point> points_of(const DynamicDelaunay& dynamic,
                              const std::vector<VertexId>& vertices) {
   std::vector<Point> points;
+  points.reserve(vertices.size());
   for (const VertexId v : vertices) points.push_back(dynamic.point(v));
   return points;
 }
