@@ -142,7 +142,7 @@ std::vector<Case> make_cases(const bench::Options& options, const std::vector<st
     for (const std::string& size : sizes) {
       Case input{set, bench::point_set(set, options.as_number(size)), 0, {}, {}, {}};
       if (input.points.size() < 4) {
-        options.fail("no set '" + set + "' of " + size + " points");
+        options.fail(std::string("no set '").append(set).append("' of ").append(size));
       }
       if (const std::string rival = differing_rival(input, execution); !rival.empty()) {
         std::fprintf(stderr, "delaunay_bench: cells differ from those of %s on %s %s\n",

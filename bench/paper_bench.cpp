@@ -100,6 +100,7 @@ Columns medians(const std::vector<Columns>& runs) {
   Columns result;
   for (std::size_t c = 0; c < result.size(); ++c) {
     std::vector<double> values;
+    values.reserve(runs.size());
     for (const Columns& run : runs) values.push_back(run[c]);
     result[c] = median(values);
   }

@@ -307,7 +307,8 @@ void print_memory(const char* program, const Arguments& arguments) {
   }
 }
 
-void register_benchmark(const std::string& name, std::function<void(benchmark::State&)> body) {
+void register_benchmark(const std::string& name,
+                        const std::function<void(benchmark::State&)>& body) {
   benchmark::RegisterBenchmark(name.c_str(),
                                [body](benchmark::State& state) {
                                  for ([[maybe_unused]] auto _ : state) body(state);
