@@ -1,12 +1,13 @@
 // Local change against a fresh build: a connected patch of a large triangulation is replaced.
 //
-//   dynamic_bench [--points N] [--patch K] [--repetitions R] [--cgal C]
+//   dynamic_bench [--points N] [--patch K] [--repetitions R]
 //
 // For a volume and a surface: builds the triangulation of N points, takes it over, and R times
-// replaces the K points nearest to some point by as many others in the same place; then single
-// vertices. The last C patches are also replaced in CGAL's triangulation of the same points. The
-// results are compared: with a fresh build, cell by cell, and the number of cells with CGAL's.
-// Prints medians.
+// replaces the K points nearest to some point by as many others in the same place, at once; then
+// again, the old points removed first and the others inserted after that, which is what CGAL's
+// triangulation of the same points does beside it, in turn. Then single vertices. After each patch
+// the cells are compared with CGAL's, and at the end with a fresh build; if they differ the exit
+// code is 1. Prints medians of processor time.
 #include <algorithm>
 #include <cstdio>
 #include <span>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "bench/options.h"
+#include "bench/place_set_hash.h"
 #include "bench/rivals/cgal.h"
 #include "bench/stopwatch.h"
 #include "bench/tidy_heap.h"
@@ -31,7 +33,6 @@ struct Arguments {
   std::size_t points;
   std::size_t patch;
   std::size_t repetitions;
-  std::size_t cgal;
 };
 
 // What was measured on one set, in seconds of processor time.
@@ -42,9 +43,8 @@ struct Times {
   std::vector<double> replacement;
   std::vector<double> cgal_removal;
   std::vector<double> cgal_insertion;
-  double single = 0;  // one vertex removed, one inserted
-  DelaunayChange last;
-  bool agrees = true;
+  double single = 0;    // one vertex removed, one inserted
+  DelaunayChange last;  // of a replacement
 };
 
 std::vector<VertexId> live_vertices(const DynamicDelaunay& dynamic) {
@@ -58,6 +58,7 @@ std::vector<VertexId> live_vertices(const DynamicDelaunay& dynamic) {
 std::vector<Point> points_of(const DynamicDelaunay& dynamic,
                              const std::vector<VertexId>& vertices) {
   std::vector<Point> points;
+  points.reserve(vertices.size());
   for (const VertexId v : vertices) points.push_back(dynamic.point(v));
   return points;
 }
@@ -95,33 +96,45 @@ bool equals_fresh_build(const DynamicDelaunay& dynamic) {
   return frozen.cell_records() == fresh.cell_records();
 }
 
-void measure_patch(DynamicDelaunay& dynamic, const Point& center, const Arguments& arguments,
-                   bool with_cgal, Random& random, Times& times) {
-  const std::vector<VertexId> patch = patch_around(dynamic, center, arguments.patch);
-  const std::vector<Point> others = resampled(dynamic, patch, random);
-  std::vector<Point> all;
-  const std::vector<Point> gone = points_of(dynamic, patch);
-  if (with_cgal) all = points_of(dynamic, live_vertices(dynamic));
+// The points of a patch, and as many others in its place.
+struct Patch {
+  std::vector<VertexId> vertices;
+  std::vector<Point> gone;
+  std::vector<Point> others;
+};
 
+void measure_ours(DynamicDelaunay& dynamic, const Patch& patch, Times& times) {
   bench::tidy_heap();
   const bench::Stopwatch both;
-  times.last = dynamic.replace(patch, others);
+  times.last = dynamic.replace(patch.vertices, patch.others);
   times.replacement.push_back(both.elapsed().processor);
-  // The two halves apart: take the new points out, put them in again.
-  const bench::Stopwatch first;
-  dynamic.remove(times.last.inserted);
-  times.removal.push_back(first.elapsed().processor);
-  const bench::Stopwatch second;
-  dynamic.insert(others);
-  times.insertion.push_back(second.elapsed().processor);
 
-  if (!with_cgal) return;
+  // The old points again, to take the two halves apart as CGAL does. It has just looked for the
+  // vertices, so there, too, the patch is in the caches.
+  const DelaunayChange restored = dynamic.replace(times.last.inserted, patch.gone);
   bench::tidy_heap();
-  const rivals::TimedReplacement cgal = rivals::cgal_replace(all, gone, others);
-  times.cgal_removal.push_back(cgal.removal.processor);
-  times.cgal_insertion.push_back(cgal.insertion.processor);
-  times.agrees =
-      times.agrees && cgal.finite_cells == dynamic.freeze().triangulation.num_finite_cells();
+  const bench::Stopwatch removal;
+  const DelaunayChange removed = dynamic.remove(restored.inserted);
+  times.removal.push_back(removal.elapsed().processor);
+  const bench::Stopwatch insertion;
+  const DelaunayChange inserted = dynamic.insert(patch.others);
+  times.insertion.push_back(insertion.elapsed().processor);
+}
+
+void measure_cgal(rivals::CgalDynamicDelaunay& cgal, const Patch& patch, Times& times) {
+  bench::tidy_heap();
+  const rivals::TimedReplacement replacement = cgal.replace(patch.gone, patch.others);
+  times.cgal_removal.push_back(replacement.removal.processor);
+  times.cgal_insertion.push_back(replacement.insertion.processor);
+}
+
+// Both in turn, now one first and now the other. Whether they have the same cells then.
+bool measure_patch(DynamicDelaunay& dynamic, rivals::CgalDynamicDelaunay& cgal, const Patch& patch,
+                   bool cgal_first, Times& times) {
+  if (cgal_first) measure_cgal(cgal, patch, times);
+  measure_ours(dynamic, patch, times);
+  if (!cgal_first) measure_cgal(cgal, patch, times);
+  return bench::place_set_hash(dynamic.freeze().triangulation) == cgal.place_set_hash();
 }
 
 // Vertices here and there, one after the other.
@@ -147,10 +160,14 @@ bool run(const char* name, const std::vector<Point>& points, const Arguments& ar
   Triangulation triangulation = delaunay(points).triangulation;
   times.build = build.elapsed().processor;
   DynamicDelaunay dynamic(std::move(triangulation));
+  rivals::CgalDynamicDelaunay cgal(points);
+  bool agrees = true;
   for (std::size_t k = 0; k < arguments.repetitions; ++k) {
-    const bool with_cgal = k + arguments.cgal >= arguments.repetitions;
-    measure_patch(dynamic, points[random.below(points.size())], arguments, with_cgal, random,
-                  times);
+    Patch patch;
+    patch.vertices = patch_around(dynamic, points[random.below(points.size())], arguments.patch);
+    patch.gone = points_of(dynamic, patch.vertices);
+    patch.others = resampled(dynamic, patch.vertices, random);
+    agrees = measure_patch(dynamic, cgal, patch, k % 2 == 1, times) && agrees;
   }
   measure_single(dynamic, random, times);
   const double replaced = median(times.replacement);
@@ -159,13 +176,13 @@ bool run(const char* name, const std::vector<Point>& points, const Arguments& ar
               1e3 * median(times.insertion), 1e3 * replaced, 100 * replaced / times.build,
               1e3 * median(times.cgal_removal), 1e3 * median(times.cgal_insertion),
               1e6 * times.single, times.last.created.size());
-  return times.agrees && equals_fresh_build(dynamic);
+  return agrees && equals_fresh_build(dynamic);
 }
 
 int run_all(int argc, char** argv) {
   bench::Options options(argc, argv);
   const Arguments arguments{options.number("--points", 1000000), options.number("--patch", 5000),
-                            options.number("--repetitions", 7), options.number("--cgal", 1)};
+                            options.number("--repetitions", 7)};
   options.require_no_rest();
   if (arguments.points < 100 || arguments.patch < 2 || arguments.repetitions == 0) {
     options.fail("needs 100 points, patches of 2 and a repetition, or more");
@@ -178,8 +195,9 @@ int run_all(int argc, char** argv) {
               "build", "", "", "", "", "remove", "insert", "us");
   const bool ok = run("uniform", gallery::uniform_cube(arguments.points), arguments) &&
                   run("bumpy_sphere", gallery::bumpy_sphere(arguments.points), arguments);
-  if (!ok)
+  if (!ok) {
     std::fprintf(stderr, "dynamic_bench: the result differs from a fresh build or from CGAL\n");
+  }
   return ok ? 0 : 1;
 }
 

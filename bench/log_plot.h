@@ -45,7 +45,7 @@ class LogPlotWriter {
   static constexpr std::size_t width = 420;
   static constexpr std::size_t height = 320;
   static constexpr double left = 60;
-  static constexpr double right = 15;
+  static constexpr double right = 25;  // half of the last label
   static constexpr double top = 30;
   static constexpr double bottom = 45;
 
@@ -88,7 +88,7 @@ class LogPlotWriter {
   }
   static std::string decade(int exponent) {
     char label[32];
-    std::snprintf(label, sizeof label, "%g", std::pow(10.0, exponent));
+    std::snprintf(label, sizeof label, exponent < 0 ? "%g" : "%.0f", std::pow(10.0, exponent));
     return label;
   }
 

@@ -7,8 +7,12 @@
 // Stages: the composition of reconstruct.h by hand, on two scans of N points and a real one; its
 // mesh must be that of reconstruct_tight. Whole: reconstruct_tight, Tight Cocone on CGAL's
 // triangulation (ref/cgal_surface.h: without clean-up), CGAL's advancing front, on scans of
-// --rival_points and the files given; ours with all threads, too, and then by the clock.
-// Repetitions in random alternation; medians. Memory: peak of a process of its own.
+// --rival_points and the files given; ours with all threads, too, and then by the clock. Before
+// they are timed each runs once: the first two must be closed, ours the same with all threads, and
+// how many triangles they have in common is printed. All are calls that free what they worked with
+// within the clock (of CGAL's time 0.2 %), but not their results.
+// Repetitions in random alternation; medians. A wrong result makes the exit code 1.
+// Memory: peak of a process of its own.
 #include <array>
 #include <benchmark/benchmark.h>
 #include <cstdio>
@@ -19,9 +23,11 @@
 #include <map>
 #include <string>
 #include <thread>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
+#include "bench/common_triangles.h"
 #include "bench/options.h"
 #include "bench/point_sets.h"
 #include "bench/rivals/cgal_surfaces.h"
@@ -78,10 +84,8 @@ std::vector<Point> read_scan(const std::string& file) {
 class Times {
  public:
   void add(const std::string& name, const bench::Elapsed& elapsed) {
-    if (!seconds_.contains(name)) names_.push_back(name);
     seconds_[name].push_back(elapsed);
   }
-  const std::vector<std::string>& names() const { return names_; }
   bool has(const std::string& name) const { return seconds_.contains(name); }
   double median(const std::string& name,
                 double bench::Elapsed::*time = &bench::Elapsed::processor) const {
@@ -89,7 +93,6 @@ class Times {
   }
 
  private:
-  std::vector<std::string> names_;
   std::map<std::string, std::vector<bench::Elapsed>> seconds_;
 };
 
@@ -151,7 +154,8 @@ TriangleMesh run_stages(Points points, const Execution& execution, Times& times)
   const SurfaceMesh mesh =
       run_closing_stages(t, poles, boundary, std::move(surface), execution, times);
   timed(times, "check", [&] { return mesh_check(mesh.mesh); });
-  const auto file = std::filesystem::temp_directory_path() / "cocoon_pipeline_bench.ply";
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("pipeline_bench." + std::to_string(getpid()) + ".ply");
   timed(times, "write", [&] {
     write_mesh(file, mesh.mesh);
     return true;
@@ -163,9 +167,31 @@ TriangleMesh run_stages(Points points, const Execution& execution, Times& times)
 struct Case {
   std::string name;
   std::vector<Point> points;
-  std::size_t triangles = 0;
-  Times times;
+  std::size_t triangles = 0;  // of ours
+  std::size_t plain_triangles = 0;
+  Times times = {};
 };
+
+// Runs each once, and prints how they compare. False: one that should be closed is not, or ours
+// depends on threads.
+bool compare_rivals(Case& input, const Execution& execution) {
+  const TriangleMesh ours = reconstruct_tight(input.points, {}, execution).mesh;
+  TriangleMesh plain;
+  plain.points = IdVector<VertexId, Point>(input.points);
+  for (const auto& [a, b, c] : ref::cgal_tight_surface(input.points).triangles) {
+    plain.triangles.push_back({VertexId(a.value), VertexId(b.value), VertexId(c.value)});
+  }
+  const TriangleMesh front = rivals::cgal_advancing_front(input.points).mesh;
+  input.triangles = ours.triangles.size();
+  input.plain_triangles = plain.triangles.size();
+  std::printf("%-14s %zu triangles; cgal_tight %zu, %zu in common; advancing front %zu, %zu, %s\n",
+              input.name.c_str(), input.triangles, input.plain_triangles,
+              bench::common_triangles(ours, plain), front.triangles.size(),
+              bench::common_triangles(ours, front),
+              mesh_check(front).watertight ? "closed" : "open");
+  return mesh_check(ours).balanced && mesh_check(plain).balanced && !front.triangles.empty() &&
+         reconstruct_tight(input.points, {}, {.threads = 0}).mesh == ours;
+}
 
 // A filter may have left cases out.
 std::vector<const Case*> measured(const std::vector<Case>& cases, const std::string& name) {
@@ -206,14 +232,17 @@ void print_stages(const std::vector<Case>& all_cases) {
 
 constexpr const char* all_threads = "cocoon_all_threads";
 
+constexpr std::array rival_names = {"cgal_tight", "cgal_advancing_front"};
+
 // One of ours beside the rivals.
 void print_ratios(const Case& c, const std::string& ours, double bench::Elapsed::*time) {
   std::printf("%-14s %7zu", c.name.c_str(), c.points.size());
-  for (const std::string& name : c.times.names()) {
-    if (name.starts_with("cocoon") && name != ours) continue;
+  const double our_seconds = c.times.median(ours, time);
+  std::printf(" | %s %.0f", ours.c_str(), 1e3 * our_seconds);
+  for (const char* name : rival_names) {
+    if (!c.times.has(name)) continue;
     const double seconds = c.times.median(name, time);
-    std::printf(" | %s %.0f (%.1f)", name.c_str(), 1e3 * seconds,
-                seconds / c.times.median(ours, time));
+    std::printf(" | %s %.0f (%.1f)", name, 1e3 * seconds, seconds / our_seconds);
   }
   std::printf("\n");
 }
@@ -276,7 +305,8 @@ void print_memory(const char* program, const Arguments& arguments) {
   }
 }
 
-void register_benchmark(const std::string& name, std::function<void(benchmark::State&)> body) {
+void register_benchmark(const std::string& name,
+                        const std::function<void(benchmark::State&)>& body) {
   benchmark::RegisterBenchmark(name.c_str(),
                                [body](benchmark::State& state) {
                                  for ([[maybe_unused]] auto _ : state) body(state);
@@ -289,29 +319,56 @@ void register_stages(Case& input, const Execution& execution) {
   register_benchmark("stages/" + input.name, [&](benchmark::State& state) {
     bench::tidy_heap();
     if (run_stages(input.points, execution, input.times).triangles.size() != input.triangles) {
-      state.SkipWithError("wrong number of triangles");
+      bench::fail(state, "stages: wrong number of triangles on " + input.name);
     }
   });
 }
 
+void require_triangles(benchmark::State& state, const Case& input, const std::string& program,
+                       std::size_t triangles, std::size_t expected) {
+  if (triangles == expected) return;
+  bench::fail(state, program + ": wrong number of triangles on " + input.name);
+}
+
 void register_rivals(Case& input, const Execution& execution) {
-  register_benchmark("cocoon/" + input.name, [&](benchmark::State&) {
+  const auto add_ours = [&](const std::string& program, const Execution& how) {
+    register_benchmark(program + "/" + input.name, [&, program, how](benchmark::State& state) {
+      bench::tidy_heap();
+      const ReconstructResult result =
+          timed(input.times, program, [&] { return reconstruct_tight(input.points, {}, how); });
+      require_triangles(state, input, program, result.mesh.triangles.size(), input.triangles);
+    });
+  };
+  add_ours("cocoon", execution);
+  add_ours(all_threads, {.threads = 0});
+  register_benchmark("cgal_tight/" + input.name, [&](benchmark::State& state) {
     bench::tidy_heap();
-    timed(input.times, "cocoon", [&] { return reconstruct_tight(input.points, {}, execution); });
+    const ref::CgalSurface result =
+        timed(input.times, "cgal_tight", [&] { return ref::cgal_tight_surface(input.points); });
+    require_triangles(state, input, "cgal_tight", result.triangles.size(), input.plain_triangles);
   });
-  register_benchmark("cocoon_all_threads/" + input.name, [&](benchmark::State&) {
+  register_benchmark("cgal_advancing_front/" + input.name, [&](benchmark::State& state) {
     bench::tidy_heap();
-    timed(input.times, all_threads,
-          [&] { return reconstruct_tight(input.points, {}, {.threads = 0}); });
+    const rivals::TimedSurface result = rivals::cgal_advancing_front(input.points);
+    input.times.add("cgal_advancing_front", result.elapsed);
+    // On noisy points its number of triangles is not the same each time.
+    if (result.mesh.triangles.empty()) {
+      bench::fail(state, "cgal_advancing_front: no triangles on " + input.name);
+    }
   });
-  register_benchmark("cgal_tight/" + input.name, [&](benchmark::State&) {
-    bench::tidy_heap();
-    timed(input.times, "cgal_tight", [&] { return ref::cgal_tight_surface(input.points); });
-  });
-  register_benchmark("cgal_advancing_front/" + input.name, [&](benchmark::State&) {
-    bench::tidy_heap();
-    input.times.add("cgal_advancing_front", rivals::cgal_advancing_front(input.points).elapsed);
-  });
+}
+
+// Whether the stages by hand give what the composition gives.
+bool has_right_stages(Case& input, const Execution& execution) {
+  const TriangleMesh expected = reconstruct_tight(input.points, {}, execution).mesh;
+  Times untimed;
+  input.triangles = expected.triangles.size();
+  return run_stages(input.points, execution, untimed) == expected;
+}
+
+int fail(const std::string& message) {
+  std::fprintf(stderr, "pipeline_bench: %s\n", message.c_str());
+  return 1;
 }
 
 int run(int argc, char** argv) {
@@ -324,29 +381,29 @@ int run(int argc, char** argv) {
   std::vector<Case> scans;
   std::vector<Case> small;
   for (const std::string set : {"torus", "bumpy_sphere", "kitten"}) {
-    scans.push_back({set, make_set(set, own.points), 0, {}});
-    small.push_back({set, make_set(set, own.rival_points), 0, {}});
-  }
-  for (Case& input : scans) {
-    const TriangleMesh expected = reconstruct_tight(input.points, {}, execution).mesh;
-    Times untimed;
-    if (run_stages(input.points, execution, untimed).triangles != expected.triangles) {
-      std::fprintf(stderr, "pipeline_bench: stages and reconstruct_tight differ on %s\n",
-                   input.name.c_str());
-      return 1;
-    }
-    input.triangles = expected.triangles.size();
-    register_stages(input, execution);
+    scans.push_back({.name = set, .points = make_set(set, own.points)});
+    small.push_back({.name = set, .points = make_set(set, own.rival_points)});
   }
   for (const std::string& file : options.list("--scans", "")) {
-    small.push_back({std::filesystem::path(file).stem().string(), read_scan(file), 0, {}});
+    small.push_back(
+        {.name = std::filesystem::path(file).stem().string(), .points = read_scan(file)});
   }
-  for (Case& input : small) register_rivals(input, execution);
-  if (!bench::run_benchmarks(options, 3)) return 2;
+  for (Case& input : scans) {
+    if (!has_right_stages(input, execution)) {
+      return fail("stages and reconstruct_tight differ on " + input.name);
+    }
+    register_stages(input, execution);
+  }
+  for (Case& input : small) {
+    if (!compare_rivals(input, execution)) return fail("a wrong surface of " + input.name);
+    register_rivals(input, execution);
+  }
+  const int exit_code = bench::run_benchmarks(options, 3);
+  if (exit_code == 2) return 2;
   print_stages(scans);
   print_rivals(small);
   print_memory(argv[0], own);
-  return 0;
+  return exit_code;
 }
 
 }  // namespace

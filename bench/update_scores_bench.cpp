@@ -5,7 +5,10 @@
 //   --seeds N                             20 of each model
 //   --model NAME                          one model only
 //   --percent N                           of the paper's numbers of points
+//
+// Exit code 1 if an update was refused, or a vertex that stayed has moved.
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -100,8 +103,9 @@ void run(const SampleModel& sample, const TriangleMesh& model, std::uint64_t see
   worst.add(result, score);
 }
 
-void score_model(const std::string& name, std::uint64_t seeds, double size) {
-  std::vector<Worst> worst(std::size(conditions));
+// Whether all updates were done, and moved nothing.
+bool score_model(const std::string& name, std::uint64_t seeds, double size) {
+  std::array<Worst, std::size(conditions)> worst;
   SampleOptions options;
   if (size != 1) {
     const SampleModel full = sample_model(name);
@@ -127,6 +131,8 @@ void score_model(const std::string& name, std::uint64_t seeds, double size) {
         w.moved);
   }
   std::fflush(stdout);
+  return std::all_of(worst.begin(), worst.end(),
+                     [](const Worst& w) { return w.failures == 0 && w.moved == 0; });
 }
 
 }  // namespace
@@ -148,8 +154,9 @@ int main(int argc, char** argv) {
       "Hausdorff | margin, degrees | moved vertices |\n"
       "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
       static_cast<int>(seeds));
+  bool good = true;
   for (const std::string& name : names) {
-    if (only.empty() || only == name) cocoon::score_model(name, seeds, size);
+    if (only.empty() || only == name) good = cocoon::score_model(name, seeds, size) && good;
   }
-  return 0;
+  return good ? 0 : 1;
 }

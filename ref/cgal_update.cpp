@@ -77,7 +77,12 @@ class PlainUpdate {
     timed(1, [&] { find_overlapping_facets(); });
     timed(2, [&] { segment_and_choose(); });
     timed(3, [&] { reconstruct(); });
-    return result_;
+    result_.updated_triangles = updated_.triangles.size();
+    for (const auto& [a, b, c] : updated_.triangles) {
+      result_.mesh.triangles.push_back({VertexId(a.value), VertexId(b.value), VertexId(c.value)});
+    }
+    result_.mesh.points = IdVector<VertexId, Point>(std::move(updated_points_));
+    return std::move(result_);
   }
 
  private:
@@ -241,10 +246,9 @@ class PlainUpdate {
       }
     }
     for (const auto& cloud : clouds_) points.insert(cloud.begin(), cloud.end());
-    const CgalSurface surface =
-        cgal_tight_surface(std::vector<Point>(points.begin(), points.end()));
-    result_.model_delaunay_seconds = surface.delaunay_seconds;
-    result_.updated_triangles = surface.triangles.size();
+    updated_points_.assign(points.begin(), points.end());
+    updated_ = cgal_tight_surface(updated_points_);
+    result_.model_delaunay_seconds = updated_.delaunay_seconds;
   }
 
   const TriangleMesh& model_;
@@ -258,6 +262,8 @@ class PlainUpdate {
   std::vector<std::uint32_t> region_of_;
   std::vector<std::set<std::uint32_t>> regions_of_vertex_;
   std::set<std::uint32_t> replaced_;
+  std::vector<Point> updated_points_;
+  CgalSurface updated_;
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace cocoon::ref {
 
 struct CgalUpdate {
   // Processor time of the columns of the paper's Table 1: boundary detection, overlapping facets,
-  // segmentation and selection, final reconstruction.
+  // segmentation and selection, final reconstruction. Triangulations are freed within, results not.
   std::array<double, 4> seconds = {};
   double cloud_delaunay_seconds = 0;  // within boundary detection
   double model_delaunay_seconds = 0;  // within the reconstruction
@@ -22,6 +22,7 @@ struct CgalUpdate {
   std::size_t regions = 0;
   std::size_t replaced = 0;  // points of the model
   std::size_t updated_triangles = 0;
+  TriangleMesh mesh;  // the updated surface; points on no triangle are among its points
 };
 
 // One thread, plain data structures, no indexes but CGAL's triangulation and AABB tree: Cocone

@@ -3,9 +3,11 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <array>
 #include <utility>
 #include <vector>
 
+#include "bench/place_set_hash.h"
 #include "ref/cell_set.h"
 
 namespace cocoon::rivals {
@@ -46,16 +48,27 @@ std::uint64_t cgal_cell_set_hash(Points points) {
   return sum;
 }
 
-TimedReplacement cgal_replace(Points points, Points removed, Points inserted) {
+struct CgalDynamicDelaunay::State {
+  CGAL::Delaunay_triangulation_3<Kernel> triangulation;
+};
+
+CgalDynamicDelaunay::CgalDynamicDelaunay(Points points) : state_(std::make_unique<State>()) {
   std::vector<Kernel::Point_3> input;
   for (const Point& p : points) input.push_back(to_cgal(p));
-  CGAL::Delaunay_triangulation_3<Kernel> triangulation(input.begin(), input.end());
+  state_->triangulation.insert(input.begin(), input.end());
+}
+CgalDynamicDelaunay::~CgalDynamicDelaunay() = default;
+CgalDynamicDelaunay::CgalDynamicDelaunay(CgalDynamicDelaunay&&) noexcept = default;
+CgalDynamicDelaunay& CgalDynamicDelaunay::operator=(CgalDynamicDelaunay&&) noexcept = default;
+
+TimedReplacement CgalDynamicDelaunay::replace(Points removed, Points inserted) {
+  auto& triangulation = state_->triangulation;
   std::vector<CGAL::Delaunay_triangulation_3<Kernel>::Vertex_handle> vertices;
   for (const Point& p : removed) {
     const auto hint = vertices.empty() ? triangulation.infinite_vertex() : vertices.back();
     vertices.push_back(triangulation.nearest_vertex(to_cgal(p), hint->cell()));
   }
-  input.clear();
+  std::vector<Kernel::Point_3> input;
   for (const Point& p : inserted) input.push_back(to_cgal(p));
 
   TimedReplacement result;
@@ -65,8 +78,20 @@ TimedReplacement cgal_replace(Points points, Points removed, Points inserted) {
   const bench::Stopwatch insertion;
   triangulation.insert(input.begin(), input.end());
   result.insertion = insertion.elapsed();
-  result.finite_cells = triangulation.number_of_finite_cells();
   return result;
+}
+
+std::uint64_t CgalDynamicDelaunay::place_set_hash() const {
+  std::uint64_t sum = 0;
+  for (const auto& cell : state_->triangulation.finite_cell_handles()) {
+    std::array<Point, 4> corners;
+    for (int i = 0; i < 4; ++i) {
+      const Kernel::Point_3& p = cell->vertex(i)->point();
+      corners[static_cast<std::size_t>(i)] = {p.x(), p.y(), p.z()};
+    }
+    sum += bench::place_hash(corners);
+  }
+  return sum;
 }
 
 }  // namespace cocoon::rivals

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include "bench/rivals/timed_build.h"
 #include "bench/stopwatch.h"
@@ -22,12 +23,26 @@ std::uint64_t cgal_cell_set_hash(Points points);
 struct TimedReplacement {
   bench::Elapsed removal;
   bench::Elapsed insertion;
-  std::size_t finite_cells = 0;
 };
 
-// In CGAL's triangulation of `points`: removes the vertices at `removed` with remove_cluster,
-// inserts the range `inserted`. Timed: these two. Not timed: the build, finding the vertices,
-// conversions. Precondition: the removed points are among the points.
-TimedReplacement cgal_replace(Points points, Points removed, Points inserted);
+// CGAL's triangulation of the same kind, which changes.
+class CgalDynamicDelaunay {
+ public:
+  explicit CgalDynamicDelaunay(Points points);
+  ~CgalDynamicDelaunay();
+  CgalDynamicDelaunay(CgalDynamicDelaunay&&) noexcept;
+  CgalDynamicDelaunay& operator=(CgalDynamicDelaunay&&) noexcept;
+
+  // Removes the vertices at `removed` with remove_cluster, then inserts the range `inserted`.
+  // Timed: these two. Not timed: finding the vertices, conversions. Precondition: the removed
+  // points are vertices.
+  TimedReplacement replace(Points removed, Points inserted);
+  // As place_set_hash() of our triangulation (place_set_hash.h), if the cells are the same.
+  std::uint64_t place_set_hash() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace cocoon::rivals
