@@ -38,7 +38,7 @@ Vec3 center_of(const Delaunay& delaunay, CellHandle c) {
 }
 
 // The eigenvector of sum d d^T with the largest eigenvalue: squared often enough, the matrix is
-// that vector times itself.
+// that vector times itself. Of its two signs the lexicographically greater.
 Vec3 principal_direction(std::span<const Vec3> directions) {
   std::array<Vec3, 3> rows;
   for (const Vec3& d : directions) {
@@ -52,9 +52,11 @@ Vec3 principal_direction(std::span<const Vec3> directions) {
     const double trace = square[0].x + square[1].y + square[2].z;
     rows = {square[0] / trace, square[1] / trace, square[2] / trace};
   }
-  return unit(*std::max_element(rows.begin(), rows.end(), [](const Vec3& a, const Vec3& b) {
-    return squared_norm(a) < squared_norm(b);
-  }));
+  const Vec3 axis =
+      unit(*std::max_element(rows.begin(), rows.end(), [](const Vec3& a, const Vec3& b) {
+        return squared_norm(a) < squared_norm(b);
+      }));
+  return axis < Vec3{} ? -axis : axis;
 }
 
 class Labels {

@@ -108,6 +108,7 @@ TightStages::Triangles triangles_of(const ReconstructResult& result) {
 // What the tests have seen in all sets together: each step of a stage must have had something to
 // do.
 struct Seen {
+  std::size_t degenerate_poles = 0;
   std::size_t boundary_samples = 0;
   std::size_t without_umbrella = 0;
   std::size_t pruned = 0;
@@ -122,6 +123,7 @@ struct Seen {
 
   void add(const ReconstructResult& tight) {
     const ReconstructCounters& counters = tight.counters;
+    degenerate_poles += counters.degenerate_poles;
     boundary_samples += counters.boundary_samples;
     without_umbrella += tight.vertices - counters.umbrellas;
     pruned += counters.pruned;
@@ -159,6 +161,14 @@ void expect_equal(const char* name, const std::vector<Point>& points, double rho
 
 std::vector<Point> flattened(std::vector<Point> points, double factor) {
   for (Point& p : points) p.z *= factor;
+  return points;
+}
+
+// A jittered grid between two planes closer than the spacing: hull normals cancel at its rim.
+std::vector<Point> thin_layer() {
+  std::vector<Point> points = shapes::dome_patch(25, 0.4, 3);
+  const std::vector<Point> heights = shapes::random_cube(points.size(), 2);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].z = 0.0002 * heights[i].z;
   return points;
 }
 
@@ -219,12 +229,14 @@ TEST(PlainStages, AreOursWhereTheSurfaceHasHoles) {
     expect_equal("half a sphere", shapes::cut_sphere(1000, 0, 9), rho, seen);
     expect_equal("dome", shapes::dome_patch(25, 0.5, 8), rho, seen);
     expect_equal("sheet", flattened(shapes::dome_patch(25, 0.4, 3), 0.02), rho, seen);
+    expect_equal("thin layer", thin_layer(), rho, seen);
     expect_equal("outliers", sphere_among_outliers(), rho, seen);
   }
   for (const double rho : {0.13, 0.3, 0.5}) {
     expect_equal("random torus", shapes::random_torus(1500, 0.4, 7), rho, seen);
   }
   EXPECT_GT(seen.boundary_samples, 1000U);
+  EXPECT_GT(seen.degenerate_poles, 4U);
   EXPECT_GT(seen.unvisited, 4000U) << "a sphere that outliers shield from the hull";
   EXPECT_GT(seen.poor_cells, 1000U);
 }
