@@ -78,17 +78,20 @@ class Walk {
   }
 
   // Each facet once, seen from its wider side, or from the other one if that is the inside of a
-  // flat tetrahedron all of whose facets are candidates.
+  // flat tetrahedron. From the inside of two of them one would keep what belongs to no sheet.
   std::vector<Half> other_starts() const {
     std::vector<Half> starts;
     for (std::uint32_t t = 0; t < candidates_.size(); ++t) {
       if (!may_start(2 * t)) continue;
       const Half wide = wider_half(t);
-      const bool inside_flat = candidates_.set.bits(cell_of(facet_of(wide))) == 15;
-      starts.push_back(inside_flat ? other_half(wide) : wide);
+      const Half from = is_inside_flat(wide) ? other_half(wide) : wide;
+      if (!is_inside_flat(from)) starts.push_back(from);
     }
     return starts;
   }
+
+  // All facets of the cell are candidates.
+  bool is_inside_flat(Half h) const { return candidates_.set.bits(cell_of(facet_of(h))) == 15; }
 
   bool may_start(Half h) const {
     if (states_[triangle_of_half(h)] != walk_state::open) return false;

@@ -46,7 +46,8 @@ struct ManifoldSurface {
 // a walk does not cross a rim. A walk begins at a hull candidate, seen from outside, with umbrellas
 // at its three vertices: the one with the smallest circle (facet_size.h) that has no vertex on the
 // surface so far. When there are no more, likewise at other candidates, from the side on which the
-// cell reaches farther. So the result is a function of the set of candidates, and does not depend
+// cell reaches farther; from the other one if all facets of that cell are candidates, which is the
+// inside of a flat tetrahedron; at none where both are. So the result is a function of the set of candidates, and does not depend
 // on where the axes lie but for exact ties, which lexicographic order settles: of circles by the
 // corners, of two sides for the positive one of the sorted corners. Two candidates at an edge see
 // each other without a turn; a turn through the cells is made only at edges with more. The first

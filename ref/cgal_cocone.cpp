@@ -1,7 +1,11 @@
 #include "ref/cgal_cocone.h"
 
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "ref/cgal_triangulation.h"
 
@@ -15,6 +19,46 @@ struct DualEdge {
   bool is_ray = false;
 };
 
+// The Voronoi vertex of a finite cell: in rational numbers where the cell is so flat that few
+// digits would be left of it.
+Vec3 center_of(const Delaunay& delaunay, CellHandle c) {
+  constexpr double flat = 1e-6;
+  const Vec3 u = place(c->vertex(1)) - place(c->vertex(0));
+  const Vec3 v = place(c->vertex(2)) - place(c->vertex(0));
+  const Vec3 w = place(c->vertex(3)) - place(c->vertex(0));
+  if (std::abs(dot(cross(u, v), w)) > flat * norm(u) * norm(v) * norm(w)) {
+    return to_vec3(delaunay.dual(c));
+  }
+  using Rational = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+  const CGAL::Cartesian_converter<Kernel, Rational> exact;
+  const auto center =
+      CGAL::circumcenter(exact(c->vertex(0)->point()), exact(c->vertex(1)->point()),
+                         exact(c->vertex(2)->point()), exact(c->vertex(3)->point()));
+  return {CGAL::to_double(center.x()), CGAL::to_double(center.y()), CGAL::to_double(center.z())};
+}
+
+// The eigenvector of sum d d^T with the largest eigenvalue: squared often enough, the matrix is
+// that vector times itself. Of its two signs the lexicographically greater.
+Vec3 principal_direction(std::span<const Vec3> directions) {
+  std::array<Vec3, 3> rows;
+  for (const Vec3& d : directions) {
+    rows = {rows[0] + d.x * d, rows[1] + d.y * d, rows[2] + d.z * d};
+  }
+  for (int k = 0; k < 60; ++k) {
+    std::array<Vec3, 3> square;
+    for (std::size_t i = 0; i < 3; ++i) {
+      square[i] = rows[i].x * rows[0] + rows[i].y * rows[1] + rows[i].z * rows[2];
+    }
+    const double trace = square[0].x + square[1].y + square[2].z;
+    rows = {square[0] / trace, square[1] / trace, square[2] / trace};
+  }
+  const Vec3 axis =
+      unit(*std::max_element(rows.begin(), rows.end(), [](const Vec3& a, const Vec3& b) {
+        return squared_norm(a) < squared_norm(b);
+      }));
+  return axis < Vec3{} ? -axis : axis;
+}
+
 class Labels {
  public:
   Labels(Delaunay& delaunay, const CgalCoconeOptions& options)
@@ -23,7 +67,7 @@ class Labels {
   void find_candidates() {
     neighbors_.resize(delaunay_.number_of_vertices());
     for (const CellHandle c : delaunay_.finite_cell_handles()) {
-      c->info().center = to_vec3(delaunay_.dual(c));
+      c->info().center = center_of(delaunay_, c);
     }
     for (const VertexHandle v : delaunay_.finite_vertex_handles()) find_poles(v);
     for (const Facet& f : delaunay_.finite_facets()) look_at_facet(f);
@@ -48,19 +92,17 @@ class Labels {
     VertexInfo& info = v->info();
     cells_.clear();
     delaunay_.incident_cells(v, std::back_inserter(cells_));
+    std::vector<Vec3> hull_normals;
     Vec3 hull_sum;
-    Vec3 pole;
-    std::size_t hull_facets = 0;
     for (const CellHandle c : cells_) {
-      if (delaunay_.is_infinite(c)) {
-        hull_sum = hull_sum + outward_normal(delaunay_, c);
-        ++hull_facets;
-      } else if (const Vec3 x = c->info().center - place(v); norm(x) > norm(pole)) {
-        pole = x;
-      }
+      if (!delaunay_.is_infinite(c)) continue;
+      hull_normals.push_back(outward_normal(delaunay_, c));
+      hull_sum = hull_sum + hull_normals.back();
     }
-    info.normal = unit(hull_facets == 0 ? pole : hull_sum);
-    info.degenerate = norm(hull_sum) < 0.1 * static_cast<double>(hull_facets);
+    info.degenerate = norm(hull_sum) < 0.1 * static_cast<double>(hull_normals.size());
+    info.normal = hull_normals.empty() ? unit(farthest_center(v) - place(v))
+                  : info.degenerate    ? principal_direction(hull_normals)
+                                       : unit(hull_sum);
     for (const CellHandle c : cells_) {
       if (delaunay_.is_infinite(c)) {
         if (options_.tangent_plane_radius && dot(outward_normal(delaunay_, c), info.normal) <= 0) {
@@ -71,6 +113,26 @@ class Labels {
       const Vec3 x = c->info().center - place(v);
       if (dot(x, info.normal) < 0) info.height = std::max(info.height, norm(x));
     }
+  }
+
+  // Of the cells in cells_. Of equally far ones the lexicographically smallest.
+  Vec3 farthest_center(VertexHandle v) const {
+    Vec3 farthest = place(v);
+    for (const CellHandle c : cells_) {
+      const Vec3& center = c->info().center;
+      const double length = distance(center, place(v));
+      const double longest = distance(farthest, place(v));
+      if (length > longest || (length == longest && center < farthest)) farthest = center;
+    }
+    const Vec3 wanted = v->info().normal_at_ties;
+    Vec3 chosen = farthest;
+    for (const CellHandle c : cells_) {
+      const Vec3 arm = c->info().center - place(v);
+      if (norm(arm) < (1 - rounding) * distance(farthest, place(v))) continue;
+      if (dot(unit(arm), wanted) > dot(unit(chosen - place(v)), wanted)) chosen = place(v) + arm;
+    }
+    v->info().took_tie = distance(chosen, farthest) > 1e-9 * distance(farthest, place(v));
+    return v->info().took_tie ? chosen : farthest;
   }
 
   // 1 or -1 in the double cone around the normal, else 0.
@@ -89,8 +151,10 @@ class Labels {
   // The largest distance from v of a point of the dual edge in its cocone, or where the edge meets
   // the tangent plane.
   double radius_at(const DualEdge& e, VertexHandle v) const {
-    const Vec3 x = e.from - place(v);
-    const Vec3 d = e.is_ray ? e.to : e.to - e.from;
+    // From the nearer end: flat cells have centers so far away that few digits of a sum are left.
+    const bool from_other = !e.is_ray && distance(e.to, place(v)) < distance(e.from, place(v));
+    const Vec3 x = (from_other ? e.to : e.from) - place(v);
+    const Vec3 d = e.is_ray ? e.to : from_other ? e.from - e.to : e.to - e.from;
     const Vec3& n = v->info().normal;
     if (options_.tangent_plane_radius) {
       const double t = -dot(x, n) / dot(d, n);
@@ -180,8 +244,11 @@ class Labels {
 
 }  // namespace
 
-void find_candidates(Delaunay& delaunay, const CgalCoconeOptions& options) {
+bool find_candidates(Delaunay& delaunay, const CgalCoconeOptions& options) {
   Labels(delaunay, options).find_candidates();
+  const auto vertices = delaunay.finite_vertex_handles();
+  return std::any_of(vertices.begin(), vertices.end(),
+                     [](VertexHandle v) { return v->info().interior; });
 }
 
 }  // namespace cocoon::ref::on_cgal

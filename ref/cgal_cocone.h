@@ -1,5 +1,6 @@
 // Labels and candidates of Cocone by the papers, on CGAL's triangulation, with CGAL's
-// circumcenters: written for reading. Shares no code with the stages.
+// circumcenters, of flat cells in rational numbers: written for reading. Shares no code with the
+// stages.
 #pragma once
 
 #include <array>
@@ -17,6 +18,10 @@ struct CgalCoconeOptions {
   double alpha_cosine = 0.86602540378443865;  // 30 degrees
   double theta_cosine = 0.38268343236508977;  // cocone of 22.5 degrees
   bool tangent_plane_radius = true;           // else that of the whole cocone
+  // Of cgal_surface.h alone. Ends of folds are poor: two triangles at a dihedral whose cosine is at
+  // least this; and boundary samples, where it is above the other.
+  double fold_cosine = 0.9;  // 25.8 degrees
+  double crease_cosine = 0;  // 90 degrees
 };
 
 struct CgalCocone {

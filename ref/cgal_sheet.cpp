@@ -1,5 +1,7 @@
-// prune_and_walk() of cgal_triangulation.h.
+// prune() and walk() of cgal_triangulation.h.
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "ref/cgal_triangulation.h"
 
@@ -9,39 +11,31 @@ namespace {
 constexpr double pruning_cosine = 0.5;  // 60 degrees
 constexpr double flat_cosine = -0.7;    // of the dihedral: 134.4 degrees
 
-// Cosine of the dihedral at edge (a, b) between the half planes through c and d.
-double dihedral_cosine(VertexHandle a, VertexHandle b, VertexHandle c, VertexHandle d) {
-  const Vec3 edge = place(b) - place(a);
-  const Vec3 u = cross(edge, place(c) - place(a));
-  const Vec3 v = cross(edge, place(d) - place(a));
-  return dot(u, v) / (norm(u) * norm(v));
-}
-
-double squared_circumradius(const Facet& f) {
-  const Vec3 u = place(corner(f, 1)) - place(corner(f, 0));
-  const Vec3 v = place(corner(f, 2)) - place(corner(f, 0));
-  const double twice_area = norm(cross(u, v));
-  if (twice_area == 0) return infinity;
-  const double radius = norm(u) * norm(v) * norm(v - u) / (2 * twice_area);
-  return radius * radius;
-}
-
-// Where a walk may begin.
+// Where a walk may begin, seen from the side of the walk. All on the hull come before all others.
 struct Start {
-  bool on_hull;
+  bool inside;
   double size;
-  Facet facet;  // seen from the side of the walk
+  std::array<Vec3, 3> corners;  // they settle ties
+  Facet facet;
+
+  friend bool operator<(const Start& a, const Start& b) {
+    if (a.inside != b.inside) return b.inside;
+    return a.size != b.size ? a.size < b.size : a.corners < b.corners;
+  }
 };
 
 class Sheet {
  public:
   explicit Sheet(Delaunay& delaunay) : delaunay_(delaunay) {}
 
+  // Flags of vertices and marks of triangles that stay are those before anything goes.
   void prune() {
     for (const VertexHandle v : delaunay_.finite_vertex_handles()) find_umbrella(v);
     std::vector<Facet> work;
     for (const Facet& f : delaunay_.finite_facets()) {
-      if (is_surface(f)) work.push_back(f);
+      if (!is_surface(f)) continue;
+      work.push_back(f);
+      stays(f) = stays(delaunay_.mirror_facet(f)) = lies_flat(f);
     }
     while (!work.empty()) {
       const Facet f = work.back();
@@ -50,91 +44,129 @@ class Sheet {
     }
   }
 
-  // From each facet on the hull and then each other one that is not reached, the smallest circle
-  // first: nothing of that depends on where the axes lie.
+  // From each facet on the hull and then each other one that shares no vertex with what is kept,
+  // the smallest circle first. What no walk met stays where it is apart from all walks.
   void walk() {
     std::vector<Start> starts;
     for (const Facet& f : delaunay_.finite_facets()) {
-      if (!may_start(f)) continue;
-      const Facet wider = on_wider_side(f);
-      starts.push_back({delaunay_.is_infinite(wider.first), squared_circumradius(f), wider});
+      if (may_start(f)) add_start(f, starts);
     }
-    std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) {
-      return a.on_hull != b.on_hull ? a.on_hull : a.size < b.size;
-    });
+    std::sort(starts.begin(), starts.end());
     for (const Start& start : starts) {
       if (may_start(start.facet)) walk_from(start.facet);
+    }
+    for (const Facet& f : delaunay_.finite_facets()) {
+      const bool is_kept = kept(f) || kept(delaunay_.mirror_facet(f));
+      if (is_surface(f) && !is_kept && touches_walk(f)) set_surface(delaunay_, f, false);
     }
   }
 
  private:
-  struct Step {
-    Facet facet;  // of the cell on the side where the walk is
-    VertexHandle a;
-    VertexHandle b;
-  };
+  bool& stays(const Facet& f) const { return note(f.first->info().stays, f); }
+  bool& kept(const Facet& f) const { return note(f.first->info().kept, f); }
+  bool& proposed(const Facet& f) const { return note(f.first->info().proposed, f); }
+  static bool& note(std::array<bool, 4>& notes, const Facet& f) {
+    return notes[static_cast<std::size_t>(f.second)];
+  }
 
+  static bool touches_walk(const Facet& f) {
+    return corner(f, 0)->info().on_surface || corner(f, 1)->info().on_surface ||
+           corner(f, 2)->info().on_surface;
+  }
   static bool may_start(const Facet& f) {
-    if (!is_surface(f)) return false;
-    for (int k = 0; k < 3; ++k) {
-      if (!corner(f, k)->info().umbrella || corner(f, k)->info().on_surface) return false;
-    }
-    return true;
+    return is_surface(f) && !touches_walk(f) && corner(f, 0)->info().umbrella &&
+           corner(f, 1)->info().umbrella && corner(f, 2)->info().umbrella;
   }
 
-  // Seen from where the fourth vertex of the cell is farther from the corners.
-  Facet on_wider_side(const Facet& f) const {
-    const auto reach = [&](const Facet& half) {
-      const VertexHandle ahead = half.first->vertex(half.second);
-      double sum = 0;
-      for (int k = 0; k < 3; ++k) {
-        sum += delaunay_.is_infinite(ahead) ? infinity
-                                            : squared_norm(place(corner(f, k)) - place(ahead));
-      }
-      return sum;
+  // Seen from its wider side, if that is not inside a flat cell all of whose facets are candidates;
+  // inside of two of them no walk begins.
+  void add_start(const Facet& f, std::vector<Start>& starts) const {
+    const auto is_inside_flat = [](const Facet& half) {
+      const auto& surface = half.first->info().surface;
+      return std::find(surface.begin(), surface.end(), false) == surface.end();
     };
+    Facet from = on_wider_side(f);
+    if (is_inside_flat(from)) from = delaunay_.mirror_facet(from);
+    if (is_inside_flat(from)) return;
+    starts.push_back({!delaunay_.is_infinite(from.first), circumradius(f), sorted_places(f), from});
+  }
+
+  // Seen from where the fourth vertex of the cell is farther from the corners; of equally far ones
+  // from where the sorted corners run counterclockwise.
+  Facet on_wider_side(const Facet& f) const {
     const Facet mirror = delaunay_.mirror_facet(f);
-    return reach(mirror) > reach(f) ? mirror : f;
+    const double here = reach(f);
+    const double behind = reach(mirror);
+    if (here != behind) return here > behind ? f : mirror;
+    return sees_positive_side(f) ? f : mirror;
+  }
+  double reach(const Facet& f) const {
+    const VertexHandle ahead = f.first->vertex(f.second);
+    if (delaunay_.is_infinite(ahead)) return infinity;
+    double sum = 0;
+    for (const Vec3& p : sorted_places(f)) sum += squared_distance(p, place(ahead));
+    return sum;
+  }
+  // CGAL numbers the corners of a facet clockwise seen from outside of its cell.
+  static bool sees_positive_side(const Facet& f) {
+    const std::array<Vec3, 3> sorted = sorted_places(f);
+    int k = 0;
+    while (place(corner(f, k)) != sorted[0]) ++k;
+    return place(corner(f, (k + 1) % 3)) == sorted[1];
   }
 
-  bool& visited(const Facet& f) const {
-    return f.first->info().visited[static_cast<std::size_t>(f.second)];
+  void keep(const Facet& f) const {
+    kept(f) = true;
+    for (int k = 0; k < 3; ++k) corner(f, k)->info().on_surface = true;
   }
 
-  void visit(const Facet& f, std::vector<Step>& stack) const {
-    visited(f) = visited(delaunay_.mirror_facet(f)) = true;
-    for (int k = 0; k < 3; ++k) {
-      const VertexHandle a = corner(f, k);
-      const VertexHandle b = corner(f, (k + 1) % 3);
-      a->info().on_surface = true;
-      if (a->info().umbrella || b->info().umbrella) stack.push_back({f, a, b});
+  // In rounds: all facets that the last one kept turn about their edges at once. What is kept or
+  // dropped stays so. Of the two sides from which one round may propose a facet the wider one
+  // counts; what it would both keep and drop is kept.
+  void walk_from(const Facet& start) const {
+    keep(start);
+    for (std::vector<Facet> frontier = {start}; !frontier.empty();) {
+      std::vector<Facet> first;
+      std::vector<Facet> later;
+      for (const Facet& f : frontier) {
+        for (int k = 0; k < 3; ++k) turn(f, corner(f, k), corner(f, (k + 1) % 3), first, later);
+      }
+      for (const Facet& f : first) proposed(f) = true;
+      frontier.clear();
+      for (const Facet& f : first) {
+        if (kept(f)) continue;  // it was met from several edges
+        const bool both = proposed(delaunay_.mirror_facet(f));
+        if (both && on_wider_side(f) != f) continue;
+        keep(f);
+        frontier.push_back(f);
+      }
+      for (const Facet& f : first) proposed(f) = false;
+      for (const Facet& f : later) {
+        if (!kept(f) && !kept(delaunay_.mirror_facet(f))) set_surface(delaunay_, f, false);
+      }
     }
   }
 
-  // Turns about each edge into the cell of the side: the first facet met is the next one of the
+  // Turns about an edge into the cell of the side: the first facet met is the next one of the
   // sheet, those behind it are not seen.
-  void walk_from(const Facet& start) const {
-    std::vector<Step> stack;
-    visit(start, stack);
-    while (!stack.empty()) {
-      const auto [f, a, b] = stack.back();
-      stack.pop_back();
-      const VertexHandle back = third(f, a, b);
-      CellHandle cell = f.first;
-      VertexHandle behind = back;
-      VertexHandle ahead = cell->vertex(f.second);
-      for (bool first = true; ahead != back;) {
-        const Facet g{cell, cell->index(behind)};
-        if (is_surface(g)) {
-          if (first && !visited(g)) visit(g, stack);
-          if (!first && !visited(g)) set_surface(delaunay_, g, false);
-          first = false;
-        }
-        const CellHandle next = cell->neighbor(g.second);
-        behind = ahead;
-        ahead = next->vertex(next->index(cell));
-        cell = next;
+  void turn(const Facet& f, VertexHandle a, VertexHandle b, std::vector<Facet>& first,
+            std::vector<Facet>& later) const {
+    if (!a->info().umbrella && !b->info().umbrella) return;
+    const VertexHandle back = third(f, a, b);
+    CellHandle cell = f.first;
+    VertexHandle behind = back;
+    VertexHandle ahead = cell->vertex(f.second);
+    for (bool is_first = true; ahead != back;) {
+      const Facet g{cell, cell->index(behind)};
+      if (is_surface(g)) {
+        const bool is_kept = kept(g) || kept(delaunay_.mirror_facet(g));
+        if (!is_kept) (is_first ? first : later).push_back(g);
+        is_first = false;
       }
+      const CellHandle next = cell->neighbor(g.second);
+      behind = ahead;
+      ahead = next->vertex(next->index(cell));
+      cell = next;
     }
   }
 
@@ -181,7 +213,7 @@ class Sheet {
     return {};
   }
 
-  // Deletes the facets at a sharp edge of f, but for those that lie flat against their neighbor.
+  // Deletes the facets at a sharp edge of f, but for those that are to stay.
   void prune_at(const Facet& f, std::vector<Facet>& work) {
     for (int k = 0; k < 3; ++k) {
       const VertexHandle a = corner(f, k);
@@ -197,7 +229,7 @@ class Sheet {
       }
       if (!sharp) continue;
       for (const Facet& g : fan) {
-        if (lies_flat(g)) continue;
+        if (stays(g)) continue;
         set_surface(delaunay_, g, false);
         for (int m = 0; m < 3; ++m) {
           const auto around = facets_at(g.first, corner(g, m), corner(g, (m + 1) % 3));
@@ -208,6 +240,7 @@ class Sheet {
     }
   }
 
+  // Against its only neighbor at some edge.
   bool lies_flat(const Facet& f) const {
     for (int k = 0; k < 3; ++k) {
       const VertexHandle a = corner(f, k);
@@ -226,10 +259,7 @@ class Sheet {
 
 }  // namespace
 
-void prune_and_walk(Delaunay& delaunay) {
-  Sheet sheet(delaunay);
-  sheet.prune();
-  sheet.walk();
-}
+void prune(Delaunay& delaunay) { Sheet(delaunay).prune(); }
+void walk(Delaunay& delaunay) { Sheet(delaunay).walk(); }
 
 }  // namespace cocoon::ref::on_cgal

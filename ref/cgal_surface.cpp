@@ -19,7 +19,8 @@ CgalSurface cgal_open_surface(Points points, const CgalCoconeOptions& options) {
   CgalSurface result;
   Delaunay delaunay = triangulation_of(points, &result.delaunay_seconds);
   find_candidates(delaunay, options);
-  prune_and_walk(delaunay);
+  prune(delaunay);
+  walk(delaunay);
   for (const Facet& f : delaunay.finite_facets()) {
     if (is_surface(f)) result.triangles.push_back(ids(f));
   }
@@ -29,9 +30,11 @@ CgalSurface cgal_open_surface(Points points, const CgalCoconeOptions& options) {
 CgalSurface cgal_tight_surface(Points points, const CgalCoconeOptions& options) {
   CgalSurface result;
   Delaunay delaunay = triangulation_of(points, &result.delaunay_seconds);
-  find_candidates(delaunay, options);
-  prune_and_walk(delaunay);
-  mark_and_peel(delaunay);
+  if (!find_candidates(delaunay, options)) return result;
+  prune(delaunay);
+  walk(delaunay);
+  mark(delaunay, options);
+  peel(delaunay);
   for (const CellHandle c : delaunay.finite_cell_handles()) {
     if (c->info().reached) continue;
     for (int i = 0; i < 4; ++i) {

@@ -16,13 +16,15 @@ struct CgalSurface {
   double delaunay_seconds = 0;  // processor time of the triangulation alone
 };
 
-// The open surface of a cloud: the sheet that a walk over the candidates meets, after pruning. Not
+// The open surface of a cloud: the sheet that walks over the candidates meet, after pruning. Not
 // oriented. Precondition: points are all different, not coplanar.
 CgalSurface cgal_open_surface(Points points, const CgalCoconeOptions& options);
 
-// The watertight surface, oriented outward: marking and peeling, without the second pass.
-// Precondition as above. Complexity of both: as CGAL's triangulation, and the sum of star sizes.
-// Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Dey & Goswami 2003.
+// The watertight surface, oriented outward, by marking and peeling; none if no sample is interior.
+// Precondition as above. Both are functions of the set of points, but for ties within rounding.
+// Complexity of both: as CGAL's triangulation, and the sum of star sizes.
+// Source: Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Dey & Goswami 2003; the orders of
+// work are ours (README.md).
 CgalSurface cgal_tight_surface(Points points, const CgalCoconeOptions& options = {});
 
 }  // namespace cocoon::ref

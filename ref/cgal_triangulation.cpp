@@ -1,5 +1,6 @@
 #include "ref/cgal_triangulation.h"
 
+#include <algorithm>
 #include <ctime>
 #include <iterator>
 #include <utility>
@@ -21,6 +22,26 @@ Delaunay triangulation_of(Points points, double* processor_seconds) {
     *processor_seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   }
   return delaunay;
+}
+
+std::array<Vec3, 3> sorted_places(const Facet& f) {
+  std::array<Vec3, 3> places = {place(corner(f, 0)), place(corner(f, 1)), place(corner(f, 2))};
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+double circumradius(const Facet& f) {
+  const auto [a, b, c] = sorted_places(f);
+  const double twice_area = norm(cross(b - a, c - a));
+  if (twice_area == 0) return infinity;
+  return norm(b - a) * norm(c - a) * norm(c - b) / (2 * twice_area);
+}
+
+double dihedral_cosine(VertexHandle a, VertexHandle b, VertexHandle c, VertexHandle d) {
+  const Vec3 edge = place(b) - place(a);
+  const Vec3 u = cross(edge, place(c) - place(a));
+  const Vec3 v = cross(edge, place(d) - place(a));
+  return dot(u, v) / (norm(u) * norm(v));
 }
 
 std::vector<std::array<VertexHandle, 2>> link_of(const Delaunay& delaunay, VertexHandle v) {

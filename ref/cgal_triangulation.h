@@ -14,12 +14,11 @@
 
 #include "geom/point.h"
 #include "ref/cgal_cocone.h"
+#include "ref/marking_rounds.h"
 
 namespace cocoon::ref::on_cgal {
 
 // What the algorithms note at vertices and cells, where CGAL keeps it.
-enum class Mark : std::uint8_t { none, out, in };
-
 struct VertexInfo {
   std::uint32_t id = 0;
   Vec3 normal;
@@ -31,14 +30,22 @@ struct VertexInfo {
   bool on_surface = false;
   bool good = false;
   bool visited = false;
+  // What another way has chosen, if it is to be taken at ties within rounding (cgal_stages.h).
+  Vec3 normal_at_ties;
+  bool took_tie = false;
 };
 
 struct CellInfo {
   Vec3 center;                       // circumcenter of a finite cell
   std::array<bool, 4> surface = {};  // facets that are candidates, then on the surface
-  std::array<bool, 4> visited = {};  // facets that the walk has met
+  // Facets, as seen from here:
+  std::array<bool, 4> stays = {};     // not to be pruned
+  std::array<bool, 4> proposed = {};  // by a round of the walk
+  std::array<bool, 4> kept = {};      // by the walk
   bool reached = false;
-  Mark mark = Mark::none;
+  CellNotes marking;
+  int stop_facet_at_ties = -1;  // as normal_at_ties
+  bool took_tie = false;
 };
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -51,6 +58,7 @@ using VertexHandle = Delaunay::Vertex_handle;
 using CellHandle = Delaunay::Cell_handle;
 using Facet = Delaunay::Facet;
 
+constexpr double rounding = 1e-12;  // relative: below it two lengths are a tie
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 inline Vec3 to_vec3(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
@@ -71,28 +79,39 @@ inline void set_surface(const Delaunay& delaunay, const Facet& f, bool value) {
 // Vertices have the positions of their points as ids. The time is that of CGAL alone.
 Delaunay triangulation_of(Points points, double* processor_seconds = nullptr);
 
-// Of the hull facet of an infinite cell, unit.
+// Of the hull facet of an infinite cell, unit. CGAL numbers the corners of a facet clockwise seen
+// from outside of its cell: that holds for the flattest cell, too.
 inline Vec3 outward_normal(const Delaunay& delaunay, CellHandle infinite_cell) {
-  const int i = infinite_cell->index(delaunay.infinite_vertex());
-  const CellHandle inside = infinite_cell->neighbor(i);
-  const Facet f{inside, inside->index(infinite_cell)};
+  const Facet f =
+      delaunay.mirror_facet({infinite_cell, infinite_cell->index(delaunay.infinite_vertex())});
   const Vec3 a = place(corner(f, 0));
-  const Vec3 normal = unit(cross(place(corner(f, 1)) - a, place(corner(f, 2)) - a));
-  return dot(place(inside->vertex(f.second)) - a, normal) > 0 ? -normal : normal;
+  return unit(cross(place(corner(f, 2)) - a, place(corner(f, 1)) - a));
 }
+
+// Of a finite facet. Both are the same bits from both of its sides.
+std::array<Vec3, 3> sorted_places(const Facet& f);  // of its corners, lexicographically
+double circumradius(const Facet& f);                // infinite if they are collinear
+
+// Cosine of the dihedral at edge (a, b) between the half planes through c and d.
+double dihedral_cosine(VertexHandle a, VertexHandle b, VertexHandle c, VertexHandle d);
 
 // The surface facets at v, each by its two other corners.
 std::vector<std::array<VertexHandle, 2>> link_of(const Delaunay& delaunay, VertexHandle v);
 
 // Poles, labels, candidate facets: sets `surface` of the cells. Boundary samples are those vertices
-// that are not `interior`.
-void find_candidates(Delaunay& delaunay, const CgalCoconeOptions& options);
+// that are not `interior`. False if there are no others: then no surface can be begun.
+bool find_candidates(Delaunay& delaunay, const CgalCoconeOptions& options);
 
-// Takes away candidates at sharp edges, then those beside the sheet that a walk over the candidates
-// meets first.
-void prune_and_walk(Delaunay& delaunay);
+// Takes away candidates at sharp edges.
+void prune(Delaunay& delaunay);
 
-// Marks cells from good vertices and peels the others from outside: sets `reached` outside.
-void mark_and_peel(Delaunay& delaunay);
+// Takes away those beside the sheet that a walk over the candidates meets first.
+void walk(Delaunay& delaunay);
+
+// Finds the good vertices and marks cells from them.
+void mark(Delaunay& delaunay, const CgalCoconeOptions& options);
+
+// Peels the others from outside: sets `reached` there.
+void peel(Delaunay& delaunay);
 
 }  // namespace cocoon::ref::on_cgal

@@ -62,24 +62,19 @@ TEST(CgalSurface, OpenSurfaceIsOurs) {
   EXPECT_EQ(sorted(plain.triangles), sorted(reconstruct_cocone(points, options)));
 }
 
-// As published, and without the demotion of umbrellas at folds, which the plain way leaves out.
-ReconstructOptions plain_options() {
-  ReconstructOptions options;
-  options.mode = Mode::paper;
-  options.good_vertices = {.fold_cosine = 2, .crease_cosine = 2};
-  return options;
-}
-
-// Holes that the peel closes by small triangles, candidates at sharp edges, boundary samples.
+// Holes that the peel closes by small triangles, candidates at sharp edges, boundary samples. Stage
+// by stage: tests/cocone/plain_stages_test.cpp.
 TEST(CgalSurface, IsOursWhereTheSurfaceHasHoles) {
+  ReconstructOptions paper;
+  paper.mode = Mode::paper;
   for (const auto& points : {shapes::cut_sphere(1000, 0.5, 9), shapes::cut_sphere(1000, 0.0, 9),
                              shapes::dome_patch(25, 0.5, 8), shapes::random_torus(500, 0.4, 7)}) {
-    const ReconstructResult open = reconstruct_cocone(points, plain_options());
+    const ReconstructResult open = reconstruct_cocone(points, paper);
     const ref::CgalCoconeOptions plain = {.tangent_plane_radius = false};
     EXPECT_GT(open.counters.boundary_samples, 20U);
     EXPECT_GT(open.mesh.triangles.size(), 900U);
     EXPECT_EQ(sorted(ref::cgal_open_surface(points, plain).triangles), sorted(open));
-    const ReconstructResult tight = reconstruct_tight(points, plain_options());
+    const ReconstructResult tight = reconstruct_tight(points, paper);
     EXPECT_GT(tight.counters.poor_cells, 5U);
     EXPECT_GT(tight.mesh.triangles.size(), open.mesh.triangles.size());
     EXPECT_EQ(sorted(ref::cgal_tight_surface(points, plain).triangles), sorted(tight));
