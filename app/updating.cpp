@@ -128,7 +128,7 @@ void report_lost_triangles(Job& job, const UpdateInput& input, const MeshChange&
   job.report().set("update/astray_area_share", share);
   if (!(share > options.min_area_share)) return;
   const bool is_coarse = std::all_of(scans.begin(), scans.end(), [&](const Scan& scan) {
-    return astray.longest_side > options.coarse_ratio * scan.spacing;
+    return astray.longest_edge > options.coarse_ratio * scan.spacing;
   });
   std::string warning =
       fmt::format("{:.0f} % of the surface of {} is not kept though nothing was scanned there",

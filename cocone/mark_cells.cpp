@@ -75,8 +75,8 @@ void demote_refuted(const Triangulation& triangulation, const FacetSet& surface,
     LabelCount flooded;
     LabelCount rest;
     for (const CellId c : star) {
-      const CellLabel side = triangulation.is_infinite(c) ? CellLabel::out : marks.known[c];
-      (half.contains(c) ? flooded : rest).add(side);
+      const CellLabel label = triangulation.is_infinite(c) ? CellLabel::out : marks.known[c];
+      (half.contains(c) ? flooded : rest).add(label);
     }
     if (!label_halves(flooded, rest).conflict) continue;
     marks.good[v] = 0;
@@ -87,7 +87,7 @@ void demote_refuted(const Triangulation& triangulation, const FacetSet& surface,
 
 // Where vertices disagree.
 void settle(const Triangulation& triangulation, const LinkedFacets& surface,
-            const IdVector<VertexId, SideId>& corner_at, CarriedMarks carried,
+            const IdVector<VertexId, Halfedge>& corner_at, CarriedMarks carried,
             const KnownSidesSource& source, CellMarks& marks, const Execution& execution) {
   if (source) {
     marks.known = source(triangulation, surface.set, execution).labels;

@@ -100,7 +100,7 @@ Trial find_rim(const Scan& scan, Sheet&& found, const RimSearch& search,
   for (const VertexId v : surface.mesh.points.ids()) {
     surface.boundary_sample[v] = boundary.boundary[sheet.triangulation_vertex[v]];
   }
-  surface.rim = cloud_rim(surface.mesh, trimmed.sides, options.rim);
+  surface.rim = cloud_rim(surface.mesh, trimmed.rings, options.rim);
   mark_rim_seams(scan.cloud, surface.rim, options.seams);
   surface.rho = search.rho;
   surface.set_aside = scan.set_aside();

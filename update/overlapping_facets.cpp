@@ -38,7 +38,7 @@ std::vector<RimPoint> all_points(const CloudRim& rim) {
 
 // The median edge of a facet: the spacing of the model there.
 double facet_spacing(const TriangleMesh& mesh, TriangleId t) {
-  return median({side_length(mesh, t, 0), side_length(mesh, t, 1), side_length(mesh, t, 2)});
+  return median({edge_length(mesh, t, 0), edge_length(mesh, t, 1), edge_length(mesh, t, 2)});
 }
 
 // The larger one of the rim's and the model's there.

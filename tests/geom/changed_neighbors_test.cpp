@@ -1,4 +1,4 @@
-#include "geom/changed_adjacency.h"
+#include "geom/changed_neighbors.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -11,7 +11,8 @@ namespace {
 
 // A closed mesh and what becomes of it.
 struct Change {
-  explicit Change(TriangleMesh mesh) : before(std::move(mesh)), adjacency(mesh_neighbors(before)) {
+  explicit Change(TriangleMesh mesh)
+      : before(std::move(mesh)), neighbors(triangle_neighbors(before)) {
     for (const VertexId v : before.points.ids()) vertex_map.push_back(v);
   }
 
@@ -44,28 +45,29 @@ struct Change {
     }
   }
 
-  std::optional<ChangedAdjacency> changed() const {
-    return changed_neighbors(after, {before, adjacency, vertex_map, triangle_map});
+  std::optional<ChangedNeighbors> changed() const {
+    return changed_neighbors(after, {before, neighbors, vertex_map, triangle_map});
   }
 
   TriangleMesh before;
-  MeshAdjacency adjacency;
+  TriangleNeighbors neighbors;
   TriangleMesh after;
   IdVector<VertexId, VertexId> vertex_map;
   IdVector<TriangleId, TriangleId> triangle_map;
 };
 
-TEST(ChangedAdjacency, EqualsThatOfTheWhole) {
+TEST(ChangedNeighbors, EqualThoseOfTheWhole) {
   Random random(1);
   for (const std::size_t cuts : {0U, 1U, 7U, 200U}) {
     Change change(gallery::sphere(3));
     change.split_triangles(cuts, random);
     const auto changed = change.changed();
     ASSERT_TRUE(changed.has_value());
-    const MeshAdjacency whole = mesh_neighbors(change.after);
-    EXPECT_EQ(changed->adjacency.neighbors.raw(), whole.neighbors.raw());
-    EXPECT_EQ(changed->adjacency.vertex_begin, whole.vertex_begin);
-    EXPECT_EQ(changed->adjacency.vertex_triangles, whole.vertex_triangles);
+    const TriangleNeighbors whole = triangle_neighbors(change.after);
+    const TrianglesAtVertices at_vertices = triangles_at_vertices(change.after);
+    EXPECT_EQ(changed->neighbors.raw(), whole.raw());
+    EXPECT_EQ(changed->at_vertices.begins, at_vertices.begins);
+    EXPECT_EQ(changed->at_vertices.triangles, at_vertices.triangles);
     EXPECT_EQ(changed->seam.empty(), cuts == 0);
     EXPECT_TRUE(std::is_sorted(changed->seam.begin(), changed->seam.end()));
     if (cuts == 1) {
@@ -74,7 +76,7 @@ TEST(ChangedAdjacency, EqualsThatOfTheWhole) {
   }
 }
 
-TEST(ChangedAdjacency, OpenSidesAreLeftToTheWhole) {
+TEST(ChangedNeighbors, OpenEdgesAreLeftToTheWhole) {
   Random random(2);
   Change open(gallery::sphere(2));
   open.split_triangles(3, random);
@@ -94,7 +96,7 @@ TEST(ChangedAdjacency, OpenSidesAreLeftToTheWhole) {
   EXPECT_FALSE(closing.changed().has_value());
 }
 
-TEST(ChangedAdjacency, AThirdTriangleAtAnEdgeIsLeftToTheWhole) {
+TEST(ChangedNeighbors, AThirdTriangleAtAnEdgeIsLeftToTheWhole) {
   Random random(3);
   Change fin(gallery::sphere(2));
   fin.split_triangles(0, random);
