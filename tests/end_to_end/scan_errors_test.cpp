@@ -1,4 +1,4 @@
-#include "io/scan_errors.h"
+#include "ref/scan_errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ std::vector<Point> some_points() {
 TEST(ScanErrors, NoiseStaysWithinItsReach) {
   const std::vector<Point> ideal = some_points();
   std::vector<Point> cloud = ideal;
-  add_scan_errors(cloud, {.noise = 0.25});
+  ref::add_scan_errors(cloud, {.noise = 0.25});
   double farthest = 0;
   for (std::size_t k = 0; k < cloud.size(); ++k) {
     farthest = std::max(farthest, distance(cloud[k], ideal[k]));
@@ -33,7 +33,7 @@ TEST(ScanErrors, RegistrationMovesTheCloudAsAWhole) {
   const std::vector<Point> ideal = some_points();
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     std::vector<Point> cloud = ideal;
-    add_scan_errors(cloud, {.registration = 0.1, .seed = seed});
+    ref::add_scan_errors(cloud, {.registration = 0.1, .seed = seed});
     double farthest = 0;
     for (std::size_t k = 0; k < cloud.size(); ++k) {
       farthest = std::max(farthest, distance(cloud[k], ideal[k]));
@@ -46,12 +46,12 @@ TEST(ScanErrors, RegistrationMovesTheCloudAsAWhole) {
 
 TEST(ScanErrors, NoneChangesNothingAndBadOnesAreRefused) {
   std::vector<Point> cloud = some_points();
-  add_scan_errors(cloud, {});
+  ref::add_scan_errors(cloud, {});
   EXPECT_EQ(cloud, some_points());
-  EXPECT_THROW(add_scan_errors(cloud, {.noise = -1}), InputError);
-  EXPECT_THROW(add_scan_errors(cloud, {.registration = std::nan("")}), InputError);
+  EXPECT_THROW(ref::add_scan_errors(cloud, {.noise = -1}), InputError);
+  EXPECT_THROW(ref::add_scan_errors(cloud, {.registration = std::nan("")}), InputError);
   std::vector<Point> none;
-  add_scan_errors(none, {.noise = 1, .registration = 1});
+  ref::add_scan_errors(none, {.noise = 1, .registration = 1});
   EXPECT_TRUE(none.empty());
 }
 

@@ -1,4 +1,4 @@
-#include "update/report/update_score.h"
+#include "ref/update_score.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "geom/mesh_check.h"
 #include "geom/mesh_measure.h"
 
-namespace cocoon {
+namespace cocoon::ref {
 
 namespace {
 
@@ -57,4 +57,4 @@ UpdateScore score_update(const TriangleMesh& model, const UpdateResult& result, 
   return score;
 }
 
-}  // namespace cocoon
+}  // namespace cocoon::ref

@@ -7,7 +7,7 @@
 
 #include "geom/point.h"
 
-namespace cocoon {
+namespace cocoon::ref {
 
 struct ScanErrors {
   // Each point is moved in a random direction, by a random distance of up to `noise`.
@@ -22,4 +22,4 @@ struct ScanErrors {
 // Complexity: O(n). Deterministic.
 void add_scan_errors(std::vector<Point>& cloud, const ScanErrors& errors);
 
-}  // namespace cocoon
+}  // namespace cocoon::ref

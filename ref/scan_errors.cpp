@@ -1,4 +1,4 @@
-#include "io/scan_errors.h"
+#include "ref/scan_errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "geom/errors.h"
 #include "geom/random.h"
 
-namespace cocoon {
+namespace cocoon::ref {
 namespace {
 
 // A shift and a small turn about `center`, linearized: the moves are at most a few spacings.
@@ -53,4 +53,4 @@ void add_scan_errors(std::vector<Point>& cloud, const ScanErrors& errors) {
   }
 }
 
-}  // namespace cocoon
+}  // namespace cocoon::ref

@@ -1,4 +1,4 @@
-// How good an update is, where the truth is known: for benchmarks, tests and experiments.
+// How good an update is, where the truth is known.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include "geom/triangle_mesh.h"
 #include "update/update_model.h"
 
-namespace cocoon {
+namespace cocoon::ref {
 
 struct UpdateScore {
   // Vertices of the model: wrong ones should go, all others stay. A vertex is gone if it is no
@@ -44,4 +44,4 @@ UpdateScore score_update(const TriangleMesh& model, const UpdateResult& result, 
                          const TriangleMesh& truth, const SurfaceDistanceOptions& options = {},
                          const Execution& execution = {});
 
-}  // namespace cocoon
+}  // namespace cocoon::ref
