@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <utility>
 
+#include "geom/angles.h"
 #include "geom/errors.h"
 #include "geom/sort_ids.h"
 #include "update/model/model_index.h"
@@ -18,11 +18,7 @@
 
 namespace cocoon {
 
-namespace {
-
-constexpr double degrees_per_radian = 180 / std::numbers::pi;
-
-}  // namespace
+namespace {}  // namespace
 
 UpdateSteps::UpdateSteps(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                          const UpdateOptions& options)
