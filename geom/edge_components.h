@@ -1,4 +1,6 @@
 // The parts of a surface that hang together by edges, and how their triangles are turned.
+//
+// Use this to count or orient parts; for the triangles across edges themselves see halfedges.h.
 #pragma once
 
 #include <algorithm>
@@ -65,8 +67,8 @@ class Seeds {
   // together with earlier ones. Which of two halfedges comes first cannot be foreseen, so the
   // second ones are listed without a branch on it.
   template <class Connects, class IsTurned>
-  void sow(std::span<const Halfedge> links, std::size_t begin, std::size_t end, Connects connects,
-           IsTurned is_turned) {
+  void join_range(std::span<const Halfedge> links, std::size_t begin, std::size_t end,
+                  Connects connects, IsTurned is_turned) {
     Chunk& chunk = chunks_[begin / triangles_per_chunk];
     constexpr std::size_t triangles_per_block = 64;
     std::array<Halfedge, 3 * triangles_per_block> halfedges;
@@ -129,7 +131,7 @@ EdgeComponents edge_components(std::span<const Halfedge> links, const Execution&
   edge_components_detail::Seeds seeds(links.size() / 3);
   parallel_chunks(execution, links.size() / 3, edge_components_detail::triangles_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
-                    seeds.sow(links, begin, end, connects, is_turned);
+                    seeds.join_range(links, begin, end, connects, is_turned);
                   });
   return std::move(seeds).number(execution);
 }

@@ -1,4 +1,5 @@
-// A mesh with what the stages of the update ask of its facets: neighbors, normals, parts.
+// A mesh with what the stages of the update ask of its facets: neighbors, normals, parts. They use
+// this; others see geom/triangle_neighbors.h.
 #pragma once
 
 #include <cstdint>
