@@ -1,4 +1,4 @@
-#include "cocone/clean_up/side_split.h"
+#include "cocone/clean_up/label_split.h"
 
 #include <numeric>
 #include <utility>
@@ -6,11 +6,11 @@
 namespace cocoon {
 namespace {
 
-constexpr std::uint32_t taken_away = 0xFFFFFFFFU;  // the cells that change sides are of no front
+constexpr std::uint32_t taken_away = 0xFFFFFFFFU;  // the cells that change labels are of no front
 
 }  // namespace
 
-bool SideSplit::splits(std::span<const CellId> cells) {
+bool LabelSplit::splits(std::span<const CellId> cells) {
   for (const CellId c : cells) front_of_[c] = taken_away;
   touched_.assign(cells.begin(), cells.end());
   count_ = 0;
@@ -25,7 +25,7 @@ bool SideSplit::splits(std::span<const CellId> cells) {
   return apart;
 }
 
-void SideSplit::begin(CellId c) {
+void LabelSplit::begin(CellId c) {
   if (count_ == fronts_.size()) fronts_.emplace_back();
   Front& front = fronts_[count_++];
   front.cells.assign(1, c);
@@ -36,7 +36,7 @@ void SideSplit::begin(CellId c) {
 }
 
 // Of many fronts nearly all have met soon: then only the others are looked at.
-bool SideSplit::are_apart() {
+bool LabelSplit::are_apart() {
   apart_ = count_;
   growing_.resize(count_);
   std::iota(growing_.begin(), growing_.end(), 0U);
@@ -53,7 +53,7 @@ bool SideSplit::are_apart() {
   return false;
 }
 
-void SideSplit::step(std::uint32_t k) {
+void LabelSplit::step(std::uint32_t k) {
   const CellId c = fronts_[k].cells[fronts_[k].next++];
   for (int i = 0; i < 4; ++i) {
     const CellId behind = triangulation_.neighbor(c, i);
@@ -70,7 +70,7 @@ void SideSplit::step(std::uint32_t k) {
 }
 
 // The one with more to search goes on with what the other has left.
-void SideSplit::join(std::uint32_t a, std::uint32_t b) {
+void LabelSplit::join(std::uint32_t a, std::uint32_t b) {
   const auto left = [&](std::uint32_t k) { return fronts_[k].cells.size() - fronts_[k].next; };
   if (left(a) < left(b)) std::swap(a, b);
   Front& from = fronts_[b];
@@ -81,7 +81,7 @@ void SideSplit::join(std::uint32_t a, std::uint32_t b) {
   --apart_;
 }
 
-std::uint32_t SideSplit::root(std::uint32_t k) const {
+std::uint32_t LabelSplit::root(std::uint32_t k) const {
   while (fronts_[k].joined != 0) k = fronts_[k].joined - 1;
   return k;
 }

@@ -1,4 +1,4 @@
-#include "cocone/kept/kept_sides.h"
+#include "cocone/kept/kept_labels.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -13,10 +13,10 @@
 namespace cocoon {
 namespace {
 
-class KeptSides {
+class KeptLabels {
  public:
-  KeptSides(const Triangulation& triangulation, const IdVector<VertexId, CellId>& cell_at,
-            BodyBefore before, const KnownTriangles& triangles)
+  KeptLabels(const Triangulation& triangulation, const IdVector<VertexId, CellId>& cell_at,
+             BodyBefore before, const KnownTriangles& triangles)
       : triangulation_(triangulation),
         cell_at_(cell_at),
         before_(std::move(before)),
@@ -26,7 +26,7 @@ class KeptSides {
     triangles_ = triangles.at(asked_points());
   }
 
-  KnownSides run() {
+  KnownLabels run() {
     // None is known at all: each vertex of the mesh has been asked.
     if (triangles_.empty() && asked_.size() == triangulation_.num_vertices()) return {};
     StarFinder finder;
@@ -107,8 +107,8 @@ class KeptSides {
     return found;
   }
 
-  KnownSides labels() {
-    KnownSides known;
+  KnownLabels labels() {
+    KnownLabels known;
     known.labels = std::move(before_.labels);
     for (const CellId c : stars_) {
       if (triangulation_.is_infinite(c)) continue;
@@ -135,9 +135,10 @@ class KeptSides {
 
 }  // namespace
 
-KnownSides kept_sides(const Triangulation& triangulation, const IdVector<VertexId, CellId>& cell_at,
-                      BodyBefore before, const KnownTriangles& triangles) {
-  return KeptSides(triangulation, cell_at, std::move(before), triangles).run();
+KnownLabels kept_labels(const Triangulation& triangulation,
+                        const IdVector<VertexId, CellId>& cell_at, BodyBefore before,
+                        const KnownTriangles& triangles) {
+  return KeptLabels(triangulation, cell_at, std::move(before), triangles).run();
 }
 
 }  // namespace cocoon

@@ -1,4 +1,4 @@
-#include "cocone/energy/side_evidence.h"
+#include "cocone/energy/label_evidence.h"
 
 #include <algorithm>
 #include <array>
@@ -48,17 +48,17 @@ class Propagation {
     credit_marks(marks, options.mark_credit);
   }
 
-  ZeroedArray<CellId, SideEvidence> run() {
+  ZeroedArray<CellId, LabelEvidence> run() {
     for (Turn turn = 0; turns_.pop(turn);) {
       ask_ahead();
       const CellId c = order_[rank_of(turn)];
       Node& node = nodes_[c];
-      const SideEvidence& e = node.evidence;
+      const LabelEvidence& e = node.evidence;
       if (node.state != open || turn != make_turn(clarity(e), node.rank)) continue;
       node.state = closed;
       pass_on(c, e.out >= e.in, std::max(e.out, e.in));
     }
-    ZeroedArray<CellId, SideEvidence> evidence(triangulation_.num_cells());
+    ZeroedArray<CellId, LabelEvidence> evidence(triangulation_.num_cells());
     for (const CellId c : region_.undecided) evidence[c] = nodes_[c].evidence;
     return evidence;
   }
@@ -68,7 +68,7 @@ class Propagation {
   enum State : std::uint8_t { settled = 0, open, closed };
   // What is known of a cell, in one place: they are visited in no order of memory.
   struct Node {
-    SideEvidence evidence;
+    LabelEvidence evidence;
     std::uint32_t rank;  // of an undecided cell, in order_
     State state;
     bool is_flat;  // of a cell of the domain
@@ -294,7 +294,7 @@ class Propagation {
     return found;
   }
 
-  static float clarity(const SideEvidence& e) {
+  static float clarity(const LabelEvidence& e) {
     if (e.out == 0 || e.in == 0) return std::max(e.out, e.in);
     return std::abs(e.out - e.in) - 1;
   }
@@ -359,12 +359,12 @@ class Propagation {
 
 }  // namespace
 
-ZeroedArray<CellId, SideEvidence> side_evidence(
+ZeroedArray<CellId, LabelEvidence> label_evidence(
     const Triangulation& triangulation, BallCosines& cosines,
     const ZeroedArray<CellId, Point>& centers, SpacingCache& spacings, const Poles& poles,
     const CellMarks& marks, const DoubtfulRegion& region, const CleanUpOptions& options) {
   if (region.undecided.empty()) {
-    return ZeroedArray<CellId, SideEvidence>(triangulation.num_cells());
+    return ZeroedArray<CellId, LabelEvidence>(triangulation.num_cells());
   }
   return Propagation(triangulation, cosines, centers, spacings, poles, marks, region, options)
       .run();

@@ -1,4 +1,4 @@
-#include "cocone/known_sides.h"
+#include "cocone/known_labels.h"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,7 @@ class Telling {
         old_(triangulation, triangles, execution),
         at_(triangulation.num_vertices(), 0) {}
 
-  KnownSides run() {
+  KnownLabels run() {
     find_facets();
     find_intact();
     if (any_missing_) find_undisturbed();
@@ -161,7 +161,7 @@ class Telling {
   void pass_on_from(CellId c, CellId turn, std::vector<CellId>& late) {
     const Cell& cell = triangulation_.cell(c);
     const unsigned intact_ones = vertices_with(intact, cell);
-    const unsigned side = told_[c];
+    const unsigned told = told_[c];
     std::array<CellId, 4> news;
     std::size_t count = 0;
     for (unsigned i = 0; i < 4; ++i) {
@@ -169,7 +169,7 @@ class Telling {
       const bool is_passed = !is_old && (intact_ones & ~(1U << i)) != 0;
       const CellId behind = cell_of(cell.neighbors[i]);
       const unsigned before = told_[behind];
-      told_[behind] = static_cast<std::uint8_t>(before | (is_passed ? side : 0U));
+      told_[behind] = static_cast<std::uint8_t>(before | (is_passed ? told : 0U));
       news[count] = behind;
       count += is_passed && before == 0 && behind < turn ? 1U : 0U;
     }
@@ -186,8 +186,8 @@ class Telling {
     }
   }
 
-  KnownSides labels() const {
-    KnownSides known;
+  KnownLabels labels() const {
+    KnownLabels known;
     known.labels = IdVector<CellId, CellLabel>(triangulation_.num_cells(), CellLabel::unmarked);
     for (const CellId c : triangulation_.finite_cells()) {
       if (told_[c] == told_both) ++known.contradictions;
@@ -214,8 +214,9 @@ class Telling {
 
 }  // namespace
 
-KnownSides known_sides(const Triangulation& triangulation, std::span<const KnownTriangle> triangles,
-                       const FacetSet& likely, const Execution& execution) {
+KnownLabels known_labels(const Triangulation& triangulation,
+                         std::span<const KnownTriangle> triangles, const FacetSet& likely,
+                         const Execution& execution) {
   if (triangles.empty()) return {};
   return Telling(triangulation, triangles, likely, execution).run();
 }

@@ -1,4 +1,4 @@
-// Sides of the surface that are known beforehand, which marking and clean-up heed where the samples
+// Labels of cells that are known beforehand, which marking and clean-up heed where the samples
 // leave doubt. Where most points are those of an old mesh, it tells inside from outside around
 // every vertex at which it is a surface of facets still.
 #pragma once
@@ -18,7 +18,7 @@
 
 namespace cocoon {
 
-struct KnownSides {
+struct KnownLabels {
   // Unmarked: nothing is known of that cell. Empty: of none.
   IdVector<CellId, CellLabel> labels;
   std::size_t cells = 0;           // that have a label
@@ -28,17 +28,17 @@ struct KnownSides {
   std::vector<CellId> undisturbed;
 };
 
-// What tells the sides of a triangulation's cells; asked only where something is in doubt.
+// What tells the labels of a triangulation's cells; asked only where something is in doubt.
 // `surface` is what the stages hold for the surface: it may tell where to look, not what is true.
 // An empty source knows nothing.
-using KnownSidesSource = std::function<KnownSides(
+using KnownLabelsSource = std::function<KnownLabels(
     const Triangulation& triangulation, const FacetSet& surface, const Execution& execution)>;
 
 // Of an old mesh, on the surface still: corners as positions among the input points,
 // counterclockwise seen from outside.
 using KnownTriangle = std::array<PointId, 3>;
 
-// Triangles for those who know where a mesh has changed (kept_sides.h).
+// Triangles for those who know where a mesh has changed (kept_labels.h).
 struct KnownTriangles {
   // The input points at which a triangle of the old mesh is not known; each may come several times.
   std::function<std::vector<PointId>()> torn;
@@ -48,8 +48,8 @@ struct KnownTriangles {
 
 // An old surface, and what is known of it.
 struct OldSurface {
-  KnownSidesSource sides;
-  // Those that `sides` tells from, if it does; for who keeps the body that the surface bounds.
+  KnownLabelsSource labels;
+  // Those that `labels` tells from, if it does; for who keeps the body that the surface bounds.
   KnownTriangles triangles = {};
 };
 
@@ -65,7 +65,8 @@ struct OldSurface {
 // Triangles are looked for in `likely` first, which changes nothing else. Complexity:
 // O(cells + t) for t triangles, for bounded valence; in part parallel. Deterministic: independent
 // of their order and of the threads. Source: ours, docs/stages/mark_cells.md.
-KnownSides known_sides(const Triangulation& triangulation, std::span<const KnownTriangle> triangles,
-                       const FacetSet& likely, const Execution& execution = {});
+KnownLabels known_labels(const Triangulation& triangulation,
+                         std::span<const KnownTriangle> triangles, const FacetSet& likely,
+                         const Execution& execution = {});
 
 }  // namespace cocoon

@@ -1,9 +1,9 @@
-// The sides of cells between samples of a solid whose surface is at hand as a mesh.
+// The labels of cells between samples of a solid whose surface is at hand as a mesh.
 #pragma once
 
 #include <span>
 
-#include "cocone/known_sides.h"
+#include "cocone/known_labels.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/ids.h"
@@ -12,7 +12,7 @@
 
 namespace cocoon {
 
-struct SidesOfSolidOptions {
+struct LabelsOfSolidOptions {
   // A cell is told if its centroid is farther from the mesh than this part of its longest edge:
   // nearer ones are slivers on the surface, which may as well lie on either side of it. Of eleven
   // parts the surface comes closer to the mesh the smaller this is, but with 0.02 twice as many
@@ -27,17 +27,18 @@ struct SidesOfSolidOptions {
 // Throws InputError as signed_distances(), and Cancelled. Complexity: O((t + n) log t) for t
 // triangles and n cells. Deterministic for any thread count. Source: ours,
 // docs/stages/mark_cells.md.
-KnownSides sides_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
-                          const SidesOfSolidOptions& options = {}, const Execution& execution = {});
+KnownLabels labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+                            const LabelsOfSolidOptions& options = {},
+                            const Execution& execution = {});
 
 // The same for `cells` only, beside what is known of others.
-void add_sides_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
-                        std::span<const CellId> cells, KnownSides& known,
-                        const SidesOfSolidOptions& options = {}, const Execution& execution = {});
+void add_labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+                         std::span<const CellId> cells, KnownLabels& known,
+                         const LabelsOfSolidOptions& options = {}, const Execution& execution = {});
 
-// Asks sides_of_solid for `solid`, in the coordinates of its samples, in their triangulation: that
+// Asks labels_of_solid for `solid`, in the coordinates of its samples, in their triangulation: that
 // of working_scale(samples) times them (reconstruct.h). Keeps the mesh. Complexity: O(n + t).
-KnownSidesSource sides_told_by(TriangleMesh solid, Points samples,
-                               const SidesOfSolidOptions& options = {});
+KnownLabelsSource labels_told_by(TriangleMesh solid, Points samples,
+                                 const LabelsOfSolidOptions& options = {});
 
 }  // namespace cocoon

@@ -1,4 +1,4 @@
-#include "cocone/sides_of_solid.h"
+#include "cocone/labels_of_solid.h"
 
 #include <algorithm>
 #include <array>
@@ -36,19 +36,19 @@ double longest_edge(const Corners& p) {
 
 }  // namespace
 
-KnownSides sides_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
-                          const SidesOfSolidOptions& options, const Execution& execution) {
+KnownLabels labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+                            const LabelsOfSolidOptions& options, const Execution& execution) {
   std::vector<CellId> cells;
   cells.reserve(triangulation.num_finite_cells());
   for (const CellId c : triangulation.finite_cells()) cells.push_back(c);
-  KnownSides known;
-  add_sides_of_solid(triangulation, solid, cells, known, options, execution);
+  KnownLabels known;
+  add_labels_of_solid(triangulation, solid, cells, known, options, execution);
   return known;
 }
 
-void add_sides_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
-                        std::span<const CellId> cells, KnownSides& known,
-                        const SidesOfSolidOptions& options, const Execution& execution) {
+void add_labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+                         std::span<const CellId> cells, KnownLabels& known,
+                         const LabelsOfSolidOptions& options, const Execution& execution) {
   if (!mesh_check(solid).balanced) return;
   std::vector<Point> centroids;
   centroids.reserve(cells.size());
@@ -63,15 +63,15 @@ void add_sides_of_solid(const Triangulation& triangulation, const TriangleMesh& 
   }
 }
 
-KnownSidesSource sides_told_by(TriangleMesh solid, Points samples,
-                               const SidesOfSolidOptions& options) {
+KnownLabelsSource labels_told_by(TriangleMesh solid, Points samples,
+                                 const LabelsOfSolidOptions& options) {
   if (const double scale = working_scale(samples); scale != 1) {
     solid = scaled(std::move(solid), scale);
   }
   const auto kept = std::make_shared<const TriangleMesh>(std::move(solid));
   return [kept, options](const Triangulation& triangulation, const FacetSet&,
                          const Execution& execution) {
-    return sides_of_solid(triangulation, *kept, options, execution);
+    return labels_of_solid(triangulation, *kept, options, execution);
   };
 }
 

@@ -1,5 +1,5 @@
 // Sides told where something has changed are those that the whole old mesh tells.
-#include "cocone/kept/kept_sides.h"
+#include "cocone/kept/kept_labels.h"
 
 #include <algorithm>
 #include <array>
@@ -26,9 +26,9 @@ class Following {
   bool exists() const { return kept_.exists(); }
 
   // After a change nearby: one of `unknown` triangles is not known (0: all that can be are).
-  KnownSides step(double reach, std::uint64_t unknown, Random& random) {
+  KnownLabels step(double reach, std::uint64_t unknown, Random& random) {
     live_.change_nearby(reach, random, [&](const auto& what) { follow(what); });
-    KnownSides sides;
+    KnownLabels sides;
     live_.lend([&](const Triangulation& triangulation) {
       sides = compare(triangulation, unknown, random);
     });
@@ -50,7 +50,7 @@ class Following {
   void follow(const DelaunayChange& change) { kept_.update(live_.delaunay(), change); }
   void follow(const Renumbering& renumbering) { kept_.renumber(renumbering, live_.delaunay()); }
 
-  KnownSides compare(const Triangulation& triangulation, std::uint64_t unknown, Random& random) {
+  KnownLabels compare(const Triangulation& triangulation, std::uint64_t unknown, Random& random) {
     std::map<Point, PointId> now;
     for (const VertexId v : triangulation.vertices())
       now[triangulation.point(v)] = PointId(v.value);
@@ -80,10 +80,10 @@ class Following {
                        });
           return found;
         }};
-    const KnownSides actual = kept_sides(triangulation, live_.delaunay().cells_at_vertices(),
-                                         kept_.before(triangulation), triangles);
-    const KnownSides expected =
-        known_sides(triangulation, known, FacetSet(triangulation.num_cells()));
+    const KnownLabels actual = kept_labels(triangulation, live_.delaunay().cells_at_vertices(),
+                                           kept_.before(triangulation), triangles);
+    const KnownLabels expected =
+        known_labels(triangulation, known, FacetSet(triangulation.num_cells()));
     EXPECT_EQ(actual.labels, expected.labels);
     EXPECT_EQ(actual.cells, expected.cells);
     EXPECT_EQ(actual.contradictions, expected.contradictions);
@@ -101,7 +101,7 @@ class Following {
   std::size_t not_asked_ = 0;
 };
 
-TEST(KeptSides, AreThoseOfTheWholeMesh) {
+TEST(KeptLabels, AreThoseOfTheWholeMesh) {
   const std::size_t steps = 60 * test::long_factor();
   Random random(7);
   Following following(shapes::ellipsoid(300, 3));
@@ -110,7 +110,7 @@ TEST(KeptSides, AreThoseOfTheWholeMesh) {
     SCOPED_TRACE("step " + std::to_string(step));
     ASSERT_TRUE(following.exists());
     const std::array<std::uint64_t, 4> unknown{0, 100, 10, 1};
-    const KnownSides sides =
+    const KnownLabels sides =
         following.step(random.below(8) == 0 ? 0.8 : 0.3, unknown[random.below(4)], random);
     known += sides.cells;
     if (HasFailure()) return;

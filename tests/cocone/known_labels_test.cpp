@@ -1,4 +1,4 @@
-#include "cocone/known_sides.h"
+#include "cocone/known_labels.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@
 #include "geom/mesh_check.h"
 #include "geom/random.h"
 #include "ref/mark_in_rounds.h"
-#include "tests/cocone/plain_sides.h"
+#include "tests/cocone/plain_labels.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 
@@ -38,15 +38,15 @@ FacetSet no_facets(const Triangulation& triangulation) {
   return FacetSet(triangulation.num_cells());
 }
 
-KnownSidesSource told_by(std::vector<KnownTriangle> triangles) {
+KnownLabelsSource told_by(std::vector<KnownTriangle> triangles) {
   return [triangles = std::move(triangles)](const Triangulation& triangulation,
                                             const FacetSet& surface, const Execution& execution) {
-    return known_sides(triangulation, triangles, surface, execution);
+    return known_labels(triangulation, triangles, surface, execution);
   };
 }
 
 // By hand: two cells, one above the other.
-TEST(KnownSides, CellsBehindTheTrianglesAreInside) {
+TEST(KnownLabels, CellsBehindTheTrianglesAreInside) {
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, -1}};
   const Triangulation triangulation = delaunay(points).triangulation;
   ASSERT_EQ(triangulation.num_finite_cells(), 2U);
@@ -58,7 +58,7 @@ TEST(KnownSides, CellsBehindTheTrianglesAreInside) {
   const VertexId low_vertex = triangulation.vertex_of_point()[low];
   // The labels of the upper cell and the lower one.
   const auto known_by = [&](const std::vector<KnownTriangle>& triangles) {
-    const KnownSides known = known_sides(triangulation, triangles, no_facets(triangulation));
+    const KnownLabels known = known_labels(triangulation, triangles, no_facets(triangulation));
     EXPECT_EQ(known.contradictions, 0U);
     std::pair<CellLabel, CellLabel> labels;
     for (const CellId cell : triangulation.finite_cells()) {
@@ -93,11 +93,11 @@ TEST(KnownSides, CellsBehindTheTrianglesAreInside) {
   // Some are there twice.
   both.insert(both.end(), lower.begin(), lower.end());
   EXPECT_EQ(known_by(both), std::pair(in, unmarked));
-  EXPECT_TRUE(known_sides(triangulation, {}, no_facets(triangulation)).labels.empty());
+  EXPECT_TRUE(known_labels(triangulation, {}, no_facets(triangulation)).labels.empty());
 }
 
 // Of two bodies one is turned inside out: what lies between them is told both.
-TEST(KnownSides, WhatIsToldBothIsNotKnown) {
+TEST(KnownLabels, WhatIsToldBothIsNotKnown) {
   std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
                                {3, 0, 0}, {4, 0, 0}, {3, 1, 0}, {3, 0, 1}};
   for (const double x : {-20.0, 20.0}) {
@@ -125,11 +125,11 @@ TEST(KnownSides, WhatIsToldBothIsNotKnown) {
       visit(c, meets[0], meets[1]);
     }
   };
-  const KnownSides known = known_sides(triangulation, triangles, no_facets(triangulation));
+  const KnownLabels known = known_labels(triangulation, triangles, no_facets(triangulation));
   EXPECT_EQ(known.contradictions, 0U);
   EXPECT_EQ(std::count(known.labels.begin(), known.labels.end(), CellLabel::in), 2);
   for (std::size_t t = 4; t < 8; ++t) std::swap(triangles[t][0], triangles[t][1]);
-  const KnownSides turned = known_sides(triangulation, triangles, no_facets(triangulation));
+  const KnownLabels turned = known_labels(triangulation, triangles, no_facets(triangulation));
   EXPECT_GT(turned.contradictions, 0U);
   using enum CellLabel;
   visit_cells([&](CellId c, bool meets_first, bool meets_second) {
@@ -151,7 +151,7 @@ TEST(KnownSides, WhatIsToldBothIsNotKnown) {
 std::size_t expect_plain_sides(const std::vector<Point>& points,
                                const std::vector<KnownTriangle>& triangles, Random& random) {
   const Triangulation triangulation = delaunay(points).triangulation;
-  const KnownSides plain = PlainSides(triangulation, triangles).labels();
+  const KnownLabels plain = PlainLabels(triangulation, triangles).labels();
   EXPECT_GT(plain.cells, 100U);
   FacetSet some = no_facets(triangulation);
   for (const CellId c : triangulation.finite_cells()) {
@@ -161,7 +161,7 @@ std::size_t expect_plain_sides(const std::vector<Point>& points,
   }
   for (const int threads : {1, 3}) {
     const FacetSet likely = threads == 1 ? no_facets(triangulation) : some;
-    const KnownSides known = known_sides(triangulation, triangles, likely, {.threads = threads});
+    const KnownLabels known = known_labels(triangulation, triangles, likely, {.threads = threads});
     EXPECT_EQ(known.labels, plain.labels);
     EXPECT_EQ(known.cells, plain.cells);
     EXPECT_EQ(known.contradictions, plain.contradictions);
@@ -171,7 +171,7 @@ std::size_t expect_plain_sides(const std::vector<Point>& points,
 
 // Also where some triangles are missing, turned, twice there or no facets any more. Where none is
 // turned no cell is told both: then what is told goes from cell to cell.
-TEST(KnownSides, AreWhatEachVertexTellsByItself) {
+TEST(KnownLabels, AreWhatEachVertexTellsByItself) {
   std::size_t contradictions = 0;
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
     Random random(seed);
@@ -193,14 +193,14 @@ TEST(KnownSides, AreWhatEachVertexTellsByItself) {
   EXPECT_GT(contradictions, 0U);
 }
 
-TEST(KnownSides, AgreeWithTheMarksOfTheSurface) {
+TEST(KnownLabels, AgreeWithTheMarksOfTheSurface) {
   const std::vector<Point> points = shapes::random_torus(2500, 0.4, 1);
   const Stages s(points);
   const std::vector<KnownTriangle> triangles = triangles_of(reconstruct_tight(points));
   const BoundarySamples labels = s.labels();
   const LinkedFacets surface = s.surface(labels);
   const CellMarks marks = mark_cells(s.triangulation, surface, labels.boundary);
-  const KnownSides known = known_sides(s.triangulation, triangles, no_facets(s.triangulation));
+  const KnownLabels known = known_labels(s.triangulation, triangles, no_facets(s.triangulation));
   EXPECT_EQ(known.contradictions, 0U);
   EXPECT_GT(known.cells, points.size());
   for (const CellId c : s.triangulation.finite_cells()) {
@@ -211,12 +211,12 @@ TEST(KnownSides, AgreeWithTheMarksOfTheSurface) {
 }
 
 // Where marks agree, they need no help: even nonsense changes nothing.
-TEST(KnownSides, AreOnlyUsedWhereMarksContradictEachOther) {
+TEST(KnownLabels, AreOnlyUsedWhereMarksContradictEachOther) {
   const std::vector<Point> points = shapes::sphere(1500, 3);
   const ReconstructResult plain = reconstruct_tight(points);
   std::vector<KnownTriangle> turned = triangles_of(plain);
   for (KnownTriangle& t : turned) std::swap(t[0], t[1]);
-  const ReconstructResult again = reconstruct_tight_with_sides(points, told_by(turned));
+  const ReconstructResult again = reconstruct_tight_with_labels(points, told_by(turned));
   EXPECT_EQ(again.mesh, plain.mesh);
   EXPECT_EQ(again.counters.known_cells, 0U);
 }
@@ -227,7 +227,7 @@ CellMarks marks_by_rounds(const Stages& s, const LinkedFacets& surface,
   CellMarks rounds;
   rounds.good = marks.good;
   rounds.visited = VertexSet(s.triangulation.num_vertices(), 0);
-  rounds.labels = known_sides(s.triangulation, triangles, no_facets(s.triangulation)).labels;
+  rounds.labels = known_labels(s.triangulation, triangles, no_facets(s.triangulation)).labels;
   std::vector<VertexId> seeds;
   for (const CellId c : s.triangulation.cells()) {
     const bool is_known = rounds.labels[c] != CellLabel::unmarked;
@@ -291,7 +291,7 @@ bool is_settled_as_by_the_rounds(const Stages& s, std::vector<KnownTriangle> tri
   return true;
 }
 
-TEST(KnownSides, DisputesAreSettledAsByTheRounds) {
+TEST(KnownLabels, DisputesAreSettledAsByTheRounds) {
   std::size_t disputed = 0;
   std::size_t conflicts = 0;
   for (const std::uint64_t seed : {1U, 5U, 9U, 13U}) {
@@ -309,7 +309,7 @@ TEST(KnownSides, DisputesAreSettledAsByTheRounds) {
 
 // Known cells may have just the labels that were carried to them from a surface the hull sees, and
 // contradict each other at vertices of another one that it does not see.
-TEST(KnownSides, RefuteVerticesThatTheHullDoesNotSee) {
+TEST(KnownLabels, RefuteVerticesThatTheHullDoesNotSee) {
   for (const std::uint64_t seed : {50U, 468U, 494U}) {
     std::vector<Point> inner = shapes::noisy_sphere(270, 0.013, seed + 1);
     for (Point& p : inner) p = 0.7 * p + Vec3{0.08, 0, 0};
@@ -319,7 +319,7 @@ TEST(KnownSides, RefuteVerticesThatTheHullDoesNotSee) {
     const CellMarks carried = mark_cells(s.triangulation, surface, labels.boundary);
     ASSERT_LT(carried.visited_vertices, carried.good_vertices);
     const auto told = [&](const Triangulation& t, const FacetSet&, const Execution&) {
-      KnownSides known;
+      KnownLabels known;
       known.labels = carried.labels;
       for (const CellId c : t.infinite_cells()) known.labels[c] = CellLabel::unmarked;
       return known;
@@ -330,7 +330,7 @@ TEST(KnownSides, RefuteVerticesThatTheHullDoesNotSee) {
 }
 
 // A surface inside the body, which the hull does not see: known cells tell where it is.
-TEST(KnownSides, DisputesAroundCavitiesAreSettledAsByTheRounds) {
+TEST(KnownLabels, DisputesAroundCavitiesAreSettledAsByTheRounds) {
   std::size_t disputed = 0;
   for (const std::uint64_t seed : {1U, 5U, 9U, 13U}) {
     const std::vector<Point> points =
@@ -351,12 +351,12 @@ TEST(KnownSides, DisputesAroundCavitiesAreSettledAsByTheRounds) {
 
 // Noise makes marks contradict each other. With the triangles of the result so far their number
 // falls, and the sides stay; in paper mode there is no such help.
-TEST(KnownSides, SettleContradictions) {
+TEST(KnownLabels, SettleContradictions) {
   const std::vector<Point> points = shapes::noisy_sphere(3000, 0.03, 5);
   const ReconstructResult plain = reconstruct_tight(points);
   ASSERT_GT(plain.counters.marking_conflicts, 0U);
   const std::vector<KnownTriangle> known = triangles_of(plain);
-  const ReconstructResult again = reconstruct_tight_with_sides(points, told_by(known));
+  const ReconstructResult again = reconstruct_tight_with_labels(points, told_by(known));
   EXPECT_GT(again.counters.known_cells, 1000U);
   EXPECT_EQ(again.status, SurfaceStatus::ok);
   const MeshReport before = mesh_check(plain.mesh);
@@ -366,7 +366,7 @@ TEST(KnownSides, SettleContradictions) {
   EXPECT_NEAR(static_cast<double>(again.mesh.triangles.size()),
               static_cast<double>(plain.mesh.triangles.size()), 60);
   const ReconstructOptions paper = {.mode = Mode::paper};
-  EXPECT_EQ(reconstruct_tight_with_sides(points, told_by(known), paper).mesh,
+  EXPECT_EQ(reconstruct_tight_with_labels(points, told_by(known), paper).mesh,
             reconstruct_tight(points, paper).mesh);
 }
 
@@ -380,7 +380,7 @@ ReconstructResult model_of(const std::vector<Point>& points, bool clean_up = tru
 }
 
 // Noise leaves cells without good vertices, too. Told a mesh, its vertices give just that mesh.
-TEST(KnownSides, AMeshIsGivenAgain) {
+TEST(KnownLabels, AMeshIsGivenAgain) {
   std::size_t known_cells = 0;
   std::size_t stirred = 0;
   for (const std::uint64_t seed : {5U, 6U}) {
@@ -391,12 +391,12 @@ TEST(KnownSides, AMeshIsGivenAgain) {
         const ReconstructResult model = model_of(samples, clean_up);
         const Points points = model.mesh.points.span();
         const std::vector<KnownTriangle> known = triangles_of(model);
-        const ReconstructResult again = reconstruct_tight_with_sides(points, told_by(known));
+        const ReconstructResult again = reconstruct_tight_with_labels(points, told_by(known));
         known_cells += again.counters.known_cells;
         EXPECT_TRUE(again.mesh == model.mesh) << seed << ' ' << samples.size() << ' ' << clean_up;
         stirred += reconstruct_tight(points).mesh == model.mesh ? 0U : 1U;
         const ReconstructOptions paper = {.mode = Mode::paper};
-        EXPECT_TRUE(reconstruct_tight_with_sides(points, told_by(known), paper).mesh ==
+        EXPECT_TRUE(reconstruct_tight_with_labels(points, told_by(known), paper).mesh ==
                     reconstruct_tight(points, paper).mesh);
       }
     }
@@ -406,7 +406,7 @@ TEST(KnownSides, AMeshIsGivenAgain) {
 }
 
 // A spike that the stages would leave out, beside a body with cells that nothing decides.
-TEST(KnownSides, ASpikeStays) {
+TEST(KnownLabels, ASpikeStays) {
   std::vector<Point> samples = shapes::random_torus(300, 0.4, 5);
   for (Point& p : samples) p = p + Vec3{4, 0, 0};
   ReconstructResult model = model_of(shapes::joined(shapes::sphere(1500, 3), samples));
@@ -421,7 +421,7 @@ TEST(KnownSides, ASpikeStays) {
   mesh.triangles.push_back({c, a, top});
   canonicalize_triangles(mesh);
   const Points points = mesh.points.span();
-  EXPECT_TRUE(reconstruct_tight_with_sides(points, told_by(triangles_of(model))).mesh == mesh);
+  EXPECT_TRUE(reconstruct_tight_with_labels(points, told_by(triangles_of(model))).mesh == mesh);
   EXPECT_EQ(reconstruct_tight(points).unused_points, 1U);
 }
 
@@ -444,7 +444,7 @@ std::vector<KnownTriangle> far_triangles(const ReconstructResult& result, Points
 
 // Where vertices have moved the surface changes; far from there each triangle stays, whatever the
 // marks say of it.
-TEST(KnownSides, WhatIsFarFromAChangeStays) {
+TEST(KnownLabels, WhatIsFarFromAChangeStays) {
   std::size_t stirred = 0;
   for (const std::uint64_t seed : {5U, 6U, 7U, 8U}) {
     const ReconstructResult model = model_of(shapes::noisy_sphere(3000, 0.03, seed));
@@ -461,7 +461,7 @@ TEST(KnownSides, WhatIsFarFromAChangeStays) {
       });
     };
     const std::vector<KnownTriangle> known = far_triangles(model, points, 0.6);
-    EXPECT_EQ(lost_of(reconstruct_tight_with_sides(moved, told_by(known))), 0) << seed;
+    EXPECT_EQ(lost_of(reconstruct_tight_with_labels(moved, told_by(known))), 0) << seed;
     stirred += lost_of(reconstruct_tight(moved)) == 0 ? 0U : 1U;
   }
   EXPECT_GT(stirred, 0U);

@@ -1,4 +1,4 @@
-// Does one side of a surface fall apart when some of its cells change sides?
+// Do the cells of one label fall apart when some of them change it?
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace cocoon {
 
-class SideSplit {
+class LabelSplit {
  public:
-  // Keeps references, which must outlive the object. O(1). `out`: the side of each cell, 0 or 1.
-  SideSplit(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out)
+  // Keeps references, which must outlive the object. O(1). `out`: the label of each cell, 1 = OUT.
+  LabelSplit(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out)
       : triangulation_(triangulation), out_(out), front_of_(triangulation.num_cells()) {}
 
-  // Would the cells on that side next to these no longer all hang together by facets, if these were
-  // on the other side? Precondition: all are on one side. Fronts grow from them in turn, cell by
+  // Would the cells of that label next to these no longer all hang together by facets, if these had
+  // the other label? Precondition: all have one label. Fronts grow from them in turn, cell by
   // cell, until all have met or one can grow no more: O(what the smallest part that is cut off has,
   // or what is between them), for each front.
   bool splits(std::span<const CellId> cells);

@@ -1,4 +1,4 @@
-#include "cocone/energy/side_evidence.h"
+#include "cocone/energy/label_evidence.h"
 
 #include <algorithm>
 #include <array>
@@ -79,7 +79,7 @@ class PlainEvidence {
     settle();
   }
 
-  const SideEvidence& operator[](CellId c) const { return evidence_[c]; }
+  const LabelEvidence& operator[](CellId c) const { return evidence_[c]; }
 
  private:
   // Cells that are none: at infinity, or there is no such pole.
@@ -218,20 +218,20 @@ class PlainEvidence {
   SpacingCache spacings_;
   ZeroedArray<CellId, Point> centers_;
 
-  IdVector<CellId, SideEvidence> evidence_;
+  IdVector<CellId, LabelEvidence> evidence_;
   IdVector<CellId, std::uint8_t> is_undecided_;
   IdVector<VertexId, PolePair> poles_;
 };
 
-ZeroedArray<CellId, SideEvidence> evidence_of(const Scene& scene,
-                                              const CleanUpOptions& options = {}) {
+ZeroedArray<CellId, LabelEvidence> evidence_of(const Scene& scene,
+                                               const CleanUpOptions& options = {}) {
   const Triangulation& t = scene.stages.triangulation;
   BallCosines cosines(t, options.flat_ratio);
   StarCache stars(t);
   SpacingCache spacings(t, stars);
   const ZeroedArray<CellId, Point> centers = cosines.prepare(scene.region.cells, {});
-  return side_evidence(t, cosines, centers, spacings, scene.stages.poles, scene.marks, scene.region,
-                       options);
+  return label_evidence(t, cosines, centers, spacings, scene.stages.poles, scene.marks,
+                        scene.region, options);
 }
 
 struct Counts {
@@ -243,7 +243,7 @@ struct Counts {
 
 Counts compare(const Scene& scene, const CleanUpOptions& options = {}) {
   const Triangulation& t = scene.stages.triangulation;
-  const ZeroedArray<CellId, SideEvidence> evidence = evidence_of(scene, options);
+  const ZeroedArray<CellId, LabelEvidence> evidence = evidence_of(scene, options);
   const PlainEvidence plain(scene, options);
   BallCosines cosines(t, options.flat_ratio);
   Counts counts;
@@ -272,7 +272,7 @@ std::vector<Point> turned(const std::vector<Point>& points) {
   return result;
 }
 
-TEST(SideEvidence, IsThatOfTheStrongestChains) {
+TEST(LabelEvidence, IsThatOfTheStrongestChains) {
   Counts all;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     for (const auto& points :
@@ -291,7 +291,7 @@ TEST(SideEvidence, IsThatOfTheStrongestChains) {
   EXPECT_GT(all.thin, 1000U);
 }
 
-TEST(SideEvidence, TiesGoToTheSmallerCorners) {
+TEST(LabelEvidence, TiesGoToTheSmallerCorners) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     for (const auto& points : {gallery::integer_grid(5), shapes::cube_grid(4), shapes::plate(7, 2),
                                gallery::integer_sphere(41)}) {
@@ -302,7 +302,7 @@ TEST(SideEvidence, TiesGoToTheSmallerCorners) {
   }
 }
 
-TEST(SideEvidence, BallsMeetThroughFlatCells) {
+TEST(LabelEvidence, BallsMeetThroughFlatCells) {
   std::size_t flat = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     for (const auto& points : {turned(gallery::integer_grid(5)), turned(shapes::plate(7, 2)),
@@ -316,12 +316,12 @@ TEST(SideEvidence, BallsMeetThroughFlatCells) {
 }
 
 // Samples in a thick layer: their nearer poles say less, and those within one spacing nothing.
-TEST(SideEvidence, NearPolesSayLess) {
+TEST(LabelEvidence, NearPolesSayLess) {
   const Scene scene(shapes::noisy_sphere(300, 0.1, 3), 0.05, 3);
   compare(scene, {.near_pole_ratio = 0, .full_pole_ratio = 0});
   compare(scene, {.near_pole_ratio = 0.5, .full_pole_ratio = 8});
   const auto all = [&](const CleanUpOptions& options) {
-    const ZeroedArray<CellId, SideEvidence> evidence = evidence_of(scene, options);
+    const ZeroedArray<CellId, LabelEvidence> evidence = evidence_of(scene, options);
     double sum = 0;
     for (const CellId c : scene.region.undecided) sum += evidence[c].out + evidence[c].in;
     return sum;
@@ -334,13 +334,13 @@ TEST(SideEvidence, NearPolesSayLess) {
 }
 
 // All that is known is infinity: what is deep within hears of it by the poles of the hull.
-TEST(SideEvidence, InfinityIsOut) {
+TEST(LabelEvidence, InfinityIsOut) {
   const Scene scene(shapes::noisy_sphere(300, 0.02, 5), 0, 5);
   EXPECT_EQ(scene.region.undecided.size(), scene.stages.triangulation.num_finite_cells());
   EXPECT_GT(compare(scene).uncontested, 100U);
 }
 
-TEST(SideEvidence, IsNoneWhereNothingIsUndecided) {
+TEST(LabelEvidence, IsNoneWhereNothingIsUndecided) {
   const Scene scene(shapes::sphere(100, 6), 1, 6, 0);
   EXPECT_TRUE(scene.region.undecided.empty());
   const Counts counts = compare(scene);

@@ -1,4 +1,4 @@
-#include "cocone/clean_up/side_split.h"
+#include "cocone/clean_up/label_split.h"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -38,7 +38,7 @@ bool falls_apart(const Triangulation& t, const IdVector<CellId, std::uint8_t>& o
   return false;
 }
 
-TEST(SideSplit, SaysWhatAPlainSearchSays) {
+TEST(LabelSplit, SaysWhatAPlainSearchSays) {
   std::size_t apart = 0;
   std::size_t together = 0;
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
@@ -46,7 +46,7 @@ TEST(SideSplit, SaysWhatAPlainSearchSays) {
     Random random(seed);
     IdVector<CellId, std::uint8_t> out(t.num_cells(), 1);
     for (const CellId c : t.finite_cells()) out[c] = random.uniform() < 0.4 ? 1 : 0;
-    SideSplit side_split(t, out);
+    LabelSplit label_split(t, out);
     for (int round = 0; round < 500; ++round) {
       CellId c(
           static_cast<std::size_t>(random.uniform() * static_cast<double>(t.num_finite_cells())));
@@ -59,7 +59,7 @@ TEST(SideSplit, SaysWhatAPlainSearchSays) {
       }
       const std::vector<CellId> list(cells.begin(), cells.end());
       const bool expected = falls_apart(t, out, cells);
-      EXPECT_EQ(side_split.splits(list), expected);
+      EXPECT_EQ(label_split.splits(list), expected);
       (expected ? apart : together) += 1;
     }
   }

@@ -1,4 +1,4 @@
-// Sides known from old triangles (cocone/known_sides.h), by their definition.
+// Sides known from old triangles (cocone/known_labels.h), by their definition.
 #pragma once
 
 #include <algorithm>
@@ -8,16 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/known_sides.h"
+#include "cocone/known_labels.h"
 #include "delaunay/circulate.h"
 #include "delaunay/triangulation.h"
 
 namespace cocoon {
 
 // The definition, word by word: each intact vertex by itself.
-class PlainSides {
+class PlainLabels {
  public:
-  PlainSides(const Triangulation& triangulation, const std::vector<KnownTriangle>& triangles)
+  PlainLabels(const Triangulation& triangulation, const std::vector<KnownTriangle>& triangles)
       : triangulation_(triangulation), told_(triangulation.num_cells()) {
     for (const KnownTriangle& t : triangles) {
       std::array<VertexId, 3> corners;
@@ -30,8 +30,8 @@ class PlainSides {
     }
   }
 
-  KnownSides labels() const {
-    KnownSides known;
+  KnownLabels labels() const {
+    KnownLabels known;
     known.labels.resize(triangulation_.num_cells(), CellLabel::unmarked);
     for (const CellId c : triangulation_.finite_cells()) {
       known.contradictions += told_[c] == std::pair(true, true) ? 1U : 0U;
