@@ -209,13 +209,13 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
     if (!arguments.session.empty()) {
       UpdateOptions update = update_options(arguments.parameters);
       update.reconstruct = options;
-      session.emplace(points, update, job.execution(), input.sides);
+      session.emplace(points, update, job.execution(), input.labels);
       ReconstructResult reconstruction = session->reconstruction();
       reconstruction.mesh = session->model();
       return reconstruction;
     }
     if (arguments.noise == "robust") return without_noise(job, points, stages, findings);
-    return tight ? reconstruct_tight_with_sides(points, input.sides, options, job.execution())
+    return tight ? reconstruct_tight_with_labels(points, input.labels, options, job.execution())
                  : reconstruct_cocone(points, options, job.execution());
   });
   require_surface(job, arguments.points, result, points, options,

@@ -63,7 +63,7 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
   if (!input.model.triangles.empty()) return input;
 
   ReconstructResult initial = initial_model(job, arguments.model, input.model.points.raw(),
-                                            dense.sides, options.reconstruct);
+                                            dense.labels, options.reconstruct);
   if (!input.properties.empty()) {
     std::vector<RowOrigin> origins;
     for (const PointId point : initial.point_of_vertex) origins.push_back({0, point.index()});

@@ -192,7 +192,7 @@ class Watch {
       }
       dense.points = std::move(mesh.points).raw();
     }
-    begin_session(job_, arguments_.model, dense.points, dense.sides, options_, state_.session);
+    begin_session(job_, arguments_.model, dense.points, dense.labels, options_, state_.session);
     findings_are_due_ = true;
   }
 

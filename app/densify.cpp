@@ -4,7 +4,7 @@
 
 #include "app/files.h"
 #include "app/model_file.h"
-#include "cocone/sides_of_solid.h"
+#include "cocone/labels_of_solid.h"
 #include "geom/counted.h"
 #include "geom/dense_samples.h"
 #include "geom/errors.h"
@@ -35,7 +35,7 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
   }
   dense.points.insert(dense.points.end(), added.begin(), added.end());
   if (mesh_check(mesh, {}, job.execution()).balanced) {
-    dense.sides = sides_told_by(std::move(mesh), dense.points);
+    dense.labels = labels_told_by(std::move(mesh), dense.points);
   } else {
     job.warn(path +
              ": is not closed, so that only the samples tell its inside from its outside; where "

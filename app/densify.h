@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/job.h"
-#include "cocone/known_sides.h"
+#include "cocone/known_labels.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/point.h"
@@ -15,7 +15,7 @@ namespace cocoon::app {
 struct DensifiedMesh {
   std::vector<Point> points;                    // vertices of the mesh, then samples between them
   IdVector<VertexId, PointId> point_of_vertex;  // of each vertex of the file, which of them it is
-  KnownSidesSource sides;  // where the mesh has inside and outside; empty if it is not closed
+  KnownLabelsSource labels;  // where the mesh has inside and outside; empty if it is not closed
 };
 
 // Reads a mesh (read_model), as stage "read", and adds samples about `spacing` apart, as stage

@@ -28,7 +28,7 @@ void make_manifold(Job& job, const std::string& file, TriangleMesh& mesh,
   job.report().set("manifold/split_vertices", split.split_vertices);
   job.report().set("manifold/copied_vertices", split.copies);
   job.report().set("manifold/midpoints", split.midpoints);
-  job.report().set("manifold/unpaired_sides", split.unpaired_sides);
+  job.report().set("manifold/unpaired_sides", split.unpaired_halfedges);
   mesh = std::move(split.mesh);
   if (split.copies + split.midpoints == 0) return;
   properties = properties_of_copies(properties, split.source);

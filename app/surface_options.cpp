@@ -1,28 +1,26 @@
 #include "app/surface_options.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "geom/angles.h"
 
 namespace cocoon::app {
 
-namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-
-}  // namespace
+namespace {}  // namespace
 
 ReconstructOptions surface_options(const SurfaceArguments& arguments, ReconstructOptions defaults) {
   ReconstructOptions options = defaults;
   options.mode = arguments.mode == "paper" ? Mode::paper : Mode::robust;
   options.verify = arguments.verify;
   if (arguments.rho) options.boundary.rho = *arguments.rho;
-  if (arguments.alpha_deg) options.boundary.alpha_cosine = std::cos(*arguments.alpha_deg * degree);
+  if (arguments.alpha_deg)
+    options.boundary.alpha_cosine = std::cos(*arguments.alpha_deg * radians_per_degree);
   // theta is measured from the normal, the user's angle from the tangent plane.
   if (arguments.cocone_angle_deg) {
-    options.cocone.cosine = std::sin(*arguments.cocone_angle_deg * degree);
+    options.cocone.cosine = std::sin(*arguments.cocone_angle_deg * radians_per_degree);
   }
   if (arguments.sharp_angle_deg) {
-    options.prune.sharp_cosine = std::cos(*arguments.sharp_angle_deg * degree);
+    options.prune.sharp_cosine = std::cos(*arguments.sharp_angle_deg * radians_per_degree);
   }
   return options;
 }
@@ -35,7 +33,7 @@ void set_radius(ReconstructOptions& options, const std::string& radius) {
 
 double told_in_degrees(double radians) {
   constexpr double steps = 1e9;  // of a degree
-  return std::round(radians / degree * steps) / steps;
+  return std::round(radians / radians_per_degree * steps) / steps;
 }
 
 void add_parameters(JsonReport& report, const ReconstructOptions& options,

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <type_traits>
 
 #include "app/surface_options.h"
+#include "geom/angles.h"
 
 namespace cocoon::app {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 using enum ThresholdKind;
 using enum ThresholdUse;
 using Options = StageOptions;
@@ -161,7 +160,7 @@ void set_thresholds(StageOptions& options, const std::map<std::string, double>& 
     const auto found = given.find(t.name);
     if (found == given.end()) continue;
     const double value = found->second;
-    set_value(t.field(options), t.kind == angle ? std::cos(value * degree) : value);
+    set_value(t.field(options), t.kind == angle ? std::cos(value * radians_per_degree) : value);
   }
 }
 

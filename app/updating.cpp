@@ -128,7 +128,7 @@ void report_lost_triangles(Job& job, const UpdateInput& input, const MeshChange&
   job.report().set("update/astray_area_share", share);
   if (!(share > options.min_area_share)) return;
   const bool is_coarse = std::all_of(scans.begin(), scans.end(), [&](const Scan& scan) {
-    return astray.longest_side > options.coarse_ratio * scan.spacing;
+    return astray.longest_edge > options.coarse_ratio * scan.spacing;
   });
   std::string warning =
       fmt::format("{:.0f} % of the surface of {} is not kept though nothing was scanned there",
@@ -186,11 +186,11 @@ void warn_of_unused(Job& job, const std::string& name, const ReconstructResult& 
 }  // namespace
 
 ReconstructResult initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
-                                const KnownSidesSource& known, const ReconstructOptions& options) {
+                                const KnownLabelsSource& known, const ReconstructOptions& options) {
   ReconstructResult result =
       run_step(job.execution(), "initial_model", [&](const Execution& nested) {
         return naming_input(
-            name, [&] { return reconstruct_tight_with_sides(points, known, options, nested); });
+            name, [&] { return reconstruct_tight_with_labels(points, known, options, nested); });
       });
   require_surface(job, name, result, points, options);
   job.report().set("initial_model/points", result.points);
@@ -251,7 +251,7 @@ std::string with_cloud_names(std::string message, const std::vector<std::string>
 }
 
 void begin_session(Job& job, const std::string& name, const std::vector<Point>& points,
-                   const KnownSidesSource& known, const UpdateOptions& options,
+                   const KnownLabelsSource& known, const UpdateOptions& options,
                    std::optional<UpdateSession>& session) {
   run_step(job.execution(), "initial_model", [&](const Execution& nested) {
     naming_input(name, [&] { session.emplace(points, options, nested, known); });

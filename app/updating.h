@@ -44,7 +44,7 @@ struct UpdateInput {
 // Makes a session that begins with the closed surface of a model given as points, as stage
 // "initial_model". Throws InputError if there is none.
 void begin_session(Job& job, const std::string& name, const std::vector<Point>& points,
-                   const KnownSidesSource& known, const UpdateOptions& options,
+                   const KnownLabelsSource& known, const UpdateOptions& options,
                    std::optional<UpdateSession>& session);
 
 // What is doubtful about the surface of an updated model, `surface` with its mesh, made from
@@ -78,7 +78,7 @@ void filter_clouds(Job& job, const CloudFilter& filter, UpdateInput& input);
 // The closed surface of a model given as points, as stage "initial_model"; its counts go to the
 // section "initial_model" of the report. Throws InputError if there is none.
 ReconstructResult initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
-                                const KnownSidesSource& known, const ReconstructOptions& options);
+                                const KnownLabelsSource& known, const ReconstructOptions& options);
 
 // Updates (by the session, if there is one, whose model is then input.model), writes the outputs
 // (which wait for job.finish), and fills in the report. Throws InputError, with the library's

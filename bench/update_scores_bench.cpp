@@ -17,8 +17,8 @@
 #include "cocone/reconstruct.h"
 #include "geom/mesh_measure.h"
 #include "io/sample_models.h"
-#include "io/scan_errors.h"
-#include "update/report/update_score.h"
+#include "ref/scan_errors.h"
+#include "ref/update_score.h"
 
 namespace cocoon {
 namespace {
@@ -46,7 +46,7 @@ struct Worst {
   double hausdorff = 0;
   double smallest_margin = 180;
 
-  void add(const UpdateResult& result, const UpdateScore& score) {
+  void add(const UpdateResult& result, const ref::UpdateScore& score) {
     ++runs;
     if (result.status != UpdateStatus::ok) {
       ++failures;
@@ -84,13 +84,13 @@ void run(const SampleModel& sample, const TriangleMesh& model, std::uint64_t see
   std::uint64_t cloud_seed = 1000 * seed;
   for (std::vector<Point>& cloud : clouds) {
     const double spacing = cloud_spacing(cloud);
-    add_scan_errors(cloud, {.noise = condition.noise * spacing,
-                            .registration = condition.registration * spacing,
-                            .seed = ++cloud_seed});
+    ref::add_scan_errors(cloud, {.noise = condition.noise * spacing,
+                                 .registration = condition.registration * spacing,
+                                 .seed = ++cloud_seed});
   }
   const UpdateResult result = update_model(model, clouds);
-  const UpdateScore score =
-      score_update(model, result, wrong_points(sample), sample.truth, {.samples = 50000});
+  const ref::UpdateScore score =
+      ref::score_update(model, result, wrong_points(sample), sample.truth, {.samples = 50000});
   if (result.status != UpdateStatus::ok) {
     std::printf("  seed %d: %s\n", static_cast<int>(seed), result.message.c_str());
   } else if (score.precision() < 0.995 || score.recall() < 0.995 || !score.right_topology() ||

@@ -17,51 +17,53 @@ namespace {
 struct Part {
   TriangleMesh mesh;
   IdVector<TriangleId, TriangleId> origin;
-  LinkedSides sides;
+  HalfedgeRings rings;
 };
 
 // Cosine of the dihedral of two triangles at their common edge, -1 = flat.
-double dihedral_cosine(const TriangleMesh& mesh, SideId a, SideId b) {
-  std::array<VertexId, 2> ends = ends_of_side(mesh, a);
+double dihedral_cosine(const TriangleMesh& mesh, Halfedge a, Halfedge b) {
+  std::array<VertexId, 2> ends = ends_of_halfedge(mesh, a);
   if (mesh.points[ends[1]] < mesh.points[ends[0]]) std::swap(ends[0], ends[1]);
   const Point& origin = mesh.points[ends[0]];
   const Vec3 edge = mesh.points[ends[1]] - origin;
-  const Vec3 normal_a = unit(cross(edge, mesh.points[apex_of_side(mesh, a)] - origin));
-  const Vec3 normal_b = unit(cross(edge, mesh.points[apex_of_side(mesh, b)] - origin));
+  const Vec3 normal_a = unit(cross(edge, mesh.points[apex_of_halfedge(mesh, a)] - origin));
+  const Vec3 normal_b = unit(cross(edge, mesh.points[apex_of_halfedge(mesh, b)] - origin));
   return dot(normal_a, normal_b);
 }
 
 // Marks all but the flattest pair of the triangles at an edge; ties go to the smaller apexes.
-void mark_surplus(const TriangleMesh& mesh, std::vector<SideId> sides,
+void mark_surplus(const TriangleMesh& mesh, std::vector<Halfedge> halfedges,
                   std::vector<std::uint8_t>& surplus) {
-  std::sort(sides.begin(), sides.end(), [&](SideId a, SideId b) {
-    return mesh.points[apex_of_side(mesh, a)] < mesh.points[apex_of_side(mesh, b)];
+  std::sort(halfedges.begin(), halfedges.end(), [&](Halfedge a, Halfedge b) {
+    return mesh.points[apex_of_halfedge(mesh, a)] < mesh.points[apex_of_halfedge(mesh, b)];
   });
   std::pair<std::size_t, std::size_t> flattest{0, 1};
   double smallest = 2;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    for (std::size_t k = i + 1; k < sides.size(); ++k) {
-      const double cosine = dihedral_cosine(mesh, sides[i], sides[k]);
+  for (std::size_t i = 0; i < halfedges.size(); ++i) {
+    for (std::size_t k = i + 1; k < halfedges.size(); ++k) {
+      const double cosine = dihedral_cosine(mesh, halfedges[i], halfedges[k]);
       if (cosine < smallest) {
         smallest = cosine;
         flattest = {i, k};
       }
     }
   }
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (i != flattest.first && i != flattest.second) surplus[triangle_of_side(sides[i])] = 1;
+  for (std::size_t i = 0; i < halfedges.size(); ++i) {
+    if (i != flattest.first && i != flattest.second)
+      surplus[triangle_of_halfedge(halfedges[i])] = 1;
   }
 }
 
 // The triangles to leave out, all but two at each edge that has more; empty if there is no such
 // edge.
-std::vector<std::uint8_t> surplus_triangles(const TriangleMesh& mesh, const LinkedSides& sides) {
+std::vector<std::uint8_t> surplus_triangles(const TriangleMesh& mesh, const HalfedgeRings& rings) {
   std::vector<std::uint8_t> surplus;
-  for (SideId side = 0; side < sides.links.size(); ++side) {
-    if (!sides.has_edge(side) || sides.is_open(side) || sides.is_two_sided(side)) continue;
-    if (!sides.is_first(side)) continue;
-    std::vector<SideId> at_edge;
-    sides.for_each_at_edge(side, [&](SideId other) { at_edge.push_back(other); });
+  for (Halfedge halfedge = 0; halfedge < rings.links.size(); ++halfedge) {
+    if (!rings.has_edge(halfedge) || rings.is_open(halfedge) || rings.has_two_triangles(halfedge))
+      continue;
+    if (!rings.is_first(halfedge)) continue;
+    std::vector<Halfedge> at_edge;
+    for_each_at_edge(rings.links, halfedge, [&](Halfedge other) { at_edge.push_back(other); });
     surplus.resize(mesh.triangles.size(), 0);
     mark_surplus(mesh, std::move(at_edge), surplus);
   }
@@ -69,7 +71,7 @@ std::vector<std::uint8_t> surplus_triangles(const TriangleMesh& mesh, const Link
 }
 
 Part without(const Part& part, const std::vector<std::uint8_t>& surplus) {
-  Part rest{{part.mesh.points, {}}, {}, link_rest(part.sides, surplus)};
+  Part rest{{part.mesh.points, {}}, {}, link_rest(part.rings, surplus)};
   for (const TriangleId t : part.mesh.triangles.ids()) {
     if (surplus[t.index()] != 0) continue;
     rest.mesh.triangles.push_back(part.mesh.triangles[t]);
@@ -79,13 +81,13 @@ Part without(const Part& part, const std::vector<std::uint8_t>& surplus) {
 }
 
 // Leaves out triangles until no edge has more than two. Precondition: some edge has.
-Part without_surplus(const TriangleMesh& surface, const LinkedSides& sides,
+Part without_surplus(const TriangleMesh& surface, const HalfedgeRings& rings,
                      std::vector<std::uint8_t> surplus) {
-  Part part{surface, IdVector<TriangleId, TriangleId>(surface.triangles.size()), sides};
+  Part part{surface, IdVector<TriangleId, TriangleId>(surface.triangles.size()), rings};
   for (const TriangleId t : part.origin.ids()) part.origin[t] = t;
   while (!surplus.empty()) {
     part = without(part, surplus);
-    surplus = surplus_triangles(part.mesh, part.sides);
+    surplus = surplus_triangles(part.mesh, part.rings);
   }
   return part;
 }
@@ -93,61 +95,61 @@ Part without_surplus(const TriangleMesh& surface, const LinkedSides& sides,
 class LoopWalk {
  public:
   // Precondition: no edge has more than two triangles.
-  LoopWalk(const TriangleMesh& mesh, const LinkedSides& sides)
-      : mesh_(mesh), sides_(sides), passed_(sides.links.size(), 0) {}
+  LoopWalk(const TriangleMesh& mesh, const HalfedgeRings& rings)
+      : mesh_(mesh), rings_(rings), passed_(rings.links.size(), 0) {}
 
   // All loops, each from an arbitrary edge on.
   std::vector<std::vector<BoundaryEdge>> run() {
     std::vector<std::vector<BoundaryEdge>> loops;
-    for (SideId side = 0; side < sides_.links.size(); ++side) {
-      if (sides_.is_open(side) && passed_[side] == 0) loops.push_back(walk(side));
+    for (Halfedge halfedge = 0; halfedge < rings_.links.size(); ++halfedge) {
+      if (rings_.is_open(halfedge) && passed_[halfedge] == 0) loops.push_back(walk(halfedge));
     }
     return loops;
   }
 
  private:
-  std::vector<BoundaryEdge> walk(SideId first) {
+  std::vector<BoundaryEdge> walk(Halfedge first) {
     std::vector<BoundaryEdge> loop;
-    std::array<VertexId, 2> ends = ends_of_side(mesh_, first);
-    for (SideId side = first; passed_[side] == 0;) {
-      passed_[side] = 1;
-      loop.push_back({ends[0], ends[1], TriangleId(triangle_of_side(side))});
-      side = end_of_fan(side, ends[1]);
-      const auto [a, b] = ends_of_side(mesh_, side);
+    std::array<VertexId, 2> ends = ends_of_halfedge(mesh_, first);
+    for (Halfedge halfedge = first; passed_[halfedge] == 0;) {
+      passed_[halfedge] = 1;
+      loop.push_back({ends[0], ends[1], TriangleId(triangle_of_halfedge(halfedge))});
+      halfedge = end_of_fan(halfedge, ends[1]);
+      const auto [a, b] = ends_of_halfedge(mesh_, halfedge);
       ends = {ends[1], a == ends[1] ? b : a};
     }
     return loop;
   }
 
-  // From a boundary side through the fan about v to the side where it ends.
-  SideId end_of_fan(SideId side, VertexId v) const {
+  // From a boundary halfedge through the fan about v to the halfedge where it ends.
+  Halfedge end_of_fan(Halfedge halfedge, VertexId v) const {
     for (;;) {
-      const SideId other = other_side_at(side, v);
-      if (sides_.is_open(other)) return other;
-      side = sides_.links[other];
+      const Halfedge other = other_halfedge_at(halfedge, v);
+      if (rings_.is_open(other)) return other;
+      halfedge = rings_.links[other];
     }
   }
 
-  // The other side of the triangle that has v as an end.
-  SideId other_side_at(SideId side, VertexId v) const {
-    const SideId first = 3 * triangle_of_side(side);
-    for (SideId other = first; other < first + 3; ++other) {
-      if (other != side && apex_of_side(mesh_, other) != v) return other;
+  // The other halfedge of the triangle that has v as an end.
+  Halfedge other_halfedge_at(Halfedge halfedge, VertexId v) const {
+    const Halfedge first = 3 * triangle_of_halfedge(halfedge);
+    for (Halfedge other = first; other < first + 3; ++other) {
+      if (other != halfedge && apex_of_halfedge(mesh_, other) != v) return other;
     }
-    return side;
+    return halfedge;
   }
 
   const TriangleMesh& mesh_;
-  const LinkedSides& sides_;
-  std::vector<std::uint8_t> passed_;  // of open sides
+  const HalfedgeRings& rings_;
+  std::vector<std::uint8_t> passed_;  // of open halfedges
 };
 
-double median_edge_length(const TriangleMesh& mesh, const LinkedSides& sides) {
+double median_edge_length(const TriangleMesh& mesh, const HalfedgeRings& rings) {
   std::vector<double> lengths;
-  lengths.reserve(sides.links.size() / 2 + 1);
-  for (SideId side = 0; side < sides.links.size(); ++side) {
-    if (!sides.has_edge(side) || !sides.is_first(side)) continue;
-    const auto [a, b] = ends_of_side(mesh, side);
+  lengths.reserve(rings.links.size() / 2 + 1);
+  for (Halfedge halfedge = 0; halfedge < rings.links.size(); ++halfedge) {
+    if (!rings.has_edge(halfedge) || !rings.is_first(halfedge)) continue;
+    const auto [a, b] = ends_of_halfedge(mesh, halfedge);
     lengths.push_back(distance(mesh.points[a], mesh.points[b]));
   }
   return median(std::move(lengths));
@@ -178,13 +180,13 @@ void rotate_to_start(const TriangleMesh& mesh, std::vector<BoundaryEdge>& edges)
 }
 
 // Of an oriented surface with at most two triangles at each edge.
-BoundaryLoops loops_of(const TriangleMesh& mesh, const LinkedSides& sides,
+BoundaryLoops loops_of(const TriangleMesh& mesh, const HalfedgeRings& rings,
                        const EdgeComponents& found, const BoundaryLoopOptions& options) {
   BoundaryLoops result;
   for (const EdgeComponent& component : found.components) {
     result.non_orientable += component.is_contradictory ? 1U : 0U;
   }
-  result.median_edge = median_edge_length(mesh, sides);
+  result.median_edge = median_edge_length(mesh, rings);
   const double smallest_component =
       options.min_component_share * static_cast<double>(mesh.triangles.size());
   const auto is_debris = [&](std::size_t triangles) {
@@ -193,7 +195,7 @@ BoundaryLoops loops_of(const TriangleMesh& mesh, const LinkedSides& sides,
   result.small_components = static_cast<std::size_t>(std::count_if(
       found.components.begin(), found.components.end(),
       [&](const EdgeComponent& component) { return is_debris(component.triangles); }));
-  for (std::vector<BoundaryEdge>& edges : LoopWalk(mesh, sides).run()) {
+  for (std::vector<BoundaryEdge>& edges : LoopWalk(mesh, rings).run()) {
     BoundaryLoop loop;
     const EdgeComponent& component =
         found.components[found.component_of[edges.front().triangle.index()]];
@@ -224,18 +226,18 @@ BoundaryLoops loops_of(const TriangleMesh& mesh, const LinkedSides& sides,
 }
 
 // Of a surface with at most two triangles at each edge, oriented in any way.
-BoundaryLoops loops_of_any(TriangleMesh mesh, LinkedSides sides,
+BoundaryLoops loops_of_any(TriangleMesh mesh, HalfedgeRings rings,
                            const BoundaryLoopOptions& options) {
-  const EdgeComponents found = edge_components(mesh, sides);
-  if (orient_surface(mesh, found).flipped > 0) sides = link_sides(mesh);
-  return loops_of(mesh, sides, found, options);
+  const EdgeComponents found = edge_components(mesh, rings);
+  if (orient_surface(mesh, found).flipped > 0) rings = link_halfedges(mesh);
+  return loops_of(mesh, rings, found, options);
 }
 
-BoundaryLoops loops_without(const TriangleMesh& surface, const LinkedSides& sides,
+BoundaryLoops loops_without(const TriangleMesh& surface, const HalfedgeRings& rings,
                             std::vector<std::uint8_t> surplus, const BoundaryLoopOptions& options) {
-  Part part = without_surplus(surface, sides, std::move(surplus));
+  Part part = without_surplus(surface, rings, std::move(surplus));
   const std::size_t left = part.mesh.triangles.size();
-  BoundaryLoops result = loops_of_any(std::move(part.mesh), std::move(part.sides), options);
+  BoundaryLoops result = loops_of_any(std::move(part.mesh), std::move(part.rings), options);
   result.surplus_triangles = surface.triangles.size() - left;
   for (BoundaryLoop& loop : result.loops) {
     for (BoundaryEdge& edge : loop.edges) edge.triangle = part.origin[edge.triangle];
@@ -259,17 +261,17 @@ BoundaryLoops boundary_loops(const TriangleMesh& open_surface, const BoundaryLoo
   if (const double scale = working_scale(open_surface.points.span()); scale != 1) {
     return scaled_loops(open_surface, scale, options);
   }
-  LinkedSides sides = link_sides(open_surface);
-  std::vector<std::uint8_t> surplus = surplus_triangles(open_surface, sides);
-  if (surplus.empty()) return loops_of_any(open_surface, std::move(sides), options);
-  return loops_without(open_surface, sides, std::move(surplus), options);
+  HalfedgeRings rings = link_halfedges(open_surface);
+  std::vector<std::uint8_t> surplus = surplus_triangles(open_surface, rings);
+  if (surplus.empty()) return loops_of_any(open_surface, std::move(rings), options);
+  return loops_without(open_surface, rings, std::move(surplus), options);
 }
 
-BoundaryLoops boundary_loops(const TriangleMesh& oriented_surface, const LinkedSides& sides,
+BoundaryLoops boundary_loops(const TriangleMesh& oriented_surface, const HalfedgeRings& rings,
                              const EdgeComponents& components, const BoundaryLoopOptions& options) {
-  std::vector<std::uint8_t> surplus = surplus_triangles(oriented_surface, sides);
-  if (surplus.empty()) return loops_of(oriented_surface, sides, components, options);
-  return loops_without(oriented_surface, sides, std::move(surplus), options);
+  std::vector<std::uint8_t> surplus = surplus_triangles(oriented_surface, rings);
+  if (surplus.empty()) return loops_of(oriented_surface, rings, components, options);
+  return loops_without(oriented_surface, rings, std::move(surplus), options);
 }
 
 }  // namespace cocoon

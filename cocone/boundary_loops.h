@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geom/edge_components.h"
-#include "geom/linked_sides.h"
+#include "geom/halfedges.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
@@ -56,7 +56,7 @@ struct BoundaryLoops {
 // per component (orient_surface.h). At an edge with three or more triangles all but the flattest
 // pair are left out first, repeated until there is no such edge. Triangle ids are those of
 // `open_surface`. Each loop begins at the edge with the lexicographically smallest starting point.
-// Result: no loop if the surface is closed or empty. Errors: InputError as link_sides().
+// Result: no loop if the surface is closed or empty. Errors: InputError as link_halfedges().
 // Complexity: O(triangles + vertices + rim log rim). Independent of the numbering of the mesh.
 // Source: Woo & Dey 2005, section 3.2. There a boundary edge joins two boundary samples; that also
 // returns chords across corners and misses edges whose end was taken for interior, so the
@@ -65,8 +65,8 @@ BoundaryLoops boundary_loops(const TriangleMesh& open_surface,
                              const BoundaryLoopOptions& options = {});
 
 // The same for who has oriented the surface by orient_surface() with these components, and has its
-// linked sides.
-BoundaryLoops boundary_loops(const TriangleMesh& oriented_surface, const LinkedSides& sides,
+// linked halfedges.
+BoundaryLoops boundary_loops(const TriangleMesh& oriented_surface, const HalfedgeRings& rings,
                              const EdgeComponents& components,
                              const BoundaryLoopOptions& options = {});
 

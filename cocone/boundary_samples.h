@@ -24,7 +24,7 @@
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/execution.h"
-#include "geom/side_links.h"
+#include "geom/halfedges.h"
 
 namespace cocoon {
 

@@ -14,13 +14,13 @@
 #include "cocone/clean_up/handle_loops.h"
 #include "cocone/clean_up/idle_samples.h"
 #include "cocone/clean_up/kept_reach.h"
-#include "cocone/clean_up/side_split.h"
+#include "cocone/clean_up/label_split.h"
 #include "cocone/clean_up/small_parts.h"
 #include "cocone/clean_up/surface_flaws.h"
 #include "cocone/energy/cell_cut.h"
 #include "cocone/energy/cell_energy.h"
 #include "cocone/energy/doubtful_region.h"
-#include "cocone/energy/side_evidence.h"
+#include "cocone/energy/label_evidence.h"
 #include "cocone/facets/cell_order.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/circulate.h"
@@ -46,8 +46,8 @@ class CleanUp {
         energy_(triangulation, cosines_, stars_, spacings_, marks, options, out_),
         region_(find_doubtful_region(triangulation, marks, stars_, spacings_, most_clump_cells(),
                                      options.thin_support, execution)),
-        side_split_(triangulation, out_),
-        best_move_(triangulation, stars_, out_, energy_, side_split_, options.most_move_cells),
+        label_split_(triangulation, out_),
+        best_move_(triangulation, stars_, out_, energy_, label_split_, options.most_move_cells),
         compound_move_(triangulation, spacings_, region_, energy_, best_move_, options),
         handle_loops_(triangulation, stars_, out_),
         handle_closing_(triangulation, stars_, cosines_, region_, out_, energy_, options) {
@@ -123,7 +123,7 @@ class CleanUp {
   }
 
   void set_preferences(ZeroedArray<CellId, Point> centers) {
-    const ZeroedArray<CellId, SideEvidence> evidence = side_evidence(
+    const ZeroedArray<CellId, LabelEvidence> evidence = label_evidence(
         triangulation_, cosines_, centers, spacings_, poles_, marks_, region_, options_);
     for (const CellId c : region_.undecided) {
       const double margin = static_cast<double>(evidence[c].in) - evidence[c].out;
@@ -267,7 +267,7 @@ class CleanUp {
   void close_handle(const Triangle& loop) {
     for (const std::uint8_t side : {std::uint8_t{1}, std::uint8_t{0}}) {  // rather filled than cut
       const std::vector<CellId> cells = handle_closing_.find(loop, side);
-      if (cells.empty() || side_split_.splits(cells) || energy_.leaves_out(cells)) continue;
+      if (cells.empty() || label_split_.splits(cells) || energy_.leaves_out(cells)) continue;
       flip(cells);
       ++counters_.closed_handles;
       counters_.closing_cells += cells.size();
@@ -370,7 +370,7 @@ class CleanUp {
       const std::vector<CellId>& cells = offer.cells;
       if (!energy_.is_idle(offer.at) || !are_on_one_side(out_, cells)) continue;  // not any more
       if (!is_attached(triangulation_, out_, cells) || energy_.change(cells) >= 0) continue;
-      if (side_split_.splits(cells) || energy_.leaves_out(cells)) continue;
+      if (label_split_.splits(cells) || energy_.leaves_out(cells)) continue;
       flip(cells);
       counters_.cluster_cells += cells.size();
       ++flipped;
@@ -454,7 +454,7 @@ class CleanUp {
   CellEnergy energy_;
   CleanUpCounters counters_;
   DoubtfulRegion region_;
-  SideSplit side_split_;
+  LabelSplit label_split_;
   std::vector<CellId> relabeled_;  // by the cut
   std::vector<VertexId> outliers_;
   std::vector<VertexId> samples_;  // of the region when it had so many cells, but for those left

@@ -17,7 +17,7 @@
 // spacing of its samples (sample_spacing.h, by three edges). A cell is undecided if none of its
 // vertices is good (a poor cell of the peel), or if at most thin_support are and it hangs together
 // with such cells, or labels are in conflict there (doubtful_region.h). The evidence comes from the
-// poles (side_evidence.h). Cells whose sides an old mesh tells (CellMarks::known) are decided, and
+// poles (label_evidence.h). Cells whose sides an old mesh tells (CellMarks::known) are decided, and
 // never leave their labels, but for OUT ones in cavities that are filled (1).
 //
 //  1. Cut. The first three terms are minimized over all labelings of the undecided cells, those of

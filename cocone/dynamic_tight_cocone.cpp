@@ -11,9 +11,9 @@
 #include "cocone/kept/certified_surface.h"
 #include "cocone/kept/compact_delaunay.h"
 #include "cocone/kept/kept_body.h"
+#include "cocone/kept/kept_labels.h"
 #include "cocone/kept/kept_links.h"
 #include "cocone/kept/kept_marks.h"
-#include "cocone/kept/kept_sides.h"
 #include "cocone/live/judge_points.h"
 #include "cocone/live/known_candidates.h"
 #include "cocone/live/lent_delaunay.h"
@@ -63,7 +63,7 @@ struct DynamicTightCocone::State {
   void look_for_certificate(const ReconstructResult& result, const CoconeSurface& surface);
   bool take_body(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
                  bool is_flawed, bool may_edit, const Execution& execution);
-  KnownSidesSource sides_of(const OldSurface& old) const;
+  KnownLabelsSource labels_of(const OldSurface& old) const;
   ReconstructResult run_later_stages(Points points, const OldSurface& old,
                                      const Execution& execution, bool may_edit);
   void clear(std::size_t count);
@@ -236,8 +236,8 @@ ReconstructResult DynamicTightCocone::State::run_stages(Points points, const Old
   if (candidates.exists()) return run_later_stages(points, old, execution, may_edit);
   ReconstructStages stages;
   ReconstructResult result =
-      reconstruct_tight_with_sides(compact_delaunay(delaunay, vertex_of_point).triangulation,
-                                   points, old.sides, options, execution, stages);
+      reconstruct_tight_with_labels(compact_delaunay(delaunay, vertex_of_point).triangulation,
+                                    points, old.labels, options, execution, stages);
   take(result, std::move(stages));
   return result;
 }
@@ -262,11 +262,11 @@ bool DynamicTightCocone::State::take_body(const Triangulation& triangulation,
 }
 
 // The same faster where the body that the old surface bounds is kept.
-KnownSidesSource DynamicTightCocone::State::sides_of(const OldSurface& old) const {
-  if (!old.sides || !old.triangles.at || !body.exists()) return old.sides;
+KnownLabelsSource DynamicTightCocone::State::labels_of(const OldSurface& old) const {
+  if (!old.labels || !old.triangles.at || !body.exists()) return old.labels;
   return [&](const Triangulation& triangulation, const auto&...) {
-    return kept_sides(triangulation, delaunay.cells_at_vertices(), body.before(triangulation),
-                      old.triangles);
+    return kept_labels(triangulation, delaunay.cells_at_vertices(), body.before(triangulation),
+                       old.triangles);
   };
 }
 
@@ -292,7 +292,7 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points, con
           asked = true;
           return take_body(triangulation, out, is_flawed, may_edit, execution);
         }};
-    result = reconstruct_tight_from(*lent, std::move(found), points, sides_of(old), options,
+    result = reconstruct_tight_from(*lent, std::move(found), points, labels_of(old), options,
                                     execution, live, surface);
     if (!asked) body.clear();
   }
@@ -401,16 +401,16 @@ DynamicTightCocone::Snapshot DynamicTightCocone::release() && {
 }
 
 ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution& execution,
-                                                  const KnownSidesSource& known) {
+                                                  const KnownLabelsSource& known) {
   if (working_scale(points) != 1) {
     ReconstructResult result =
-        reconstruct_tight_with_sides(points, known, state_->options, execution);
+        reconstruct_tight_with_labels(points, known, state_->options, execution);
     state_->clear(points.size());
     return result;
   }
   DelaunayResult built = delaunay(points, state_->options.delaunay, execution);
   ReconstructStages stages;
-  ReconstructResult result = reconstruct_tight_with_sides(
+  ReconstructResult result = reconstruct_tight_with_labels(
       std::move(built.triangulation), points, known, state_->options, execution, stages);
   result.counters.delaunay = built.counters;
   state_->take(result, std::move(stages));
@@ -421,7 +421,7 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
                                               const Execution& execution, const OldSurface& old) {
   State& state = *state_;
   if (!state.is_live() || points.empty() || working_scale(points) != 1) {
-    return reconstruct(points, execution, old.sides);  // of no points: throws
+    return reconstruct(points, execution, old.labels);  // of no points: throws
   }
   PointStep step = plan_step(state.delaunay, state.vertex_of_point, points, old_position);
   const DelaunayChange change = state.carry_out(step, execution);
@@ -439,7 +439,7 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
   }
   PointStep step = plan_step(state.delaunay, state.vertex_of_point, points, change);
   if (!keeps_scale(points, step.inserted_points))
-    return {reconstruct(points, execution, old.sides), {}};
+    return {reconstruct(points, execution, old.labels), {}};
   if (state.point_of_vertex.empty()) state.list_points_of_vertices(PointId(0));
   const DelaunayChange done = state.carry_out(step, execution);
   if (done.inserted.size() != step.inserted.size()) {

@@ -19,9 +19,9 @@
 namespace cocoon {
 
 // Keeps the Delaunay triangulation of its points from one change to the next. Every result is the
-// one that reconstruct_tight_with_sides gives for points and known sides, bit for bit, whatever the
-// history, but for counters.delaunay, which tell how the triangulation was changed. (A zero in a
-// normal may have the other sign if of two equal points one went, and their zeros had two signs.)
+// one that reconstruct_tight_with_labels gives for points and known labels, bit for bit, whatever
+// the history, but for counters.delaunay, which tell how the triangulation was changed. (A zero in
+// a normal may have the other sign if of two equal points one went, and their zeros had two signs.)
 //
 // Points of extreme size (working_scale() is not 1) are triangulated anew each time.
 // If an operation throws (InputError as delaunay(), Cancelled), the points are those from before.
@@ -50,7 +50,7 @@ class DynamicTightCocone {
 
   // Takes these points, in this order, instead of those so far.
   ReconstructResult reconstruct(Points points, const Execution& execution = {},
-                                const KnownSidesSource& known = {});
+                                const KnownLabelsSource& known = {});
   // As reconstruct(points), but goes on from the points so far: old_position[i] is where points[i]
   // was among them, or none if it is new. Points without a successor go.
   // Precondition: equal coordinates at both positions, no position twice.
@@ -80,9 +80,9 @@ class DynamicTightCocone {
   // numbers of the points.
   Edited edit(Points points, const ListEdit<PointId>& change, const Execution& execution = {},
               const OldSurface& old = {});
-  // To be called if the caller's mesh is not what the last call found, as where sides were known
+  // To be called if the caller's mesh is not what the last call found, as where labels were known
   // for it that the call was not told: is_smooth() is false then, unless the surface is certain,
-  // which leaves no choice. Of an old surface that is handed over only `sides` is asked the next
+  // which leaves no choice. Of an old surface that is handed over only `labels` is asked the next
   // time.
   void forget_body();
   // Adds what an edit left out, but for the mesh. Precondition: the result is that of the points so

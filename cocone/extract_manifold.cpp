@@ -155,16 +155,16 @@ class Walk {
     return true;
   }
 
-  // A half-facet and the side of its triangle over which the walk came.
+  // A half-facet and the halfedge of its triangle over which the walk came.
   struct Arrival {
     Half half;
-    SideId side;
+    Halfedge halfedge;
   };
 
   void walk(Half start) {
     ++walks_;
     keep(start);
-    std::vector<Arrival> frontier{{start, no_side}};
+    std::vector<Arrival> frontier{{start, no_halfedge}};
     std::vector<Arrival> kept;
     std::vector<Half> dropped;
     while (!frontier.empty()) {
@@ -183,28 +183,28 @@ class Walk {
 
   void turn_about_edges(const Arrival& arrival, std::vector<Arrival>& kept,
                         std::vector<Half>& dropped) {
-    const SideId first = 3 * triangle_of_half(arrival.half);
-    for (SideId side = first; side < first + 3; ++side) {
-      if (side == arrival.side || !is_crossed(candidates_, umbrella_, side)) continue;
-      if (candidates_.is_two_sided(side)) {
-        const SideId met = candidates_.links[side];
-        const Half half = facing_half(candidates_, arrival.half, side, met);
+    const Halfedge first = 3 * triangle_of_half(arrival.half);
+    for (Halfedge halfedge = first; halfedge < first + 3; ++halfedge) {
+      if (halfedge == arrival.halfedge || !is_crossed(candidates_, umbrella_, halfedge)) continue;
+      if (candidates_.has_two_triangles(halfedge)) {
+        const Halfedge met = candidates_.links[halfedge];
+        const Half half = facing_half(candidates_, arrival.half, halfedge, met);
         if (!is_dropped(half)) meet_first(half, met, kept);
       } else {
-        turn(arrival.half, side, kept, dropped);
+        turn(arrival.half, halfedge, kept, dropped);
       }
     }
   }
 
   bool is_dropped(Half h) const { return states_[triangle_of_half(h)] == walk_state::dropped; }
 
-  void meet_first(Half met, SideId side, std::vector<Arrival>& kept) {
+  void meet_first(Half met, Halfedge halfedge, std::vector<Arrival>& kept) {
     std::uint8_t& state = states_[triangle_of_half(met)];
     if (state == walk_state::kept[other_half(met) & 1U]) {
       ++back_contacts_;
     } else if (may_be_proposed(state, met)) {
       state |= walk_state::proposed[met & 1U];
-      kept.push_back({met, side});
+      kept.push_back({met, halfedge});
     }
   }
   // A round may still propose it from the other side.
@@ -213,17 +213,18 @@ class Walk {
   }
 
   // Once around an edge with more than two candidates.
-  void turn(Half half, SideId side, std::vector<Arrival>& kept, std::vector<Half>& dropped) {
+  void turn(Half half, Halfedge halfedge, std::vector<Arrival>& kept, std::vector<Half>& dropped) {
     bool first = true;
-    turn_about_edge(triangulation_, candidates_, half, side, [&](Half met, SideId met_side) {
-      if (is_dropped(met)) return;
-      if (first) {
-        meet_first(met, met_side, kept);
-      } else if (may_be_proposed(states_[triangle_of_half(met)], met)) {
-        dropped.push_back(met);
-      }
-      first = false;
-    });
+    turn_about_edge(triangulation_, candidates_, half, halfedge,
+                    [&](Half met, Halfedge met_halfedge) {
+                      if (is_dropped(met)) return;
+                      if (first) {
+                        meet_first(met, met_halfedge, kept);
+                      } else if (may_be_proposed(states_[triangle_of_half(met)], met)) {
+                        dropped.push_back(met);
+                      }
+                      first = false;
+                    });
   }
 
   // Of the two sides from which one round may propose a facet the wider one is taken.

@@ -47,17 +47,17 @@ struct ManifoldSurface {
 // at its three vertices: the one with the smallest circle (facet_size.h) that has no vertex on the
 // surface so far. When there are no more, likewise at other candidates, from the side on which the
 // cell reaches farther; from the other one if all facets of that cell are candidates, which is the
-// inside of a flat tetrahedron; at none where both are. So the result is a function of the set of candidates, and does not depend
-// on where the axes lie but for exact ties, which lexicographic order settles: of circles by the
-// corners, of two sides for the positive one of the sorted corners. Two candidates at an edge see
-// each other without a turn; a turn through the cells is made only at edges with more. The first
-// walk, which is nearly always the only one, goes without rounds if its result does not depend on
-// them (walk_reach.h), on all threads. Complexity: O(candidates + vertices), and one byte per cell.
-// Source: Amenta, Choi, Dey & Leekha 2002 (manifold extraction); the walk about edges is that of
-// the Tight Cocone program (Dey & Goswami 2003), the rounds are ours
-// (docs/stages/extract_manifold.md). Classes of half-facets would need no rounds, but one tear that
-// links the two sides makes them one class, and then both sheets of every flat tetrahedron stay; in
-// rounds a tear does harm only where it is.
+// inside of a flat tetrahedron; at none where both are. So the result is a function of the set of
+// candidates, and does not depend on where the axes lie but for exact ties, which lexicographic
+// order settles: of circles by the corners, of two sides for the positive one of the sorted
+// corners. Two candidates at an edge see each other without a turn; a turn through the cells is
+// made only at edges with more. The first walk, which is nearly always the only one, goes without
+// rounds if its result does not depend on them (walk_reach.h), on all threads. Complexity:
+// O(candidates + vertices), and one byte per cell. Source: Amenta, Choi, Dey & Leekha 2002
+// (manifold extraction); the walk about edges is that of the Tight Cocone program (Dey & Goswami
+// 2003), the rounds are ours (docs/stages/extract_manifold.md). Classes of half-facets would need
+// no rounds, but one tear that links the two sides makes them one class, and then both sheets of
+// every flat tetrahedron stay; in rounds a tear does harm only where it is.
 ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
                                  const VertexSet& umbrella, const Execution& execution = {});
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cocone/facets/half_star.h"
-#include "cocone/known_sides.h"
+#include "cocone/known_labels.h"
 #include "cocone/marking/carried_marks.h"
 #include "cocone/marking/disputed_marks.h"
 #include "cocone/marking/half_labels.h"
@@ -63,8 +63,8 @@ std::vector<VertexId> may_be_refuted(const Triangulation& triangulation,
   return asked;
 }
 
-// A closed umbrella may be no part of the surface. Where known cells tell both sides in one half of
-// the star, or one side in both, it is not, and its vertex is not good.
+// A closed umbrella may be no part of the surface. Where known cells tell both labels in one half
+// of the star, or one label in both, it is not, and its vertex is not good.
 void demote_refuted(const Triangulation& triangulation, const FacetSet& surface,
                     const CarriedMarks& carried, CellMarks& marks) {
   StarCache stars(triangulation);
@@ -75,8 +75,8 @@ void demote_refuted(const Triangulation& triangulation, const FacetSet& surface,
     LabelCount flooded;
     LabelCount rest;
     for (const CellId c : star) {
-      const CellLabel side = triangulation.is_infinite(c) ? CellLabel::out : marks.known[c];
-      (half.contains(c) ? flooded : rest).add(side);
+      const CellLabel label = triangulation.is_infinite(c) ? CellLabel::out : marks.known[c];
+      (half.contains(c) ? flooded : rest).add(label);
     }
     if (!label_halves(flooded, rest).conflict) continue;
     marks.good[v] = 0;
@@ -87,8 +87,8 @@ void demote_refuted(const Triangulation& triangulation, const FacetSet& surface,
 
 // Where vertices disagree.
 void settle(const Triangulation& triangulation, const LinkedFacets& surface,
-            const IdVector<VertexId, SideId>& corner_at, CarriedMarks carried,
-            const KnownSidesSource& source, CellMarks& marks, const Execution& execution) {
+            const IdVector<VertexId, Halfedge>& corner_at, CarriedMarks carried,
+            const KnownLabelsSource& source, CellMarks& marks, const Execution& execution) {
   if (source) {
     marks.known = source(triangulation, surface.set, execution).labels;
     if (!marks.known.empty()) demote_refuted(triangulation, surface.set, carried, marks);
@@ -197,18 +197,19 @@ void MarkingRounds::append_neighbors(VertexId v, std::vector<VertexId>& frontier
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      const VertexSet& boundary, const GoodVertexOptions& options,
                      const Execution& execution) {
-  return mark_cells(triangulation, surface, boundary, KnownSidesSource(), options, execution);
+  return mark_cells(triangulation, surface, boundary, KnownLabelsSource(), options, execution);
 }
 
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
-                     const VertexSet& boundary, const KnownSidesSource& known,
+                     const VertexSet& boundary, const KnownLabelsSource& known,
                      const GoodVertexOptions& options, const Execution& execution) {
   return mark_cells(triangulation, surface, good_vertices(surface, boundary, options, execution),
                     known, execution);
 }
 
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
-                     GoodVertices good, const KnownSidesSource& known, const Execution& execution) {
+                     GoodVertices good, const KnownLabelsSource& known,
+                     const Execution& execution) {
   report_progress(execution, "mark_cells", 0);
   CellMarks marks;
   marks.good = std::move(good.good);

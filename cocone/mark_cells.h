@@ -15,7 +15,7 @@
 #include "cocone/facet_set.h"
 #include "cocone/facets/half_star.h"
 #include "cocone/facets/linked_facets.h"
-#include "cocone/known_sides.h"
+#include "cocone/known_labels.h"
 #include "cocone/umbrella.h"
 #include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
@@ -29,7 +29,8 @@ struct CellMarks {
   VertexSet good;                // vertices that may tell the sides of the surface apart
   VertexSet visited;             // good vertices that have done so
   std::vector<VertexId> folded;  // closed umbrellas at folds (umbrella.h); increasing
-  // Sides told beforehand (known_sides.h); empty if there are none, or if they were not asked for.
+  // Labels told beforehand (known_labels.h); empty if there are none, or if they were not asked
+  // for.
   IdVector<CellId, CellLabel> known;
   // After peel_cells: 1 = reached from infinity. The body is the set of finite cells not reached.
   IdVector<CellId, std::uint8_t> reached;
@@ -80,18 +81,18 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
                      const VertexSet& boundary, const GoodVertexOptions& options = {},
                      const Execution& execution = {});
 
-// The same with sides that are known beforehand. Here they count only where vertices disagree (the
+// The same with labels that are known beforehand. Here they count only where vertices disagree (the
 // clean-up heeds CellMarks::known elsewhere, too), which is where marks may have gone astray: then
 // the known cells that touch a good vertex have their labels before the first round, and their good
 // vertices are among the first. Good vertices whose halves known cells contradict are no longer
 // good (refuted_vertices).
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
-                     const VertexSet& boundary, const KnownSidesSource& known,
+                     const VertexSet& boundary, const KnownLabelsSource& known,
                      const GoodVertexOptions& options = {}, const Execution& execution = {});
 
 // The same where the good vertices are known: good_vertices(surface, boundary, options).
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
-                     GoodVertices good, const KnownSidesSource& known,
+                     GoodVertices good, const KnownLabelsSource& known,
                      const Execution& execution = {});
 
 // The rounds by themselves, for the peel that discovers further seeds.

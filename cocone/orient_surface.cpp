@@ -39,7 +39,7 @@ std::vector<std::uint8_t> choose_ways(const TriangleMesh& mesh, const EdgeCompon
 }  // namespace
 
 OrientationReport orient_surface(TriangleMesh& mesh) {
-  return orient_surface(mesh, edge_components(mesh, link_sides(mesh)));
+  return orient_surface(mesh, edge_components(mesh, link_halfedges(mesh)));
 }
 
 OrientationReport orient_surface(TriangleMesh& mesh, const EdgeComponents& found) {

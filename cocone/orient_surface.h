@@ -18,7 +18,7 @@ struct OrientationReport {
 // an edge with no third one run through it in opposite directions. Of the two consistent ways each
 // component takes the one that turns fewer triangles, in a tie the one that keeps the triangle with
 // the smallest circle (facet_size.h, ties by the corners). Independent of the numbering of the
-// mesh. Errors: InputError as link_sides(). Complexity: O(triangles + vertices).
+// mesh. Errors: InputError as link_halfedges(). Complexity: O(triangles + vertices).
 OrientationReport orient_surface(TriangleMesh& mesh);
 
 // The same for who has the components of the mesh. Its linked sides stay those of the mesh unless

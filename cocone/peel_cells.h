@@ -41,10 +41,10 @@ CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface
 // Opens what closed surfaces inside the body enclose, such as the inner wall of a hollow part: its
 // good vertices were not visited, for no surface joins them to infinity. Those that touch a cell
 // known to be IN tell their sides from it (mark_cells.h); from the cells that are OUT by that, and
-// from those that are known to be OUT beforehand (known_sides.h) at samples nowhere on the surface,
-// the peel goes on, and so it does with what is found behind them: bodies within cavities. Repeated
-// until nothing changes. Where `marks.reached` differs from the labels (clean_up_cells) the labels
-// follow. Complexity: O(cells) for each depth of nesting. Independent of order.
+// from those that are known to be OUT beforehand (known_labels.h) at samples nowhere on the
+// surface, the peel goes on, and so it does with what is found behind them: bodies within cavities.
+// Repeated until nothing changes. Where `marks.reached` differs from the labels (clean_up_cells)
+// the labels follow. Complexity: O(cells) for each depth of nesting. Independent of order.
 // Precondition: marks come from peel_cells. Source: ours, docs/stages/peel_cells.md.
 CavityCounters open_cavities(const Triangulation& triangulation, const FacetSet& surface,
                              CellMarks& marks);

@@ -23,38 +23,38 @@ class Pruning {
         removed_(triangles.size(), 0) {}
 
   // From the steep edges on. Returns one flag per triangle: pruned.
-  std::vector<std::uint8_t> run(std::span<const SideId> steep) {
+  std::vector<std::uint8_t> run(std::span<const Halfedge> steep) {
     std::copy_if(steep.begin(), steep.end(), std::back_inserter(work_),
-                 [&](SideId side) { return may_prune_at(side); });
+                 [&](Halfedge halfedge) { return may_prune_at(halfedge); });
     while (!work_.empty()) {
-      const SideId side = work_.back();
+      const Halfedge halfedge = work_.back();
       work_.pop_back();
-      collect_present(side);
+      collect_present(halfedge);
       if (present_.empty() || !is_sharp()) continue;
-      for (const SideId spoke : present_) {
-        if (!is_kept(triangle_of_side(spoke))) remove(triangle_of_side(spoke));
+      for (const Halfedge spoke : present_) {
+        if (!is_kept(triangle_of_halfedge(spoke))) remove(triangle_of_halfedge(spoke));
       }
     }
     return std::move(removed_);
   }
 
  private:
-  bool is_looked_at(SideId side) const {
+  bool is_looked_at(Halfedge halfedge) const {
     if (core_ == nullptr) return true;
-    const auto [a, b] = triangles_.ends(side);
+    const auto [a, b] = triangles_.ends(halfedge);
     return (*core_)[a] != 0 || (*core_)[b] != 0;
   }
 
   // Between two vertices with an umbrella.
-  bool may_prune_at(SideId side) const {
-    const auto [a, b] = triangles_.ends(side);
-    return umbrella_[a] != 0 && umbrella_[b] != 0 && is_looked_at(side);
+  bool may_prune_at(Halfedge halfedge) const {
+    const auto [a, b] = triangles_.ends(halfedge);
+    return umbrella_[a] != 0 && umbrella_[b] != 0 && is_looked_at(halfedge);
   }
 
-  void collect_present(SideId side) {
+  void collect_present(Halfedge halfedge) {
     present_.clear();
-    for_each_side_at_edge(triangles_, side, [&](SideId other) {
-      if (removed_[triangle_of_side(other)] == 0) present_.push_back(other);
+    for_each_at_edge(triangles_.links, halfedge, [&](Halfedge other) {
+      if (removed_[triangle_of_halfedge(other)] == 0) present_.push_back(other);
     });
   }
 
@@ -71,9 +71,10 @@ class Pruning {
 
   // Was the triangle, before anything went, one of two that lay nearly flat at some edge?
   bool is_kept(std::uint32_t triangle) const {
-    for (SideId side = 3 * triangle; side < 3 * triangle + 3; ++side) {
-      if (triangles_.is_two_sided(side) && is_looked_at(side) &&
-          dihedral_cosine(triangles_, side, triangles_.links[side]) <= options_.keep_cosine) {
+    for (Halfedge halfedge = 3 * triangle; halfedge < 3 * triangle + 3; ++halfedge) {
+      if (triangles_.has_two_triangles(halfedge) && is_looked_at(halfedge) &&
+          dihedral_cosine(triangles_, halfedge, triangles_.links[halfedge]) <=
+              options_.keep_cosine) {
         return true;
       }
     }
@@ -82,8 +83,8 @@ class Pruning {
 
   void remove(std::uint32_t triangle) {
     removed_[triangle] = 1;
-    for (SideId side = 3 * triangle; side < 3 * triangle + 3; ++side) {
-      if (may_prune_at(side)) work_.push_back(side);
+    for (Halfedge halfedge = 3 * triangle; halfedge < 3 * triangle + 3; ++halfedge) {
+      if (may_prune_at(halfedge)) work_.push_back(halfedge);
     }
   }
 
@@ -92,15 +93,15 @@ class Pruning {
   const VertexSet& umbrella_;
   const PruneOptions& options_;
   std::vector<std::uint8_t> removed_;
-  std::vector<SideId> work_;
-  std::vector<SideId> present_;
+  std::vector<Halfedge> work_;
+  std::vector<Halfedge> present_;
 };
 
 PrunedCandidates prune(const Triangulation& triangulation, LinkedFacets triangles,
                        const PruneOptions& options, const Execution& execution) {
   report_progress(execution, "prune_sharp_edges", 0.5);
   PrunedCandidates result;
-  const std::vector<SideId> steep = steep_edges(triangles, options.sharp_cosine, execution);
+  const std::vector<Halfedge> steep = steep_edges(triangles, options.sharp_cosine, execution);
   result.umbrella = vertices_with_umbrella(triangles, steep, triangulation.num_vertices(),
                                            options.sharp_cosine, execution);
   report_progress(execution, "prune_sharp_edges", 0.7);
@@ -134,7 +135,7 @@ PrunedCandidates prune_sharp_edges(const Triangulation& triangulation,
 
 std::vector<std::uint8_t> prune_part(const LinkedFacets& triangles, const VertexSet& core,
                                      const VertexSet& umbrella, const PruneOptions& options) {
-  const std::vector<SideId> steep = steep_edges(triangles, options.sharp_cosine);
+  const std::vector<Halfedge> steep = steep_edges(triangles, options.sharp_cosine);
   return Pruning(triangles, &core, umbrella, options).run(steep);
 }
 

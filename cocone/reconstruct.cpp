@@ -25,26 +25,26 @@ ReconstructOptions open_cloud_defaults() {
 
 ReconstructResult reconstruct_tight(Points points, const ReconstructOptions& options,
                                     const Execution& execution) {
-  return reconstruct_tight_with_sides(points, {}, options, execution);
+  return reconstruct_tight_with_labels(points, {}, options, execution);
 }
 
 ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
                                     const ReconstructOptions& options, const Execution& execution) {
-  return reconstruct_tight_with_sides(std::move(triangulation), points, {}, options, execution);
+  return reconstruct_tight_with_labels(std::move(triangulation), points, {}, options, execution);
 }
 
-ReconstructResult reconstruct_tight_with_sides(Points points, const KnownSidesSource& known,
-                                               const ReconstructOptions& options,
-                                               const Execution& execution) {
+ReconstructResult reconstruct_tight_with_labels(Points points, const KnownLabelsSource& known,
+                                                const ReconstructOptions& options,
+                                                const Execution& execution) {
   ReconstructSteps steps(points, options, execution);
   steps.triangulate();
   return steps.tight_result(known);
 }
 
-ReconstructResult reconstruct_tight_with_sides(Triangulation triangulation, Points points,
-                                               const KnownSidesSource& known,
-                                               const ReconstructOptions& options,
-                                               const Execution& execution) {
+ReconstructResult reconstruct_tight_with_labels(Triangulation triangulation, Points points,
+                                                const KnownLabelsSource& known,
+                                                const ReconstructOptions& options,
+                                                const Execution& execution) {
   ReconstructSteps steps(points, options, execution);
   steps.take(std::move(triangulation));
   return steps.tight_result(known);

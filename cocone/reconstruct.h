@@ -10,7 +10,7 @@
 #include "cocone/checks/verify_surface.h"
 #include "cocone/clean_up_cells.h"
 #include "cocone/cocones.h"
-#include "cocone/known_sides.h"
+#include "cocone/known_labels.h"
 #include "cocone/peel_cells.h"
 #include "cocone/prune_sharp_edges.h"
 #include "cocone/umbrella.h"
@@ -117,7 +117,8 @@ struct ReconstructResult {
 // The watertight surface (Tight Cocone): the boundary of a union of tetrahedra. Every edge has an
 // even number of triangles, as many in one direction as in the other; `mesh` is closed, or empty
 // with the status that says why. Presumes samples of closed surfaces: an open cloud is closed
-// somehow. Progress: "delaunay", "poles", "cocone", "boundary", "tight".
+// somehow. Progress: "delaunay", "poles", "cocone/cones", "boundary",
+// "cocone/surface", "tight".
 // Coordinates of any finite size: beyond 2^100 or below 2^-100 the work is done on a copy scaled by
 // a power of two, which changes nothing else.
 // Errors: InputError as delaunay(), and if that scaling would lose bits: coordinates beyond 2^100
@@ -134,18 +135,18 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
                                     const ReconstructOptions& options = {},
                                     const Execution& execution = {});
 
-// Both where sides are known beforehand: after a change from triangles of the old mesh where
-// nothing has changed (known_sides.h), of samples of a solid from its mesh (sides_of_solid.h).
+// Both where labels are known beforehand: after a change from triangles of the old mesh where
+// nothing has changed (known_labels.h), of samples of a solid from its mesh (labels_of_solid.h).
 // Where cells have no good vertex, or marks contradict each other as at walls thinner than the
-// spacing, `known` is asked for the sides of cells, which neither the marking nor the clean-up
+// spacing, `known` is asked for the labels of cells, which neither the marking nor the clean-up
 // decides otherwise. Where nothing is in doubt it is not asked; nor is it in paper mode.
-ReconstructResult reconstruct_tight_with_sides(Points points, const KnownSidesSource& known,
-                                               const ReconstructOptions& options = {},
-                                               const Execution& execution = {});
-ReconstructResult reconstruct_tight_with_sides(Triangulation triangulation, Points points,
-                                               const KnownSidesSource& known,
-                                               const ReconstructOptions& options = {},
-                                               const Execution& execution = {});
+ReconstructResult reconstruct_tight_with_labels(Points points, const KnownLabelsSource& known,
+                                                const ReconstructOptions& options = {},
+                                                const Execution& execution = {});
+ReconstructResult reconstruct_tight_with_labels(Triangulation triangulation, Points points,
+                                                const KnownLabelsSource& known,
+                                                const ReconstructOptions& options = {},
+                                                const Execution& execution = {});
 
 // The Cocone surface with its boundary: open where the cloud is. As above without "tight". Of a
 // scan that is open the options should be open_cloud_defaults(), as the program and the update have

@@ -71,7 +71,7 @@ void ReconstructSteps::find_poles() {
 }
 
 void ReconstructSteps::build_surface() {
-  Cocones cocones = run_step(execution_, "cocone", [&](const Execution& nested) {
+  Cocones cocones = run_step(execution_, "cocone/cones", [&](const Execution& nested) {
     return intersect_cocones(*triangulation_, std::move(sides_), nested);
   });
   run_step(execution_, "boundary", [&](const Execution& nested) {
@@ -82,7 +82,7 @@ void ReconstructSteps::build_surface() {
     dual_.hard_centers = std::vector<Point>();
     if (stages_ == nullptr) poles_.heights = {};  // nobody else asks for them
   });
-  run_step(execution_, "cocone", [&](const Execution& nested) {
+  run_step(execution_, "cocone/surface", [&](const Execution& nested) {
     CandidateTriangles candidates =
         list_candidate_triangles(*triangulation_, cocones, boundary_.boundary, nested);
     cocones = {};
@@ -110,33 +110,33 @@ void ReconstructSteps::extract_from(KnownCandidates candidates) {
   poles_.normals = std::move(candidates.normals);
   boundary_.boundary = std::move(candidates.boundary);
   boundary_.count = result_.counters.boundary_samples;
-  run_step(execution_, "cocone", [&](const Execution& nested) {
+  run_step(execution_, "cocone/surface", [&](const Execution& nested) {
     surface_ = extract_manifold(*triangulation_, std::move(candidates.left), candidates.umbrella,
                                 candidates.first_walk, nested);
   });
   count_surface();
 }
 
-void ReconstructSteps::close_surface(const KnownSidesSource& known) {
+void ReconstructSteps::close_surface(const KnownLabelsSource& known) {
   if (boundary_.interior() == 0) return deliver({});
-  const KnownSidesSource nothing;
-  const KnownSidesSource& sides = options_.mode == Mode::paper ? nothing : known;
+  const KnownLabelsSource nothing;
+  const KnownLabelsSource& source = options_.mode == Mode::paper ? nothing : known;
   run_step(execution_, "tight", [&](const Execution& nested) {
-    if (live_ != nullptr) return close_by(mark_by_caller(sides, nested), sides, nested);
+    if (live_ != nullptr) return close_by(mark_by_caller(source, nested), source, nested);
     GoodVertices good =
         good_vertices(surface_.triangles, boundary_.boundary, options_.good_vertices, nested);
     if (is_certain(*triangulation_, surface_, good, nested)) {
       return deliver_certain(std::move(good), nested);
     }
     CellMarks marks =
-        mark_cells(*triangulation_, surface_.triangles, std::move(good), sides, nested);
+        mark_cells(*triangulation_, surface_.triangles, std::move(good), source, nested);
     forget_links();
-    close_by(std::move(marks), sides, nested);
+    close_by(std::move(marks), source, nested);
   });
 }
 
 void ReconstructSteps::deliver_open_surface() {
-  run_step(execution_, "cocone", [&](const Execution& nested) {
+  run_step(execution_, "cocone/mesh", [&](const Execution& nested) {
     deliver(surface_of(*triangulation_, std::exchange(surface_.triangles, {}), surface_.halves,
                        nested));
     result_.counters.non_orientable_components = orient_surface(result_.mesh).non_orientable;
@@ -154,7 +154,7 @@ void ReconstructSteps::verify(bool closed) {
   result_.mesh = {};
 }
 
-ReconstructResult ReconstructSteps::tight_result(const KnownSidesSource& known) {
+ReconstructResult ReconstructSteps::tight_result(const KnownLabelsSource& known) {
   find_poles();
   build_surface();
   close_surface(known);
@@ -200,7 +200,7 @@ void ReconstructSteps::count_surface() {
   counters.back_contacts = surface_.back_contacts;
 }
 
-CellMarks ReconstructSteps::mark_by_caller(const KnownSidesSource& known,
+CellMarks ReconstructSteps::mark_by_caller(const KnownLabelsSource& known,
                                            const Execution& execution) const {
   return live_->mark(*triangulation_, surface_.triangles, boundary_.boundary, known,
                      options_.good_vertices, execution);
@@ -212,7 +212,7 @@ void ReconstructSteps::forget_links() {
   surface_.triangles.set = std::move(set);
 }
 
-void ReconstructSteps::close_by(CellMarks marks, const KnownSidesSource& known,
+void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
                                 const Execution& execution) {
   const FacetSet& surface = surface_.triangles.set;
   marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, execution);

@@ -4,7 +4,7 @@
 #include "cocone/boundary_samples.h"
 #include "cocone/extract_manifold.h"
 #include "cocone/facet_set.h"
-#include "cocone/known_sides.h"
+#include "cocone/known_labels.h"
 #include "cocone/live/reconstruct_stages.h"
 #include "cocone/mark_cells.h"
 #include "cocone/poles.h"
@@ -51,7 +51,7 @@ class ReconstructSteps {
   // What find_poles() and build_surface() do, but for what is known.
   void extract_from(KnownCandidates candidates);
 
-  void close_surface(const KnownSidesSource& known);
+  void close_surface(const KnownLabelsSource& known);
 
   void deliver_open_surface();
 
@@ -59,7 +59,7 @@ class ReconstructSteps {
   void verify(bool closed);
 
   // All that follows the triangulation.
-  ReconstructResult tight_result(const KnownSidesSource& known);
+  ReconstructResult tight_result(const KnownLabelsSource& known);
 
   CoconeSurface take_surface();
   ReconstructResult take_result();
@@ -70,14 +70,14 @@ class ReconstructSteps {
 
   void count_surface();
 
-  CellMarks mark_by_caller(const KnownSidesSource& known, const Execution& execution) const;
+  CellMarks mark_by_caller(const KnownLabelsSource& known, const Execution& execution) const;
 
   // A third as much memory as the triangulation has. What is left of the links is the set of
   // facets.
   void forget_links();
 
   // All that follows the marking.
-  void close_by(CellMarks marks, const KnownSidesSource& known, const Execution& execution);
+  void close_by(CellMarks marks, const KnownLabelsSource& known, const Execution& execution);
 
   // What close_by() would: nothing is left to be decided.
   void deliver_certain(GoodVertices good, const Execution& execution);

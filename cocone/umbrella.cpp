@@ -28,19 +28,19 @@ class UmbrellaSearch {
     partners_.assign(fan.size(), {});
     dropped_.clear();
     for (std::size_t k = 0; k < fan.size(); ++k) {
-      for_each_spoke(center, fan[k], [&](SideId side) {
-        std::uint32_t& count = partners_[k].left[corner_of_side(side)];
-        for_each_partner(side, [&](SideId) { ++count; });
+      for_each_spoke(center, fan[k], [&](Halfedge halfedge) {
+        std::uint32_t& count = partners_[k].left[corner_of_halfedge(halfedge)];
+        for_each_partner(halfedge, [&](Halfedge) { ++count; });
         if (count == 0) drop(k, fan[k]);
       });
     }
     for (std::size_t next = 0; next < dropped_.size(); ++next) {
-      for_each_spoke(center, dropped_[next], [&](SideId side) {
-        for_each_partner(side, [&](SideId other) {
-          const std::uint32_t t = triangle_of_side(other);
+      for_each_spoke(center, dropped_[next], [&](Halfedge halfedge) {
+        for_each_partner(halfedge, [&](Halfedge other) {
+          const std::uint32_t t = triangle_of_halfedge(other);
           const auto place = std::lower_bound(fan.begin(), fan.end(), t);
           const auto k = static_cast<std::size_t>(place - fan.begin());
-          if (--partners_[k].left[corner_of_side(other)] == 0) drop(k, t);
+          if (--partners_[k].left[corner_of_halfedge(other)] == 0) drop(k, t);
         });
       });
     }
@@ -58,9 +58,10 @@ class UmbrellaSearch {
 
   // Who has this one as a partner, too.
   template <class Visit>
-  void for_each_partner(SideId side, Visit visit) const {
-    for (SideId other = triangles_.links[side]; other != side; other = triangles_.links[other]) {
-      if (dihedral_cosine(triangles_, side, other) <= sharp_cosine_) visit(other);
+  void for_each_partner(Halfedge halfedge, Visit visit) const {
+    for (Halfedge other = triangles_.links[halfedge]; other != halfedge;
+         other = triangles_.links[other]) {
+      if (dihedral_cosine(triangles_, halfedge, other) <= sharp_cosine_) visit(other);
     }
   }
 
@@ -73,7 +74,7 @@ class UmbrellaSearch {
   const LinkedFacets& triangles_;
   double sharp_cosine_;
   struct Partners {
-    std::array<std::uint32_t, 3> left;  // at the side opposite to each corner, if that is a spoke
+    std::array<std::uint32_t, 3> left;  // at the edge opposite to each corner, if that is a spoke
     bool is_dropped;
   };
   std::vector<Partners> partners_;  // of each triangle of the fan
@@ -117,17 +118,17 @@ Fans fans_at(const LinkedFacets& triangles, const VertexSet& flags) {
   return fans;
 }
 
-// The number of triangles at a vertex, and a corner there: the side opposite in one of them.
+// The number of triangles at a vertex, and a corner there: the halfedge opposite in one of them.
 struct Corners {
   std::uint32_t count = 0;
-  SideId one = 0;
+  Halfedge one = 0;
 };
 
 IdVector<VertexId, Corners> corners_at(const LinkedFacets& triangles, std::size_t num_vertices) {
   IdVector<VertexId, Corners> corners(num_vertices);
-  SideId side = 0;
+  Halfedge halfedge = 0;
   for (const Triangle& triangle : triangles.corners) {
-    for (const VertexId v : triangle) corners[v] = {corners[v].count + 1, side++};
+    for (const VertexId v : triangle) corners[v] = {corners[v].count + 1, halfedge++};
   }
   return corners;
 }
@@ -135,16 +136,16 @@ IdVector<VertexId, Corners> corners_at(const LinkedFacets& triangles, std::size_
 // On its way around a vertex, from a triangle to the next over a spoke with two of them.
 struct Turn {
   VertexId center;
-  SideId corner;          // of the triangle it is at, there
+  Halfedge corner;        // of the triangle it is at, there
   std::uint32_t arrived;  // over the spoke opposite to this corner of it
   std::uint32_t left;     // to be passed before it is certain that there is one cycle alone
 
   void advance(const LinkedFacets& triangles) {
-    const std::uint32_t leaving = 3 - corner_of_side(corner) - arrived;
-    const SideId crossed = triangles.links[3 * triangle_of_side(corner) + leaving];
-    const std::uint32_t t = triangle_of_side(crossed);
-    arrived = corner_of_side(crossed);
-    corner = 3 * t + static_cast<SideId>(corner_at_vertex(triangles.corners[t], center));
+    const std::uint32_t leaving = 3 - corner_of_halfedge(corner) - arrived;
+    const Halfedge crossed = triangles.links[3 * triangle_of_halfedge(corner) + leaving];
+    const std::uint32_t t = triangle_of_halfedge(crossed);
+    arrived = corner_of_halfedge(crossed);
+    corner = 3 * t + static_cast<Halfedge>(corner_at_vertex(triangles.corners[t], center));
     --left;
   }
 };
@@ -165,7 +166,7 @@ void for_each_split(const LinkedFacets& triangles, const IdVector<VertexId, Corn
     for (VertexId v = first; v < last; ++v) {
       const auto& [count, one] = corners[v];
       const bool walks = count >= 2 * smallest_cycle && is_regular(v);
-      const auto arrived = static_cast<std::uint32_t>(next_corner(corner_of_side(one)));
+      const auto arrived = static_cast<std::uint32_t>(next_corner(corner_of_halfedge(one)));
       turns[active] = {v, one, arrived, count - smallest_cycle};
       active += walks ? 1U : 0U;
     }
@@ -194,10 +195,11 @@ Spokes spokes_at(const LinkedFacets& triangles, const VertexSet& boundary,
   // Folds are told by >=, creases and steep edges by >.
   const double flat = std::min(std::nextafter(options.fold_cosine, -2), options.crease_cosine);
   Spokes spokes(boundary.size(), Spoke::flat);
-  for (const SideId side : steep_edges(triangles, flat, execution)) {
-    const bool is_open = !triangles.is_two_sided(side);
-    const double cosine = is_open ? 0 : dihedral_cosine(triangles, side, triangles.links[side]);
-    for (const VertexId v : triangles.ends(side)) {
+  for (const Halfedge halfedge : steep_edges(triangles, flat, execution)) {
+    const bool is_open = !triangles.has_two_triangles(halfedge);
+    const double cosine =
+        is_open ? 0 : dihedral_cosine(triangles, halfedge, triangles.links[halfedge]);
+    for (const VertexId v : triangles.ends(halfedge)) {
       const bool is_folded =
           cosine >= options.fold_cosine || (boundary[v] != 0 && cosine > options.crease_cosine);
       const Spoke here = is_open ? Spoke::open : is_folded ? Spoke::folded : Spoke::flat;
@@ -211,16 +213,16 @@ Spokes spokes_at(const LinkedFacets& triangles, const VertexSet& boundary,
 
 VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::size_t num_vertices,
                                  double sharp_cosine, const Execution& execution) {
-  const std::vector<SideId> steep = steep_edges(triangles, sharp_cosine, execution);
+  const std::vector<Halfedge> steep = steep_edges(triangles, sharp_cosine, execution);
   return vertices_with_umbrella(triangles, steep, num_vertices, sharp_cosine, execution);
 }
 
-VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::span<const SideId> steep,
+VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::span<const Halfedge> steep,
                                  std::size_t num_vertices, double sharp_cosine,
                                  const Execution& execution) {
   VertexSet doubtful(num_vertices, 0);
-  for (const SideId side : steep) {
-    for (const VertexId v : triangles.ends(side)) doubtful[v] = 1;
+  for (const Halfedge halfedge : steep) {
+    for (const VertexId v : triangles.ends(halfedge)) doubtful[v] = 1;
   }
   VertexSet flags(num_vertices, 0);
   for (const Triangle& corners : triangles.corners) {
@@ -242,7 +244,7 @@ GoodVertices good_vertices(const LinkedFacets& triangles, const VertexSet& bound
   const std::size_t count = boundary.size();
   const Spokes spokes = spokes_at(triangles, boundary, options, execution);
   const IdVector<VertexId, Corners> corners = corners_at(triangles, count);
-  GoodVertices result{VertexSet(count, 0), IdVector<VertexId, SideId>(count), 0, {}};
+  GoodVertices result{VertexSet(count, 0), IdVector<VertexId, Halfedge>(count), 0, {}};
   std::atomic<std::size_t> good = 0;
   const auto judge = [&](std::size_t begin, std::size_t end, std::vector<VertexId>& folded_here) {
     const auto is_regular = [&](VertexId v) { return spokes[v] != Spoke::open; };

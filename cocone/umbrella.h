@@ -26,7 +26,7 @@ VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::size_t num_
                                  double sharp_cosine, const Execution& execution = {});
 
 // The same for who has steep_edges(triangles, sharp_cosine).
-VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::span<const SideId> steep,
+VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::span<const Halfedge> steep,
                                  std::size_t num_vertices, double sharp_cosine,
                                  const Execution& execution = {});
 
@@ -40,8 +40,8 @@ struct GoodVertexOptions {
 
 struct GoodVertices {
   VertexSet good;  // 1 = its triangles form one closed umbrella, and it was not demoted
-  IdVector<VertexId, SideId> corner_at;  // of each vertex in a triangle: a side opposite to it
-  std::size_t count = 0;                 // good vertices
+  IdVector<VertexId, Halfedge> corner_at;  // of each vertex in a triangle: one opposite to it
+  std::size_t count = 0;                   // good vertices
   std::vector<VertexId> folded;  // demoted: closed umbrellas at a fold or crease; increasing
 };
 

@@ -115,8 +115,8 @@ void check_facets_of_cell(const Triangulation& triangulation, CellId c, Violatio
 
 // The cells around `center` cut a small sphere around it into t triangles with n vertices; Euler:
 // n - 3t/2 + t = 2.
-bool is_link_a_sphere(const Triangulation& triangulation, std::span<const CellId> star,
-                      VertexId center) {
+bool has_euler_number_of_sphere(const Triangulation& triangulation, std::span<const CellId> star,
+                                VertexId center) {
   std::vector<VertexId> neighbors;
   neighbors.reserve(3 * star.size());
   for (const CellId c : star) {
@@ -156,12 +156,12 @@ void check_vertices(const Triangulation& triangulation, DelaunayReport& report,
   report.bad_links =
       run_tests(execution, num_vertices, report, [&](std::size_t i, Violations& violations) {
         const std::span<const CellId> star = stars.star(VertexId(i));
-        if (star.empty() || is_link_a_sphere(triangulation, star, VertexId(i))) return;
+        if (star.empty() || has_euler_number_of_sphere(triangulation, star, VertexId(i))) return;
         violations.add("vertex", i, "has cells around it that do not form a ball");
       });
   std::vector<CellId> hull;
   for (const CellId c : triangulation.infinite_cells()) hull.push_back(c);
-  if (!is_link_a_sphere(triangulation, hull, infinite_vertex)) {
+  if (!has_euler_number_of_sphere(triangulation, hull, infinite_vertex)) {
     ++report.bad_links;
     if (report.first_violation.empty()) report.first_violation = "the hull is not a sphere";
   }

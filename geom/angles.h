@@ -1,9 +1,14 @@
 // Angles at edges, in radians. Complexity of all: O(1).
 #pragma once
 
+#include <numbers>
+
 #include "geom/point.h"
 
 namespace cocoon {
+
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
+constexpr double radians_per_degree = std::numbers::pi / 180;
 
 // Angle in [0, pi] at which the half planes from the edge through apex_a and through apex_b meet:
 // the angle between the parts of apex_a - edge_from and apex_b - edge_from orthogonal to the edge.

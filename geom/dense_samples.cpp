@@ -75,12 +75,12 @@ class SampleGrid {
   std::vector<Sample> samples_;
 };
 
-bool is_sharp(const LinkedMesh& mesh, SideId side, double sharp_cosine) {
-  if (!mesh.is_two_sided(side)) return true;
-  const SideId across = mesh.links[side];
-  const Point& a = mesh.points[mesh.from(side)];
-  const Point& b = mesh.points[mesh.to(side)];
-  const Vec3 here = normal_of(a, b, mesh.points[mesh.apex(side)]);
+bool is_sharp(const LinkedMesh& mesh, Halfedge halfedge, double sharp_cosine) {
+  if (!mesh.has_two_triangles(halfedge)) return true;
+  const Halfedge across = mesh.links[halfedge];
+  const Point& a = mesh.points[mesh.from(halfedge)];
+  const Point& b = mesh.points[mesh.to(halfedge)];
+  const Vec3 here = normal_of(a, b, mesh.points[mesh.apex(halfedge)]);
   const Vec3 there = normal_of(b, a, mesh.points[mesh.apex(across)]);
   return !(dot(here, there) >= sharp_cosine * norm(here) * norm(there));
 }
@@ -110,11 +110,12 @@ std::vector<Point> samples_of_sharp_edges(const TriangleMesh& mesh,
   const LinkedMesh linked = link_mesh(mesh, execution);
   std::vector<Point> samples;
   double length = 0;  // of sharp edges
-  for (SideId side = 0; side < linked.links.size(); ++side) {
-    if (!linked.is_first(side) || !is_sharp(linked, side, options.sharp_cosine)) continue;
-    // From the lexicographically smaller end, so that the direction of the side does not matter.
+  for (Halfedge halfedge = 0; halfedge < linked.links.size(); ++halfedge) {
+    if (!linked.is_first(halfedge) || !is_sharp(linked, halfedge, options.sharp_cosine)) continue;
+    // From the lexicographically smaller end, so that the direction of the halfedge does not
+    // matter.
     const auto [a, b] =
-        std::minmax(linked.points[linked.from(side)], linked.points[linked.to(side)]);
+        std::minmax(linked.points[linked.from(halfedge)], linked.points[linked.to(halfedge)]);
     const double length_here = distance(a, b);
     const double parts = std::ceil(length_here / options.spacing);
     length += length_here;

@@ -83,12 +83,12 @@ EdgeComponents Seeds::number(const Execution& execution) && {
 
 }  // namespace edge_components_detail
 
-EdgeComponents edge_components(const TriangleMesh& mesh, const LinkedSides& sides,
+EdgeComponents edge_components(const TriangleMesh& mesh, const HalfedgeRings& rings,
                                const Execution& execution) {
   return edge_components(
-      sides.links, execution, [](SideId) { return true; },
-      [&](SideId side, SideId across) {
-        return ends_of_side(mesh, side)[0] == ends_of_side(mesh, across)[0];
+      rings.links, execution, [](Halfedge) { return true; },
+      [&](Halfedge halfedge, Halfedge across) {
+        return ends_of_halfedge(mesh, halfedge)[0] == ends_of_halfedge(mesh, across)[0];
       });
 }
 

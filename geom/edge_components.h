@@ -1,4 +1,6 @@
 // The parts of a surface that hang together by edges, and how their triangles are turned.
+//
+// Use this to count or orient parts; for the triangles across edges themselves see halfedges.h.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +12,7 @@
 #include <vector>
 
 #include "geom/execution.h"
-#include "geom/linked_sides.h"
-#include "geom/side_links.h"
+#include "geom/halfedges.h"
 #include "geom/triangle_mesh.h"
 #include "geom/turned_sets.h"
 
@@ -33,7 +34,7 @@ struct EdgeComponents {
 
 // Triangles are connected across edges with exactly two of them, and agree if they run through
 // these in opposite directions. Complexity: O(triangles), parallel.
-EdgeComponents edge_components(const TriangleMesh& mesh, const LinkedSides& sides,
+EdgeComponents edge_components(const TriangleMesh& mesh, const HalfedgeRings& rings,
                                const Execution& execution = {});
 
 namespace edge_components_detail {
@@ -63,27 +64,27 @@ class Seeds {
   explicit Seeds(std::size_t num_triangles);
 
   // Joins the triangles begin .. end with those before them in this range, and notes what hangs
-  // together with earlier ones. Which of two sides comes first cannot be foreseen, so the second
-  // ones are listed without a branch on it.
+  // together with earlier ones. Which of two halfedges comes first cannot be foreseen, so the
+  // second ones are listed without a branch on it.
   template <class Connects, class IsTurned>
-  void sow(std::span<const SideId> links, std::size_t begin, std::size_t end, Connects connects,
-           IsTurned is_turned) {
+  void join_range(std::span<const Halfedge> links, std::size_t begin, std::size_t end,
+                  Connects connects, IsTurned is_turned) {
     Chunk& chunk = chunks_[begin / triangles_per_chunk];
     constexpr std::size_t triangles_per_block = 64;
-    std::array<SideId, 3 * triangles_per_block> sides;
+    std::array<Halfedge, 3 * triangles_per_block> halfedges;
     for (std::size_t first = begin; first < end; first += triangles_per_block) {
       const std::size_t last = std::min(first + triangles_per_block, end);
       std::size_t count = 0;
-      for (auto side = static_cast<SideId>(3 * first); side < 3 * last; ++side) {
-        sides[count] = side;
-        count += links[side] < side ? 1U : 0U;
+      for (auto halfedge = static_cast<Halfedge>(3 * first); halfedge < 3 * last; ++halfedge) {
+        halfedges[count] = halfedge;
+        count += links[halfedge] < halfedge ? 1U : 0U;
       }
       for (std::size_t k = 0; k < count; ++k) {
-        const SideId side = sides[k];
-        const SideId across = links[side];
-        if (links[across] != side || !connects(side)) continue;
-        const Join join{triangle_of_side(side), triangle_of_side(across),
-                        is_turned(side, across) ? 1U : 0U};
+        const Halfedge halfedge = halfedges[k];
+        const Halfedge across = links[halfedge];
+        if (links[across] != halfedge || !connects(halfedge)) continue;
+        const Join join{triangle_of_halfedge(halfedge), triangle_of_halfedge(across),
+                        is_turned(halfedge, across) ? 1U : 0U};
         if (join.other < begin) {
           chunk.to_earlier.push_back(join);
         } else {
@@ -120,17 +121,17 @@ class Seeds {
 
 }  // namespace edge_components_detail
 
-// The same for any triangles whose sides are linked as side_links() does: of two sides alone on an
-// edge, connects(side) tells whether their triangles are connected, and is_turned(side, across)
-// whether they disagree; both the same from both sides, and called by several threads. Fast where
-// neighbors have near numbers. Precondition: fewer than 2^31 triangles.
+// The same for any triangles whose halfedges are linked as halfedge_links() does: of two alone on
+// an edge, connects(halfedge) tells whether their triangles are connected, and is_turned(halfedge,
+// across) whether they disagree; both the same from both sides, and called by several threads. Fast
+// where neighbors have near numbers. Precondition: fewer than 2^31 triangles.
 template <class Connects, class IsTurned>
-EdgeComponents edge_components(std::span<const SideId> links, const Execution& execution,
+EdgeComponents edge_components(std::span<const Halfedge> links, const Execution& execution,
                                Connects connects, IsTurned is_turned) {
   edge_components_detail::Seeds seeds(links.size() / 3);
   parallel_chunks(execution, links.size() / 3, edge_components_detail::triangles_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
-                    seeds.sow(links, begin, end, connects, is_turned);
+                    seeds.join_range(links, begin, end, connects, is_turned);
                   });
   return std::move(seeds).number(execution);
 }

@@ -78,43 +78,43 @@ void list_corners(LinkedMesh& linked, const Execution& execution) {
       linked.triangles.size(), linked.points.size(), execution,
       [&](std::size_t count) { linked.corners.resize(count); },
       [&](std::size_t begin, std::size_t end, auto put) {
-        auto side = static_cast<SideId>(3 * begin);
+        auto halfedge = static_cast<Halfedge>(3 * begin);
         for (const Triangle& triangle : std::span(linked.triangles).subspan(begin, end - begin)) {
           for (const VertexId v : triangle) {
-            put(v, [&](std::uint32_t to) { linked.corners[to] = side; });
-            ++side;
+            put(v, [&](std::uint32_t to) { linked.corners[to] = halfedge; });
+            ++halfedge;
           }
         }
       });
 }
 
-// A regular edge is looked at from its first side, without a branch on which that is.
-std::vector<SideId> irregular_edges(const LinkedMesh& mesh, const Execution& execution) {
-  constexpr std::size_t sides_per_chunk = std::size_t{1} << 14;
-  constexpr std::size_t sides_per_block = 128;
-  const auto find = [&](std::size_t begin, std::size_t end, std::vector<SideId>& found) {
-    std::array<SideId, sides_per_block> sides;
-    for (std::size_t first = begin; first < end; first += sides_per_block) {
-      const std::size_t last = std::min(first + sides_per_block, end);
+// A regular edge is looked at from its first halfedge, without a branch on which that is.
+std::vector<Halfedge> irregular_edges(const LinkedMesh& mesh, const Execution& execution) {
+  constexpr std::size_t halfedges_per_chunk = std::size_t{1} << 14;
+  constexpr std::size_t halfedges_per_block = 128;
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<Halfedge>& found) {
+    std::array<Halfedge, halfedges_per_block> halfedges;
+    for (std::size_t first = begin; first < end; first += halfedges_per_block) {
+      const std::size_t last = std::min(first + halfedges_per_block, end);
       std::size_t count = 0;
-      for (auto side = static_cast<SideId>(first); side < last; ++side) {
-        const SideId across = mesh.links[side];
-        sides[count] = side;
-        count += across >= side ? 1U : 0U;
+      for (auto halfedge = static_cast<Halfedge>(first); halfedge < last; ++halfedge) {
+        const Halfedge across = mesh.links[halfedge];
+        halfedges[count] = halfedge;
+        count += across >= halfedge ? 1U : 0U;
         __builtin_prefetch(&mesh.links[across]);
-        __builtin_prefetch(&mesh.triangles[triangle_of_side(across)]);
+        __builtin_prefetch(&mesh.triangles[triangle_of_halfedge(across)]);
       }
       for (std::size_t k = 0; k < count; ++k) {
-        const SideId side = sides[k];
-        const SideId across = mesh.links[side];
-        const bool regular = across != side && mesh.links[across] == side &&
-                             mesh.from(side) == mesh.to(across) &&
-                             mesh.apex(side) != mesh.apex(across);
-        if (!regular && mesh.is_first(side)) found.push_back(side);
+        const Halfedge halfedge = halfedges[k];
+        const Halfedge across = mesh.links[halfedge];
+        const bool regular = across != halfedge && mesh.links[across] == halfedge &&
+                             mesh.from(halfedge) == mesh.to(across) &&
+                             mesh.apex(halfedge) != mesh.apex(across);
+        if (!regular && mesh.is_first(halfedge)) found.push_back(halfedge);
       }
     }
   };
-  return parallel_list<SideId>(execution, mesh.links.size(), sides_per_chunk, find);
+  return parallel_list<Halfedge>(execution, mesh.links.size(), halfedges_per_chunk, find);
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ LinkedMesh link_mesh(const TriangleMesh& mesh, const Execution& execution) {
   {
     const std::vector<std::uint32_t> begins =
         copy_triangles(mesh, copy_points(mesh, linked, execution), linked, execution);
-    linked.links = side_links(linked.triangles, begins, execution);
+    linked.links = halfedge_links(linked.triangles, begins, execution);
   }
   linked.irregular = irregular_edges(linked, execution);
   list_corners(linked, execution);

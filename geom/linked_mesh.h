@@ -1,5 +1,8 @@
 // A mesh as checks and measures of all its neighborhoods want it: a copy numbered so that what is
 // near in space is near in memory, with its edges and vertices linked.
+//
+// Use this to look at all edges and vertices of a large mesh. For who keeps the numbers of the
+// mesh, or looks at few places, see halfedges.h and triangles_at_vertices.h.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +10,9 @@
 #include <vector>
 
 #include "geom/execution.h"
+#include "geom/halfedges.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
-#include "geom/side_links.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
@@ -22,43 +25,41 @@ struct LinkedMesh {
   OverwriteVector<Triangle> triangles;
   OverwriteVector<TriangleId> triangle_of;  // increasing among those with the same smallest vertex
 
-  std::vector<Triangle> improper;  // the others: neither sides nor corners of them are linked
+  std::vector<Triangle> improper;  // the others: neither halfedges nor corners of them are linked
   std::vector<TriangleId> improper_of;
 
-  SideLinks links;  // of the sides on each edge: side_links.h
-  // The first sides of all edges but those with two triangles, not one twice, that run through it
-  // in opposite directions; increasing.
-  std::vector<SideId> irregular;
+  HalfedgeLinks links;  // of the halfedges on each edge
+  // The first halfedges of all edges but those with two triangles, not one twice, that run through
+  // it in opposite directions; increasing.
+  std::vector<Halfedge> irregular;
 
-  // The corners at each vertex as the sides opposite to them, increasing; use corners_at.
+  // The corners at each vertex as the halfedges opposite to them, increasing; use corners_at.
   std::vector<std::uint32_t> corner_begin;  // points + 1
-  OverwriteVector<SideId> corners;
+  OverwriteVector<Halfedge> corners;
 
-  std::span<const SideId> corners_at(VertexId v) const {
+  std::span<const Halfedge> corners_at(VertexId v) const {
     const std::size_t begin = corner_begin[v.index()];
     return {corners.data() + begin, corner_begin[v.index() + 1] - begin};
   }
-  VertexId from(SideId side) const {
-    return triangles[triangle_of_side(side)][next_corner(corner_of_side(side))];
+  VertexId from(Halfedge halfedge) const {
+    return triangles[triangle_of_halfedge(halfedge)][next_corner(corner_of_halfedge(halfedge))];
   }
-  VertexId to(SideId side) const {
-    return triangles[triangle_of_side(side)][previous_corner(corner_of_side(side))];
+  VertexId to(Halfedge halfedge) const {
+    return triangles[triangle_of_halfedge(halfedge)][previous_corner(corner_of_halfedge(halfedge))];
   }
-  VertexId apex(SideId side) const {
-    return triangles[triangle_of_side(side)][corner_of_side(side)];
+  VertexId apex(Halfedge halfedge) const {
+    return triangles[triangle_of_halfedge(halfedge)][corner_of_halfedge(halfedge)];
   }
-  // Exactly two triangles at the edge of the side.
-  bool is_two_sided(SideId side) const { return links[side] != side && links[links[side]] == side; }
-  // The smallest of the sides on its edge: each edge has one.
-  bool is_first(SideId side) const {
-    SideId other = links[side];
-    while (other > side) other = links[other];
-    return other == side;
+  // Exactly two triangles at the edge of the halfedge.
+  bool has_two_triangles(Halfedge halfedge) const {
+    return cocoon::has_two_triangles(links, halfedge);
   }
+  // The smallest of the halfedges on its edge: each edge has one.
+  bool is_first(Halfedge halfedge) const { return is_first_at_edge(links, halfedge); }
 };
 
 // Throws InputError if a triangle names a vertex that is not there, or if there are more than
-// 2^32 / 3 triangles. Complexity: as side_links. Deterministic: a function of the mesh.
+// 2^32 / 3 triangles. Complexity: as halfedge_links. Deterministic: a function of the mesh.
 LinkedMesh link_mesh(const TriangleMesh& mesh, const Execution& execution = {});
 
 }  // namespace cocoon

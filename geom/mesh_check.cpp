@@ -139,16 +139,18 @@ class Checker {
     return is_finite(a) && is_finite(b) && is_finite(c) && are_collinear(a, b, c);
   }
 
-  VertexPair edge_of(SideId side) const {
-    const VertexId a = mesh_.vertex_of[mesh_.from(side)];
-    const VertexId b = mesh_.vertex_of[mesh_.to(side)];
+  VertexPair edge_of(Halfedge halfedge) const {
+    const VertexId a = mesh_.vertex_of[mesh_.from(halfedge)];
+    const VertexId b = mesh_.vertex_of[mesh_.to(halfedge)];
     return {std::min(a, b), std::max(a, b)};
   }
 
   void find_patches() {
     EdgeComponents found = edge_components(
-        mesh_.links, execution_, [](SideId) { return true; },
-        [&](SideId side, SideId across) { return mesh_.from(side) == mesh_.from(across); });
+        mesh_.links, execution_, [](Halfedge) { return true; },
+        [&](Halfedge halfedge, Halfedge across) {
+          return mesh_.from(halfedge) == mesh_.from(across);
+        });
     patch_ = std::move(found.component_of);
     for (const EdgeComponent& component : found.components) {
       patches_.push_back({.first_triangle = TriangleId(),
@@ -165,32 +167,32 @@ class Checker {
   void check_edges() {
     at_overfull_ = IdVector<VertexId, char>(mesh_.points.size(), 0);
     at_irregular_ = at_overfull_;
-    for (Patch& patch : patches_) patch.edges = 3 * patch.triangles;  // sides with a partner
-    std::vector<SideId> ring;
+    for (Patch& patch : patches_) patch.edges = 3 * patch.triangles;  // halfedges with a partner
+    std::vector<Halfedge> ring;
     std::vector<std::size_t> other_edges(patches_.size(), 0);  // without two triangles
-    for (const SideId side : mesh_.irregular) {
+    for (const Halfedge halfedge : mesh_.irregular) {
       ring.clear();
-      SideId other = side;
+      Halfedge other = halfedge;
       do {
         ring.push_back(other);
         other = mesh_.links[other];
-      } while (other != side);
+      } while (other != halfedge);
       if (ring.size() != 2) {
-        for (const SideId s : ring) --patches_[patch_[triangle_of_side(s)]].edges;
-        ++other_edges[patch_[triangle_of_side(side)]];
-        patches_[patch_[triangle_of_side(side)]].closed = false;
+        for (const Halfedge s : ring) --patches_[patch_[triangle_of_halfedge(s)]].edges;
+        ++other_edges[patch_[triangle_of_halfedge(halfedge)]];
+        patches_[patch_[triangle_of_halfedge(halfedge)]].closed = false;
       }
-      if (ring.size() > 2) overfull_.push_back(side);
-      at_irregular_[mesh_.from(side)] = at_irregular_[mesh_.to(side)] = 1;
+      if (ring.size() > 2) overfull_.push_back(halfedge);
+      at_irregular_[mesh_.from(halfedge)] = at_irregular_[mesh_.to(halfedge)] = 1;
       check_irregular_edge(ring);
     }
     for (std::size_t k = 0; k < patches_.size(); ++k) {
       patches_[k].edges = patches_[k].edges / 2 + other_edges[k];
       report_.edges += patches_[k].edges;
     }
-    for (const SideId side : overfull_) {
-      patches_[patch_[triangle_of_side(side)]].manifold = false;
-      at_overfull_[mesh_.from(side)] = at_overfull_[mesh_.to(side)] = 1;
+    for (const Halfedge halfedge : overfull_) {
+      patches_[patch_[triangle_of_halfedge(halfedge)]].manifold = false;
+      at_overfull_[mesh_.from(halfedge)] = at_overfull_[mesh_.to(halfedge)] = 1;
     }
     report_.examples.open_edges = examples(open_);
     report_.examples.overfull_edges = examples(std::move(report_.examples.overfull_edges));
@@ -200,11 +202,11 @@ class Checker {
     report_.examples.duplicate_triangles = examples(std::move(duplicates_));
   }
 
-  void check_irregular_edge(std::span<const SideId> ring) {
+  void check_irregular_edge(std::span<const Halfedge> ring) {
     const VertexPair edge = edge_of(ring[0]);
     const auto forward =
-        static_cast<std::size_t>(std::count_if(ring.begin(), ring.end(), [&](SideId side) {
-          return mesh_.from(side) == mesh_.from(ring[0]);
+        static_cast<std::size_t>(std::count_if(ring.begin(), ring.end(), [&](Halfedge halfedge) {
+          return mesh_.from(halfedge) == mesh_.from(ring[0]);
         }));
     if (ring.size() == 1) {
       ++report_.open_edges;
@@ -228,12 +230,13 @@ class Checker {
 
   // Triangles with the same three vertices lie together on every edge, with the same vertex
   // opposite; told at the edge that is opposite the smallest.
-  void find_duplicates(std::span<const SideId> ring) {
+  void find_duplicates(std::span<const Halfedge> ring) {
     const VertexId smaller_end = std::min(mesh_.from(ring[0]), mesh_.to(ring[0]));
     std::vector<std::pair<VertexId, TriangleId>> opposite;
-    for (const SideId side : ring) {
-      if (mesh_.apex(side) >= smaller_end) continue;
-      opposite.emplace_back(mesh_.apex(side), mesh_.triangle_of[triangle_of_side(side)]);
+    for (const Halfedge halfedge : ring) {
+      if (mesh_.apex(halfedge) >= smaller_end) continue;
+      opposite.emplace_back(mesh_.apex(halfedge),
+                            mesh_.triangle_of[triangle_of_halfedge(halfedge)]);
     }
     std::sort(opposite.begin(), opposite.end());
     for (std::size_t k = 1; k < opposite.size(); ++k) {
@@ -244,9 +247,9 @@ class Checker {
   // Patches that meet at edges with more than two triangles make one component.
   void join_patches() {
     DisjointSets sets(patches_.size());
-    for (const SideId side : overfull_) {
-      for (SideId other = mesh_.links[side]; other != side; other = mesh_.links[other]) {
-        sets.join(patch_[triangle_of_side(side)], patch_[triangle_of_side(other)]);
+    for (const Halfedge halfedge : overfull_) {
+      for (Halfedge other = mesh_.links[halfedge]; other != halfedge; other = mesh_.links[other]) {
+        sets.join(patch_[triangle_of_halfedge(halfedge)], patch_[triangle_of_halfedge(other)]);
       }
     }
     component_of_patch_.resize(patches_.size());
@@ -268,8 +271,8 @@ class Checker {
     }
   }
 
-  std::uint32_t component_at(SideId side) const {
-    return component_of_patch_[patch_[triangle_of_side(side)]];
+  std::uint32_t component_at(Halfedge halfedge) const {
+    return component_of_patch_[patch_[triangle_of_halfedge(halfedge)]];
   }
 
   // A vertex is pinched iff its link, the graph of the edges opposite to it in its triangles, is
@@ -285,8 +288,8 @@ class Checker {
                           });
     for (const VertexId v : pinched) {
       report_.examples.pinched_vertices.push_back(mesh_.vertex_of[v]);
-      for (const SideId side : mesh_.corners_at(v))
-        components_[component_at(side)].manifold = false;
+      for (const Halfedge halfedge : mesh_.corners_at(v))
+        components_[component_at(halfedge)].manifold = false;
     }
     report_.pinched_vertices = pinched.size();
     report_.examples.pinched_vertices = examples(std::move(report_.examples.pinched_vertices));
@@ -297,21 +300,21 @@ class Checker {
   // Precondition: v has a triangle, and no spoke of v has more than two. If all its spokes are
   // regular its triangles make cycles, each of three or more.
   bool walks_around(VertexId v) const {
-    const std::span<const SideId> corners = mesh_.corners_at(v);
+    const std::span<const Halfedge> corners = mesh_.corners_at(v);
     std::size_t met = 1;
     // From there on the first cycle must be the only one.
     const std::size_t enough = at_irregular_[v] != 0 ? corners.size() + 1 : corners.size() - 2;
-    const std::size_t opposite = corner_of_side(corners[0]);
+    const std::size_t opposite = corner_of_halfedge(corners[0]);
     for (const std::size_t arrived : {next_corner(opposite), previous_corner(opposite)}) {
-      SideId corner = corners[0];
+      Halfedge corner = corners[0];
       std::size_t spoke = 3 - opposite - arrived;
       for (;;) {
-        const SideId crossed = 3 * triangle_of_side(corner) + static_cast<SideId>(spoke);
-        const SideId across = mesh_.links[crossed];
+        const Halfedge crossed = 3 * triangle_of_halfedge(corner) + static_cast<Halfedge>(spoke);
+        const Halfedge across = mesh_.links[crossed];
         if (across == crossed) break;  // an open edge; the other way remains
-        const std::size_t entered = corner_of_side(across);
-        const std::size_t at = corner_at_vertex(mesh_.triangles[triangle_of_side(across)], v);
-        corner = 3 * triangle_of_side(across) + static_cast<SideId>(at);
+        const std::size_t entered = corner_of_halfedge(across);
+        const std::size_t at = corner_at_vertex(mesh_.triangles[triangle_of_halfedge(across)], v);
+        corner = 3 * triangle_of_halfedge(across) + static_cast<Halfedge>(at);
         spoke = 3 - entered - at;
         if (corner == corners[0]) return met == corners.size();
         if (++met == enough) return true;
@@ -331,7 +334,8 @@ class Checker {
     std::vector<std::uint32_t> at_vertex;
     for (const VertexId v : mesh_.points.ids()) {
       at_vertex.clear();
-      for (const SideId side : mesh_.corners_at(v)) at_vertex.push_back(component_at(side));
+      for (const Halfedge halfedge : mesh_.corners_at(v))
+        at_vertex.push_back(component_at(halfedge));
       std::sort(at_vertex.begin(), at_vertex.end());
       at_vertex.erase(std::unique(at_vertex.begin(), at_vertex.end()), at_vertex.end());
       for (const std::uint32_t component : at_vertex) {
@@ -407,7 +411,7 @@ class Checker {
   std::vector<Patch> patches_;
   std::vector<std::uint32_t> component_of_patch_;
   std::vector<Patch> components_;
-  std::vector<SideId> overfull_;          // a side of each edge with more than two
+  std::vector<Halfedge> overfull_;        // a halfedge of each edge with more than two
   IdVector<VertexId, char> at_overfull_;  // ends of such edges
   IdVector<VertexId, char> at_irregular_;
   std::vector<VertexPair> open_;        // edges, as they were given

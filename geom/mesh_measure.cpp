@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geom/mesh_adjacency.h"
+#include "geom/halfedges.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
@@ -28,7 +28,10 @@ class CompensatedSum {
 
 EdgeLengths measure_edges(const TriangleMesh& mesh) {
   std::vector<double> lengths;
-  for (const auto& [a, b] : mesh_adjacency(mesh).edges) {
+  const HalfedgeRings rings = link_halfedges(mesh);
+  for (Halfedge halfedge = 0; halfedge < rings.links.size(); ++halfedge) {
+    if (!rings.has_edge(halfedge) || !rings.is_first(halfedge)) continue;
+    const auto [a, b] = ends_of_halfedge(mesh, halfedge);
     lengths.push_back(distance(mesh.points[a], mesh.points[b]));
   }
   if (lengths.empty()) return {};

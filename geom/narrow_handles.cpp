@@ -34,7 +34,7 @@ class TreeAndCotree {
     double length = 0;
     std::uint32_t smaller = 0;  // ranks of the ends of its edge
     std::uint32_t larger = 0;
-    SideId side = 0;
+    Halfedge halfedge = 0;
 
     friend bool operator>(const Cycle& a, const Cycle& b) {
       return std::tie(a.length, a.smaller, a.larger) > std::tie(b.length, b.smaller, b.larger);
@@ -44,21 +44,22 @@ class TreeAndCotree {
   // Those of the edges of neither tree, the shortest first.
   std::vector<Cycle> cycles() const {
     std::vector<Cycle> edges;
-    for (SideId side = 0; side < mesh_.links.size(); ++side) {
-      if (mesh_.is_first(side) && !is_in_tree(side)) edges.push_back(cycle_of(side));
+    for (Halfedge halfedge = 0; halfedge < mesh_.links.size(); ++halfedge) {
+      if (mesh_.is_first(halfedge) && !is_in_tree(halfedge)) edges.push_back(cycle_of(halfedge));
     }
     std::sort(edges.begin(), edges.end(), std::greater<>());
     DisjointSets joined(mesh_.triangles.size());
     std::erase_if(edges, [&](const Cycle& edge) {
-      return joined.join(triangle_of_side(edge.side), triangle_of_side(mesh_.links[edge.side]));
+      return joined.join(triangle_of_halfedge(edge.halfedge),
+                         triangle_of_halfedge(mesh_.links[edge.halfedge]));
     });
     std::reverse(edges.begin(), edges.end());
     return edges;
   }
 
-  std::vector<VertexId> path_of(SideId side) const {
-    VertexId a = mesh_.from(side);
-    VertexId b = mesh_.to(side);
+  std::vector<VertexId> path_of(Halfedge halfedge) const {
+    VertexId a = mesh_.from(halfedge);
+    VertexId b = mesh_.to(halfedge);
     if (rank_[b] < rank_[a]) std::swap(a, b);
     std::vector<VertexId> path{a};
     std::vector<VertexId> back{b};
@@ -115,32 +116,32 @@ class TreeAndCotree {
         }
       };
       // Each neighbor twice, once if the triangles agree.
-      for (const SideId corner : mesh_.corners_at(v)) {
+      for (const Halfedge corner : mesh_.corners_at(v)) {
         reach(mesh_.from(corner));
         reach(mesh_.to(corner));
       }
     }
   }
 
-  bool is_in_tree(SideId side) const {
-    const VertexId a = mesh_.from(side);
-    const VertexId b = mesh_.to(side);
+  bool is_in_tree(Halfedge halfedge) const {
+    const VertexId a = mesh_.from(halfedge);
+    const VertexId b = mesh_.to(halfedge);
     return parent_[a] == b || parent_[b] == a;
   }
 
   // Which of the two paths to the root goes on, until they are one: parents had earlier turns.
   bool is_farther(VertexId a, VertexId b) const { return turn_[a] > turn_[b]; }
 
-  Cycle cycle_of(SideId side) const {
-    VertexId a = mesh_.from(side);
-    VertexId b = mesh_.to(side);
+  Cycle cycle_of(Halfedge halfedge) const {
+    VertexId a = mesh_.from(halfedge);
+    VertexId b = mesh_.to(halfedge);
     const auto [smaller, larger] = std::minmax(rank_[a], rank_[b]);
     const double ends = distance_[a] + distance_[b] + length(a, b);
     while (a != b) {
       VertexId& farther = is_farther(a, b) ? a : b;
       farther = parent_[farther];
     }
-    return {ends - 2 * distance_[a], smaller, larger, side};
+    return {ends - 2 * distance_[a], smaller, larger, halfedge};
   }
 
   const LinkedMesh& mesh_;
@@ -162,7 +163,7 @@ std::vector<NarrowHandle> narrow_handles(const LinkedMesh& mesh, std::size_t max
   IdVector<VertexId, std::uint8_t> taken(mesh.points.size(), 0);
   for (const auto& cycle : cycles) {
     if (narrow.size() == max_count) break;
-    NarrowHandle handle{trees.path_of(cycle.side), cycle.length};
+    NarrowHandle handle{trees.path_of(cycle.halfedge), cycle.length};
     constexpr std::size_t most_shared = 3;  // one of so many vertices
     const auto shared = static_cast<std::size_t>(std::count_if(
         handle.path.begin(), handle.path.end(), [&](VertexId v) { return taken[v] != 0; }));

@@ -80,7 +80,7 @@ bool segment_meets_triangle(const Point& p, const Point& q, const Corners& t) {
   const Sign side_q = orient3d(t[0], t[1], t[2], q);
   if (side_p == Sign::zero && side_q == Sign::zero) return coplanar_segment_meets_triangle(p, q, t);
   if (side_p == side_q) return false;
-  // The line crosses the plane in one point of the segment: it passes the triangle's sides on the
+  // The line crosses the plane in one point of the segment: it passes the triangle's edges on the
   // same hand iff that point is in the triangle.
   return all_equal_or_zero(orient3d(p, q, t[0], t[1]), orient3d(p, q, t[1], t[2]),
                            orient3d(p, q, t[2], t[0]));
@@ -94,8 +94,8 @@ int shared_corners_first(Corners& t, const Corners& other) {
   return static_cast<int>(shared_end - t.begin());
 }
 
-// Is one triangle folded onto the other about their common side s[0] s[1]?
-bool folded_about_side(const Corners& s, const Point& other_apex) {
+// Is one triangle folded onto the other about their common edge s[0] s[1]?
+bool folded_about_edge(const Corners& s, const Point& other_apex) {
   if (orient3d(s[0], s[1], s[2], other_apex) != Sign::zero) return false;
   const int axis = axis_to_drop(s);
   return orient2d_without(axis, s[0], s[1], s[2]) == orient2d_without(axis, s[0], s[1], other_apex);
@@ -148,10 +148,10 @@ bool triangles_intersect(const std::array<Point, 3>& a, const std::array<Point, 
       return disjoint_corners_intersect(s, t);
     case 1:
       // Both are convex: if they meet in another point, then on the whole way from the shared
-      // corner to it, and the farthest such point lies on one of the opposite sides.
+      // corner to it, and the farthest such point lies on one of the opposite edges.
       return segment_meets_triangle(s[1], s[2], t) || segment_meets_triangle(t[1], t[2], s);
     case 2:
-      return folded_about_side(s, t[2]);
+      return folded_about_edge(s, t[2]);
     default:
       return true;
   }

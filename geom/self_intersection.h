@@ -1,12 +1,12 @@
 // Pairs of triangles of a mesh that meet where they should not. Exact.
 //
-// Two triangles of a proper surface meet in what they share: nothing, a corner, or a side. A pair
+// Two triangles of a proper surface meet in what they share: nothing, a corner, or an edge. A pair
 // intersects iff it meets in any other point. Corners with equal coordinates are shared, whatever
 // their ids, so that a mesh and its unwelded copy have the same pairs. In detail, by the number of
 // shared corners:
 //   0  any common point counts, a touch included;
 //   1  any common point besides the shared corner counts;
-//   2  counts iff the triangles lie in one plane, on the same side of the shared side (one is
+//   2  counts iff the triangles lie in one plane, on the same side of the shared edge (one is
 //      folded onto the other);
 //   3  the same triangle twice (in either orientation): counts.
 // Triangles without area (corners on one line) have no interior to cross and are left out.
@@ -47,7 +47,7 @@ SelfIntersections self_intersection(const TriangleMesh& mesh,
 
 // The test on one pair, as defined above; neither triangle may have its corners on one line.
 // Complexity: O(1). Source of the approach: Guigue & Devillers, Fast and robust triangle-triangle
-// overlap test using orientation predicates (JGT 2003); here side against triangle, both ways.
+// overlap test using orientation predicates (JGT 2003); here edge against triangle, both ways.
 bool triangles_intersect(const std::array<Point, 3>& a, const std::array<Point, 3>& b);
 
 }  // namespace cocoon

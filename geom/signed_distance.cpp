@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "geom/closest_facet.h"
-#include "geom/mesh_adjacency.h"
+#include "geom/halfedges.h"
 #include "geom/mesh_check.h"
 #include "geom/triangle_projection.h"
 #include "geom/winding_number.h"
@@ -20,7 +20,7 @@ constexpr std::size_t grain = 1024;
 class Pseudonormals {
  public:
   explicit Pseudonormals(const TriangleMesh& mesh)
-      : mesh_(mesh), adjacency_(mesh_adjacency(mesh)), of_vertex_(mesh.points.size()) {
+      : mesh_(mesh), rings_(link_halfedges(mesh)), of_vertex_(mesh.points.size()) {
     for (const TriangleId t : mesh.triangles.ids()) {
       const TrianglePoints p = corners_of(mesh, t);
       of_facet_.push_back(unit(cross(p[1] - p[0], p[2] - p[0])));
@@ -56,26 +56,26 @@ class Pseudonormals {
   }
 
  private:
-  Vec3 at_edge(TriangleId t, int opposite_corner) const {
-    const EdgeId edge = adjacency_.edge_of[halfedge_of(t, opposite_corner)];
-    if (edge.is_none()) return of_facet_[t];
-    Vec3 sum;
-    for (const HalfedgeId side : adjacency_.halfedges_at(edge)) {
-      sum = sum + of_facet_[triangle_of(side)];
-    }
+  Vec3 at_edge(TriangleId t, std::size_t opposite_corner) const {
+    const Halfedge halfedge = halfedge_of(t, opposite_corner);
+    if (!rings_.has_edge(halfedge)) return of_facet_[t];
+    Vec3 sum;  // from the first one on: the same from each of the triangles
+    for_each_at_edge(rings_.links, first_at_edge(rings_.links, halfedge), [&](Halfedge at_edge) {
+      sum = sum + of_facet_[TriangleId(triangle_of_halfedge(at_edge))];
+    });
     return sum;
   }
 
   const TriangleMesh& mesh_;
-  MeshAdjacency adjacency_;
+  HalfedgeRings rings_;
   IdVector<TriangleId, Vec3> of_facet_;
   IdVector<VertexId, Vec3> of_vertex_;
 };
 
 // Tells inside from outside: winding numbers are exact as they are, normals want working sizes.
-class Sides {
+class InsideTest {
  public:
-  Sides(const TriangleMesh& mesh, const TriangleMesh& scaled) {
+  InsideTest(const TriangleMesh& mesh, const TriangleMesh& scaled) {
     if (mesh_check(mesh).balanced) {
       numbers_.emplace(mesh);
     } else {
@@ -84,8 +84,8 @@ class Sides {
   }
 
   // Of a point and itself scaled, with the closest one of the scaled mesh.
-  bool is_inside(const Point& p, const Point& scaled, TriangleId closest,
-                 const ClosestPoint& foot) const {
+  bool contains(const Point& p, const Point& scaled, TriangleId closest,
+                const ClosestPoint& foot) const {
     if (numbers_) return numbers_->at(p) != 0;
     return dot(scaled - foot.point, normals_->at(closest, foot.feature)) < 0;
   }
@@ -99,7 +99,7 @@ class Sides {
 std::vector<double> distances_by_scale(const TriangleMesh& mesh, const TriangleMesh& scaled,
                                        double scale, Points points, const Execution& execution) {
   const ClosestFacetTree tree(scaled);
-  const Sides sides(mesh, scaled);
+  const InsideTest inside(mesh, scaled);
   std::vector<double> distances(points.size());
   report_progress(execution, "signed_distance", 0);
   parallel_chunks(execution, points.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -108,7 +108,7 @@ std::vector<double> distances_by_scale(const TriangleMesh& mesh, const TriangleM
       const ClosestFacet facet = tree.closest(p);
       const ClosestPoint foot = closest_point_on_triangle(p, corners_of(scaled, facet.triangle));
       const double distance = std::sqrt(foot.squared_distance) / scale;
-      distances[i] = sides.is_inside(points[i], p, facet.triangle, foot) ? -distance : distance;
+      distances[i] = inside.contains(points[i], p, facet.triangle, foot) ? -distance : distance;
     }
   });
   report_progress(execution, "signed_distance", 1);

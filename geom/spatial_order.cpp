@@ -156,7 +156,7 @@ std::uint64_t curve_rank(const Point& p, const Cube& cube, int levels = bits_per
                     curve_coordinate(p.z, cube.low.z, cube.half_side), levels);
 }
 
-void sort_lexicographically(Points points, std::span<KeyedPoint> items) {
+void sort_items_lexicographically(Points points, std::span<KeyedPoint> items) {
   std::sort(items.begin(), items.end(), [&](const KeyedPoint& a, const KeyedPoint& b) {
     const Point& p = points[a.id.index()];
     const Point& q = points[b.id.index()];
@@ -252,7 +252,7 @@ void sort_along_curve(Points points, std::span<KeyedPoint> items, std::span<Keye
                       const Execution& execution) {
   const Cube cube = bounding_cube(points, items, execution);
   if (!(cube.half_side > 0)) {  // all points equal (or apart by the last subnormal bit)
-    sort_lexicographically(points, items);
+    sort_items_lexicographically(points, items);
     return;
   }
   parallel_chunks(execution, items.size(), coarse_grain(items.size()),
@@ -273,7 +273,7 @@ void sort_along_curve(Points points, std::span<KeyedPoint> items, std::span<Keye
           if (count > min_subcurve && count < items.size()) {
             sort_along_curve(points, items.subspan(begin, count), buffer.subspan(begin, count), {});
           } else {
-            sort_lexicographically(points, items.subspan(begin, count));
+            sort_items_lexicographically(points, items.subspan(begin, count));
           }
         }
       });

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "geom/errors.h"
-#include "geom/mesh_adjacency.h"
+#include "geom/halfedges.h"
 #include "geom/orient3d.h"
+#include "geom/triangles_at_vertices.h"
 
 namespace cocoon {
 namespace {
@@ -66,13 +67,14 @@ class AroundLine {
 
 class Splitter {
  public:
-  explicit Splitter(const TriangleMesh& mesh) : mesh_(mesh), adjacency_(mesh_adjacency(mesh)) {}
+  explicit Splitter(const TriangleMesh& mesh)
+      : mesh_(mesh), rings_(link_halfedges(mesh)), triangles_at_(triangles_at_vertices(mesh)) {}
 
   SplitSurface run() {
     require_proper_triangles();
-    pair_sides();
+    pair_halfedges();
     copy_vertices();
-    for (std::vector<HalfedgeId> seams = find_seams(); !seams.empty(); seams = find_seams()) {
+    for (std::vector<Halfedge> seams = find_seams(); !seams.empty(); seams = find_seams()) {
       split_seams(seams);
     }
     canonicalize_triangles(result_.mesh);
@@ -91,59 +93,65 @@ class Splitter {
     }
   }
 
-  void pair(HalfedgeId a, HalfedgeId b) {
+  void pair(Halfedge a, Halfedge b) {
     partner_[a] = b;
     partner_[b] = a;
   }
 
-  void pair_sides() {
-    partner_ = IdVector<HalfedgeId, HalfedgeId>(3 * mesh_.triangles.size());
-    for (const EdgeId e : adjacency_.edges.ids()) {
-      const std::span<const HalfedgeId> sides = adjacency_.halfedges_at(e);
-      if (sides.size() == 2) pair(sides[0], sides[1]);
-      if (sides.size() < 3) continue;
+  void pair_halfedges() {
+    partner_.assign(rings_.links.size(), no_halfedge);
+    for (Halfedge first = 0; first < partner_.size(); ++first) {
+      if (!rings_.is_first(first)) continue;
+      std::vector<Halfedge> ring;
+      for_each_at_edge(rings_.links, first, [&](Halfedge halfedge) { ring.push_back(halfedge); });
+      if (ring.size() == 2) pair(ring[0], ring[1]);
+      if (ring.size() < 3) continue;
       ++result_.split_edges;
-      pair_wedges(e);
-      suspects_.insert(suspects_.end(), sides.begin(), sides.end());
+      suspects_.insert(suspects_.end(), ring.begin(), ring.end());
+      pair_wedges(std::move(ring));
     }
   }
 
-  const Point& apex(HalfedgeId side) const {
-    return mesh_
-        .points[mesh_.triangles[triangle_of(side)][static_cast<std::size_t>(corner_of(side))]];
+  const Point& apex(Halfedge halfedge) const {
+    return mesh_.points[apex_of_halfedge(mesh_, halfedge)];
   }
 
   // In angular order about u -> v a triangle that runs v -> u has the inside ahead, one that runs
   // u -> v has it behind: they match like brackets. Of triangles in one half-plane those that have
   // it behind come first, so that bodies that touch along a facet are two.
-  void pair_wedges(EdgeId e) {
-    auto [u, v] = adjacency_.edges[e];
+  void pair_wedges(std::vector<Halfedge> ring) {
+    auto [u, v] = ends_of_halfedge(mesh_, ring.front());
+    if (v < u) std::swap(u, v);
     if (mesh_.points[v] < mesh_.points[u]) std::swap(u, v);  // not as they happen to be numbered
-    const std::span<const HalfedgeId> sides = adjacency_.halfedges_at(e);
-    std::vector<HalfedgeId> ring(sides.begin(), sides.end());
     const AroundLine order(mesh_.points[u], mesh_.points[v], apex(ring.front()));
-    const auto opens = [&, end = v](HalfedgeId side) { return ends_of(mesh_, side)[0] == end; };
-    std::sort(ring.begin(), ring.end(), [&](HalfedgeId a, HalfedgeId b) {
+    const auto opens = [&, end = v](Halfedge halfedge) {
+      return ends_of_halfedge(mesh_, halfedge)[0] == end;
+    };
+    std::sort(ring.begin(), ring.end(), [&](Halfedge a, Halfedge b) {
       const Point& p = apex(a);
       const Point& q = apex(b);
       if (const Sign sign = order.compare(p, q); sign != Sign::zero) return sign == Sign::negative;
       if (opens(a) != opens(b)) return opens(b);
       return p == q ? a < b : p < q;  // equal ones may stand for each other
     });
-    std::vector<HalfedgeId> open;
+    std::vector<Halfedge> open;
     std::size_t paired = 0;
     for (std::size_t k = 0; k < 2 * ring.size(); ++k) {  // brackets may close past the start
-      const HalfedgeId side = ring[k % ring.size()];
-      if (!partner_[side].is_none()) continue;
-      if (opens(side)) {
-        if (k < ring.size()) open.push_back(side);
+      const Halfedge halfedge = ring[k % ring.size()];
+      if (partner_[halfedge] != no_halfedge) continue;
+      if (opens(halfedge)) {
+        if (k < ring.size()) open.push_back(halfedge);
       } else if (!open.empty()) {
-        pair(open.back(), side);
+        pair(open.back(), halfedge);
         open.pop_back();
         paired += 2;
       }
     }
-    result_.unpaired_sides += ring.size() - paired;
+    result_.unpaired_halfedges += ring.size() - paired;
+  }
+
+  static TriangleId triangle_of(Halfedge halfedge) {
+    return TriangleId(triangle_of_halfedge(halfedge));
   }
 
   Key key(TriangleId t) const {
@@ -186,15 +194,15 @@ class Splitter {
   std::vector<std::vector<TriangleId>> fans_at(VertexId v,
                                                IdVector<TriangleId, std::uint32_t>& seen) const {
     std::vector<std::vector<TriangleId>> fans;
-    for (const TriangleId first : adjacency_.triangles_at(v)) {
+    for (const TriangleId first : triangles_at_[v]) {
       if (seen[first] == v.value + 1) continue;
       std::vector<TriangleId> fan{first};
       seen[first] = v.value + 1;
       for (std::size_t next = 0; next < fan.size(); ++next) {
-        for (int i = 0; i < 3; ++i) {
-          const HalfedgeId other = partner_[halfedge_of(fan[next], i)];
-          const bool at_v = mesh_.triangles[fan[next]][static_cast<std::size_t>(i)] != v;
-          if (!at_v || other.is_none() || seen[triangle_of(other)] == v.value + 1) continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Halfedge other = partner_[halfedge_of(fan[next], i)];
+          const bool at_v = mesh_.triangles[fan[next]][i] != v;
+          if (!at_v || other == no_halfedge || seen[triangle_of(other)] == v.value + 1) continue;
           seen[triangle_of(other)] = v.value + 1;
           fan.push_back(triangle_of(other));
         }
@@ -204,48 +212,51 @@ class Splitter {
     return fans;
   }
 
-  // Pairs of sides (each by one side) that share both ends with another pair, but for the first.
-  std::vector<HalfedgeId> find_seams() {
-    std::vector<std::tuple<VertexId, VertexId, Key, Key, HalfedgeId>> pairs;
-    for (const HalfedgeId suspect : suspects_) {
-      const HalfedgeId other = partner_[suspect];
-      const HalfedgeId side = other.is_none() ? suspect : std::min(suspect, other);
-      const auto [from, to] = ends_of(result_.mesh, side);
+  // Pairs of halfedges (each by one of them) that share both ends with another pair, but for the
+  // first.
+  std::vector<Halfedge> find_seams() {
+    std::vector<std::tuple<VertexId, VertexId, Key, Key, Halfedge>> pairs;
+    for (const Halfedge suspect : suspects_) {
+      const Halfedge other = partner_[suspect];
+      const Halfedge halfedge = other == no_halfedge ? suspect : std::min(suspect, other);
+      const auto [from, to] = ends_of_halfedge(result_.mesh, halfedge);
       Key first = key(triangle_of(suspect));
-      Key second = other.is_none() ? first : key(triangle_of(other));
+      Key second = other == no_halfedge ? first : key(triangle_of(other));
       if (second < first) std::swap(first, second);  // triangles of two pairs may coincide
-      pairs.emplace_back(std::min(from, to), std::max(from, to), first, second, side);
+      pairs.emplace_back(std::min(from, to), std::max(from, to), first, second, halfedge);
     }
     suspects_.clear();
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    std::vector<HalfedgeId> seams;
+    std::vector<Halfedge> seams;
     for (std::size_t k = 1; k < pairs.size(); ++k) {
-      const auto& [a, b, first, second, side] = pairs[k];
-      if (a == std::get<0>(pairs[k - 1]) && b == std::get<1>(pairs[k - 1])) seams.push_back(side);
+      const auto& [a, b, first, second, halfedge] = pairs[k];
+      if (a == std::get<0>(pairs[k - 1]) && b == std::get<1>(pairs[k - 1]))
+        seams.push_back(halfedge);
     }
     return seams;
   }
 
-  // Sides move when their triangle is cut, and take their flag along to where the scan comes later.
-  void split_seams(const std::vector<HalfedgeId>& seams) {
-    is_seam_ = IdVector<HalfedgeId, std::uint8_t>(partner_.size(), 0);
-    for (const HalfedgeId side : seams) is_seam_[side] = 1;
-    for (HalfedgeId side{0}; side.index() < partner_.size(); ++side) {
-      if (is_seam_[side] == 0) continue;
-      is_seam_[side] = 0;
-      const HalfedgeId other = partner_[side];
-      const auto [a, b] = ends_of(result_.mesh, side);
+  // Halfedges move when their triangle is cut, and take their flag along to where the scan comes
+  // later.
+  void split_seams(const std::vector<Halfedge>& seams) {
+    is_seam_.assign(partner_.size(), 0);
+    for (const Halfedge halfedge : seams) is_seam_[halfedge] = 1;
+    for (Halfedge halfedge = 0; halfedge < partner_.size(); ++halfedge) {
+      if (is_seam_[halfedge] == 0) continue;
+      is_seam_[halfedge] = 0;
+      const Halfedge other = partner_[halfedge];
+      const auto [a, b] = ends_of_halfedge(result_.mesh, halfedge);
       const Point middle = midpoint(result_.mesh.points[a], result_.mesh.points[b]);
       const VertexId m = result_.mesh.points.push_back(middle);
       const VertexId smaller_end = result_.mesh.points[b] < result_.mesh.points[a] ? b : a;
       result_.source.push_back(VertexId(result_.source[smaller_end]));
       ++result_.midpoints;
-      const HalfedgeId rest = cut(side, m);
-      if (other.is_none()) continue;
-      const bool same_direction = ends_of(result_.mesh, other)[0] == a;
-      const HalfedgeId rest_of_other = cut(other, m);
-      pair(side, same_direction ? other : rest_of_other);
+      const Halfedge rest = cut(halfedge, m);
+      if (other == no_halfedge) continue;
+      const bool same_direction = ends_of_halfedge(result_.mesh, other)[0] == a;
+      const Halfedge rest_of_other = cut(other, m);
+      pair(halfedge, same_direction ? other : rest_of_other);
       pair(rest, same_direction ? rest_of_other : other);
     }
   }
@@ -256,32 +267,34 @@ class Splitter {
     return 0.5 * low + 0.5 * high;
   }
 
-  // Cuts the triangle (c, a, b) of side a -> b into (c, a, m), which keeps its id and the side a ->
-  // m in place, and (c, m, b); returns the side m -> b. The partners of a -> m and m -> b are open.
-  HalfedgeId cut(HalfedgeId side, VertexId m) {
-    const TriangleId t = triangle_of(side);
-    const std::size_t i = static_cast<std::size_t>(corner_of(side));
+  // Cuts the triangle (c, a, b) of halfedge a -> b into (c, a, m), which keeps its id and the
+  // halfedge a -> m in place, and (c, m, b); returns the halfedge m -> b. The partners of a -> m
+  // and m -> b are open.
+  Halfedge cut(Halfedge halfedge, VertexId m) {
+    const TriangleId t = triangle_of(halfedge);
+    const std::size_t i = corner_of_halfedge(halfedge);
     Triangle& triangle = result_.mesh.triangles[t];
     const Triangle other_part{triangle[i], m, triangle[(i + 2) % 3]};
     triangle[(i + 2) % 3] = m;
     const TriangleId t2 = result_.mesh.triangles.push_back(other_part);
-    partner_.resize(partner_.size() + 3);
+    partner_.resize(partner_.size() + 3, no_halfedge);
     is_seam_.resize(is_seam_.size() + 3, 0);
-    const HalfedgeId cut_here = halfedge_of(t, static_cast<int>((i + 1) % 3));
-    const HalfedgeId moved = halfedge_of(t2, 1);
-    if (const HalfedgeId outer = partner_[cut_here]; !outer.is_none()) pair(outer, moved);
+    const Halfedge cut_here = halfedge_of(t, (i + 1) % 3);
+    const Halfedge moved = halfedge_of(t2, 1);
+    if (const Halfedge outer = partner_[cut_here]; outer != no_halfedge) pair(outer, moved);
     is_seam_[moved] = std::exchange(is_seam_[cut_here], std::uint8_t{0});
     pair(cut_here, halfedge_of(t2, 2));
-    partner_[side] = HalfedgeId();
-    for (const HalfedgeId s : {cut_here, moved, halfedge_of(t2, 2)}) suspects_.push_back(s);
+    partner_[halfedge] = no_halfedge;
+    for (const Halfedge s : {cut_here, moved, halfedge_of(t2, 2)}) suspects_.push_back(s);
     return halfedge_of(t2, 0);
   }
 
   const TriangleMesh& mesh_;
-  MeshAdjacency adjacency_;
-  IdVector<HalfedgeId, HalfedgeId> partner_;  // grows with result_.mesh.triangles
-  std::vector<HalfedgeId> suspects_;          // sides whose pair may share both ends with another
-  IdVector<HalfedgeId, std::uint8_t> is_seam_;
+  HalfedgeRings rings_;
+  TrianglesAtVertices triangles_at_;
+  std::vector<Halfedge> partner_;   // grows with result_.mesh.triangles
+  std::vector<Halfedge> suspects_;  // halfedges whose pair may share both ends with another
+  std::vector<std::uint8_t> is_seam_;
   SplitSurface result_;
 };
 

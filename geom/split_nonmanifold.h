@@ -29,14 +29,14 @@ struct SplitSurface {
   std::size_t split_vertices = 0;  // have copies
   std::size_t copies = 0;
   std::size_t midpoints = 0;
-  std::size_t unpaired_sides = 0;  // at such edges, where as many triangles do not run each way
+  std::size_t unpaired_halfedges = 0;  // at such edges, where as many triangles do not run each way
 };
 
 // Splits `mesh`: no edge of the result has more than two triangles, no vertex is pinched, and every
 // point of the surface stays in place (midpoints are rounded). A balanced mesh (geom/mesh_check.h)
 // stays balanced, so one that bounds a body becomes a closed oriented 2-manifold. Of a manifold
 // only the order of triangles may change. Triangles that run through an edge of three or more
-// without a partner keep an open side there, and are counted. Copies have equal coordinates:
+// without a partner keep an open edge there, and are counted. Copies have equal coordinates:
 // formats without ids (STL) cannot tell them apart. Errors: InputError if a triangle names a vertex
 // that is not there or one vertex twice. Preconditions: finite coordinates; triangles at such an
 // edge have an area. Complexity: O(t + v) and sorts of small lists. Deterministic: exact angular

@@ -52,15 +52,15 @@ inline std::array<Point, 3> corners_from_smallest(std::array<Point, 3> corners) 
   return corners;
 }
 
-// The length of side i of a triangle, opposite its corner i, in units of the coordinates; and that
-// of its shortest side. Precondition: as corners_of. O(1).
-inline double side_length(const TriangleMesh& mesh, TriangleId triangle, std::size_t i) {
+// The length of edge i of a triangle, opposite its corner i, in units of the coordinates; and that
+// of its shortest edge. Precondition: as corners_of. O(1).
+inline double edge_length(const TriangleMesh& mesh, TriangleId triangle, std::size_t i) {
   const Triangle& corners = mesh.triangles[triangle];
   return distance(mesh.points[corners[(i + 1) % 3]], mesh.points[corners[(i + 2) % 3]]);
 }
-inline double shortest_side(const TriangleMesh& mesh, TriangleId triangle) {
-  return std::min({side_length(mesh, triangle, 0), side_length(mesh, triangle, 1),
-                   side_length(mesh, triangle, 2)});
+inline double shortest_edge(const TriangleMesh& mesh, TriangleId triangle) {
+  return std::min({edge_length(mesh, triangle, 0), edge_length(mesh, triangle, 1),
+                   edge_length(mesh, triangle, 2)});
 }
 
 // Throws InputError if the triangle names a vertex that is not there. Complexity: O(1).

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "geom/execution.h"
+#include "geom/halfedges.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
-#include "geom/side_links.h"
 #include "geom/sort_by_vertex.h"
 #include "geom/triangle_mesh.h"
 

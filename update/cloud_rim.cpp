@@ -84,17 +84,17 @@ double disk_perimeter(const BoundaryLoop& loop, double median_edge) {
 }  // namespace
 
 CloudRim cloud_rim(const TriangleMesh& surface, const RimOptions& options) {
-  return cloud_rim(surface, link_sides(surface), options);
+  return cloud_rim(surface, link_halfedges(surface), options);
 }
 
-CloudRim cloud_rim(const TriangleMesh& surface, const LinkedSides& sides,
+CloudRim cloud_rim(const TriangleMesh& surface, const HalfedgeRings& rings,
                    const RimOptions& options) {
   TriangleMesh mesh = surface;
   // So that the normals around a loop agree.
-  const EdgeComponents components = edge_components(mesh, sides);
+  const EdgeComponents components = edge_components(mesh, rings);
   const bool flipped = orient_surface(mesh, components).flipped > 0;
   const BoundaryLoops boundary =
-      boundary_loops(mesh, flipped ? link_sides(mesh) : sides, components, options.loops);
+      boundary_loops(mesh, flipped ? link_halfedges(mesh) : rings, components, options.loops);
   const IdVector<VertexId, Vec3> normals = normals_at(boundary.loops, mesh);
 
   const auto is_one_sided = [&](const BoundaryLoop& loop) {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cocone/boundary_loops.h"
-#include "geom/linked_sides.h"
+#include "geom/halfedges.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 
@@ -90,8 +90,8 @@ struct RimOptions {
 // Source: Woo & Dey 2005, section 3.2.
 CloudRim cloud_rim(const TriangleMesh& surface, const RimOptions& options = {});
 
-// The same for who has the linked sides of the surface.
-CloudRim cloud_rim(const TriangleMesh& surface, const LinkedSides& sides,
+// The same for who has the linked halfedges of the surface.
+CloudRim cloud_rim(const TriangleMesh& surface, const HalfedgeRings& rings,
                    const RimOptions& options = {});
 
 }  // namespace cocoon

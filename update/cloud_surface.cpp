@@ -36,7 +36,7 @@ Foundation lay_foundation(Points cloud, const ReconstructOptions& options,
 }
 
 // The samples whose surface is looked at.
-struct Scan {
+struct KeptSamples {
   Points cloud;
   Foundation foundation;      // of the samples that are kept
   std::vector<PointId> kept;  // increasing; empty: all
@@ -85,7 +85,7 @@ Sheet find_sheet(const Foundation& f, const RimSearch& search, const CloudSurfac
 }
 
 // Its rim, after trimming, without seams.
-Trial find_rim(const Scan& scan, Sheet&& found, const RimSearch& search,
+Trial find_rim(const KeptSamples& samples, Sheet&& found, const RimSearch& search,
                const CloudSurfaceOptions& options) {
   auto& [sheet, boundary] = found;
   TrimmedSurface trimmed = trim_long_edges(std::move(sheet.mesh), options.trim);
@@ -93,17 +93,17 @@ Trial find_rim(const Scan& scan, Sheet&& found, const RimSearch& search,
   CloudSurface& surface = trial.surface;
   surface.mesh = std::move(trimmed.mesh);
   surface.point_of_vertex = std::move(sheet.point_of_vertex);
-  if (!scan.kept.empty()) {
-    for (PointId& point : surface.point_of_vertex) point = scan.kept[point.index()];
+  if (!samples.kept.empty()) {
+    for (PointId& point : surface.point_of_vertex) point = samples.kept[point.index()];
   }
   surface.boundary_sample.resize(surface.mesh.points.size());
   for (const VertexId v : surface.mesh.points.ids()) {
     surface.boundary_sample[v] = boundary.boundary[sheet.triangulation_vertex[v]];
   }
-  surface.rim = cloud_rim(surface.mesh, trimmed.sides, options.rim);
-  mark_rim_seams(scan.cloud, surface.rim, options.seams);
+  surface.rim = cloud_rim(surface.mesh, trimmed.rings, options.rim);
+  mark_rim_seams(samples.cloud, surface.rim, options.seams);
   surface.rho = search.rho;
-  surface.set_aside = scan.set_aside();
+  surface.set_aside = samples.set_aside();
   surface.boundary_samples = boundary.count;
   surface.trimmed = trimmed.at_rim + trimmed.in_clusters;
   surface.status = surface.mesh.triangles.empty() ? CloudStatus::no_surface
@@ -127,29 +127,29 @@ Trial find_rim(const Scan& scan, Sheet&& found, const RimSearch& search,
 }
 
 // If samples lie in rows, few of them: those of the rows but not all along a row.
-std::vector<PointId> few_of_rows(const Scan& scan, const Sheet& sheet,
+std::vector<PointId> few_of_rows(const KeptSamples& samples, const Sheet& sheet,
                                  const CloudSurfaceOptions& options) {
-  return thin_out_rows(scan.cloud, sheet.surface.mesh, sheet.surface.point_of_vertex,
+  return thin_out_rows(samples.cloud, sheet.surface.mesh, sheet.surface.point_of_vertex,
                        options.rows.spread);
 }
 
 // If layers lie over each other, one layer. Throws InputError if there are too few samples for one.
-std::vector<PointId> few_of_layers(const Scan& scan, const CloudSurfaceOptions& options) {
+std::vector<PointId> few_of_layers(const KeptSamples& samples, const CloudSurfaceOptions& options) {
   constexpr std::size_t neighbor = 8;
-  const double distance = options.layers.spread * median_neighbor_distance(scan.cloud, neighbor);
+  const double distance = options.layers.spread * median_neighbor_distance(samples.cloud, neighbor);
   if (distance == 0) throw InputError("too few different points");
-  return thin_points(scan.cloud, [&](PointId) { return distance * distance; });
+  return thin_points(samples.cloud, [&](PointId) { return distance * distance; });
 }
 
 // With these samples alone. Throws InputError if they are too few, or lie in one plane.
-Scan thinned(const Scan& all, std::vector<PointId> kept, const CloudSurfaceOptions& options,
-             const Execution& execution) {
-  Scan scan{all.cloud, {}, std::move(kept), all.duplicates};
+KeptSamples thinned(const KeptSamples& all, std::vector<PointId> kept,
+                    const CloudSurfaceOptions& options, const Execution& execution) {
+  KeptSamples samples{all.cloud, {}, std::move(kept), all.duplicates};
   std::vector<Point> points;
-  points.reserve(scan.kept.size());
-  for (const PointId p : scan.kept) points.push_back(scan.cloud[p.index()]);
-  scan.foundation = lay_foundation(points, options.reconstruct, execution);
-  return scan;
+  points.reserve(samples.kept.size());
+  for (const PointId p : samples.kept) points.push_back(samples.cloud[p.index()]);
+  samples.foundation = lay_foundation(points, options.reconstruct, execution);
+  return samples;
 }
 
 // Whether the trial is to be preferred: a rim before none, a surface before none, then the less
@@ -189,14 +189,14 @@ class Search {
 
   // `sheet`: that of options.start. Without a rim or a seam the surface is closed: finer trials
   // look more closely. Else the seams are in the way.
-  void begin(const Scan& scan, Sheet sheet) {
-    add(find_rim(scan, std::move(sheet), options_.start, options_));
+  void begin(const KeptSamples& samples, Sheet sheet) {
+    add(find_rim(samples, std::move(sheet), options_.start, options_));
     const Trial& first = found_.front();
     const bool is_closed = first.surface.status == CloudStatus::cloud_closed &&
                            first.report.seam_share <= options_.max_seam_share;
     for (const RimSearch& search : is_closed ? options_.finer : options_.coarser) {
       if (done_) break;
-      Trial trial = try_once(scan, search);
+      Trial trial = try_once(samples, search);
       // A finer trial that tears the surface up everywhere has found no rim.
       if (is_closed && !preference_.good_enough(trial)) {
         trials_.push_back(trial.report);
@@ -213,10 +213,10 @@ class Search {
                                           best.report.seam_share > options_.layers.max_seam_share);
   }
 
-  void go_on(const Scan& scan) {
-    add(try_once(scan, options_.start));
+  void go_on(const KeptSamples& samples) {
+    add(try_once(samples, options_.start));
     for (const RimSearch& search : options_.coarser) {
-      if (!done_) add(try_once(scan, search));
+      if (!done_) add(try_once(samples, search));
     }
     std::stable_sort(found_.begin(), found_.end(), preference_);
   }
@@ -231,8 +231,8 @@ class Search {
   }
 
  private:
-  Trial try_once(const Scan& scan, const RimSearch& search) const {
-    return find_rim(scan, find_sheet(scan.foundation, search, options_, execution_), search,
+  Trial try_once(const KeptSamples& samples, const RimSearch& search) const {
+    return find_rim(samples, find_sheet(samples.foundation, search, options_, execution_), search,
                     options_);
   }
   void add(Trial trial) {
@@ -255,26 +255,26 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
                                                 const Execution& execution) {
   const std::vector<Point> off_plane = moved_off_plane(cloud);
   const Points working = off_plane.empty() ? cloud : Points(off_plane);
-  Scan scan{working, lay_foundation(working, options.reconstruct, execution), {}};
-  scan.duplicates = scan.foundation.triangulation.num_duplicates();
-  Sheet sheet = find_sheet(scan.foundation, options.start, options, execution);
+  KeptSamples samples{working, lay_foundation(working, options.reconstruct, execution), {}};
+  samples.duplicates = samples.foundation.triangulation.num_duplicates();
+  Sheet sheet = find_sheet(samples.foundation, options.start, options, execution);
   if (lies_in_rows(sheet.surface.mesh, options.rows.min_ratio)) {
-    std::vector<PointId> few = few_of_rows(scan, sheet, options);
-    scan = thinned(scan, std::move(few), options, execution);
-    sheet = find_sheet(scan.foundation, options.start, options, execution);
+    std::vector<PointId> few = few_of_rows(samples, sheet, options);
+    samples = thinned(samples, std::move(few), options, execution);
+    sheet = find_sheet(samples.foundation, options.start, options, execution);
   }
   Search search(options, execution);
-  search.begin(scan, std::move(sheet));
+  search.begin(samples, std::move(sheet));
   if (search.is_layered()) {
     try {
-      search.go_on(thinned(scan, few_of_layers(scan, options), options, execution));
+      search.go_on(thinned(samples, few_of_layers(samples, options), options, execution));
     } catch (const InputError&) {
       // Nothing is left that could be triangulated: what was found before is all.
     }
   }
   std::vector<CloudSurface> surfaces = search.ranked();
   for (CloudSurface& surface : surfaces) {
-    surface.duplicates = scan.duplicates;
+    surface.duplicates = samples.duplicates;
     if (off_plane.empty()) continue;
     for (const VertexId v : surface.mesh.points.ids()) {
       surface.mesh.points[v] = cloud[surface.point_of_vertex[v].index()];

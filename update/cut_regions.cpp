@@ -31,23 +31,23 @@ class CutSeeds {
     const RimIndex rims(all_rims);
     if (rims.empty()) return;
     for (const TriangleId t : beside_border()) {
-      const Sides sides = sides_of(t);
+      const EdgeLengths edges = edges_of(t);
       const RimSide side = rims.side_of(model_.centroid(t));
       const double spacing = all_rims[side.rim].spacing;
-      if (!(side.distance <= reach * std::max(spacing, sides.shortest))) continue;
-      pulls_.push_back({t, side.on_cloud_side ? sides.at_border : -sides.at_border});
-      (side.on_cloud_side ? cut.seeds_under : cut.seeds_outside) += length_of(sides.at_border);
+      if (!(side.distance <= reach * std::max(spacing, edges.shortest))) continue;
+      pulls_.push_back({t, side.on_cloud_side ? edges.at_border : -edges.at_border});
+      (side.on_cloud_side ? cut.seeds_under : cut.seeds_outside) += length_of(edges.at_border);
     }
   }
 
   // By the samples: those that the labels have under the cloud although the scan ended before them.
-  // Half of their sides: more than a cut between them and the scanned ones costs, less than one
+  // Half of their edges: more than a cut between them and the scanned ones costs, less than one
   // around each. `ends`: in the order of ids; after pull_by_rims().
   void pull_outside(const std::vector<TriangleId>& ends, RegionCut& cut) {
     const std::size_t by_rims = pulls_.size();
     for (const TriangleId t : ends) {
       std::int64_t half = 0;
-      for (std::size_t i = 0; i < 3; ++i) half += side_in_steps(model_, t, i, steps_);
+      for (std::size_t i = 0; i < 3; ++i) half += edge_in_steps(model_, t, i, steps_);
       half /= 2;
       cut.seeds_outside += length_of(half);
       const auto end = pulls_.begin() + static_cast<std::ptrdiff_t>(by_rims);
@@ -75,17 +75,17 @@ class CutSeeds {
       const bool agrees = cut.under[p.facet] != 0 ? p.pull >= 0 : p.pull <= 0;
       if (!agrees) cut.contradicted += length_of(std::abs(p.pull));
     }
-    for (const HalfedgeId side : found.sides) {
-      const TriangleId t = triangle_of(side);
-      const auto i = static_cast<std::size_t>(corner_of(side));
-      if (is_end(t) || is_end(model_.adjacency().neighbors[t][i])) continue;
+    for (const Halfedge halfedge : found.halfedges) {
+      const TriangleId t(triangle_of_halfedge(halfedge));
+      const std::size_t i = corner_of_halfedge(halfedge);
+      if (is_end(t) || is_end(model_.neighbors()[t][i])) continue;
       ++cut.cut_edges;
-      cut.cut_length += length_of(side_in_steps(model_, t, i, steps_));
+      cut.cut_length += length_of(edge_in_steps(model_, t, i, steps_));
     }
   }
 
  private:
-  struct Sides {
+  struct EdgeLengths {
     std::int64_t at_border = 0;
     double shortest = 0;
   };
@@ -96,7 +96,7 @@ class CutSeeds {
   std::vector<TriangleId> beside_border() const {
     std::vector<TriangleId> facets;
     for (const TriangleId t : members(border_)) {
-      for (const TriangleId next : model_.adjacency().neighbors[t]) {
+      for (const TriangleId next : model_.neighbors()[t]) {
         if (!next.is_none() && border_[next] == 0) facets.push_back(next);
       }
     }
@@ -104,15 +104,15 @@ class CutSeeds {
     return facets;
   }
 
-  Sides sides_of(TriangleId t) const {
-    Sides sides;
+  EdgeLengths edges_of(TriangleId t) const {
+    EdgeLengths edges;
     for (std::size_t i = 0; i < 3; ++i) {
-      const TriangleId next = model_.adjacency().neighbors[t][i];
+      const TriangleId next = model_.neighbors()[t][i];
       if (next.is_none() || border_[next] == 0) continue;
-      sides.at_border += side_in_steps(model_, t, i, steps_);
+      edges.at_border += edge_in_steps(model_, t, i, steps_);
     }
-    sides.shortest = shortest_side(model_.mesh(), t);
-    return sides;
+    edges.shortest = shortest_edge(model_.mesh(), t);
+    return edges;
   }
 
   const ModelIndex& model_;

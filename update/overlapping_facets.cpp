@@ -38,11 +38,11 @@ std::vector<RimPoint> all_points(const CloudRim& rim) {
 
 // The median edge of a facet: the spacing of the model there.
 double facet_spacing(const TriangleMesh& mesh, TriangleId t) {
-  return median({side_length(mesh, t, 0), side_length(mesh, t, 1), side_length(mesh, t, 2)});
+  return median({edge_length(mesh, t, 0), edge_length(mesh, t, 1), edge_length(mesh, t, 2)});
 }
 
 // The larger one of the rim's and the model's there.
-double spacing_at(const TriangleMesh& model, const CloudRim& rim, TriangleId facet) {
+double larger_spacing(const TriangleMesh& model, const CloudRim& rim, TriangleId facet) {
   return std::max(rim.spacing, facet_spacing(model, facet));
 }
 
@@ -280,7 +280,7 @@ void measure_excess(const TriangleMesh& model, const CloudRim& rim, Overlap& ove
       if (facet.is_none() || rim.loops[l].is_inner_point(i)) continue;
       const double excess =
           distance(loop.feet[i], rim.loops[l].points[i]) - overlap.median_distance;
-      const double spacing = spacing_at(model, rim, facet);
+      const double spacing = larger_spacing(model, rim, facet);
       overlap.largest_excess = std::max(overlap.largest_excess, excess / spacing);
     }
   }
@@ -310,7 +310,7 @@ void count_raised(const TriangleMesh& model, const CloudRim& rim, const OverlapO
         ++loop.raised;
         continue;
       }
-      const double spacing = spacing_at(model, rim, facet);
+      const double spacing = larger_spacing(model, rim, facet);
       const double height = distance(loop.feet[i], points.points[i]);
       loop.raised += height > usual[part] + options.raised_distance * spacing ? 1U : 0U;
     }
@@ -398,7 +398,7 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
     const auto [l, i] = points[k];
     const RimLoop& loop = rim.loops[l];
     queries.push_back({loop.points[i], signs[k] * loop.normals[i],
-                       spacing_at(model.mesh(), rim, closest[k].triangle), closest[k]});
+                       larger_spacing(model.mesh(), rim, closest[k].triangle), closest[k]});
     if (!loop.is_inner_point(i)) chosen.push_back(k);
   }
   const Locator locator(model, options);

@@ -81,7 +81,7 @@ std::vector<TriangleId> scan_ends(const ModelIndex& model, std::span<const Trian
   if (scans.empty() || among.empty()) return {};
   std::vector<TriangleId> around(among.begin(), among.end());
   for (const TriangleId t : among) {
-    for (const TriangleId next : model.adjacency().neighbors[t]) {
+    for (const TriangleId next : model.neighbors()[t]) {
       if (!next.is_none()) around.push_back(next);
     }
   }
@@ -90,7 +90,7 @@ std::vector<TriangleId> scan_ends(const ModelIndex& model, std::span<const Trian
   std::vector<TriangleId> ends;
   for (const TriangleId t : among) {
     if (coverage.is_scanned(t)) continue;
-    const auto& neighbors = model.adjacency().neighbors[t];
+    const auto& neighbors = model.neighbors()[t];
     const bool at_scan = std::any_of(neighbors.begin(), neighbors.end(), [&](TriangleId next) {
       return !next.is_none() && coverage.is_scanned(next);
     });

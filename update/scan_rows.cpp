@@ -4,8 +4,8 @@
 #include <array>
 
 #include "geom/median.h"
-#include "geom/mesh_adjacency.h"
 #include "geom/thin_points.h"
+#include "geom/triangles_at_vertices.h"
 
 namespace cocoon {
 
@@ -37,11 +37,10 @@ std::vector<double> squared_row_distances(std::size_t points, const TriangleMesh
   };
   for (const Triangle& t : surface.triangles) add(t);
   std::vector<double> at(points, quantile_in_place(numbers, upper_quartile));
-  MeshAdjacency adjacency;
-  list_triangles_at_vertices(surface, adjacency);
+  const TrianglesAtVertices at_vertices = triangles_at_vertices(surface);
   for (const VertexId v : surface.points.ids()) {
     numbers.clear();
-    for (const TriangleId t : adjacency.triangles_at(v)) add(surface.triangles[t]);
+    for (const TriangleId t : at_vertices[v]) add(surface.triangles[t]);
     double& here = at[point_of_vertex[v].index()];
     here = std::max(here, quantile_in_place(numbers, upper_quartile));
   }

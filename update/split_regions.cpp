@@ -39,7 +39,7 @@ class Labeling {
     for (const TriangleId t : labels_.ids()) {
       if (regions_.region_of_facet[t] != region_ || !is_beside_border(t)) continue;
       const RimSide side = rims.side_of(model_.centroid(t));
-      const double spacing = std::max(spacings[side.rim], shortest_side(model_.mesh(), t));
+      const double spacing = std::max(spacings[side.rim], shortest_edge(model_.mesh(), t));
       if (!(side.distance <= reach * spacing)) continue;
       labels_[t] = {0, side.on_cloud_side ? Label::under : Label::outside};
       ++(side.on_cloud_side ? counts.under_seeds : counts.outside_seeds);
@@ -52,7 +52,7 @@ class Labeling {
       const Entry entry = queue_.top();
       queue_.pop();
       if (entry.labeled != labels_[entry.facet]) continue;  // reached on a shorter way meanwhile
-      for (const TriangleId next : model_.adjacency().neighbors[entry.facet]) {
+      for (const TriangleId next : model_.neighbors()[entry.facet]) {
         if (next.is_none() || regions_.region_of_facet[next] != region_) continue;
         const double step = distance(model_.centroid(entry.facet), model_.centroid(next));
         const Labeled offer = {entry.labeled.distance + step, entry.labeled.label};
@@ -69,7 +69,7 @@ class Labeling {
 
  private:
   bool is_beside_border(TriangleId t) const {
-    for (const TriangleId next : model_.adjacency().neighbors[t]) {
+    for (const TriangleId next : model_.neighbors()[t]) {
       if (!next.is_none() && regions_.region_of_facet[next].is_none()) return true;
     }
     return false;
@@ -146,7 +146,7 @@ RegionSplit split_regions(const ModelIndex& model, const Regions& regions,
       ++split.under_facets;
       result.regions.region_of_facet.set(t, split.under);
       split.reach = std::max(split.reach, cloud_reach.at(model.centroid(t)));
-      for (const TriangleId next : model.adjacency().neighbors[t]) {
+      for (const TriangleId next : model.neighbors()[t]) {
         if (next.is_none() || regions.region_of_facet[next] != region) continue;
         if (!labeling.is_under(next)) ++split.cut_edges;
       }

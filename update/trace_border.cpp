@@ -42,11 +42,11 @@ struct CuttingPlane {
 };
 
 struct Exit {
-  int side = -1;        // opposite corner i; -1 if the plane misses the facet
+  int edge = -1;        // opposite corner i; -1 if the plane misses the facet
   double crossing = 0;  // how far along the segment
 };
 
-// The side by which a walk leaves `t`: crossed by the plane, not the one it came in by, and of two
+// The edge by which a walk leaves `t`: crossed by the plane, not the one it came in by, and of two
 // the one farther along; of two at a corner that with the larger opposite one.
 Exit exit_of(const TriangleMesh& mesh, const CuttingPlane& plane, TriangleId t, int entry) {
   const Triangle& corners = mesh.triangles[t];
@@ -58,8 +58,8 @@ Exit exit_of(const TriangleMesh& mesh, const CuttingPlane& plane, TriangleId t, 
     const Point& b = mesh.points[corners[static_cast<std::size_t>((i + 2) % 3)]];
     if (plane.above(a) == plane.above(b)) continue;
     const double crossing = plane.crossing(a, b);
-    if (best.side >= 0 &&
-        std::tuple(crossing, opposite(i)) <= std::tuple(best.crossing, opposite(best.side))) {
+    if (best.edge >= 0 &&
+        std::tuple(crossing, opposite(i)) <= std::tuple(best.crossing, opposite(best.edge))) {
       continue;
     }
     best = {i, crossing};
@@ -67,9 +67,9 @@ Exit exit_of(const TriangleMesh& mesh, const CuttingPlane& plane, TriangleId t, 
   return best;
 }
 
-int side_towards(const MeshAdjacency& adjacency, TriangleId t, TriangleId neighbor) {
+int edge_towards(const TriangleNeighbors& neighbors, TriangleId t, TriangleId neighbor) {
   for (int i = 0; i < 3; ++i) {
-    if (adjacency.neighbors[t][static_cast<std::size_t>(i)] == neighbor) return i;
+    if (neighbors[t][static_cast<std::size_t>(i)] == neighbor) return i;
   }
   return -1;
 }
@@ -89,12 +89,12 @@ bool walk(const ModelIndex& model, const Span& span, std::size_t max_facets,
   for (TriangleId t = span.from; path.size() < max_facets;) {
     const Exit exit = exit_of(model.mesh(), plane, t, entry);
     // The last facet holds the end of the segment: who leaves another one beyond it has missed.
-    if (exit.side < 0 || exit.crossing > end) return false;
-    const TriangleId next = model.adjacency().neighbors[t][static_cast<std::size_t>(exit.side)];
+    if (exit.edge < 0 || exit.crossing > end) return false;
+    const TriangleId next = model.neighbors()[t][static_cast<std::size_t>(exit.edge)];
     if (next.is_none()) return false;
     path.push_back(next);
     if (next == span.to) return true;
-    entry = side_towards(model.adjacency(), next, t);
+    entry = edge_towards(model.neighbors(), next, t);
     t = next;
   }
   return false;
@@ -135,7 +135,7 @@ bool search(const ModelIndex& model, const Span& span, std::size_t max_facets,
     ++looked_at;
     if (t == span.to) break;
     const Point center = model.centroid(t);
-    for (const TriangleId next : model.adjacency().neighbors[t]) {
+    for (const TriangleId next : model.neighbors()[t]) {
       if (next.is_none()) continue;
       const Point next_center = model.centroid(next);
       const double next_cost = cost + distance(center, next_center) +

@@ -89,7 +89,7 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
         ReconstructOptions surface = options.reconstruct;
         surface.keep_cavities = keeps_cavities(surface, *index);
         ReconstructResult result =
-            reconstruct_tight_with_sides(replacement.points, old.sides, surface, nested);
+            reconstruct_tight_with_labels(replacement.points, old.labels, surface, nested);
         const std::size_t triangles = result.mesh.triangles.size();
         return UpdatedSurface{std::move(result), triangles};
       }};

@@ -134,7 +134,7 @@ struct UpdatedSurface {
 struct UpdateParts {
   // The index of the model, always the same; called after the clouds' surfaces.
   std::function<const ModelIndex&()> index;
-  // reconstruct_tight_with_sides of the updated points and what is known of the model. May leave
+  // reconstruct_tight_with_labels of the updated points and what is known of the model. May leave
   // out the mesh, and what the result has of each vertex, if each point is a vertex.
   std::function<UpdatedSurface(const Replacement& replacement, const OldSurface& old,
                                const Execution& execution)>

@@ -76,7 +76,7 @@ void check_snapshot(const SessionSnapshot& snapshot, const Execution& execution)
 }
 
 UpdateSession::UpdateSession(Points points, const UpdateOptions& options,
-                             const Execution& execution, const KnownSidesSource& known)
+                             const Execution& execution, const KnownLabelsSource& known)
     : options_(options), surface_(options.reconstruct) {
   reconstruction_ = surface_.reconstruct(points, execution, known);
   model_ = std::move(reconstruction_.mesh);
@@ -196,7 +196,7 @@ ReconstructResult UpdateSession::reconstruct(const Replacement& replacement, con
   ReconstructResult result;
   surface_.keep_cavities(keeps_cavities(options_.reconstruct, *index_));
   if (surface_.num_points() == 0) {
-    result = surface_.reconstruct(replacement.points, execution, old.sides);
+    result = surface_.reconstruct(replacement.points, execution, old.labels);
   } else if (pending.points = edit_of_points(replacement); pending.points) {
     DynamicTightCocone::Edited edited =
         surface_.edit(replacement.points, *pending.points, execution, old);
@@ -222,7 +222,7 @@ std::size_t UpdateSession::num_triangles(const ReconstructResult& result,
   return model_.triangles.size() - before.size() + pending.surface->triangles.size();
 }
 
-// The points of the surface are again those of the model. Nobody knows what sides were known for
+// The points of the surface are again those of the model. Nobody knows what labels were known for
 // that.
 void UpdateSession::take_back(const Pending& pending) {
   if (!pending.done) return;

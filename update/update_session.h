@@ -60,11 +60,11 @@ struct SessionUpdate {
 // counts, apart from those of the Delaunay kernel.
 class UpdateSession {
  public:
-  // The reconstruction of these points (reconstruct_tight_with_sides, if sides are known) is the
+  // The reconstruction of these points (reconstruct_tight_with_labels, if labels are known) is the
   // model; reconstruction() tells how it went. If it fails, the model is empty and cannot be
   // updated. Errors: InputError as reconstruct_tight.
   explicit UpdateSession(Points points, const UpdateOptions& options = {},
-                         const Execution& execution = {}, const KnownSidesSource& known = {});
+                         const Execution& execution = {}, const KnownLabelsSource& known = {});
   // A closed mesh as it is. Its points are triangulated by the first update.
   explicit UpdateSession(TriangleMesh model, const UpdateOptions& options = {});
   // Goes on from a snapshot of a session with the same options.reconstruct. Errors: as

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <utility>
 
+#include "geom/angles.h"
 #include "geom/errors.h"
 #include "geom/sort_ids.h"
 #include "update/model/model_index.h"
@@ -18,11 +18,7 @@
 
 namespace cocoon {
 
-namespace {
-
-constexpr double degrees_per_radian = 180 / std::numbers::pi;
-
-}  // namespace
+namespace {}  // namespace
 
 UpdateSteps::UpdateSteps(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                          const UpdateOptions& options)
@@ -214,7 +210,7 @@ void UpdateSteps::look_for_losses(const ModelIndex& index) {
   const std::size_t handles =
       unexplained_handles(result_.clouds, result_.euler_before, result_.euler);
   // To close the holes of an open model changes its Euler number, too.
-  if (handles > 0 && !index.has_open_sides()) {
+  if (handles > 0 && !index.has_irregular_edges()) {
     result_.unexplained_handles = handles;
     warn(warning_of_handles(handles));
   }
@@ -301,7 +297,7 @@ bool UpdateSteps::close_pin_holes(const ModelIndex& index, const Execution& exec
   for_each_border_loop([&](std::size_t c, std::size_t l) {
     if (!result_.clouds[c].loops[l].pin_hole) return;
     if (!regions) regions = segment_model(index, border_facets_, options_.segment, execution);
-    const LoopSides sides = loop_sides(model_, index.adjacency(), borders_[c].loops[l], *regions);
+    const LoopSides sides = loop_sides(model_, index.neighbors(), borders_[c].loops[l], *regions);
     if (sides.separation == Separation::separates) {
       return warn(name_of_loop(c, l) +
                   ": the model goes on through this small hole of the scan; what is beyond stays");
@@ -358,7 +354,7 @@ bool UpdateSteps::check_separation(const ModelIndex& index, std::span<const Regi
   for_each_border_loop([&](std::size_t c, std::size_t l) {
     const std::size_t e = entry++;
     const LoopSides sides =
-        loop_sides(model_, index.adjacency(), borders_[c].loops[l], result_.regions);
+        loop_sides(model_, index.neighbors(), borders_[c].loops[l], result_.regions);
     result_.clouds[c].loops[l].separation = sides.separation;
     if (is_cut_[c] != 0) return;  // what is left of it is enough: segment()
     if (sides.separation == Separation::encloses_nothing) {

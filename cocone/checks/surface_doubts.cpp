@@ -77,8 +77,8 @@ class Doubts {
         sparse_[v] = result_.boundary_sample[given];
     }
     irregular_ = IdVector<VertexId, std::uint8_t>(count, 0);
-    for (const SideId side : mesh_.irregular) {
-      irregular_[mesh_.from(side)] = irregular_[mesh_.to(side)] = 1;
+    for (const Halfedge halfedge : mesh_.irregular) {
+      irregular_[mesh_.from(halfedge)] = irregular_[mesh_.to(halfedge)] = 1;
     }
     std::vector<Measured> parts((count + vertices_per_chunk - 1) / vertices_per_chunk);
     parallel_chunks(execution_, count, vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
@@ -116,7 +116,7 @@ class Doubts {
       sum += lengths.back();
       if (v < other) measured.lengths.push_back(lengths.back());
     };
-    for (const SideId corner : mesh_.corners_at(v)) {
+    for (const Halfedge corner : mesh_.corners_at(v)) {
       const VertexId from = mesh_.from(corner);
       const VertexId to = mesh_.to(corner);
       normal =
@@ -125,11 +125,11 @@ class Doubts {
         measure_edge_to(from);  // of the two triangles at that edge this one begins with it
         continue;
       }
-      const auto at = static_cast<SideId>(corner_of_side(corner));
+      const auto at = static_cast<Halfedge>(corner_of_halfedge(corner));
       // The spoke to one end lies opposite the other.
-      const SideId first = corner - at;
-      if (mesh_.is_first(first + static_cast<SideId>(previous_corner(at)))) measure_edge_to(from);
-      if (mesh_.is_first(first + static_cast<SideId>(next_corner(at)))) measure_edge_to(to);
+      const Halfedge first = corner - at;
+      if (mesh_.is_first(first + static_cast<Halfedge>(previous_corner(at)))) measure_edge_to(from);
+      if (mesh_.is_first(first + static_cast<Halfedge>(next_corner(at)))) measure_edge_to(to);
     }
     if (sum > 0) measured.deviations.push_back(std::abs(dot(arms, unit(normal))) / sum);
     find_gap(v, lengths, measured);
@@ -170,9 +170,9 @@ class Doubts {
   // Vertices that have a flag, as far as edges join them, each at the one with the longest edge.
   std::vector<DoubtfulSpot> groups_of(const IdVector<VertexId, std::uint8_t>& flag) const {
     DisjointSets groups(mesh_.points.size());
-    for (SideId side = 0; side < mesh_.links.size(); ++side) {
-      const VertexId a = mesh_.from(side);
-      const VertexId b = mesh_.to(side);
+    for (Halfedge halfedge = 0; halfedge < mesh_.links.size(); ++halfedge) {
+      const VertexId a = mesh_.from(halfedge);
+      const VertexId b = mesh_.to(halfedge);
       if (flag[a] != 0 && flag[b] != 0) groups.join(a.value, b.value);
     }
     std::vector<DoubtfulSpot> spots;
@@ -225,11 +225,12 @@ class Doubts {
     seen[first] = 1;
     for (std::size_t next = 0; next < found.size(); ++next) {
       for (const VertexId v : mesh_.triangles[found[next]]) box.include(mesh_.points[v]);
-      for (SideId side = 3 * found[next]; side < 3 * found[next] + 3; ++side) {
-        for (SideId other = mesh_.links[side]; other != side; other = mesh_.links[other]) {
-          if (seen[triangle_of_side(other)] != 0) continue;
-          seen[triangle_of_side(other)] = 1;
-          found.push_back(triangle_of_side(other));
+      for (Halfedge halfedge = 3 * found[next]; halfedge < 3 * found[next] + 3; ++halfedge) {
+        for (Halfedge other = mesh_.links[halfedge]; other != halfedge;
+             other = mesh_.links[other]) {
+          if (seen[triangle_of_halfedge(other)] != 0) continue;
+          seen[triangle_of_halfedge(other)] = 1;
+          found.push_back(triangle_of_halfedge(other));
         }
       }
     }

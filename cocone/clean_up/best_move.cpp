@@ -23,12 +23,12 @@ bool is_attached(const Triangulation& triangulation, const IdVector<CellId, std:
 
 BestMove::BestMove(const Triangulation& triangulation, StarCache& stars,
                    const IdVector<CellId, std::uint8_t>& out, CellEnergy& energy,
-                   SideSplit& side_split, std::size_t most_cells)
+                   LabelSplit& label_split, std::size_t most_cells)
     : triangulation_(triangulation),
       stars_(stars),
       out_(out),
       energy_(energy),
-      side_split_(side_split),
+      label_split_(label_split),
       most_cells_(most_cells) {}
 
 std::vector<CellId> BestMove::find(VertexId v) {
@@ -67,7 +67,7 @@ std::vector<BestMove::Opening> BestMove::openings(VertexId v, Energy max_rise, s
   std::erase_if(sets, [&](Opening& set) {
     if (energy_.vertex_cost_after(v, set.cells) >= cost) return true;
     set.change = energy_.change(set.cells, max_rise);
-    return set.change > max_rise || side_split_.splits(set.cells);
+    return set.change > max_rise || label_split_.splits(set.cells);
   });
   keep_least(sets, most);
   return sets;
@@ -120,7 +120,7 @@ void BestMove::consider(std::span<const CellId> cells) {
   const Energy change = energy_.change(cells, best_change_);
   if (change >= 0 || change > best_change_) return;
   if (change == best_change_ && !precedes(triangulation_, cells, best_)) return;
-  if (side_split_.splits(cells)) return;
+  if (label_split_.splits(cells)) return;
   best_change_ = change;
   best_.assign(cells.begin(), cells.end());
 }

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "cocone/clean_up/side_split.h"
+#include "cocone/clean_up/label_split.h"
 #include "cocone/energy/cell_energy.h"
 #include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
@@ -24,7 +24,7 @@ class BestMove {
  public:
   // All references must outlive the object. O(1).
   BestMove(const Triangulation& triangulation, StarCache& stars,
-           const IdVector<CellId, std::uint8_t>& out, CellEnergy& energy, SideSplit& side_split,
+           const IdVector<CellId, std::uint8_t>& out, CellEnergy& energy, LabelSplit& label_split,
            std::size_t most_cells);
 
   // Has v more than most_cells cells? Then there are neither moves nor openings at it. O(1) if the
@@ -68,7 +68,7 @@ class BestMove {
   StarCache& stars_;
   const IdVector<CellId, std::uint8_t>& out_;
   CellEnergy& energy_;
-  SideSplit& side_split_;
+  LabelSplit& label_split_;
   std::size_t most_cells_;
   std::vector<Candidate> candidates_;
   Energy best_change_ = 0;

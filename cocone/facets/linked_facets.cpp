@@ -76,41 +76,41 @@ void find_normals(const IdVector<VertexId, Point>& points, LinkedFacets& triangl
                   });
 }
 
-// By a look at all of them. Which of two sides is the first cannot be foreseen: they are listed
+// By a look at all of them. Which of two halfedges is the first cannot be foreseen: they are listed
 // without a branch on it. What is to be read at the other one lies here and there in memory: it is
 // asked for in advance.
-std::vector<SideId> find_steep_edges(const LinkedFacets& triangles, double largest_cosine,
-                                     const Execution& execution) {
-  constexpr std::size_t sides_per_block = 96;
-  const auto find = [&](std::size_t begin, std::size_t end, std::vector<SideId>& found) {
-    std::array<SideId, sides_per_block> sides;
-    const auto last = static_cast<SideId>(3 * end);
-    for (auto first = static_cast<SideId>(3 * begin); first < last;) {
-      const SideId next = std::min<SideId>(first + sides_per_block, last);
+std::vector<Halfedge> find_steep_edges(const LinkedFacets& triangles, double largest_cosine,
+                                       const Execution& execution) {
+  constexpr std::size_t halfedges_per_block = 96;
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<Halfedge>& found) {
+    std::array<Halfedge, halfedges_per_block> halfedges;
+    const auto last = static_cast<Halfedge>(3 * end);
+    for (auto first = static_cast<Halfedge>(3 * begin); first < last;) {
+      const Halfedge next = std::min<Halfedge>(first + halfedges_per_block, last);
       std::size_t count = 0;
       for (; first < next; ++first) {
-        const SideId other = triangles.links[first];
-        sides[count] = first;
+        const Halfedge other = triangles.links[first];
+        halfedges[count] = first;
         count += other >= first ? 1U : 0U;
         __builtin_prefetch(&triangles.links[other]);
-        __builtin_prefetch(&triangles.normals[triangle_of_side(other)]);
-        __builtin_prefetch(&triangles.corners[triangle_of_side(other)]);
+        __builtin_prefetch(&triangles.normals[triangle_of_halfedge(other)]);
+        __builtin_prefetch(&triangles.corners[triangle_of_halfedge(other)]);
       }
       for (std::size_t k = 0; k < count; ++k) {
-        const SideId side = sides[k];
-        if (is_steep(triangles, side, largest_cosine) && triangles.is_first(side)) {
-          found.push_back(side);
+        const Halfedge halfedge = halfedges[k];
+        if (is_steep(triangles, halfedge, largest_cosine) && triangles.is_first(halfedge)) {
+          found.push_back(halfedge);
         }
       }
     }
   };
-  return parallel_list<SideId>(execution, triangles.size(), triangles_per_chunk, find);
+  return parallel_list<Halfedge>(execution, triangles.size(), triangles_per_chunk, find);
 }
 
 LinkedFacets finish_links(const Triangulation& triangulation, LinkedFacets triangles,
                           std::vector<std::uint32_t> begins, const Execution& execution) {
   // First: its scratch memory is as large as the normals.
-  triangles.links = side_links(triangles.corners, begins, execution);
+  triangles.links = halfedge_links(triangles.corners, begins, execution);
   // Not {}, which would keep the memory: it is short while links and normals come.
   begins = std::vector<std::uint32_t>();
   find_normals(triangulation.points(), triangles, execution);
@@ -118,10 +118,10 @@ LinkedFacets finish_links(const Triangulation& triangulation, LinkedFacets trian
   return triangles;
 }
 
-// The side whose link leads to this one.
-SideId side_before(const LinkedFacets& triangles, SideId side) {
-  SideId before = side;
-  while (triangles.links[before] != side) before = triangles.links[before];
+// The halfedge whose link leads to this one.
+Halfedge halfedge_before(const LinkedFacets& triangles, Halfedge halfedge) {
+  Halfedge before = halfedge;
+  while (triangles.links[before] != halfedge) before = triangles.links[before];
   return before;
 }
 
@@ -132,39 +132,40 @@ void move_triangle(LinkedFacets& triangles, std::uint32_t from, std::uint32_t to
   triangles.corners[to] = triangles.corners[from];
   triangles.normals[to] = triangles.normals[from];
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const SideId before = side_before(triangles, 3 * from + i);
+    const Halfedge before = halfedge_before(triangles, 3 * from + i);
     triangles.links[3 * to + i] = triangles.links[3 * from + i];
     triangles.links[before == 3 * from + i ? 3 * to + i : before] = 3 * to + i;
   }
 }
 
-// The sides, some of whose triangles have moved to places before `end`.
-std::vector<SideId> moved(std::vector<SideId> sides, const std::vector<TriangleMove>& moves,
-                          std::size_t end, std::size_t size) {
+// The halfedges, some of whose triangles have moved to places before `end`.
+std::vector<Halfedge> moved(std::vector<Halfedge> halfedges, const std::vector<TriangleMove>& moves,
+                            std::size_t end, std::size_t size) {
   std::vector<std::uint32_t> places(size - end);
   for (const auto& [from, to] : moves) places[from - end] = to;
-  for (SideId& side : sides) {
-    const std::uint32_t t = triangle_of_side(side);
-    if (t >= end) side = 3 * places[t - end] + corner_of_side(side);
+  for (Halfedge& halfedge : halfedges) {
+    const std::uint32_t t = triangle_of_halfedge(halfedge);
+    if (t >= end) halfedge = 3 * places[t - end] + corner_of_halfedge(halfedge);
   }
-  return sides;
+  return halfedges;
 }
 
-// The steep ones of the edges with one of these sides.
-std::vector<SideId> steep_among(const LinkedFacets& triangles, std::vector<SideId> sides) {
-  for (SideId& side : sides) side = triangles.first_at_edge(side);
-  std::sort(sides.begin(), sides.end());
-  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
-  std::erase_if(
-      sides, [&](SideId side) { return !is_steep(triangles, side, LinkedFacets::steep_cosine); });
-  return sides;
+// The steep ones of the edges with one of these halfedges.
+std::vector<Halfedge> steep_among(const LinkedFacets& triangles, std::vector<Halfedge> halfedges) {
+  for (Halfedge& halfedge : halfedges) halfedge = first_at_edge(triangles.links, halfedge);
+  std::sort(halfedges.begin(), halfedges.end());
+  halfedges.erase(std::unique(halfedges.begin(), halfedges.end()), halfedges.end());
+  std::erase_if(halfedges, [&](Halfedge halfedge) {
+    return !is_steep(triangles, halfedge, LinkedFacets::steep_cosine);
+  });
+  return halfedges;
 }
 
 }  // namespace
 
 void link_corners(const IdVector<VertexId, Point>& points, LinkedFacets& triangles,
                   const Execution& execution) {
-  triangles.links = side_links(triangles.corners, points.size(), execution);
+  triangles.links = halfedge_links(triangles.corners, points.size(), execution);
   find_normals(points, triangles, execution);
   triangles.steep = find_steep_edges(triangles, LinkedFacets::steep_cosine, execution);
 }
@@ -212,17 +213,18 @@ std::vector<TriangleMove> moves_into_places(const std::vector<std::uint8_t>& rem
 LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
                      const std::vector<std::uint8_t>& removed) {
   const auto size = static_cast<std::uint32_t>(triangles.size());
-  std::vector<SideId> doubtful = std::move(triangles.steep);  // sides at edges that may be steep
+  std::vector<Halfedge> doubtful = std::move(triangles.steep);  // at edges that may be steep
   for (std::uint32_t t = 0; t < size; ++t) {
     if (removed[t] == 0) continue;
     triangles.set.erase(triangulation, triangles.facets[t]);
-    for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
-      const SideId before = side_before(triangles, side);
-      triangles.links[before] = triangles.links[side];
+    for (Halfedge halfedge = 3 * t; halfedge < 3 * t + 3; ++halfedge) {
+      const Halfedge before = halfedge_before(triangles, halfedge);
+      triangles.links[before] = triangles.links[halfedge];
       doubtful.push_back(before);
     }
   }
-  std::erase_if(doubtful, [&](SideId side) { return removed[triangle_of_side(side)] != 0; });
+  std::erase_if(doubtful,
+                [&](Halfedge halfedge) { return removed[triangle_of_halfedge(halfedge)] != 0; });
   const std::vector<TriangleMove> moves = moves_into_places(removed);
   for (const auto& [from, to] : moves) move_triangle(triangles, from, to);
   const auto end = static_cast<std::size_t>(std::count(removed.begin(), removed.end(), 0));
@@ -235,14 +237,14 @@ LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
   return triangles;
 }
 
-std::vector<SideId> steep_edges(const LinkedFacets& triangles, double largest_cosine,
-                                const Execution& execution) {
+std::vector<Halfedge> steep_edges(const LinkedFacets& triangles, double largest_cosine,
+                                  const Execution& execution) {
   if (largest_cosine < LinkedFacets::steep_cosine) {
     return find_steep_edges(triangles, largest_cosine, execution);
   }
-  std::vector<SideId> steep;
+  std::vector<Halfedge> steep;
   std::copy_if(triangles.steep.begin(), triangles.steep.end(), std::back_inserter(steep),
-               [&](SideId side) { return is_steep(triangles, side, largest_cosine); });
+               [&](Halfedge halfedge) { return is_steep(triangles, halfedge, largest_cosine); });
   return steep;
 }
 

@@ -1,5 +1,5 @@
 // A set of facets as triangles linked around their edges: what pruning, the search for umbrellas,
-// the extraction of a manifold and the marking read.
+// the extraction of a manifold and the marking read. For triangles of a mesh see geom/halfedges.h.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 #include "cocone/facet_set.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
+#include "geom/halfedges.h"
 #include "geom/id_vector.h"
 #include "geom/point.h"
-#include "geom/side_links.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
@@ -28,37 +28,32 @@ struct LinkedFacets {
   OverwriteVector<FacetId> mirrors;   // the same facets as the cells behind number them
   OverwriteVector<Triangle> corners;  // facet_vertices(facet): counterclockwise seen from behind
   OverwriteVector<Vec3> normals;      // unit, out of cell_of(facet); zero if degenerate
-  SideLinks links;                    // rings of the sides on each edge: geom/side_links.h
+  HalfedgeLinks links;                // rings of the halfedges on each edge: geom/halfedges.h
   // The edges that are not two triangles with a dihedral cosine of at most steep_cosine, by their
-  // first (smallest) sides; ascending. Of candidates on the samples of a surface few of all: most
-  // stages look at these alone.
-  std::vector<SideId> steep;
+  // first (smallest) halfedges; ascending. Of candidates on the samples of a surface few of all:
+  // most stages look at these alone.
+  std::vector<Halfedge> steep;
   static constexpr double steep_cosine = 0;  // a right angle
 
   std::size_t size() const { return facets.size(); }
-  // The two ends of a side, in the direction of its triangle.
-  std::array<VertexId, 2> ends(SideId side) const {
-    const Triangle& triangle = corners[triangle_of_side(side)];
-    const std::size_t i = corner_of_side(side);
+  // The two ends of a halfedge, in the direction of its triangle.
+  std::array<VertexId, 2> ends(Halfedge halfedge) const {
+    const Triangle& triangle = corners[triangle_of_halfedge(halfedge)];
+    const std::size_t i = corner_of_halfedge(halfedge);
     return {triangle[next_corner(i)], triangle[previous_corner(i)]};
   }
-  // Exactly two triangles at the edge of the side.
-  bool is_two_sided(SideId side) const { return links[side] != side && links[links[side]] == side; }
-  bool is_three_sided(SideId side) const {
-    const SideId second = links[side];
-    const SideId third = links[second];
-    return second != side && third != side && links[third] == side;
+  // Exactly two triangles at the edge of the halfedge.
+  bool has_two_triangles(Halfedge halfedge) const {
+    return cocoon::has_two_triangles(links, halfedge);
   }
-  // The smallest of the sides on its edge: each edge has one. After without() moved triangles rings
-  // need not ascend.
-  SideId first_at_edge(SideId side) const {
-    SideId first = side;
-    for (SideId other = links[side]; other != side; other = links[other]) {
-      first = std::min(first, other);
-    }
-    return first;
+  bool has_three_triangles(Halfedge halfedge) const {
+    const Halfedge second = links[halfedge];
+    const Halfedge third = links[second];
+    return second != halfedge && third != halfedge && links[third] == halfedge;
   }
-  bool is_first(SideId side) const { return first_at_edge(side) == side; }
+  // The smallest of the halfedges on its edge: each edge has one. Not is_first_at_edge(): after
+  // without() moved triangles rings need not ascend.
+  bool is_first(Halfedge halfedge) const { return first_at_edge(links, halfedge) == halfedge; }
 };
 
 // Complexity: O(triangles) and one byte per cell, parallel. The normals are functions of the
@@ -91,35 +86,25 @@ LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
 
 // Cosine of the dihedral of two triangles at their common edge: the angle in [0, pi] between the
 // parts of their third vertices orthogonal to it; pi = flat (cosine -1), 0 = folded back (+1).
-// The normals say it, with the sign that the directions of the two sides demand; degenerate
-// triangles give 0. Precondition: the sides are on one edge.
-inline double dihedral_cosine(const LinkedFacets& triangles, SideId a, SideId b) {
+// The normals say it, with the sign that the directions of the two halfedges demand; degenerate
+// triangles give 0. Precondition: the halfedges are on one edge.
+inline double dihedral_cosine(const LinkedFacets& triangles, Halfedge a, Halfedge b) {
   const double cosine =
-      dot(triangles.normals[triangle_of_side(a)], triangles.normals[triangle_of_side(b)]);
+      dot(triangles.normals[triangle_of_halfedge(a)], triangles.normals[triangle_of_halfedge(b)]);
   // From a table: a branch could not be foreseen.
   constexpr std::array<double, 2> signs = {-1, 1};
   return signs[triangles.ends(a)[0] == triangles.ends(b)[0] ? 1 : 0] * cosine;
 }
 
-// Whether the edge of the side is not two triangles with at most this dihedral cosine.
-inline bool is_steep(const LinkedFacets& triangles, SideId side, double largest_cosine) {
-  return !triangles.is_two_sided(side) ||
-         !(dihedral_cosine(triangles, side, triangles.links[side]) <= largest_cosine);
+// Whether the edge of the halfedge is not two triangles with at most this dihedral cosine.
+inline bool is_steep(const LinkedFacets& triangles, Halfedge halfedge, double largest_cosine) {
+  return !triangles.has_two_triangles(halfedge) ||
+         !(dihedral_cosine(triangles, halfedge, triangles.links[halfedge]) <= largest_cosine);
 }
 
 // The edges that are steep in this sense: like LinkedFacets::steep, with another limit. Complexity:
 // O(steep edges) for limits from steep_cosine on; O(triangles), parallel, for smaller ones.
-std::vector<SideId> steep_edges(const LinkedFacets& triangles, double largest_cosine,
-                                const Execution& execution = {});
-
-// Calls visit(side) for every side on the edge of `side`, beginning with it.
-template <class Visit>
-void for_each_side_at_edge(const LinkedFacets& triangles, SideId side, Visit visit) {
-  SideId other = side;
-  do {
-    visit(other);
-    other = triangles.links[other];
-  } while (other != side);
-}
+std::vector<Halfedge> steep_edges(const LinkedFacets& triangles, double largest_cosine,
+                                  const Execution& execution = {});
 
 }  // namespace cocoon

@@ -22,12 +22,12 @@ class Reach {
     }
   }
 
-  // At the edge of the side: candidates that follow each other around it see each other.
-  void join_around(const Triangulation& triangulation, SideId side) {
+  // At the edge of the halfedge: candidates that follow each other around it see each other.
+  void join_around(const Triangulation& triangulation, Halfedge halfedge) {
     const std::size_t first = met_.size();
-    met_.push_back(2 * triangle_of_side(side));
-    turn_about_edge(triangulation, candidates_, met_.back(), side,
-                    [&](Half met, SideId) { met_.push_back(met); });
+    met_.push_back(2 * triangle_of_halfedge(halfedge));
+    turn_about_edge(triangulation, candidates_, met_.back(), halfedge,
+                    [&](Half met, Halfedge) { met_.push_back(met); });
     ends_.push_back(met_.size());
     for_each_gap(first, met_.size(), [&](Half a, Half b) { seen_.join(node_of(a), node_of(b)); });
   }
@@ -104,15 +104,15 @@ class Reach {
 void ask_for_memory(const LinkedFacets& candidates, const EdgeComponents& parts, std::size_t k) {
   constexpr std::size_t links_ahead = 32;
   constexpr std::size_t triangles_ahead = 12;
-  const std::vector<SideId>& steep = candidates.steep;
+  const std::vector<Halfedge>& steep = candidates.steep;
   if (k + links_ahead < steep.size()) {
-    const SideId side = steep[k + links_ahead];
-    __builtin_prefetch(&candidates.links[side]);
-    __builtin_prefetch(&candidates.corners[triangle_of_side(side)]);
+    const Halfedge halfedge = steep[k + links_ahead];
+    __builtin_prefetch(&candidates.links[halfedge]);
+    __builtin_prefetch(&candidates.corners[triangle_of_halfedge(halfedge)]);
   }
   if (k + triangles_ahead >= steep.size()) return;
-  for_each_side_at_edge(candidates, steep[k + triangles_ahead], [&](SideId side) {
-    const std::uint32_t t = triangle_of_side(side);
+  for_each_at_edge(candidates.links, steep[k + triangles_ahead], [&](Halfedge halfedge) {
+    const std::uint32_t t = triangle_of_halfedge(halfedge);
     __builtin_prefetch(&candidates.facets[t]);
     __builtin_prefetch(&candidates.mirrors[t]);
     __builtin_prefetch(&candidates.corners[t]);
@@ -130,14 +130,15 @@ std::optional<std::vector<std::uint8_t>> walk_reach(const Triangulation& triangu
   const bool has_rims = std::find(umbrella.begin(), umbrella.end(), 0) != umbrella.end();
   const EdgeComponents parts = edge_components(
       candidates.links, execution,
-      [&](SideId side) { return !has_rims || is_crossed(candidates, umbrella, side); },
-      [&](SideId side, SideId across) { return run_alike(candidates, side, across); });
+      [&](Halfedge halfedge) { return !has_rims || is_crossed(candidates, umbrella, halfedge); },
+      [&](Halfedge halfedge, Halfedge across) { return run_alike(candidates, halfedge, across); });
   Reach reach(candidates, parts);
   for (std::size_t k = 0; k < candidates.steep.size(); ++k) {
     ask_for_memory(candidates, parts, k);
-    const SideId side = candidates.steep[k];
-    if (candidates.is_two_sided(side) || !is_crossed(candidates, umbrella, side)) continue;
-    reach.join_around(triangulation, side);
+    const Halfedge halfedge = candidates.steep[k];
+    if (candidates.has_two_triangles(halfedge) || !is_crossed(candidates, umbrella, halfedge))
+      continue;
+    reach.join_around(triangulation, halfedge);
   }
   if (!reach.spread(start)) return std::nullopt;
   return reach.states(execution);

@@ -25,7 +25,7 @@
 #include <span>
 #include <vector>
 
-#include "cocone/kept/kept_sides.h"
+#include "cocone/kept/kept_labels.h"
 #include "cocone/live/star_finder.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "delaunay/renumbering.h"

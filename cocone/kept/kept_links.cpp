@@ -100,8 +100,9 @@ class Relinking {
       for (std::uint32_t i = 0; i < 3; ++i) {
         const auto [from, to] = local.ends(3 * k + i);
         if ((touched_[from] & touched_[to]) == 0) continue;
-        const SideId next = local.links[3 * k + i];
-        triangles_.links[3 * near[k] + i] = 3 * near[triangle_of_side(next)] + corner_of_side(next);
+        const Halfedge next = local.links[3 * k + i];
+        triangles_.links[3 * near[k] + i] =
+            3 * near[triangle_of_halfedge(next)] + corner_of_halfedge(next);
       }
     }
     update_steep(near, local);
@@ -109,16 +110,16 @@ class Relinking {
 
   // `near`: the triangles that are linked anew, in `local`.
   void update_steep(const std::vector<std::uint32_t>& near, const LinkedFacets& local) {
-    std::vector<SideId>& steep = triangles_.steep;
-    const auto is_linked_anew = [&](SideId side) {
-      const auto [from, to] = triangles_.ends(side);
+    std::vector<Halfedge>& steep = triangles_.steep;
+    const auto is_linked_anew = [&](Halfedge halfedge) {
+      const auto [from, to] = triangles_.ends(halfedge);
       return (touched_[from] & touched_[to]) != 0;
     };
-    std::erase_if(steep, [&](SideId side) {
-      return triangle_of_side(side) >= size_ || is_linked_anew(side);
+    std::erase_if(steep, [&](Halfedge halfedge) {
+      return triangle_of_halfedge(halfedge) >= size_ || is_linked_anew(halfedge);
     });
-    for (const SideId side : local.steep) {
-      const SideId here = 3 * near[triangle_of_side(side)] + corner_of_side(side);
+    for (const Halfedge halfedge : local.steep) {
+      const Halfedge here = 3 * near[triangle_of_halfedge(halfedge)] + corner_of_halfedge(halfedge);
       if (is_linked_anew(here)) steep.push_back(here);  // the first there as in `local`
     }
     std::sort(steep.begin(), steep.end());

@@ -150,7 +150,7 @@ void KeptMarks::renumber(const Renumbering& renumbering, const DynamicDelaunay& 
 
 CellMarks KeptMarks::mark(const Triangulation& triangulation,
                           const IdVector<VertexId, CellId>& cell_at, const LinkedFacets& surface,
-                          const VertexSet& boundary, const KnownSidesSource& known,
+                          const VertexSet& boundary, const KnownLabelsSource& known,
                           const GoodVertexOptions& options, const Execution& execution) {
   std::optional<CellMarks> marks;
   if (exists_) {

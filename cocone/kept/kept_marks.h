@@ -53,7 +53,7 @@ class KeptMarks {
   // at a byte of each cell and at each triangle, and O(change); or as mark_cells.
   CellMarks mark(const Triangulation& triangulation, const IdVector<VertexId, CellId>& cell_at,
                  const LinkedFacets& surface, const VertexSet& boundary,
-                 const KnownSidesSource& known, const GoodVertexOptions& options,
+                 const KnownLabelsSource& known, const GoodVertexOptions& options,
                  const Execution& execution = {});
   // Calls of mark() that went on from what was kept.
   std::size_t local_marks() const { return local_marks_; }

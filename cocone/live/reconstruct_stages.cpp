@@ -6,11 +6,11 @@
 
 namespace cocoon {
 
-ReconstructResult reconstruct_tight_with_sides(Triangulation triangulation, Points points,
-                                               const KnownSidesSource& known,
-                                               const ReconstructOptions& options,
-                                               const Execution& execution,
-                                               ReconstructStages& stages) {
+ReconstructResult reconstruct_tight_with_labels(Triangulation triangulation, Points points,
+                                                const KnownLabelsSource& known,
+                                                const ReconstructOptions& options,
+                                                const Execution& execution,
+                                                ReconstructStages& stages) {
   ReconstructSteps steps(points, options, execution);
   steps.keep_stages(stages);
   steps.take(std::move(triangulation));
@@ -19,7 +19,7 @@ ReconstructResult reconstruct_tight_with_sides(Triangulation triangulation, Poin
 
 ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
                                          KnownCandidates candidates, Points points,
-                                         const KnownSidesSource& known,
+                                         const KnownLabelsSource& known,
                                          const ReconstructOptions& options,
                                          const Execution& execution, const LiveStages& live,
                                          CoconeSurface& surface) {

@@ -11,7 +11,7 @@
 #include "cocone/extract_manifold.h"
 #include "cocone/facet_set.h"
 #include "cocone/facets/linked_facets.h"
-#include "cocone/known_sides.h"
+#include "cocone/known_labels.h"
 #include "cocone/mark_cells.h"
 #include "cocone/poles.h"
 #include "cocone/reconstruct.h"
@@ -45,12 +45,12 @@ struct ReconstructStages {
   CoconeSurface surface;
 };
 
-// As reconstruct_tight_with_sides of the triangulation, and fills in `stages`.
-ReconstructResult reconstruct_tight_with_sides(Triangulation triangulation, Points points,
-                                               const KnownSidesSource& known,
-                                               const ReconstructOptions& options,
-                                               const Execution& execution,
-                                               ReconstructStages& stages);
+// As reconstruct_tight_with_labels of the triangulation, and fills in `stages`.
+ReconstructResult reconstruct_tight_with_labels(Triangulation triangulation, Points points,
+                                                const KnownLabelsSource& known,
+                                                const ReconstructOptions& options,
+                                                const Execution& execution,
+                                                ReconstructStages& stages);
 
 // What the stages up to pruning would find, if it is known beforehand (live_candidates.h).
 struct KnownCandidates {
@@ -65,7 +65,7 @@ struct KnownCandidates {
 // A way to what mark_cells gives (kept_marks.h).
 using Marking = std::function<CellMarks(
     const Triangulation& triangulation, const LinkedFacets& surface, const VertexSet& boundary,
-    const KnownSidesSource& known, const GoodVertexOptions& options, const Execution& execution)>;
+    const KnownLabelsSource& known, const GoodVertexOptions& options, const Execution& execution)>;
 
 // Whoever keeps a body (kept_body.h), and may take it instead of the mesh that bounds it: then each
 // vertex has one closed umbrella of that. `out`: 1 = a cell is not of the body. `is_flawed`: the
@@ -80,11 +80,11 @@ struct LiveStages {
   BodyTaker take_body;
 };
 
-// As reconstruct_tight_with_sides of the triangulation, without these stages; fills in `surface`.
+// As reconstruct_tight_with_labels of the triangulation, without these stages; fills in `surface`.
 // If live.take_body takes the body the result has neither mesh nor anything by vertex.
 ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
                                          KnownCandidates candidates, Points points,
-                                         const KnownSidesSource& known,
+                                         const KnownLabelsSource& known,
                                          const ReconstructOptions& options,
                                          const Execution& execution, const LiveStages& live,
                                          CoconeSurface& surface);

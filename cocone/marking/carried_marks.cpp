@@ -21,7 +21,7 @@ constexpr std::size_t ahead = 16;  // cells lie here and there in memory: fetch 
 class Carrying {
  public:
   Carrying(const Triangulation& triangulation, const LinkedFacets& surface,
-           const IdVector<VertexId, SideId>& corner_at, CellMarks& marks,
+           const IdVector<VertexId, Halfedge>& corner_at, CellMarks& marks,
            const Execution& execution)
       : triangulation_(triangulation),
         surface_(surface),
@@ -48,12 +48,12 @@ class Carrying {
   void find_sheets() {
     sheets_ = edge_components(
         surface_.links, execution_,
-        [&](SideId side) {
-          const auto [a, b] = surface_.ends(side);
+        [&](Halfedge halfedge) {
+          const auto [a, b] = surface_.ends(halfedge);
           return (marks_.good[a] | marks_.good[b]) != 0;
         },
-        [&](SideId side, SideId across) {
-          return surface_.ends(side)[0] == surface_.ends(across)[0];
+        [&](Halfedge halfedge, Halfedge across) {
+          return surface_.ends(halfedge)[0] == surface_.ends(across)[0];
         });
   }
 
@@ -87,7 +87,7 @@ class Carrying {
   }
 
   std::uint32_t sheet_at(VertexId good) const {
-    return sheets_.component_of[triangle_of_side(corner_at_[good])];
+    return sheets_.component_of[triangle_of_halfedge(corner_at_[good])];
   }
 
   // Carries it to all triangles and good vertices of those parts.
@@ -245,7 +245,7 @@ class Carrying {
 
   const Triangulation& triangulation_;
   const LinkedFacets& surface_;
-  const IdVector<VertexId, SideId>& corner_at_;
+  const IdVector<VertexId, Halfedge>& corner_at_;
   CellMarks& marks_;
   const Execution& execution_;
   EdgeComponents sheets_;
@@ -257,7 +257,7 @@ class Carrying {
 }  // namespace
 
 CarriedMarks carry_marks(const Triangulation& triangulation, const LinkedFacets& surface,
-                         const IdVector<VertexId, SideId>& corner_at,
+                         const IdVector<VertexId, Halfedge>& corner_at,
                          const IdVector<CellId, CellLabel>& known, CellMarks& marks,
                          const Execution& execution) {
   CarriedMarks carried = Carrying(triangulation, surface, corner_at, marks, execution).run(known);

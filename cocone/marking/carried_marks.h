@@ -32,26 +32,26 @@ struct CarriedMarks {
 // Complexity: O(cells), in the order of memory; what concerns the surface alone is parallel.
 // Source: Dey & Goswami 2003 (Tight Cocone, marking); the pass is ours, docs/stages/mark_cells.md.
 CarriedMarks carry_marks(const Triangulation& triangulation, const LinkedFacets& surface,
-                         const IdVector<VertexId, SideId>& corner_at,
+                         const IdVector<VertexId, Halfedge>& corner_at,
                          const IdVector<CellId, CellLabel>& known, CellMarks& marks,
                          const Execution& execution = {});
 
 // Calls visit(t) for each triangle of the surface around a good vertex once, in rotation, beginning
-// with that of `corner`, a side opposite to the vertex. Complexity: O(triangles there).
+// with that of `corner`, the halfedge opposite to the vertex. Complexity: O(triangles there).
 template <class Visit>
-void for_each_triangle_around(const LinkedFacets& surface, SideId corner, Visit visit) {
-  const std::uint32_t first = triangle_of_side(corner);
-  const VertexId v = surface.corners[first][corner_of_side(corner)];
-  SideId crossed = corner;
-  std::size_t arrived = next_corner(corner_of_side(crossed));
+void for_each_triangle_around(const LinkedFacets& surface, Halfedge corner, Visit visit) {
+  const std::uint32_t first = triangle_of_halfedge(corner);
+  const VertexId v = surface.corners[first][corner_of_halfedge(corner)];
+  Halfedge crossed = corner;
+  std::size_t arrived = next_corner(corner_of_halfedge(crossed));
   do {
-    const std::uint32_t t = triangle_of_side(crossed);
+    const std::uint32_t t = triangle_of_halfedge(crossed);
     visit(t);
     std::size_t leaving = next_corner(arrived);
     if (surface.corners[t][leaving] == v) leaving = next_corner(leaving);
-    crossed = surface.links[3 * t + static_cast<SideId>(leaving)];
-    arrived = corner_of_side(crossed);
-  } while (triangle_of_side(crossed) != first);
+    crossed = surface.links[3 * t + static_cast<Halfedge>(leaving)];
+    arrived = corner_of_halfedge(crossed);
+  } while (triangle_of_halfedge(crossed) != first);
 }
 
 }  // namespace cocoon

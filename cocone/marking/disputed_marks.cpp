@@ -22,7 +22,7 @@ constexpr Round never = std::numeric_limits<Round>::max();
 class Disputes {
  public:
   Disputes(const Triangulation& triangulation, const LinkedFacets& surface,
-           const IdVector<VertexId, SideId>& corner_at, const CarriedMarks& carried,
+           const IdVector<VertexId, Halfedge>& corner_at, const CarriedMarks& carried,
            const IdVector<CellId, CellLabel>& known, CellMarks& marks)
       : triangulation_(triangulation),
         surface_(surface),
@@ -112,7 +112,7 @@ class Disputes {
 
   // The cells of a disputed star that should be OUT: those on that side of one of its triangles.
   void find_half(VertexId v) {
-    const std::uint32_t t = triangle_of_side(corner_at_[v]);
+    const std::uint32_t t = triangle_of_halfedge(corner_at_[v]);
     const bool here = carried_.out_side[t] == 0;
     const std::span<const CellId> half =
         half_star_.flood(v, cell_of(here ? surface_.facets[t] : surface_.mirrors[t]));
@@ -185,7 +185,7 @@ class Disputes {
 
   const Triangulation& triangulation_;
   const LinkedFacets& surface_;
-  const IdVector<VertexId, SideId>& corner_at_;
+  const IdVector<VertexId, Halfedge>& corner_at_;
   const CarriedMarks& carried_;
   const IdVector<CellId, CellLabel>& known_;
   CellMarks& marks_;  // its labels stay those carried to the end
@@ -204,7 +204,7 @@ class Disputes {
 }  // namespace
 
 void settle_disputes(const Triangulation& triangulation, const LinkedFacets& surface,
-                     const IdVector<VertexId, SideId>& corner_at, const CarriedMarks& carried,
+                     const IdVector<VertexId, Halfedge>& corner_at, const CarriedMarks& carried,
                      std::span<const VertexId> seeds, const IdVector<CellId, CellLabel>& known,
                      CellMarks& marks) {
   Disputes(triangulation, surface, corner_at, carried, known, marks).run(seeds);

@@ -20,7 +20,7 @@ namespace cocoon {
 // that is asked. Independent of order. Source: Dey & Goswami 2003 (Tight Cocone, marking); rounds
 // and shortcut are ours, docs/stages/mark_cells.md.
 void settle_disputes(const Triangulation& triangulation, const LinkedFacets& surface,
-                     const IdVector<VertexId, SideId>& corner_at, const CarriedMarks& carried,
+                     const IdVector<VertexId, Halfedge>& corner_at, const CarriedMarks& carried,
                      std::span<const VertexId> seeds, const IdVector<CellId, CellLabel>& known,
                      CellMarks& marks);
 

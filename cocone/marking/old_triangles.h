@@ -8,7 +8,7 @@
 
 #include "cocone/facet_set.h"
 #include "cocone/facets/half_star.h"
-#include "cocone/known_sides.h"
+#include "cocone/known_labels.h"
 #include "cocone/marking/cell_label.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
@@ -26,7 +26,7 @@ inline CellLabel label_told(unsigned told) {
 }
 
 // Whether a cell is labeled as it was told: all four vertices are corners of old triangles, or
-// those that are are intact (known_sides.h). Bit i: vertex i of the cell is one.
+// those that are are intact (known_labels.h). Bit i: vertex i of the cell is one.
 inline bool is_believed(unsigned corners, unsigned intact) {
   return corners == 15 || corners == intact;
 }

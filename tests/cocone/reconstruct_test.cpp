@@ -422,8 +422,9 @@ TEST(Reconstruct, ReportsItsStages) {
   const std::vector<Point> points = shapes::sphere(300, 21);
   Recorder recorder;
   reconstruct_tight(points, {}, {.progress = &recorder});
-  for (const char* stage : {"delaunay", "poles", "boundary", "cocone", "tight"}) {
-    EXPECT_GE(recorder.finished[stage], 1) << stage;
+  for (const char* stage :
+       {"delaunay", "poles", "cocone/cones", "boundary", "cocone/surface", "tight"}) {
+    EXPECT_EQ(recorder.finished[stage], 1) << stage;
   }
   Recorder stopping;
   stopping.stop_at = "boundary";

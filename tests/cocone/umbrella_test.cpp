@@ -57,15 +57,16 @@ struct Octahedron {
 
 VertexSet no_boundary(const Triangulation& t) { return VertexSet(t.num_vertices(), 0); }
 
-// The facets on each side of each facet.
+// The facets at each edge of each facet.
 using Neighbors = std::map<std::pair<FacetId, std::uint32_t>, std::set<FacetId>>;
 
 Neighbors neighbors(const LinkedFacets& triangles) {
   Neighbors found;
-  for (SideId side = 0; side < triangles.links.size(); ++side) {
-    auto& at_edge = found[{triangles.facets[triangle_of_side(side)], corner_of_side(side)}];
-    for_each_side_at_edge(triangles, side, [&](SideId other) {
-      at_edge.insert(triangles.facets[triangle_of_side(other)]);
+  for (Halfedge halfedge = 0; halfedge < triangles.links.size(); ++halfedge) {
+    auto& at_edge =
+        found[{triangles.facets[triangle_of_halfedge(halfedge)], corner_of_halfedge(halfedge)}];
+    for_each_at_edge(triangles.links, halfedge, [&](Halfedge other) {
+      at_edge.insert(triangles.facets[triangle_of_halfedge(other)]);
     });
   }
   return found;
@@ -92,7 +93,8 @@ TEST(LinkedFacets, WithoutSomeTrianglesAreTheOthersLinked) {
     EXPECT_EQ(neighbors(left), neighbors(anew));
     const auto count_edges = [](const LinkedFacets& of) {
       std::size_t count = 0;
-      for (SideId side = 0; side < of.links.size(); ++side) count += of.is_first(side) ? 1U : 0U;
+      for (Halfedge halfedge = 0; halfedge < of.links.size(); ++halfedge)
+        count += of.is_first(halfedge) ? 1U : 0U;
       return count;
     };
     EXPECT_EQ(count_edges(left), count_edges(anew));
@@ -177,10 +179,10 @@ std::size_t cycles_at(const LinkedFacets& triangles, VertexId v) {
       const std::uint32_t t = open.back();
       open.pop_back();
       if (!met.insert(t).second) continue;
-      for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
-        if (triangles.corners[t][corner_of_side(side)] == v) continue;
-        if (!triangles.is_two_sided(side)) return 0;
-        open.push_back(triangle_of_side(triangles.links[side]));
+      for (Halfedge halfedge = 3 * t; halfedge < 3 * t + 3; ++halfedge) {
+        if (triangles.corners[t][corner_of_halfedge(halfedge)] == v) continue;
+        if (!triangles.has_two_triangles(halfedge)) return 0;
+        open.push_back(triangle_of_halfedge(triangles.links[halfedge]));
       }
     }
   }

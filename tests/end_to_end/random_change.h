@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "geom/mesh_adjacency.h"
 #include "geom/random.h"
 #include "geom/random_point.h"
 #include "geom/triangle_mesh.h"
+#include "geom/triangle_neighbors.h"
 #include "tests/end_to_end/local_update.h"
 #include "tests/end_to_end/spread_points.h"
 
@@ -30,14 +30,14 @@ struct RandomChange {
 
 // Facets that hang together with `first` within `reach` of its first corner.
 inline std::vector<TriangleId> facets_around(const TriangleMesh& mesh,
-                                             const MeshAdjacency& adjacency, TriangleId first,
+                                             const TriangleNeighbors& neighbors, TriangleId first,
                                              double reach) {
   const Point& center = mesh.points[mesh.triangles[first][0]];
   std::vector<TriangleId> found{first};
   IdVector<TriangleId, std::uint8_t> seen(mesh.triangles.size(), 0);
   seen[first] = 1;
   for (std::size_t next = 0; next < found.size(); ++next) {
-    for (const TriangleId t : adjacency.neighbors[found[next]]) {
+    for (const TriangleId t : neighbors[found[next]]) {
       if (seen[t] != 0 || distance(mesh.points[mesh.triangles[t][0]], center) > reach) continue;
       seen[t] = 1;
       found.push_back(t);
@@ -54,14 +54,14 @@ inline Vec3 area_vector(const TriangleMesh& mesh, TriangleId t) {
 // 8 to 14 spacings wide and at most a quarter of that high. Nothing where the surface turns too
 // much for that: where it would meet itself.
 inline std::optional<RandomChange> random_change(const TriangleMesh& mesh,
-                                                 const MeshAdjacency& adjacency, double spacing,
+                                                 const TriangleNeighbors& neighbors, double spacing,
                                                  Random& random) {
   RandomChange change;
   const TriangleId first(random.below(mesh.triangles.size()));
   change.center = mesh.points[mesh.triangles[first][0]];
   change.radius = spacing * (8 + 6 * random.uniform());
   change.height = change.radius * 0.25 * (2 * random.uniform() - 1);
-  change.place = facets_around(mesh, adjacency, first, 1.35 * change.radius);
+  change.place = facets_around(mesh, neighbors, first, 1.35 * change.radius);
   Vec3 sum{};
   for (const TriangleId t : change.place) {
     if (distance(mesh.points[mesh.triangles[t][0]], change.center) > change.radius) continue;

@@ -78,13 +78,13 @@ class UpdateRandomChanges : public ::testing::TestWithParam<RandomChangeCase> {
 
 TEST_P(UpdateRandomChanges, KeepTheTopologyAndReplaceWhatIsWrong) {
   const TriangleMesh initial = model();
-  const MeshAdjacency adjacency = mesh_adjacency(initial);
+  const TriangleNeighbors neighbors = triangle_neighbors(initial);
   const double spacing = mesh_measure(initial).edge_lengths.median;
   const std::int64_t euler = mesh_check(initial).euler;
   Random random(1);
   Tally tally;
   for (int done = 0; done < changes;) {
-    const auto change = testing::random_change(initial, adjacency, spacing, random);
+    const auto change = testing::random_change(initial, neighbors, spacing, random);
     if (!change.has_value()) continue;
     SCOPED_TRACE("change " + std::to_string(++done));
     std::vector<Point> scan = testing::scan_of(initial, *change, spacing, random);

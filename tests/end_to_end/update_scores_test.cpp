@@ -11,9 +11,9 @@
 #include "geom/errors.h"
 #include "geom/mesh_measure.h"
 #include "io/sample_models.h"
-#include "io/scan_errors.h"
+#include "ref/scan_errors.h"
+#include "ref/update_score.h"
 #include "tests/update/hand_made_models.h"
-#include "update/report/update_score.h"
 
 namespace cocoon {
 namespace {
@@ -40,7 +40,7 @@ Clouds scanned_badly(Clouds clouds, double registration, double noise) {
   std::uint64_t seed = 77;
   for (std::vector<Point>& cloud : clouds) {
     const double spacing = mesh_measure(cloud_surface(cloud).mesh).edge_lengths.median;
-    add_scan_errors(
+    ref::add_scan_errors(
         cloud, {.noise = noise * spacing, .registration = registration * spacing, .seed = ++seed});
   }
   return clouds;
@@ -61,8 +61,8 @@ TEST_P(UpdateScores, ReplaceWhatIsWrongAndNothingElse) {
     EXPECT_EQ(result.regions.regions.size(), scored.groups);
     EXPECT_EQ(result.replaced_groups.size(), scored.groups - 1);
     for (const CloudReport& cloud : result.clouds) EXPECT_GT(cloud.margin_deg, 120);
-    const UpdateScore score =
-        score_update(model, result, wrong_points(sample), sample.truth, {.samples = 20000});
+    const ref::UpdateScore score =
+        ref::score_update(model, result, wrong_points(sample), sample.truth, {.samples = 20000});
     EXPECT_GE(score.precision(), least);
     EXPECT_GE(score.recall(), least);
     EXPECT_EQ(score.moved, 0U);
@@ -102,8 +102,8 @@ TEST(UpdateScore, ATornFilletDoesNotLeadTheRimAstray) {
       sample_model("block", {.points = 1797, .cloud_points = 3446, .seed = 7});
   const TriangleMesh model = reconstruct_tight(sample.initial).mesh;
   const UpdateResult result = update_model(model, sample.clouds);
-  const UpdateScore score =
-      score_update(model, result, wrong_points(sample), sample.truth, {.samples = 10000});
+  const ref::UpdateScore score =
+      ref::score_update(model, result, wrong_points(sample), sample.truth, {.samples = 10000});
   EXPECT_GE(score.precision(), 0.99);
   EXPECT_GE(score.recall(), 0.99);
   EXPECT_TRUE(score.right_topology());
@@ -128,7 +128,7 @@ TEST(UpdateScore, CountsByHand) {
   result.vertex_map[VertexId(0U)] = VertexId(0U);
   result.vertex_map[VertexId(1U)] = VertexId(1U);
   const std::vector<Point> wrong = {{0, 0, 1}, {9, 9, 9}};
-  const UpdateScore score = score_update(model, result, wrong, model, {.samples = 100});
+  const ref::UpdateScore score = ref::score_update(model, result, wrong, model, {.samples = 100});
   EXPECT_EQ(score.wrong, 1U);
   EXPECT_EQ(score.gone, 2U);
   EXPECT_EQ(score.wrong_and_gone, 1U);
@@ -139,14 +139,14 @@ TEST(UpdateScore, CountsByHand) {
   EXPECT_GT(score.distance.max, 0.2);
 
   result.vertex_map = IdVector<VertexId, VertexId>(1);
-  EXPECT_THROW(score_update(model, result, wrong, model), InputError);
+  EXPECT_THROW(ref::score_update(model, result, wrong, model), InputError);
 }
 
 TEST(UpdateScore, AFailedUpdateHasNothing) {
   const TriangleMesh model = testing::block(6, 5, 4);
   UpdateResult result;
   result.status = UpdateStatus::no_overlap;
-  const UpdateScore score = score_update(model, result, {}, model);
+  const ref::UpdateScore score = ref::score_update(model, result, {}, model);
   EXPECT_EQ(score.gone, model.points.size());
   EXPECT_EQ(score.precision(), 0);
   EXPECT_FALSE(score.right_topology());

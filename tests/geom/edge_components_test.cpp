@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/linked_sides.h"
+#include "geom/halfedges.h"
 #include "geom/random.h"
 #include "geom/triangle_mesh.h"
 
@@ -13,7 +13,7 @@ namespace cocoon {
 namespace {
 
 // What it should be, from triangle to triangle: its first one tells how a component runs.
-EdgeComponents flooded(const TriangleMesh& mesh, const LinkedSides& sides) {
+EdgeComponents flooded(const TriangleMesh& mesh, const HalfedgeRings& rings) {
   const auto none = static_cast<std::uint32_t>(-1);
   EdgeComponents result;
   result.component_of.assign(mesh.triangles.size(), none);
@@ -29,11 +29,12 @@ EdgeComponents flooded(const TriangleMesh& mesh, const LinkedSides& sides) {
       stack.pop_back();
       ++component.triangles;
       component.turned += result.turned[t];
-      for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
-        if (!sides.is_two_sided(side)) continue;
-        const SideId across = sides.links[side];
-        const std::uint32_t next = triangle_of_side(across);
-        const bool disagree = ends_of_side(mesh, side)[0] == ends_of_side(mesh, across)[0];
+      for (Halfedge halfedge = 3 * t; halfedge < 3 * t + 3; ++halfedge) {
+        if (!rings.has_two_triangles(halfedge)) continue;
+        const Halfedge across = rings.links[halfedge];
+        const std::uint32_t next = triangle_of_halfedge(across);
+        const bool disagree =
+            ends_of_halfedge(mesh, halfedge)[0] == ends_of_halfedge(mesh, across)[0];
         const auto turned = static_cast<std::uint8_t>(result.turned[t] ^ (disagree ? 1U : 0U));
         if (result.component_of[next] == none) {
           result.component_of[next] = number;
@@ -66,11 +67,11 @@ void expect_equal(const EdgeComponents& found, const EdgeComponents& expected) {
 }
 
 void expect_as_flooded(const TriangleMesh& mesh) {
-  const LinkedSides sides = link_sides(mesh);
-  const EdgeComponents expected = flooded(mesh, sides);
+  const HalfedgeRings rings = link_halfedges(mesh);
+  const EdgeComponents expected = flooded(mesh, rings);
   for (const int threads : {1, 3}) {
     SCOPED_TRACE(threads);
-    expect_equal(edge_components(mesh, sides, Execution{.threads = threads}), expected);
+    expect_equal(edge_components(mesh, rings, Execution{.threads = threads}), expected);
   }
 }
 
@@ -125,8 +126,8 @@ TEST(EdgeComponents, IrregularEdgesConnectNothing) {
   add(4, 3, 2);
   add(5, 5, 2);
   expect_as_flooded(mesh);
-  const LinkedSides sides = link_sides(mesh);
-  EXPECT_EQ(edge_components(mesh, sides).components.size(), 5U);
+  const HalfedgeRings rings = link_halfedges(mesh);
+  EXPECT_EQ(edge_components(mesh, rings).components.size(), 5U);
 }
 
 TEST(EdgeComponents, NoTriangles) { expect_as_flooded({}); }

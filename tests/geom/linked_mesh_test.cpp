@@ -31,31 +31,32 @@ void expect_copy(const TriangleMesh& mesh, const LinkedMesh& linked) {
     found[linked.improper_of[t].index()] = 1;
   }
   EXPECT_EQ(std::count(found.begin(), found.end(), 0), 0);
-  EXPECT_EQ(linked.links, side_links(linked.triangles, linked.points.size()));
+  EXPECT_EQ(linked.links, halfedge_links(linked.triangles, linked.points.size()));
 }
 
 void expect_corners(const LinkedMesh& linked) {
-  std::vector<std::vector<SideId>> expected(linked.points.size());
-  for (SideId side = 0; side < 3 * linked.triangles.size(); ++side) {
-    expected[linked.apex(side).index()].push_back(side);
+  std::vector<std::vector<Halfedge>> expected(linked.points.size());
+  for (Halfedge halfedge = 0; halfedge < 3 * linked.triangles.size(); ++halfedge) {
+    expected[linked.apex(halfedge).index()].push_back(halfedge);
   }
   for (const VertexId v : linked.points.ids()) {
     const auto corners = linked.corners_at(v);
-    EXPECT_EQ(std::vector<SideId>(corners.begin(), corners.end()), expected[v.index()]);
+    EXPECT_EQ(std::vector<Halfedge>(corners.begin(), corners.end()), expected[v.index()]);
   }
 }
 
 // Edges by their ends, with the triangles at each and how often they run up the edge.
 void expect_irregular(const LinkedMesh& linked) {
-  std::map<std::pair<VertexId, VertexId>, std::vector<SideId>> edges;
-  for (SideId side = 0; side < 3 * linked.triangles.size(); ++side) {
-    edges[std::minmax(linked.from(side), linked.to(side))].push_back(side);
+  std::map<std::pair<VertexId, VertexId>, std::vector<Halfedge>> edges;
+  for (Halfedge halfedge = 0; halfedge < 3 * linked.triangles.size(); ++halfedge) {
+    edges[std::minmax(linked.from(halfedge), linked.to(halfedge))].push_back(halfedge);
   }
-  std::vector<SideId> expected;
-  for (const auto& [ends, sides] : edges) {
-    const bool regular = sides.size() == 2 && linked.from(sides[0]) == linked.to(sides[1]) &&
-                         linked.apex(sides[0]) != linked.apex(sides[1]);
-    if (!regular) expected.push_back(sides[0]);
+  std::vector<Halfedge> expected;
+  for (const auto& [ends, halfedges] : edges) {
+    const bool regular = halfedges.size() == 2 &&
+                         linked.from(halfedges[0]) == linked.to(halfedges[1]) &&
+                         linked.apex(halfedges[0]) != linked.apex(halfedges[1]);
+    if (!regular) expected.push_back(halfedges[0]);
   }
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(linked.irregular, expected);
@@ -84,7 +85,8 @@ TEST(LinkedMesh, IsTheMeshInAnotherOrder) {
 TEST(LinkedMesh, EveryEdgeHasOneFirstSide) {
   const LinkedMesh linked = link_mesh(gallery::torus(9, 7));
   std::size_t first = 0;
-  for (SideId side = 0; side < linked.links.size(); ++side) first += linked.is_first(side);
+  for (Halfedge halfedge = 0; halfedge < linked.links.size(); ++halfedge)
+    first += linked.is_first(halfedge);
   EXPECT_EQ(2 * first, linked.links.size());
 }
 

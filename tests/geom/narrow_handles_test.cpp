@@ -34,13 +34,16 @@ std::size_t pieces_without(const LinkedMesh& mesh, const std::set<Edge>& cut) {
   std::size_t pieces = mesh.triangles.size();
   std::size_t found = 0;
   DisjointSets joined(pieces);
-  for (SideId side = 0; side < mesh.links.size(); ++side) {
-    if (!mesh.is_first(side)) continue;
-    if (cut.contains(std::minmax(mesh.from(side), mesh.to(side)))) {
+  for (Halfedge halfedge = 0; halfedge < mesh.links.size(); ++halfedge) {
+    if (!mesh.is_first(halfedge)) continue;
+    if (cut.contains(std::minmax(mesh.from(halfedge), mesh.to(halfedge)))) {
       ++found;
       continue;
     }
-    pieces -= joined.join(triangle_of_side(side), triangle_of_side(mesh.links[side])) ? 1U : 0U;
+    pieces -=
+        joined.join(triangle_of_halfedge(halfedge), triangle_of_halfedge(mesh.links[halfedge]))
+            ? 1U
+            : 0U;
   }
   EXPECT_EQ(found, cut.size());  // the path runs along edges
   return pieces;

@@ -130,7 +130,7 @@ TEST(SplitNonmanifold, BoundariesOfRandomBodiesBecomeManifolds) {
       const SplitSurface split = split_nonmanifold(mesh);
       EXPECT_TRUE(mesh_check(split.mesh).is_closed_manifold()) << points.size();
       EXPECT_EQ(split.split_edges, mesh_check(mesh).overfull_edges);
-      EXPECT_EQ(split.unpaired_sides, 0U);
+      EXPECT_EQ(split.unpaired_halfedges, 0U);
       EXPECT_EQ(split.mesh.points.size(), mesh.points.size() + split.copies + split.midpoints);
       edges += split.split_edges;
       midpoints += split.midpoints;
@@ -155,7 +155,7 @@ TEST(SplitNonmanifold, TrianglesTurnedAtRandomBecomeManifolds) {
     const SplitSurface split = split_nonmanifold(mesh);
     const MeshReport report = mesh_check(split.mesh);
     EXPECT_TRUE(report.edge_manifold && report.vertex_manifold);
-    EXPECT_GE(report.open_edges, split.unpaired_sides);  // midpoints cut some in two
+    EXPECT_GE(report.open_edges, split.unpaired_halfedges);  // midpoints cut some in two
     const double area = mesh_measure(mesh).area;
     EXPECT_NEAR(mesh_measure(split.mesh).area, area, 1e-12 * area);
     midpoints += split.midpoints;
@@ -178,7 +178,7 @@ TEST(SplitNonmanifold, SurfacesOfRubbishBecomeManifolds) {
       const TriangleMesh tight = reconstruct_tight(points, {.mode = mode}).mesh;
       const SplitSurface split = split_nonmanifold(tight);
       edges += split.split_edges;
-      EXPECT_EQ(split.unpaired_sides, 0U);
+      EXPECT_EQ(split.unpaired_halfedges, 0U);
       EXPECT_TRUE(tight.triangles.empty() || mesh_check(split.mesh).is_closed_manifold());
     }
     const MeshReport open = mesh_check(split_nonmanifold(reconstruct_cocone(points).mesh).mesh);
@@ -271,7 +271,7 @@ TEST(SplitNonmanifold, SheetsWithoutPartnerStayOpen) {
       {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   const SplitSurface split = split_nonmanifold(fan);
   const MeshReport report = mesh_check(split.mesh);
-  EXPECT_EQ(split.unpaired_sides, 1U);
+  EXPECT_EQ(split.unpaired_halfedges, 1U);
   EXPECT_EQ(report.overfull_edges, 0U);
   EXPECT_EQ(report.pinched_vertices, 0U);
   EXPECT_THROW(split_nonmanifold(gallery::make_mesh({{0, 0, 0}, {1, 0, 0}}, {{0, 1, 1}})),

@@ -85,7 +85,7 @@ struct Case {
       : mesh(std::move(a_mesh)), model(mesh), rims{std::move(a_rim)}, clouds{std::move(cloud)} {
     const Border border = trace_border(model, rims[0], overlapping_facets(model, rims[0]));
     regions = segment_model(mesh, border.facets);
-    separation = loop_sides(mesh, model.adjacency(), border.loops.at(0), regions).separation;
+    separation = loop_sides(mesh, model.neighbors(), border.loops.at(0), regions).separation;
   }
   RegionSplit split(const SplitOptions& options = {}, RegionId region = RegionId(0)) const {
     return split_regions(model, regions, std::vector<RegionId>{region}, rims, clouds, options);

@@ -18,8 +18,8 @@ namespace {
 using testing::circle;
 using testing::rim_of;
 
-bool are_neighbors(const MeshAdjacency& adjacency, TriangleId a, TriangleId b) {
-  const auto& around = adjacency.neighbors[a];
+bool are_neighbors(const TriangleNeighbors& neighbors, TriangleId a, TriangleId b) {
+  const auto& around = neighbors[a];
   return std::find(around.begin(), around.end(), b) != around.end();
 }
 
@@ -38,7 +38,7 @@ void expect_connected(const ModelIndex& model, const Overlap& overlap, const Bor
       EXPECT_EQ(path.front(), located.facets[i]);
       EXPECT_EQ(path.back(), located.facets[(i + 1) % n]);
       for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-        EXPECT_TRUE(are_neighbors(model.adjacency(), path[k], path[k + 1]));
+        EXPECT_TRUE(are_neighbors(model.neighbors(), path[k], path[k + 1]));
       }
       for (const TriangleId t : path) EXPECT_EQ(border.facets[t], 1);
     }
@@ -100,7 +100,7 @@ TEST(TraceBorder, RandomCapsAlwaysSeparate) {
     expect_connected(model, overlap, border);
     const Regions regions = segment_model(mesh, border.facets);
     EXPECT_EQ(regions.regions.size(), 2U) << "round " << round << ", " << n << " points";
-    EXPECT_EQ(loop_sides(mesh, model.adjacency(), border.loops[0], regions).separation,
+    EXPECT_EQ(loop_sides(mesh, model.neighbors(), border.loops[0], regions).separation,
               Separation::separates);
   }
 }
@@ -192,7 +192,7 @@ TEST(TraceBorder, NoWayBetweenSeparateBodies) {
   const Border border = trace_border(model, rim, overlap);
   EXPECT_EQ(border.breaks, 2U);
   const Regions regions = segment_model(mesh, border.facets);
-  EXPECT_EQ(loop_sides(mesh, model.adjacency(), border.loops[0], regions).separation,
+  EXPECT_EQ(loop_sides(mesh, model.neighbors(), border.loops[0], regions).separation,
             Separation::open_band);
 }
 

@@ -43,7 +43,7 @@ bool has_cloud_beyond(const NearestPointTree& tree, Points samples, const RimLoo
   return nearest.squared_distance <= reach * reach * spacing * spacing;
 }
 
-bool is_seam(const RimLoop& loop, const RimSeamOptions& options) {
+bool has_mostly_seams(const RimLoop& loop, const RimSeamOptions& options) {
   return static_cast<double>(loop.inner_edges()) >
          options.max_seam_share * static_cast<double>(loop.size());
 }
@@ -108,7 +108,7 @@ void mark_rim_seams(Points cloud, CloudRim& rim, const RimSeamOptions& options) 
   }
   std::vector<RimLoop> rims;
   for (RimLoop& loop : rim.loops) {
-    const bool is_mostly_seam = is_seam(loop, options);
+    const bool is_mostly_seam = has_mostly_seams(loop, options);
     if (is_mostly_seam && !keep_rim_of_seam(loop, rim.median_edge, options)) {
       ++rim.seam_loops;
       continue;
@@ -117,7 +117,8 @@ void mark_rim_seams(Points cloud, CloudRim& rim, const RimSeamOptions& options) 
     rims.push_back(std::move(loop));
   }
   rim.loops = std::move(rims);
-  std::erase_if(rim.pin_hole_loops, [&](const RimLoop& loop) { return is_seam(loop, options); });
+  std::erase_if(rim.pin_hole_loops,
+                [&](const RimLoop& loop) { return has_mostly_seams(loop, options); });
 }
 
 }  // namespace cocoon

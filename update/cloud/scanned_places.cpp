@@ -8,13 +8,13 @@ void ScannedPlaces::add(Points samples, double reach) {
   if (samples.empty()) return;
   Box box = box_of(samples);
   box.enlarge(reach);
-  scans_.push_back({NearestPointTree(samples), reach, box});
+  sets_.push_back({NearestPointTree(samples), reach, box});
 }
 
 bool ScannedPlaces::contain(const Point& place) const {
-  return std::any_of(scans_.begin(), scans_.end(), [&](const Scan& scan) {
-    return contains(scan.box, place) &&
-           scan.samples.nearest(place).squared_distance <= scan.reach * scan.reach;
+  return std::any_of(sets_.begin(), sets_.end(), [&](const Reached& set) {
+    return contains(set.box, place) &&
+           set.samples.nearest(place).squared_distance <= set.reach * set.reach;
   });
 }
 

@@ -18,12 +18,12 @@ class ScannedPlaces {
   bool contain(const Point& place) const;
 
  private:
-  struct Scan {
+  struct Reached {
     NearestPointTree samples;
     double reach;
     Box box;  // of what is scanned
   };
-  std::vector<Scan> scans_;
+  std::vector<Reached> sets_;
 };
 
 }  // namespace cocoon

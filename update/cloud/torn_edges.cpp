@@ -126,7 +126,7 @@ std::vector<std::size_t> count_torn(const ModelIndex& model,
   return torn;
 }
 
-bool is_seam(const RimLoop& loop, std::size_t torn, const TornEdgeOptions& options) {
+bool is_torn_all_along(const RimLoop& loop, std::size_t torn, const TornEdgeOptions& options) {
   const std::size_t inner = loop.inner_edges();
   const auto size = static_cast<double>(loop.size());
   const auto others = static_cast<double>(loop.size() - inner);
@@ -141,7 +141,7 @@ void mark_torn_edges(const ModelIndex& model, std::span<const std::vector<Point>
   const std::vector<std::size_t> torn = count_torn(model, clouds, rim, options);
   std::vector<std::size_t> seams;
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
-    if (is_seam(rim.loops[l], torn[l], options)) seams.push_back(l);
+    if (is_torn_all_along(rim.loops[l], torn[l], options)) seams.push_back(l);
   }
   if (seams.size() == rim.loops.size()) return;
   for (const std::size_t l : seams) {

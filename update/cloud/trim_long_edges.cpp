@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "geom/median.h"
-#include "geom/mesh_adjacency.h"
 #include "geom/sort_ids.h"
+#include "geom/triangles_at_vertices.h"
 
 namespace cocoon {
 
@@ -19,8 +19,8 @@ namespace {
 // Where a slot is bridged, few vertices take most of the long edges: their median is long, too.
 constexpr double lower_quartile = 0.25;
 
-// One flag per side, the same for all sides of an edge; one per triangle.
-using SideFlags = std::vector<std::uint8_t>;
+// One flag per halfedge, the same for all of an edge; one per triangle.
+using HalfedgeFlags = std::vector<std::uint8_t>;
 using TriangleFlags = std::vector<std::uint8_t>;
 
 // The local spacing at vertices that are asked for: the lower quartile of the edge lengths,
@@ -29,9 +29,10 @@ using TriangleFlags = std::vector<std::uint8_t>;
 class LocalSpacing {
  public:
   explicit LocalSpacing(const TriangleMesh& mesh)
-      : mesh_(mesh), quartiles_(mesh.points.size(), unknown), spacings_(quartiles_) {
-    list_triangles_at_vertices(mesh, adjacency_);
-  }
+      : mesh_(mesh),
+        triangles_at_(triangles_at_vertices(mesh)),
+        quartiles_(mesh.points.size(), unknown),
+        spacings_(quartiles_) {}
 
   // Precondition: v has an edge.
   double at(VertexId v) {
@@ -60,7 +61,7 @@ class LocalSpacing {
   // Each once: one for each edge.
   std::vector<VertexId> neighbors(VertexId v) const {
     std::vector<VertexId> found;
-    for (const TriangleId t : adjacency_.triangles_at(v)) {
+    for (const TriangleId t : triangles_at_[v]) {
       const Triangle& triangle = mesh_.triangles[t];
       if (repeats_a_vertex(triangle)) continue;
       for (const VertexId w : triangle) {
@@ -72,7 +73,7 @@ class LocalSpacing {
   }
 
   const TriangleMesh& mesh_;
-  MeshAdjacency adjacency_;  // triangles at vertices only
+  TrianglesAtVertices triangles_at_;
   IdVector<VertexId, double> quartiles_;
   IdVector<VertexId, double> spacings_;
   std::vector<double> numbers_;
@@ -80,17 +81,18 @@ class LocalSpacing {
 
 // At each vertex a length that no local spacing is below: of the shortest edge that ends there or
 // at a neighbor.
-IdVector<VertexId, double> shortest_around(const TriangleMesh& mesh, const LinkedSides& sides,
+IdVector<VertexId, double> shortest_around(const TriangleMesh& mesh, const HalfedgeRings& rings,
                                            std::span<const double> lengths) {
   IdVector<VertexId, double> at(mesh.points.size(), std::numeric_limits<double>::infinity());
-  for (SideId side = 0; side < lengths.size(); ++side) {
-    if (!sides.has_edge(side)) continue;
-    for (const VertexId v : ends_of_side(mesh, side)) at[v] = std::min(at[v], lengths[side]);
+  for (Halfedge halfedge = 0; halfedge < lengths.size(); ++halfedge) {
+    if (!rings.has_edge(halfedge)) continue;
+    for (const VertexId v : ends_of_halfedge(mesh, halfedge))
+      at[v] = std::min(at[v], lengths[halfedge]);
   }
   IdVector<VertexId, double> around = at;
-  for (SideId side = 0; side < lengths.size(); ++side) {
-    if (!sides.has_edge(side)) continue;
-    const auto [a, b] = ends_of_side(mesh, side);
+  for (Halfedge halfedge = 0; halfedge < lengths.size(); ++halfedge) {
+    if (!rings.has_edge(halfedge)) continue;
+    const auto [a, b] = ends_of_halfedge(mesh, halfedge);
     around[a] = std::min(around[a], at[b]);
     around[b] = std::min(around[b], at[a]);
   }
@@ -98,38 +100,38 @@ IdVector<VertexId, double> shortest_around(const TriangleMesh& mesh, const Linke
 }
 
 // Empty if there are none. Only for what may be long is the spacing looked at.
-SideFlags long_edges(const TriangleMesh& mesh, const LinkedSides& sides, double max_edge) {
-  std::vector<double> lengths(sides.links.size());
-  for (SideId side = 0; side < lengths.size(); ++side) {
-    const auto [a, b] = ends_of_side(mesh, side);
-    lengths[side] = distance(mesh.points[a], mesh.points[b]);
+HalfedgeFlags long_edges(const TriangleMesh& mesh, const HalfedgeRings& rings, double max_edge) {
+  std::vector<double> lengths(rings.links.size());
+  for (Halfedge halfedge = 0; halfedge < lengths.size(); ++halfedge) {
+    const auto [a, b] = ends_of_halfedge(mesh, halfedge);
+    lengths[halfedge] = distance(mesh.points[a], mesh.points[b]);
   }
-  const IdVector<VertexId, double> shortest = shortest_around(mesh, sides, lengths);
-  std::vector<SideId> suspects;
-  for (SideId side = 0; side < lengths.size(); ++side) {
-    const auto [a, b] = ends_of_side(mesh, side);
-    const bool suspect = lengths[side] > max_edge * std::min(shortest[a], shortest[b]);
-    if (suspect && sides.has_edge(side)) suspects.push_back(side);
+  const IdVector<VertexId, double> shortest = shortest_around(mesh, rings, lengths);
+  std::vector<Halfedge> suspects;
+  for (Halfedge halfedge = 0; halfedge < lengths.size(); ++halfedge) {
+    const auto [a, b] = ends_of_halfedge(mesh, halfedge);
+    const bool suspect = lengths[halfedge] > max_edge * std::min(shortest[a], shortest[b]);
+    if (suspect && rings.has_edge(halfedge)) suspects.push_back(halfedge);
   }
   if (suspects.empty()) return {};
   LocalSpacing spacing(mesh);
-  SideFlags is_long(lengths.size(), 0);
+  HalfedgeFlags is_long(lengths.size(), 0);
   bool any = false;
-  for (const SideId side : suspects) {
-    const auto [a, b] = ends_of_side(mesh, side);
-    if (!(lengths[side] > max_edge * std::min(spacing.at(a), spacing.at(b)))) continue;
-    is_long[side] = 1;
+  for (const Halfedge halfedge : suspects) {
+    const auto [a, b] = ends_of_halfedge(mesh, halfedge);
+    if (!(lengths[halfedge] > max_edge * std::min(spacing.at(a), spacing.at(b)))) continue;
+    is_long[halfedge] = 1;
     any = true;
   }
-  return any ? is_long : SideFlags{};
+  return any ? is_long : HalfedgeFlags{};
 }
 
-bool has_long_edge(const SideFlags& is_long, std::uint32_t t) {
+bool has_long_edge(const HalfedgeFlags& is_long, std::uint32_t t) {
   return (is_long[3 * t] | is_long[3 * t + 1] | is_long[3 * t + 2]) != 0;
 }
 
 // Marks the edge-connected clusters of triangles with a long edge; returns how many triangles.
-std::size_t mark_clusters(const LinkedSides& sides, const SideFlags& is_long,
+std::size_t mark_clusters(const HalfedgeRings& rings, const HalfedgeFlags& is_long,
                           std::size_t min_cluster, TriangleFlags& removed) {
   std::size_t count = 0;
   TriangleFlags seen(removed.size(), 0);
@@ -138,10 +140,10 @@ std::size_t mark_clusters(const LinkedSides& sides, const SideFlags& is_long,
     std::vector<std::uint32_t> cluster(1, seed);
     seen[seed] = 1;
     for (std::size_t head = 0; head < cluster.size(); ++head) {
-      const SideId first = 3 * cluster[head];
-      for (SideId side = first; side < first + 3; ++side) {
-        if (!sides.is_two_sided(side)) continue;
-        const std::uint32_t next = triangle_of_side(sides.links[side]);
+      const Halfedge first = 3 * cluster[head];
+      for (Halfedge halfedge = first; halfedge < first + 3; ++halfedge) {
+        if (!rings.has_two_triangles(halfedge)) continue;
+        const std::uint32_t next = triangle_of_halfedge(rings.links[halfedge]);
         if (seen[next] != 0 || !has_long_edge(is_long, next)) continue;
         seen[next] = 1;
         cluster.push_back(next);
@@ -155,35 +157,35 @@ std::size_t mark_clusters(const LinkedSides& sides, const SideFlags& is_long,
 }
 
 // The one triangle that is left at an edge; a number that is none if there is none or several.
-std::uint32_t last_triangle_at(const LinkedSides& sides, SideId side,
+std::uint32_t last_triangle_at(const HalfedgeRings& rings, Halfedge halfedge,
                                const TriangleFlags& removed) {
   constexpr std::uint32_t none = 0xFFFFFFFFU;
   std::uint32_t found = none;
   std::size_t count = 0;
-  sides.for_each_at_edge(side, [&](SideId other) {
-    if (removed[triangle_of_side(other)] != 0) return;
-    found = triangle_of_side(other);
+  for_each_at_edge(rings.links, halfedge, [&](Halfedge other) {
+    if (removed[triangle_of_halfedge(other)] != 0) return;
+    found = triangle_of_halfedge(other);
     ++count;
   });
   return count == 1 ? found : none;
 }
 
 // Marks triangles with a long edge at which no other triangle is left; returns how many.
-std::size_t mark_from_rim(const LinkedSides& sides, const SideFlags& is_long,
+std::size_t mark_from_rim(const HalfedgeRings& rings, const HalfedgeFlags& is_long,
                           TriangleFlags& removed) {
-  std::vector<SideId> open;
-  for (SideId side = 0; side < is_long.size(); ++side) {
-    if (is_long[side] != 0) open.push_back(side);
+  std::vector<Halfedge> open;
+  for (Halfedge halfedge = 0; halfedge < is_long.size(); ++halfedge) {
+    if (is_long[halfedge] != 0) open.push_back(halfedge);
   }
   std::size_t count = 0;
   while (!open.empty()) {
-    const std::uint32_t t = last_triangle_at(sides, open.back(), removed);
+    const std::uint32_t t = last_triangle_at(rings, open.back(), removed);
     open.pop_back();
     if (t >= removed.size()) continue;
     removed[t] = 1;
     ++count;
-    for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
-      if (is_long[side] != 0) open.push_back(side);
+    for (Halfedge halfedge = 3 * t; halfedge < 3 * t + 3; ++halfedge) {
+      if (is_long[halfedge] != 0) open.push_back(halfedge);
     }
   }
   return count;
@@ -193,24 +195,24 @@ std::size_t mark_from_rim(const LinkedSides& sides, const SideFlags& is_long,
 
 TrimmedSurface trim_long_edges(TriangleMesh surface, const TrimOptions& options) {
   TrimmedSurface result;
-  LinkedSides sides = link_sides(surface);
-  const SideFlags is_long =
-      options.max_edge > 0 ? long_edges(surface, sides, options.max_edge) : SideFlags{};
+  HalfedgeRings rings = link_halfedges(surface);
+  const HalfedgeFlags is_long =
+      options.max_edge > 0 ? long_edges(surface, rings, options.max_edge) : HalfedgeFlags{};
   if (is_long.empty()) {
     result.mesh = std::move(surface);
-    result.sides = std::move(sides);
+    result.rings = std::move(rings);
     return result;
   }
   TriangleFlags removed(surface.triangles.size(), 0);
-  result.in_clusters = mark_clusters(sides, is_long, options.min_cluster, removed);
-  result.at_rim = mark_from_rim(sides, is_long, removed);
+  result.in_clusters = mark_clusters(rings, is_long, options.min_cluster, removed);
+  result.at_rim = mark_from_rim(rings, is_long, removed);
 
   result.mesh.points = std::move(surface.points);
   result.mesh.triangles.reserve(surface.triangles.size());
   for (const TriangleId t : surface.triangles.ids()) {
     if (removed[t.index()] == 0) result.mesh.triangles.push_back(surface.triangles[t]);
   }
-  result.sides = link_rest(sides, removed);
+  result.rings = link_rest(rings, removed);
   return result;
 }
 

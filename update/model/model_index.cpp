@@ -12,9 +12,10 @@
 #include <vector>
 
 #include "geom/box.h"
-#include "geom/changed_adjacency.h"
+#include "geom/changed_neighbors.h"
 #include "geom/edited_ids.h"
 #include "geom/errors.h"
+#include "geom/halfedges.h"
 #include "geom/sort_ids.h"
 #include "geom/zeroed_array.h"
 
@@ -38,9 +39,9 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
 }
 
 // Empty if all triangles are of one component.
-IdVector<TriangleId, std::uint32_t> components_of(const MeshAdjacency& adjacency) {
+IdVector<TriangleId, std::uint32_t> components_of(const TriangleNeighbors& neighbors) {
   constexpr std::uint32_t none = 0xFFFFFFFFU;
-  IdVector<TriangleId, std::uint32_t> components(adjacency.neighbors.size(), none);
+  IdVector<TriangleId, std::uint32_t> components(neighbors.size(), none);
   std::uint32_t count = 0;
   std::vector<TriangleId> stack;
   for (const TriangleId seed : components.ids()) {
@@ -50,7 +51,7 @@ IdVector<TriangleId, std::uint32_t> components_of(const MeshAdjacency& adjacency
     while (!stack.empty()) {
       const TriangleId t = stack.back();
       stack.pop_back();
-      for (const TriangleId next : adjacency.neighbors[t]) {
+      for (const TriangleId next : neighbors[t]) {
         if (next.is_none() || components[next] != none) continue;
         components[next] = count;
         stack.push_back(next);
@@ -63,9 +64,9 @@ IdVector<TriangleId, std::uint32_t> components_of(const MeshAdjacency& adjacency
 }
 
 // Whether one can go from each of the triangles, all different, to each other one within them.
-bool hang_together(std::span<const TriangleId> triangles, const MeshAdjacency& adjacency) {
+bool hang_together(std::span<const TriangleId> triangles, const TriangleNeighbors& neighbors) {
   if (triangles.empty()) return true;
-  ZeroedArray<TriangleId, std::uint8_t> open(adjacency.neighbors.size());  // and not reached yet
+  ZeroedArray<TriangleId, std::uint8_t> open(neighbors.size());  // and not reached yet
   for (const TriangleId t : triangles) open[t] = 1;
   open[triangles[0]] = 0;
   std::size_t count = 1;
@@ -73,7 +74,7 @@ bool hang_together(std::span<const TriangleId> triangles, const MeshAdjacency& a
   while (!stack.empty()) {
     const TriangleId t = stack.back();
     stack.pop_back();
-    for (const TriangleId next : adjacency.neighbors[t]) {
+    for (const TriangleId next : neighbors[t]) {
       if (next.is_none() || open[next] == 0) continue;
       open[next] = 0;
       ++count;
@@ -87,55 +88,56 @@ bool hang_together(std::span<const TriangleId> triangles, const MeshAdjacency& a
 
 ModelIndex::ModelIndex(const TriangleMesh& mesh)
     : mesh_(&checked(mesh)),
-      adjacency_(mesh_neighbors(mesh)),
-      components_(components_of(adjacency_)) {}
+      neighbors_(triangle_neighbors(mesh)),
+      at_vertices_(triangles_at_vertices(mesh)),
+      components_(components_of(neighbors_)) {}
 
 ModelIndex::ModelIndex(const TriangleMesh& mesh, const IndexBefore& before) : mesh_(&mesh) {
   const MeshChange& change = before.change;
-  std::optional<ChangedAdjacency> changed = changed_neighbors(
-      mesh, {before.mesh, before.index.adjacency_, change.vertex_map, change.triangle_map});
+  std::optional<ChangedNeighbors> changed = changed_neighbors(
+      mesh, {before.mesh, before.index.neighbors_, change.vertex_map, change.triangle_map});
   if (!changed) {
     *this = ModelIndex(mesh);
     return;
   }
-  adjacency_ = std::move(changed->adjacency);
+  neighbors_ = std::move(changed->neighbors);
+  at_vertices_ = std::move(changed->at_vertices);
   // From a triangle that stayed one comes, within those that stayed, to one that went, hence to the
   // seam: if that hangs together so does all.
   const bool connected = before.index.is_connected() &&
                          (change.added.empty() || !change.removed.empty()) &&
-                         hang_together(changed->seam, adjacency_);
-  if (!connected) components_ = components_of(adjacency_);
+                         hang_together(changed->seam, neighbors_);
+  if (!connected) components_ = components_of(neighbors_);
   distinct_points_ = before.distinct_points;
 }
 
 ModelIndex ModelIndex::of_smooth(const TriangleMesh& mesh) {
   ModelIndex index;
   index.mesh_ = &mesh;
-  index.adjacency_.neighbors = neighbors_across_sides(mesh);
+  index.neighbors_ = triangle_neighbors(mesh);
   index.prepare_for_edits();
   return index;
 }
 
 void ModelIndex::prepare_for_edits() {
   distinct_points_ = true;
-  adjacency_.vertex_begin = {};
-  adjacency_.vertex_triangles = {};
+  at_vertices_ = {};
   triangle_at_.resize(mesh_->points.size());
   cells_ = GridCells(mesh_->points);
-  longest_side_ = 0;
+  longest_extent_ = 0;
   for (const TriangleId t : mesh_->triangles.ids()) {
     for (const VertexId v : mesh_->triangles[t]) triangle_at_[v] = t;
-    take_in_sides(t);
+    take_in_size(t);
   }
 }
 
-void ModelIndex::take_in_sides(TriangleId t) {
+void ModelIndex::take_in_size(TriangleId t) {
   const Vec3 size = box_of(corners_of(*mesh_, t)).size();
-  longest_side_ = std::max({longest_side_, size.x, size.y, size.z});
+  longest_extent_ = std::max({longest_extent_, size.x, size.y, size.z});
 }
 
 bool ModelIndex::is_really_smooth() const {
-  const auto& neighbors = adjacency_.neighbors;
+  const TriangleNeighbors& neighbors = neighbors_;
   for (const TriangleId t : neighbors.ids()) {
     if (repeats_a_vertex(mesh_->triangles[t])) return false;
     for (const TriangleId next : neighbors[t]) {
@@ -154,12 +156,12 @@ bool ModelIndex::is_really_smooth() const {
     } while (++met <= corners && t != first);
     if (met > corners) return false;
   }
-  return met == corners && components_of(adjacency_).empty();
+  return met == corners && components_of(neighbors_).empty();
 }
 
 void ModelIndex::edit(const Edit& edit) {
   assert(is_smooth());
-  auto& neighbors = adjacency_.neighbors;
+  TriangleNeighbors& neighbors = neighbors_;
   // Triangles that came, or lost a neighbor.
   std::vector<TriangleId> seam = edit.triangles.added;
   for (const TriangleId t : edit.triangles.removed) {
@@ -175,34 +177,34 @@ void ModelIndex::edit(const Edit& edit) {
   const EditedIds<TriangleId> triangles(edit.triangles, edit.triangle_map);
   const auto renew = [&](auto block) { return triangles.renew(block); };
   edit_list_by_blocks(neighbors, edit.triangles, fresh, renew);
-  link_open_sides(seam);
+  link_open_edges(seam);
   const std::vector<TriangleId> none(edit.vertices.added.size());
   edit_list_by_blocks(triangle_at_, edit.vertices, none, renew);
   std::vector<Point> added;
   added.reserve(edit.vertices.added.size());
   for (const VertexId v : edit.vertices.added) added.push_back(mesh_->points[v]);
   cells_.edit(edit.vertices, added);
-  for (const TriangleId t : edit.triangles.added) take_in_sides(t);
+  for (const TriangleId t : edit.triangles.added) take_in_size(t);
   // Whoever lost a triangle has one beside it, or new ones.
   for (const TriangleId t : seam) {
     for (const VertexId v : mesh_->triangles[t]) triangle_at_[v] = t;
   }
 }
 
-// Links the sides of these triangles that have no neighbor, two by two: each waits in a table with
-// open addresses, by its edge, for the other one.
-void ModelIndex::link_open_sides(std::span<const TriangleId> triangles) {
+// Links these triangles over the edges that have no neighbor, two by two: each waits in a table
+// with open addresses, by its edge, for the other one.
+void ModelIndex::link_open_edges(std::span<const TriangleId> triangles) {
   struct Waiting {
     std::uint64_t edge = 0;  // no edge: its ends differ
-    HalfedgeId side;
+    Halfedge halfedge = 0;
   };
   std::vector<Waiting> table(std::bit_ceil(6 * triangles.size() + 2));
   const std::size_t mask = table.size() - 1;
-  auto& neighbors = adjacency_.neighbors;
+  TriangleNeighbors& neighbors = neighbors_;
   for (const TriangleId t : triangles) {
-    for (int i = 0; i < 3; ++i) {
-      if (!neighbors[t][static_cast<std::size_t>(i)].is_none()) continue;
-      const auto [a, b] = ends_of(*mesh_, halfedge_of(t, i));
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!neighbors[t][i].is_none()) continue;
+      const auto [a, b] = ends_of_halfedge(*mesh_, halfedge_of(t, i));
       const std::uint64_t edge = std::uint64_t{std::min(a, b).value} << 32 | std::max(a, b).value;
       std::size_t at = (edge * 0x9E3779B97F4A7C15U) >> 32 & mask;
       while (table[at].edge != 0 && table[at].edge != edge) at = (at + 1) & mask;
@@ -210,9 +212,10 @@ void ModelIndex::link_open_sides(std::span<const TriangleId> triangles) {
         table[at] = {edge, halfedge_of(t, i)};
         continue;
       }
-      const HalfedgeId other = table[at].side;
-      neighbors[t][static_cast<std::size_t>(i)] = triangle_of(other);
-      neighbors[triangle_of(other)][static_cast<std::size_t>(corner_of(other))] = t;
+      const Halfedge other = table[at].halfedge;
+      const TriangleId across(triangle_of_halfedge(other));
+      neighbors[t][i] = across;
+      neighbors[across][corner_of_halfedge(other)] = t;
     }
   }
 }
@@ -224,9 +227,9 @@ std::vector<TriangleId> ModelIndex::triangles_at(VertexId v) const {
   return found;
 }
 
-bool ModelIndex::has_open_sides() const {
+bool ModelIndex::has_irregular_edges() const {
   if (is_smooth()) return false;
-  return std::any_of(adjacency_.neighbors.begin(), adjacency_.neighbors.end(), [](const auto& at) {
+  return std::any_of(neighbors_.begin(), neighbors_.end(), [](const auto& at) {
     return std::any_of(at.begin(), at.end(), [](TriangleId t) { return t.is_none(); });
   });
 }

@@ -1,4 +1,5 @@
-// A mesh with what the stages of the update ask of its facets: neighbors, normals, parts.
+// A mesh with what the stages of the update ask of its facets: neighbors, normals, parts. They use
+// this; others see geom/triangle_neighbors.h.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +11,9 @@
 #include "geom/grid_cells.h"
 #include "geom/id_vector.h"
 #include "geom/list_edit.h"
-#include "geom/mesh_adjacency.h"
 #include "geom/triangle_mesh.h"
+#include "geom/triangle_neighbors.h"
+#include "geom/triangles_at_vertices.h"
 #include "geom/visit_where.h"
 #include "update/model/mesh_change.h"
 
@@ -34,13 +36,13 @@ class ModelIndex {
   // Throws InputError for a mesh without triangles, or with a triangle that names a vertex that is
   // not there or has a coordinate that is not finite. Complexity: O(t + v).
   explicit ModelIndex(const TriangleMesh& mesh);
-  // The same, faster where both meshes are closed and connected: there only the sides at triangles
+  // The same, faster where both meshes are closed and connected: there only the edges at triangles
   // that came or went are linked. Precondition: `before.index` is that of a mesh equal to
   // `before.mesh`, and `mesh` is what `before.change` made of it, with finite points.
   ModelIndex(const TriangleMesh& mesh, const IndexBefore& before);
 
   // The same for a mesh that is known to be connected and closed, with one umbrella at each vertex
-  // and no two equal points: its sides are linked, and no more. Complexity: O(t + v).
+  // and no two equal points: its triangles are linked, and no more. Complexity: O(t + v).
   static ModelIndex of_smooth(const TriangleMesh& mesh);
   // Whether the mesh of an index by of_smooth() is connected and closed, with one umbrella at each
   // vertex: for meshes from files. Complexity: O(t + v).
@@ -61,8 +63,7 @@ class ModelIndex {
   void prepare_for_edits();
 
   const TriangleMesh& mesh() const { return *mesh_; }
-  // Its neighbors alone: without edges, and triangles_at() is asked for here.
-  const MeshAdjacency& adjacency() const { return adjacency_; }
+  const TriangleNeighbors& neighbors() const { return neighbors_; }
   // The triangles that have the vertex as a corner, in the order of their ids. Complexity:
   // O(triangles found), a bit more for sorting.
   std::vector<TriangleId> triangles_at(VertexId v) const;
@@ -70,7 +71,7 @@ class ModelIndex {
   template <class Visit>
   void for_each_triangle_at(VertexId v, Visit visit) const {
     if (!is_smooth()) {
-      for (const TriangleId t : adjacency_.triangles_at(v)) visit(t);
+      for (const TriangleId t : at_vertices_[v]) visit(t);
       return;
     }
     const TriangleId first = triangle_at_[v];
@@ -91,17 +92,17 @@ class ModelIndex {
   }
   // Whether a triangle has the vertex.
   bool is_used(VertexId v) const {
-    return is_smooth() ? !triangle_at_[v].is_none() : !adjacency_.triangles_at(v).empty();
+    return is_smooth() ? !triangle_at_[v].is_none() : !at_vertices_[v].empty();
   }
   // Whether it is known that each vertex has one.
   bool uses_all_vertices() const { return is_smooth(); }
-  // Whether it is known that the triangles at each vertex hang together by sides that two have.
+  // Whether it is known that the triangles at each vertex hang together by edges that two have.
   bool has_one_fan_at_each_vertex() const { return is_smooth(); }
-  // Whether a side of a triangle has no other triangle, or several. Complexity: O(t) where that is
+  // Whether an edge has one triangle, or more than two. Complexity: O(t) where that is
   // not known.
-  bool has_open_sides() const;
-  // No side of a triangle is longer than this along any axis. Infinity: not known.
-  double longest_side() const { return longest_side_; }
+  bool has_irregular_edges() const;
+  // No edge is longer than this along any axis. Infinity: not known.
+  double longest_extent() const { return longest_extent_; }
   // Unit normal, outward if the mesh is oriented; the zero vector for a facet without area.
   Vec3 normal(TriangleId t) const;
   Point centroid(TriangleId t) const;
@@ -118,18 +119,19 @@ class ModelIndex {
   // The triangle after t on the way around one of its corners.
   TriangleId next_around(VertexId v, TriangleId t) const {
     const Triangle& corners = mesh_->triangles[t];
-    return adjacency_.neighbors[t][corners[0] == v ? 1 : corners[1] == v ? 2 : 0];
+    return neighbors_[t][corners[0] == v ? 1 : corners[1] == v ? 2 : 0];
   }
-  void link_open_sides(std::span<const TriangleId> triangles);
-  void take_in_sides(TriangleId t);
+  void link_open_edges(std::span<const TriangleId> triangles);
+  void take_in_size(TriangleId t);
 
   const TriangleMesh* mesh_ = nullptr;
-  MeshAdjacency adjacency_;                         // if smooth: no lists at vertices
+  TriangleNeighbors neighbors_;
+  TrianglesAtVertices at_vertices_;                 // not if smooth
   IdVector<VertexId, TriangleId> triangle_at_;      // if smooth: one of those at the vertex
   GridCells cells_;                                 // if smooth: of the vertices
   IdVector<TriangleId, std::uint32_t> components_;  // empty: all are of one
   bool distinct_points_ = false;
-  double longest_side_ = std::numeric_limits<double>::infinity();  // if smooth: a bound
+  double longest_extent_ = std::numeric_limits<double>::infinity();  // if smooth: a bound
 };
 
 }  // namespace cocoon

@@ -58,7 +58,7 @@ std::vector<TriangleId> facets_near(const ModelIndex& model, Points centers, dou
   const double room = reach_with_rounding(centers, reach);
   if (!std::isfinite(room)) return all_facets(mesh);
   const ReachedCells cells(centers, room);
-  const double longest = model.longest_side();
+  const double longest = model.longest_extent();
   if (!std::isfinite(longest)) return facets_in(cells, mesh);
   Box wide = cells.extent();
   wide.enlarge(longest + rounding_slack * std::max(longest, largest_coordinate(wide)));

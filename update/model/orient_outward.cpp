@@ -7,7 +7,7 @@
 
 #include "cocone/orient_surface.h"
 #include "geom/edge_components.h"
-#include "geom/linked_sides.h"
+#include "geom/halfedges.h"
 #include "geom/mesh_measure.h"
 #include "geom/mixed_bits.h"
 #include "geom/triangles_by_area.h"
@@ -15,10 +15,10 @@
 namespace cocoon {
 namespace {
 
-// Whether each side has its opposite, told by a checksum: that of a mesh which is closed and
-// oriented is 0, that of others with a probability of 2^-64. Linking all sides takes ten times as
-// long, and nearly all models are as they should be.
-bool sides_cancel(const TriangleMesh& mesh) {
+// Whether each halfedge has its opposite, told by a checksum: that of a mesh which is closed and
+// oriented is 0, that of others with a probability of 2^-64. Linking all halfedges takes ten times
+// as long, and nearly all models are as they should be.
+bool halfedges_cancel(const TriangleMesh& mesh) {
   const auto word = [](VertexId from, VertexId to) {
     return mixed_bits(std::uint64_t{from.value} << 32 | to.value);
   };
@@ -46,14 +46,14 @@ struct Part {
   bool is_body = false;
 };
 
-void measure_openings(const TriangleMesh& mesh, const LinkedSides& sides,
+void measure_openings(const TriangleMesh& mesh, const HalfedgeRings& rings,
                       const EdgeComponents& found, std::vector<Part>& parts) {
   for (const TriangleId t : mesh.triangles.ids()) {
     Part& part = parts[found.component_of[t.index()]];
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto side = static_cast<SideId>(3 * t.index() + i);
-      if (!sides.has_edge(side) || sides.is_two_sided(side)) continue;
-      const auto [from, to] = ends_of_side(mesh, side);
+      const auto halfedge = static_cast<Halfedge>(3 * t.index() + i);
+      if (!rings.has_edge(halfedge) || rings.has_two_triangles(halfedge)) continue;
+      const auto [from, to] = ends_of_halfedge(mesh, halfedge);
       const Point& a = mesh.points[from];
       const Point& b = mesh.points[to];
       part.center = part.center + 0.5 * (a + b);
@@ -64,10 +64,10 @@ void measure_openings(const TriangleMesh& mesh, const LinkedSides& sides,
   }
 }
 
-std::vector<Part> measure(const TriangleMesh& mesh, const LinkedSides& sides,
+std::vector<Part> measure(const TriangleMesh& mesh, const HalfedgeRings& rings,
                           const EdgeComponents& found, const OutwardOptions& options) {
   std::vector<Part> parts(found.components.size());
-  measure_openings(mesh, sides, found, parts);
+  measure_openings(mesh, rings, found, parts);
   for (Part& part : parts) {
     if (part.open_edges > 0) part.center = part.center / static_cast<double>(part.open_edges);
   }
@@ -103,14 +103,14 @@ std::vector<std::uint8_t> parts_to_turn(const EdgeComponents& found,
 
 OutwardReport orient_outward(TriangleMesh& mesh, const OutwardOptions& options) {
   require_valid_triangles(mesh);
-  if (mesh.triangles.empty() || (sides_cancel(mesh) && volume_of(mesh) >= 0)) return {};
-  const LinkedSides sides = link_sides(mesh);
-  const EdgeComponents found = edge_components(mesh, sides);
+  if (mesh.triangles.empty() || (halfedges_cancel(mesh) && volume_of(mesh) >= 0)) return {};
+  const HalfedgeRings rings = link_halfedges(mesh);
+  const EdgeComponents found = edge_components(mesh, rings);
   const IdVector<TriangleId, Triangle> given = mesh.triangles;
   OutwardReport report;
   report.one_sided = orient_surface(mesh, found).non_orientable;
   const std::vector<std::uint8_t> turns =
-      parts_to_turn(found, measure(mesh, sides, found, options));
+      parts_to_turn(found, measure(mesh, rings, found, options));
   for (const TriangleId t : mesh.triangles.ids()) {
     Triangle& triangle = mesh.triangles[t];
     if (turns[found.component_of[t.index()]] != 0) std::swap(triangle[1], triangle[2]);

@@ -27,7 +27,7 @@ struct OutwardReport {
 //      turned as a whole. So hollows within a body stay what they are.
 // Open sheets have no outside: their triangles agree, but which side they show stays. The volume of
 // an open body is that of the cone from the mean of its open edges.
-// Errors: InputError as link_sides(). Complexity: O(triangles + vertices). A mesh that faces
+// Errors: InputError as link_halfedges(). Complexity: O(triangles + vertices). A mesh that faces
 // outward stays as it is, to the bit.
 // Source: ours; Woo & Dey 2005 start with meshes of their own.
 OutwardReport orient_outward(TriangleMesh& mesh, const OutwardOptions& options = {});

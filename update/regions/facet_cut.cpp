@@ -11,8 +11,8 @@ namespace cocoon {
 
 namespace {
 
-// In steps. Sums of 4 million sides fit into 62 bits, whatever the scale of the model.
-constexpr double longest_side = 0x1p40;
+// In steps. Sums of 4 million edges fit into 62 bits, whatever the scale of the model.
+constexpr double longest_edge = 0x1p40;
 
 // The facets near those that pull, as nodes of a graph.
 class Zone {
@@ -26,7 +26,7 @@ class Zone {
   bool grow() {
     const std::size_t end = facets_.size();
     for (; searched_ < end; ++searched_) {
-      for (const TriangleId next : model_.adjacency().neighbors[facets_[searched_]]) {
+      for (const TriangleId next : model_.neighbors()[facets_[searched_]]) {
         if (!next.is_none() && border_[next] == 0) include(next);
       }
     }
@@ -37,13 +37,13 @@ class Zone {
   bool has(TriangleId t) const { return node_of_[t] != 0; }
   std::uint32_t node_of(TriangleId t) const { return node_of_[t] - 1; }
 
-  // Calls visit(t, i, next) for the sides between facets off the border with t in the zone; those
+  // Calls visit(t, i, next) for the edges between facets off the border with t in the zone; those
   // within it once.
   template <class Visit>
-  void visit_sides(const Visit& visit) const {
+  void visit_edges(const Visit& visit) const {
     for (const TriangleId t : facets_) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const TriangleId next = model_.adjacency().neighbors[t][i];
+        const TriangleId next = model_.neighbors()[t][i];
         if (next.is_none() || border_[next] != 0 || (has(next) && next < t)) continue;
         visit(t, i, next);
       }
@@ -71,9 +71,9 @@ std::vector<std::uint8_t> cut_zone(const ModelIndex& model, const Zone& zone,
     if (p.pull > 0) flow.pull_to_source(zone.node_of(p.facet), p.pull);
     if (p.pull < 0) flow.pull_to_sink(zone.node_of(p.facet), -p.pull);
   }
-  zone.visit_sides([&](TriangleId t, std::size_t i, TriangleId next) {
+  zone.visit_edges([&](TriangleId t, std::size_t i, TriangleId next) {
     if (!zone.has(next)) return;
-    flow.add_edge(zone.node_of(t), zone.node_of(next), side_in_steps(model, t, i, steps_per_unit));
+    flow.add_edge(zone.node_of(t), zone.node_of(next), edge_in_steps(model, t, i, steps_per_unit));
   });
   return flow.source_side();
 }
@@ -83,7 +83,7 @@ std::vector<std::uint8_t> cut_zone(const ModelIndex& model, const Zone& zone,
 IdVector<RegionId, std::uint8_t> labels_beside(const Regions& rest, const Zone& zone,
                                                const std::vector<std::uint8_t>& source) {
   IdVector<RegionId, std::uint8_t> labels(rest.regions.size(), 0);
-  zone.visit_sides([&](TriangleId t, std::size_t, TriangleId next) {
+  zone.visit_edges([&](TriangleId t, std::size_t, TriangleId next) {
     if (!zone.has(next)) {
       std::uint8_t& label = labels[rest.region_of_facet[next]];
       label = static_cast<std::uint8_t>(label | (source[zone.node_of(t)] != 0 ? 2U : 1U));
@@ -93,19 +93,19 @@ IdVector<RegionId, std::uint8_t> labels_beside(const Regions& rest, const Zone& 
 }
 
 // Of the facets on the source side, in order. None lies between zone and rest, which agree.
-std::vector<HalfedgeId> sides_between(const ModelIndex& model, const TriangleSet& border,
-                                      const Zone& zone, const TriangleSet& source) {
-  std::vector<HalfedgeId> sides;
+std::vector<Halfedge> halfedges_between(const ModelIndex& model, const TriangleSet& border,
+                                        const Zone& zone, const TriangleSet& source) {
+  std::vector<Halfedge> halfedges;
   for (const TriangleId t : zone.facets()) {
     if (source[t] == 0) continue;
     for (int i = 0; i < 3; ++i) {
-      const TriangleId next = model.adjacency().neighbors[t][static_cast<std::size_t>(i)];
+      const TriangleId next = model.neighbors()[t][static_cast<std::size_t>(i)];
       if (next.is_none() || border[next] != 0 || source[next] != 0) continue;
-      sides.push_back(halfedge_of(t, i));
+      halfedges.push_back(halfedge_of(t, i));
     }
   }
-  std::sort(sides.begin(), sides.end());
-  return sides;
+  std::sort(halfedges.begin(), halfedges.end());
+  return halfedges;
 }
 
 FacetCut label_all(const TriangleSet& border, const Zone& zone,
@@ -124,10 +124,10 @@ FacetCut label_all(const TriangleSet& border, const Zone& zone,
 
 }  // namespace
 
-std::int64_t side_in_steps(const ModelIndex& model, TriangleId t, std::size_t i,
+std::int64_t edge_in_steps(const ModelIndex& model, TriangleId t, std::size_t i,
                            double steps_per_unit) {
-  const double steps = side_length(model.mesh(), t, i) * steps_per_unit;
-  return std::llround(std::clamp(steps, 1.0, longest_side));
+  const double steps = edge_length(model.mesh(), t, i) * steps_per_unit;
+  return std::llround(std::clamp(steps, 1.0, longest_edge));
 }
 
 FacetCut facet_cut(const ModelIndex& model, const TriangleSet& border,
@@ -144,7 +144,7 @@ FacetCut facet_cut(const ModelIndex& model, const TriangleSet& border,
     const IdVector<RegionId, std::uint8_t> labels = labels_beside(rest, zone, source);
     if (std::count(labels.begin(), labels.end(), 3) > 0) continue;
     FacetCut cut = label_all(border, zone, source, rest, labels);
-    cut.sides = sides_between(model, border, zone, cut.source);
+    cut.halfedges = halfedges_between(model, border, zone, cut.source);
     return cut;
   }
 }

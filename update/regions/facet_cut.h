@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "geom/halfedges.h"
 #include "geom/ids.h"
-#include "geom/mesh_adjacency.h"
 #include "update/model/model_index.h"
 #include "update/model/triangle_set.h"
 
@@ -28,15 +28,15 @@ struct FacetCutOptions {
 struct FacetCut {
   TriangleSet source;  // 1: on the source side
   std::size_t source_facets = 0;
-  std::vector<HalfedgeId> sides;  // between both sides, of the facets on the source side
+  std::vector<Halfedge> halfedges;  // between both sides, of the facets on the source side
 };
 
-// The length of a side in steps, at least one, at most 2^40.
-std::int64_t side_in_steps(const ModelIndex& model, TriangleId t, std::size_t i,
+// The length of an edge in steps, at least one, at most 2^40.
+std::int64_t edge_in_steps(const ModelIndex& model, TriangleId t, std::size_t i,
                            double steps_per_unit);
 
 // The labels of the facets off `border` that cost least in all, where a cut between two neighbors
-// costs the length of their common side in steps; of several the ones with the fewest facets on the
+// costs the length of their common edge in steps; of several the ones with the fewest facets on the
 // source side. Border facets are on neither side, and not crossed. `pulls`: each facet once, none
 // of the border; the sum of all costs fits into 62 bits.
 // The cut among the facets near those that pull is the cut of all, if each connected rest lies

@@ -13,7 +13,7 @@ namespace cocoon {
 namespace {
 
 // From the lowest free facet, again and again.
-Regions grow_one_by_one(const MeshAdjacency& adjacency, const TriangleSet& border) {
+Regions grow_one_by_one(const TriangleNeighbors& neighbors, const TriangleSet& border) {
   Regions result;
   result.region_of_facet = SparseVector<TriangleId, RegionId>(border.size());
   std::vector<TriangleId> stack;
@@ -26,7 +26,7 @@ Regions grow_one_by_one(const MeshAdjacency& adjacency, const TriangleSet& borde
       const TriangleId t = stack.back();
       stack.pop_back();
       ++result.regions[id].facets;
-      for (const TriangleId across : adjacency.neighbors[t]) {
+      for (const TriangleId across : neighbors[t]) {
         if (across.is_none() || border[across] != 0) continue;
         if (!result.region_of_facet[across].is_none()) continue;
         result.region_of_facet.set(across, id);
@@ -42,11 +42,11 @@ Regions grow_one_by_one(const MeshAdjacency& adjacency, const TriangleSet& borde
 class Fronts {
  public:
   // `facets`: those of the border.
-  Fronts(const MeshAdjacency& adjacency, const TriangleSet& border,
+  Fronts(const TriangleNeighbors& neighbors, const TriangleSet& border,
          std::span<const TriangleId> facets)
-      : adjacency_(adjacency), border_(border), facets_(facets), front_of_(border.size()) {
+      : neighbors_(neighbors), border_(border), facets_(facets), front_of_(border.size()) {
     for (const TriangleId t : facets) {
-      for (const TriangleId next : adjacency.neighbors[t]) {
+      for (const TriangleId next : neighbors[t]) {
         if (!next.is_none() && border[next] == 0 && front_of_[next] == 0) start(next);
       }
     }
@@ -139,7 +139,7 @@ class Fronts {
     for (std::size_t step = 0; step < pace && !stacks_[f].empty(); ++step) {
       const TriangleId t = stacks_[f].back();
       stacks_[f].pop_back();
-      for (const TriangleId next : adjacency_.neighbors[t]) {
+      for (const TriangleId next : neighbors_[t]) {
         if (next.is_none() || border_[next] != 0) continue;
         if (front_of_[next] == 0) {
           reach(next, f);
@@ -160,7 +160,7 @@ class Fronts {
     stacks_[other] = {};
   }
 
-  const MeshAdjacency& adjacency_;
+  const TriangleNeighbors& neighbors_;
   const TriangleSet& border_;
   std::span<const TriangleId> facets_;
   SparseVector<TriangleId, std::uint32_t> front_of_;  // 1 + its front; 0: not reached
@@ -173,10 +173,10 @@ class Fronts {
 }  // namespace
 
 Regions grow_regions(const ModelIndex& model, const TriangleSet& border) {
-  if (!model.is_connected()) return grow_one_by_one(model.adjacency(), border);
+  if (!model.is_connected()) return grow_one_by_one(model.neighbors(), border);
   const std::vector<TriangleId> facets = members(border);
-  Fronts fronts(model.adjacency(), border, facets);
-  if (!fronts.any()) return grow_one_by_one(model.adjacency(), border);
+  Fronts fronts(model.neighbors(), border, facets);
+  if (!fronts.any()) return grow_one_by_one(model.neighbors(), border);
   fronts.grow();
   return fronts.regions();
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "cocone/sides_of_solid.h"
+#include "cocone/labels_of_solid.h"
 #include "geom/sort_ids.h"
 #include "geom/working_scale.h"
 
@@ -11,9 +11,9 @@ namespace cocoon {
 
 OldSurface KeptSurface::told() const {
   OldSurface told;
-  told.sides = [this](const Triangulation& triangulation, const FacetSet& surface,
-                      const Execution& execution) {
-    KnownSides known = known_sides(triangulation, triangles(), surface, execution);
+  told.labels = [this](const Triangulation& triangulation, const FacetSet& surface,
+                       const Execution& execution) {
+    KnownLabels known = known_labels(triangulation, triangles(), surface, execution);
     if (!known.undisturbed.empty()) tell_by_model(triangulation, known, execution);
     return known;
   };
@@ -24,15 +24,15 @@ OldSurface KeptSurface::told() const {
   return told;
 }
 
-void KeptSurface::tell_by_model(const Triangulation& triangulation, KnownSides& known,
+void KeptSurface::tell_by_model(const Triangulation& triangulation, KnownLabels& known,
                                 const Execution& execution) const {
   const double scale = working_scale(replacement_.points);
   if (scale == 1) {
-    add_sides_of_solid(triangulation, model_.mesh(), known.undisturbed, known, {}, execution);
+    add_labels_of_solid(triangulation, model_.mesh(), known.undisturbed, known, {}, execution);
     return;
   }
   const TriangleMesh solid = scaled(model_.mesh(), scale);
-  add_sides_of_solid(triangulation, solid, known.undisturbed, known, {}, execution);
+  add_labels_of_solid(triangulation, solid, known.undisturbed, known, {}, execution);
 }
 
 std::vector<KnownTriangle> KeptSurface::triangles() const {

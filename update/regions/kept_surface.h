@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "cocone/known_sides.h"
+#include "cocone/known_labels.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/ids.h"
@@ -24,7 +24,7 @@ class KeptSurface {
               const Replacement& replacement)
       : model_(model), regions_(regions), choice_(choice), replacement_(replacement) {}
 
-  // As the stages want it told; refers to this object. Undisturbed cells (known_sides.h) are on
+  // As the stages want it told; refers to this object. Undisturbed cells (known_labels.h) are on
   // the side of the whole model on which they lie.
   OldSurface told() const;
 
@@ -41,7 +41,7 @@ class KeptSurface {
   bool is_replaced(RegionId region) const {
     return region.is_none() || choice_.replaced[region] != 0;
   }
-  void tell_by_model(const Triangulation& triangulation, KnownSides& known,
+  void tell_by_model(const Triangulation& triangulation, KnownLabels& known,
                      const Execution& execution) const;
   KnownTriangle corners(TriangleId t) const;
   void append(TriangleId t, std::vector<KnownTriangle>& known) const;

@@ -21,11 +21,11 @@ std::vector<TriangleId> band_facets(const LoopBorder& band) {
 }
 
 // The facet of the model across the edge of `facet` that does not hold the third corner.
-TriangleId across(const TriangleMesh& model, const MeshAdjacency& adjacency, TriangleId facet,
+TriangleId across(const TriangleMesh& model, const TriangleNeighbors& neighbors, TriangleId facet,
                   VertexId from, VertexId to) {
   const Triangle& corners = model.triangles[facet];
   for (std::size_t i = 0; i < 3; ++i) {
-    if (corners[i] != from && corners[i] != to) return adjacency.neighbors[facet][i];
+    if (corners[i] != from && corners[i] != to) return neighbors[facet][i];
   }
   return {};
 }
@@ -71,7 +71,7 @@ RegionId majority(const std::map<RegionId, std::size_t>& edges_at, const Regions
 
 }  // namespace
 
-LoopSides loop_sides(const TriangleMesh& model, const MeshAdjacency& adjacency,
+LoopSides loop_sides(const TriangleMesh& model, const TriangleNeighbors& neighbors,
                      const LoopBorder& band, const Regions& regions) {
   LoopSides result;
   const std::vector<TriangleId> facets = band_facets(band);
@@ -82,7 +82,7 @@ LoopSides loop_sides(const TriangleMesh& model, const MeshAdjacency& adjacency,
     std::map<RegionId, std::size_t> edges_at;
     for (const BoundaryEdge& edge : curve.edges) {
       const TriangleId other =
-          across(model, adjacency, facets[edge.triangle.index()], model_vertex[edge.from.index()],
+          across(model, neighbors, facets[edge.triangle.index()], model_vertex[edge.from.index()],
                  model_vertex[edge.to.index()]);
       if (other.is_none() || regions.region_of_facet[other].is_none()) continue;
       ++edges_at[regions.region_of_facet[other]];

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geom/ids.h"
-#include "geom/mesh_adjacency.h"
 #include "geom/triangle_mesh.h"
+#include "geom/triangle_neighbors.h"
 #include "update/segment_model.h"
 #include "update/trace_border.h"
 
@@ -36,7 +36,7 @@ struct LoopSides {
 // pockets where the band touches itself.
 // Complexity: O(b log b) for a band of b facets.
 // Source: Woo & Dey 2005, section 3.4 presumes one region more than loops, which holds on spheres.
-LoopSides loop_sides(const TriangleMesh& model, const MeshAdjacency& adjacency,
+LoopSides loop_sides(const TriangleMesh& model, const TriangleNeighbors& neighbors,
                      const LoopBorder& band, const Regions& regions);
 
 // The region at the longest side that borders on one; none if none does.

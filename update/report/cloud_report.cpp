@@ -1,7 +1,8 @@
 #include "update/report/cloud_report.h"
 
-#include <numbers>
 #include <utility>
+
+#include "geom/angles.h"
 
 namespace cocoon {
 
@@ -102,7 +103,6 @@ void enter_border(const Border& border, CloudReport& report) {
 }
 
 void enter_choice(const CloudChoice& choice, CloudReport& report) {
-  constexpr double degrees_per_radian = 180 / std::numbers::pi;
   report.margin_deg = choice.margin * degrees_per_radian;
   for (const RegionVerdict& verdict : choice.regions) {
     report.groups.push_back({verdict.region, verdict.mean_angle * degrees_per_radian, verdict.edges,

@@ -32,25 +32,25 @@ AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const Tria
   ScannedPlaces scanned;
   for (const Scan& scan : scans) scanned.add(scan.samples, options.reach * scan.spacing);
   AstrayTriangles result;
-  std::vector<double> sides;
+  std::vector<double> longest_edges;
   double largest = 0;
   for (const TriangleId t : triangles) {
     const auto [a, b, c] = corners_of(model, t);
-    const double side = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    const double limit = options.tolerance * side;
+    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    const double limit = options.tolerance * longest;
     const Point middle = a + (1.0 / 3) * ((b - a) + (c - a));
     if (tree.closest(middle).squared_distance <= limit * limit) continue;
     if (scanned.contain(middle)) continue;
     const double area = area_of(model, t);
     ++result.count;
     result.area += area;
-    sides.push_back(side);
+    longest_edges.push_back(longest);
     if (area > largest) {
       largest = area;
       result.largest = t;
     }
   }
-  result.longest_side = median(std::move(sides));
+  result.longest_edge = median(std::move(longest_edges));
   return result;
 }
 

@@ -47,7 +47,7 @@ struct AstrayOptions {
 struct AstrayTriangles {
   std::size_t count = 0;
   double area = 0;          // in squares of the coordinates' unit
-  double longest_side = 0;  // of each triangle; the median of these
+  double longest_edge = 0;  // of each triangle; the median of these
   TriangleId largest = {};  // by area; of several the first
 };
 

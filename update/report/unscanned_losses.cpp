@@ -16,8 +16,8 @@ namespace cocoon {
 
 namespace {
 
-// Of the model at one of its vertices, which has triangles.
-double spacing_at(const ModelIndex& model, VertexId v) {
+// The mean edge of the model at one of its vertices, which has triangles.
+double mean_edge_at(const ModelIndex& model, VertexId v) {
   const auto& points = model.mesh().points;
   return mean_at_vertex(model, v,
                         [&](VertexId other) { return distance(points[v], points[other]); });
@@ -38,7 +38,7 @@ std::vector<Loss> far_from_samples(const ModelIndex& model, std::span<const Vert
   for (const Scan& scan : scans) samples.emplace_back(scan.samples);
   for (const VertexId v : lost) {
     const Point& p = model.mesh().points[v];
-    const double spacing = spacing_at(model, v);
+    const double spacing = mean_edge_at(model, v);
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t c = 0; c < scans.size() && nearest > reach; ++c) {
       const double unit = std::max(scans[c].spacing, spacing);

@@ -29,7 +29,7 @@ std::vector<std::vector<CellId>> all_moves(Labeling& labeling, VertexId v) {
 }
 
 // The best of them, by evaluating all.
-std::vector<CellId> plain_best(Labeling& labeling, SideSplit& split, VertexId v) {
+std::vector<CellId> plain_best(Labeling& labeling, LabelSplit& split, VertexId v) {
   const Triangulation& t = labeling.stages.triangulation;
   Energy best_change = 0;
   std::vector<CellId> best;
@@ -51,7 +51,7 @@ void for_each_vertex(std::array<double, 3> biases, std::uint64_t seed, const Vis
     for (const auto& points : {shapes::random_cube(60, 3), lattice(4), ball(4)}) {
       Labeling labeling(points, seed, bias);
       const Triangulation& t = labeling.stages.triangulation;
-      SideSplit split(t, labeling.out);
+      LabelSplit split(t, labeling.out);
       BestMove best_move(t, labeling.stars, labeling.out, labeling.energy, split,
                          labeling.options.most_move_cells);
       for (const VertexId v : t.vertices()) visit(labeling, split, best_move, v);
@@ -76,7 +76,7 @@ TEST(BestMove, IsTheBestOfAll) {
 TEST(BestMove, ThereIsNoneAtStarsThatAreTooLarge) {
   Labeling labeling(shapes::random_cube(60, 3), 11, 0.5);
   const Triangulation& t = labeling.stages.triangulation;
-  SideSplit split(t, labeling.out);
+  LabelSplit split(t, labeling.out);
   const std::size_t most = 25;
   BestMove all(t, labeling.stars, labeling.out, labeling.energy, split, t.num_cells());
   BestMove some(t, labeling.stars, labeling.out, labeling.energy, split, most);
@@ -94,7 +94,7 @@ TEST(BestMove, ThereIsNoneAtStarsThatAreTooLarge) {
 }
 
 // All sets that mend v and cost little enough, by evaluating all, in canonical order.
-std::vector<BestMove::Opening> plain_openings(Labeling& labeling, SideSplit& split, VertexId v,
+std::vector<BestMove::Opening> plain_openings(Labeling& labeling, LabelSplit& split, VertexId v,
                                               Energy max_rise) {
   const Triangulation& t = labeling.stages.triangulation;
   std::vector<BestMove::Opening> openings;

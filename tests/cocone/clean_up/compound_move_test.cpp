@@ -16,7 +16,7 @@ struct Mover {
         compound(labeling.stages.triangulation, labeling.spacings, region, labeling.energy, single,
                  labeling.options) {}
   DoubtfulRegion region;
-  SideSplit split;
+  LabelSplit split;
   BestMove single;
   CompoundMove compound;
 };

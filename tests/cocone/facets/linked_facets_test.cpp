@@ -87,15 +87,15 @@ TEST_F(LinkedFacetsTest, AreTheSameFromTheListOfFacets) {
 }
 
 // The edges, by all triangles at them, that are not two triangles at most this steep.
-std::vector<SideId> expected_steep(const LinkedFacets& triangles, double largest_cosine) {
-  std::vector<SideId> steep;
-  for (SideId side = 0; side < triangles.links.size(); ++side) {
-    std::vector<SideId> ring;
-    for_each_side_at_edge(triangles, side, [&](SideId other) { ring.push_back(other); });
-    if (*std::min_element(ring.begin(), ring.end()) != side) continue;
+std::vector<Halfedge> expected_steep(const LinkedFacets& triangles, double largest_cosine) {
+  std::vector<Halfedge> steep;
+  for (Halfedge halfedge = 0; halfedge < triangles.links.size(); ++halfedge) {
+    std::vector<Halfedge> ring;
+    for_each_at_edge(triangles.links, halfedge, [&](Halfedge other) { ring.push_back(other); });
+    if (*std::min_element(ring.begin(), ring.end()) != halfedge) continue;
     const bool flat =
         ring.size() == 2 && dihedral_cosine(triangles, ring[0], ring[1]) <= largest_cosine;
-    if (!flat) steep.push_back(side);
+    if (!flat) steep.push_back(halfedge);
   }
   return steep;
 }

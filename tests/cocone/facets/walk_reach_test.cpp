@@ -56,9 +56,9 @@ class WalkInRounds {
   void keep(Half half) { kept_.insert(half); }
 
   void turn(Half half, std::set<Half>& met_first, std::set<Half>& met_later) {
-    const SideId first = 3 * triangle_of_half(half);
-    for (SideId side = first; side < first + 3; ++side) {
-      const auto [a, b] = candidates_.ends(side);
+    const Halfedge first = 3 * triangle_of_half(half);
+    for (Halfedge halfedge = first; halfedge < first + 3; ++halfedge) {
+      const auto [a, b] = candidates_.ends(halfedge);
       if (umbrella_[a] == 0 && umbrella_[b] == 0) continue;
       bool is_first = true;
       for (const Half met : met_around(half, a, b)) {
@@ -134,9 +134,9 @@ TEST(WalkReach, OfSmoothSurfacesNeedsNoRounds) {
 // Where four samples nearly lie on a circle, all facets of a flat tetrahedron are candidates.
 TEST(WalkReach, PassesTheBacksOfFlatTetrahedra) {
   const Candidates candidates(gallery::bumpy_sphere(4000));
-  const std::vector<SideId>& steep = candidates.pruned.left.steep;
-  EXPECT_TRUE(std::any_of(steep.begin(), steep.end(), [&](SideId side) {
-    return candidates.pruned.left.is_three_sided(side);
+  const std::vector<Halfedge>& steep = candidates.pruned.left.steep;
+  EXPECT_TRUE(std::any_of(steep.begin(), steep.end(), [&](Halfedge halfedge) {
+    return candidates.pruned.left.has_three_triangles(halfedge);
   }));
   EXPECT_TRUE(expect_states_of_rounds(candidates, candidates.start()));
 }

@@ -34,8 +34,8 @@ std::map<FacetId, LinkedTriangle> by_facet(const LinkedFacets& linked) {
     LinkedTriangle& triangle = triangles[linked.facets[t]];
     triangle = {linked.mirrors[t], linked.corners[t], linked.normals[t], {}};
     for (std::uint32_t i = 0; i < 3; ++i) {
-      for_each_side_at_edge(linked, 3 * t + i, [&](SideId side) {
-        triangle.at_side[i].push_back(linked.facets[triangle_of_side(side)]);
+      for_each_at_edge(linked.links, 3 * t + i, [&](Halfedge halfedge) {
+        triangle.at_side[i].push_back(linked.facets[triangle_of_halfedge(halfedge)]);
       });
       std::sort(triangle.at_side[i].begin(), triangle.at_side[i].end());
     }
@@ -43,18 +43,19 @@ std::map<FacetId, LinkedTriangle> by_facet(const LinkedFacets& linked) {
   return triangles;
 }
 
-// Each steep edge by its sides.
+// Each steep edge by its halfedges.
 using FacetSide = std::pair<FacetId, std::uint32_t>;
 std::set<std::vector<FacetSide>> steep_by_facets(const LinkedFacets& linked) {
   std::set<std::vector<FacetSide>> steep;
-  for (const SideId first : linked.steep) {
+  for (const Halfedge first : linked.steep) {
     EXPECT_TRUE(linked.is_first(first));
-    std::vector<FacetSide> sides;
-    for_each_side_at_edge(linked, first, [&](SideId side) {
-      sides.emplace_back(linked.facets[triangle_of_side(side)], corner_of_side(side));
+    std::vector<FacetSide> halfedges;
+    for_each_at_edge(linked.links, first, [&](Halfedge halfedge) {
+      halfedges.emplace_back(linked.facets[triangle_of_halfedge(halfedge)],
+                             corner_of_halfedge(halfedge));
     });
-    std::sort(sides.begin(), sides.end());
-    EXPECT_TRUE(steep.insert(std::move(sides)).second);
+    std::sort(halfedges.begin(), halfedges.end());
+    EXPECT_TRUE(steep.insert(std::move(halfedges)).second);
   }
   return steep;
 }

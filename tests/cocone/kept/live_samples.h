@@ -17,8 +17,8 @@ class LiveSamples {
  public:
   explicit LiveSamples(const std::vector<Point>& points) {
     ReconstructStages stages;
-    reconstruct_tight_with_sides(cocoon::delaunay(points).triangulation, points, {}, {}, {},
-                                 stages);
+    reconstruct_tight_with_labels(cocoon::delaunay(points).triangulation, points, {}, {}, {},
+                                  stages);
     delaunay_ = DynamicDelaunay(std::move(stages.triangulation));
     candidates_.start(delaunay_, stages);
     candidates_.renumber(delaunay_.close_gaps(), delaunay_);

@@ -57,8 +57,9 @@ Knowledge knowledge_of(const DynamicDelaunay& delaunay, const LiveCandidates& li
 Knowledge from_scratch(const std::vector<Point>& points, const ReconstructOptions& options,
                        ReconstructCounters& counters, ReconstructStages& stages) {
   Triangulation triangulation = delaunay(points).triangulation;
-  counters = reconstruct_tight_with_sides(std::move(triangulation), points, {}, options, {}, stages)
-                 .counters;
+  counters =
+      reconstruct_tight_with_labels(std::move(triangulation), points, {}, options, {}, stages)
+          .counters;
   Knowledge known;
   const Triangulation& t = stages.triangulation;
   for (const VertexId v : t.vertices()) {

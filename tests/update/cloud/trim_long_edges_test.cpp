@@ -163,7 +163,7 @@ TEST(TrimLongEdges, WhatIsLongIsAsDefined) {
       const TrimmedSurface trimmed =
           trim_long_edges(mesh, {.max_edge = max_edge, .min_cluster = 1});
       EXPECT_EQ(trimmed.mesh.triangles, without_long_edges(mesh, max_edge));
-      EXPECT_EQ(trimmed.sides.links, link_sides(trimmed.mesh).links);
+      EXPECT_EQ(trimmed.rings.links, link_halfedges(trimmed.mesh).links);
       removed += trimmed.in_clusters;
     }
   }

@@ -83,7 +83,7 @@ TEST(MeshEdit, LeadsFromOneMeshToTheOtherAndBack) {
     };
     const auto expect_index = [&] {
       const ModelIndex expected(mesh);
-      EXPECT_EQ(index.adjacency().neighbors, expected.adjacency().neighbors);
+      EXPECT_EQ(index.neighbors(), expected.neighbors());
       for (const VertexId v : mesh.points.ids()) {
         EXPECT_EQ(index.triangles_at(v), expected.triangles_at(v));
       }
@@ -95,7 +95,7 @@ TEST(MeshEdit, LeadsFromOneMeshToTheOtherAndBack) {
       EXPECT_EQ(in_box, expected_in_box);
       EXPECT_TRUE(index.has_distinct_points());
       EXPECT_TRUE(index.is_connected());
-      EXPECT_GE(index.longest_side(), ModelIndex::of_smooth(mesh).longest_side());
+      EXPECT_GE(index.longest_extent(), ModelIndex::of_smooth(mesh).longest_extent());
     };
     carry_out(edit);
     EXPECT_TRUE(mesh == change.after);

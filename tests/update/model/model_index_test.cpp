@@ -8,7 +8,7 @@ namespace cocoon {
 namespace {
 
 void expect_equal_indexes(const ModelIndex& actual, const ModelIndex& expected) {
-  EXPECT_EQ(actual.adjacency().neighbors.raw(), expected.adjacency().neighbors.raw());
+  EXPECT_EQ(actual.neighbors().raw(), expected.neighbors().raw());
   for (const VertexId v : expected.mesh().points.ids()) {
     EXPECT_EQ(actual.triangles_at(v), expected.triangles_at(v));
     EXPECT_EQ(actual.is_used(v), expected.is_used(v));

@@ -32,7 +32,7 @@ void expect_answers_of_all_facets(const TriangleMesh& mesh, const std::vector<Po
 void expect_answers_by_sides(const TriangleMesh& mesh, const std::vector<Point>& centers,
                              double reach) {
   const ModelIndex index = ModelIndex::of_smooth(mesh);
-  ASSERT_LT(index.longest_side(), infinity);
+  ASSERT_LT(index.longest_extent(), infinity);
   const NearFacets near(index, centers, reach);
   const NearFacets all(index, centers, infinity);
   for (const Point& p : centers) {

@@ -36,10 +36,10 @@ TEST(FacetCut, ClosesAGapTheShortestWay) {
     pulls.push_back({plane.at(21, y), -1024});
   }
   const FacetCut cut = facet_cut(plane.model, plane.border, pulls, steps);
-  EXPECT_EQ(cut.sides.size(), 3U);
-  for (const HalfedgeId s : cut.sides) {
-    EXPECT_EQ(cut.source[triangle_of(s)], 1);
-    EXPECT_NEAR(plane.model.centroid(triangle_of(s)).x, 20, 1);
+  EXPECT_EQ(cut.halfedges.size(), 3U);
+  for (const Halfedge h : cut.halfedges) {
+    EXPECT_EQ(cut.source[TriangleId(triangle_of_halfedge(h))], 1);
+    EXPECT_NEAR(plane.model.centroid(TriangleId(triangle_of_halfedge(h))).x, 20, 1);
   }
   for (const TriangleId t : plane.mesh.triangles.ids()) {
     if (plane.border[t] != 0) {
@@ -76,7 +76,7 @@ TEST(FacetCut, IsTheSameForEveryFirstNeighborhood) {
           facet_cut(plane.model, plane.border, pulls, steps, {.first_steps = first});
       EXPECT_EQ(cut.source, all.source);
       EXPECT_EQ(cut.source_facets, all.source_facets);
-      EXPECT_EQ(cut.sides, all.sides);
+      EXPECT_EQ(cut.halfedges, all.halfedges);
     }
   }
 }
@@ -85,7 +85,7 @@ TEST(FacetCut, WithoutPullsNothingIsOnTheSourceSide) {
   const Plane plane;
   const FacetCut cut = facet_cut(plane.model, plane.border, {}, steps);
   EXPECT_EQ(cut.source_facets, 0U);
-  EXPECT_TRUE(cut.sides.empty());
+  EXPECT_TRUE(cut.halfedges.empty());
 }
 
 // Parts of a model may be so far away that sums of lengths are beyond all integers.
@@ -93,7 +93,7 @@ TEST(FacetCut, SidesMayBeOfAnyLength) {
   Plane plane;
   for (Point& p : plane.mesh.points) p = 1e30 * p;
   const ModelIndex model(plane.mesh);
-  const std::int64_t longest = side_in_steps(model, plane.at(1, 1), 0, steps);
+  const std::int64_t longest = edge_in_steps(model, plane.at(1, 1), 0, steps);
   EXPECT_EQ(longest, std::int64_t{1} << 40);
   const std::vector<FacetPull> pulls{{plane.at(3, 3), 4 * longest}, {plane.at(9, 9), -4 * longest}};
   const FacetCut cut = facet_cut(model, plane.border, pulls, steps);

@@ -138,8 +138,8 @@ TEST(KeptSurface, WhatIsUndisturbedIsToldByTheModel) {
   const ModelIndex index(model);
   const KeptSurface kept(index, regions, choice, replacement);
   const Triangulation triangulation = delaunay(points).triangulation;
-  const KnownSides known =
-      kept.told().sides(triangulation, FacetSet(triangulation.num_cells()), {});
+  const KnownLabels known =
+      kept.told().labels(triangulation, FacetSet(triangulation.num_cells()), {});
   std::size_t between = 0;
   for (const CellId c : triangulation.finite_cells()) {
     const auto& [v, w, x, y] = triangulation.cell(c).vertices;

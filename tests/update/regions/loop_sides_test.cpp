@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "geom/mesh_adjacency.h"
+#include "geom/triangle_neighbors.h"
 #include "tests/update/hand_made_models.h"
 #include "update/overlapping_facets.h"
 
@@ -32,7 +32,7 @@ Traced trace(const TriangleMesh& mesh, const CloudRim& rim) {
   traced.border = trace_border(model, rim, overlap);
   traced.regions = segment_model(mesh, traced.border.facets);
   for (const LoopBorder& band : traced.border.loops) {
-    traced.sides.push_back(loop_sides(mesh, model.adjacency(), band, traced.regions));
+    traced.sides.push_back(loop_sides(mesh, model.neighbors(), band, traced.regions));
   }
   return traced;
 }
@@ -102,7 +102,7 @@ LoopSides sides_of(const TriangleMesh& mesh, const LoopBorder& band,
                    const std::vector<TriangleId>& border) {
   TriangleSet in_border(mesh.triangles.size(), 0);
   for (const TriangleId t : border) in_border[t] = 1;
-  return loop_sides(mesh, mesh_adjacency(mesh), band, segment_model(mesh, in_border));
+  return loop_sides(mesh, triangle_neighbors(mesh), band, segment_model(mesh, in_border));
 }
 
 // A square of quads around the middle one of 11 x 11, two off it.

@@ -1,0 +1,72 @@
+// Labels of cells that are known beforehand, which marking and clean-up heed where the samples
+// leave doubt. Where most points are those of an old mesh, it tells inside from outside around
+// every vertex at which it is a surface of facets still.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "cocone/facet_set.h"
+#include "cocone/marking/cell_label.h"
+#include "delaunay/triangulation.h"
+#include "geom/execution.h"
+#include "geom/id_vector.h"
+#include "geom/ids.h"
+
+namespace cocoon {
+
+struct KnownLabels {
+  // Unmarked: nothing is known of that cell. Empty: of none.
+  IdVector<CellId, CellLabel> labels;
+  std::size_t cells = 0;           // that have a label
+  std::size_t contradictions = 0;  // cells told both: they stay unmarked
+  // Cells that are told nothing, though all around their corners is old. Not those of a mesh whose
+  // triangles were facets of a triangulation of its vertices: sheets closer than its vertices are.
+  std::vector<CellId> undisturbed;
+};
+
+// What tells the labels of a triangulation's cells; asked only where something is in doubt.
+// `surface` is what the stages hold for the surface: it may tell where to look, not what is true.
+// An empty source knows nothing.
+using KnownLabelsSource = std::function<KnownLabels(
+    const Triangulation& triangulation, const FacetSet& surface, const Execution& execution)>;
+
+// Of an old mesh, on the surface still: corners as positions among the input points,
+// counterclockwise seen from outside.
+using KnownTriangle = std::array<PointId, 3>;
+
+// Triangles for those who know where a mesh has changed (kept_labels.h).
+struct KnownTriangles {
+  // The input points at which a triangle of the old mesh is not known; each may come several times.
+  std::function<std::vector<PointId>()> torn;
+  // All known triangles at these points (ascending), each once.
+  std::function<std::vector<KnownTriangle>(std::span<const PointId> points)> at;
+};
+
+// An old surface, and what is known of it.
+struct OldSurface {
+  KnownLabelsSource labels;
+  // Those that `labels` tells from, if it does; for who keeps the body that the surface bounds.
+  KnownTriangles triangles = {};
+};
+
+// A vertex is intact if there are triangles at it, all are facets, and they leave no gap: as many
+// run to each edge there as run from it. They divide the cells around it; those behind a triangle
+// are labeled IN, those in front of one OUT. A cell with new vertices may lie on either side: it is
+// labeled only if every corner of a triangle that it has is intact, for where a vertex keeps all
+// its triangles the surface has not changed. Infinite cells are not labeled (they are OUT anyway).
+// If the triangles bound a union of cells, no cell is told both. Without triangles nothing is
+// known. A vertex is undisturbed if its triangles leave no gap and all its neighbors are corners of
+// triangles, though not all triangles at it are facets; a cell is if all its vertices are. (In a
+// mesh of facets none is: what takes a triangle away is a new neighbor of each of its corners.)
+// Triangles are looked for in `likely` first, which changes nothing else. Complexity:
+// O(cells + t) for t triangles, for bounded valence; in part parallel. Deterministic: independent
+// of their order and of the threads. Source: ours, docs/stages/mark_cells.md.
+KnownLabels known_labels(const Triangulation& triangulation,
+                         std::span<const KnownTriangle> triangles, const FacetSet& likely,
+                         const Execution& execution = {});
+
+}  // namespace cocoon

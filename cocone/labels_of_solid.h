@@ -1,0 +1,44 @@
+// The labels of cells between samples of a solid whose surface is at hand as a mesh.
+#pragma once
+
+#include <span>
+
+#include "cocone/known_labels.h"
+#include "delaunay/triangulation.h"
+#include "geom/execution.h"
+#include "geom/ids.h"
+#include "geom/point.h"
+#include "geom/triangle_mesh.h"
+
+namespace cocoon {
+
+struct LabelsOfSolidOptions {
+  // A cell is told if its centroid is farther from the mesh than this part of its longest edge:
+  // nearer ones are slivers on the surface, which may as well lie on either side of it. Of eleven
+  // parts the surface comes closer to the mesh the smaller this is, but with 0.02 twice as many
+  // edges have four triangles; from 0.15 on thin walls get holes.
+  double min_depth = 0.05;
+};
+
+// Finite cells whose centroid is inside the mesh are labeled IN, those with the centroid outside
+// OUT. Right where cells do not cross the surface, as those of a sampling dense enough do not.
+// `solid` is in the coordinates of the triangulation's vertices. Nothing is known if it is not
+// closed (balanced: mesh_check.h).
+// Throws InputError as signed_distances(), and Cancelled. Complexity: O((t + n) log t) for t
+// triangles and n cells. Deterministic for any thread count. Source: ours,
+// docs/stages/mark_cells.md.
+KnownLabels labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+                            const LabelsOfSolidOptions& options = {},
+                            const Execution& execution = {});
+
+// The same for `cells` only, beside what is known of others.
+void add_labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+                         std::span<const CellId> cells, KnownLabels& known,
+                         const LabelsOfSolidOptions& options = {}, const Execution& execution = {});
+
+// Asks labels_of_solid for `solid`, in the coordinates of its samples, in their triangulation: that
+// of working_scale(samples) times them (reconstruct.h). Keeps the mesh. Complexity: O(n + t).
+KnownLabelsSource labels_told_by(TriangleMesh solid, Points samples,
+                                 const LabelsOfSolidOptions& options = {});
+
+}  // namespace cocoon
