@@ -45,7 +45,7 @@ TEST(Manifold, RubbishBecomesAClosedManifold) {
   const Json report = Json::parse(run_program(with_option).out);
   EXPECT_GT(report["manifold"]["split_edges"], 0);
   EXPECT_GT(report["manifold"]["copied_vertices"], 0);
-  EXPECT_EQ(report["manifold"]["unpaired_halfedges"], 0);
+  EXPECT_EQ(report["manifold"]["unpaired_sides"], 0);
   EXPECT_EQ(report["surface"]["edge_manifold"], true);
   EXPECT_EQ(report["surface"]["vertex_manifold"], true);
   const ProgramRun check = run_program({"check", mesh, "--require", "closed,manifold,oriented"});
