@@ -39,11 +39,14 @@ struct RoundCounts {
 };
 
 // `Complex` has the types Cell and Vertex, and
-//   std::vector<Cell> star(Vertex)            the cells at a vertex, infinite ones included;
-//   Vertex vertex(Cell, i), Cell neighbor(Cell, i)   neighbor i is behind facet i, opposite vertex
-//   i; bool on_surface(Cell, i)                  whether facet i is one of the surface; CellNotes&
-//   notes(Cell); bool take_turn(Vertex)                    whether it is good and was never asked
-//   before.
+//
+//   std::vector<Cell> star(Vertex)   the cells at a vertex, infinite ones included
+//   Vertex vertex(Cell, int)         its four vertices
+//   Cell neighbor(Cell, int)         neighbor i is behind facet i, opposite vertex i
+//   bool on_surface(Cell, int)       whether facet i is one of the surface
+//   CellNotes& notes(Cell)
+//   bool take_turn(Vertex)           whether it is good and was never asked before
+//
 // Source: Dey & Goswami 2003 (Tight Cocone, marking). That rounds decide, and majorities where they
 // disagree, is ours: then the marks are a function of the set of points.
 template <class Complex>
