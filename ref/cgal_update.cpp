@@ -77,7 +77,6 @@ class PlainUpdate {
     timed(1, [&] { find_overlapping_facets(); });
     timed(2, [&] { segment_and_choose(); });
     timed(3, [&] { reconstruct(); });
-    result_.updated_triangles = updated_.triangles.size();
     for (const auto& [a, b, c] : updated_.triangles) {
       result_.mesh.triangles.push_back({VertexId(a.value), VertexId(b.value), VertexId(c.value)});
     }

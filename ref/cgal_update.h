@@ -21,7 +21,6 @@ struct CgalUpdate {
   std::size_t overlapping_facets = 0;
   std::size_t regions = 0;
   std::size_t replaced = 0;  // points of the model
-  std::size_t updated_triangles = 0;
   TriangleMesh mesh;  // the updated surface; points on no triangle are among its points
 };
 
