@@ -107,7 +107,8 @@ class LogPlotWriter {
     svg += text(width / 2.0, height - 8, plot_.x_label, "text-anchor=\"middle\"");
     svg += "<g transform=\"translate(14 " + number(height / 2.0) + ") rotate(-90)\">" +
            text(0, 0, plot_.y_label, "text-anchor=\"middle\"") + "</g>\n";
-    double legend = top + 14;
+    // Below the curves, where they have ended.
+    double legend = height - bottom + 8 - 16.0 * static_cast<double>(plot_.curves.size());
     for (const Curve& curve : plot_.curves) {
       std::string path;
       for (const auto& [x, y] : curve.points) {
@@ -117,7 +118,8 @@ class LogPlotWriter {
                "\" r=\"3\" fill=\"" + curve.color + "\"/>\n";
       }
       svg += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + curve.color + "\"/>\n";
-      svg += text(left + 8, legend, curve.name, "fill=\"" + curve.color + '"');
+      svg += text(width - right - 8, legend, curve.name,
+                  "text-anchor=\"end\" fill=\"" + curve.color + '"');
       legend += 16;
     }
     return svg;
