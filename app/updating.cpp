@@ -24,6 +24,7 @@
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
 #include "update/report/lost_triangles.h"
+#include "update/report/spacing_range.h"
 #include "update/report/update_messages.h"
 #include "update/report/vertex_origins.h"
 
@@ -107,6 +108,20 @@ MeshReport report_doubts(Job& job, const UpdateInput& input, UpdateResult& resul
     (finding.warns ? result.warnings : notes).push_back(finding.message);
   }
   return certificate;
+}
+
+// Clouds whose samples lie much farther apart here than there, to `notes`.
+void note_uneven_clouds(const UpdateInput& input, const UpdateResult& result,
+                        std::vector<std::string>& notes) {
+  for (std::size_t c = 0; c < result.clouds.size(); ++c) {
+    const SpacingRange range = spacing_range(result.clouds[c].surface.mesh);
+    if (!range.is_uneven()) continue;
+    notes.push_back(
+        fmt::format("{}: samples are {:.2g} apart in some places and {:.2g} in others, "
+                    "and one limit of distance does not fit both; if something is "
+                    "wrong, try --thin {:.2g}",
+                    input.cloud_names[c], range.low, range.high, range.high));
+  }
 }
 
 // Of a model that is sampled densely hardly any triangle is lost beside the change.
@@ -290,6 +305,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   MeshReport certificate = timed(job.execution(), "check", [&] {
     if (session == nullptr) change = mesh_change(input.model, result.mesh, result.vertex_map);
     report_lost_triangles(job, input, change, result);
+    note_uneven_clouds(input, result, notes);
     return report_doubts(job, input, result, filter, output.manifold, notes);
   });
   VertexProperties properties = properties_of_update(job, input, result);

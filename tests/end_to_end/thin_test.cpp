@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -130,6 +131,30 @@ TEST(Thin, HoldsForTheCloudsOfAnUpdate) {
     points.push_back(report["surface"]["vertices"]);
   }
   EXPECT_EQ(points[0], points[1]);
+}
+
+// Three times as far apart on one half as on the other.
+TEST(Thin, IsAdvisedForCloudsOfUnevenDensity) {
+  const TemporaryFolder folder;
+  const std::string model = folder.write("model.xyz", whole_sphere(1500));
+  std::string points;
+  for (const std::size_t density : {2000U, 18000U}) {
+    std::istringstream cap(sphere_cap(density, 0.8, 0.2));
+    for (std::string line; std::getline(cap, line);) {
+      if ((std::stod(line) < 0) == (density == 2000U)) points += line + "\n";
+    }
+  }
+  const std::string cloud = folder.write("cap.xyz", points);
+  const auto updated = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"update", model, cloud, "-o", folder.file("out.ply")});
+    const ProgramRun run = run_program(options);
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    return run.out;
+  };
+  const std::string note = "samples are 0.02";
+  EXPECT_NE(updated({}).find(note), std::string::npos) << updated({});
+  EXPECT_NE(updated({}).find("try --thin 0.0"), std::string::npos);
+  EXPECT_EQ(updated({"--thin", "0.05"}).find(note), std::string::npos);
 }
 
 TEST(Thin, HoldsForWatchedClouds) {
