@@ -115,13 +115,14 @@ std::vector<std::size_t> count_torn(const ModelIndex& model,
   const std::vector<Point> samples = samples_near(clouds, edges, reach);
   const std::vector<SampleBeyond> beyond =
       samples_beyond(edges, samples, reach, options.min_outward * rim.spacing);
+  std::vector<std::size_t> torn(rim.loops.size(), 0);
+  if (beyond.empty()) return torn;
   const std::vector<double> heights = heights_of_pairs(model, edges, samples, beyond, 2 * reach);
   std::vector<std::uint8_t> is_torn(edges.size(), 0);
   for (const SampleBeyond& pair : beyond) {
     const double step = heights[edges.size() + pair.sample] - heights[pair.edge];
     if (std::abs(step) > options.min_step * rim.spacing) is_torn[pair.edge] = 1;
   }
-  std::vector<std::size_t> torn(rim.loops.size(), 0);
   for (std::size_t k = 0; k < edges.size(); ++k) torn[edges[k].loop] += is_torn[k];
   return torn;
 }
