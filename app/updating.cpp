@@ -110,20 +110,6 @@ MeshReport report_doubts(Job& job, const UpdateInput& input, UpdateResult& resul
   return certificate;
 }
 
-// Clouds whose samples lie much farther apart here than there, to `notes`.
-void note_uneven_clouds(const UpdateInput& input, const UpdateResult& result,
-                        std::vector<std::string>& notes) {
-  for (std::size_t c = 0; c < result.clouds.size(); ++c) {
-    const SpacingRange range = spacing_range(result.clouds[c].surface.mesh);
-    if (!range.is_uneven()) continue;
-    notes.push_back(
-        fmt::format("{}: samples are {:.2g} apart in some places and {:.2g} in others, "
-                    "and one limit of distance does not fit both; if something is "
-                    "wrong, try --thin {:.2g}",
-                    input.cloud_names[c], range.low, range.high, range.high));
-  }
-}
-
 // Of a model that is sampled densely hardly any triangle is lost beside the change.
 void report_lost_triangles(Job& job, const UpdateInput& input, const MeshChange& change,
                            UpdateResult& result) {
@@ -256,6 +242,21 @@ void filter_clouds(Job& job, const CloudFilter& filter, UpdateInput& input) {
   }
 }
 
+std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
+                                                const std::vector<std::string>& names) {
+  std::vector<std::string> notes;
+  for (std::size_t c = 0; c < result.clouds.size(); ++c) {
+    const SpacingRange range = spacing_range(result.clouds[c].surface.mesh);
+    if (!range.is_uneven()) continue;
+    notes.push_back(
+        fmt::format("{}: samples are {:.2g} apart in some places and {:.2g} in others, "
+                    "and one limit of distance does not fit both; if something is "
+                    "wrong, try --thin {:.2g}",
+                    names[c], range.low, range.high, range.high));
+  }
+  return notes;
+}
+
 std::string with_cloud_names(std::string message, const std::vector<std::string>& names) {
   for (std::size_t c = 0; c < names.size(); ++c) {
     const std::string numbered = fmt::format("cloud {} of {}", c + 1, names.size());
@@ -301,11 +302,10 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
     warning = with_cloud_names(warning, input.cloud_names);
   }
   const NoiseFilter filter = noise_filter_of_update(!input.strays.empty());
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = notes_of_uneven_clouds(result, input.cloud_names);
   MeshReport certificate = timed(job.execution(), "check", [&] {
     if (session == nullptr) change = mesh_change(input.model, result.mesh, result.vertex_map);
     report_lost_triangles(job, input, change, result);
-    note_uneven_clouds(input, result, notes);
     return report_doubts(job, input, result, filter, output.manifold, notes);
   });
   VertexProperties properties = properties_of_update(job, input, result);

@@ -59,6 +59,10 @@ std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points
 // What the findings of an update are to say of its filter.
 NoiseFilter noise_filter_of_update(bool filtered);
 
+// Of clouds whose samples lie much farther apart in some places than in others (spacing_range).
+std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
+                                                const std::vector<std::string>& names);
+
 // Messages of the library number the clouds ("cloud 1 of 2"); people know them by their files.
 std::string with_cloud_names(std::string message, const std::vector<std::string>& names);
 

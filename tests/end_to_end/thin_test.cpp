@@ -134,9 +134,7 @@ TEST(Thin, HoldsForTheCloudsOfAnUpdate) {
 }
 
 // Three times as far apart on one half as on the other.
-TEST(Thin, IsAdvisedForCloudsOfUnevenDensity) {
-  const TemporaryFolder folder;
-  const std::string model = folder.write("model.xyz", whole_sphere(1500));
+std::string uneven_cap() {
   std::string points;
   for (const std::size_t density : {2000U, 18000U}) {
     std::istringstream cap(sphere_cap(density, 0.8, 0.2));
@@ -144,7 +142,13 @@ TEST(Thin, IsAdvisedForCloudsOfUnevenDensity) {
       if ((std::stod(line) < 0) == (density == 2000U)) points += line + "\n";
     }
   }
-  const std::string cloud = folder.write("cap.xyz", points);
+  return points;
+}
+
+TEST(Thin, IsAdvisedForCloudsOfUnevenDensity) {
+  const TemporaryFolder folder;
+  const std::string model = folder.write("model.xyz", whole_sphere(1500));
+  const std::string cloud = folder.write("cap.xyz", uneven_cap());
   const auto updated = [&](std::vector<std::string> options) {
     options.insert(options.begin(), {"update", model, cloud, "-o", folder.file("out.ply")});
     const ProgramRun run = run_program(options);
@@ -165,6 +169,14 @@ TEST(Thin, HoldsForWatchedClouds) {
   const ProgramRun run = run_program(arguments);
   ASSERT_EQ(run.exit_code, 0) << run.error;
   EXPECT_NE(run.out.find("points left out by --thin"), std::string::npos) << run.out;
+}
+
+TEST(Thin, IsAdvisedForWatchedClouds) {
+  const Watched watched;
+  watched.put("a.xyz", uneven_cap());
+  const ProgramRun run = run_program(watched.once());
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_NE(run.out.find("; note: a.xyz: samples are 0.02"), std::string::npos) << run.out;
 }
 
 TEST(Thin, RefusesDistancesThatLeaveNothing) {
