@@ -6,8 +6,6 @@
 
 namespace cocoon::app {
 
-namespace {}  // namespace
-
 ReconstructOptions surface_options(const SurfaceArguments& arguments, ReconstructOptions defaults) {
   ReconstructOptions options = defaults;
   options.mode = arguments.mode == "paper" ? Mode::paper : Mode::robust;

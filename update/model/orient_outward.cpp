@@ -51,7 +51,7 @@ void measure_openings(const TriangleMesh& mesh, const HalfedgeRings& rings,
   for (const TriangleId t : mesh.triangles.ids()) {
     Part& part = parts[found.component_of[t.index()]];
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto halfedge = static_cast<Halfedge>(3 * t.index() + i);
+      const Halfedge halfedge = halfedge_of(t, i);
       if (!rings.has_edge(halfedge) || rings.has_two_triangles(halfedge)) continue;
       const auto [from, to] = ends_of_halfedge(mesh, halfedge);
       const Point& a = mesh.points[from];
