@@ -307,11 +307,10 @@ class Walk {
   std::size_t back_contacts_ = 0;
 };
 
-}  // namespace
-
-ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
-                                 const VertexSet& umbrella, FirstWalk first_walk,
-                                 const Execution& execution) {
+// `keep_rest`: surface.rest is wanted.
+ManifoldSurface extract(const Triangulation& triangulation, LinkedFacets candidates,
+                        const VertexSet& umbrella, FirstWalk first_walk, bool keep_rest,
+                        const Execution& execution) {
   report_progress(execution, "extract_manifold", 0);
   ManifoldSurface surface;
   std::vector<std::uint8_t> off_surface;
@@ -325,7 +324,8 @@ ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacet
     surface.back_contacts = walk.back_contacts();
     off_surface = std::move(walk).off_surface();
   }
-  surface.triangles = without(triangulation, std::move(candidates), off_surface);
+  surface.triangles = without(triangulation, std::move(candidates), off_surface,
+                              keep_rest ? &surface.rest : nullptr);
   for (const auto& [from, to] : moves_into_places(off_surface)) {
     surface.halves[to] = surface.halves[from];
   }
@@ -335,10 +335,18 @@ ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacet
   return surface;
 }
 
+}  // namespace
+
 ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
                                  const VertexSet& umbrella, const Execution& execution) {
-  return extract_manifold(triangulation, std::move(candidates), umbrella, FirstWalk::at_once,
-                          execution);
+  return extract(triangulation, std::move(candidates), umbrella, FirstWalk::at_once, false,
+                 execution);
+}
+
+ManifoldSurface extract_again(const Triangulation& triangulation, LinkedFacets candidates,
+                              const VertexSet& umbrella, FirstWalk first_walk,
+                              const Execution& execution) {
+  return extract(triangulation, std::move(candidates), umbrella, first_walk, true, execution);
 }
 
 }  // namespace cocoon

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "cocone/facets/facet_removal.h"
 #include "cocone/facets/linked_facets.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
@@ -36,6 +37,7 @@ struct ManifoldSurface {
   // sides, small where the candidates are torn, large where the surface is one-sided.
   std::size_t back_contacts = 0;
   FirstWalk first_walk = FirstWalk::at_once;
+  RemovedFacets rest;  // candidates not on the surface; of extract_again() only
 };
 
 // A walk goes in rounds: all facets kept in the last round turn about their edges at once; what is
@@ -61,10 +63,10 @@ struct ManifoldSurface {
 ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
                                  const VertexSet& umbrella, const Execution& execution = {});
 
-// The same for who knows how it will go, for instance because nearly the same candidates went so
-// before: what will fail is not tried. Complexity: the same.
-ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
-                                 const VertexSet& umbrella, FirstWalk first_walk,
-                                 const Execution& execution = {});
+// The same for who goes on from surface to surface, as candidates change here and there: gives the
+// rest, too, and what failed the last time (`first_walk`) is not tried. Complexity: the same.
+ManifoldSurface extract_again(const Triangulation& triangulation, LinkedFacets candidates,
+                              const VertexSet& umbrella, FirstWalk first_walk,
+                              const Execution& execution = {});
 
 }  // namespace cocoon

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/facets/facet_removal.h"
 #include "cocone/umbrella.h"
 
 namespace cocoon {

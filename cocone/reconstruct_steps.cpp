@@ -111,8 +111,8 @@ void ReconstructSteps::extract_from(KnownCandidates candidates) {
   boundary_.boundary = std::move(candidates.boundary);
   boundary_.count = result_.counters.boundary_samples;
   run_step(execution_, "cocone/surface", [&](const Execution& nested) {
-    surface_ = extract_manifold(*triangulation_, std::move(candidates.left), candidates.umbrella,
-                                candidates.first_walk, nested);
+    surface_ = extract_again(*triangulation_, std::move(candidates.left), candidates.umbrella,
+                             candidates.first_walk, nested);
   });
   count_surface();
 }
@@ -170,7 +170,10 @@ CoconeSurface ReconstructSteps::take_surface() {
   const ReconstructCounters& counters = result_.counters;
   surface.umbrellas =
       counters.good_vertices + counters.demoted_vertices + counters.refuted_vertices;
-  if (live_ != nullptr) surface.triangles = std::move(surface_.triangles);
+  if (live_ != nullptr) {
+    surface.triangles = std::move(surface_.triangles);
+    surface.rest = std::move(surface_.rest);
+  }
   return surface;
 }
 

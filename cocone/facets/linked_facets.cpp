@@ -118,49 +118,6 @@ LinkedFacets finish_links(const Triangulation& triangulation, LinkedFacets trian
   return triangles;
 }
 
-// The halfedge whose link leads to this one.
-Halfedge halfedge_before(const LinkedFacets& triangles, Halfedge halfedge) {
-  Halfedge before = halfedge;
-  while (triangles.links[before] != halfedge) before = triangles.links[before];
-  return before;
-}
-
-// To a place whose triangle is gone.
-void move_triangle(LinkedFacets& triangles, std::uint32_t from, std::uint32_t to) {
-  triangles.facets[to] = triangles.facets[from];
-  triangles.mirrors[to] = triangles.mirrors[from];
-  triangles.corners[to] = triangles.corners[from];
-  triangles.normals[to] = triangles.normals[from];
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const Halfedge before = halfedge_before(triangles, 3 * from + i);
-    triangles.links[3 * to + i] = triangles.links[3 * from + i];
-    triangles.links[before == 3 * from + i ? 3 * to + i : before] = 3 * to + i;
-  }
-}
-
-// The halfedges, some of whose triangles have moved to places before `end`.
-std::vector<Halfedge> moved(std::vector<Halfedge> halfedges, const std::vector<TriangleMove>& moves,
-                            std::size_t end, std::size_t size) {
-  std::vector<std::uint32_t> places(size - end);
-  for (const auto& [from, to] : moves) places[from - end] = to;
-  for (Halfedge& halfedge : halfedges) {
-    const std::uint32_t t = triangle_of_halfedge(halfedge);
-    if (t >= end) halfedge = 3 * places[t - end] + corner_of_halfedge(halfedge);
-  }
-  return halfedges;
-}
-
-// The steep ones of the edges with one of these halfedges.
-std::vector<Halfedge> steep_among(const LinkedFacets& triangles, std::vector<Halfedge> halfedges) {
-  for (Halfedge& halfedge : halfedges) halfedge = first_at_edge(triangles.links, halfedge);
-  std::sort(halfedges.begin(), halfedges.end());
-  halfedges.erase(std::unique(halfedges.begin(), halfedges.end()), halfedges.end());
-  std::erase_if(halfedges, [&](Halfedge halfedge) {
-    return !is_steep(triangles, halfedge, LinkedFacets::steep_cosine);
-  });
-  return halfedges;
-}
-
 }  // namespace
 
 void link_corners(const IdVector<VertexId, Point>& points, LinkedFacets& triangles,
@@ -195,46 +152,6 @@ LinkedFacets link_facets(const Triangulation& triangulation, CandidateTriangles 
       [&](std::size_t k) { return candidates.corners[k]; }, triangles, execution);
   candidates = CandidateTriangles();
   return finish_links(triangulation, std::move(triangles), std::move(begins), execution);
-}
-
-std::vector<TriangleMove> moves_into_places(const std::vector<std::uint8_t>& removed) {
-  std::vector<TriangleMove> moves;
-  auto end = static_cast<std::uint32_t>(removed.size());
-  for (std::uint32_t hole = 0; hole < end; ++hole) {
-    if (removed[hole] == 0) continue;
-    do {
-      --end;
-    } while (removed[end] != 0 && end > hole);
-    if (end > hole) moves.push_back({end, hole});
-  }
-  return moves;
-}
-
-LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
-                     const std::vector<std::uint8_t>& removed) {
-  const auto size = static_cast<std::uint32_t>(triangles.size());
-  std::vector<Halfedge> doubtful = std::move(triangles.steep);  // at edges that may be steep
-  for (std::uint32_t t = 0; t < size; ++t) {
-    if (removed[t] == 0) continue;
-    triangles.set.erase(triangulation, triangles.facets[t]);
-    for (Halfedge halfedge = 3 * t; halfedge < 3 * t + 3; ++halfedge) {
-      const Halfedge before = halfedge_before(triangles, halfedge);
-      triangles.links[before] = triangles.links[halfedge];
-      doubtful.push_back(before);
-    }
-  }
-  std::erase_if(doubtful,
-                [&](Halfedge halfedge) { return removed[triangle_of_halfedge(halfedge)] != 0; });
-  const std::vector<TriangleMove> moves = moves_into_places(removed);
-  for (const auto& [from, to] : moves) move_triangle(triangles, from, to);
-  const auto end = static_cast<std::size_t>(std::count(removed.begin(), removed.end(), 0));
-  triangles.steep = steep_among(triangles, moved(std::move(doubtful), moves, end, size));
-  triangles.facets.resize(end);
-  triangles.mirrors.resize(end);
-  triangles.corners.resize(end);
-  triangles.normals.resize(end);
-  triangles.links.resize(3 * end);
-  return triangles;
 }
 
 std::vector<Halfedge> steep_edges(const LinkedFacets& triangles, double largest_cosine,

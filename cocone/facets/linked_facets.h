@@ -21,7 +21,7 @@ namespace cocoon {
 
 // Structure of arrays over the triangles of the set; a triangle is its position in them. They are
 // ordered by their smallest vertex, so that neighbors in space are neighbors in memory (but for
-// those that without() or kept_links.h moves).
+// those that facet_removal.h or kept_links.h moves).
 struct LinkedFacets {
   FacetSet set;
   OverwriteVector<FacetId> facets;    // canonical ids
@@ -69,20 +69,6 @@ LinkedFacets link_facets(const Triangulation& triangulation, CandidateTriangles 
 // O(triangles + points), parallel.
 void link_corners(const IdVector<VertexId, Point>& points, LinkedFacets& triangles,
                   const Execution& execution = {});
-
-// Where the last triangles go when those with a flag leave their places, in the order of `to`.
-// Complexity: one look at every flag.
-struct TriangleMove {
-  std::uint32_t from;
-  std::uint32_t to;
-};
-std::vector<TriangleMove> moves_into_places(const std::vector<std::uint8_t>& removed);
-
-// The triangles whose flag is 0. Rings close over those that go, and the last triangles move to
-// their places (moves_into_places). Complexity: one look at every flag, and O(triangles removed +
-// steep edges).
-LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
-                     const std::vector<std::uint8_t>& removed);
 
 // Cosine of the dihedral of two triangles at their common edge: the angle in [0, pi] between the
 // parts of their third vertices orthogonal to it; pi = flat (cosine -1), 0 = folded back (+1).

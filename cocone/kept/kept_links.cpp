@@ -118,11 +118,12 @@ class Relinking {
     std::erase_if(steep, [&](Halfedge halfedge) {
       return triangle_of_halfedge(halfedge) >= size_ || is_linked_anew(halfedge);
     });
+    const auto kept = static_cast<std::ptrdiff_t>(steep.size());
     for (const Halfedge halfedge : local.steep) {
       const Halfedge here = 3 * near[triangle_of_halfedge(halfedge)] + corner_of_halfedge(halfedge);
       if (is_linked_anew(here)) steep.push_back(here);  // the first there as in `local`
     }
-    std::sort(steep.begin(), steep.end());
+    std::inplace_merge(steep.begin(), steep.begin() + kept, steep.end());
   }
 
   const Triangulation& triangulation_;

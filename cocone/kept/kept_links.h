@@ -1,8 +1,8 @@
 // The linked candidates of a changing triangulation: what is there already is not linked again.
 //
-// Kept are the triangles that the extraction left, with their rings (linked_facets.h). Of those of
-// the next surface that are not among them, or not in cells as they were, each takes the place of
-// one that went, or comes at the end. Rings change only at edges of triangles that come or go: both
+// Kept are the candidates of the last surface, with their rings (linked_facets.h). Of those of the
+// next one that are not among them, or not in cells as they were, each takes the place of one that
+// went, or comes at the end. Rings change only at edges of triangles that come or go: both
 // ends of such an edge are corners of these, so all triangles with two such corners are linked
 // anew, as a mesh of their own, and take over the rings at these edges.
 #pragma once

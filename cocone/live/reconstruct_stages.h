@@ -10,6 +10,7 @@
 #include "cocone/boundary_samples.h"
 #include "cocone/extract_manifold.h"
 #include "cocone/facet_set.h"
+#include "cocone/facets/facet_removal.h"
 #include "cocone/facets/linked_facets.h"
 #include "cocone/known_labels.h"
 #include "cocone/mark_cells.h"
@@ -29,8 +30,10 @@ struct CoconeSurface {
   VertexSet good;               // see umbrella.h; empty if the surface was not to be closed
   std::size_t umbrellas = 0;    // vertices that it has one closed umbrella at, good or not
   FirstWalk first_walk = FirstWalk::at_once;
-  // Its facets linked; of reconstruct_tight_from only, and if anything was marked.
+  // Its facets linked, and the candidates off it; of reconstruct_tight_from only, and if anything
+  // was marked.
   LinkedFacets triangles;
+  RemovedFacets rest;
 };
 
 // What the stages found on the way, for those who go on from it.

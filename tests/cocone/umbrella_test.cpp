@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cocone/facets/cell_order.h"
+#include "cocone/facets/facet_removal.h"
 #include "cocone/prune_sharp_edges.h"
 #include "geom/random.h"
 #include "tests/cocone/sample_shapes.h"

@@ -6,23 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/facets/facet_removal.h"
 #include "delaunay/delaunay.h"
 #include "geom/random.h"
+#include "tests/cocone/facets/random_facets.h"
 #include "tests/gallery.h"
 
 namespace cocoon {
 namespace {
-
-FacetSet random_facets(const Triangulation& triangulation, double share, std::uint64_t seed) {
-  Random random(seed);
-  FacetSet facets(triangulation.num_cells());
-  for (const CellId c : triangulation.finite_cells()) {
-    for (int i = 0; i < 4; ++i) {
-      if (random.uniform(0, 1) < share) facets.insert(triangulation, facet_id(c, i));
-    }
-  }
-  return facets;
-}
 
 VertexId smallest(const Triangle& triangle) {
   return *std::min_element(triangle.begin(), triangle.end());

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/facets/facet_removal.h"
 #include "cocone/live/known_candidates.h"
 #include "geom/random.h"
 #include "tests/cocone/kept/live_samples.h"
@@ -88,7 +89,9 @@ void run_steps(const std::vector<Point>& points, const std::vector<Point>& other
       // As after an extraction.
       std::vector<std::uint8_t> off_surface(actual.size());
       for (std::uint8_t& off : off_surface) off = random.below(20) == 0 ? 1 : 0;
-      kept.keep(without(triangulation, std::move(actual), off_surface));
+      RemovedFacets rest;
+      LinkedFacets surface = without(triangulation, std::move(actual), off_surface, &rest);
+      kept.keep(put_back(std::move(surface), std::move(rest)));
     });
     if (testing::Test::HasFatalFailure()) return;
   }

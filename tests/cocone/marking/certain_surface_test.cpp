@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cocone/clean_up_cells.h"
+#include "cocone/facets/facet_removal.h"
 #include "cocone/mark_cells.h"
 #include "cocone/peel_cells.h"
 #include "cocone/prune_sharp_edges.h"
