@@ -409,6 +409,29 @@ TEST(DynamicTightCocone, RefusesToHaveNoPoints) {
   EXPECT_TRUE(is_local_and_equal(cocone, changing, expected));
 }
 
+// In the same words as from scratch, and of the points, not of the change.
+TEST(DynamicTightCocone, RefusesFlatPointsAsAReconstructionDoes) {
+  const auto message_of = [](auto run) -> std::string {
+    try {
+      run();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  ChangingPoints changing(gallery::plane_and_apex(6));
+  DynamicTightCocone cocone;
+  cocone.reconstruct(changing.points);
+  const ChangingPoints before = changing;
+  changing.change([](const Point& p) { return p.z > 0; }, {{0.5, 0.5, 0}});
+  EXPECT_EQ(message_of([&] { cocone.replace(changing.points, changing.old_position); }),
+            message_of([&] { reconstruct_tight(changing.points); }));
+  changing = before;
+  changing.change([](const Point&) { return false; }, {{0.5, 0.5, 1}});
+  ReconstructResult expected;
+  is_local_and_equal(cocone, changing, expected);
+}
+
 // Nothing is known of the samples then but their triangulation.
 TEST(DynamicTightCocone, CompletesAResultAfterACancelledChange) {
   Random random(2);
