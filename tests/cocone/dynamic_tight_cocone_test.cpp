@@ -151,6 +151,28 @@ TEST(DynamicTightCocone, AnotherBodyComesAndGoes) {
   EXPECT_TRUE(is_local_and_equal(cocone, changing, expected));
 }
 
+// A sheet of samples through a lens: none of its cells lacks a good vertex, and no candidate of it
+// is in the way of who turns about an edge outside. A second walk finds it.
+TEST(DynamicTightCocone, ASheetInsideIsASurfaceOfItsOwn) {
+  ChangingPoints changing(gallery::even_sphere(800));
+  for (Point& p : changing.points) p.z *= 0.3;
+  std::vector<Point> sheet;
+  for (double x = -0.85; x < 0.9; x += 0.1) {
+    for (double y = -0.85; y < 0.9; y += 0.1) {
+      const Point p{x + 0.03 * std::sin(40 * y), y + 0.03 * std::sin(50 * x), 0};
+      if (norm(p) < 0.87) sheet.push_back(p);
+    }
+  }
+  DynamicTightCocone cocone;
+  cocone.reconstruct(changing.points);
+  ASSERT_TRUE(cocone.is_certain());
+  changing.change([](const Point&) { return false; }, sheet);
+  ReconstructResult expected;
+  EXPECT_FALSE(is_local_and_equal(cocone, changing, expected));
+  EXPECT_EQ(expected.counters.surface_walks, 2U);
+  EXPECT_EQ(expected.counters.poor_cells, 0U);
+}
+
 // Two balls joined by a neck; the surface is closed on both sides where the neck was.
 TEST(DynamicTightCocone, ABodyFallsApart) {
   const auto ball = [](double x) {
