@@ -23,6 +23,7 @@
 #include "cocone/live/reconstruct_stages.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
+#include "geom/errors.h"
 #include "geom/id_vector.h"
 #include "geom/sort_ids.h"
 #include "geom/triangle_order.h"
@@ -69,7 +70,8 @@ struct DynamicTightCocone::State {
                                      const Execution& execution, bool may_edit);
   void clear(std::size_t count);
   void forget_surface();
-  DelaunayChange change_triangulation(const PointStep& step, const Execution& execution);
+  DelaunayChange change_triangulation(Points points, const PointStep& step,
+                                      const Execution& execution);
   void undo(PointStep step, const DelaunayChange& change);
   void close_gaps(PointStep& step);
   ReconstructResult run_stages(Points points, const OldSurface& old, const Execution& execution,
@@ -82,7 +84,7 @@ struct DynamicTightCocone::State {
   bool is_smooth(std::size_t points) const {
     return is_certain(points) || (body.is_smooth() && points == delaunay.num_vertices());
   }
-  DelaunayChange carry_out(PointStep& step, const Execution& execution);
+  DelaunayChange carry_out(Points points, PointStep& step, const Execution& execution);
   ReconstructResult finish(Points points, PointStep step, const DelaunayChange& change,
                            const Execution& execution, const OldSurface& old,
                            bool may_edit = false);
@@ -141,10 +143,11 @@ void DynamicTightCocone::State::forget_surface() {
   point_of_vertex.clear();
 }
 
-// Changes the triangulation, and follows the surface as far as it stays certain. The step gets
-// what vertex_of_point was.
-DelaunayChange DynamicTightCocone::State::carry_out(PointStep& step, const Execution& execution) {
-  DelaunayChange change = change_triangulation(step, execution);
+// Changes the triangulation, and follows the surface as far as it stays certain. The step, which
+// leads to these points, gets what vertex_of_point was.
+DelaunayChange DynamicTightCocone::State::carry_out(Points points, PointStep& step,
+                                                    const Execution& execution) {
+  DelaunayChange change = change_triangulation(points, step, execution);
   for (std::size_t k = 0; k < step.inserted.size(); ++k) {
     step.vertex_of_point[step.inserted[k]] = change.vertex_of_point[k];
   }
@@ -186,10 +189,15 @@ ReconstructResult DynamicTightCocone::State::finish(Points points, PointStep ste
 }
 
 // If it throws the points are as before, but cells may have other numbers.
-DelaunayChange DynamicTightCocone::State::change_triangulation(const PointStep& step,
+DelaunayChange DynamicTightCocone::State::change_triangulation(Points points, const PointStep& step,
                                                                const Execution& execution) {
   try {
     return delaunay.replace(step.removed, step.inserted_points, execution);
+  } catch (const InputError&) {
+    forget_surface();
+    // What is wrong is to be said of the points, and not of the change.
+    cocoon::delaunay(points, options.delaunay, {execution.threads});
+    throw;
   } catch (...) {
     forget_surface();
     throw;
@@ -427,7 +435,7 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
     return reconstruct(points, execution, old.labels);  // of no points: throws
   }
   PointStep step = plan_step(state.delaunay, state.vertex_of_point, points, old_position);
-  const DelaunayChange change = state.carry_out(step, execution);
+  const DelaunayChange change = state.carry_out(points, step, execution);
   state.point_of_vertex.clear();
   return state.finish(points, std::move(step), change, execution, old);
 }
@@ -444,7 +452,7 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
   if (!keeps_scale(points, step.inserted_points))
     return {reconstruct(points, execution, old.labels), {}};
   if (state.point_of_vertex.empty()) state.list_points_of_vertices(PointId(0));
-  const DelaunayChange done = state.carry_out(step, execution);
+  const DelaunayChange done = state.carry_out(points, step, execution);
   if (done.inserted.size() != step.inserted.size()) {
     // A point that came is a vertex that was to go: it stays as it was, and no edit would see it.
     state.point_of_vertex.clear();

@@ -131,7 +131,7 @@ void CertifiedSurface::resume(const DynamicDelaunay& delaunay, IdVector<CellId, 
 bool CertifiedSurface::update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
                               const LiveCandidates& candidates) {
   exists_ = false;
-  lost_good_ = false;
+  new_good_ = 0;
   sides_.resize(delaunay.view().cell_records().size(), 0);
   sheets_.resize(delaunay.num_vertex_slots(), SheetAt::none);
   is_touched_.resize(delaunay.num_vertex_slots(), 0);
@@ -314,7 +314,7 @@ bool CertifiedSurface::find_sheets(const LiveCandidates& candidates, const Local
       if ((!is_good && !is_folded) || !candidates.has_umbrella(v)) return false;
       sheet = is_good ? SheetAt::good : SheetAt::folded;
     }
-    lost_good_ = lost_good_ || (is_good(v) && sheet != SheetAt::good);
+    new_good_ += sheet == SheetAt::good && !is_good(v) ? 1U : 0U;
     set_sheet(v, sheet);
   }
   return true;
@@ -413,19 +413,21 @@ bool CertifiedSurface::holds_first_hull_candidate(const TriangulationView& view,
   return is_good(a) || is_good(b) || is_good(d);
 }
 
-// Whether the good vertices hang together. They did before, and what is left of them falls into
-// parts that each reach a good vertex at hand, if those that were good still are: then it is enough
-// that these hang together. Else all triangles are looked at.
+// Whether the good vertices hang together. They did before. A part of them without a corner of the
+// facets at hand is as it was, with all its neighbors: it is all there was. So it is enough that
+// the good vertices at hand hang together and one of them was good before, or that there are none.
+// Else all triangles are looked at.
 bool CertifiedSurface::is_connected(const TriangulationView& view,
                                     const LocalFacets& surface) const {
-  if (!lost_good_) {
-    DisjointSets local(surface.num_vertices());
-    const auto is_good_here = [&](VertexId v) { return is_good(surface.vertex_in_whole[v]); };
-    std::size_t parts = 0;
-    for (const VertexId v : surface.vertex_in_whole) parts += is_good(v) ? 1U : 0U;
-    for (const Triangle& t : surface.triangles.corners) parts -= join_good(local, t, is_good_here);
-    if (parts <= 1) return true;
+  DisjointSets local(surface.num_vertices());
+  const auto is_good_here = [&](VertexId v) { return is_good(surface.vertex_in_whole[v]); };
+  std::size_t good_here = 0;
+  for (const VertexId v : surface.vertex_in_whole) good_here += is_good(v) ? 1U : 0U;
+  std::size_t parts_here = good_here;
+  for (const Triangle& t : surface.triangles.corners) {
+    parts_here -= join_good(local, t, is_good_here);
   }
+  if (parts_here == 0 || (parts_here == 1 && good_here > new_good_)) return true;
   DisjointSets whole(sheets_.size());
   std::size_t parts = good_;
   for (const CellId c : sides_.ids()) {

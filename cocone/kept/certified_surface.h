@@ -71,7 +71,7 @@ class CertifiedSurface {
   // if the certificate does not hold any more. Precondition: exists() before the change.
   // Complexity: O(c) for c cells at the vertices at most one edge of the surface away from a
   // changed() one, and one pass over a byte per cell if the first hull candidate went, over the
-  // triangles if the changed places do not hang together or a vertex there is no longer good.
+  // triangles if the changed places do not hang together.
   bool update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
               const LiveCandidates& candidates);
 
@@ -151,7 +151,7 @@ class CertifiedSurface {
   std::size_t good_ = 0;
   std::size_t folded_ = 0;
   std::size_t off_surface_ = 0;  // vertices of the triangulation
-  bool lost_good_ = false;       // during an update: a vertex at hand that was good is not any more
+  std::size_t new_good_ = 0;     // during an update: vertices that are good now, and were not
   Turn wrong_turn_;              // of a surface without a certificate
 
   std::vector<VertexId> touched_;

@@ -3,9 +3,7 @@
 #include "cocone/dynamic_tight_cocone.h"
 
 #include <algorithm>
-#include <cmath>
 #include <gtest/gtest.h>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +12,7 @@
 #include "geom/list_edit.h"
 #include "geom/mesh_check.h"
 #include "geom/random.h"
+#include "tests/cocone/changing_points.h"
 #include "tests/cocone/equal_reconstructions.h"
 #include "tests/gallery.h"
 #include "tests/long_tests.h"
@@ -21,42 +20,6 @@
 
 namespace cocoon {
 namespace {
-
-// Points that come and go.
-struct ChangingPoints {
-  std::vector<Point> points;
-  std::vector<PointId> old_position;  // of each before the last change; none: new
-
-  explicit ChangingPoints(std::vector<Point> start) : points(std::move(start)) {}
-
-  template <class Goes>
-  void change(Goes goes, const std::vector<Point>& added) {
-    std::vector<Point> next;
-    old_position.clear();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (goes(points[i])) continue;
-      next.push_back(points[i]);
-      old_position.push_back(PointId(i));
-    }
-    next.insert(next.end(), added.begin(), added.end());
-    old_position.resize(next.size());
-    points = std::move(next);
-  }
-};
-
-// Carries the change out, and compares with a reconstruction of the points. Was it local?
-bool is_local_and_equal(DynamicTightCocone& cocone, const ChangingPoints& changing,
-                        ReconstructResult& expected) {
-  const std::size_t before = cocone.local_changes();
-  const ReconstructResult actual = cocone.replace(changing.points, changing.old_position);
-  expected = reconstruct_tight(changing.points, cocone.options());
-  expect_equal_reconstruction(actual, expected);
-  return cocone.local_changes() > before;
-}
-
-double spacing_on_sphere(std::size_t n) {
-  return std::sqrt(4 * std::numbers::pi / static_cast<double>(n));
-}
 
 // A sample of a sphere with noise, in units of the spacing.
 Point rough_sample(std::size_t n, double noise, Random& random) {
@@ -132,87 +95,6 @@ TEST(DynamicTightCocone, EvenSpheresChangeLocally) {
     if (HasFailure()) return;
   }
   EXPECT_GT(local.all, 50U);
-}
-
-// The samples of another body have a surface of their own.
-TEST(DynamicTightCocone, AnotherBodyComesAndGoes) {
-  ChangingPoints changing(gallery::even_sphere(500));
-  DynamicTightCocone cocone;
-  cocone.reconstruct(changing.points);
-  std::vector<Point> other = gallery::even_sphere(200);
-  for (Point& p : other) p = 0.5 * p + Vec3{3, 0, 0};
-  ReconstructResult expected;
-  changing.change([](const Point&) { return false; }, other);
-  EXPECT_FALSE(is_local_and_equal(cocone, changing, expected));
-  EXPECT_EQ(expected.counters.surface_walks, 2U);
-  changing.change([](const Point& p) { return p.x > 2; }, {});
-  EXPECT_FALSE(is_local_and_equal(cocone, changing, expected));
-  changing.change([](const Point& p) { return p.x > 0.99; }, {{1, 0, 0}});
-  EXPECT_TRUE(is_local_and_equal(cocone, changing, expected));
-}
-
-// Two balls joined by a neck; the surface is closed on both sides where the neck was.
-TEST(DynamicTightCocone, ABodyFallsApart) {
-  const auto ball = [](double x) {
-    std::vector<Point> points = gallery::even_sphere(1200);
-    for (Point& p : points) p.x += x;
-    return points;
-  };
-  const double neck = 0.4;
-  const auto is_in_neck = [&](const Point& p) { return std::hypot(p.y, p.z) < neck; };
-  ChangingPoints apart(ball(-1.3));
-  apart.change([](const Point&) { return false; }, ball(1.3));
-  std::vector<Point> caps;
-  ChangingPoints joined = apart;
-  joined.change(
-      [&](const Point& p) {
-        const bool goes = is_in_neck(p) && std::abs(p.x) < 1;
-        if (goes) caps.push_back(p);
-        return goes;
-      },
-      {});
-  std::vector<Point> tube;
-  for (double x = -0.35; x < 0.36; x += 0.07) {
-    for (int k = 0; k < 25; ++k) {
-      const double t = 2 * std::numbers::pi * (k + 3 * x) / 25;
-      tube.push_back({x, neck * std::cos(t), neck * std::sin(t)});
-    }
-  }
-  joined.change([](const Point&) { return false; }, tube);
-
-  DynamicTightCocone cocone;
-  const ReconstructResult before = cocone.reconstruct(joined.points);
-  ASSERT_EQ(before.counters.surface_walks, 1U);
-  ASSERT_TRUE(cocone.is_certain());
-  joined.change([](const Point& p) { return std::abs(p.x) < 0.36; }, caps);
-  ReconstructResult expected;
-  EXPECT_FALSE(is_local_and_equal(cocone, joined, expected));
-  EXPECT_EQ(expected.counters.surface_walks, 2U);
-}
-
-// Of a rough torus, denser inside, one turn about an edge is wrong (certified_surface.h). It is
-// remembered, and asked first; on other samples the surface is certain nevertheless.
-TEST(DynamicTightCocone, ASurfaceBecomesCertainAgain) {
-  Random random(6);
-  ChangingPoints changing({});
-  while (changing.points.size() < 3000) {
-    random.on_unit_sphere();
-    const double u = 2 * std::numbers::pi * random.uniform();
-    const double v = 2 * std::numbers::pi * random.uniform();
-    const double ring = 1 + 0.35 * std::cos(v);
-    const Point p{ring * std::cos(u), ring * std::sin(u), 0.35 * std::sin(v)};
-    changing.points.push_back(p + 0.07 * spacing_on_sphere(3000) * random.on_unit_sphere());
-  }
-  DynamicTightCocone cocone;
-  const ReconstructCounters counters = cocone.reconstruct(changing.points).counters;
-  EXPECT_EQ(counters.back_contacts + counters.poor_cells + counters.marking_rounds, 0U);
-  ReconstructResult expected;
-  changing.change([&](const Point& p) { return p.x < -1.3; }, {});
-  EXPECT_FALSE(is_local_and_equal(cocone, changing, expected));
-  changing.change([](const Point&) { return true; }, gallery::even_sphere(900));
-  is_local_and_equal(cocone, changing, expected);
-  changing.change([](const Point& p) { return p.z > 0.99; }, {});
-  EXPECT_TRUE(is_local_and_equal(cocone, changing, expected));
 }
 
 // Carries an edit out and returns the whole result, if only what it did was told.
@@ -301,6 +183,19 @@ TEST(DynamicTightCocone, EditsTellWhatTheyDid) {
     if (HasFailure()) return;
   }
   EXPECT_GT(told.certain, 100U);
+  EXPECT_GT(told.others, 20U);
+}
+
+// Where there is none for a while, edits do not go on from the one before.
+TEST(DynamicTightCocone, EditsOfSurfacesThatComeAndGo) {
+  ToldEdits told;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    Random random(seed);
+    std::vector<Point> points = gallery::even_sphere(60);
+    for (Point& p : points) p = p + 0.5 * spacing_on_sphere(60) * random.on_unit_sphere();
+    told.others += edit_here_and_there(std::move(points), 0.5, seed).others;
+    if (HasFailure()) return;
+  }
   EXPECT_GT(told.others, 20U);
 }
 
@@ -407,6 +302,29 @@ TEST(DynamicTightCocone, RefusesToHaveNoPoints) {
   changing.change([](const Point& p) { return p.x > 0.99; }, {{1, 0, 0}});
   ReconstructResult expected;
   EXPECT_TRUE(is_local_and_equal(cocone, changing, expected));
+}
+
+// In the same words as from scratch, and of the points, not of the change.
+TEST(DynamicTightCocone, RefusesFlatPointsAsAReconstructionDoes) {
+  const auto message_of = [](auto run) -> std::string {
+    try {
+      run();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  ChangingPoints changing(gallery::plane_and_apex(6));
+  DynamicTightCocone cocone;
+  cocone.reconstruct(changing.points);
+  const ChangingPoints before = changing;
+  changing.change([](const Point& p) { return p.z > 0; }, {{0.5, 0.5, 0}});
+  EXPECT_EQ(message_of([&] { cocone.replace(changing.points, changing.old_position); }),
+            message_of([&] { reconstruct_tight(changing.points); }));
+  changing = before;
+  changing.change([](const Point&) { return false; }, {{0.5, 0.5, 1}});
+  ReconstructResult expected;
+  is_local_and_equal(cocone, changing, expected);
 }
 
 // Nothing is known of the samples then but their triangulation.

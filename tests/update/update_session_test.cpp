@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "delaunay/delaunay.h"
@@ -303,6 +304,22 @@ TEST(UpdateSession, CancelledAnywhereItStaysAsItWas) {
   EXPECT_TRUE(session.model() == before);
   expect_equal_reconstruction(session.reconstruction(), reconstruction_before);
   apply_and_compare(session, clouds);
+}
+
+// Its labels, known from the model before, are not those of the surface that is found again then.
+TEST(UpdateSession, GoesOnAfterAnUpdateThatWasCancelledAtItsEnd) {
+  struct StopAtEnd : Progress {
+    bool report(std::string_view stage, double fraction) override {
+      return stage != "reconstruction" || fraction < 1;
+    }
+  };
+  UpdateSession session(read_mesh(std::string(COCOON_TEST_DATA) + "/models/elephant.off"));
+  Random random(1);
+  for (int step = 0; step < 2; ++step) {
+    StopAtEnd stop;
+    EXPECT_THROW(session.apply(random_scans(session.model(), random, 0.1), {1, &stop}), Cancelled);
+    EXPECT_TRUE(apply_and_compare(session, random_scans(session.model(), random, 0.1)));
+  }
 }
 
 TEST(UpdateSession, BadInputLeavesTheModel) {

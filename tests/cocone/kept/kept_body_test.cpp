@@ -13,6 +13,7 @@
 #include "geom/random.h"
 #include "tests/cocone/kept/live_body.h"
 #include "tests/cocone/sample_shapes.h"
+#include "tests/gallery.h"
 #include "tests/long_tests.h"
 
 namespace cocoon {
@@ -137,10 +138,11 @@ struct Follow {
   void operator()(const Renumbering& moves) const { kept.renumber(moves, live.delaunay()); }
 };
 
-// Elsewhere nothing is touched; what comes hangs together, but not with what was there.
+// Elsewhere nothing is touched, since what comes is in no ball of what was there; it hangs
+// together, but not with that.
 TEST(KeptBody, IsNotSmoothWhereAnotherOneAppears) {
-  const std::vector<Point> first = shapes::ellipsoid(200, 3);
-  const std::vector<Point> second = shapes::moved(shapes::ellipsoid(100, 4), {8, 0, 0});
+  const std::vector<Point> first = gallery::scaled(gallery::integer_sphere(89), 0.125);
+  const std::vector<Point> second = shapes::moved(first, {8, 0, 0});
   LiveBody live(shapes::joined(first, second));
   // Cells between the two are OUT.
   const auto out = [](const Triangulation& triangulation) {

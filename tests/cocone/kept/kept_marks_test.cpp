@@ -19,7 +19,8 @@ namespace {
 
 class LiveMarks {
  public:
-  explicit LiveMarks(const std::vector<Point>& points) : samples_(points) {}
+  explicit LiveMarks(const std::vector<Point>& points, const GoodVertexOptions& options = {})
+      : options_(options), samples_(points) {}
 
   void change(double reach, const std::vector<Point>& others, Random& random) {
     samples_.change(reach, others, random, [&](const auto& what) { follow(what); });
@@ -54,8 +55,8 @@ class LiveMarks {
     const LinkedFacets surface =
         extract_manifold(triangulation, std::move(left), known.umbrella).triangles;
     const CellMarks actual = kept_.mark(triangulation, samples_.delaunay().cells_at_vertices(),
-                                        surface, known.boundary, {}, {});
-    const CellMarks expected = mark_cells(triangulation, surface, known.boundary);
+                                        surface, known.boundary, {}, options_);
+    const CellMarks expected = mark_cells(triangulation, surface, known.boundary, options_);
     ASSERT_EQ(actual.labels, expected.labels);
     ASSERT_EQ(actual.good, expected.good);
     ASSERT_EQ(actual.visited, expected.visited);
@@ -67,16 +68,17 @@ class LiveMarks {
     ASSERT_EQ(actual.known_cells, expected.known_cells);
   }
 
+  GoodVertexOptions options_;
   LiveSamples samples_;
   KeptMarks kept_;
 };
 
 // Returns the share of changes whose marks went on from those before.
 double run_steps(const std::vector<Point>& points, const std::vector<Point>& others, double reach,
-                 std::size_t count) {
+                 std::size_t count, const GoodVertexOptions& options = {}) {
   const std::size_t steps = count * test::long_factor();
   Random random(21);
-  LiveMarks live(points);
+  LiveMarks live(points, options);
   live.expect_marks_of_the_stage();
   for (std::size_t step = 0; step < steps; ++step) {
     SCOPED_TRACE("step " + std::to_string(step));
@@ -137,6 +139,28 @@ TEST(KeptMarks, WhereASurfaceIsReachedLater) {
 
 TEST(KeptMarks, OnABox) {
   EXPECT_GT(run_steps(gallery::box_faces(7), gallery::box_faces(9), 0.4, 20), 0.3);
+}
+
+// Labels found anew that do not fit: the parts of the surface contradict each other.
+TEST(KeptMarks, OnFewNoisySamples) {
+  EXPECT_GT(
+      run_steps(shapes::noisy_sphere(300, 0.03, 3), shapes::noisy_sphere(300, 0.03, 4), 0.5, 60),
+      0.5);
+}
+
+TEST(KeptMarks, OnBoxesThatTouch) {
+  const std::vector<Point> box = shapes::cube_grid(5);
+  EXPECT_GT(run_steps(shapes::joined(box, shapes::moved(box, {5, 0, 0})),
+                      shapes::joined(box, shapes::moved(box, {5, 5, 0})), 2.5, 60),
+            0.3);
+}
+
+// Where nearly every edge is a crease, a sample that is no longer interior is no longer good,
+// though nothing has changed at it.
+TEST(KeptMarks, WhereLabelsOfSamplesDecide) {
+  EXPECT_GT(
+      run_steps(shapes::sphere(120, 3), shapes::sphere(120, 4), 0.8, 100, {.crease_cosine = -0.95}),
+      0.8);
 }
 
 }  // namespace
