@@ -109,10 +109,15 @@ TEST(ContradictedIslands, NotOfFewSamples) {
 // Half as dense, the scan lies within 1.2 spacings of the model; twice as dense, three are 1.5.
 TEST(ContradictedIslands, AreMeasuredInSpacings) {
   EXPECT_TRUE(RingOnABlock(4).found({}, 2).empty());
-  RingOnABlock scene(11);
-  std::erase_if(scene.samples, [](const Point& p) { return p.z > 7 && p.x > 9; });
-  EXPECT_EQ(scene.found({.min_share = 0.05, .reach = 3}, 0.5), std::vector{RegionId(2)});
-  EXPECT_EQ(scene.regions.regions.size(), 3U);
+  std::vector<std::size_t> facets;
+  for (const double spacing : {1.0, 0.5}) {
+    RingOnABlock scene(11);
+    std::erase_if(scene.samples, [](const Point& p) { return p.z > 7 && p.x > 9; });
+    const IslandOptions options{.min_share = 0.05, .reach = 1.5 / spacing};
+    ASSERT_EQ(scene.found(options, spacing), std::vector{RegionId(2)});
+    facets.push_back(scene.regions.regions[RegionId(2)].facets);
+  }
+  EXPECT_EQ(facets[0], facets[1]);
 }
 
 // A floor of the model lies between the island and the samples, too far below them to be theirs.

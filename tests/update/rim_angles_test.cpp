@@ -127,11 +127,11 @@ struct OneEdge {
 // What lies in the ring around may be nearer.
 TEST(MeanRimAngles, FacetsUnderTheEdgeComeFirst) {
   OneEdge scene({2.25, 2.125, 0}, {2.75, 2.125, 0}, {2.5, 3, 0});
+  scene.band.facets.pop_back();
+  scene.band.begin = {0, 1, 1};
   scene.plane.points[OneEdge::at(3, 3)].z = 0.875;
   scene.put(OneEdge::at(3, 3), 0);
-  scene.put(OneEdge::at(3, 2), 0);
-  scene.plane.points[OneEdge::at(3, 2)].z = 5;
-  scene.put(OneEdge::at(1, 2), 0);
+  scene.put(OneEdge::at(2, 3), 0);
   scene.put(OneEdge::at(2, 1), 1);
   const RegionAngles angles = scene.angles();
   EXPECT_NEAR(angles.regions[RegionId(0U)].mean(), pi / 4, 1e-12);
