@@ -121,7 +121,7 @@ TEST(TrimLongEdges, GoesOnFromTheRimInwards) {
   for (const bool outer_first : {true, false}) {
     TriangleMesh mesh = plane;
     const VertexId far = mesh.points.push_back({18, 6, 0});
-    std::vector<Triangle> added = {{at(3), far, at(9)}, {at(3), at(9), at(6)}};
+    std::vector<Triangle> added = {{at(9), at(3), far}, {at(3), at(9), at(6)}};
     if (!outer_first) std::swap(added[0], added[1]);
     for (const Triangle& t : added) mesh.triangles.push_back(t);
     const TrimmedSurface trimmed = trim_long_edges(mesh);
