@@ -34,7 +34,7 @@ class AroundLine {
     const int quarter_p = quarter(p);
     const int quarter_q = quarter(q);
     if (quarter_p != quarter_q) return quarter_p < quarter_q ? Sign::negative : Sign::positive;
-    return quarter_p % 2 == 1 ? -orient3d(u_, v_, p, q) : Sign::zero;
+    return -orient3d(u_, v_, p, q);
   }
 
  private:

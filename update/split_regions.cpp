@@ -63,9 +63,8 @@ class Labeling {
     }
   }
 
-  bool is_under(TriangleId t) const {
-    return regions_.region_of_facet[t] == region_ && labels_[t].label == Label::under;
-  }
+  // Facets of other regions are never labeled.
+  bool is_under(TriangleId t) const { return labels_[t].label == Label::under; }
 
  private:
   bool is_beside_border(TriangleId t) const {

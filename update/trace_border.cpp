@@ -82,7 +82,6 @@ bool walk(const ModelIndex& model, const Span& span, std::size_t max_facets,
   const Vec3 segment = span.to_foot - span.from_foot;
   const Vec3 mean_normal = model.normal(span.from) + model.normal(span.to);
   const CuttingPlane plane{span.from_foot, cross(segment, mean_normal), unit(segment)};
-  if (plane.normal == Vec3{}) return false;
   const double end = norm(segment) * (1 + end_slack);
 
   int entry = -1;

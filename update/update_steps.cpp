@@ -18,8 +18,6 @@
 
 namespace cocoon {
 
-namespace {}  // namespace
-
 UpdateSteps::UpdateSteps(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                          const UpdateOptions& options)
     : model_(model), given_(clouds), clouds_(clouds), options_(options) {

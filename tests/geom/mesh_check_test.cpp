@@ -291,4 +291,21 @@ TEST(MeshCheck, JudgesLinksOfEveryLength) {
   }
 }
 
+TEST(MeshCheck, ComponentsComeInTheOrderOfTheirFirstTriangles) {
+  const MeshReport report = mesh_check(gallery::join(gallery::tetrahedron(), gallery::torus(9, 7)));
+  ASSERT_EQ(report.component_reports.size(), 2U);
+  EXPECT_EQ(report.component_reports[0].triangles, 4U);
+  EXPECT_EQ(report.component_reports[1].first_triangle, TriangleId(4));
+}
+
+TEST(MeshCheck, PlacesAtInfinityDoNotCoincide) {
+  TriangleMesh mesh = gallery::tetrahedron();
+  for (int k = 0; k < 2; ++k) {
+    mesh.points.push_back({std::numeric_limits<double>::infinity(), 0, 0});
+  }
+  const MeshReport report = mesh_check(mesh);
+  EXPECT_EQ(report.non_finite_vertices, 2U);
+  EXPECT_EQ(report.coincident_vertices, 0U);
+}
+
 }  // namespace cocoon

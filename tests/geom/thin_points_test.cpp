@@ -37,6 +37,11 @@ TEST(ThinPoints, EachByItsOwnDistance) {
   EXPECT_TRUE(thin_points({}, distance_at).empty());
 }
 
+TEST(ThinPoints, JustAsFarAsAskedStay) {
+  const std::vector<Point> points = {{0, 0, 0}, {2, 0, 0}, {3.5, 0, 0}};
+  EXPECT_EQ(thin_points(points, 2), (std::vector{PointId(0), PointId(1)}));
+}
+
 // Sizes whose squares are no doubles: the same points stay at all of them.
 TEST(ThinPoints, OfOneDistanceAtAnySize) {
   Random random(3);

@@ -154,6 +154,46 @@ TEST(ChooseRegions, DecidedRegionsAreTaken) {
   EXPECT_EQ(replaced(choose_regions(unseen, 1, {}, as_angles)), (std::vector<int>{1, 0, 1}));
 }
 
+// Where one region alone counts the loop tells nothing, neither of it nor of what few edges see.
+TEST(ChooseRegions, ALoopThatDoesNotDecideReplacesNothing) {
+  RegionAngles angles = loop(0, {120, 20});
+  angles.regions[RegionId(1U)] = {3 * 20 * degree, 3};
+  const RegionChoice choice = choose_regions(std::vector{angles}, 1);
+  EXPECT_EQ(choice.undecided_loops, 1U);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{0, 0}));
+  EXPECT_EQ(choice.clouds[0].regions.size(), 2U);
+  const RegionChoice unseen = choose_regions(std::vector{loop(0, {-1, -1})}, 1);
+  EXPECT_EQ(unseen.status, ChoiceStatus::ok);
+  EXPECT_EQ(unseen.undecided_loops, 1U);
+}
+
+// The loops of a cloud that was cut decide nothing, so they cannot be ambiguous either.
+TEST(ChooseRegions, DecidedCloudsAreNotAmbiguous) {
+  using Decided = IdVector<RegionId, std::uint8_t>;
+  const std::vector<RegionAngles> loops = {loop(0, {90.1, 90.4})};
+  const std::vector<Decided> first = {Decided(std::vector<std::uint8_t>{1, 0})};
+  const RegionChoice choice = choose_regions(loops, 1, {}, first);
+  EXPECT_EQ(choice.status, ChoiceStatus::ok);
+  EXPECT_EQ(choice.narrow, 0U);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{1, 0}));
+  // Nothing is seen outside: no margin.
+  const std::vector<RegionAngles> one_sided = {loop(0, {10, -1})};
+  EXPECT_EQ(choose_regions(one_sided, 1, {}, first).clouds[0].margin, std::numbers::pi);
+}
+
+TEST(ChooseRegions, TheLargestRegionThatStaysIsTheFirstOfSeveral) {
+  Regions regions;
+  for (const std::size_t facets : {9U, 5U, 5U, 4U})
+    regions.regions.push_back({.first = {}, .facets = facets});
+  RegionChoice choice;
+  choice.replaced = IdVector<RegionId, std::uint8_t>(4, 0);
+  EXPECT_EQ(largest_kept_region(regions, choice), RegionId(0U));
+  choice.replaced[RegionId(0U)] = 1;
+  EXPECT_EQ(largest_kept_region(regions, choice), RegionId(1U));
+  choice.replaced = IdVector<RegionId, std::uint8_t>(4, 1);
+  EXPECT_TRUE(largest_kept_region(regions, choice).is_none());
+}
+
 TEST(ChooseRegions, NoLoops) {
   const RegionChoice choice = choose_regions({}, 2);
   EXPECT_TRUE(choice.replaced.empty());

@@ -46,8 +46,8 @@ struct RingOnABlock {
     return regions.group_of_vertex[testing::nearest_vertex(block, {10, 10, 6})];
   }
   // The regions that go.
-  std::vector<RegionId> found(const IslandOptions& options = {}) {
-    const Scan scan{samples, 1};
+  std::vector<RegionId> found(const IslandOptions& options = {}, double spacing = 1) {
+    const Scan scan{samples, spacing};
     std::vector<RegionId> parts;
     for (const ContradictedIsland& island :
          part_contradicted_islands(model, choice, {&scan, 1}, regions, options)) {
@@ -104,6 +104,66 @@ TEST(ContradictedIslands, NotOfFewSamples) {
   EXPECT_FALSE(scene.found({.min_share = 0.28}).empty());
   EXPECT_TRUE(scene.found({.min_share = 0.29}).empty());
   EXPECT_TRUE(scene.found({.off_model = 2.5}).empty());
+}
+
+// Half as dense, the scan lies within 1.2 spacings of the model; twice as dense, three are 1.5.
+TEST(ContradictedIslands, AreMeasuredInSpacings) {
+  EXPECT_TRUE(RingOnABlock(4).found({}, 2).empty());
+  std::vector<std::size_t> facets;
+  for (const double spacing : {1.0, 0.5}) {
+    RingOnABlock scene(11);
+    std::erase_if(scene.samples, [](const Point& p) { return p.z > 7 && p.x > 9; });
+    const IslandOptions options{.min_share = 0.05, .reach = 1.5 / spacing};
+    ASSERT_EQ(scene.found(options, spacing), std::vector{RegionId(2)});
+    facets.push_back(scene.regions.regions[RegionId(2)].facets);
+  }
+  EXPECT_EQ(facets[0], facets[1]);
+}
+
+// A floor of the model lies between the island and the samples, too far below them to be theirs.
+TEST(ContradictedIslands, NotWhereAnotherRegionIsNearer) {
+  RingOnABlock scene(4);
+  TriangleMesh model = scene.block;
+  const auto shift = static_cast<std::uint32_t>(model.points.size());
+  const TriangleMesh floor = testing::grid_plane(10);
+  for (const Point& p : floor.points) model.points.push_back(p + Vec3{5, 5, 2.5});
+  for (Triangle t : floor.triangles) {
+    for (VertexId& v : t) v = VertexId(v.value + shift);
+    model.triangles.push_back(t);
+    scene.regions.region_of_facet.push_back(RegionId(2U));
+  }
+  scene.regions.regions.push_back({});
+  scene.choice.replaced.push_back(0);
+  const ModelIndex index(model);
+  const Scan scan{scene.samples, 1};
+  EXPECT_TRUE(part_contradicted_islands(index, scene.choice, {&scan, 1}, scene.regions).empty());
+}
+
+TEST(ContradictedIslands, OfTwoScansGoOnce) {
+  RingOnABlock scene(4);
+  scene.choice.clouds.push_back(scene.choice.clouds[0]);
+  const Scan scans[] = {{scene.samples, 1}, {scene.samples, 1}};
+  EXPECT_EQ(part_contradicted_islands(scene.model, scene.choice, scans, scene.regions).size(), 1U);
+}
+
+// The second cloud did not see the region.
+TEST(ContradictedIslands, WhoSawTheRegionSawThePartThatGoes) {
+  RegionChoice choice;
+  choice.replaced = IdVector<RegionId, std::uint8_t>(3, 0);
+  choice.clouds.resize(2);
+  choice.clouds[0].regions = {{.region = RegionId(1U), .mean_angle = 2, .edges = 7}};
+  choose_island({RegionId(1U), RegionId(2U)}, choice);
+  EXPECT_EQ(choice.replaced[RegionId(1U)], 0);
+  EXPECT_EQ(choice.replaced[RegionId(2U)], 1);
+  ASSERT_EQ(choice.clouds[0].regions.size(), 2U);
+  EXPECT_FALSE(choice.clouds[0].regions[0].under_cloud);
+  EXPECT_EQ(choice.clouds[0].regions[1].region, RegionId(2U));
+  EXPECT_EQ(choice.clouds[0].regions[1].edges, 7U);
+  EXPECT_TRUE(choice.clouds[0].regions[1].under_cloud);
+  EXPECT_TRUE(choice.clouds[1].regions.empty());
+  choose_island({RegionId(1U), RegionId(1U)}, choice);  // all of it
+  ASSERT_EQ(choice.clouds[0].regions.size(), 2U);
+  EXPECT_TRUE(choice.clouds[0].regions[0].under_cloud);
 }
 
 TEST(ContradictedIslands, NotThoseThatNoRimSeesNorThoseThatGo) {

@@ -203,7 +203,18 @@ TEST(CutRegions, SamplesTellWhereARimIsMissing) {
       EXPECT_EQ(cut.under[t], 0) << polar_of(t);
     }
   }
+  // What is cut where the rim is torn is counted once.
+  RimLoop& loop = ball.rim.loops[0];
+  loop.inner.assign(loop.size(), 0);
+  for (std::size_t i = 0; i < 10; ++i) loop.inner[i] = 1;
+  const RegionCut torn = ball.cut();
   ball.scans.clear();
+  const RegionCut torn_alone = ball.cut();
+  EXPECT_GT(torn.scan_ends, 50U);
+  EXPECT_GT(torn_alone.cut_edges, 4U);
+  EXPECT_LT(torn.cut_edges, cut.cut_edges + 2 * torn_alone.cut_edges);
+  EXPECT_LT(torn.cut_length, cut.cut_length + 2 * torn_alone.cut_length);
+  loop.inner.clear();
   const RegionCut without = ball.cut();
   EXPECT_EQ(without.cut_edges, 0U);
   EXPECT_GT(without.under_facets, cut.under_facets + 1000);
@@ -300,6 +311,43 @@ TEST(CutRegions, RegionsLieAsAWholeUnderEachCloud) {
     }
   }
   for (const CloudChoice& cloud : choice.clouds) EXPECT_GT(cloud.margin, 1);
+}
+
+TEST(CutRegions, CloudsAreCutWithThoseTheyAreJoinedWith) {
+  using Flags = std::vector<std::uint8_t>;
+  EXPECT_EQ(clouds_to_cut(Flags{0, 1, 0, 0}, std::vector<std::size_t>{0, 0, 2, 0}),
+            (Flags{1, 1, 0, 1}));
+}
+
+// A disk in a larger one, both torn on the same side: the cut of the second cloud parts what lies
+// under the first one, and both parts do.
+TEST(CutRegions, PartsOfARegionLieUnderWhoeverItLayUnder) {
+  const TriangleMesh mesh = grid_plane(30);
+  const ModelIndex model(mesh);
+  std::vector<CloudRim> rims(2, torn_rim(20, 30));
+  rims[0].loops[0].points = circle(60, middle, 9).points;
+  rims[0].loops[0].apexes = circle(60, middle, 9).apexes;
+  std::vector<Border> borders;
+  TriangleSet certain(mesh.triangles.size(), 0);
+  for (const CloudRim& rim : rims) {
+    borders.push_back(trace_border(model, rim, overlapping_facets(model, rim)));
+    certain_border(model, rim, borders.back().loops, {}, certain);
+  }
+  const std::vector<Scan> scans(2);  // where they end is not known
+  const CutRegions found = cut_regions(model, rims, borders, scans, std::vector<std::size_t>{0, 1},
+                                       std::vector<std::uint8_t>{1, 1});
+  ASSERT_EQ(found.regions.regions.size(), 3U);
+  std::vector<std::size_t> facets(3, 0);
+  for (const TriangleId t : mesh.triangles.ids()) {
+    const RegionId r = found.regions.region_of_facet[t];
+    EXPECT_EQ(r.is_none(), certain[t] != 0);
+    if (r.is_none()) continue;
+    ++facets[r.index()];
+    for (std::size_t c = 0; c < 2; ++c) EXPECT_EQ(found.under[c][r], found.cuts[c].under[t]);
+  }
+  for (const RegionId r : found.regions.regions.ids()) {
+    EXPECT_EQ(found.regions.regions[r].facets, facets[r.index()]);
+  }
 }
 
 }  // namespace

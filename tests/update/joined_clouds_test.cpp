@@ -46,6 +46,42 @@ TEST(JoinedClouds, DoNotIfTheyHardlyMeet) {
   EXPECT_FALSE(members({square({0, 0, 0}), square({0.5, 0.5, 0.6})}).empty());
 }
 
+// One sample of a hundred, at a corner, is near; a small dense cloud lies over a large one.
+TEST(JoinedClouds, AreJoinedByTheShareOfEither) {
+  EXPECT_TRUE(members({square({0, 0, 0}), square({9.5, 9.5, 0})}).empty());
+  const std::vector<Point> dense = {{4.2, 4.2, 0.1}, {4.4, 4.4, 0.1}};
+  EXPECT_FALSE(members({square({0, 0, 0}), dense}, {.min_share = 0.5}).empty());
+  EXPECT_FALSE(members({dense, square({0, 0, 0})}, {.min_share = 0.5}).empty());
+}
+
+// In spacings of the coarsest one.
+TEST(JoinedClouds, AreThinnedByTheLargestSpacing) {
+  std::vector<Point> fine = square({0, 0, 0});
+  for (Point& p : fine) p = 0.5 * p;
+  const Clouds clouds = {square({0.1, 0.2, 0.1}), fine};
+  const std::vector<JoinedCloud> joined = join_clouds(clouds);
+  ASSERT_EQ(joined.size(), 1U);
+  const std::vector<Point> samples = samples_of(joined[0], clouds);
+  for (const PointId a : joined[0].sheet) {
+    for (const PointId b : joined[0].sheet) {
+      if (a == b) continue;
+      EXPECT_GE(distance(samples[a.index()], samples[b.index()]), 0.7);
+    }
+  }
+}
+
+// Two samples come twice; thinned out are the others that are not on the sheet.
+TEST(JoinedClouds, CountWhatIsSetAside) {
+  Clouds clouds = {square({0, 0, 0}), square({5.1, 0.2, 0.1})};
+  clouds[1].push_back(clouds[0][3]);
+  clouds[1].push_back(clouds[1][3]);
+  const JoinedCloud joined = join_clouds(clouds).front();
+  const std::vector<Point> samples = samples_of(joined, clouds);
+  const std::vector<CloudSurface> surfaces = joined_cloud_surfaces(samples, joined, {});
+  EXPECT_EQ(surfaces[0].duplicates, 2U);
+  EXPECT_EQ(surfaces[0].set_aside, 200U - joined.sheet.size());
+}
+
 TEST(JoinedClouds, KeepTheirDistanceOnTheSheet) {
   const Clouds clouds = {square({0, 0, 0}), square({5.1, 0.2, 0.1}), square({40, 0, 0})};
   const std::vector<JoinedCloud> joined = join_clouds(clouds);

@@ -91,6 +91,26 @@ TEST(OverlappingFacets, DoesNotTakeTheFarSideOfAThinWall) {
   }
 }
 
+// Thicker than the preference for a facet that faces as the cloud does.
+TEST(OverlappingFacets, DoesNotTakeTheFarSideOfAThickerWall) {
+  const TriangleMesh wall = testing::block(20, 20, 2);
+  RimLoop loop = circle(30, {10, 10, 1.9}, 6);
+  for (std::size_t i = 2; i < loop.size(); i += 3) loop.points[i].z = 0.3;
+  const Overlap overlap = overlapping_facets(wall, rim_of({loop}));
+  for (const Point& foot : overlap.loops[0].feet) EXPECT_EQ(foot.z, 2);
+}
+
+TEST(OverlappingFacets, PointsWithoutANormalHaveNoSide) {
+  const TriangleMesh model = testing::grid_plane(20);
+  RimLoop loop = circle(40, {10, 10, 0.3}, 6.2);
+  for (Vec3& normal : loop.normals) normal = {};
+  const Overlap overlap = overlapping_facets(model, rim_of({loop}));
+  EXPECT_EQ(overlap.facets.size(),
+            overlapping_facets(model, rim_of({circle(40, {10, 10, 0.3}, 6.2)})).facets.size());
+  EXPECT_EQ(overlap.facing_away, 0U);
+  EXPECT_EQ(overlap.steep, 0U);
+}
+
 // A one-sided surface has gone through a thin wall somewhere: half of its rim has the normals of
 // the other side. Which side of the wall it is on, the points next to each tell.
 TEST(OverlappingFacets, ALoopOnAOneSidedPartHasItsSideFromPointToPoint) {
@@ -137,6 +157,63 @@ TEST(OverlappingFacets, FarAwayIsNoOverlap) {
   EXPECT_EQ(far.status, OverlapStatus::no_overlap);
   EXPECT_EQ(far.unmatched, 40U);
   EXPECT_TRUE(far.facets.empty());
+  // Three median edges of the facets, not of their diagonals.
+  EXPECT_EQ(overlapping_facets(model, rim_of({circle(40, {10, 10, 3.1}, 6)})).unmatched, 40U);
+}
+
+TEST(OverlappingFacets, ATenthOfTheRimMayBeOffTheModel) {
+  const TriangleMesh model = testing::grid_plane(20);
+  const auto status = [&](std::size_t raised) {
+    RimLoop loop = circle(40, {10, 10, 0}, 6);
+    for (std::size_t i = 0; i < raised; ++i) loop.points[i].z = 30;
+    return overlapping_facets(model, rim_of({loop})).status;
+  };
+  EXPECT_EQ(status(4), OverlapStatus::ok);
+  EXPECT_EQ(status(5), OverlapStatus::no_overlap);
+}
+
+// The first rim lies on the model; the second one over the samples of the first cloud.
+struct CoveredRim {
+  TriangleMesh mesh = testing::grid_plane(20);
+  ModelIndex model{mesh};
+  std::vector<CloudRim> rims = {rim_of({circle(40, {10, 10, 0}, 6)}),
+                                rim_of({circle(40, {10, 10, 9}, 2)})};
+  std::vector<std::vector<Point>> clouds;
+  std::vector<Overlap> overlaps;
+
+  CoveredRim() : clouds({rims[1].loops[0].points, {{10, 10, 9}, {10, 10.5, 9}}}) {}
+  void locate() {
+    overlaps.clear();
+    for (const CloudRim& rim : rims) overlaps.push_back(overlapping_facets(model, rim));
+    for (int round = 0; round < 2; ++round) {  // the same each time
+      excuse_covered_points(rims, clouds, overlaps, {});
+    }
+  }
+};
+
+TEST(OverlappingFacets, ARimOverAnotherCloudIsCovered) {
+  CoveredRim scene;
+  scene.locate();
+  const LoopOverlap& loop = scene.overlaps[1].loops[0];
+  EXPECT_EQ(loop.covered, 40U);
+  EXPECT_EQ(loop.match, LoopMatch::covered);
+  EXPECT_EQ(scene.overlaps[0].status, OverlapStatus::ok);
+  EXPECT_EQ(scene.overlaps[1].status, OverlapStatus::ok);
+  // What has cloud beyond it is not looked for.
+  scene.rims[1].loops[0].inner.assign(40, 0);
+  for (std::size_t i = 0; i < 11; ++i) scene.rims[1].loops[0].inner[i] = 1;
+  scene.locate();
+  EXPECT_EQ(scene.overlaps[1].loops[0].covered, 30U);
+}
+
+TEST(OverlappingFacets, CloudsThatCoverEachOtherInTheAirDoNotOverlapTheModel) {
+  CoveredRim scene;
+  for (Point& p : scene.rims[0].loops[0].points) p.z = 9;
+  scene.clouds[1] = scene.rims[0].loops[0].points;
+  scene.locate();
+  EXPECT_EQ(scene.overlaps[0].loops[0].match, LoopMatch::covered);
+  EXPECT_EQ(scene.overlaps[0].status, OverlapStatus::no_overlap);
+  EXPECT_EQ(scene.overlaps[1].status, OverlapStatus::no_overlap);
 }
 
 TEST(OverlappingFacets, AHoleInsideTheCloudMayBeOffTheModel) {

@@ -104,5 +104,65 @@ TEST(MeanRimAngles, RegionsAwayFromTheRimDoNotCount) {
   EXPECT_GT(angles.regions[region_at(mesh, regions, {10, 10, 0})].edges, 30U);
 }
 
+// One edge over the middle of a plane, and regions of a few vertices of it.
+struct OneEdge {
+  TriangleMesh plane = testing::grid_plane(4);
+  Regions regions;
+  RimLoop loop;
+  LoopBorder band;
+
+  OneEdge(const Point& from, const Point& to, const Point& apex) {
+    regions.regions.resize(2);
+    regions.group_of_vertex = SparseVector<VertexId, RegionId>(plane.points.size());
+    loop.points = {from, to};
+    loop.apexes = {apex, apex};
+    for (const std::uint32_t t : {20U, 21U}) band.facets.push_back(TriangleId(t));  // of a square
+    band.begin = {0, 2, 2};
+  }
+  static VertexId at(std::size_t x, std::size_t y) { return VertexId(5 * y + x); }
+  void put(VertexId v, std::uint32_t region) { regions.group_of_vertex.set(v, RegionId(region)); }
+  RegionAngles angles() const { return mean_rim_angles(ModelIndex(plane), regions, loop, band); }
+};
+
+// What lies in the ring around may be nearer.
+TEST(MeanRimAngles, FacetsUnderTheEdgeComeFirst) {
+  OneEdge scene({2.25, 2.125, 0}, {2.75, 2.125, 0}, {2.5, 3, 0});
+  scene.band.facets.pop_back();
+  scene.band.begin = {0, 1, 1};
+  scene.plane.points[OneEdge::at(3, 3)].z = 0.875;
+  scene.put(OneEdge::at(3, 3), 0);
+  scene.put(OneEdge::at(2, 3), 0);
+  scene.put(OneEdge::at(2, 1), 1);
+  const RegionAngles angles = scene.angles();
+  EXPECT_NEAR(angles.regions[RegionId(0U)].mean(), pi / 4, 1e-12);
+  EXPECT_NEAR(angles.regions[RegionId(1U)].mean(), pi, 1e-12);
+  EXPECT_EQ(angles.widened, 1U);
+  EXPECT_EQ(angles.degenerate, 0U);
+}
+
+// Two corners of the square, on both sides of an edge along its diagonal.
+TEST(MeanRimAngles, TiesAreDecidedByCoordinates) {
+  OneEdge scene({2.25, 2.25, 0}, {2.75, 2.75, 0}, {2, 3, 0});
+  scene.put(OneEdge::at(2, 3), 0);
+  scene.put(OneEdge::at(3, 2), 0);
+  EXPECT_NEAR(scene.angles().regions[RegionId(0U)].mean(), 0, 1e-12);
+}
+
+TEST(MeanRimAngles, WhatLiesOnTheLineOfTheEdgeHasNoAngle) {
+  OneEdge scene({2.25, 2.25, 0}, {2.75, 2.75, 0}, {2, 3, 0});
+  scene.put(OneEdge::at(3, 3), 0);
+  scene.put(OneEdge::at(3, 2), 1);
+  const RegionAngles angles = scene.angles();
+  EXPECT_EQ(angles.regions[RegionId(0U)].edges, 0U);
+  EXPECT_EQ(angles.regions[RegionId(1U)].edges, 1U);
+  EXPECT_EQ(angles.degenerate, 1U);
+  scene.loop.apexes[0] = {4, 4, 0};
+  const RegionAngles none = scene.angles();
+  EXPECT_EQ(none.regions[RegionId(1U)].edges, 0U);
+  EXPECT_EQ(none.degenerate, 1U);
+  scene.band = {};
+  EXPECT_EQ(scene.angles().degenerate, 0U);
+}
+
 }  // namespace
 }  // namespace cocoon

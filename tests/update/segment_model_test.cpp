@@ -63,6 +63,11 @@ TEST(SegmentModel, TinyIslandsJoinTheBorder) {
   const Regions all = segment_model(mesh, border, {.min_region_facets = 1});
   EXPECT_EQ(all.regions.size(), 3U);
   EXPECT_EQ(all.border_facets, 38U);
+  // One of just that size is not tiny.
+  const Regions one = segment_model(mesh, border, {.min_region_facets = 100});
+  ASSERT_EQ(one.regions.size(), 1U);
+  EXPECT_EQ(one.regions[RegionId(0)].facets, 100U);
+  EXPECT_EQ(one.merged_islands, 2U);
 }
 
 TEST(SegmentModel, NothingIsMergedIfAllRegionsAreTiny) {
@@ -89,6 +94,54 @@ TEST(SegmentModel, EverythingBorder) {
   const Regions regions = segment_model(mesh, TriangleSet(mesh.triangles.size(), 1));
   EXPECT_TRUE(regions.regions.empty());
   EXPECT_EQ(regions.border_vertices, mesh.points.size());
+}
+
+TEST(SegmentModel, VerticesOfSeveralRegionsAndOfNoTriangleHaveNoGroup) {
+  TriangleMesh mesh = gallery::two_tetrahedra_sharing_a_vertex();
+  mesh.points.push_back({5, 5, 5});
+  const Regions regions = segment_model(mesh, TriangleSet(8, 0));
+  ASSERT_EQ(regions.regions.size(), 2U);
+  for (const VertexId v : mesh.points.ids()) {
+    const bool none = v == VertexId(0) || v == VertexId(7);
+    EXPECT_EQ(regions.group_of_vertex[v].is_none(), none) << v.value;
+  }
+  EXPECT_EQ(regions.border_vertices, 1U);
+}
+
+// A ball cut in two with no border between the halves.
+TEST(SegmentModel, RegionsThatTouchAreCountedAnew) {
+  const TriangleMesh mesh = gallery::sphere(3);
+  const ModelIndex model = ModelIndex::of_smooth(mesh);
+  Regions regions = segment_model(model, TriangleSet(mesh.triangles.size(), 0));
+  const RegionId upper = regions.regions.push_back({});
+  for (const TriangleId t : mesh.triangles.ids()) {
+    if (model.centroid(t).z > 0) regions.region_of_facet.set(t, upper);
+  }
+  count_and_group(model, regions);
+  std::vector<std::size_t> facets(2, 0);
+  std::vector<TriangleId> first(2);
+  for (const TriangleId t : mesh.triangles.ids()) {
+    const RegionId r = regions.region_of_facet[t];
+    if (facets[r.index()]++ == 0) first[r.index()] = t;
+  }
+  std::size_t at_seam = 0;
+  for (const VertexId v : mesh.points.ids()) {
+    bool lower = false;
+    bool higher = false;
+    for (const TriangleId t : model.triangles_at(v)) {
+      (regions.region_of_facet[t] == upper ? higher : lower) = true;
+    }
+    EXPECT_EQ(regions.group_of_vertex[v], lower && higher ? RegionId()
+                                          : higher        ? upper
+                                                          : RegionId(0U));
+    at_seam += lower && higher ? 1U : 0U;
+  }
+  EXPECT_GT(at_seam, 10U);
+  EXPECT_EQ(regions.border_vertices, at_seam);
+  for (const RegionId r : regions.regions.ids()) {
+    EXPECT_EQ(regions.regions[r].facets, facets[r.index()]);
+    EXPECT_EQ(regions.regions[r].first, first[r.index()]);
+  }
 }
 
 // Where the index knows that the facets at each vertex are one fan, fewer of them are looked at.

@@ -84,5 +84,17 @@ TEST(SharedEdges, CloudsHangTogetherByOthers) {
   EXPECT_EQ(lowest_sharing_clouds(others), (std::vector<std::size_t>{0, 1, 2, 1, 1}));
 }
 
+// The place beyond an edge lies a step of the coarser cloud away.
+TEST(SharedEdges, AreLookedForInTheCoarserSpacing) {
+  Squares squares;
+  squares.add({0, 0, 0});
+  squares.rims.push_back(squares.rims[0]);
+  squares.rims[1].median_edge = 4;
+  squares.clouds.push_back({{14, 5, 0}});
+  EXPECT_EQ(squares.mark(0), (std::vector<std::size_t>{1}));
+  squares.rims[1].median_edge = 1;
+  EXPECT_TRUE(squares.mark(0).empty());
+}
+
 }  // namespace
 }  // namespace cocoon

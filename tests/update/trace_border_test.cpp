@@ -175,6 +175,7 @@ TEST(TraceBorder, SearchesAroundWhereTheWalkFails) {
   const Border limited = trace_border(model, rim, overlap, {.max_search_facets = 10});
   EXPECT_EQ(limited.breaks, 2U);
   EXPECT_FALSE(limited.loops[0].closed);
+  EXPECT_EQ(limited.num_facets, 0U);  // nothing of walks that did not arrive
 }
 
 TEST(TraceBorder, NoWayBetweenSeparateBodies) {
@@ -194,6 +195,29 @@ TEST(TraceBorder, NoWayBetweenSeparateBodies) {
   const Regions regions = segment_model(mesh, border.facets);
   EXPECT_EQ(loop_sides(mesh, model.neighbors(), border.loops[0], regions).separation,
             Separation::open_band);
+}
+
+TEST(TraceBorder, WithinOneFacetThereIsNothingToSearch) {
+  const TriangleMesh mesh = testing::grid_plane(4);
+  const ModelIndex model(mesh);
+  const CloudRim rim = rim_of({circle(8, {2.7, 2.3, 0}, 0.2)});
+  const Border border = trace_border(model, rim, overlapping_facets(model, rim));
+  EXPECT_EQ(border.num_facets, 1U);
+  EXPECT_EQ(border.walks, 8U);
+  EXPECT_EQ(border.searches, 0U);
+}
+
+TEST(TraceBorder, CoveredLoopsAreNoBorder) {
+  const TriangleMesh mesh = testing::grid_plane(20);
+  const ModelIndex model(mesh);
+  const CloudRim rim = rim_of({circle(40, {10, 10, 0}, 6)});
+  Overlap overlap = overlapping_facets(model, rim);
+  for (const LoopMatch match : {LoopMatch::covered, LoopMatch::off_model}) {
+    overlap.loops[0].match = match;
+    const Border border = trace_border(model, rim, overlap);
+    EXPECT_EQ(border.num_facets, 0U);
+    EXPECT_TRUE(border.loops[0].begin.empty());
+  }
 }
 
 }  // namespace

@@ -159,5 +159,25 @@ TEST(MarkRimSeams, AFreeRimHasNone) {
   EXPECT_EQ(rim.seam_edges, 0U);
 }
 
+// All lengths are in spacings of the rim or of the surface.
+TEST(MarkRimSeams, AreTheSameAtAnySize) {
+  const FoldedSheet sheet;
+  const CloudRim rim = cloud_rim(sheet.floor);
+  const RimSeamOptions options{.max_seam_share = 0.1, .min_rim_run = 1, .min_rim_length = 25};
+  CloudRim expected = rim;
+  mark_rim_seams(sheet.cloud, expected, options);
+  ASSERT_EQ(expected.loops.size(), 1U);
+  for (const double factor : {0.125, 64.0}) {
+    std::vector<Point> cloud = sheet.cloud;
+    for (Point& p : cloud) p = factor * p;
+    CloudRim other = scaled(rim, factor);
+    EXPECT_EQ(other.loops[0].perimeter, factor * rim.loops[0].perimeter);
+    mark_rim_seams(cloud, other, options);
+    ASSERT_EQ(other.loops.size(), 1U) << factor;
+    EXPECT_EQ(other.loops[0].inner, expected.loops[0].inner);
+    EXPECT_EQ(other.seamed_loops, 1U);
+  }
+}
+
 }  // namespace
 }  // namespace cocoon

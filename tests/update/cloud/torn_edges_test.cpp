@@ -140,5 +140,27 @@ TEST(TornEdges, NotAllOfARimIsASeam) {
   EXPECT_EQ(scene.inner_edges(0), 0U);
 }
 
+// Right over the rim, as noise lies, is not beyond it.
+TEST(TornEdges, WhatLiesOverTheRimIsNotBeyondIt) {
+  RingOnAPlane scene;
+  scene.add_ring(2.98, 0.7);
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim);
+  EXPECT_EQ(scene.rim.torn_edges, 0U);
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim, {.min_outward = 0});
+  EXPECT_EQ(scene.rim.torn_edges, 18U);
+}
+
+// Edges that have cloud beyond them are seams already.
+TEST(TornEdges, SeamsAreNotTornOnceMore) {
+  RingOnAPlane scene;
+  RimLoop& loop = scene.rim.loops[0];
+  loop.inner.assign(loop.size(), 0);
+  for (std::size_t k = 0; k < 6; ++k) loop.inner[k] = 1;
+  for (const double z : {-0.7, -1.6, -2.5}) scene.add_ring(2.5, z);
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim);
+  EXPECT_TRUE(scene.rim.loops[0].is_seam);
+  EXPECT_EQ(scene.rim.torn_edges, 12U);
+}
+
 }  // namespace
 }  // namespace cocoon

@@ -114,6 +114,23 @@ TEST(TrimLongEdges, TrianglesThatRepeatAVertexDoNotMatter) {
   EXPECT_EQ(trim_long_edges(mesh, options).mesh.triangles, expected.triangles);
 }
 
+// Two triangles at the rim; the long edge of the inner one is open once the outer one has gone.
+TEST(TrimLongEdges, GoesOnFromTheRimInwards) {
+  const TriangleMesh plane = testing::grid_plane(12);
+  const auto at = [](std::size_t y) { return VertexId(y * 13 + 12); };
+  for (const bool outer_first : {true, false}) {
+    TriangleMesh mesh = plane;
+    const VertexId far = mesh.points.push_back({18, 6, 0});
+    std::vector<Triangle> added = {{at(9), at(3), far}, {at(3), at(9), at(6)}};
+    if (!outer_first) std::swap(added[0], added[1]);
+    for (const Triangle& t : added) mesh.triangles.push_back(t);
+    const TrimmedSurface trimmed = trim_long_edges(mesh);
+    EXPECT_EQ(trimmed.mesh.triangles, plane.triangles);
+    EXPECT_EQ(trimmed.at_rim, 2U);
+    EXPECT_EQ(trimmed.in_clusters, 0U);
+  }
+}
+
 TEST(TrimLongEdges, KeepsAnEvenSurface) {
   for (const TriangleMesh& mesh : {testing::sphere(4), testing::grid_plane(12)}) {
     EXPECT_EQ(trim_long_edges(mesh).mesh.triangles, mesh.triangles);

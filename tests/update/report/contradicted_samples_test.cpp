@@ -43,6 +43,7 @@ TEST(ContradictedSamples, ThePlaceIsWhereMostAre) {
   EXPECT_EQ(contradicted_samples(scan, places).at, (Point{49, 20, 0}));
   std::reverse(places.begin(), places.end());
   EXPECT_EQ(contradicted_samples(scan, places).at, (Point{49, 20, 0}));
+  EXPECT_EQ(contradicted_samples({samples, 0.5}, places, {.reach = 2.2}).at, (Point{50, 20, 0}));
 }
 
 // Two clouds joined and one alone; a sample that comes twice is told once, by the first.

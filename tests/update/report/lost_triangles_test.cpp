@@ -22,7 +22,8 @@ TriangleMesh mesh_of(std::size_t points, const std::vector<std::array<std::size_
 // Of four triangles one has a vertex that goes; of the others one comes back with its corners in
 // another order, one is turned over, and one is not there.
 TEST(LostTriangles, CountsThoseWhoseVerticesStay) {
-  const TriangleMesh model = mesh_of(6, {{0, 1, 2}, {2, 1, 3}, {3, 4, 0}, {4, 5, 0}});
+  TriangleMesh model = mesh_of(6, {{0, 1, 2}, {2, 1, 3}, {3, 4, 0}, {4, 5, 0}});
+  model.points[VertexId(3U)].y = 4;  // the other three that stay are in line
   IdVector<VertexId, VertexId> map;
   for (const std::size_t v : {4U, 3U, 2U, 1U, 0U}) map.push_back(VertexId(v));
   map.push_back(VertexId());
@@ -33,6 +34,7 @@ TEST(LostTriangles, CountsThoseWhoseVerticesStay) {
   const LostTriangles lost =
       lost_triangles(model, points, mesh_change(model, updated, map).triangle_map);
   EXPECT_EQ(lost.staying, 3U);
+  EXPECT_EQ(lost.staying_area, 0 + 2 + 8);
   const std::vector<TriangleId> expected = {TriangleId(std::size_t{1}), TriangleId(std::size_t{2})};
   EXPECT_EQ(lost.lost, expected);
 }

@@ -46,11 +46,28 @@ TEST(OverlookedVertices, ThoseThatStayAmongSamplesFarFromTheRim) {
     if (scene.model.points[v].x > 9.5) scene.replacement.point_of_vertex[v] = PointId();
   }
   EXPECT_EQ(scene.count(), 10U);
-  scene.rims[0].seam_edges = 0;  // nothing is torn
+  EXPECT_EQ(scene.model.points[scene.found().farthest], (Point{9, 9, 0}));  // the first of three
+  scene.rims[0].seam_edges = 0;                                             // nothing is torn
   EXPECT_EQ(scene.count(), 0U);
   scene.rims[0].seam_edges = 1;
   scene.rims[0].loops.clear();
   EXPECT_EQ(scene.count(), 0U);
+}
+
+// Of two clouds one with a whole rim, at no vertex that stays.
+TEST(OverlookedVertices, AreLookedForIfAnyRimIsPartial) {
+  ScannedPlane scene;
+  scene.rims.push_back(scene.rims[0]);
+  scene.rims[1].seam_edges = 0;
+  scene.clouds.emplace_back();
+  EXPECT_EQ(scene.count(), 25U);
+}
+
+TEST(OverlookedVertices, AreToldInEdgesOfTheCloud) {
+  ScannedPlane scene;
+  scene.rims[0].median_edge = 0.5;
+  EXPECT_EQ(scene.count(), 49U);  // from 7 to 13
+  EXPECT_EQ(scene.count({.reach = 0.19}), 0U);
 }
 
 // The test block has sharp edges, at which the surface of its scan is torn.

@@ -48,5 +48,31 @@ TEST(RimShift, LeavesOutWhatIsOfTheChange) {
   EXPECT_NEAR(shift_of(testing::grid_plane(20), rim), 0.1, 0.01);
 }
 
+// Points that are not looked for, loops that are holes, and half of all at odds with the others.
+TEST(RimShift, CountsThePointsOfTheRimAlone) {
+  const TriangleMesh mesh = testing::grid_plane(20);
+  const ModelIndex model(mesh);
+  CloudRim rim = rim_of({circle(12, {10, 10, 0.6}, 6), circle(40, {10, 10, 2}, 3)});
+  Overlap overlap = overlapping_facets(model, rim);
+  overlap.loops[1].match = LoopMatch::off_model;
+  EXPECT_NEAR(rim_shift(model, rim, overlap), 0.6, 0.02);
+  rim.loops[0].inner.assign(12, 0);
+  rim.loops[0].inner[3] = rim.loops[0].inner[4] = 1;  // one point between them
+  EXPECT_EQ(rim_shift(model, rim, overlap), 0) << "eleven are left";
+}
+
+TEST(RimShift, IsZeroIfMostPointsDisagree) {
+  const TriangleMesh mesh = testing::grid_plane(20);
+  RimLoop loop = circle(60, {10, 10, 0}, 6);
+  const double heights[] = {1.5, -1.5, 0.3, 1.5, -1.5};
+  for (std::size_t i = 0; i < loop.size(); ++i) loop.points[i].z = heights[i % 5];
+  const ModelIndex model(mesh);
+  CloudRim rim = rim_of({loop});
+  const Overlap overlap = overlapping_facets(model, rim);
+  rim.spacing = 1;
+  EXPECT_EQ(rim_shift(model, rim, overlap), 0);
+  EXPECT_NEAR(rim_shift(model, rim, overlap, {.min_share = 0}), 0.3, 0.02);
+}
+
 }  // namespace
 }  // namespace cocoon

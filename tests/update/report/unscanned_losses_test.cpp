@@ -8,6 +8,7 @@
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
 #include "io/sample_models.h"
+#include "tests/mesh_gallery.h"
 #include "tests/update/ball_with_handle.h"
 #include "tests/update/hand_made_models.h"
 #include "tests/update/session_checks.h"
@@ -90,6 +91,20 @@ TEST(UnscannedLosses, AChangeExplainsThem) {
   }
   EXPECT_EQ(scene.losses().vertices, 9 * 21U);
   EXPECT_EQ(scene.losses(false, {.explained = 0.1}).vertices, 0U);
+}
+
+// A part of the model that went as a whole begins nowhere.
+TEST(UnscannedLosses, NothingExplainsThatAPartGoes) {
+  const TriangleMesh model =
+      gallery::join(testing::grid_plane(4), gallery::translated(testing::grid_plane(2), {0, 0, 9}));
+  const ModelIndex index(model);
+  std::vector<VertexId> lost;
+  for (std::uint32_t v = 25; v < 34; ++v) lost.push_back(VertexId(v));
+  const std::vector<Point> samples = {{1, 1, 1}, {2, 2, 1}};
+  const Scan scan{samples, 1};
+  const UnscannedLosses found = unscanned_losses(index, lost, {&scan, 1}, false);
+  EXPECT_EQ(found.far, 9U);
+  EXPECT_EQ(found.vertices, 9U);
 }
 
 TEST(UnscannedLosses, AreLookedForAmongUsedVertices) {

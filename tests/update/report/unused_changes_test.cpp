@@ -62,6 +62,31 @@ TEST(UnusedChanges, NotStrayPoints) {
   EXPECT_GT(scene.changes(strays, {.neighbors = 1}).samples, 5U);
 }
 
+// Two units are four spacings of a scan twice as dense, whose strays are twice as close.
+TEST(UnusedChanges, AreMeasuredInSpacings) {
+  const ShelfOverAPlane scene;
+  const Scan dense{scene.samples, 0.5};
+  const auto samples = [&](const UnusedChangeOptions& options) {
+    return unused_changes(scene.model, {&dense, 1}, {&scene.shelf, 1}, options).samples;
+  };
+  EXPECT_EQ(samples({.off_model = 3.9, .reach = 3}), 40U);
+  EXPECT_EQ(samples({.off_model = 4.1, .reach = 3}), 0U);
+  EXPECT_EQ(samples({.reach = 1.9}), 0U);
+}
+
+TEST(UnusedChanges, HaveAPlaceOfTheFirstScan) {
+  const ShelfOverAPlane scene;
+  std::vector<Point> reversed(scene.shelf.rbegin(), scene.shelf.rend());
+  std::vector<Point> lower = reversed;
+  for (Point& p : lower) p.x -= 4;
+  const Scan scans[] = {{scene.samples, 1}, {scene.samples, 1}};
+  const std::vector<Point> unused[] = {reversed, lower};
+  const UnusedChanges found = unused_changes(scene.model, scans, unused);
+  EXPECT_EQ(found.samples, 80U);
+  EXPECT_EQ(found.of, 80U);
+  EXPECT_EQ(found.at, scene.shelf.front());
+}
+
 TEST(UnusedChanges, AreDoubtfulByCountOrShare) {
   EXPECT_FALSE(UnusedChanges{}.is_doubtful({}));
   EXPECT_TRUE((UnusedChanges{.samples = 50, .of = 100000}).is_doubtful({}));

@@ -101,5 +101,41 @@ TEST(UpdateMessages, ARimOffTheModelIsSaid) {
   EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "runs along seams"));
 }
 
+TEST(UpdateMessages, JoinedCloudsAreNamedAfterTheFirst) {
+  const auto name = [](const std::vector<std::size_t>& members) {
+    return name_of_clouds(members, 9);
+  };
+  EXPECT_EQ(name({2}), "cloud 3 of 9");
+  EXPECT_EQ(name({2, 4}), "cloud 3 of 9 (with 5)");
+  EXPECT_EQ(name({2, 4, 6, 7}), "cloud 3 of 9 (with 5, 7 and 8)");
+}
+
+TEST(UpdateMessages, OtherUnitsAreSaid) {
+  EXPECT_TRUE(says({reason_of_no_overlap(3, 4, 3, 0.5, 25.4)}, "multiplied by 25.4 it would"));
+  EXPECT_TRUE(says({reason_of_no_overlap(3, 4, 3, 0.5, {})}, "register it to the model"));
+}
+
+TEST(UpdateMessages, AFailedSplitSaysWhy) {
+  SplitRegion split;
+  split.reach = 0.5;
+  EXPECT_TRUE(
+      says({reason_of_failed_split(SplitStatus::one_sided, split)}, "lies on one side of it"));
+  EXPECT_TRUE(
+      says({reason_of_failed_split(SplitStatus::too_far, split)}, "reaches 0.5 cloud extents"));
+}
+
+TEST(UpdateMessages, OneHandleAndSeveral) {
+  EXPECT_TRUE(says({warning_of_handles(1)}, "has 1 handle more than"));
+  EXPECT_TRUE(says({warning_of_handles(1)}, "if the scans have it,"));
+  EXPECT_TRUE(says({warning_of_handles(2)}, "if the scans have them,"));
+}
+
+TEST(UpdateMessages, SmallPartsAreNotes) {
+  CloudSurface surface;
+  EXPECT_TRUE(notes_of_surface(surface).empty());
+  surface.rim.small_components = 2;
+  EXPECT_TRUE(says(notes_of_surface(surface), "2 small parts"));
+}
+
 }  // namespace
 }  // namespace cocoon

@@ -1,0 +1,43 @@
+#include "update/report/unit_factor.h"
+
+#include <gtest/gtest.h>
+#include <optional>
+
+#include "tests/mesh_gallery.h"
+#include "tests/update/hand_made_models.h"
+
+namespace cocoon {
+namespace {
+
+using testing::rim_of;
+
+std::optional<double> factor_of(const TriangleMesh& model, const CloudRim& rim) {
+  return unit_factor(ModelIndex(model), rim);
+}
+
+TEST(UnitFactor, BringsTheRimToTheModel) {
+  const TriangleMesh ball = testing::sphere(5);
+  const CloudRim rim = rim_of({testing::cap_rim(40, {0, 0, 1}, 0.8)});
+  for (const double factor : {10.0, 25.4, 1000.0, 0.1, 0.001}) {
+    EXPECT_EQ(factor_of(ball, scaled(rim, 1 / factor)), factor);
+  }
+  EXPECT_EQ(factor_of(ball, scaled(rim, 0.2)), std::nullopt);
+}
+
+// Of two balls one about the other the rim lies on either.
+TEST(UnitFactor, OfTwoThatAreAsFarFromOneIsTheLargerOne) {
+  const TriangleMesh balls =
+      gallery::join(testing::sphere(3), gallery::scaled(testing::sphere(6), 100));
+  const CloudRim rim = rim_of({testing::cap_rim(30, {0, 0, 1}, 0.8)});
+  EXPECT_EQ(factor_of(balls, scaled(rim, 10)), 10.0);
+}
+
+// A third as large the rim would lie on the plane; the denser one has a fiftieth of its edges then.
+TEST(UnitFactor, MakesNoDotsOfTheSamples) {
+  const TriangleMesh plane = testing::grid_plane(20);
+  EXPECT_EQ(factor_of(plane, rim_of({testing::circle(20, {3, 3, 8}, 0.8)})), 0.3048);
+  EXPECT_EQ(factor_of(plane, rim_of({testing::circle(80, {3, 3, 8}, 0.8)})), std::nullopt);
+}
+
+}  // namespace
+}  // namespace cocoon

@@ -1,0 +1,28 @@
+#include "update/report/updated_vertices.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace cocoon {
+namespace {
+
+using Map = std::vector<VertexId>;
+
+// Of four vertices the second one went; of the three points that are left one is not on the
+// surface, and the others are its vertices in another order.
+TEST(UpdatedVertices, AreThoseOfTheSurface) {
+  Replacement replacement;
+  replacement.points.resize(3);
+  replacement.point_of_vertex =
+      IdVector<VertexId, PointId>(std::vector{PointId(0), PointId(), PointId(1), PointId(2)});
+  ReconstructResult reconstruction;
+  EXPECT_EQ(updated_vertices(replacement, reconstruction).raw(),
+            (Map{VertexId(0U), VertexId(), VertexId(1U), VertexId(2U)}));
+  reconstruction.unused_points = 1;
+  reconstruction.point_of_vertex = IdVector<VertexId, PointId>(std::vector{PointId(2), PointId(0)});
+  EXPECT_EQ(updated_vertices(replacement, reconstruction).raw(),
+            (Map{VertexId(1U), VertexId(), VertexId(), VertexId(0U)}));
+}
+
+}  // namespace
+}  // namespace cocoon
