@@ -265,8 +265,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
          "robust: leave out clumps of stray points, outliers and what lies inside a layer of "
          "noise first (Robust Cocone; tight surfaces only); none (default): every sample counts")
       ->check(CLI::IsMember({"none", "robust"}));
-  add_surface_options(*sub, reconstruct.parameters,
-                      "1 / 1.2 if --surface is tight, else 0.3; not with --session");
+  add_surface_options(*sub, reconstruct.parameters, "1 / 1.2 if --surface is tight, else 0.3");
   add_stages_of_reconstruct(*sub, reconstruct);
 
   auto& boundary = add_command<BoundaryArguments>(

@@ -85,12 +85,10 @@ void warn_of_idle_options(Job& job, const ReconstructArguments& arguments) {
                        paper ? "--mode paper" : "--no-clean-up"));
 }
 
-// Given options that a session does not keep: it has the parameters of surface_options.h, but for
-// rho, which is that of the clouds. What it knows of the samples was found with the defaults, as
-// updates are. Hollows need no option, once the model has them.
+// Given options that a session does not keep: it has the parameters of surface_options.h only.
+// Hollows need no option, once the model has them.
 std::vector<std::string> unknown_to_sessions(const ReconstructArguments& arguments) {
   std::vector<std::string> names;
-  if (arguments.parameters.rho) names.push_back("--rho");
   if (!arguments.radius.empty()) names.push_back("--radius");
   append_thresholds(ThresholdUse::cocone, arguments, names);
   const std::vector<std::string> tight = of_tight_stages(arguments);
@@ -175,8 +173,10 @@ ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
 
 void write_session(Job& job, const ReconstructArguments& arguments, UpdateSession&& session) {
   timed(job.execution(), "write", [&] {
-    save_session(arguments.session, {std::move(session).release(), arguments.parameters, {}},
-                 job.outputs());
+    SessionSnapshot snapshot = std::move(session).release();
+    // What is known of the samples holds for this rho, and updates judge them by the usual one.
+    if (arguments.parameters.rho) snapshot.surface = {};
+    save_session(arguments.session, {std::move(snapshot), arguments.parameters, {}}, job.outputs());
   });
 }
 

@@ -82,6 +82,28 @@ TEST(Session, KeepsHollows) {
   EXPECT_NE(live.out.find("\"components\": 2"), std::string::npos) << live.out;
 }
 
+// Updates judge all samples by the usual rho, those of the model, too.
+TEST(Session, KeepsNothingThatWasFoundByAnotherRho) {
+  const TemporaryFolder folder;
+  const std::string part = folder.file("part");
+  ASSERT_EQ(
+      run_program({"sample", "golf-club", "--points", "3000", "--cloud-points", "1500", "-o", part})
+          .exit_code,
+      0);
+  const std::string mesh = folder.file("model.ply");
+  const std::string session = folder.file("s.session");
+  ASSERT_EQ(run_program({"reconstruct", part + "/initial.xyz", "--rho", "0.1", "-o", mesh,
+                         "--session", session})
+                .exit_code,
+            0);
+  const std::string cloud = part + "/cloud-1.xyz";
+  const std::string plain = folder.file("plain.ply");
+  const std::string live = folder.file("live.ply");
+  ASSERT_EQ(run_program({"update", mesh, cloud, "-o", plain}).exit_code, 0);
+  ASSERT_EQ(run_program({"update", "--session", session, cloud, "-o", live}).exit_code, 0);
+  EXPECT_EQ(content_of(plain), content_of(live));
+}
+
 TEST(Session, RefusesWhatDoesNotFit) {
   const TemporaryFolder folder;
   const std::string points = folder.write("points.xyz", whole_sphere(300));

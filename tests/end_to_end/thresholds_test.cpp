@@ -221,8 +221,7 @@ TEST(Thresholds, AreNotKeptBySessions) {
   for (const std::vector<std::string>& option : {std::vector<std::string>{"--idle-cost", "1"},
                                                  {"--no-clean-up"},
                                                  {"--no-deferred-seeding"},
-                                                 {"--radius", "cocone"},
-                                                 {"--rho", "0.2"}}) {
+                                                 {"--radius", "cocone"}}) {
     std::vector<std::string> arguments{"reconstruct",        plate,       "-o",
                                        folder.file("m.ply"), "--session", session};
     arguments.insert(arguments.end(), option.begin(), option.end());
