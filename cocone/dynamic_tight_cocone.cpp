@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/facets/facet_removal.h"
 #include "cocone/kept/certain_result.h"
 #include "cocone/kept/certified_surface.h"
 #include "cocone/kept/compact_delaunay.h"
@@ -305,9 +304,8 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points, con
                                     execution, live, surface);
     if (!asked) body.clear();
   }
-  if (!surface.triangles.facets.empty()) {
-    links.keep(put_back(std::move(surface.triangles), std::move(surface.rest)));
-  }
+  if (!surface.triangles.facets.empty())
+    links.keep(std::move(surface.triangles), std::move(surface.rest));
   look_for_certificate(result, surface);
   return result;
 }

@@ -134,9 +134,9 @@ class Relinking {
 
 }  // namespace
 
-void KeptLinks::keep(LinkedFacets triangles) {
+void KeptLinks::keep(LinkedFacets surface, RemovedFacets rest) {
   exists_ = true;
-  triangles_ = std::move(triangles);
+  triangles_ = put_back(std::move(surface), std::move(rest));
   cells_ = std::exchange(triangles_.set, {}).release();
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cocone/facet_set.h"
+#include "cocone/facets/facet_removal.h"
 #include "cocone/facets/linked_facets.h"
 #include "cocone/live/star_finder.h"
 #include "delaunay/dynamic_delaunay.h"
@@ -27,8 +28,9 @@ class KeptLinks {
   bool exists() const { return exists_; }
   void clear() { *this = KeptLinks(); }
 
-  // Keeps these triangles with their set. Complexity: O(cells).
-  void keep(LinkedFacets triangles);
+  // Keeps the candidates of an extraction: those of the surface, with their set, and the rest.
+  // Complexity: that of put_back.
+  void keep(LinkedFacets surface, RemovedFacets rest);
   // After a change of the triangulation, and when gaps are closed. Complexity: O(change).
   void update(const DynamicDelaunay& delaunay, const DelaunayChange& change);
   void renumber(const Renumbering& renumbering, const DynamicDelaunay& delaunay);

@@ -91,7 +91,7 @@ void run_steps(const std::vector<Point>& points, const std::vector<Point>& other
       for (std::uint8_t& off : off_surface) off = random.below(20) == 0 ? 1 : 0;
       RemovedFacets rest;
       LinkedFacets surface = without(triangulation, std::move(actual), off_surface, &rest);
-      kept.keep(put_back(std::move(surface), std::move(rest)));
+      kept.keep(std::move(surface), std::move(rest));
     });
     if (testing::Test::HasFatalFailure()) return;
   }
