@@ -5,7 +5,6 @@
 
 #include "app/surface_report.h"
 #include "geom/counted.h"
-#include "update/report/spacing_range.h"
 #include "update/report/update_messages.h"
 
 namespace cocoon::app {
@@ -66,7 +65,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("rho_trials", cloud.surface.trials.size());
   entry.set("trimmed_triangles", cloud.surface.trimmed);
   entry.set("rim_spacing", cloud.surface.rim.spacing);
-  const SpacingRange spacing = spacing_range(cloud.surface.mesh);
+  const SpacingRange& spacing = cloud.surface.spacing;
   entry.set("spacing_range", std::vector<double>{spacing.low, spacing.high});
   entry.set("largest_distance", cloud.largest_distance);
   entry.set("median_distance", cloud.median_distance);

@@ -24,7 +24,6 @@
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
 #include "update/report/lost_triangles.h"
-#include "update/report/spacing_range.h"
 #include "update/report/update_messages.h"
 #include "update/report/vertex_origins.h"
 
@@ -246,13 +245,16 @@ std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
                                                 const std::vector<std::string>& names) {
   std::vector<std::string> notes;
   for (std::size_t c = 0; c < result.clouds.size(); ++c) {
-    const SpacingRange range = spacing_range(result.clouds[c].surface.mesh);
-    if (!range.is_uneven()) continue;
+    const CloudSurface& surface = result.clouds[c].surface;
+    const SpacingRange& range = surface.spacing;
+    if (!range.is_uneven(DensityOptions{}.min_ratio)) continue;
+    const char* what = surface.set_aside > 0
+                           ? "few of the dense ones were looked at to find its rim"
+                           : "one limit of distance does not fit both";
     notes.push_back(
-        fmt::format("{}: samples are {:.2g} apart in some places and {:.2g} in others, "
-                    "and one limit of distance does not fit both; if something is "
-                    "wrong, try --thin {:.2g}",
-                    names[c], range.low, range.high, range.high));
+        fmt::format("{}: samples are {:.2g} apart in some places and {:.2g} in others, and {}; if "
+                    "something is wrong, try --thin {:.2g}",
+                    names[c], range.low, range.high, what, range.high));
   }
   return notes;
 }

@@ -207,6 +207,18 @@ class Search {
     std::stable_sort(found_.begin(), found_.end(), preference_);
   }
 
+  // Goes over to the other search if its rim is good, with edges about as long as those of the
+  // surface, or no longer than here. Returns whether it did.
+  bool prefer(Search&& other) {
+    const Trial& theirs = other.found_.front();
+    const double stretch = std::max(options_.density.max_stretch, found_.front().report.stretch);
+    if (!preference_.good_enough(theirs) || theirs.report.stretch > stretch) return false;
+    found_ = std::move(other.found_);
+    trials_ = std::move(other.trials_);
+    done_ = other.done_;
+    return true;
+  }
+
   bool is_layered() const {
     const Trial& best = found_.front();
     return options_.layers.spread > 0 && (best.surface.status != CloudStatus::ok ||
@@ -249,6 +261,22 @@ class Search {
   bool done_ = false;
 };
 
+// If samples are dense in some places: goes over to few of them, which are about as far apart there
+// as elsewhere, if their rim is to be preferred. Where a surface is steep samples are sparse, too,
+// and so few may be too few.
+void look_at_few_of_dense(const SpacingRange& spacing, const CloudSurfaceOptions& options,
+                          const Execution& execution, KeptSamples& samples, Search& search) {
+  try {
+    const double distance = options.density.spread * spacing.high;
+    KeptSamples few = thinned(samples, thin_points(samples.cloud, distance), options, execution);
+    Search among_few(options, execution);
+    among_few.begin(few, find_sheet(few.foundation, options.start, options, execution));
+    if (search.prefer(std::move(among_few))) samples = std::move(few);
+  } catch (const InputError&) {
+    // They cannot be triangulated.
+  }
+}
+
 }  // namespace
 
 std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurfaceOptions& options,
@@ -258,6 +286,7 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   KeptSamples samples{working, lay_foundation(working, options.reconstruct, execution), {}};
   samples.duplicates = samples.foundation.triangulation.num_duplicates();
   Sheet sheet = find_sheet(samples.foundation, options.start, options, execution);
+  const SpacingRange spacing = spacing_range(sheet.surface.mesh);
   if (lies_in_rows(sheet.surface.mesh, options.rows.min_ratio)) {
     std::vector<PointId> few = few_of_rows(samples, sheet, options);
     samples = thinned(samples, std::move(few), options, execution);
@@ -265,6 +294,9 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   }
   Search search(options, execution);
   search.begin(samples, std::move(sheet));
+  if (samples.kept.empty() && spacing.is_uneven(options.density.min_ratio)) {
+    look_at_few_of_dense(spacing, options, execution, samples, search);
+  }
   if (search.is_layered()) {
     try {
       search.go_on(thinned(samples, few_of_layers(samples, options), options, execution));
@@ -275,6 +307,7 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   std::vector<CloudSurface> surfaces = search.ranked();
   for (CloudSurface& surface : surfaces) {
     surface.duplicates = samples.duplicates;
+    surface.spacing = spacing;
     if (off_plane.empty()) continue;
     for (const VertexId v : surface.mesh.points.ids()) {
       surface.mesh.points[v] = cloud[surface.point_of_vertex[v].index()];

@@ -11,6 +11,7 @@
 #include "geom/id_vector.h"
 #include "geom/triangle_mesh.h"
 #include "update/cloud/rim_seams.h"
+#include "update/cloud/spacing_range.h"
 #include "update/cloud/trim_long_edges.h"
 #include "update/cloud_rim.h"
 #include "update/scan_rows.h"
@@ -54,6 +55,7 @@ struct CloudSurfaceOptions {
   // edges twice as long as those of the surface.
   double stretch_weight = 0.2;
   RowOptions rows;
+  DensityOptions density;
   LayerOptions layers;
   TrimOptions trim;
   RimOptions rim;
@@ -91,7 +93,9 @@ struct CloudSurface {
   std::size_t boundary_samples = 0;
   std::size_t trimmed = 0;     // triangles
   std::size_t duplicates = 0;  // cloud points equal to an earlier one
-  std::size_t set_aside = 0;   // different samples in rows or layers that are not looked at
+  // Different samples in rows, dense places or layers that are not looked at.
+  std::size_t set_aside = 0;
+  SpacingRange spacing;  // of all, by the surface of the first trial
 };
 
 // Reconstructs `cloud` alone. One triangulation and one set of poles and cocones serve all trials:
@@ -102,14 +106,15 @@ struct CloudSurface {
 // share of seams and stretch_weight (stretch - 1).
 // If the samples lie in rows by the first surface, all trials look at those that thin_out_rows()
 // keeps: rows tear the surface, and whatever is measured in spacings would be in spacings along a
-// row. If the cloud is flat, exactly, the search goes on with its points just off their plane
-// (off_plane.h); the surface has them in it.
-// If all this finds no rim, or mostly seams, the search begins again with the samples that
-// LayerOptions leave. Why: a rim is found iff the gap beyond it is wider than rho times the local
-// feature size. Small rhos find rims of gently curved patches; large ones bear noise and sharp
-// edges. Errors: InputError as delaunay(), but for flat clouds. Complexity: O(n log n) expected.
-// Deterministic as reconstruct_cocone(). Source: Woo & Dey 2005, section 3.2; ladder and trimming
-// are ours.
+// row. If they are much denser in some places than in others, the search is done again with those
+// that keep the distance of the others, whose rim is preferred if it is good (DensityOptions). If
+// the cloud is flat, exactly, the search goes on with its points just off their plane
+// (off_plane.h); the surface has them in it. If all this finds no rim, or mostly seams, the search
+// begins again with the samples that LayerOptions leave. Why: a rim is found iff the gap beyond it
+// is wider than rho times the local feature size. Small rhos find rims of gently curved patches;
+// large ones bear noise and sharp edges. Errors: InputError as delaunay(), but for flat clouds.
+// Complexity: O(n log n) expected. Deterministic as reconstruct_cocone(). Source: Woo & Dey 2005,
+// section 3.2; ladder and trimming are ours.
 CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options = {},
                            const Execution& execution = {});
 

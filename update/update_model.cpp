@@ -52,6 +52,7 @@ UpdateOptions paper_update_options() {
   options.overlap.rule = LocationRule::nearest_vertex_star;
   options.cloud.trim.max_edge = 0;
   options.cloud.rows.min_ratio = 0;
+  options.cloud.density.min_ratio = 0;
   return options;
 }
 

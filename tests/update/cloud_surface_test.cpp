@@ -143,6 +143,33 @@ TEST(CloudSurface, LayersOverEachOtherAreOne) {
   for (const RimTrial& trial : torn.trials) EXPECT_TRUE(trial.loops == 0 || trial.seam_share > 0.3);
 }
 
+// Samples 0.4 apart on one half, 1 on the other: the rim is looked for among samples that are about
+// as far apart everywhere.
+TEST(CloudSurface, ARimOfUnevenSamplesHasOneSpacing) {
+  std::vector<Point> cloud;
+  for (const Point& p : sheet(30, 0.02, 0.2, 0, everywhere)) {
+    if (p.x < 0) cloud.push_back(p);
+  }
+  for (const Point& p : sheet(75, 0.008, 0.2, 0, everywhere)) {
+    if (p.x >= 0) cloud.push_back(0.4 * p);
+  }
+  CloudSurfaceOptions options;
+  options.density.min_ratio = 0;
+  const CloudSurface of_all = cloud_surface(cloud, options);
+  EXPECT_EQ(of_all.set_aside, 0U);
+  EXPECT_TRUE(of_all.spacing.is_uneven(2));
+  const CloudSurface surface = cloud_surface(cloud);
+  EXPECT_EQ(surface.spacing.high, of_all.spacing.high);
+  EXPECT_GT(surface.set_aside, cloud.size() / 2);
+  EXPECT_FALSE(spacing_range(surface.mesh).is_uneven(2));
+  ASSERT_EQ(surface.rim.loops.size(), 1U);
+  for (const VertexId v : surface.mesh.points.ids()) {
+    EXPECT_EQ(surface.mesh.points[v], cloud[surface.point_of_vertex[v].index()]);
+  }
+  options.density = {.min_ratio = 2, .spread = 1000};  // which leaves one sample
+  EXPECT_EQ(cloud_surface(cloud, options).set_aside, 0U);
+}
+
 TEST(CloudSurface, OrderAndThreadsDoNotMatter) {
   std::vector<Point> cloud = sheet(20, 0.02, 0.3, 0.02, everywhere);
   const CloudSurface expected = cloud_surface(cloud);

@@ -1,4 +1,4 @@
-#include "update/report/spacing_range.h"
+#include "update/cloud/spacing_range.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -29,14 +29,14 @@ TEST(SpacingRange, OfAnEvenStripIsOneLength) {
   const SpacingRange range = spacing_range(strip(100, 1));
   EXPECT_NEAR(range.low, (4 + 2 * std::sqrt(2)) / 6, 0.1);
   EXPECT_NEAR(range.high, range.low, 0.1);
-  EXPECT_FALSE(range.is_uneven());
+  EXPECT_FALSE(range.is_uneven(2));
 }
 
 TEST(SpacingRange, GrowsWithTheSamples) {
   const SpacingRange range = spacing_range(strip(100, 1.02));
   EXPECT_NEAR(range.high / range.low, std::pow(1.02, 80), 0.3);
-  EXPECT_TRUE(range.is_uneven());
-  EXPECT_FALSE(spacing_range(strip(100, 1.005)).is_uneven());
+  EXPECT_TRUE(range.is_uneven(2));
+  EXPECT_FALSE(spacing_range(strip(100, 1.005)).is_uneven(2));
 }
 
 TEST(SpacingRange, OfNothingIsNothing) {
@@ -44,7 +44,7 @@ TEST(SpacingRange, OfNothingIsNothing) {
   points_alone.points.push_back({1, 2, 3});
   for (const TriangleMesh& mesh : {TriangleMesh(), points_alone}) {
     EXPECT_EQ(spacing_range(mesh).high, 0);
-    EXPECT_FALSE(spacing_range(mesh).is_uneven());
+    EXPECT_FALSE(spacing_range(mesh).is_uneven(2));
   }
 }
 

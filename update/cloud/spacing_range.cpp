@@ -1,4 +1,4 @@
-#include "update/report/spacing_range.h"
+#include "update/cloud/spacing_range.h"
 
 #include <cstdint>
 #include <vector>
