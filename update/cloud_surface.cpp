@@ -207,12 +207,13 @@ class Search {
     std::stable_sort(found_.begin(), found_.end(), preference_);
   }
 
-  // Goes over to the other search if its rim is good, with edges about as long as those of the
-  // surface, or no longer than here. Returns whether it did.
+  // Goes over to the other search if its rim is preferred, or good, with edges about as long as
+  // those of the surface. Returns whether it did.
   bool prefer(Search&& other) {
     const Trial& theirs = other.found_.front();
-    const double stretch = std::max(options_.density.max_stretch, found_.front().report.stretch);
-    if (!preference_.good_enough(theirs) || theirs.report.stretch > stretch) return false;
+    const bool has_good_rim =
+        preference_.good_enough(theirs) && theirs.report.stretch <= options_.density.max_stretch;
+    if (!has_good_rim && !preference_(theirs, found_.front())) return false;
     found_ = std::move(other.found_);
     trials_ = std::move(other.trials_);
     done_ = other.done_;

@@ -107,7 +107,7 @@ struct CloudSurface {
 // If the samples lie in rows by the first surface, all trials look at those that thin_out_rows()
 // keeps: rows tear the surface, and whatever is measured in spacings would be in spacings along a
 // row. If they are much denser in some places than in others, the search is done again with those
-// that keep the distance of the others, whose rim is preferred if it is good (DensityOptions). If
+// that keep the distance of the others, whose rim may be better (DensityOptions). If
 // the cloud is flat, exactly, the search goes on with its points just off their plane
 // (off_plane.h); the surface has them in it. If all this finds no rim, or mostly seams, the search
 // begins again with the samples that LayerOptions leave. Why: a rim is found iff the gap beyond it

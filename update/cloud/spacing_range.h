@@ -24,8 +24,8 @@ struct DensityOptions {
   // Of an uneven cloud few samples are looked at, too, no closer to each other than this share of
   // the distance where they lie far apart (SpacingRange::high).
   double spread = 0.7;
-  // Their rim is preferred if it is good, and its edges are no longer than this many of those of
-  // their surface, or than with all samples.
+  // Their rim is taken if it is less doubtful than that of all samples, or good, its edges no
+  // longer than this many of those of their surface.
   double max_stretch = 1.5;
 };
 
