@@ -106,15 +106,16 @@ struct CloudSurface {
 // share of seams and stretch_weight (stretch - 1).
 // If the samples lie in rows by the first surface, all trials look at those that thin_out_rows()
 // keeps: rows tear the surface, and whatever is measured in spacings would be in spacings along a
-// row. If they are much denser in some places than in others, the search is done again with those
-// that keep the distance of the others, whose rim may be better (DensityOptions). If
-// the cloud is flat, exactly, the search goes on with its points just off their plane
+// row. If they are much denser in some places than in others, the search is done again with few of
+// them (DensityOptions), whose rim may be better; the trials told are those of the search taken.
+// If the cloud is flat, exactly, the search goes on with its points just off their plane
 // (off_plane.h); the surface has them in it. If all this finds no rim, or mostly seams, the search
-// begins again with the samples that LayerOptions leave. Why: a rim is found iff the gap beyond it
-// is wider than rho times the local feature size. Small rhos find rims of gently curved patches;
-// large ones bear noise and sharp edges. Errors: InputError as delaunay(), but for flat clouds.
-// Complexity: O(n log n) expected. Deterministic as reconstruct_cocone(). Source: Woo & Dey 2005,
-// section 3.2; ladder and trimming are ours.
+// begins again with the samples that LayerOptions leave.
+// Why: a rim is found iff the gap beyond it is wider than rho times the local feature size. Small
+// rhos find rims of gently curved patches; large ones bear noise and sharp edges.
+// Errors: InputError as delaunay(), but for flat clouds. Complexity: O(n log n) expected.
+// Deterministic as reconstruct_cocone(). Source: Woo & Dey 2005, section 3.2; ladder and trimming
+// are ours.
 CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options = {},
                            const Execution& execution = {});
 

@@ -27,14 +27,6 @@ void move_triangle(LinkedFacets& triangles, std::uint32_t from, std::uint32_t to
   }
 }
 
-void resize(LinkedFacets& triangles, std::size_t size) {
-  triangles.facets.resize(size);
-  triangles.mirrors.resize(size);
-  triangles.corners.resize(size);
-  triangles.normals.resize(size);
-  triangles.links.resize(3 * size);
-}
-
 // Closes the rings at its edges.
 RemovedFacets::One take_out(const Triangulation& triangulation, LinkedFacets& triangles,
                             std::uint32_t t) {
@@ -117,7 +109,7 @@ LinkedFacets without(const Triangulation& triangulation, LinkedFacets triangles,
   for (const auto& [from, to] : moves) move_triangle(triangles, from, to);
   const auto end = static_cast<std::size_t>(std::count(removed.begin(), removed.end(), 0));
   triangles.steep = steep_among(triangles, moved(std::move(doubtful), moves, end, size));
-  resize(triangles, end);
+  triangles.resize(end);
   return triangles;
 }
 
@@ -125,7 +117,7 @@ LinkedFacets put_back(LinkedFacets triangles, RemovedFacets gone) {
   const std::size_t size = triangles.size() + gone.triangles.size();
   std::vector<std::uint8_t> removed(size, 0);
   for (const RemovedFacets::One& one : gone.triangles) removed[one.place] = 1;
-  resize(triangles, size);
+  triangles.resize(size);
   const std::vector<TriangleMove> moves = moves_into_places(removed);
   for (auto move = moves.rbegin(); move != moves.rend(); ++move) {
     move_triangle(triangles, move->to, move->from);

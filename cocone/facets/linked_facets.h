@@ -36,6 +36,14 @@ struct LinkedFacets {
   static constexpr double steep_cosine = 0;  // a right angle
 
   std::size_t size() const { return facets.size(); }
+  // New triangles are not written; set and steep stay as they are.
+  void resize(std::size_t count) {
+    facets.resize(count);
+    mirrors.resize(count);
+    corners.resize(count);
+    normals.resize(count);
+    links.resize(3 * count);
+  }
   // The two ends of a halfedge, in the direction of its triangle.
   std::array<VertexId, 2> ends(Halfedge halfedge) const {
     const Triangle& triangle = corners[triangle_of_halfedge(halfedge)];

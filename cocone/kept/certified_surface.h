@@ -71,7 +71,7 @@ class CertifiedSurface {
   // if the certificate does not hold any more. Precondition: exists() before the change.
   // Complexity: O(c) for c cells at the vertices at most one edge of the surface away from a
   // changed() one, and one pass over a byte per cell if the first hull candidate went, over the
-  // triangles if the changed places do not hang together.
+  // triangles if the changed places do not hang together, or hold no vertex that was good before.
   bool update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
               const LiveCandidates& candidates);
 

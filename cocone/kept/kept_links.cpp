@@ -37,7 +37,7 @@ class Relinking {
     for (std::size_t t = triangles_.size(); t < size_; ++t) {
       places.push_back(static_cast<std::uint32_t>(t));
     }
-    resize();
+    triangles_.resize(size_);
     std::vector<std::uint8_t> is_added(size_, 0);
     for (std::size_t k = 0; k < added.size(); ++k) {
       put(added[k], places[k]);
@@ -66,14 +66,6 @@ class Relinking {
 
   void touch(const Triangle& corners) {
     for (const VertexId v : corners) touched_[v] = 1;
-  }
-
-  void resize() {
-    triangles_.facets.resize(size_);
-    triangles_.mirrors.resize(size_);
-    triangles_.corners.resize(size_);
-    triangles_.normals.resize(size_);
-    triangles_.links.resize(3 * size_);
   }
 
   void put(FacetId f, std::uint32_t t) {

@@ -7,6 +7,7 @@
 
 #include "delaunay/delaunay.h"
 #include "geom/random.h"
+#include "tests/cocone/facets/equal_links.h"
 #include "tests/cocone/facets/random_facets.h"
 #include "tests/gallery.h"
 
@@ -22,16 +23,6 @@ std::vector<std::uint8_t> random_flags(std::size_t count, double share, Random& 
   std::vector<std::uint8_t> flags(count);
   for (std::uint8_t& flag : flags) flag = random.uniform(0, 1) < share ? 1 : 0;
   return flags;
-}
-
-void expect_equal(const LinkedFacets& a, const LinkedFacets& b) {
-  EXPECT_EQ(a.set, b.set);
-  EXPECT_EQ(a.facets, b.facets);
-  EXPECT_EQ(a.mirrors, b.mirrors);
-  EXPECT_EQ(a.corners, b.corners);
-  EXPECT_EQ(a.normals, b.normals);
-  EXPECT_EQ(a.links, b.links);
-  EXPECT_EQ(a.steep, b.steep);
 }
 
 TEST(FacetRemoval, TheLastTrianglesMoveIntoTheGaps) {
@@ -50,7 +41,7 @@ TEST(FacetRemoval, WhatIsPutBackIsAsItWas) {
       RemovedFacets gone;
       LinkedFacets left = without(cells(), all, random_flags(all.size(), removed, random), &gone);
       EXPECT_EQ(left.size() + gone.triangles.size(), all.size());
-      expect_equal(put_back(std::move(left), std::move(gone)), all);
+      expect_equal_links(put_back(std::move(left), std::move(gone)), all);
     }
   }
 }
@@ -63,7 +54,7 @@ TEST(FacetRemoval, AfterAnotherRemoval) {
     all = without(cells(), std::move(all), random_flags(all.size(), 0.1, random));
     RemovedFacets gone;
     LinkedFacets left = without(cells(), all, random_flags(all.size(), 0.3, random), &gone);
-    expect_equal(put_back(std::move(left), std::move(gone)), all);
+    expect_equal_links(put_back(std::move(left), std::move(gone)), all);
   }
 }
 

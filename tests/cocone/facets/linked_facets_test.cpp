@@ -9,6 +9,7 @@
 #include "cocone/facets/facet_removal.h"
 #include "delaunay/delaunay.h"
 #include "geom/random.h"
+#include "tests/cocone/facets/equal_links.h"
 #include "tests/cocone/facets/random_facets.h"
 #include "tests/gallery.h"
 
@@ -48,11 +49,7 @@ TEST_F(LinkedFacetsTest, DoNotDependOnThreads) {
   const LinkedFacets one = link_facets(triangulation, set);
   for (const int threads : {2, 3, 7}) {
     const LinkedFacets several = link_facets(triangulation, set, {.threads = threads});
-    EXPECT_EQ(several.facets, one.facets);
-    EXPECT_EQ(several.mirrors, one.mirrors);
-    EXPECT_EQ(several.corners, one.corners);
-    EXPECT_EQ(several.links, one.links);
-    EXPECT_EQ(several.steep, one.steep);
+    expect_equal_links(several, one);
   }
 }
 
@@ -68,12 +65,7 @@ TEST_F(LinkedFacetsTest, AreTheSameFromTheListOfFacets) {
   for (const int threads : {1, 2}) {
     const LinkedFacets listed =
         link_facets(triangulation, {set, facets, corners}, {.threads = threads});
-    EXPECT_EQ(listed.set, scanned.set);
-    EXPECT_EQ(listed.facets, scanned.facets);
-    EXPECT_EQ(listed.mirrors, scanned.mirrors);
-    EXPECT_EQ(listed.corners, scanned.corners);
-    EXPECT_EQ(listed.links, scanned.links);
-    EXPECT_EQ(listed.steep, scanned.steep);
+    expect_equal_links(listed, scanned);
   }
 }
 
