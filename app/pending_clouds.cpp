@@ -169,7 +169,8 @@ void resume_session(const std::string& path, SavedSession saved, const SurfaceAr
   arguments.verify = parameters.verify;
   const auto take_up = [&](SessionSnapshot snapshot, std::optional<double> rho) {
     arguments.rho = rho;
-    resumed.session.emplace(std::move(snapshot), update_options(arguments), SnapshotCheck::done);
+    resumed.session.emplace(std::move(snapshot), update_options(arguments), SnapshotCheck::done,
+                            Execution{execution.threads});
   };
   const std::vector<PendingUpdate> updates = load_pending_clouds(path, saved.notes);
   resumed.notes = std::move(saved.notes);

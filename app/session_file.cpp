@@ -14,7 +14,7 @@ namespace cocoon::app {
 namespace {
 
 constexpr std::string_view magic = "COCOONUS";
-constexpr std::uint32_t version = 4;
+constexpr std::uint32_t version = 5;
 constexpr std::uint32_t oldest_version = 3;
 constexpr std::size_t header_size = 88;
 
@@ -23,7 +23,9 @@ enum Bits : std::uint32_t {
   has_alpha = 2,
   has_cocone = 4,
   has_sharp = 8,
-  certified = 16
+  certified = 16,
+  has_marks = 32,
+  has_body = 64
 };
 
 struct Header {
@@ -44,8 +46,9 @@ struct Header {
 };
 
 std::size_t surface_size(const Header& header, std::size_t vertices, std::size_t cells) {
-  const std::size_t if_certified = (header.bits & certified) != 0 ? 1 : 0;
-  return round_up_to_8((30 + if_certified) * vertices + (2 + if_certified) * cells);
+  const auto one_if = [&](Bits bit) -> std::size_t { return (header.bits & bit) != 0 ? 1 : 0; };
+  const std::size_t of_both = one_if(certified) + one_if(has_marks);
+  return round_up_to_8((30 + of_both) * vertices + (2 + of_both + one_if(has_body)) * cells);
 }
 
 Header header_of(const SavedSession& session) {
@@ -68,6 +71,8 @@ Header header_of(const SavedSession& session) {
     header.triangulation_bytes = triangulation_block_size(triangulation);
   }
   if (!snapshot.surface.sides.empty()) header.bits |= certified;
+  if (!snapshot.surface.marks.empty()) header.bits |= has_marks;
+  if (!snapshot.surface.out.empty()) header.bits |= has_body;
   if (!snapshot.surface.empty()) {
     header.surface_bytes =
         surface_size(header, triangulation.num_vertices(), triangulation.num_cells());
@@ -94,6 +99,9 @@ void append_surface(SummedFile& file, const SurfaceState& surface) {
   file.append_numbers<std::uint8_t>(candidates.pruned.span());
   file.append_numbers<std::uint8_t>(surface.sides.span());
   file.append_numbers<std::uint8_t>(surface.sheets.span());
+  file.append_numbers<std::uint8_t>(surface.marks.cells.span());
+  file.append_numbers<std::uint8_t>(surface.marks.vertices.span());
+  file.append_numbers<std::uint8_t>(surface.out.span());
   file.fill_word();
 }
 
@@ -127,6 +135,11 @@ SurfaceState read_surface(SummedReader& file, const Header& header,
     fill<std::uint8_t>(file, surface.sides, cells);
     fill<std::uint8_t>(file, surface.sheets, vertices);
   }
+  if ((header.bits & has_marks) != 0) {
+    fill<std::uint8_t>(file, surface.marks.cells, cells);
+    fill<std::uint8_t>(file, surface.marks.vertices, vertices);
+  }
+  if ((header.bits & has_body) != 0) fill<std::uint8_t>(file, surface.out, cells);
   file.skip_to_word();
   return surface;
 }
@@ -145,7 +158,7 @@ Header read_header(SummedReader& file) {
   }
   Header header;
   header.bits = file.next<std::uint32_t>();
-  bool plausible = header.bits < 32;
+  bool plausible = header.bits < 128;
   for (double& angle : header.angles) {
     angle = file.next<double>();
     plausible = plausible && angle >= 0 && angle <= 180;

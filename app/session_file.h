@@ -2,9 +2,11 @@
 //
 //   bytes          content (all numbers little-endian)
 //   8              "COCOONUS"
-//   4, 4           version (4; 3 differs in what `watch` notes, watch_notes.h, and is read, too);
+//   4, 4           version (5; 4 never has the bits above 16, 3 also differs in what `watch`
+//                  notes, watch_notes.h; both are read, too);
 //                  bits: 1 = paper mode, 2, 4, 8 = the following angles were given, 16 = the
-//                  surface is certified (cocone/kept/certified_surface.h)
+//                  surface is certified (cocone/kept/certified_surface.h), 32 = marks are kept
+//                  (kept_marks.h), 64 = the body is (kept_body.h)
 //   8, 8, 8        alpha, cocone angle, sharp angle in degrees, 64-bit floating point
 //   8, 8, 8        numbers of model vertices n, triangles t, points k
 //   8, 8, 8        bytes of the notes, of the triangulation, and of what is known of its surface
@@ -17,7 +19,9 @@
 //                  cells:
 //   24 v, 4 v      normals, steps
 //   v, v, c, c     flags of vertices, samples, flags of cells, pruned candidates
-//   c, v           sides and sheets, if certified; zero bytes up to a multiple of 8
+//   c, v           sides and sheets, if certified
+//   c, v           marks, if kept
+//   c              1 for cells that are not of the body, if kept; zero bytes up to a multiple of 8
 //   8              checksum (io/summed_file.h)
 #pragma once
 

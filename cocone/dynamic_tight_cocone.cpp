@@ -10,10 +10,8 @@
 #include "cocone/kept/certain_result.h"
 #include "cocone/kept/certified_surface.h"
 #include "cocone/kept/compact_delaunay.h"
-#include "cocone/kept/kept_body.h"
 #include "cocone/kept/kept_labels.h"
-#include "cocone/kept/kept_links.h"
-#include "cocone/kept/kept_marks.h"
+#include "cocone/kept/kept_stages.h"
 #include "cocone/live/judge_points.h"
 #include "cocone/live/known_candidates.h"
 #include "cocone/live/lent_delaunay.h"
@@ -49,17 +47,14 @@ struct DynamicTightCocone::State {
   IdVector<PointId, VertexId> vertex_of_point;  // in it
   LiveCandidates candidates;
   CertifiedSurface certified;
-  KeptLinks links;  // while the surface is not certain, as the next
-  KeptMarks marks;
-  FirstWalk first_walk = FirstWalk::at_once;    // of the surface that is not certain
-  KeptBody body;                                // while the surface is not certain
+  KeptStages kept;                              // while the surface is not certain
   std::optional<KeptBody::Change> body_change;  // what the last stages told instead of a mesh
   // The way back from vertex_of_point, if each vertex has one point; empty: not known.
   IdVector<VertexId, PointId> point_of_vertex;
 
   bool is_live() const { return delaunay.num_vertices() > 0; }
   void take(std::size_t count, Triangulation triangulation);
-  void take(const ReconstructResult& result, ReconstructStages stages);
+  void take(const ReconstructResult& result, ReconstructStages stages, const Execution& execution);
   void resume(SurfaceState surface);
   void look_for_certificate(const ReconstructResult& result, const CoconeSurface& surface);
   bool take_body(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
@@ -81,7 +76,7 @@ struct DynamicTightCocone::State {
            points == certified.num_vertices();
   }
   bool is_smooth(std::size_t points) const {
-    return is_certain(points) || (body.is_smooth() && points == delaunay.num_vertices());
+    return is_certain(points) || (kept.body.is_smooth() && points == delaunay.num_vertices());
   }
   DelaunayChange carry_out(Points points, PointStep& step, const Execution& execution);
   ReconstructResult finish(Points points, PointStep step, const DelaunayChange& change,
@@ -104,25 +99,25 @@ void DynamicTightCocone::State::take(std::size_t count, Triangulation triangulat
 }
 
 // With what the stages found.
-void DynamicTightCocone::State::take(const ReconstructResult& result, ReconstructStages stages) {
+void DynamicTightCocone::State::take(const ReconstructResult& result, ReconstructStages stages,
+                                     const Execution& execution) {
   take(result.points, std::move(stages.triangulation));
   candidates.start(delaunay, stages);
   look_for_certificate(result, stages.surface);
+  if (!certified.exists() && result.status == SurfaceStatus::ok) {
+    kept.start(*LentDelaunay(delaunay, vertex_of_point), stages, execution);
+  }
 }
 
 // Where the counts leave hope.
 void DynamicTightCocone::State::look_for_certificate(const ReconstructResult& result,
                                                      const CoconeSurface& surface) {
-  first_walk = surface.first_walk;
+  kept.first_walk = surface.first_walk;
   const ReconstructCounters& counters = result.counters;
   const bool hopeful = result.status == SurfaceStatus::ok && counters.surface_walks == 1 &&
                        counters.back_contacts == 0 && counters.poor_cells == 0 &&
                        counters.unvisited_vertices == 0 && counters.marking_rounds == 0;
-  if (!hopeful || !certified.certify(delaunay, candidates, surface)) return;
-  first_walk = FirstWalk::at_once;
-  links.clear();
-  marks.clear();
-  body.clear();
+  if (hopeful && certified.certify(delaunay, candidates, surface)) kept.clear();
 }
 
 void DynamicTightCocone::State::clear(std::size_t count) {
@@ -135,10 +130,7 @@ void DynamicTightCocone::State::clear(std::size_t count) {
 void DynamicTightCocone::State::forget_surface() {
   candidates.clear();
   certified.clear();
-  links.clear();
-  marks.clear();
-  body.clear();
-  first_walk = FirstWalk::at_once;
+  kept.clear();
   point_of_vertex.clear();
 }
 
@@ -157,9 +149,7 @@ DelaunayChange DynamicTightCocone::State::carry_out(Points points, PointStep& st
   if (!is_local) forget_surface();
   if (candidates.exists()) candidates.update(delaunay, change, execution);
   if (certified.exists()) certified.update(delaunay, change, candidates);
-  if (links.exists()) links.update(delaunay, change);
-  if (marks.exists()) marks.update(delaunay, change, candidates);
-  if (body.exists()) body.update(delaunay, change);
+  kept.update(delaunay, change, candidates);
   return change;
 }
 
@@ -227,9 +217,7 @@ void DynamicTightCocone::State::close_gaps(PointStep& step) {
   step.slots = delaunay.num_vertex_slots();
   Renumbering renumbering = delaunay.close_gaps();
   candidates.renumber(renumbering, delaunay);
-  if (links.exists()) links.renumber(renumbering, delaunay);
-  if (marks.exists()) marks.renumber(renumbering, delaunay);
-  if (body.exists()) body.renumber(renumbering, delaunay);
+  kept.renumber(renumbering, delaunay);
   if (!point_of_vertex.empty()) {
     for (const auto& [from, to] : renumbering.vertices) point_of_vertex[to] = point_of_vertex[from];
     point_of_vertex.resize(delaunay.num_vertex_slots());
@@ -246,14 +234,17 @@ ReconstructResult DynamicTightCocone::State::run_stages(Points points, const Old
   ReconstructResult result =
       reconstruct_tight_with_labels(compact_delaunay(delaunay, vertex_of_point).triangulation,
                                     points, old.labels, options, execution, stages);
-  take(result, std::move(stages));
+  take(result, std::move(stages), execution);
   return result;
 }
 
 void DynamicTightCocone::State::resume(SurfaceState surface) {
   if (surface.empty()) return;
   candidates.resume(delaunay, std::move(surface.candidates));
-  if (surface.sides.empty()) return;
+  if (surface.sides.empty()) {
+    kept.resume(*LentDelaunay(delaunay, vertex_of_point), std::move(surface));
+    return;
+  }
   certified.resume(delaunay, std::move(surface.sides), std::move(surface.sheets));
 }
 
@@ -262,8 +253,8 @@ void DynamicTightCocone::State::resume(SurfaceState surface) {
 bool DynamicTightCocone::State::take_body(const Triangulation& triangulation,
                                           const IdVector<CellId, std::uint8_t>& out, bool is_flawed,
                                           bool may_edit, const Execution& execution) {
-  auto change = body.take(triangulation, delaunay.cells_at_vertices(), out,
-                          !is_flawed && !options.verify, execution);
+  auto change = kept.body.take(triangulation, delaunay.cells_at_vertices(), out,
+                               !is_flawed && !options.verify, execution);
   if (!may_edit || !change) return false;
   body_change = std::move(change);
   return true;
@@ -271,9 +262,9 @@ bool DynamicTightCocone::State::take_body(const Triangulation& triangulation,
 
 // The same faster where the body that the old surface bounds is kept.
 KnownLabelsSource DynamicTightCocone::State::labels_of(const OldSurface& old) const {
-  if (!old.labels || !old.triangles.at || !body.exists()) return old.labels;
+  if (!old.labels || !old.triangles.at || !kept.body.exists()) return old.labels;
   return [&](const Triangulation& triangulation, const auto&...) {
-    return kept_labels(triangulation, delaunay.cells_at_vertices(), body.before(triangulation),
+    return kept_labels(triangulation, delaunay.cells_at_vertices(), kept.body.before(triangulation),
                        old.triangles);
   };
 }
@@ -287,13 +278,13 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points, con
   ReconstructResult result;
   {
     const LentDelaunay lent(delaunay, vertex_of_point);
-    found.left = links.link(*lent, candidates_left(candidates), execution);
-    found.first_walk = first_walk;
+    found.left = kept.links.link(*lent, candidates_left(candidates), execution);
+    found.first_walk = kept.first_walk;
     bool asked = false;
     const LiveStages live{
         delaunay.cells_at_vertices(),
         [&](const Triangulation& triangulation, const auto&... input) {
-          return marks.mark(triangulation, delaunay.cells_at_vertices(), input...);
+          return kept.marks.mark(triangulation, delaunay.cells_at_vertices(), input...);
         },
         [&](const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
             bool is_flawed) {
@@ -302,10 +293,13 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points, con
         }};
     result = reconstruct_tight_from(*lent, std::move(found), points, labels_of(old), options,
                                     execution, live, surface);
-    if (!asked) body.clear();
+    if (!asked) {
+      kept.marks.clear();
+      kept.body.clear();
+    }
   }
   if (!surface.triangles.facets.empty())
-    links.keep(std::move(surface.triangles), std::move(surface.rest));
+    kept.links.keep(std::move(surface.triangles), std::move(surface.rest));
   look_for_certificate(result, surface);
   return result;
 }
@@ -397,14 +391,14 @@ void DynamicTightCocone::take(Points points, Snapshot snapshot) {
 DynamicTightCocone::Snapshot DynamicTightCocone::snapshot() const {
   const State& state = *state_;
   CompactDelaunay whole = compact_delaunay(state.delaunay, state.vertex_of_point);
-  SurfaceState surface = surface_state(state.candidates, state.certified, whole);
+  SurfaceState surface = surface_state(state.candidates, state.certified, state.kept, whole);
   return {std::move(whole.triangulation), std::move(surface)};
 }
 
 DynamicTightCocone::Snapshot DynamicTightCocone::release() && {
   State& state = *state_;
   CompactDelaunay whole = compact_delaunay(std::move(state.delaunay), state.vertex_of_point);
-  SurfaceState surface = surface_state(state.candidates, state.certified, whole);
+  SurfaceState surface = surface_state(state.candidates, state.certified, state.kept, whole);
   state.clear(0);
   return {std::move(whole.triangulation), std::move(surface)};
 }
@@ -422,7 +416,7 @@ ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution
   ReconstructResult result = reconstruct_tight_with_labels(
       std::move(built.triangulation), points, known, state_->options, execution, stages);
   result.counters.delaunay = built.counters;
-  state_->take(result, std::move(stages));
+  state_->take(result, std::move(stages), execution);
   return result;
 }
 
@@ -442,6 +436,7 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
                                                     const Execution& execution,
                                                     const OldSurface& old) {
   State& state = *state_;
+  look_if_smooth(execution);
   if (!is_smooth() || points.empty()) {
     const IdVector<PointId, PointId> before = places_after(change.reversed(), points.size());
     return {replace(points, before.raw(), execution, old), {}};
@@ -469,7 +464,7 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
   return edited;
 }
 
-void DynamicTightCocone::forget_body() { state_->body.clear(); }
+void DynamicTightCocone::forget_body() { state_->kept.body.clear(); }
 
 void DynamicTightCocone::complete(ReconstructResult& result) const {
   const State& state = *state_;
@@ -488,12 +483,13 @@ void DynamicTightCocone::complete(ReconstructResult& result) const {
   }
 }
 
+void DynamicTightCocone::look_if_smooth(const Execution& execution) {
+  State& state = *state_;
+  if (!state.kept.body.may_be_smooth()) return;
+  state.kept.body.look_if_smooth(*LentDelaunay(state.delaunay, state.vertex_of_point), execution);
+}
+
 bool DynamicTightCocone::is_smooth() const { return state_->is_smooth(state_->num_points); }
 bool DynamicTightCocone::is_certain() const { return state_->is_certain(state_->num_points); }
-
-IdVector<TriangleId, Triangle> DynamicTightCocone::triangles() const {
-  assert(is_certain());
-  return certain_triangles(state_->view());
-}
 
 }  // namespace cocoon

@@ -73,11 +73,11 @@ class DynamicTightCocone {
     std::optional<SurfaceEdit> edit;
   };
   // As replace(), for a change that keeps the order of the points that stay. Where is_smooth()
-  // before and after, only what the edit did is told as a rule; not of the first body after a
-  // certain surface, of a change of about half of the points, or where a point that went comes back
-  // as the vertex it was. Precondition: points that stay are equal before and after. Complexity:
-  // where the surface stays certain, as the change of the triangulation, and a pass over the
-  // numbers of the points.
+  // before, and the mesh is smooth after, only what the edit did is told as a rule; not of the
+  // first body after a certain surface, of a change of about half of the points, or where a point
+  // that went comes back as the vertex it was. Precondition: points that stay are equal before and
+  // after. Complexity: where the surface stays certain, as the change of the triangulation, and a
+  // pass over the numbers of the points.
   Edited edit(Points points, const ListEdit<PointId>& change, const Execution& execution = {},
               const OldSurface& old = {});
   // To be called if the caller's mesh is not what the last call found, as where labels were known
@@ -89,12 +89,13 @@ class DynamicTightCocone {
   // far, each a vertex of the mesh. Complexity: O(n).
   void complete(ReconstructResult& result) const;
   // Whether the points so far are known to be the vertices of a smooth mesh, vertex i point i:
-  // closed and connected, with one umbrella at each. What edit() asks for.
+  // closed and connected, with one umbrella at each. What edit() asks for. Of a surface that is not
+  // certain it is known after look_if_smooth(), and as long as edit() tells edits; not of one that
+  // replace() has not found. Complexity of looking: O(n) where it is not known, parallel.
   bool is_smooth() const;
+  void look_if_smooth(const Execution& execution = {});
   // The same for a certain surface.
   bool is_certain() const;
-  // Then its triangles by points, in canonical order. Complexity: O(n).
-  IdVector<TriangleId, Triangle> triangles() const;
 
   // Takes over the snapshot of one with these points and the same options; or a triangulation whose
   // input points they are (delaunay(points)), without looking for its surface.

@@ -131,6 +131,7 @@ void ReconstructSteps::close_surface(const KnownLabelsSource& known) {
     CellMarks marks =
         mark_cells(*triangulation_, surface_.triangles, std::move(good), source, nested);
     forget_links();
+    if (stages_ != nullptr) stages_->marks = marks;
     close_by(std::move(marks), source, nested);
   });
 }
@@ -183,6 +184,7 @@ ReconstructResult ReconstructSteps::take_result() {
     stages_->not_in_doubles = std::move(dual_.not_in_doubles);
     stages_->poles = std::move(poles_);
     stages_->boundary = std::move(boundary_);
+    stages_->marked = std::move(surface_.triangles.set);
     stages_->surface = take_surface();
   }
   return std::move(result_);
@@ -247,6 +249,7 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
   counters.poor_cells = marks.poor_cells;
   counters.deferred_seeds = marks.deferred_seeds;
   good_ = std::move(marks.good);
+  if (stages_ != nullptr) stages_->out = std::move(marks.reached);
 }
 
 std::vector<PointId> ReconstructSteps::points_at(VertexSet vertices) const {

@@ -124,12 +124,13 @@ SurfaceMesh surface_of(const Triangulation& triangulation, LinkedFacets triangle
   return mesh_of(triangulation, corners, execution);
 }
 
-SurfaceMesh surface_between(const Triangulation& triangulation, const CellMarks& marks,
+SurfaceMesh surface_between(const Triangulation& triangulation,
+                            const IdVector<CellId, std::uint8_t>& reached,
                             const Execution& execution) {
   const std::vector<Triangle> triangles = parallel_list<Triangle>(
       execution, triangulation.num_finite_cells(), elements_per_chunk,
       [&](std::size_t begin, std::size_t end, std::vector<Triangle>& found) {
-        list_outer_facets(triangulation, marks.reached, begin, end, found);
+        list_outer_facets(triangulation, reached, begin, end, found);
       });
   return mesh_of(triangulation, triangles, execution);
 }

@@ -31,12 +31,17 @@ SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const Facet
 SurfaceMesh surface_of(const Triangulation& triangulation, LinkedFacets triangles,
                        std::span<const FacetId> halves, const Execution& execution = {});
 
-// The boundary of the body: all facets between a cell reached by the peel and one not reached, with
-// normals away from the body. Every directed edge is balanced: as many triangles run through an
-// edge in one direction as in the other. Empty if everything was peeled. Precondition: marks come
-// from peel_cells. Complexity: O(cells) and as above, parallel. Source: Dey & Goswami 2003
-// (Tight Cocone, peeling).
-SurfaceMesh surface_between(const Triangulation& triangulation, const CellMarks& marks,
+// The boundary of the body: all facets between a cell reached by the peel (1) and one not reached,
+// with normals away from the body. Every directed edge is balanced: as many triangles run through
+// an edge in one direction as in the other. Empty if everything was peeled. Precondition: infinite
+// cells are reached. Complexity: O(cells) and as above, parallel. Source: Dey & Goswami 2003 (Tight
+// Cocone, peeling).
+SurfaceMesh surface_between(const Triangulation& triangulation,
+                            const IdVector<CellId, std::uint8_t>& reached,
                             const Execution& execution = {});
+inline SurfaceMesh surface_between(const Triangulation& triangulation, const CellMarks& marks,
+                                   const Execution& execution = {}) {
+  return surface_between(triangulation, marks.reached, execution);
+}
 
 }  // namespace cocoon

@@ -177,9 +177,9 @@ HalfedgeLinks halfedge_links(std::span<const Triangle> triangles,
   return links;
 }
 
-HalfedgeRings link_halfedges(const TriangleMesh& mesh) {
+HalfedgeRings link_halfedges(const TriangleMesh& mesh, const Execution& execution) {
   require_valid_triangles(mesh);
-  HalfedgeRings rings{halfedge_links(mesh.triangles.span(), mesh.points.size())};
+  HalfedgeRings rings{halfedge_links(mesh.triangles.span(), mesh.points.size(), execution)};
   for (const TriangleId t : mesh.triangles.ids()) {
     if (!repeats_a_vertex(mesh.triangles[t])) continue;
     for (Halfedge halfedge = 3 * t.value; halfedge < 3 * t.value + 3; ++halfedge)

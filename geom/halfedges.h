@@ -112,8 +112,8 @@ struct HalfedgeRings {
   bool is_first(Halfedge halfedge) const { return is_first_at_edge(links, halfedge); }
 };
 
-// Throws InputError as require_valid_triangles(). Complexity: O(triangles + vertices).
-HalfedgeRings link_halfedges(const TriangleMesh& mesh);
+// Throws InputError as require_valid_triangles(). Complexity: O(triangles + vertices), parallel.
+HalfedgeRings link_halfedges(const TriangleMesh& mesh, const Execution& execution = {});
 
 // Those of the triangles whose flag is 0, numbered anew in their order. Complexity: O(triangles).
 HalfedgeRings link_rest(const HalfedgeRings& rings, std::span<const std::uint8_t> removed);

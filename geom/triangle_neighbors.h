@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/triangle_mesh.h"
@@ -16,7 +17,7 @@ namespace cocoon {
 // other triangle or more than one, and in a triangle that repeats a vertex: it has no edges.
 using TriangleNeighbors = IdVector<TriangleId, std::array<TriangleId, 3>>;
 
-// Throws InputError as require_valid_triangles(). Complexity: O(t + v). Deterministic.
-TriangleNeighbors triangle_neighbors(const TriangleMesh& mesh);
+// Throws InputError as require_valid_triangles(). Complexity: O(t + v), parallel. Deterministic.
+TriangleNeighbors triangle_neighbors(const TriangleMesh& mesh, const Execution& execution = {});
 
 }  // namespace cocoon

@@ -8,11 +8,11 @@
 
 namespace cocoon {
 
-TrianglesAtVertices triangles_at_vertices(const TriangleMesh& mesh) {
+TrianglesAtVertices triangles_at_vertices(const TriangleMesh& mesh, const Execution& execution) {
   TrianglesAtVertices result;
   std::vector<TriangleId>& listed = result.triangles;
   result.begins = sort_by_vertex(
-      mesh.triangles.size(), mesh.points.size(), Execution{},
+      mesh.triangles.size(), mesh.points.size(), execution,
       [&](std::size_t count) {
         listed.reserve(count);
         prefer_large_pages(listed);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "geom/execution.h"
 #include "geom/ids.h"
 #include "geom/triangle_mesh.h"
 
@@ -24,7 +25,9 @@ struct TrianglesAtVertices {
   }
 };
 
-// Precondition: triangles name vertices that are there. Complexity: O(t + v). Deterministic.
-TrianglesAtVertices triangles_at_vertices(const TriangleMesh& mesh);
+// Precondition: triangles name vertices that are there. Complexity: O(t + v), parallel.
+// Deterministic.
+TrianglesAtVertices triangles_at_vertices(const TriangleMesh& mesh,
+                                          const Execution& execution = {});
 
 }  // namespace cocoon

@@ -23,7 +23,7 @@ const ModelIndex* choose(UpdateSteps& steps, const UpdateParts& parts, const Exe
            [&](const Execution& nested) { going = steps.detect_boundaries(nested); });
   if (!going) return nullptr;
   run_step(execution, "overlapping_facets", [&](const Execution& nested) {
-    index = &parts.index();
+    index = &parts.index(nested);
     going = steps.find_overlapping_facets(*index, nested);
   });
   if (!going) return nullptr;
@@ -85,7 +85,9 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
                           const UpdateOptions& options, const Execution& execution) {
   std::optional<ModelIndex> index;
   const UpdateParts parts{
-      [&]() -> const ModelIndex& { return index ? *index : index.emplace(model); },
+      [&](const Execution& nested) -> const ModelIndex& {
+        return index ? *index : index.emplace(model, nested);
+      },
       [&](const Replacement& replacement, const OldSurface& old, const Execution& nested) {
         ReconstructOptions surface = options.reconstruct;
         surface.keep_cavities = keeps_cavities(surface, *index);

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "cocone/live/known_surface.h"
 #include "geom/errors.h"
 #include "geom/sort_ids.h"
 #include "update/model/hollows.h"
@@ -29,13 +30,6 @@ void drop_values_by_vertex(ReconstructResult& result) {
   result.point_of_vertex = {};
   result.normals = {};
   result.boundary_sample = {};
-}
-
-// Whoever goes on from a certain surface takes it for the model, which a mesh that was given is
-// not.
-void forget_certificate(DynamicTightCocone::Snapshot& snapshot) {
-  snapshot.surface.sides = {};
-  snapshot.surface.sheets = {};
 }
 
 }  // namespace
@@ -73,6 +67,11 @@ void check_snapshot(const SessionSnapshot& snapshot, const Execution& execution)
   } catch (const InputError& error) {
     require(false, error.what());
   }
+  if (!snapshot.surface.has_surface()) return;
+  const SurfaceMesh surface = known_surface(triangulation, snapshot.surface, execution);
+  require(surface.mesh.triangles == snapshot.model.triangles &&
+              surface.point_of_vertex == snapshot.point_of_vertex,
+          "the model is not the surface of its points");
 }
 
 UpdateSession::UpdateSession(Points points, const UpdateOptions& options,
@@ -94,22 +93,22 @@ UpdateSession::UpdateSession(TriangleMesh model, const UpdateOptions& options)
 }
 
 UpdateSession::UpdateSession(SessionSnapshot snapshot, const UpdateOptions& options,
-                             SnapshotCheck check)
+                             SnapshotCheck check, const Execution& execution)
     : options_(options), surface_(options.reconstruct) {
-  if (check == SnapshotCheck::to_be_done) check_snapshot(snapshot);
+  if (check == SnapshotCheck::to_be_done) check_snapshot(snapshot, execution);
   model_ = std::move(snapshot.model);
   points_ = std::move(snapshot.points);
   point_of_vertex_ = std::move(snapshot.point_of_vertex);
+  model_is_surface_ = snapshot.surface.has_surface();
   if (snapshot.triangulation.num_cells() != 0) {
     surface_.take(points_, {std::move(snapshot.triangulation), std::move(snapshot.surface)});
   }
   forget_points_of_vertices();
   if (!surface_.is_certain() || !points_are_vertices_) return;
   // Updates go on from the triangles of the model.
-  require(surface_.triangles() == model_.triangles, "the model is not the surface of its points");
-  require(index_.emplace(ModelIndex::of_smooth(model_)).is_really_smooth(),
+  index_ = ModelIndex::of_smooth(model_, execution);
+  require(index_->is_really_smooth(execution),
           "the model is not a closed surface without contacts");
-  model_is_surface_ = true;
 }
 
 // If they tell nothing: each point is the vertex in its place.
@@ -149,10 +148,10 @@ ReconstructResult UpdateSession::reconstruction() const {
   return result;
 }
 
-const ModelIndex& UpdateSession::index() {
+const ModelIndex& UpdateSession::index(const Execution& execution) {
   const bool smooth = is_smooth();
-  if (!index_ && !smooth) return index_.emplace(model_);
-  if (!index_) return index_.emplace(ModelIndex::of_smooth(model_));
+  if (!index_ && !smooth) return index_.emplace(model_, execution);
+  if (!index_) return index_.emplace(ModelIndex::of_smooth(model_, execution));
   if (smooth && !index_->can_edit()) index_->prepare_for_edits();
   return *index_;
 }
@@ -236,9 +235,10 @@ void UpdateSession::take_back(const Pending& pending) {
 
 SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
                                    const Execution& execution) {
+  if (model_is_surface_ && points_are_vertices_) surface_.look_if_smooth(execution);
   Pending pending;
   const UpdateParts parts{
-      [&]() -> const ModelIndex& { return index(); },
+      [&](const Execution& nested) -> const ModelIndex& { return index(nested); },
       [&](const Replacement& replacement, const OldSurface& old, const Execution& nested) {
         ReconstructResult result = reconstruct(replacement, old, nested, pending);
         const std::size_t triangles = num_triangles(result, pending);
@@ -388,7 +388,7 @@ IdVector<VertexId, PointId> UpdateSession::points_of_vertices() const {
 SessionSnapshot UpdateSession::snapshot() const {
   DynamicTightCocone::Snapshot surface;
   if (surface_.num_points() != 0) surface = surface_.snapshot();
-  if (points_are_vertices_ && !model_is_surface_) forget_certificate(surface);
+  if (!model_is_surface_) surface.surface.forget_surface();
   return {model_,
           {points().begin(), points().end()},
           points_of_vertices(),
@@ -401,7 +401,7 @@ SessionSnapshot UpdateSession::release() && {
   index_.reset();
   DynamicTightCocone::Snapshot surface;
   if (surface_.num_points() != 0) surface = std::move(surface_).release();
-  if (points_are_vertices_ && !model_is_surface_) forget_certificate(surface);
+  if (!model_is_surface_) surface.surface.forget_surface();
   IdVector<VertexId, PointId> points_of_vertices = this->points_of_vertices();
   std::vector<Point> points = points_are_vertices_ ? model_.points.raw() : std::move(points_);
   reconstruction_ = {};

@@ -70,7 +70,8 @@ class UpdateSession {
   // Goes on from a snapshot of a session with the same options.reconstruct. Errors: as
   // check_snapshot.
   explicit UpdateSession(SessionSnapshot snapshot, const UpdateOptions& options = {},
-                         SnapshotCheck check = SnapshotCheck::to_be_done);
+                         SnapshotCheck check = SnapshotCheck::to_be_done,
+                         const Execution& execution = {});
   // Stays where it is: the index refers to the model.
   UpdateSession(UpdateSession&&) = delete;
   UpdateSession& operator=(UpdateSession&&) = delete;
@@ -134,7 +135,7 @@ class UpdateSession {
   bool is_smooth() const {
     return model_is_surface_ && points_are_vertices_ && surface_.is_smooth();
   }
-  const ModelIndex& index();
+  const ModelIndex& index(const Execution& execution);
   void take_points_of_model();
   PointId point_of_vertex(VertexId v) const {
     return points_are_vertices_ ? PointId(v.value) : point_of_vertex_[v];

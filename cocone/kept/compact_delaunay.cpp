@@ -113,7 +113,7 @@ CompactDelaunay compact_delaunay(DynamicDelaunay&& delaunay,
 }
 
 SurfaceState surface_state(const LiveCandidates& candidates, const CertifiedSurface& certified,
-                           const CompactDelaunay& whole) {
+                           const KeptStages& kept, const CompactDelaunay& whole) {
   SurfaceState state;
   if (!candidates.exists()) return state;
   const CandidateState& known = candidates.state();
@@ -126,9 +126,16 @@ SurfaceState surface_state(const LiveCandidates& candidates, const CertifiedSurf
   here.steps = by_number(known.steps, whole.vertex, vertices);
   here.cell_flags = by_number(known.cell_flags, whole.cell, cells);
   here.pruned = by_number(known.pruned, whole.cell, cells);
-  if (!certified.exists()) return state;
-  state.sides = by_number(certified.sides(), whole.cell, cells);
-  state.sheets = by_number(certified.sheets(), whole.vertex, vertices);
+  if (certified.exists()) {
+    state.sides = by_number(certified.sides(), whole.cell, cells);
+    state.sheets = by_number(certified.sheets(), whole.vertex, vertices);
+    return state;
+  }
+  if (kept.marks.exists()) {
+    state.marks.cells = by_number(kept.marks.state().cells, whole.cell, cells);
+    state.marks.vertices = by_number(kept.marks.state().vertices, whole.vertex, vertices);
+  }
+  if (kept.body.exists()) state.out = by_number(kept.body.out(), whole.cell, cells);
   return state;
 }
 

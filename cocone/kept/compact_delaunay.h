@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cocone/kept/certified_surface.h"
+#include "cocone/kept/kept_stages.h"
 #include "cocone/live/live_candidates.h"
 #include "cocone/live/surface_state.h"
 #include "delaunay/dynamic_delaunay.h"
@@ -25,9 +26,9 @@ CompactDelaunay compact_delaunay(const DynamicDelaunay& delaunay,
 CompactDelaunay compact_delaunay(DynamicDelaunay&& delaunay,
                                  const IdVector<PointId, VertexId>& vertex_of_point);
 
-// What the stages up to pruning found, in its numbers, with the certified surface, as far as they
-// exist, to be kept elsewhere. Complexity: O(slots).
+// What the stages found, in its numbers, as far as it exists: up to pruning, and from there on the
+// certified surface, or marks and body that are kept; to be kept elsewhere. Complexity: O(slots).
 SurfaceState surface_state(const LiveCandidates& candidates, const CertifiedSurface& certified,
-                           const CompactDelaunay& whole);
+                           const KeptStages& kept, const CompactDelaunay& whole);
 
 }  // namespace cocoon

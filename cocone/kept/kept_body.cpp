@@ -78,6 +78,19 @@ bool hang_together(std::size_t num_vertices, const ForTriangles& for_triangles) 
 
 }  // namespace
 
+void KeptBody::resume(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
+                      const Execution& execution) {
+  is_smooth_ = may_be_smooth_ = false;
+  cells_.resize(out.size());
+  renew_all(triangulation, out, execution);
+}
+
+IdVector<CellId, std::uint8_t> KeptBody::out() const {
+  IdVector<CellId, std::uint8_t> out(cells_.size());
+  for (const CellId c : cells_.ids()) out[c] = (cells_[c] & is_out) != 0 ? 1 : 0;
+  return out;
+}
+
 std::optional<KeptBody::Change> KeptBody::take(const Triangulation& triangulation,
                                                const IdVector<VertexId, CellId>& cell_at,
                                                const IdVector<CellId, std::uint8_t>& out,
@@ -88,14 +101,19 @@ std::optional<KeptBody::Change> KeptBody::take(const Triangulation& triangulatio
     return go_on(triangulation, cell_at, out, changed, execution);
   }
   renew(triangulation, out, changed, execution);
-  is_smooth_ =
-      may_be_smooth && has_umbrellas(triangulation, execution) && is_connected(triangulation);
+  may_be_smooth_ = may_be_smooth;
   return {};
+}
+
+void KeptBody::look_if_smooth(const Triangulation& triangulation, const Execution& execution) {
+  if (!std::exchange(may_be_smooth_, false)) return;
+  is_smooth_ = has_umbrellas(triangulation, execution) && is_connected(triangulation);
 }
 
 void KeptBody::update(const DynamicDelaunay& delaunay, const DelaunayChange& change) {
   cells_.resize(delaunay.view().cell_records().size(), is_new);
   for (const CellId c : change.created) cells_[c] = is_new;
+  may_be_smooth_ = false;
 }
 
 void KeptBody::renumber(const Renumbering& renumbering, const DynamicDelaunay& delaunay) {
@@ -188,15 +206,8 @@ bool KeptBody::is_old(const Triangulation& triangulation, const IdVector<CellId,
 // What is kept becomes that of the body of the cells that are not `out`.
 void KeptBody::renew(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
                      std::span<const CellId> changed, const Execution& execution) {
-  const std::size_t cells = cells_.size();
-  if (changed.size() > cells / 8) {  // each once, instead of those around changed ones
-    parallel_chunks(execution, cells, coarse_grain(cells), [&](std::size_t begin, std::size_t end) {
-      for (CellId c(begin); c.index() < end; ++c) {
-        cells_[c] = byte_of(triangulation, out, c);
-      }
-    });
-    return;
-  }
+  // Each once, instead of those around changed ones.
+  if (changed.size() > cells_.size() / 8) return renew_all(triangulation, out, execution);
   for (const CellId c : changed) {
     cells_[c] = byte_of(triangulation, out, c);
     for (int i = 0; i < 4; ++i) {
@@ -204,6 +215,14 @@ void KeptBody::renew(const Triangulation& triangulation, const IdVector<CellId, 
       cells_[behind] = byte_of(triangulation, out, behind);
     }
   }
+}
+
+void KeptBody::renew_all(const Triangulation& triangulation,
+                         const IdVector<CellId, std::uint8_t>& out, const Execution& execution) {
+  const std::size_t cells = cells_.size();
+  parallel_chunks(execution, cells, coarse_grain(cells), [&](std::size_t begin, std::size_t end) {
+    for (CellId c(begin); c.index() < end; ++c) cells_[c] = byte_of(triangulation, out, c);
+  });
 }
 
 // Whether each vertex has one closed umbrella of the boundary.

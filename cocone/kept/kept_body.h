@@ -40,24 +40,38 @@ class KeptBody {
  public:
   // Whether a body is kept.
   bool exists() const { return !cells_.empty(); }
-  // Whether it is, and its boundary is known to be smooth and connected.
+  // Whether it is, and its boundary is known to be smooth and connected: by look_if_smooth(), or
+  // since it was before the last change, too.
   bool is_smooth() const { return is_smooth_; }
+  // Whether it may be, and was not looked at.
+  bool may_be_smooth() const { return may_be_smooth_; }
   void clear() { *this = {}; }
+  // Keeps the body of the cells that are not `out`, as one that is not known to be smooth.
+  // Complexity: O(cells), parallel.
+  void resume(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
+              const Execution& execution = {});
+  // 1 for the cells that are out, by slot. Precondition: no change since it was kept. Complexity:
+  // O(cells).
+  IdVector<CellId, std::uint8_t> out() const;
 
   struct Change {
     std::vector<VertexId> touched;
     // All triangles with one of these, counterclockwise seen from outside.
     std::vector<std::array<VertexId, 3>> triangles;
   };
-  // Keeps the body of the cells that are not `out` (1, as infinite cells are). If it may be smooth
-  // this is looked at; where it was before and is now, what has changed is told. `cell_at`: a cell
-  // at each vertex. Complexity: a byte of each cell, and the cells at the corners of changed ones;
-  // a look at all cells if the triangles at touched vertices do not hang together; O(n) for the
-  // first body, and for one that may be smooth after one that was not: these looks are parallel.
+  // Keeps the body of the cells that are not `out` (1, as infinite cells are). Where it was smooth
+  // before and is now, what has changed is told; not of one that is said not to be. `cell_at`: a
+  // cell at each vertex. Complexity: a byte of each cell, and the cells at the corners of changed
+  // ones; a look at all cells if the triangles at touched vertices do not hang together; O(n) for
+  // the first body, parallel.
   std::optional<Change> take(const Triangulation& triangulation,
                              const IdVector<VertexId, CellId>& cell_at,
                              const IdVector<CellId, std::uint8_t>& out, bool may_be_smooth,
                              const Execution& execution = {});
+
+  // Looks whether the body last taken is smooth if it may be, and was not looked at before.
+  // Precondition: no change since then. Complexity: O(n), parallel.
+  void look_if_smooth(const Triangulation& triangulation, const Execution& execution = {});
 
   // After a change of the triangulation, and when gaps are closed. Complexity: O(change).
   void update(const DynamicDelaunay& delaunay, const DelaunayChange& change);
@@ -76,12 +90,15 @@ class KeptBody {
               FacetId f) const;
   void renew(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
              std::span<const CellId> changed, const Execution& execution);
+  void renew_all(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
+                 const Execution& execution);
   bool has_umbrellas(const Triangulation& triangulation, const Execution& execution) const;
   bool is_connected(const Triangulation& triangulation) const;
 
   // Of a cell: bits 0 to 3, the facets of the boundary; whether it is out, and whether it is new.
   IdVector<CellId, std::uint8_t> cells_;
   bool is_smooth_ = false;
+  bool may_be_smooth_ = false;
   StarFinder stars_;
 };
 

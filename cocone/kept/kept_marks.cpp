@@ -12,19 +12,12 @@
 namespace cocoon {
 namespace {
 
-// Of a cell: bits 0 to 3, the facets of it that are on the surface; its label; and
-constexpr unsigned facet_bits = 15;
-constexpr unsigned label_shift = 4;
-constexpr unsigned label_bits = 3U << label_shift;
-constexpr unsigned is_new = 64;
-
-// Of a vertex.
-constexpr unsigned is_good = 1;
-constexpr unsigned is_folded = 2;
-constexpr unsigned has_changed = 4;
+// Besides the flags of the state.
+constexpr unsigned is_new = 64;      // of a cell
+constexpr unsigned has_changed = 4;  // of a vertex
 
 CellLabel label_of(unsigned cell) {
-  return static_cast<CellLabel>((cell & label_bits) >> label_shift);
+  return static_cast<CellLabel>((cell & mark_flag::label) >> mark_flag::label_shift);
 }
 
 // Labels of cells from those beside them.
@@ -125,27 +118,23 @@ bool are_on_hull(const Triangulation& triangulation, const CellMarks& marks, std
 
 }  // namespace
 
-void KeptMarks::clear() {
-  exists_ = false;
-  cells_ = {};
-  vertices_ = {};
-}
+void KeptMarks::resume(MarkState state) { state_ = std::move(state); }
 
 void KeptMarks::update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
                        const LiveCandidates& candidates) {
-  cells_.resize(delaunay.view().cell_records().size(), 0);
-  vertices_.resize(delaunay.num_vertex_slots(), 0);
-  for (const CellId c : change.created) cells_[c] = is_new;
+  state_.cells.resize(delaunay.view().cell_records().size(), 0);
+  state_.vertices.resize(delaunay.num_vertex_slots(), 0);
+  for (const CellId c : change.created) state_.cells[c] = is_new;
   for (const VertexId v : candidates.changed()) {
-    vertices_[v] = static_cast<std::uint8_t>(vertices_[v] | has_changed);
+    state_.vertices[v] = static_cast<std::uint8_t>(state_.vertices[v] | has_changed);
   }
 }
 
 void KeptMarks::renumber(const Renumbering& renumbering, const DynamicDelaunay& delaunay) {
-  for (const auto& [a, b] : renumbering.cells) std::swap(cells_[a], cells_[b]);
-  for (const auto& [from, to] : renumbering.vertices) vertices_[to] = vertices_[from];
-  cells_.resize(delaunay.view().cell_records().size());
-  vertices_.resize(delaunay.num_vertex_slots());
+  for (const auto& [a, b] : renumbering.cells) std::swap(state_.cells[a], state_.cells[b]);
+  for (const auto& [from, to] : renumbering.vertices) state_.vertices[to] = state_.vertices[from];
+  state_.cells.resize(delaunay.view().cell_records().size());
+  state_.vertices.resize(delaunay.num_vertex_slots());
 }
 
 CellMarks KeptMarks::mark(const Triangulation& triangulation,
@@ -153,7 +142,7 @@ CellMarks KeptMarks::mark(const Triangulation& triangulation,
                           const VertexSet& boundary, const KnownLabelsSource& known,
                           const GoodVertexOptions& options, const Execution& execution) {
   std::optional<CellMarks> marks;
-  if (exists_) {
+  if (exists()) {
     report_progress(execution, "mark_cells", 0);
     marks = go_on({triangulation, cell_at, surface, boundary}, options);
     report_progress(execution, "mark_cells", 1);
@@ -177,8 +166,8 @@ std::optional<CellMarks> KeptMarks::go_on(const Input& input, const GoodVertexOp
   cells.insert(cells.end(), stars.begin(), stars.end());
   make_set(cells);
 
-  marks.labels.resize(cells_.size());
-  for (const CellId c : cells_.ids()) marks.labels[c] = label_of(cells_[c]);
+  marks.labels.resize(state_.cells.size());
+  for (const CellId c : state_.cells.ids()) marks.labels[c] = label_of(state_.cells[c]);
   for (const CellId c : cells) marks.labels[c] = CellLabel::unmarked;
   if (!Labeling(input.triangulation, input.surface.set, marks).run(cells)) return {};
   DisjointSets sets(input.triangulation.num_vertices());
@@ -193,9 +182,10 @@ std::optional<CellMarks> KeptMarks::go_on(const Input& input, const GoodVertexOp
 std::vector<CellId> KeptMarks::changed_cells(const FacetSet& surface) const {
   std::vector<CellId> changed;
   visit_where(
-      cells_.size(),
+      state_.cells.size(),
       [&](std::size_t c) {
-        return (cells_[CellId(c)] & (facet_bits | is_new)) != surface.bits(CellId(c));
+        return (state_.cells[CellId(c)] & (mark_flag::surface_facets | is_new)) !=
+               surface.bits(CellId(c));
       },
       [&](std::size_t c) { changed.push_back(CellId(c)); });
   return changed;
@@ -203,8 +193,9 @@ std::vector<CellId> KeptMarks::changed_cells(const FacetSet& surface) const {
 
 VertexSet KeptMarks::changed_vertices(const Triangulation& triangulation,
                                       std::span<const CellId> cells) const {
-  VertexSet changed(vertices_.size());
-  for (const VertexId v : vertices_.ids()) changed[v] = (vertices_[v] & has_changed) != 0 ? 1 : 0;
+  VertexSet changed(state_.vertices.size());
+  for (const VertexId v : state_.vertices.ids())
+    changed[v] = (state_.vertices[v] & has_changed) != 0 ? 1 : 0;
   for (const CellId c : cells) {
     for (const VertexId v : triangulation.cell(c).vertices) {
       if (v != infinite_vertex) changed[v] = 1;
@@ -228,38 +219,40 @@ std::vector<VertexId> KeptMarks::find_good(const Input& input, const VertexSet& 
 
   IdVector<VertexId, std::uint8_t> now(changed.size());
   for (const VertexId v : now.ids()) {
-    now[v] = changed[v] != 0 ? 0 : static_cast<std::uint8_t>(vertices_[v] & (is_good | is_folded));
+    now[v] =
+        changed[v] != 0
+            ? 0
+            : static_cast<std::uint8_t>(state_.vertices[v] & (mark_flag::good | mark_flag::folded));
   }
   for (const VertexId v : found.good.ids()) {
     const VertexId whole = local.vertex_in_whole[v];
-    if (changed[whole] != 0 && found.good[v] != 0) now[whole] = is_good;
+    if (changed[whole] != 0 && found.good[v] != 0) now[whole] = mark_flag::good;
   }
   for (const VertexId v : found.folded) {
     const VertexId whole = local.vertex_in_whole[v];
-    if (changed[whole] != 0) now[whole] = is_folded;
+    if (changed[whole] != 0) now[whole] = mark_flag::folded;
   }
   std::vector<VertexId> turned;
   marks.good.resize(now.size());
   for (const VertexId v : now.ids()) {
-    marks.good[v] = now[v] & is_good;
+    marks.good[v] = now[v] & mark_flag::good;
     marks.good_vertices += marks.good[v];
-    if ((now[v] & is_folded) != 0) marks.folded.push_back(v);
-    if (((now[v] ^ vertices_[v]) & is_good) != 0) turned.push_back(v);
+    if ((now[v] & mark_flag::folded) != 0) marks.folded.push_back(v);
+    if (((now[v] ^ state_.vertices[v]) & mark_flag::good) != 0) turned.push_back(v);
   }
   return turned;
 }
 
 void KeptMarks::keep(const FacetSet& surface, const CellMarks& marks) {
   clear();
-  exists_ = are_told_at_once(marks);
-  if (!exists_) return;
-  cells_.resize(marks.labels.size());
-  for (const CellId c : cells_.ids()) {
-    const unsigned label = static_cast<unsigned>(marks.labels[c]) << label_shift;
-    cells_[c] = static_cast<std::uint8_t>(surface.bits(c) | label);
+  if (!are_told_at_once(marks)) return;
+  state_.cells.resize(marks.labels.size());
+  for (const CellId c : state_.cells.ids()) {
+    const unsigned label = static_cast<unsigned>(marks.labels[c]) << mark_flag::label_shift;
+    state_.cells[c] = static_cast<std::uint8_t>(surface.bits(c) | label);
   }
-  vertices_ = marks.good;
-  for (const VertexId v : marks.folded) vertices_[v] = is_folded;
+  state_.vertices = marks.good;
+  for (const VertexId v : marks.folded) state_.vertices[v] = mark_flag::folded;
 }
 
 }  // namespace cocoon

@@ -29,6 +29,7 @@
 #include "cocone/live/live_candidates.h"
 #include "cocone/live/local_facets.h"
 #include "cocone/live/star_finder.h"
+#include "cocone/live/surface_state.h"
 #include "cocone/mark_cells.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "delaunay/renumbering.h"
@@ -40,8 +41,15 @@ namespace cocoon {
 class KeptMarks {
  public:
   // Whether marks are kept: without conflict, every good vertex visited.
-  bool exists() const { return exists_; }
-  void clear();
+  bool exists() const { return !state_.empty(); }
+  void clear() { state_ = {}; }
+  // Keeps marks of a surface, unless they are not told at once. Complexity: O(n).
+  void keep(const FacetSet& surface, const CellMarks& marks);
+  // Goes on from the state() of another one, whose triangulation had the same cells and vertices in
+  // the same slots.
+  void resume(MarkState state);
+  // By slot. Precondition: no change since the marks were kept.
+  const MarkState& state() const { return state_; }
 
   // After a change of the triangulation and of the candidates. Complexity: O(change).
   void update(const DynamicDelaunay& delaunay, const DelaunayChange& change,
@@ -71,12 +79,9 @@ class KeptMarks {
                              std::span<const CellId> cells) const;
   std::vector<VertexId> find_good(const Input& input, const VertexSet& changed,
                                   const GoodVertexOptions& options, CellMarks& marks);
-  void keep(const FacetSet& surface, const CellMarks& marks);
 
-  bool exists_ = false;
   std::size_t local_marks_ = 0;
-  IdVector<CellId, std::uint8_t> cells_;  // facets of the surface, label, and whether it is new
-  IdVector<VertexId, std::uint8_t> vertices_;  // good, folded, and whether something changed
+  MarkState state_;  // also whether a cell is new, and whether something changed at a vertex
   FacetCollector collector_;
   StarFinder stars_;
 };

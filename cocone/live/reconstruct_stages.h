@@ -46,6 +46,11 @@ struct ReconstructStages {
   FacetSet left;        // after it
   VertexSet umbrella;
   CoconeSurface surface;
+  // If it was marked, which one that is certain is not: its facets, the marks before the peel, and
+  // 1 for cells that are not of the body in the end.
+  FacetSet marked;
+  CellMarks marks;
+  IdVector<CellId, std::uint8_t> out;
 };
 
 // As reconstruct_tight_with_labels of the triangulation, and fills in `stages`.

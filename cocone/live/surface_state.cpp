@@ -68,6 +68,21 @@ bool has_possible_sides(const Triangulation& triangulation, const SurfaceState& 
   return possible;
 }
 
+// Marked facets are candidates that were not pruned, from both sides.
+bool has_possible_marks(const Triangulation& triangulation, const SurfaceState& state, CellId c) {
+  const unsigned marks = state.marks.cells[c];
+  const unsigned on_surface = marks & mark_flag::surface_facets;
+  const unsigned left = state.candidates.cell_flags[c] & ~unsigned{state.candidates.pruned[c]};
+  bool possible = (marks & ~(mark_flag::surface_facets | mark_flag::label)) == 0 &&
+                  (marks & mark_flag::label) != mark_flag::label && (on_surface & ~left) == 0;
+  for (int i = 0; (on_surface >> i) != 0; ++i) {
+    if (((on_surface >> i) & 1U) == 0) continue;
+    const unsigned behind = flags_at(state.marks.cells, triangulation.mirror(facet_id(c, i)));
+    possible = possible && (behind & 1U) != 0;
+  }
+  return possible;
+}
+
 // The vertices of the surface, and no others, have a sheet.
 void check_sheets(const Triangulation& triangulation, const SurfaceState& state) {
   require_all(
@@ -85,20 +100,59 @@ void check_sheets(const Triangulation& triangulation, const SurfaceState& state)
   }
 }
 
+void check_sizes(const Triangulation& triangulation, const SurfaceState& state) {
+  const std::size_t vertices = triangulation.num_vertices();
+  const std::size_t cells = triangulation.num_cells();
+  const CandidateState& candidates = state.candidates;
+  const auto fits = [](const auto& values, std::size_t count) { return values.size() == count; };
+  const auto fits_or_is_empty = [&](const auto& values, std::size_t count) {
+    return values.empty() || fits(values, count);
+  };
+  require(fits(candidates.normals, vertices) && fits(candidates.vertex_flags, vertices) &&
+              fits(candidates.samples, vertices) && fits(candidates.steps, vertices) &&
+              fits(candidates.cell_flags, cells) && fits(candidates.pruned, cells) &&
+              fits_or_is_empty(state.sides, cells) &&
+              fits(state.sheets, state.sides.empty() ? 0 : vertices) &&
+              fits_or_is_empty(state.marks.cells, cells) &&
+              fits(state.marks.vertices, state.marks.empty() ? 0 : vertices) &&
+              fits_or_is_empty(state.out, cells),
+          "other numbers of vertices or cells");
+}
+
+void check_marks(const Triangulation& triangulation, const SurfaceState& state,
+                 const Execution& execution) {
+  if (state.marks.empty()) return;
+  require_all(
+      state.marks.vertices,
+      [](unsigned flags) { return flags < (mark_flag::good | mark_flag::folded); },
+      "marks of a vertex");
+  require_at_cells(execution, triangulation.num_cells(), "marks of cell ",
+                   [&](CellId c) { return has_possible_marks(triangulation, state, c); });
+}
+
+void check_body(const Triangulation& triangulation, const SurfaceState& state,
+                const Execution& execution) {
+  if (state.out.empty()) return;
+  require_at_cells(execution, triangulation.num_cells(), "the body at cell ", [&](CellId c) {
+    return state.out[c] == 1 || (state.out[c] == 0 && !triangulation.is_infinite(c));
+  });
+}
+
 }  // namespace
+
+void SurfaceState::forget_surface() {
+  sides = {};
+  sheets = {};
+  marks = {};
+  out = {};
+}
 
 void check_surface_state(const Triangulation& triangulation, const SurfaceState& state,
                          const Execution& execution) {
   if (state.empty()) return;
+  check_sizes(triangulation, state);
   const CandidateState& candidates = state.candidates;
-  const std::size_t vertices = triangulation.num_vertices();
   const std::size_t cells = triangulation.num_cells();
-  require(candidates.normals.size() == vertices && candidates.vertex_flags.size() == vertices &&
-              candidates.samples.size() == vertices && candidates.steps.size() == vertices &&
-              candidates.cell_flags.size() == cells && candidates.pruned.size() == cells &&
-              (state.sides.empty() || state.sides.size() == cells) &&
-              state.sheets.size() == (state.sides.empty() ? 0 : vertices),
-          "other numbers of vertices or cells");
   require_all(
       candidates.normals, [](const Vec3& n) { return is_finite(n); }, "a normal");
   require_all(
@@ -107,6 +161,8 @@ void check_surface_state(const Triangulation& triangulation, const SurfaceState&
       candidates.samples, [](SampleState s) { return s <= SampleState::interior; }, "a sample");
   require_at_cells(execution, cells, "flags of cell ",
                    [&](CellId c) { return is_possible(triangulation, candidates, c); });
+  check_marks(triangulation, state, execution);
+  check_body(triangulation, state, execution);
   if (state.sides.empty()) return;
   require_at_cells(execution, cells, "a side of cell ",
                    [&](CellId c) { return has_possible_sides(triangulation, state, c); });

@@ -36,6 +36,15 @@ inline constexpr unsigned outer = 1;
 inline constexpr unsigned inner = 16;
 }  // namespace side_flag
 
+// Bits of MarkState::cells and MarkState::vertices.
+namespace mark_flag {
+inline constexpr unsigned surface_facets = 15;  // bit i: facet i is on the surface
+inline constexpr unsigned label_shift = 4;      // of the label (CellLabel)
+inline constexpr unsigned label = 3U << label_shift;
+inline constexpr unsigned good = 1;
+inline constexpr unsigned folded = 2;
+}  // namespace mark_flag
+
 // What the surface is at a vertex. `good` and `folded`: one closed umbrella; folded ones do not
 // tell inside from outside (umbrella.h).
 enum class SheetAt : std::uint8_t { none = 0, folded, good };
@@ -62,12 +71,30 @@ struct CandidateState {
 };
 inline constexpr std::uint32_t not_taken_in = 0xFFFFFFFFU;
 
+// What the marking told of the Cocone surface, if all good vertices told it without contradiction
+// (kept_marks.h); empty: it did not.
+struct MarkState {
+  IdVector<CellId, std::uint8_t> cells;
+  IdVector<VertexId, std::uint8_t> vertices;
+
+  bool empty() const { return cells.empty(); }
+  friend bool operator==(const MarkState&, const MarkState&) = default;
+};
+
 // Empty: nothing is known.
 struct SurfaceState {
   CandidateState candidates;
   // Of the certified surface; empty if there is none.
   IdVector<CellId, std::uint8_t> sides;
   IdVector<VertexId, SheetAt> sheets;
+  // Of another one, which bounds a body; empty: not known.
+  MarkState marks;
+  IdVector<CellId, std::uint8_t> out;  // 1: not of the body, as no infinite cell is
+
+  // Whether it tells a surface.
+  bool has_surface() const { return !sides.empty() || !out.empty(); }
+  // Keeps only the candidates.
+  void forget_surface();
 
   bool empty() const { return candidates.cell_flags.empty(); }
   friend bool operator==(const SurfaceState&, const SurfaceState&) = default;

@@ -69,9 +69,11 @@ TEST(SessionFile, VersionsBeforeAreReadAndOthersRefused) {
   session.notes = {"cloud of before"};
   save_session(path, session);
   const std::string bytes(read_file(path).view());
-  folder.write("session", with_version(bytes, 3));
-  EXPECT_EQ(load_session(path).notes, session.notes);
-  for (const char version : {'\x02', '\x05'}) {
+  for (const char version : {'\x03', '\x04'}) {
+    folder.write("session", with_version(bytes, version));
+    EXPECT_EQ(load_session(path).notes, session.notes) << static_cast<int>(version);
+  }
+  for (const char version : {'\x02', '\x06'}) {
     folder.write("session", with_version(bytes, version));
     EXPECT_THROW(load_session(path), FileError) << static_cast<int>(version);
   }

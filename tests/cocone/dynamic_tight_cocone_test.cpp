@@ -138,6 +138,7 @@ ToldEdits edit_here_and_there(std::vector<Point> points, double noise, std::uint
   ToldEdits told;
   const auto edit_and_compare = [&](const std::vector<Point>& next,
                                     const ListEdit<PointId>& change) {
+    cocone.look_if_smooth();
     const bool was_smooth = cocone.is_smooth();
     const std::optional<ReconstructResult> actual = edited(cocone, expected.mesh, next, change);
     expected = reconstruct_tight(next, cocone.options());

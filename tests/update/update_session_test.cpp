@@ -238,7 +238,8 @@ TEST(UpdateSession, GoesOnFromASnapshotWithoutLookingAtTheWhole) {
   EXPECT_GE(local_steps_from_snapshots(gallery::displaced_torus(1500, 1, 0), 6), 4U);
 }
 
-// Boundary samples, creases, unused samples: there is no certificate, but the candidates are known.
+// Boundary samples, creases, unused samples: there is no certificate, but the candidates are known,
+// and the body.
 TEST(UpdateSession, GoesOnFromSnapshotsOfUncertainSurfaces) {
   const TriangleMesh part = read_mesh(std::string(COCOON_TEST_DATA) + "/models/anchor_dense.off");
   UpdateSession session(part.points.span());
@@ -247,6 +248,7 @@ TEST(UpdateSession, GoesOnFromSnapshotsOfUncertainSurfaces) {
     const SessionSnapshot snapshot = session.snapshot();
     ASSERT_FALSE(snapshot.surface.empty());
     EXPECT_TRUE(snapshot.surface.sides.empty());
+    EXPECT_FALSE(snapshot.surface.out.empty());
     UpdateSession again(snapshot, session.options());
     const Clouds clouds = random_scans(session.model(), random, 0.1);
     apply_and_compare(again, clouds);
@@ -367,6 +369,18 @@ TEST(UpdateSession, RefusesSnapshotsThatDoNotFit) {
   });
   error_after([](SessionSnapshot& s) { s.triangulation = {}; });
   error_after([](SessionSnapshot& s) { s.model.triangles.raw().pop_back(); });
+}
+
+TEST(UpdateSession, RefusesABodyThatTheModelDoesNotBound) {
+  const TriangleMesh part = read_mesh(std::string(COCOON_TEST_DATA) + "/models/anchor_dense.off");
+  const SessionSnapshot good = UpdateSession(part.points.span()).snapshot();
+  EXPECT_NO_THROW(check_snapshot(good));
+  SessionSnapshot bad = good;
+  const auto in = std::find(bad.surface.out.begin(), bad.surface.out.end(), 0);
+  ASSERT_NE(in, bad.surface.out.end());
+  *in = 1;
+  EXPECT_THROW(check_snapshot(bad), InputError);
+  EXPECT_THROW(UpdateSession(std::move(bad)), InputError);
 }
 
 TEST(UpdateSession, RefusesSurfacesThatDoNotFit) {

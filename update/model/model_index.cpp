@@ -16,6 +16,7 @@
 #include "geom/edited_ids.h"
 #include "geom/errors.h"
 #include "geom/halfedges.h"
+#include "geom/parallel_reduce.h"
 #include "geom/sort_ids.h"
 #include "geom/zeroed_array.h"
 
@@ -86,10 +87,10 @@ bool hang_together(std::span<const TriangleId> triangles, const TriangleNeighbor
 
 }  // namespace
 
-ModelIndex::ModelIndex(const TriangleMesh& mesh)
+ModelIndex::ModelIndex(const TriangleMesh& mesh, const Execution& execution)
     : mesh_(&checked(mesh)),
-      neighbors_(triangle_neighbors(mesh)),
-      at_vertices_(triangles_at_vertices(mesh)),
+      neighbors_(triangle_neighbors(mesh, execution)),
+      at_vertices_(triangles_at_vertices(mesh, execution)),
       components_(components_of(neighbors_)) {}
 
 ModelIndex::ModelIndex(const TriangleMesh& mesh, const IndexBefore& before) : mesh_(&mesh) {
@@ -111,10 +112,10 @@ ModelIndex::ModelIndex(const TriangleMesh& mesh, const IndexBefore& before) : me
   distinct_points_ = before.distinct_points;
 }
 
-ModelIndex ModelIndex::of_smooth(const TriangleMesh& mesh) {
+ModelIndex ModelIndex::of_smooth(const TriangleMesh& mesh, const Execution& execution) {
   ModelIndex index;
   index.mesh_ = &mesh;
-  index.neighbors_ = triangle_neighbors(mesh);
+  index.neighbors_ = triangle_neighbors(mesh, execution);
   index.prepare_for_edits();
   return index;
 }
@@ -136,26 +137,40 @@ void ModelIndex::take_in_size(TriangleId t) {
   longest_extent_ = std::max({longest_extent_, size.x, size.y, size.z});
 }
 
-bool ModelIndex::is_really_smooth() const {
-  const TriangleNeighbors& neighbors = neighbors_;
-  for (const TriangleId t : neighbors.ids()) {
-    if (repeats_a_vertex(mesh_->triangles[t])) return false;
-    for (const TriangleId next : neighbors[t]) {
-      if (next.is_none()) return false;
-    }
-  }
-  // Ways around all vertices meet all corners, once each; on other meshes one may never come back.
-  const std::size_t corners = 3 * neighbors.size();
+// Those that a way around the vertex meets until it comes back; on some meshes it never does: then
+// `most` at least.
+std::size_t ModelIndex::corners_around(VertexId v, std::size_t most) const {
+  const TriangleId first = triangle_at_[v];
+  if (first.is_none()) return most;
   std::size_t met = 0;
-  for (const VertexId v : mesh_->points.ids()) {
-    const TriangleId first = triangle_at_[v];
-    if (first.is_none()) return false;
-    TriangleId t = first;
-    do {
-      t = next_around(v, t);
-    } while (++met <= corners && t != first);
-    if (met > corners) return false;
-  }
+  TriangleId t = first;
+  do {
+    t = next_around(v, t);
+  } while (++met < most && t != first);
+  return met;
+}
+
+bool ModelIndex::is_really_smooth(const Execution& execution) const {
+  const TriangleNeighbors& neighbors = neighbors_;
+  const auto is_closed_at = [&](std::size_t i) {
+    const TriangleId t(i);
+    return !repeats_a_vertex(mesh_->triangles[t]) &&
+           std::none_of(neighbors[t].begin(), neighbors[t].end(),
+                        [](TriangleId next) { return next.is_none(); });
+  };
+  if (first_failing(execution, neighbors.size(), is_closed_at) < neighbors.size()) return false;
+  // Ways around all vertices meet all corners, once each.
+  const std::size_t corners = 3 * neighbors.size();
+  const std::size_t met = parallel_reduce(
+      execution, mesh_->points.size(), std::size_t{0},
+      [&](std::size_t begin, std::size_t end) {
+        std::size_t here = 0;
+        for (VertexId v(begin); v.index() < end && here <= corners; ++v) {
+          here += corners_around(v, corners + 1);
+        }
+        return here;
+      },
+      [](std::size_t a, std::size_t b) { return a + b; });
   return met == corners && components_of(neighbors_).empty();
 }
 

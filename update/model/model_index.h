@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geom/box.h"
+#include "geom/execution.h"
 #include "geom/grid_cells.h"
 #include "geom/id_vector.h"
 #include "geom/list_edit.h"
@@ -34,19 +35,20 @@ struct IndexBefore {
 class ModelIndex {
  public:
   // Throws InputError for a mesh without triangles, or with a triangle that names a vertex that is
-  // not there or has a coordinate that is not finite. Complexity: O(t + v).
-  explicit ModelIndex(const TriangleMesh& mesh);
+  // not there or has a coordinate that is not finite. Complexity: O(t + v), in part parallel.
+  explicit ModelIndex(const TriangleMesh& mesh, const Execution& execution = {});
   // The same, faster where both meshes are closed and connected: there only the edges at triangles
   // that came or went are linked. Precondition: `before.index` is that of a mesh equal to
   // `before.mesh`, and `mesh` is what `before.change` made of it, with finite points.
   ModelIndex(const TriangleMesh& mesh, const IndexBefore& before);
 
   // The same for a mesh that is known to be connected and closed, with one umbrella at each vertex
-  // and no two equal points: its triangles are linked, and no more. Complexity: O(t + v).
-  static ModelIndex of_smooth(const TriangleMesh& mesh);
+  // and no two equal points: its triangles are linked, and no more. Complexity: O(t + v), in part
+  // parallel.
+  static ModelIndex of_smooth(const TriangleMesh& mesh, const Execution& execution = {});
   // Whether the mesh of an index by of_smooth() is connected and closed, with one umbrella at each
-  // vertex: for meshes from files. Complexity: O(t + v).
-  bool is_really_smooth() const;
+  // vertex: for meshes from files. Complexity: O(t + v), in part parallel.
+  bool is_really_smooth(const Execution& execution = {}) const;
   // What edit() has to know of an edit of the mesh: what went and came, in the mesh before and
   // after, and where all the others are now (places_after).
   struct Edit {
@@ -121,6 +123,7 @@ class ModelIndex {
     const Triangle& corners = mesh_->triangles[t];
     return neighbors_[t][corners[0] == v ? 1 : corners[1] == v ? 2 : 0];
   }
+  std::size_t corners_around(VertexId v, std::size_t most) const;
   void link_open_edges(std::span<const TriangleId> triangles);
   void take_in_size(TriangleId t);
 

@@ -56,8 +56,11 @@ class Following {
     const auto& cell_at = live_.delaunay().cells_at_vertices();
     KeptBody whole;
     EXPECT_FALSE(whole.take(triangulation, cell_at, out, true));
+    EXPECT_FALSE(whole.is_smooth());
+    whole.look_if_smooth(triangulation);
     const bool was_smooth = kept_.is_smooth();
     const std::optional<KeptBody::Change> change = kept_.take(triangulation, cell_at, out, true);
+    kept_.look_if_smooth(triangulation);
     ASSERT_EQ(kept_.is_smooth(), whole.is_smooth());
     EXPECT_EQ(change.has_value(), was_smooth && whole.is_smooth());
     expect_sides(triangulation, out);
@@ -161,6 +164,7 @@ TEST(KeptBody, IsNotSmoothWhereAnotherOneAppears) {
   const auto take = [&](const Triangulation& triangulation) {
     change =
         kept.take(triangulation, live.delaunay().cells_at_vertices(), out(triangulation), true);
+    kept.look_if_smooth(triangulation);
   };
   live.lend(take);
   EXPECT_FALSE(kept.is_smooth());
@@ -176,6 +180,29 @@ TEST(KeptBody, IsNotSmoothWhereAnotherOneAppears) {
   live.lend(take);
   EXPECT_FALSE(change);
   EXPECT_FALSE(kept.is_smooth());
+}
+
+// What was kept of a body is taken up from the cells that are out.
+TEST(KeptBody, IsResumedFromTheCellsThatAreOut) {
+  LiveBody live(shapes::ellipsoid(300, 3));
+  live.lend([&](const Triangulation& triangulation) {
+    const auto& cell_at = live.delaunay().cells_at_vertices();
+    const auto out = LiveBody::out(triangulation, 3, 0);
+    KeptBody kept;
+    EXPECT_FALSE(kept.take(triangulation, cell_at, out, true));
+    EXPECT_EQ(kept.out(), out);
+    KeptBody resumed;
+    resumed.resume(triangulation, kept.out());
+    EXPECT_EQ(resumed.before(triangulation).labels, kept.before(triangulation).labels);
+    EXPECT_FALSE(resumed.may_be_smooth());
+    // The same cells: nothing has changed.
+    EXPECT_FALSE(resumed.take(triangulation, cell_at, out, true));
+    resumed.look_if_smooth(triangulation);
+    ASSERT_TRUE(resumed.is_smooth());
+    const std::optional<KeptBody::Change> change = resumed.take(triangulation, cell_at, out, true);
+    ASSERT_TRUE(change);
+    EXPECT_TRUE(change->triangles.empty());
+  });
 }
 
 // A point inside the body has no facet of the boundary, and touches none.

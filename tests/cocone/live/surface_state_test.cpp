@@ -1,8 +1,11 @@
 #include "cocone/live/surface_state.h"
 
+#include <cstdint>
+#include <functional>
 #include <gtest/gtest.h>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "cocone/dynamic_tight_cocone.h"
 #include "geom/errors.h"
@@ -43,7 +46,8 @@ TEST(SurfaceState, WhatTheStagesFindHasNoFault) {
   EXPECT_EQ(fault_of(certain), "");
   const Snapshot uncertain = snapshot_of(shapes::noisy_sphere(400, 0.03, 3));
   EXPECT_TRUE(uncertain.surface.sides.empty());
-  EXPECT_FALSE(uncertain.surface.empty());
+  EXPECT_FALSE(uncertain.surface.marks.empty());
+  EXPECT_FALSE(uncertain.surface.out.empty());
   EXPECT_EQ(fault_of(uncertain), "");
   EXPECT_EQ(fault_of({certain.triangulation, {}}), "");
 }
@@ -102,6 +106,56 @@ TEST(SurfaceState, WhatCannotBeIsRefused) {
               s.sides[outer] = static_cast<std::uint8_t>(sides | lowest_bit(sides) << 4);
             }).substr(0, side.size()),
             side);
+}
+
+TEST(SurfaceState, MarksAndBodiesThatCannotBeAreRefused) {
+  const Snapshot good = snapshot_of(shapes::noisy_sphere(400, 0.03, 3));
+  ASSERT_FALSE(good.surface.marks.empty());
+  const auto fault_after = [&](auto spoil) {
+    Snapshot spoiled = good;
+    spoil(spoiled.surface);
+    const std::string fault = fault_of(spoiled);
+    EXPECT_EQ(fault, fault_of(spoiled, 4));
+    return fault;
+  };
+  const std::string begins = "what is known of the surface does not fit: ";
+  for (const auto& spoil : std::vector<std::function<void(SurfaceState&)>>{
+           [](SurfaceState& s) { s.marks.cells.push_back(0); },
+           [](SurfaceState& s) { s.marks.vertices.push_back(0); },
+           [](SurfaceState& s) { s.marks.vertices = {}; },
+           [](SurfaceState& s) { s.out.push_back(1); }}) {
+    EXPECT_EQ(fault_after(spoil), begins + "other numbers of vertices or cells");
+  }
+  EXPECT_EQ(fault_after([](SurfaceState& s) {
+              s.marks.vertices[VertexId(7)] = mark_flag::good | mark_flag::folded;
+            }),
+            begins + "marks of a vertex");
+  // A label and a flag that are not there, and a facet marked from one side only.
+  const CellId marked = cell_with(good.surface.marks.cells, mark_flag::surface_facets);
+  const std::string cell = begins + "marks of cell ";
+  for (const unsigned wrong :
+       {mark_flag::label, 64U, lowest_bit(good.surface.marks.cells[marked])}) {
+    EXPECT_EQ(fault_after([&](SurfaceState& s) {
+                const unsigned marks = s.marks.cells[marked];
+                s.marks.cells[marked] = static_cast<std::uint8_t>(
+                    wrong == mark_flag::label ? marks | wrong : marks ^ wrong);
+              }).substr(0, cell.size()),
+              cell);
+  }
+  // Facets of the surface are candidates.
+  EXPECT_EQ(fault_after([&](SurfaceState& s) {
+              CellId c(0);
+              while ((s.candidates.cell_flags[c] & cell_flag::candidate_facets) != 0) {
+                c = CellId(c.index() + 1);
+              }
+              s.marks.cells[c] = static_cast<std::uint8_t>(s.marks.cells[c] | 1);
+            }).substr(0, cell.size()),
+            cell);
+  // An infinite cell in the body, and a side that is none.
+  const std::string body = begins + "the body at cell ";
+  EXPECT_EQ(fault_after([](SurfaceState& s) { s.out.raw().back() = 0; }).substr(0, body.size()),
+            body);
+  EXPECT_EQ(fault_after([](SurfaceState& s) { s.out.raw().front() = 2; }), body + "0");
 }
 
 }  // namespace
