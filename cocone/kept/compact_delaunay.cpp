@@ -28,6 +28,12 @@ struct Numbers {
   std::size_t vertices = 0;
   std::size_t cells = 0;
   std::size_t finite_cells = 0;
+
+  // Whether they are the slots: no gap, and infinite cells behind the finite ones.
+  bool are_slots() const {
+    return vertices == vertex.size() && cells == cell.size() &&
+           (finite_cells == 0 || cell[CellId(finite_cells - 1)] == CellId(finite_cells - 1));
+  }
 };
 
 Numbers number_elements(const DynamicDelaunay& delaunay) {
@@ -105,9 +111,11 @@ CompactDelaunay compact_delaunay(DynamicDelaunay&& delaunay,
                                  const IdVector<PointId, VertexId>& vertex_of_point) {
   Numbers numbers = number_elements(delaunay);
   auto [points, cells] = std::move(delaunay).release();
-  move_points(numbers, points, points);
+  if (!numbers.are_slots()) {
+    move_points(numbers, points, points);
+    move_cells(numbers, cells, cells);
+  }
   points.resize(numbers.vertices);
-  move_cells(numbers, cells, cells);
   cells.resize(numbers.cells);
   return compact(std::move(numbers), {std::move(points), std::move(cells), {}}, vertex_of_point);
 }
