@@ -89,12 +89,12 @@ class DynamicTightCocone {
   // far, each a vertex of the mesh. Complexity: O(n).
   void complete(ReconstructResult& result) const;
   // Whether the points so far are known to be the vertices of a smooth mesh, vertex i point i:
-  // closed and connected, with one umbrella at each. What edit() asks for. Of a surface that is not
-  // certain it is known after look_if_smooth(), and as long as edit() tells edits; not of one that
-  // replace() has not found. Complexity of looking: O(n) where it is not known, parallel.
+  // closed and connected, with one umbrella at each. What edit() goes by.
   bool is_smooth() const;
+  // Looks whether it is where that is not known: after replace() has found a surface that is not
+  // certain. edit() does so first. Complexity: O(n), parallel; O(1) where it is known.
   void look_if_smooth(const Execution& execution = {});
-  // The same for a certain surface.
+  // is_smooth() of a certain surface.
   bool is_certain() const;
 
   // Takes over the snapshot of one with these points and the same options; or a triangulation whose
