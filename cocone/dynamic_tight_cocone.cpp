@@ -150,6 +150,9 @@ DelaunayChange DynamicTightCocone::State::carry_out(Points points, PointStep& st
   if (candidates.exists()) candidates.update(delaunay, change, execution);
   if (certified.exists()) certified.update(delaunay, change, candidates);
   kept.update(delaunay, change, candidates);
+  // A point that comes may be a vertex that was to go (DynamicDelaunay::replace): its cells are
+  // old, but the old mesh has no such point.
+  if (change.removed.size() != step.removed.size()) kept.body.clear();
   return change;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "geom/random.h"
 #include "tests/cocone/changing_points.h"
 #include "tests/cocone/equal_reconstructions.h"
+#include "tests/cocone/sample_shapes.h"
 #include "tests/gallery.h"
 #include "tests/long_tests.h"
 #include "tests/stop_after.h"
@@ -214,6 +216,50 @@ TEST(DynamicTightCocone, PointsThatComeBackAsTheirVerticesAreNotLost) {
   const DynamicTightCocone::Edited edited = cocone.edit(points, change);
   EXPECT_FALSE(edited.edit.has_value());
   expect_equal_reconstruction(edited.result, reconstruct_tight(points));
+}
+
+// The same where labels are known of what stays: such a vertex is new for those who tell them.
+TEST(DynamicTightCocone, NothingIsKnownOfPointsThatComeBackAsTheirVertices) {
+  std::vector<Point> points = gallery::plane_and_apex(12);
+  const std::vector<Point> moved = shapes::moved(points, {0.5, 0.5, 0});
+  points.insert(points.end(), moved.begin(), moved.end());
+  std::vector<PointId> before;  // the apexes go, and come again
+  for (const Point& p : points) before.push_back(p.z == 0 ? PointId(before.size()) : PointId());
+  DynamicTightCocone cocone;
+  const ReconstructResult first = cocone.reconstruct(points);
+  std::vector<KnownTriangle> known;
+  std::vector<PointId> torn;
+  for (const Triangle& t : first.mesh.triangles) {
+    KnownTriangle corners;
+    std::transform(t.begin(), t.end(), corners.begin(),
+                   [&](VertexId v) { return first.point_of_vertex[v]; });
+    if (std::all_of(t.begin(), t.end(), [&](VertexId v) { return first.mesh.points[v].z == 0; })) {
+      known.push_back(corners);
+    } else {
+      torn.insert(torn.end(), corners.begin(), corners.end());
+    }
+  }
+  std::erase_if(torn, [&](PointId p) { return points[p.index()].z != 0; });
+  OldSurface old;
+  std::size_t asked = 0;
+  old.labels = [&](const Triangulation& triangulation, const FacetSet& likely,
+                   const Execution& execution) {
+    ++asked;
+    return known_labels(triangulation, known, likely, execution);
+  };
+  old.triangles.torn = [&] { return torn; };
+  old.triangles.at = [&](std::span<const PointId> at) {
+    std::vector<KnownTriangle> found;
+    std::copy_if(known.begin(), known.end(), std::back_inserter(found), [&](const auto& t) {
+      return std::any_of(t.begin(), t.end(),
+                         [&](PointId p) { return std::binary_search(at.begin(), at.end(), p); });
+    });
+    return found;
+  };
+  const ReconstructResult again = cocone.replace(points, before, {}, old);
+  EXPECT_EQ(asked, 1U);
+  expect_equal_reconstruction(again, reconstruct_tight_with_labels(points, old.labels));
+  EXPECT_EQ(asked, 2U);
 }
 
 // An edit has no mesh to be verified.
