@@ -205,8 +205,8 @@ void UpdateSteps::look_for_losses(const ModelIndex& index) {
   if (result_.unused_changes.is_doubtful(options_.unused_changes)) {
     warn(warning_of_unused_changes(result_.unused_changes));
   }
-  const std::size_t handles =
-      unexplained_handles(result_.clouds, result_.euler_before, result_.euler);
+  const std::size_t handles = unexplained_handles(result_.clouds, result_.choice.undecided_loops,
+                                                  result_.euler_before, result_.euler);
   // To close the holes of an open model changes its Euler number, too.
   if (handles > 0 && !index.has_irregular_edges()) {
     result_.unexplained_handles = handles;

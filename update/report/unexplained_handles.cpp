@@ -7,17 +7,32 @@
 
 namespace cocoon {
 
-std::size_t unexplained_handles(std::span<const CloudReport> clouds, std::ptrdiff_t before,
-                                std::ptrdiff_t after) {
-  std::ptrdiff_t handles = (before - after) / 2;
+namespace {
+
+std::size_t loops_on_model(const CloudReport& cloud) {
+  const auto loops = std::count_if(
+      cloud.loops.begin(), cloud.loops.end(),
+      [](const LoopReport& loop) { return loop.match == LoopMatch::on_model && !loop.pin_hole; });
+  return static_cast<std::size_t>(loops);
+}
+
+}  // namespace
+
+std::size_t unexplained_handles(std::span<const CloudReport> clouds, std::size_t empty_loops,
+                                std::ptrdiff_t before, std::ptrdiff_t after) {
+  std::size_t parts = empty_loops;
+  std::size_t patches = 0;  // in their place
   for (const CloudReport& cloud : clouds) {
-    const auto loops = std::count_if(
-        cloud.loops.begin(), cloud.loops.end(),
-        [](const LoopReport& loop) { return loop.match == LoopMatch::on_model && !loop.pin_hole; });
-    const std::ptrdiff_t torn = cloud.surface.rim.is_partial() ? 1 : 0;
-    handles -= std::max<std::ptrdiff_t>(loops + torn - 1, 0);
+    const std::size_t loops = loops_on_model(cloud);
+    if (loops == 0) continue;
+    ++patches;
+    const bool may_lack_one =
+        loops == 1 && cloud.replaced_groups.size() <= 1 && cloud.surface.rim.is_partial();
+    parts += may_lack_one ? 2 : cloud.replaced_groups.size();
   }
-  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(handles, 0));
+  const std::ptrdiff_t handles = (before - after) / 2;
+  const auto explained = static_cast<std::ptrdiff_t>(parts - std::min(parts, patches));
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(handles - explained, 0));
 }
 
 std::size_t repeated_vertices(const ModelIndex& model) {

@@ -1,4 +1,4 @@
-// Handles of an updated model that the rims of its clouds do not explain.
+// Handles of an updated model that the parts in whose place its clouds are do not explain.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,17 @@
 
 namespace cocoon {
 
-// A sphere with b holes that is sewn into b holes of a connected surface adds b - 1 handles to it,
-// and fewer if it joins parts: a drilled hole, with a rim at each mouth, is one handle more. So
-// what an update adds beyond that are handles of the scans themselves, or wrong ones. Of each cloud
-// the loops on the model count, and one that may be lost where its surface is torn
-// (CloudRim::is_partial). `before` and `after`: Euler numbers of the models.
-// Complexity: O(loops). Source: ours.
-std::size_t unexplained_handles(std::span<const CloudReport> clouds, std::ptrdiff_t before,
-                                std::ptrdiff_t after);
+// A sphere with holes that is sewn into the model in the place of m parts of it, disks or other
+// spheres with holes, lowers the Euler number by 2 (m - 1): it adds m - 1 handles, or joins what
+// was apart. A drilled hole, in the place of a disk at each mouth, is one handle more; a tube in
+// the place of a tube is none. So what an update adds beyond that are handles of the scans
+// themselves, or wrong ones. Parts under each cloud are its replaced groups, mouths with no group
+// inside
+// (`empty_loops`, of all clouds: RegionChoice::undecided_loops), and one that may be lost where the
+// surface of a cloud with one loop on the model is torn (CloudRim::is_partial). `before` and
+// `after`: Euler numbers of the models. Complexity: O(loops). Source: ours.
+std::size_t unexplained_handles(std::span<const CloudReport> clouds, std::size_t empty_loops,
+                                std::ptrdiff_t before, std::ptrdiff_t after);
 
 // How many vertices of the model's triangles lie at the place of an earlier one, as where contacts
 // were split: they are one vertex of the updated model. Complexity: O(v), O(1) if it is known that
