@@ -5,6 +5,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -174,6 +175,46 @@ TEST(UpdateWithHandles, BlockWithAClosedSlotByACap) {
   EXPECT_EQ(check.open_edges, 0U);
   EXPECT_TRUE(check.is_closed_manifold());
   EXPECT_EQ(check.euler, 2);  // the tunnel is a dead end
+}
+
+// A piece of the tube of a torus with radii 1 and 0.35, through which a hole is drilled that no rim
+// tells of.
+std::vector<Point> drilled_tube(double spacing) {
+  constexpr double tube = 0.35;
+  constexpr double hole = 0.16;
+  std::vector<Point> samples;
+  const int rows = static_cast<int>(2 * std::numbers::pi * tube / spacing);
+  for (int i = 0; spacing * i < 1.8; ++i) {
+    for (int k = 0; k < rows; ++k) {
+      const double v = 2 * std::numbers::pi * (k + 0.5 * (i % 2)) / rows;
+      const Point p = testing::torus_point(spacing * i - 0.9, v, tube);
+      if (std::hypot(p.x - 1, p.y) > hole + 0.3 * spacing) samples.push_back(p);
+    }
+  }
+  const int around = static_cast<int>(2 * std::numbers::pi * hole / spacing);
+  for (int k = 0; k < around; ++k) {
+    const double u = 2 * std::numbers::pi * k / around;
+    const double x = 1 + hole * std::cos(u);
+    const double y = hole * std::sin(u);
+    const double height = std::sqrt(tube * tube - (std::hypot(x, y) - 1) * (std::hypot(x, y) - 1));
+    const int steps = static_cast<int>(std::ceil(2 * height / spacing));
+    for (int j = 0; j <= steps; ++j) samples.push_back({x, y, height * (2.0 * j / steps - 1)});
+  }
+  return samples;
+}
+
+// Two rims, but one part of the model between them: of a handle neither tells.
+TEST(UpdateWithHandles, AHandleOfATubeInThePlaceOfATubeIsTold) {
+  const TriangleMesh model = testing::torus(126, 44, 0.35);
+  const UpdateResult result = update_model(model, Clouds{drilled_tube(0.045)});
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_EQ(result.clouds[0].loops.size(), 2U);
+  EXPECT_EQ(result.replaced_groups.size(), 1U);
+  EXPECT_EQ(mesh_check(result.mesh).euler, -2);
+  EXPECT_EQ(result.unexplained_handles, 1U);
+  EXPECT_TRUE(std::any_of(
+      result.warnings.begin(), result.warnings.end(),
+      [](const std::string& warning) { return warning.find("1 handle") != std::string::npos; }));
 }
 
 // Two boxes that share an edge, each closed by itself, as --manifold leaves contacts: the vertices
