@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "cocone/mark_cells.h"
 #include "geom/errors.h"
 #include "geom/parallel_reduce.h"
 
@@ -68,6 +69,37 @@ bool has_possible_sides(const Triangulation& triangulation, const SurfaceState& 
   return possible;
 }
 
+CellLabel label_at(const SurfaceState& state, CellId c) {
+  return static_cast<CellLabel>((state.marks.cells[c] & mark_flag::label) >>
+                                mark_flag::label_shift);
+}
+
+// Bit i: vertex i of the cell is good.
+unsigned good_corners(const Triangulation& triangulation, const MarkState& marks, CellId c) {
+  const auto& vertices = triangulation.cell(c).vertices;
+  unsigned good = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    if (vertices[i] == infinite_vertex) continue;
+    good |= (marks.vertices[vertices[i]] & mark_flag::good) << i;
+  }
+  return good;
+}
+
+// Infinite cells are OUT; of the others those have a label that have a good vertex. At one the
+// label changes across the surface, and nowhere else.
+bool has_possible_label(const Triangulation& triangulation, const SurfaceState& state, CellId c) {
+  const CellLabel label = label_at(state, c);
+  const unsigned good = good_corners(triangulation, state.marks, c);
+  bool possible = triangulation.is_infinite(c) ? label == CellLabel::out
+                                               : (label == CellLabel::unmarked) == (good == 0);
+  for (int i = 0; i < 4; ++i) {
+    if ((good & ~(1U << i)) == 0) continue;
+    const bool changes = label_at(state, triangulation.neighbor(c, i)) != label;
+    possible = possible && changes == ((flags_at(state.marks.cells, facet_id(c, i)) & 1U) != 0);
+  }
+  return possible;
+}
+
 // Marked facets are candidates that were not pruned, from both sides.
 bool has_possible_marks(const Triangulation& triangulation, const SurfaceState& state, CellId c) {
   const unsigned marks = state.marks.cells[c];
@@ -80,7 +112,7 @@ bool has_possible_marks(const Triangulation& triangulation, const SurfaceState& 
     const unsigned behind = flags_at(state.marks.cells, triangulation.mirror(facet_id(c, i)));
     possible = possible && (behind & 1U) != 0;
   }
-  return possible;
+  return possible && has_possible_label(triangulation, state, c);
 }
 
 // The vertices of the surface, and no others, have a sheet.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cocone/dynamic_tight_cocone.h"
+#include "cocone/mark_cells.h"
 #include "geom/errors.h"
 #include "tests/cocone/sample_shapes.h"
 
@@ -156,6 +157,31 @@ TEST(SurfaceState, MarksAndBodiesThatCannotBeAreRefused) {
   EXPECT_EQ(fault_after([](SurfaceState& s) { s.out.raw().back() = 0; }).substr(0, body.size()),
             body);
   EXPECT_EQ(fault_after([](SurfaceState& s) { s.out.raw().front() = 2; }), body + "0");
+}
+
+// What would label the cells of the next surface has labels that can be: at good vertices they
+// change across the surface and nowhere else, and what lies beyond all points is outside.
+TEST(SurfaceState, LabelsThatCannotBeAreRefused) {
+  const Snapshot good = snapshot_of(shapes::noisy_sphere(400, 0.03, 3));
+  ASSERT_FALSE(good.surface.marks.empty());
+  const auto fault_with_label = [&](CellId c, CellLabel label) {
+    Snapshot spoiled = good;
+    std::uint8_t& marks = spoiled.surface.marks.cells[c];
+    const unsigned shifted = static_cast<unsigned>(label) << mark_flag::label_shift;
+    marks = static_cast<std::uint8_t>((marks & ~mark_flag::label) | shifted);
+    return fault_of(spoiled);
+  };
+  const CellId infinite = *good.triangulation.infinite_cells().begin();
+  for (const CellId c : {CellId(0), CellId(400), infinite}) {
+    std::size_t possible = 0;
+    for (const CellLabel label : {CellLabel::unmarked, CellLabel::out, CellLabel::in}) {
+      const std::string fault = fault_with_label(c, label);
+      possible += fault.empty() ? 1 : 0;
+      if (fault.empty()) continue;
+      EXPECT_EQ(fault.rfind("what is known of the surface does not fit: marks of cell ", 0), 0U);
+    }
+    EXPECT_EQ(possible, 1U) << c.index();
+  }
 }
 
 }  // namespace
