@@ -108,21 +108,24 @@ std::vector<Point> samples_of_sharp_edges(const TriangleMesh& mesh,
                                           const DenseSampleOptions& options, double scale,
                                           const Execution& execution) {
   const LinkedMesh linked = link_mesh(mesh, execution);
-  std::vector<Point> samples;
+  std::vector<Halfedge> sharp;
   double length = 0;  // of sharp edges
   for (Halfedge halfedge = 0; halfedge < linked.links.size(); ++halfedge) {
     if (!linked.is_first(halfedge) || !is_sharp(linked, halfedge, options.sharp_cosine)) continue;
+    sharp.push_back(halfedge);
+    length += distance(linked.points[linked.from(halfedge)], linked.points[linked.to(halfedge)]);
+  }
+  if (length / options.spacing > most_dense_samples) {
+    refuse(options.spacing / scale, "too many along the sharp edges",
+           length / most_dense_samples / scale);
+  }
+  std::vector<Point> samples;
+  for (const Halfedge halfedge : sharp) {
     // From the lexicographically smaller end, so that the direction of the halfedge does not
     // matter.
     const auto [a, b] =
         std::minmax(linked.points[linked.from(halfedge)], linked.points[linked.to(halfedge)]);
-    const double length_here = distance(a, b);
-    const double parts = std::ceil(length_here / options.spacing);
-    length += length_here;
-    if (length / options.spacing > most_dense_samples) {
-      refuse(options.spacing / scale, "too many along the sharp edges",
-             length / most_dense_samples / scale);
-    }
+    const double parts = std::ceil(distance(a, b) / options.spacing);
     for (double k = 1; k < parts; ++k) samples.push_back(a + (k / parts) * (b - a));
   }
   return samples;

@@ -191,7 +191,6 @@ class Checker {
       report_.edges += patches_[k].edges;
     }
     for (const Halfedge halfedge : overfull_) {
-      patches_[patch_[triangle_of_halfedge(halfedge)]].manifold = false;
       at_overfull_[mesh_.from(halfedge)] = at_overfull_[mesh_.to(halfedge)] = 1;
     }
     report_.examples.open_edges = examples(open_);
@@ -266,7 +265,6 @@ class Checker {
       component.triangles += patches_[k].triangles;
       component.edges += patches_[k].edges;
       component.closed = component.closed && patches_[k].closed;
-      component.manifold = component.manifold && patches_[k].manifold;
       component.orientable = component.orientable && patches_[k].orientable;
     }
   }

@@ -168,6 +168,30 @@ TEST(UpdateScenarios, AHornThatSticksOutOfTheScanStays) {
   EXPECT_GT(lost_tip(update_model(model, Clouds{cloud}, leave)), 10U);
 }
 
+// The same beside a dent, so that the horn sticks out of the box of the samples, too. Where the
+// hole is taken for no rim, the samples tell that the scan ends there.
+TEST(UpdateScenarios, AHornBesideADentStaysThoughNoRimIsThere) {
+  const TriangleMesh model = reconstruct_tight(horned_sphere(1)).mesh;
+  std::vector<Point> cloud;
+  for (const Point& p : horned_sphere(7)) {
+    const double angle = polar_angle(p, {0, 0, 1});
+    if (angle > scan_angle || norm(p) > 1.3) continue;
+    cloud.push_back((1 - 0.2 * hill(angle, 0.3)) * p);
+  }
+  UpdateOptions options;
+  options.pin_holes.max_distance = 0;
+  const UpdateResult result = update_model(model, Clouds{cloud}, options);
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_EQ(result.clouds[0].loops.size(), 1U);
+  EXPECT_GT(result.clouds[0].cut.scan_ends, 0U);
+  // But for what is less than two spacings beyond its end.
+  for (const VertexId v : model.points.ids()) {
+    if (norm(model.points[v]) > 1.45) {
+      EXPECT_FALSE(result.vertex_map[v].is_none());
+    }
+  }
+}
+
 // The order of clouds and of points only numbers things.
 TEST(UpdateScenarios, OrderDoesNotMatter) {
   const TriangleMesh model = sphere_model(1500);

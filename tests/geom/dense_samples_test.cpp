@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -77,6 +79,49 @@ TEST(DenseSamples, LieAlongSharpEdges) {
   for (int k = 1; k < 12; ++k) EXPECT_TRUE(has({4, k * 0.25, 2})) << k;
 }
 
+// An edge with a third triangle is sharp, whichever two of them lie in one plane.
+TEST(DenseSamples, LieAlongEdgesOfThreeTriangles) {
+  std::vector<Triangle> triangles = {{VertexId(0U), VertexId(1U), VertexId(2U)},
+                                     {VertexId(1U), VertexId(0U), VertexId(3U)},
+                                     {VertexId(0U), VertexId(1U), VertexId(4U)}};
+  for (int round = 0; round < 3; ++round) {
+    TriangleMesh mesh;
+    for (const Point& p :
+         {Point{0, 0, 0}, Point{3, 0, 0}, Point{1, 2, 0}, Point{2, -2, 0}, Point{1, 0, 2}}) {
+      mesh.points.push_back(p);
+    }
+    std::rotate(triangles.begin(), triangles.begin() + 1, triangles.end());
+    for (const Triangle& t : triangles) mesh.triangles.push_back(t);
+    const std::vector<Point> added = dense_samples(mesh, {.spacing = 0.5});
+    for (int k = 1; k < 6; ++k) {
+      EXPECT_EQ(std::count(added.begin(), added.end(), Point{0.5 * k, 0, 0}), 1) << k;
+    }
+  }
+}
+
+// A disk of slivers from its middle, as CAD programs make them: no triangle is a thirtieth of a
+// square in size, but together they are many squares.
+TEST(DenseSamples, CoverADiskOfSlivers) {
+  constexpr std::size_t slivers = 4000;
+  constexpr double spacing = 0.4;
+  TriangleMesh disk;
+  disk.points.push_back({0, 0, 0});
+  for (std::size_t i = 0; i < slivers; ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / slivers;
+    disk.points.push_back({2 * std::cos(angle), 2 * std::sin(angle), 0});
+    disk.triangles.push_back({VertexId(0U), VertexId(1 + i), VertexId(1 + (i + 1) % slivers)});
+  }
+  std::vector<Point> samples = dense_samples(disk, {.spacing = spacing});
+  for (const Point& p : disk.points) samples.push_back(p);
+  const NearestPointTree tree(samples);
+  for (int i = -15; i <= 15; ++i) {
+    for (int j = -15; j <= 15; ++j) {
+      const Point place{0.1 * i, 0.1 * j, 0};
+      EXPECT_LT(tree.nearest(place).squared_distance, 1.3 * 1.3 * spacing * spacing);
+    }
+  }
+}
+
 TEST(DenseSamples, SameMeshSameSamples) {
   EXPECT_EQ(dense_samples(box(1), {.spacing = 0.3}), dense_samples(box(1), {.spacing = 0.3}));
 }
@@ -130,6 +175,28 @@ TEST(DenseSamples, CoordinatesOfAnySize) {
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("samples 2.03704e+81 apart"), std::string::npos)
         << error.what();
+  }
+}
+
+// The spacing that a refusal advises is in units of the coordinates, whatever size these have.
+TEST(DenseSamples, ARefusalAdvisesASpacingThatIsPossible) {
+  TriangleMesh needle;
+  for (const Point& p : {Point{0, 0, 0}, Point{4, 0, 0}, Point{4, 1e-12, 0}})
+    needle.points.push_back(p);
+  needle.triangles.push_back({VertexId(0U), VertexId(1U), VertexId(2U)});
+  const auto advised = [](TriangleMesh mesh, double factor) {
+    for (Point& p : mesh.points) p = factor * p;
+    try {
+      dense_samples(mesh, {.spacing = 1e-9 * factor});
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      return std::strtod(text.c_str() + text.find("spacing of ") + 11, nullptr) / factor;
+    }
+    return 0.0;
+  };
+  for (const double factor : {1.0, 0x1p300, 0x1p-300}) {
+    EXPECT_NEAR(advised(box(1), factor), std::sqrt(38 / most_dense_samples), 1e-8) << factor;
+    EXPECT_NEAR(advised(needle, factor), 8 / most_dense_samples, 1e-12) << factor;
   }
 }
 

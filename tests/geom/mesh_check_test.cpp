@@ -291,6 +291,36 @@ TEST(MeshCheck, JudgesLinksOfEveryLength) {
   }
 }
 
+// A fin on a surface that is not orientable hangs together with it, whichever comes first.
+TEST(MeshCheck, AFinMakesNothingOrientable) {
+  TriangleMesh mesh = gallery::projective_plane();
+  const VertexId tip = mesh.points.push_back({0, 0, 7});
+  mesh.triangles.push_back({VertexId(0), VertexId(1), tip});
+  for (int round = 0; round < 2; ++round) {
+    const MeshReport report = mesh_check(mesh);
+    EXPECT_EQ(report.overfull_edges, 1U);
+    ASSERT_EQ(report.component_reports.size(), 1U);
+    EXPECT_FALSE(report.orientable);
+    EXPECT_FALSE(report.component_reports[0].orientable);
+    EXPECT_FALSE(report.component_reports[0].manifold);
+    std::rotate(mesh.triangles.begin(), mesh.triangles.end() - 1, mesh.triangles.end());
+  }
+}
+
+// Whichever corner is at infinity: there is no telling whether it has area.
+TEST(MeshCheck, ATriangleToInfinityIsNotCountedAsFlat) {
+  for (const std::size_t corner : {0U, 1U, 2U}) {
+    TriangleMesh mesh = gallery::tetrahedron();
+    mesh.triangles.resize(1);
+    Point& p = mesh.points[mesh.triangles[TriangleId(0)][corner]];
+    for (const double x :
+         {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+      p.x = x;
+      EXPECT_EQ(mesh_check(mesh).zero_area_triangles, 0U) << corner;
+    }
+  }
+}
+
 TEST(MeshCheck, ComponentsComeInTheOrderOfTheirFirstTriangles) {
   const MeshReport report = mesh_check(gallery::join(gallery::tetrahedron(), gallery::torus(9, 7)));
   ASSERT_EQ(report.component_reports.size(), 2U);

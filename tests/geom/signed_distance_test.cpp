@@ -134,6 +134,19 @@ TEST(SignedDistance, OfAnOpenMeshIsThatOfTheNearestFacet) {
 }
 
 // Where squares of areas leave the range of double, and where those of lengths do.
+// A tent without floor and ends, steeper than 45 degrees: beside its ridge one of the two facets
+// that are nearest has the point behind it.
+TEST(SignedDistance, BesideTheRidgeOfAnOpenTentIsOutside) {
+  const TriangleMesh tent =
+      gallery::make_mesh({{0, 0, 3}, {9, 0, 3}, {0, -1, 0}, {9, -1, 0}, {0, 1, 0}, {9, 1, 0}},
+                         {{0, 2, 3}, {0, 3, 1}, {0, 1, 5}, {0, 5, 4}});
+  const std::vector<double> distances =
+      signed_distances(tent, std::vector<Point>{{4, 0.3, 3.4}, {4, -0.3, 3.4}, {4, 0, 2}});
+  EXPECT_NEAR(distances[0], 0.5, 1e-15);
+  EXPECT_NEAR(distances[1], 0.5, 1e-15);
+  EXPECT_LT(distances[2], 0);
+}
+
 TEST(SignedDistance, CoordinatesOfAnySize) {
   TriangleMesh open = cube_around_origin();
   open.triangles.resize(open.triangles.size() - 1);

@@ -51,6 +51,24 @@ TEST(WindingNumber, RaysThroughEdgesAndCornersOfACubeAreExact) {
   }
 }
 
+// Rays through the tip of an octahedron and along its edges, which seen along the rays are upright
+// or level: the shift in y decides of the one, that in z of the other.
+TEST(WindingNumber, RaysThroughEdgesAndCornersOfAnOctahedronAreExact) {
+  const WindingNumbers numbers(gallery::make_mesh(
+      {{3, 0, 0}, {-3, 0, 0}, {0, 3, 0}, {0, -3, 0}, {0, 0, 3}, {0, 0, -3}},
+      {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}));
+  for (int i = -8; i <= 8; ++i) {
+    for (int j = -8; j <= 8; ++j) {
+      for (int k = -8; k <= 8; ++k) {
+        const double size = 0.5 * (std::abs(i) + std::abs(j) + std::abs(k));
+        if (size == 3) continue;  // on the surface
+        EXPECT_EQ(numbers.at({0.5 * i, 0.5 * j, 0.5 * k}), size < 3 ? 1 : 0)
+            << i << " " << j << " " << k;
+      }
+    }
+  }
+}
+
 TEST(WindingNumber, AgreesWithTheSumOfSolidAngles) {
   Random random(11);
   // A cube with a cavity that holds a tetrahedron, and another body that overlaps it.

@@ -56,6 +56,17 @@ TEST(CloudRim, OutlineOfASquare) {
   }
 }
 
+// A long strip, narrow along its length: most edges at the rim are short, most of the surface are
+// not.
+TEST(CloudRim, TheSpacingIsThatOfTheRim) {
+  TriangleMesh strip = gallery::open_patch(1, 30);
+  for (Point& p : strip.points) p = {0.5 * p.x, 3 * p.y, 0};
+  const CloudRim rim = cloud_rim(strip);
+  ASSERT_EQ(rim.loops.size(), 1U);
+  EXPECT_EQ(rim.spacing, 0.5);
+  EXPECT_EQ(rim.median_edge, 3);
+}
+
 TEST(CloudRim, DoesNotDependOnTheNumbering) {
   const TriangleMesh mesh = with_hole(testing::grid_plane(12), 3, 9);
   const CloudRim expected = cloud_rim(mesh);

@@ -100,8 +100,11 @@ TEST(ContradictedIslands, NotOfFewSamples) {
   RingOnABlock scene(4);
   EXPECT_FALSE(scene.found({.min_samples = 36}).empty());
   EXPECT_TRUE(scene.found({.min_samples = 37}).empty());
+  scene.samples.push_back({3, 3, 12});  // off the model, too, but not over the island
+  EXPECT_TRUE(scene.found({.min_samples = 37}).empty());
   // 36 of them, 128 facets.
   EXPECT_FALSE(scene.found({.min_share = 0.28}).empty());
+  EXPECT_TRUE(scene.found({.min_share = 36 / 128.0}).empty());  // not more
   EXPECT_TRUE(scene.found({.min_share = 0.29}).empty());
   EXPECT_TRUE(scene.found({.off_model = 2.5}).empty());
 }

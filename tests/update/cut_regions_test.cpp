@@ -220,6 +220,49 @@ TEST(CutRegions, SamplesTellWhereARimIsMissing) {
   EXPECT_GT(without.under_facets, cut.under_facets + 1000);
 }
 
+// Where one sample lies beyond all that would go, its box tells nothing. Then only a rim with more
+// seams than a clear one has makes that the ends of the scan are looked for, one of several, too.
+TEST(CutRegions, EndsAreLookedForUnlessAllRimsAreClear) {
+  CloudRim clear = rim_of({testing::cap_rim(60, {0, 0, -1}, std::numbers::pi - 1)});
+  clear.median_edge = clear.spacing;
+  clear.rim_edges = 60;
+  clear.seam_edges = 3;
+  CloudRim torn = clear;
+  torn.seam_edges = 4;
+  Case ball(testing::sphere(4), clear);
+  std::vector<Point> belt = {{1.1, 1.1, 1.1}, {-1.1, -1.1, -1.1}};
+  for (double polar = 1; polar < 2.1; polar += 0.05) {
+    for (int k = 0; k < 120; ++k) {
+      const double angle = 2 * std::numbers::pi * k / 120;
+      belt.push_back(
+          {std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar)});
+    }
+  }
+  ball.scans = {{belt, 0.05}};
+  const auto ends = [&](const std::vector<CloudRim>& rims) {
+    return cut_under_cloud(ball.model, ball.certain(), rims, ball.scans).scan_ends;
+  };
+  EXPECT_EQ(ends({clear}), 0U);
+  EXPECT_GT(ends({torn}), 20U);
+  EXPECT_EQ(ends({clear, clear}), 0U);
+  EXPECT_EQ(ends({clear, torn}), ends({torn}));
+}
+
+// Of joined clouds lengths are in the shorter median edges.
+TEST(CutRegions, LengthsAreInTheShortestMedianEdges) {
+  const Case scene(grid_plane(30), torn_rim(0, 0));
+  CloudRim fine = scene.rim;
+  fine.median_edge = 0.5;
+  CloudRim coarse = scene.rim;
+  coarse.median_edge = 2;
+  const auto seeds = [&](const std::vector<CloudRim>& rims) {
+    return cut_under_cloud(scene.model, scene.certain(), rims).seeds_under;
+  };
+  EXPECT_NEAR(seeds({fine}), 4 * seeds({coarse}), 0.01 * seeds({fine}));
+  EXPECT_EQ(seeds({fine, coarse}), seeds({fine}));
+  EXPECT_EQ(seeds({coarse, fine}), seeds({fine}));
+}
+
 // Two halves of a disk: each has its rim in the midst of the other, which is marked as shared.
 TEST(CutRegions, JoinedCloudsAreCutAsOne) {
   const TriangleMesh mesh = grid_plane(30);

@@ -32,6 +32,7 @@ TEST(OverlappingFacets, FindsTheFacetBelowEachPoint) {
     ASSERT_EQ(overlap.status, OverlapStatus::ok);
     ASSERT_EQ(overlap.loops.size(), 1U);
     EXPECT_EQ(overlap.unmatched, 0U);
+    EXPECT_EQ(overlap.facing_away, 0U);
     EXPECT_NEAR(overlap.largest_distance, 0.3, 1e-12);
     EXPECT_NEAR(overlap.median_distance, 0.3, 1e-12);
     for (std::size_t i = 0; i < 40; ++i) {
@@ -149,6 +150,69 @@ TEST(OverlappingFacets, DoesNotTakeAnotherWallFromAfar) {
   EXPECT_EQ(overlapping_facets(model, rim_of({loop})).loops[0].feet[first].x, 20);
 }
 
+// Nor one that is farther away than any facet may be, though it is hardly farther than the floor.
+TEST(OverlappingFacets, DoesNotTakeAWallBeyondTheLargestDistance) {
+  TriangleMesh model = testing::block(20, 20, 8);
+  for (Point& p : model.points) p = 2 * p;  // the spacing is 2
+  RimLoop loop = circle(100, {20, 20, 16}, 15);
+  loop.points[99] = {38.8, 20, 17};  // the wall x = 40 is 1.56 away
+  loop.normals[99] = {1, 0, 0};
+  const auto place = [&](double max_distance) {
+    const Overlap overlap =
+        overlapping_facets(model, rim_of({loop}), {.max_distance = max_distance});
+    EXPECT_EQ(overlap.steep, max_distance == 0.8 ? 0U : 1U);
+    return overlap.loops[0].feet[99];
+  };
+  EXPECT_EQ(place(0.8), (Point{40, 20, 16}));
+  EXPECT_EQ(place(0.7), (Point{38.8, 20, 16}));
+}
+
+// As far away as a point may be is not too far.
+TEST(OverlappingFacets, ThreeSpacingsAreNear) {
+  TriangleMesh model = testing::grid_plane(20);
+  for (Point& p : model.points) p = 2 * p;
+  const auto unmatched = [&](double height) {
+    return overlapping_facets(model, rim_of({circle(60, {20, 20, height}, 12)})).unmatched;
+  };
+  EXPECT_EQ(unmatched(6), 0U);
+  EXPECT_EQ(unmatched(std::nextafter(6, 7)), 60U);
+}
+
+// Points above a speck of dust look for the surface below it, as long as they are a tenth of all.
+TEST(OverlappingFacets, ATenthOfTheRimMayBeNearestToAnotherPart) {
+  TriangleMesh model = testing::grid_plane(20);
+  for (Point& p : model.points) p = 2 * p;
+  for (const Point& p : {Point{0, 0, 1}, Point{40, 0, 1}, Point{0, 40, 1}}) {
+    model.points.push_back(p);
+  }
+  const std::size_t last = model.points.size() - 1;
+  model.triangles.push_back({VertexId(last - 2), VertexId(last - 1), VertexId(last)});
+  const auto on_speck = [&](std::size_t raised, std::size_t relocated) {
+    RimLoop loop = circle(40, {12, 12, 0}, 6);
+    for (std::size_t i = 0; i < raised; ++i) loop.points[i].z = 1;
+    const Overlap overlap = overlapping_facets(model, rim_of({loop}));
+    EXPECT_EQ(overlap.relocated, relocated);
+    const auto& feet = overlap.loops[0].feet;
+    return std::count_if(feet.begin(), feet.end(), [](const Point& foot) { return foot.z > 0.5; });
+  };
+  EXPECT_EQ(on_speck(4, 4), 0);
+  EXPECT_EQ(on_speck(5, 0), 5);
+}
+
+// Between edges with cloud beyond them a point is not looked for, so that the border passes it by.
+TEST(OverlappingFacets, InnerPointsHaveNoFacet) {
+  const TriangleMesh model = testing::grid_plane(20);
+  RimLoop loop = circle(40, {10, 10, 0.3}, 6.2);
+  loop.inner.assign(40, 0);
+  for (std::size_t i = 5; i < 9; ++i) loop.inner[i] = 1;
+  const Overlap overlap = overlapping_facets(model, rim_of({loop}));
+  EXPECT_EQ(overlap.loops[0].inner_points, 3U);
+  EXPECT_EQ(overlap.unmatched, 0U);
+  for (std::size_t i = 0; i < 40; ++i) {
+    EXPECT_EQ(overlap.loops[0].facets[i].is_none(), 5 < i && i < 9) << i;
+  }
+}
+
 TEST(OverlappingFacets, FarAwayIsNoOverlap) {
   const TriangleMesh model = testing::grid_plane(20);
   EXPECT_EQ(overlapping_facets(model, rim_of({circle(40, {10, 10, 2.9}, 6)})).status,
@@ -206,6 +270,29 @@ TEST(OverlappingFacets, ARimOverAnotherCloudIsCovered) {
   EXPECT_EQ(scene.overlaps[1].loops[0].covered, 30U);
 }
 
+// A tenth of its points may lie on the model, since it starts somewhere there.
+TEST(OverlappingFacets, ACoveredRimMayTouchTheModel) {
+  for (const std::size_t below : {4U, 5U}) {
+    CoveredRim scene;
+    for (std::size_t i = 0; i < below; ++i) scene.rims[1].loops[0].points[i].z = 0;
+    scene.locate();
+    EXPECT_EQ(scene.overlaps[1].loops[0].covered, 40 - below);
+    EXPECT_EQ(scene.overlaps[1].loops[0].match,
+              below == 4 ? LoopMatch::covered : LoopMatch::on_model);
+  }
+}
+
+// Two clouds in the air over each other, and a third one that reaches from there to the model: it
+// holds both, whichever other cloud a point is looked for in first.
+TEST(OverlappingFacets, CloudsThatCoverEachOtherLieOnTheModelByOneOfThem) {
+  CoveredRim scene;
+  const CloudRim in_the_air = scene.rims[1];
+  scene.rims = {in_the_air, in_the_air, scene.rims[0]};
+  scene.clouds.assign(3, in_the_air.loops[0].points);
+  scene.locate();
+  for (const Overlap& overlap : scene.overlaps) EXPECT_EQ(overlap.status, OverlapStatus::ok);
+}
+
 TEST(OverlappingFacets, CloudsThatCoverEachOtherInTheAirDoNotOverlapTheModel) {
   CoveredRim scene;
   for (Point& p : scene.rims[0].loops[0].points) p.z = 9;
@@ -244,6 +331,63 @@ TEST(OverlappingFacets, ALoopThatIsPartlyRaisedIsAHole) {
   // Nor is the outline of another patch.
   loop.component = 1;
   EXPECT_EQ(match(0), LoopMatch::on_model);
+}
+
+// The longest loop is what others are compared with, and not raised itself: here it climbs over
+// something new for two fifths of its length.
+TEST(OverlappingFacets, TheLongestLoopIsNotRaised) {
+  const TriangleMesh model = testing::grid_plane(30);
+  RimLoop loop = circle(60, {15, 15, 0}, 10);
+  for (std::size_t i = 0; i < 24; ++i) loop.points[i].z = 2;
+  const Overlap overlap = overlapping_facets(model, rim_of({loop}));
+  EXPECT_EQ(overlap.loops[0].raised, 0U);
+  EXPECT_EQ(overlap.status, OverlapStatus::ok);
+}
+
+// Of 20 points five are raised, and two so far that they have no facet: more than three tenths.
+TEST(OverlappingFacets, PointsWithoutAFacetAreRaised) {
+  const TriangleMesh model = testing::grid_plane(30);
+  const auto raised = [&](std::size_t far) {
+    RimLoop loop = circle(20, {15, 15, 0}, 4);
+    for (std::size_t i = 0; i < 7; ++i) loop.points[i].z = i < far ? 9 : 2;
+    for (std::size_t i = 5 + far; i < 7; ++i) loop.points[i].z = 0;
+    return overlapping_facets(model, rim_of({circle(60, {15, 15, 0}, 10), loop})).loops[1];
+  };
+  EXPECT_EQ(raised(0).raised, 5U);
+  EXPECT_EQ(raised(0).match, LoopMatch::on_model);
+  EXPECT_EQ(raised(2).raised, 7U);
+  EXPECT_EQ(raised(2).match, LoopMatch::off_model);
+}
+
+// Points on another cloud are raised by what is new there, not by a shadow.
+TEST(OverlappingFacets, CoveredPointsOfALoopAreExcused) {
+  CoveredRim scene;
+  RimLoop hole = circle(20, {10, 10, 0}, 2);
+  std::vector<Point> over;
+  for (std::size_t i = 0; i < 8; ++i) {
+    hole.points[i].z = 9;
+    over.push_back(hole.points[i]);
+  }
+  scene.rims[0].loops.push_back(hole);
+  scene.clouds[1] = over;
+  scene.locate();
+  EXPECT_EQ(scene.overlaps[0].loops[1].raised, 8U);
+  EXPECT_EQ(scene.overlaps[0].loops[1].covered, 8U);
+  EXPECT_EQ(scene.overlaps[0].loops[1].match, LoopMatch::on_model);
+}
+
+// Nothing is raised above an outline that has no facets, being over another cloud. Its feet say
+// nothing: that they are close to the origin is no height.
+TEST(OverlappingFacets, NothingIsRaisedAboveAnOutlineOverAnotherCloud) {
+  TriangleMesh model = testing::grid_plane(20);
+  for (Point& p : model.points) p = p - Vec3{10, 10, 9};
+  RimLoop hole = circle(20, {0, 0, -9}, 1);
+  for (std::size_t i = 0; i < 10; ++i) hole.points[i].z = -6.2;
+  const CloudRim rim = rim_of({circle(60, {0, 0, 0}, 1.5), hole});
+  const LoopOverlap found = overlapping_facets(model, rim).loops[1];
+  EXPECT_EQ(found.unmatched, 0U);
+  EXPECT_EQ(found.raised, 0U);
+  EXPECT_EQ(found.match, LoopMatch::on_model);
 }
 
 // A long facet pair (the floor) and above it a shelf whose vertices are nearer.

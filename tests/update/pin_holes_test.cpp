@@ -83,6 +83,29 @@ TEST(PinHoles, StayPinHolesAwayFromTheModel) {
   EXPECT_EQ(scan.opened(model, {.max_distance = 1.2}), 1U);
 }
 
+// A hole of perimeter 4 looks no farther than 4 around its middle, in no direction: in the corner
+// of a box of that size there is another part of the model.
+TEST(PinHoles, LookNoFartherThanTheirPerimeter) {
+  Scan scan;
+  for (Point& p : scan.cloud) p = 0.5 * p;
+  TriangleMesh surface = plane_with_hole();
+  for (Point& p : surface.points) p = 0.5 * p;
+  scan.rim = cloud_rim(surface);
+  ASSERT_EQ(scan.rim.pin_hole_loops.size(), 1U);
+  EXPECT_EQ(scan.rim.pin_hole_loops[0].perimeter, 4);
+  for (const double off : {2.0, 2.6}) {
+    TriangleMesh model = testing::grid_plane(side);
+    for (Point& p : model.points) p = 0.5 * p;
+    for (const Vec3& by : {Vec3{0, 0, 0}, Vec3{0.2, 0, 0}, Vec3{0, 0.2, 0}}) {
+      model.points.push_back(Point{3, 3, 0} + Vec3{off, off, off} + by);
+    }
+    const std::size_t last = model.points.size() - 1;
+    EXPECT_EQ(scan.opened(model), 0U);  // points that no triangle uses are none of the model
+    model.triangles.push_back({VertexId(last - 2), VertexId(last - 1), VertexId(last)});
+    EXPECT_EQ(scan.opened(model), off == 2 ? 1U : 0U) << off;
+  }
+}
+
 TEST(PinHoles, CanBeLeftAlone) {
   EXPECT_EQ(Scan().opened(plane_with_column(4), {.max_distance = 0}), 0U);
 }

@@ -67,6 +67,24 @@ TEST(ReplacePoints, EqualPointsAreMerged) {
   EXPECT_FALSE(merged.kept_are_distinct);
 }
 
+// Equal vertices are one point even where no cloud is near them; and a sample that is equal to a
+// vertex does not keep vertices from having points of their own, though it be the very first.
+TEST(ReplacePoints, EqualVerticesAreMergedFarFromTheCloudsToo) {
+  ReplacedDisk scene;
+  scene.clouds[0].insert(scene.clouds[0].begin(), {20, 20, 0});
+  EXPECT_EQ(scene.replace().duplicates, 1U);
+  EXPECT_TRUE(scene.replace().kept_are_distinct);
+  scene.clouds[0].erase(scene.clouds[0].begin());
+  const VertexId at_corner = scene.model.points.push_back({0, 0, 0});
+  scene.model.triangles.push_back({at_corner, VertexId(1), VertexId(21)});
+  scene.regions.group_of_vertex.push_back(scene.regions.group_of_vertex[VertexId(0)]);
+  scene.regions.region_of_facet.push_back(scene.regions.region_of_facet[TriangleId(0)]);
+  const Replacement merged = scene.replace();
+  EXPECT_EQ(merged.duplicates, 1U);
+  EXPECT_EQ(merged.point_of_vertex[at_corner], merged.point_of_vertex[VertexId(0)]);
+  EXPECT_FALSE(merged.kept_are_distinct);
+}
+
 TEST(ReplacePoints, TellsWhoWasRemoved) {
   const Replacement result = ReplacedDisk().replace();
   std::vector<VertexId> removed;
@@ -97,6 +115,19 @@ TEST(ReplacePoints, ThinningDropsKeptVerticesNearTheCloud) {
   scene.clouds.emplace_back();
   scene.rims.push_back(scene.rims[0]);
   EXPECT_EQ(scene.replace({.thinning_distance = 0.5, .scanned = {.rim_zone = 0}}).thinned, 1U);
+}
+
+// Closer than a share of the spacing of the cloud's own rim; as far as that is not closer.
+TEST(ReplacePoints, ThinningReachesAShareOfTheSpacingOfEachCloud) {
+  ReplacedDisk scene;
+  scene.clouds[0].push_back({2, 3.125, 0});
+  const auto thinned = [&](double spacing) {
+    scene.rims[0].spacing = spacing;
+    return scene.replace({.thinning_distance = 0.5, .scanned = {.rim_zone = 0}}).thinned;
+  };
+  EXPECT_EQ(thinned(0.2), 0U);
+  EXPECT_EQ(thinned(0.25), 0U);
+  EXPECT_EQ(thinned(0.26), 1U);
 }
 
 TEST(ReplacePoints, VerticesInTheBorderAreDecidedWhetherThinnedOrNot) {

@@ -38,7 +38,12 @@ double volume_of(const TriangleMesh& mesh) {
 
 // What is measured of each part.
 struct Part {
-  Point center;  // of the open edges; of a closed part any point
+  // Of the open edges; of a closed part any of its points.
+  Point center() const {
+    return open_edges > 0 ? sum_of_middles / static_cast<double>(open_edges) : corner;
+  }
+  Point corner;
+  Vec3 sum_of_middles;  // of the open edges
   std::size_t open_edges = 0;
   double open_length = 0;
   double area = 0;
@@ -50,17 +55,17 @@ void measure_openings(const TriangleMesh& mesh, const HalfedgeRings& rings,
                       const EdgeComponents& found, std::vector<Part>& parts) {
   for (const TriangleId t : mesh.triangles.ids()) {
     Part& part = parts[found.component_of[t.index()]];
+    part.corner = mesh.points[mesh.triangles[t][0]];
     for (std::size_t i = 0; i < 3; ++i) {
       const Halfedge halfedge = halfedge_of(t, i);
       if (!rings.has_edge(halfedge) || rings.has_two_triangles(halfedge)) continue;
       const auto [from, to] = ends_of_halfedge(mesh, halfedge);
       const Point& a = mesh.points[from];
       const Point& b = mesh.points[to];
-      part.center = part.center + 0.5 * (a + b);
+      part.sum_of_middles = part.sum_of_middles + 0.5 * (a + b);
       part.open_length += distance(a, b);
       ++part.open_edges;
     }
-    if (part.open_edges == 0) part.center = mesh.points[mesh.triangles[t][0]];
   }
 }
 
@@ -68,13 +73,10 @@ std::vector<Part> measure(const TriangleMesh& mesh, const HalfedgeRings& rings,
                           const EdgeComponents& found, const OutwardOptions& options) {
   std::vector<Part> parts(found.components.size());
   measure_openings(mesh, rings, found, parts);
-  for (Part& part : parts) {
-    if (part.open_edges > 0) part.center = part.center / static_cast<double>(part.open_edges);
-  }
   for (const TriangleId t : mesh.triangles.ids()) {
     Part& part = parts[found.component_of[t.index()]];
     part.area += area_of(mesh, t);
-    part.volume += volume_over(mesh, t, part.center);
+    part.volume += volume_over(mesh, t, part.center());
   }
   for (std::size_t k = 0; k < parts.size(); ++k) {
     Part& part = parts[k];

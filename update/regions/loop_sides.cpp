@@ -94,15 +94,15 @@ LoopSides loop_sides(const TriangleMesh& model, const TriangleNeighbors& neighbo
            std::tuple(a.edges, facets_of(regions, a.region), b.region);
   });
 
-  std::vector<RegionId> longest;
+  std::vector<RegionId> at_sides;  // longest first
   for (const LoopSide& side : result.sides) {
-    if (!side.region.is_none() && longest.size() < 2) longest.push_back(side.region);
+    if (!side.region.is_none()) at_sides.push_back(side.region);
   }
   if (!band.closed) {
     result.separation = Separation::open_band;
-  } else if (longest.size() < 2) {
+  } else if (at_sides.size() < 2) {
     result.separation = Separation::encloses_nothing;
-  } else if (longest[0] == longest[1]) {
+  } else if (at_sides[0] == at_sides[1]) {
     result.separation = Separation::non_separating;
   }
   return result;

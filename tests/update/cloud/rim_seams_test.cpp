@@ -1,5 +1,7 @@
 #include "update/cloud/rim_seams.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -100,6 +102,47 @@ TEST(MarkRimSeams, AShortEndOfALoopThatIsMostlySeamIsNoRim) {
   EXPECT_EQ(loops_with({.min_rim_run = 13}), 0U);
   EXPECT_EQ(loops_with({.min_rim_length = 13}), 0U);
   EXPECT_EQ(loops_with({.min_rim_run = 0}), 0U);  // as if there were no such rule
+}
+
+// Three quarters are not more than three quarters.
+TEST(MarkRimSeams, ALoopIsMostlySeamAboveTheShare) {
+  const SquareAtAnEnd scene;
+  for (const double share : {0.75, 0.74}) {
+    CloudRim rim = cloud_rim(scene.square);
+    mark_rim_seams(scene.cloud, rim, {.max_seam_share = share, .min_rim_run = 0});
+    EXPECT_EQ(rim.seam_loops, share == 0.75 ? 0U : 1U);
+  }
+}
+
+// The end of the cloud, 12 edges of length 1, is measured in median edges of the surface, not in
+// those of the rim; and there is no rim without length.
+TEST(MarkRimSeams, TheLengthOfARimIsInMedianEdges) {
+  SquareAtAnEnd scene;
+  const auto loops_with = [&](double length) {
+    CloudRim rim = cloud_rim(scene.square);
+    rim.median_edge = 1.5;
+    mark_rim_seams(scene.cloud, rim, {.min_rim_length = length});
+    return rim.loops.size();
+  };
+  EXPECT_EQ(loops_with(8), 1U);
+  EXPECT_EQ(loops_with(8.1), 0U);
+  for (int y = -3; y <= 15; ++y) scene.cloud.push_back({-1, static_cast<double>(y), 0});
+  EXPECT_EQ(loops_with(0), 0U);
+}
+
+// Wherever the loop starts, its rim is one run: here in the middle of it.
+TEST(MarkRimSeams, ARunGoesOnWhereTheLoopStarts) {
+  const SquareAtAnEnd scene;
+  CloudRim rim = cloud_rim(scene.square);
+  ASSERT_EQ(rim.loops.size(), 1U);
+  RimLoop& loop = rim.loops[0];
+  const auto start = static_cast<std::ptrdiff_t>(
+      std::find(loop.points.begin(), loop.points.end(), Point{0, 6, 0}) - loop.points.begin());
+  std::rotate(loop.points.begin(), loop.points.begin() + start, loop.points.end());
+  std::rotate(loop.apexes.begin(), loop.apexes.begin() + start, loop.apexes.end());
+  mark_rim_seams(scene.cloud, rim, {.min_rim_run = 12});
+  ASSERT_EQ(rim.loops.size(), 1U);
+  EXPECT_EQ(rim.loops[0].inner_edges(), 36U);
 }
 
 // A few edges by chance without a sample in reach beyond them are none of the rim.

@@ -55,6 +55,28 @@ TEST(OrientOutward, WhatFacesInwardIsTurned) {
   }
 }
 
+// A ball of radius 4 that lacks a cap, a hundred and more radii from the origin, as in coordinates
+// of a survey. The first triangles are not at the hole.
+TEST(OrientOutward, OpenBodiesFarFromTheOriginToo) {
+  const TriangleMesh ball = gallery::scaled(gallery::sphere(3), 4);
+  for (const Vec3& to :
+       {Vec3{}, Vec3{2000, 0, 0}, Vec3{-2000, 0, 0}, Vec3{0, 0, 2e6}, Vec3{0, 0, -2e6}}) {
+    const TriangleMesh moved = translated(ball, to);
+    for (const Vec3& hole : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1}}) {
+      TriangleMesh mesh{moved.points, {}};
+      for (const TriangleId t : ball.triangles.ids()) {
+        const auto [a, b, c] = corners_of(ball, t);
+        if (dot(a + b + c, hole) < 3 * 3.5) mesh.triangles.push_back(ball.triangles[t]);
+      }
+      ASSERT_LT(mesh.triangles.size(), ball.triangles.size());
+      TriangleMesh outward = mesh;
+      EXPECT_EQ(orient_outward(outward).turned, 0U);
+      TriangleMesh inward = flipped(mesh);
+      EXPECT_EQ(orient_outward(inward).turned, mesh.triangles.size());
+    }
+  }
+}
+
 // Whatever share was turned: one of the two ways is outward, and no vote can tell which.
 TEST(OrientOutward, TrianglesAtOddsAgree) {
   const TriangleMesh mesh = join(gallery::sphere(3), translated(gallery::torus(20, 8), {9, 0, 0}));
@@ -66,6 +88,20 @@ TEST(OrientOutward, TrianglesAtOddsAgree) {
       EXPECT_DOUBLE_EQ(mesh_measure(oriented).signed_volume, mesh_measure(mesh).signed_volume);
     }
   }
+}
+
+// The box agrees by most of its triangles, which face inward; once it is turned, its volume holds
+// that of the hollow within it, which is as it should be.
+TEST(OrientOutward, HollowsOfABodyAtOddsStay) {
+  const TriangleMesh mesh =
+      join(gallery::scaled(cube(), 6), flipped(translated(cube(2), {2, 2, 2})));
+  TriangleMesh oriented = mesh;
+  for (std::size_t i = 0; i < 8; ++i) {
+    Triangle& t = oriented.triangles[TriangleId(i)];
+    std::swap(t[1], t[2]);
+  }
+  EXPECT_EQ(orient_outward(oriented).turned, 8U);
+  EXPECT_EQ(oriented.triangles, mesh.triangles);
 }
 
 // A sheet at odds agrees in the end, but the side that most triangles showed stays.
@@ -86,6 +122,15 @@ TEST(OrientOutward, OneSidedPartsStay) {
   EXPECT_EQ(report.turned, 12U);
   EXPECT_EQ(report.one_sided, 1U);
   EXPECT_EQ(mesh.triangles, join(cube(), strip).triangles);
+  // Closed ones have no sign of a volume, either.
+  for (const TriangleMesh& closed :
+       {gallery::projective_plane(), flipped(gallery::projective_plane())}) {
+    TriangleMesh plane = closed;
+    const OutwardReport found = orient_outward(plane);
+    EXPECT_EQ(found.one_sided, 1U);
+    EXPECT_EQ(found.turned, 0U);
+    EXPECT_EQ(plane.triangles, closed.triangles);
+  }
 }
 
 }  // namespace

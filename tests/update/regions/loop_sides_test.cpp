@@ -193,6 +193,21 @@ TEST(LoopSides, ASideIsOfTheRegionThatMostOfItBordersOn) {
   }
 }
 
+// The same with a wall right in the middle, and another one that takes two columns from the part on
+// the left or right: there are as many edges at either part, but the other one is larger.
+TEST(LoopSides, OfRegionsWithAsManyEdgesItIsTheLargerOne) {
+  const SquareBand square;
+  for (const std::size_t cut : {1U, 9U}) {
+    const std::vector<TriangleId> border = facets_of_quads(square.mesh, [&](std::size_t quad) {
+      const std::size_t x = quad % side_of_plane, y = quad / side_of_plane;
+      return is_in_square(quad, 2) || x == cut || (x == 5 && (y < 3 || y > 7));
+    });
+    const LoopSides found = sides_of(square.mesh, square.band(), border);
+    ASSERT_EQ(found.sides.size(), 2U);
+    EXPECT_EQ(found.sides[0].region, RegionId(cut == 1 ? 2U : 0U)) << cut;
+  }
+}
+
 TEST(LoopSides, OfSidesOfOneLengthThatAtTheLargerRegionIsFirst) {
   const TriangleMesh mesh = testing::torus(60, 24, 0.3);
   const auto ring = [&](std::size_t u) {

@@ -1,6 +1,8 @@
 #include "update/regions/scanned_vertices.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <vector>
 
 #include "tests/update/hand_made_models.h"
 #include "update/overlapping_facets.h"
@@ -63,6 +65,39 @@ TEST(ScannedVertices, TheReachIsAShareOfTheEdgesOfACoarseCloud) {
   EXPECT_EQ(scene.at(near_rim), Scanned::yes);
 }
 
+// The rim of a coarse cloud is that far from what it samples: its zone is a share of its own edges.
+TEST(ScannedVertices, TheZoneOfACoarseRimIsWider) {
+  Scene scene;
+  constexpr Point farther = {15, 15, 0};  // 0.77 outside; vertices are 1.14 apart in the mean
+  EXPECT_EQ(scene.at(farther), Scanned::unclear);
+  scene.rims[0].spacing = 3;
+  EXPECT_EQ(scene.at(farther), Scanned::no);
+}
+
+// A pyramid of four triangles, all of them border, with edges of 2 at its tip and of 2 sqrt(2)
+// around: the mean is 2 at the tip, and 2.41 at its neighbors.
+TEST(ScannedVertices, TheSpacingAtAVertexIsSmoothedHalfAndHalf) {
+  TriangleMesh model;
+  for (const Point& p :
+       {Point{0, 0, 0}, Point{2, 0, 0}, Point{0, 2, 0}, Point{-2, 0, 0}, Point{0, -2, 0}}) {
+    model.points.push_back(p);
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    model.triangles.push_back({VertexId(0U), VertexId(1 + i), VertexId(1 + (i + 1) % 4)});
+  }
+  const ModelIndex facets(model);
+  const Regions regions = segment_model(facets, TriangleSet(4, 1));
+  const std::vector<CloudRim> rims = {testing::rim_of({testing::circle(12, {5.1, 0, 0}, 5)})};
+  const auto at_tip = [&](double distance) {
+    const std::vector<std::vector<Point>> clouds = {{{0, 0, distance}}};
+    const ScannedOptions options{.sample_reach = 0.5, .cloud_reach = 0, .depth_weight = 0};
+    return scanned_vertices(facets, regions, RimIndex(rims), rims, clouds, options)[VertexId(0U)];
+  };
+  const double spacing = 0.5 * (2 + (2 + 2 * std::sqrt(2)) / 2);
+  EXPECT_EQ(at_tip(0.49 * spacing), Scanned::yes);
+  EXPECT_EQ(at_tip(0.51 * spacing), Scanned::no);
+}
+
 // A sample as far from a vertex on either side of the rim: only the one on the cloud's side has
 // been scanned.
 TEST(ScannedVertices, TheSideOfTheRimWeighsWithTheSamples) {
@@ -76,7 +111,10 @@ TEST(ScannedVertices, TheSideOfTheRimWeighsWithTheSamples) {
   }
   const ScannedOptions samples_alone{.depth_weight = 0};
   EXPECT_EQ(scene.at(inside, samples_alone), Scanned::no);
-  // Before the rim by so much that no sample is close enough.
+  // Before the rim by so much that no sample is close enough, not even one at the vertex.
+  EXPECT_EQ(scene.at(outside, {.depth_weight = 20}), Scanned::no);
+  scene.clouds[0] = {outside};
+  EXPECT_EQ(scene.at(outside), Scanned::yes);
   EXPECT_EQ(scene.at(outside, {.depth_weight = 20}), Scanned::no);
 }
 

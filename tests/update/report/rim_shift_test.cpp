@@ -33,6 +33,16 @@ TEST(RimShift, TellsACloudMovedOffTheSurface) {
   EXPECT_NEAR(shift_of(testing::grid_plane(20), rim), 0.6, 0.02);
 }
 
+// However far it is: what lies off is left out from the second round on. And a number of spacings
+// that the prior makes a little smaller, whatever the number of points.
+TEST(RimShift, TellsACloudMovedBySpacings) {
+  for (const std::size_t points : {40U, 80U}) {
+    CloudRim rim = rim_of({circle(points, {10, 10, 1.5}, 6)});
+    rim.spacing = 0.25;
+    EXPECT_NEAR(shift_of(testing::grid_plane(20), rim), 1.5 / 1.02, 1e-9);
+  }
+}
+
 // Nothing tells along a plane; few points tell nothing.
 TEST(RimShift, IsZeroWhereNothingTells) {
   EXPECT_NEAR(shift_of(testing::grid_plane(20), rim_of({circle(40, {10, 10, 0}, 6)})), 0, 1e-12);
