@@ -9,11 +9,10 @@ namespace cocoon {
 
 namespace {
 
-std::size_t loops_on_model(const CloudReport& cloud) {
-  const auto loops = std::count_if(
-      cloud.loops.begin(), cloud.loops.end(),
-      [](const LoopReport& loop) { return loop.match == LoopMatch::on_model && !loop.pin_hole; });
-  return static_cast<std::size_t>(loops);
+bool has_loop_on_model(const CloudReport& cloud) {
+  return std::any_of(cloud.loops.begin(), cloud.loops.end(), [](const LoopReport& loop) {
+    return loop.match == LoopMatch::on_model && !loop.pin_hole;
+  });
 }
 
 }  // namespace
@@ -23,12 +22,9 @@ std::size_t unexplained_handles(std::span<const CloudReport> clouds, std::size_t
   std::size_t parts = empty_loops;
   std::size_t patches = 0;  // in their place
   for (const CloudReport& cloud : clouds) {
-    const std::size_t loops = loops_on_model(cloud);
-    if (loops == 0) continue;
+    if (!has_loop_on_model(cloud)) continue;
     ++patches;
-    const bool may_lack_one =
-        loops == 1 && cloud.replaced_groups.size() <= 1 && cloud.surface.rim.is_partial();
-    parts += may_lack_one ? 2 : cloud.replaced_groups.size();
+    parts += cloud.replaced_groups.size();
   }
   const std::ptrdiff_t handles = (before - after) / 2;
   const auto explained = static_cast<std::ptrdiff_t>(parts - std::min(parts, patches));

@@ -13,11 +13,10 @@ namespace cocoon {
 // spheres with holes, lowers the Euler number by 2 (m - 1): it adds m - 1 handles, or joins what
 // was apart. A drilled hole, in the place of a disk at each mouth, is one handle more; a tube in
 // the place of a tube is none. So what an update adds beyond that are handles of the scans
-// themselves, or wrong ones. Parts under each cloud are its replaced groups, mouths with no group
-// inside
-// (`empty_loops`, of all clouds: RegionChoice::undecided_loops), and one that may be lost where the
-// surface of a cloud with one loop on the model is torn (CloudRim::is_partial). `before` and
-// `after`: Euler numbers of the models. Complexity: O(loops). Source: ours.
+// themselves, or wrong ones; or a part is there whose rim was not found, as where a scan is torn at
+// a sharp edge. Parts are the replaced groups under each cloud, and mouths with no group inside
+// (`empty_loops`, of all clouds: RegionChoice::undecided_loops). `before` and `after`: Euler
+// numbers of the models. Complexity: O(loops). Source: ours.
 std::size_t unexplained_handles(std::span<const CloudReport> clouds, std::size_t empty_loops,
                                 std::ptrdiff_t before, std::ptrdiff_t after);
 

@@ -146,7 +146,7 @@ std::string warning_of_contradicted(const ContradictedSamples& samples) {
 
 std::string warning_of_handles(std::size_t handles) {
   return "the updated model has " + counted(handles, "handle") +
-         " more than the rims of the clouds explain: right if the scans have " +
+         " more than what was replaced explains: right if the scans have " +
          (handles == 1 ? "it" : "them") + ", else look at the result";
 }
 

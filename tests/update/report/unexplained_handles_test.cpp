@@ -48,18 +48,12 @@ TEST(UnexplainedHandles, AMouthMayHaveNoGroupInside) {
   EXPECT_EQ(unexplained_handles(patch, 1, 2, 0), 1U);
 }
 
-TEST(UnexplainedHandles, ATornSurfaceWithOneLoopMayHaveLostOne) {
+// A torn scan may have lost the rim at the other mouth. Most results in which one is missing are
+// wrong somewhere.
+TEST(UnexplainedHandles, ATornSurfaceExplainsNone) {
   std::vector<CloudReport> drill = {cloud_with(1, 1)};
   drill[0].surface.rim.seam_edges = 3;
-  EXPECT_EQ(unexplained_handles(drill, 0, 2, 0), 0U);
-  EXPECT_EQ(unexplained_handles(drill, 0, 2, -2), 1U);
-  std::vector<CloudReport> tube = {cloud_with(2, 1)};
-  tube[0].surface.rim.seam_edges = 3;
-  EXPECT_EQ(unexplained_handles(tube, 0, 2, 0), 1U);
-  drill = {cloud_with(1, 3)};
-  drill[0].surface.rim.seam_edges = 3;
-  EXPECT_EQ(unexplained_handles(drill, 0, 2, -2), 0U);
-  EXPECT_EQ(unexplained_handles(drill, 0, 2, -4), 1U);
+  EXPECT_EQ(unexplained_handles(drill, 0, 2, 0), 1U);
 }
 
 // Twelve triangles with corners of their own have 36 for the 8 of a cube; what no triangle uses is
