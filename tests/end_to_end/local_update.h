@@ -1,13 +1,19 @@
-// What every local update must hold to, and the hill that the tests raise.
+// What every local update must hold to, and the sphere and the hill on it that tests update.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <vector>
 
 #include "geom/mesh_check.h"
+#include "geom/random.h"
 #include "geom/triangle_mesh.h"
+#include "tests/gallery.h"
 #include "update/update_model.h"
 
 namespace cocoon::testing {
@@ -19,6 +25,19 @@ using Predicate = std::function<bool(const Point&)>;
 inline double hill(double distance, double width) {
   const double t = distance / width;
   return t < 1 ? (1 - t * t) * (1 - t * t) : 0;
+}
+
+// n points on the unit sphere, evenly spread along a spiral, with a little noise across.
+inline std::vector<Point> sphere_points(std::size_t n, std::uint64_t seed = 1) {
+  Random random(seed);
+  std::vector<Point> points = gallery::even_sphere(n);
+  const double spacing = std::sqrt(4 * std::numbers::pi / static_cast<double>(n));
+  for (Point& p : points) p = unit(p + 0.1 * spacing * random.on_unit_sphere());
+  return points;
+}
+
+inline double polar_angle(const Point& p, const Vec3& axis) {
+  return std::acos(std::clamp(dot(unit(p), axis), -1.0, 1.0));
 }
 
 // What every update must be: closed, manifold, with all its vertices from the input. Kept vertices

@@ -26,24 +26,13 @@ using std::numbers::pi;
 using testing::Clouds;
 using testing::expect_local_update;
 using testing::hill;
-
-// n points on the unit sphere, evenly spread along a spiral, with a little noise across.
-std::vector<Point> sphere_points(std::size_t n, std::uint64_t seed = 1) {
-  Random random(seed);
-  std::vector<Point> points = gallery::even_sphere(n);
-  const double spacing = std::sqrt(4 * pi / static_cast<double>(n));
-  for (Point& p : points) p = unit(p + 0.1 * spacing * random.on_unit_sphere());
-  return points;
-}
+using testing::polar_angle;
+using testing::sphere_points;
 
 TriangleMesh sphere_model(std::size_t n) {
   const ReconstructResult result = reconstruct_tight(sphere_points(n));
   EXPECT_EQ(result.status, SurfaceStatus::ok);
   return result.mesh;
-}
-
-double polar_angle(const Point& p, const Vec3& axis) {
-  return std::acos(std::clamp(dot(unit(p), axis), -1.0, 1.0));
 }
 
 // The cap of polar angle `polar` about `axis`, raised by a hill of the given height in its inner
@@ -115,81 +104,6 @@ TEST(UpdateScenarios, SphereByTwoCaps) {
                                        0.3 * hill(polar_angle(p, side), 0.4);
                               }),
             0.012);
-}
-
-// A sphere with a thin horn in this direction, and the polar angle of its scan about the hill.
-constexpr double horn_height = 0.5;
-constexpr double scan_angle = 0.7;
-
-double horned_radius(const Point& p) {
-  const double angle = polar_angle(p, unit(Vec3{std::sin(0.5), 0, std::cos(0.5)}));
-  return 1 + horn_height * std::exp(-angle * angle / 0.01);
-}
-
-// Ten times as dense where the horn is steep.
-std::vector<Point> horned_sphere(std::uint64_t seed) {
-  std::vector<Point> points;
-  for (const bool at_horn : {false, true}) {
-    for (const Point& p : sphere_points(at_horn ? 10 * sphere_size : sphere_size, seed)) {
-      const double radius = horned_radius(p);
-      if (at_horn == (radius > 1.005)) points.push_back(radius * p);
-    }
-  }
-  return points;
-}
-
-// A scan of a hill beside a horn ends below the tip: a small hole in it. The tip is not gone.
-TEST(UpdateScenarios, AHornThatSticksOutOfTheScanStays) {
-  const TriangleMesh model = reconstruct_tight(horned_sphere(1)).mesh;
-  ASSERT_EQ(mesh_check(model).euler, 2);
-  std::vector<Point> cloud;
-  for (const Point& p : horned_sphere(7)) {
-    const double angle = polar_angle(p, {0, 0, 1});
-    if (angle > scan_angle || norm(p) > 1.3) continue;
-    cloud.push_back((1 + 0.2 * hill(angle, 0.3)) * p);
-  }
-  const auto lost_tip = [&](const UpdateResult& result) {
-    std::size_t lost = 0;
-    for (const VertexId v : model.points.ids()) {
-      lost += norm(model.points[v]) > 1.34 && result.vertex_map[v].is_none() ? 1U : 0U;
-    }
-    return lost;
-  };
-  const UpdateResult result = update_model(model, Clouds{cloud});
-  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
-  EXPECT_EQ(lost_tip(result), 0U);
-  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
-  ASSERT_EQ(result.clouds[0].loops.size(), 2U);
-  EXPECT_TRUE(result.clouds[0].loops[1].pin_hole);
-
-  UpdateOptions leave;
-  leave.pin_holes.max_distance = 0;
-  leave.cut.ends.scanned = 1e9;
-  EXPECT_GT(lost_tip(update_model(model, Clouds{cloud}, leave)), 10U);
-}
-
-// The same beside a dent, so that the horn sticks out of the box of the samples, too. Where the
-// hole is taken for no rim, the samples tell that the scan ends there.
-TEST(UpdateScenarios, AHornBesideADentStaysThoughNoRimIsThere) {
-  const TriangleMesh model = reconstruct_tight(horned_sphere(1)).mesh;
-  std::vector<Point> cloud;
-  for (const Point& p : horned_sphere(7)) {
-    const double angle = polar_angle(p, {0, 0, 1});
-    if (angle > scan_angle || norm(p) > 1.3) continue;
-    cloud.push_back((1 - 0.2 * hill(angle, 0.3)) * p);
-  }
-  UpdateOptions options;
-  options.pin_holes.max_distance = 0;
-  const UpdateResult result = update_model(model, Clouds{cloud}, options);
-  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
-  EXPECT_EQ(result.clouds[0].loops.size(), 1U);
-  EXPECT_GT(result.clouds[0].cut.scan_ends, 0U);
-  // But for what is less than two spacings beyond its end.
-  for (const VertexId v : model.points.ids()) {
-    if (norm(model.points[v]) > 1.45) {
-      EXPECT_FALSE(result.vertex_map[v].is_none());
-    }
-  }
 }
 
 // The order of clouds and of points only numbers things.
