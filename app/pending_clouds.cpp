@@ -170,7 +170,7 @@ void resume_session(const std::string& path, SavedSession saved, const SurfaceAr
   const auto take_up = [&](SessionSnapshot snapshot, std::optional<double> rho) {
     arguments.rho = rho;
     resumed.session.emplace(std::move(snapshot), update_options(arguments), SnapshotCheck::done,
-                            Execution{execution.threads});
+                            execution);
   };
   const std::vector<PendingUpdate> updates = load_pending_clouds(path, saved.notes);
   resumed.notes = std::move(saved.notes);

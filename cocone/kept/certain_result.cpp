@@ -3,20 +3,12 @@
 #include <array>
 #include <utility>
 
+#include "geom/triangle_mesh.h"
+
 namespace cocoon {
+namespace {
 
-ReconstructResult certain_counts(const CertainView& view, std::size_t points) {
-  ReconstructResult result;
-  result.points = points;
-  result.vertices = view.delaunay.num_vertices();
-  result.duplicates = points - result.vertices;
-  result.tetrahedra = view.candidates.num_finite_cells();
-  view.candidates.count(result.counters);
-  view.certified.count(result.counters);
-  result.unused_points = result.vertices - view.certified.num_vertices();
-  return result;
-}
-
+// What is certified by mesh vertices, in canonical order.
 IdVector<TriangleId, Triangle> certain_triangles(const CertainView& view) {
   IdVector<VertexId, VertexId> number(view.delaunay.num_vertex_slots());
   std::size_t count = 0;
@@ -30,6 +22,20 @@ IdVector<TriangleId, Triangle> certain_triangles(const CertainView& view) {
   }
   canonicalize_triangles(mesh);
   return std::move(mesh.triangles);
+}
+
+}  // namespace
+
+ReconstructResult certain_counts(const CertainView& view, std::size_t points) {
+  ReconstructResult result;
+  result.points = points;
+  result.vertices = view.delaunay.num_vertices();
+  result.duplicates = points - result.vertices;
+  result.tetrahedra = view.candidates.num_finite_cells();
+  view.candidates.count(result.counters);
+  view.certified.count(result.counters);
+  result.unused_points = result.vertices - view.certified.num_vertices();
+  return result;
 }
 
 ReconstructResult certain_result(const CertainView& view, Points points) {

@@ -10,7 +10,6 @@
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/point.h"
-#include "geom/triangle_mesh.h"
 
 namespace cocoon {
 
@@ -24,8 +23,6 @@ struct CertainView {
 
 // What the result has besides mesh and vertices. Complexity: O(1).
 ReconstructResult certain_counts(const CertainView& view, std::size_t points);
-// What is certified by mesh vertices, in canonical order. Complexity: O(n), for it is all listed.
-IdVector<TriangleId, Triangle> certain_triangles(const CertainView& view);
 // The whole result. Complexity: O(n).
 ReconstructResult certain_result(const CertainView& view, Points points);
 

@@ -16,10 +16,6 @@ namespace {
 constexpr unsigned is_new = 64;      // of a cell
 constexpr unsigned has_changed = 4;  // of a vertex
 
-CellLabel label_of(unsigned cell) {
-  return static_cast<CellLabel>((cell & mark_flag::label) >> mark_flag::label_shift);
-}
-
 // Labels of cells from those beside them.
 class Labeling {
  public:
@@ -167,7 +163,7 @@ std::optional<CellMarks> KeptMarks::go_on(const Input& input, const GoodVertexOp
   make_set(cells);
 
   marks.labels.resize(state_.cells.size());
-  for (const CellId c : state_.cells.ids()) marks.labels[c] = label_of(state_.cells[c]);
+  for (const CellId c : state_.cells.ids()) marks.labels[c] = MarkState::label_of(state_.cells[c]);
   for (const CellId c : cells) marks.labels[c] = CellLabel::unmarked;
   if (!Labeling(input.triangulation, input.surface.set, marks).run(cells)) return {};
   DisjointSets sets(input.triangulation.num_vertices());

@@ -6,15 +6,12 @@ namespace cocoon {
 
 void KeptStages::start(const Triangulation& triangulation, const ReconstructStages& stages,
                        const Execution& execution) {
-  clear();
-  first_walk = stages.surface.first_walk;
   if (stages.out.empty()) return;
   marks.keep(stages.marked, stages.marks);
   body.resume(triangulation, stages.out, execution);
 }
 
 void KeptStages::resume(const Triangulation& triangulation, SurfaceState state) {
-  clear();
   marks.resume(std::move(state.marks));
   if (!state.out.empty()) body.resume(triangulation, state.out);
 }

@@ -23,8 +23,8 @@ struct KeptStages {
   FirstWalk first_walk = FirstWalk::at_once;
 
   void clear() { *this = {}; }
-  // Begins with what the stages found, or with what was known of marks and body, in this
-  // triangulation. Complexity: O(n).
+  // Begins with marks and body as the stages found them, or as they were known, in this
+  // triangulation. Precondition: neither is there. Complexity: O(n).
   void start(const Triangulation& triangulation, const ReconstructStages& stages,
              const Execution& execution = {});
   void resume(const Triangulation& triangulation, SurfaceState state);

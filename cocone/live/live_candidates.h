@@ -75,10 +75,7 @@ class LiveCandidates {
     return (known_.vertex_flags[v] & vertex_flag::umbrella) != 0;
   }
   // Bit i: facet i of the cell is a candidate that was not pruned.
-  unsigned left(CellId c) const {
-    return known_.cell_flags[c] & ~static_cast<unsigned>(known_.pruned[c]) &
-           cell_flag::candidate_facets;
-  }
+  unsigned left(CellId c) const { return known_.left(c); }
   bool is_infinite(CellId c) const { return (known_.cell_flags[c] & cell_flag::infinite) != 0; }
   std::size_t num_vertices() const { return num_vertices_; }
   std::size_t num_boundary() const { return counts_.boundary; }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "cocone/mark_cells.h"
 #include "geom/errors.h"
 #include "geom/parallel_reduce.h"
 
@@ -33,6 +32,15 @@ unsigned flags_at(const IdVector<CellId, std::uint8_t>& flags, FacetId f) {
   return static_cast<unsigned>(flags[cell_of(f)] >> index_of(f));
 }
 
+// Whether it holds for each facet of the cell whose flag is set.
+template <class Holds>
+bool all_facets(CellId c, unsigned flags, const Holds& holds) {
+  for (int i = 0; (flags >> i) != 0; ++i) {
+    if (((flags >> i) & 1U) != 0 && !holds(facet_id(c, i))) return false;
+  }
+  return true;
+}
+
 // Of a facet with one of these flags; the cell behind it finds out if only that one has it.
 bool is_possible(const Triangulation& triangulation, const CandidateState& state, FacetId f) {
   const FacetId m = triangulation.mirror(f);
@@ -44,13 +52,9 @@ bool is_possible(const Triangulation& triangulation, const CandidateState& state
 bool is_possible(const Triangulation& triangulation, const CandidateState& state, CellId c) {
   const unsigned flags = state.cell_flags[c];
   const unsigned kind = triangulation.is_infinite(c) ? cell_flag::infinite : cell_flag::finite;
-  bool possible =
-      (flags & (cell_flag::infinite | cell_flag::finite)) == kind && state.pruned[c] < 16;
   const unsigned facets = (flags & cell_flag::candidate_facets) | state.pruned[c];
-  for (int i = 0; possible && (facets >> i) != 0; ++i) {
-    if (((facets >> i) & 1U) != 0) possible = is_possible(triangulation, state, facet_id(c, i));
-  }
-  return possible;
+  return (flags & (cell_flag::infinite | cell_flag::finite)) == kind && state.pruned[c] < 16 &&
+         all_facets(c, facets, [&](FacetId f) { return is_possible(triangulation, state, f); });
 }
 
 // Facets of the surface are candidates that were not pruned; each has an outer and an inner side.
@@ -58,20 +62,11 @@ bool has_possible_sides(const Triangulation& triangulation, const SurfaceState& 
   constexpr unsigned both = side_flag::outer | side_flag::inner;
   const unsigned sides = state.sides[c];
   const unsigned on_surface = (sides | sides >> 4) & 15U;
-  const unsigned left = state.candidates.cell_flags[c] & ~unsigned{state.candidates.pruned[c]};
-  bool possible = (on_surface & ~left) == 0;
-  for (int i = 0; (on_surface >> i) != 0; ++i) {
-    if (((on_surface >> i) & 1U) == 0) continue;
-    const unsigned here = flags_at(state.sides, facet_id(c, i)) & both;
-    const unsigned behind = flags_at(state.sides, triangulation.mirror(facet_id(c, i))) & both;
-    possible = possible && here != both && here + behind == both;
-  }
-  return possible;
-}
-
-CellLabel label_at(const SurfaceState& state, CellId c) {
-  return static_cast<CellLabel>((state.marks.cells[c] & mark_flag::label) >>
-                                mark_flag::label_shift);
+  return (on_surface & ~state.candidates.left(c)) == 0 && all_facets(c, on_surface, [&](FacetId f) {
+           const unsigned here = flags_at(state.sides, f) & both;
+           const unsigned behind = flags_at(state.sides, triangulation.mirror(f)) & both;
+           return here != both && here + behind == both;
+         });
 }
 
 // Bit i: vertex i of the cell is good.
@@ -87,15 +82,15 @@ unsigned good_corners(const Triangulation& triangulation, const MarkState& marks
 
 // Infinite cells are OUT; of the others those have a label that have a good vertex. At one the
 // label changes across the surface, and nowhere else.
-bool has_possible_label(const Triangulation& triangulation, const SurfaceState& state, CellId c) {
-  const CellLabel label = label_at(state, c);
-  const unsigned good = good_corners(triangulation, state.marks, c);
+bool has_possible_label(const Triangulation& triangulation, const MarkState& marks, CellId c) {
+  const CellLabel label = MarkState::label_of(marks.cells[c]);
+  const unsigned good = good_corners(triangulation, marks, c);
   bool possible = triangulation.is_infinite(c) ? label == CellLabel::out
                                                : (label == CellLabel::unmarked) == (good == 0);
   for (int i = 0; i < 4; ++i) {
     if ((good & ~(1U << i)) == 0) continue;
-    const bool changes = label_at(state, triangulation.neighbor(c, i)) != label;
-    possible = possible && changes == ((flags_at(state.marks.cells, facet_id(c, i)) & 1U) != 0);
+    const bool changes = MarkState::label_of(marks.cells[triangulation.neighbor(c, i)]) != label;
+    possible = possible && changes == ((flags_at(marks.cells, facet_id(c, i)) & 1U) != 0);
   }
   return possible;
 }
@@ -104,15 +99,14 @@ bool has_possible_label(const Triangulation& triangulation, const SurfaceState& 
 bool has_possible_marks(const Triangulation& triangulation, const SurfaceState& state, CellId c) {
   const unsigned marks = state.marks.cells[c];
   const unsigned on_surface = marks & mark_flag::surface_facets;
-  const unsigned left = state.candidates.cell_flags[c] & ~unsigned{state.candidates.pruned[c]};
-  bool possible = (marks & ~(mark_flag::surface_facets | mark_flag::label)) == 0 &&
-                  (marks & mark_flag::label) != mark_flag::label && (on_surface & ~left) == 0;
-  for (int i = 0; (on_surface >> i) != 0; ++i) {
-    if (((on_surface >> i) & 1U) == 0) continue;
-    const unsigned behind = flags_at(state.marks.cells, triangulation.mirror(facet_id(c, i)));
-    possible = possible && (behind & 1U) != 0;
-  }
-  return possible && has_possible_label(triangulation, state, c);
+  return (marks & ~(mark_flag::surface_facets | mark_flag::label)) == 0 &&
+         (marks & mark_flag::label) != mark_flag::label &&
+         (on_surface & ~state.candidates.left(c)) == 0 &&
+         all_facets(c, on_surface,
+                    [&](FacetId f) {
+                      return (flags_at(state.marks.cells, triangulation.mirror(f)) & 1U) != 0;
+                    }) &&
+         has_possible_label(triangulation, state.marks, c);
 }
 
 // The vertices of the surface, and no others, have a sheet.

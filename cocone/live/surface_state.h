@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "cocone/boundary_samples.h"
+#include "cocone/mark_cells.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
@@ -67,6 +68,10 @@ struct CandidateState {
   IdVector<CellId, std::uint8_t> cell_flags;
   IdVector<CellId, std::uint8_t> pruned;  // bit i: facet i is a candidate that was pruned
 
+  // Bit i: facet i of the cell is a candidate that was not pruned. O(1).
+  unsigned left(CellId c) const {
+    return cell_flags[c] & ~unsigned{pruned[c]} & cell_flag::candidate_facets;
+  }
   friend bool operator==(const CandidateState&, const CandidateState&) = default;
 };
 inline constexpr std::uint32_t not_taken_in = 0xFFFFFFFFU;
@@ -78,6 +83,10 @@ struct MarkState {
   IdVector<VertexId, std::uint8_t> vertices;
 
   bool empty() const { return cells.empty(); }
+  // The label among the flags of a cell. O(1).
+  static CellLabel label_of(unsigned cell) {
+    return static_cast<CellLabel>((cell & mark_flag::label) >> mark_flag::label_shift);
+  }
   friend bool operator==(const MarkState&, const MarkState&) = default;
 };
 
@@ -101,7 +110,8 @@ struct SurfaceState {
 };
 
 // Throws InputError, one line, unless sizes are those of the triangulation, every value is one that
-// can be, both sides of each facet say the same, and the surface has the vertices that it should.
+// can be, both sides of each facet say the same, the surface has the vertices that it should, and
+// marks change at good vertices across the surface and nowhere else.
 // Whether all this is what the stages would find is not looked at. Complexity: O(cells).
 void check_surface_state(const Triangulation& triangulation, const SurfaceState& state,
                          const Execution& execution = {});

@@ -1,6 +1,5 @@
 // The update of a model with a hollow that no point outside sees.
 #include <algorithm>
-#include <cmath>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -18,7 +17,7 @@ namespace {
 using testing::Clouds;
 using testing::expect_local_update;
 
-double polar_angle(const Point& p) { return std::acos(std::clamp(unit(p).z, -1.0, 1.0)); }
+double polar_angle(const Point& p) { return testing::polar_angle(p, {0, 0, 1}); }
 
 // A ball with a hollow, and a hill on top.
 struct HollowBall {
