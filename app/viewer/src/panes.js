@@ -19,7 +19,8 @@ export class Panes {
     this.mark = null;
     this.renderer = new WebGLRenderer({canvas: this.canvas, antialias: true, alpha: true, preserveDrawingBuffer: true});
     this.renderer.setClearColor(0, 0);
-    new ResizeObserver(() => this.redraw()).observe(this.grid);
+    // At once: a frame later the browser would have shown the old picture stretched to the new size.
+    new ResizeObserver(() => this.draw()).observe(this.grid);
   }
 
   makePane(stage, i, onTitle) {

@@ -68,6 +68,20 @@ test("cameras move together, and go back", async browser => {
   assert.deepEqual(complaints, []);
 });
 
+// A picture taken just then would be stretched.
+test("no frame shows the canvas in another size than its own", async browser => {
+  const {page} = await openReport(browser, report, desktop);
+  const sizes = await page.evaluate(() => new Promise(resolve => {
+    const grid = document.getElementById("panes"), canvas = document.getElementById("canvas");
+    let calls = 0;
+    new ResizeObserver(() => {
+      if (++calls === 1) grid.style.width = `${grid.clientWidth - 200}px`;  // the first call tells today's size
+      else resolve([canvas.width / devicePixelRatio, grid.clientWidth]);
+    }).observe(grid);
+  }));
+  assert.equal(sizes[0], sizes[1]);
+});
+
 test("layers go off and on", async browser => {
   const {page} = await openReport(browser, report, desktop);
   const before = await lookAt(page, 0), other = await lookAt(page, 1);
