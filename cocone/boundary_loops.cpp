@@ -144,14 +144,21 @@ class LoopWalk {
   std::vector<std::uint8_t> passed_;  // of open halfedges
 };
 
+// Precondition: no edge has more than two triangles. Which of two halfedges is the first cannot be
+// foreseen: no branch depends on it.
 double median_edge_length(const TriangleMesh& mesh, const HalfedgeRings& rings) {
-  std::vector<double> lengths;
-  lengths.reserve(rings.links.size() / 2 + 1);
-  for (Halfedge halfedge = 0; halfedge < rings.links.size(); ++halfedge) {
-    if (!rings.has_edge(halfedge) || !rings.is_first(halfedge)) continue;
-    const auto [a, b] = ends_of_halfedge(mesh, halfedge);
-    lengths.push_back(distance(mesh.points[a], mesh.points[b]));
+  std::vector<double> lengths(rings.links.size());
+  std::size_t count = 0;
+  for (const TriangleId t : mesh.triangles.ids()) {
+    const Triangle& triangle = mesh.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Halfedge halfedge = halfedge_of(t, i);
+      lengths[count] = distance(mesh.points[triangle[next_corner(i)]],
+                                mesh.points[triangle[previous_corner(i)]]);
+      count += rings.has_edge(halfedge) && rings.links[halfedge] >= halfedge ? 1U : 0U;
+    }
   }
+  lengths.resize(count);
   return median(std::move(lengths));
 }
 

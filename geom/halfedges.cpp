@@ -147,6 +147,21 @@ void link_range(std::span<const Triangle> triangles, std::span<const std::uint32
   }
 }
 
+// Where the triangles of each smallest vertex begin, and the end; empty if they are not grouped by
+// it, or one repeats a vertex. Meshes of ours are grouped.
+std::vector<std::uint32_t> begins_of_groups(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> begins(mesh.points.size() + 1, 0);
+  std::size_t last = 0;
+  for (const Triangle& triangle : mesh.triangles) {
+    const std::size_t group = triangle[smallest_corner(triangle)].index();
+    if (group < last || repeats_a_vertex(triangle)) return {};
+    last = group;
+    ++begins[group + 1];
+  }
+  for (std::size_t v = 1; v < begins.size(); ++v) begins[v] += begins[v - 1];
+  return begins;
+}
+
 // Takes the halfedge out of its ring.
 void unlink(Halfedge halfedge, HalfedgeLinks& links) {
   Halfedge before = halfedge;
@@ -179,6 +194,9 @@ HalfedgeLinks halfedge_links(std::span<const Triangle> triangles,
 
 HalfedgeRings link_halfedges(const TriangleMesh& mesh, const Execution& execution) {
   require_valid_triangles(mesh);
+  if (const std::vector<std::uint32_t> begins = begins_of_groups(mesh); !begins.empty()) {
+    return {halfedge_links(mesh.triangles.span(), begins, execution)};
+  }
   HalfedgeRings rings{halfedge_links(mesh.triangles.span(), mesh.points.size(), execution)};
   for (const TriangleId t : mesh.triangles.ids()) {
     if (!repeats_a_vertex(mesh.triangles[t])) continue;

@@ -12,8 +12,10 @@ namespace {
 // The element of this rank, if it lies among those of about that rank in a sample, of which there
 // are few: one pass without a branch that could be guessed wrong.
 std::optional<double> find_by_sample(std::span<const double> values, std::size_t rank) {
-  constexpr std::size_t sampled = 4096;
-  constexpr std::size_t margin = 128;  // four times the deviation that a random sample has
+  constexpr std::size_t many = std::size_t{1} << 16;
+  const std::size_t sampled = values.size() < many ? 1024 : 4096;
+  // Four times the deviation that a random sample has.
+  const std::size_t margin = values.size() < many ? 64 : 128;
   std::vector<double> sample(sampled);
   const std::size_t stride = values.size() / sampled;
   for (std::size_t k = 0; k < sampled; ++k) sample[k] = values[k * stride];
@@ -49,8 +51,8 @@ double quantile_in_place(std::span<double> values, double fraction) {
   if (values.empty()) return 0;
   const std::size_t rank = std::min(
       values.size() - 1, static_cast<std::size_t>(fraction * static_cast<double>(values.size())));
-  constexpr std::size_t many = std::size_t{1} << 16;
-  if (values.size() >= many) {
+  constexpr std::size_t worth_a_sample = std::size_t{1} << 13;
+  if (values.size() >= worth_a_sample) {
     if (const std::optional<double> found = find_by_sample(values, rank)) return *found;
   }
   const auto position = values.begin() + static_cast<std::ptrdiff_t>(rank);

@@ -141,6 +141,26 @@ TEST(HalfedgeRings, EachEdgeHasOneFirstHalfedge) {
   EXPECT_EQ(edges, 3 * mesh.triangles.size() / 2);
 }
 
+// Whether the triangles are in the order of their smallest vertices, or one of them out of it.
+TEST(HalfedgeRings, TheOrderOfTrianglesDoesNotMatter) {
+  Random random(5);
+  for (TriangleMesh mesh : {gallery::torus(9, 7), rubbish(random)}) {
+    std::vector<Triangle>& triangles = mesh.triangles.raw();
+    std::erase_if(triangles, repeats_a_vertex);
+    std::stable_sort(triangles.begin(), triangles.end(), [](const Triangle& a, const Triangle& b) {
+      return a[smallest_corner(a)] < b[smallest_corner(b)];
+    });
+    for (const std::size_t unused : {0U, 1U, 7U}) {
+      mesh.points.resize(mesh.points.size() + unused);
+      EXPECT_EQ(link_halfedges(mesh).links,
+                halfedge_links(mesh.triangles.span(), mesh.points.size()));
+    }
+    std::swap(triangles.front(), triangles.back());
+    EXPECT_EQ(link_halfedges(mesh).links,
+              halfedge_links(mesh.triangles.span(), mesh.points.size()));
+  }
+}
+
 TEST(HalfedgeRings, RefusesAVertexThatIsNotThere) {
   TriangleMesh mesh;
   mesh.points.resize(3);

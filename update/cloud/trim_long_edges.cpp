@@ -79,47 +79,77 @@ class LocalSpacing {
   std::vector<double> numbers_;
 };
 
-// At each vertex a length that no local spacing is below: of the shortest edge that ends there or
-// at a neighbor.
-IdVector<VertexId, double> shortest_around(const TriangleMesh& mesh, const HalfedgeRings& rings,
-                                           std::span<const double> lengths) {
+// Squared, of each halfedge. Of triangles that repeat a vertex, which have no edges, infinite.
+std::vector<double> squared_lengths(const TriangleMesh& mesh) {
+  std::vector<double> lengths;
+  lengths.reserve(3 * mesh.triangles.size());
+  for (const Triangle& triangle : mesh.triangles) {
+    const Point& a = mesh.points[triangle[0]];
+    const Point& b = mesh.points[triangle[1]];
+    const Point& c = mesh.points[triangle[2]];
+    const double none = repeats_a_vertex(triangle) ? std::numeric_limits<double>::infinity() : 0;
+    lengths.push_back(squared_distance(b, c) + none);
+    lengths.push_back(squared_distance(c, a) + none);
+    lengths.push_back(squared_distance(a, b) + none);
+  }
+  return lengths;
+}
+
+// At each vertex the square of a length that no local spacing is below: of the shortest edge that
+// ends there or at a neighbor.
+IdVector<VertexId, double> shortest_around(const TriangleMesh& mesh,
+                                           std::span<const double> squared_lengths) {
   IdVector<VertexId, double> at(mesh.points.size(), std::numeric_limits<double>::infinity());
-  for (Halfedge halfedge = 0; halfedge < lengths.size(); ++halfedge) {
-    if (!rings.has_edge(halfedge)) continue;
-    for (const VertexId v : ends_of_halfedge(mesh, halfedge))
-      at[v] = std::min(at[v], lengths[halfedge]);
+  Halfedge first = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const double bc = squared_lengths[first];
+    const double ca = squared_lengths[first + 1];
+    const double ab = squared_lengths[first + 2];
+    at[a] = std::min({at[a], ca, ab});
+    at[b] = std::min({at[b], ab, bc});
+    at[c] = std::min({at[c], bc, ca});
+    first += 3;
   }
   IdVector<VertexId, double> around = at;
-  for (Halfedge halfedge = 0; halfedge < lengths.size(); ++halfedge) {
-    if (!rings.has_edge(halfedge)) continue;
-    const auto [a, b] = ends_of_halfedge(mesh, halfedge);
-    around[a] = std::min(around[a], at[b]);
-    around[b] = std::min(around[b], at[a]);
+  for (const Triangle& triangle : mesh.triangles) {
+    if (repeats_a_vertex(triangle)) continue;
+    const double least = std::min({at[triangle[0]], at[triangle[1]], at[triangle[2]]});
+    for (const VertexId v : triangle) around[v] = std::min(around[v], least);
   }
   return around;
 }
 
+// All halfedges that are long, and some more.
+std::vector<Halfedge> suspects(const TriangleMesh& mesh, double max_edge) {
+  constexpr double less_than_rounding = 1 - 1e-9;
+  const double limit = less_than_rounding * max_edge * max_edge;
+  const std::vector<double> lengths = squared_lengths(mesh);
+  const IdVector<VertexId, double> shortest = shortest_around(mesh, lengths);
+  std::vector<Halfedge> found;
+  for (const TriangleId t : mesh.triangles.ids()) {
+    const Triangle& triangle = mesh.triangles[t];
+    if (repeats_a_vertex(triangle)) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Halfedge halfedge = halfedge_of(t, i);
+      const VertexId a = triangle[next_corner(i)];
+      const VertexId b = triangle[previous_corner(i)];
+      if (lengths[halfedge] > limit * std::min(shortest[a], shortest[b])) found.push_back(halfedge);
+    }
+  }
+  return found;
+}
+
 // Empty if there are none. Only for what may be long is the spacing looked at.
-HalfedgeFlags long_edges(const TriangleMesh& mesh, const HalfedgeRings& rings, double max_edge) {
-  std::vector<double> lengths(rings.links.size());
-  for (Halfedge halfedge = 0; halfedge < lengths.size(); ++halfedge) {
-    const auto [a, b] = ends_of_halfedge(mesh, halfedge);
-    lengths[halfedge] = distance(mesh.points[a], mesh.points[b]);
-  }
-  const IdVector<VertexId, double> shortest = shortest_around(mesh, rings, lengths);
-  std::vector<Halfedge> suspects;
-  for (Halfedge halfedge = 0; halfedge < lengths.size(); ++halfedge) {
-    const auto [a, b] = ends_of_halfedge(mesh, halfedge);
-    const bool suspect = lengths[halfedge] > max_edge * std::min(shortest[a], shortest[b]);
-    if (suspect && rings.has_edge(halfedge)) suspects.push_back(halfedge);
-  }
-  if (suspects.empty()) return {};
+HalfedgeFlags long_edges(const TriangleMesh& mesh, double max_edge) {
+  const std::vector<Halfedge> halfedges = suspects(mesh, max_edge);
+  if (halfedges.empty()) return {};
   LocalSpacing spacing(mesh);
-  HalfedgeFlags is_long(lengths.size(), 0);
+  HalfedgeFlags is_long(3 * mesh.triangles.size(), 0);
   bool any = false;
-  for (const Halfedge halfedge : suspects) {
+  for (const Halfedge halfedge : halfedges) {
     const auto [a, b] = ends_of_halfedge(mesh, halfedge);
-    if (!(lengths[halfedge] > max_edge * std::min(spacing.at(a), spacing.at(b)))) continue;
+    const double length = distance(mesh.points[a], mesh.points[b]);
+    if (!(length > max_edge * std::min(spacing.at(a), spacing.at(b)))) continue;
     is_long[halfedge] = 1;
     any = true;
   }
@@ -197,7 +227,7 @@ TrimmedSurface trim_long_edges(TriangleMesh surface, const TrimOptions& options)
   TrimmedSurface result;
   HalfedgeRings rings = link_halfedges(surface);
   const HalfedgeFlags is_long =
-      options.max_edge > 0 ? long_edges(surface, rings, options.max_edge) : HalfedgeFlags{};
+      options.max_edge > 0 ? long_edges(surface, options.max_edge) : HalfedgeFlags{};
   if (is_long.empty()) {
     result.mesh = std::move(surface);
     result.rings = std::move(rings);
