@@ -17,7 +17,7 @@
 int main() {
   const std::vector<cocoon::Point> ball = cap(1000, 4, 0);
 
-  // Cells, the Voronoi vertices dual to them, and the cells at each vertex.
+  // Cells, and the Voronoi vertices dual to them.
   const cocoon::Triangulation cells = cocoon::delaunay(ball).triangulation;
   const cocoon::Dual dual = cocoon::voronoi_dual(cells);
 

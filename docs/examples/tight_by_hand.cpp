@@ -37,8 +37,9 @@ int main() {
       cocoon::mesh_check(cocoon::surface_of(cells, surface.halves).mesh);
 
   // Marking: from infinity over the surface, good vertices tell which cells lie outside. Peeling:
-  // what can be reached from infinity without crossing the surface goes. The rest is a body, and
-  // its boundary is closed whatever the samples are.
+  // what can be reached from infinity goes, through cells that are outside or have no good vertex,
+  // but not through the smallest facets of these. The rest is a body, and its boundary is closed
+  // whatever the samples are.
   cocoon::CellMarks marks = cocoon::mark_cells(cells, surface.triangles, boundary.boundary);
   marks = cocoon::peel_cells(cells, surface.triangles.set, std::move(marks));
 
