@@ -161,7 +161,7 @@ struct CleanUpCounters {
 // Changes marks.reached, and nothing where every vertex is good and no marks conflict.
 // Precondition: marks come from peel_cells. Complexity: passes over the cells, and near linear in
 // the number of undecided cells and defects. Deterministic: costs are integers, the cut is unique,
-// moves are taken by falling gain, at the defects of the densest samples first
+// at each defect the best move is taken, at those of the densest samples first
 // (SpacingCache::precedes); a function of the point set.
 // Source: Labatut, Pons & Keriven 2009 (cut, facet quality); Kolluri, Shewchuk & O'Brien 2004
 // (poles as evidence); Amenta, Choi & Kolluri 2001 (its propagation). The moves are ours.

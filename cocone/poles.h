@@ -49,7 +49,8 @@ Poles compute_poles(const Triangulation& triangulation, const Dual& dual, double
 Poles compute_poles(const Triangulation& triangulation, double cosine, Dual& dual, ConeSides& sides,
                     const Execution& execution = {});
 
-// Of k unit normals the sum; if it is shorter than 0.1 k, the principal eigenvector instead.
+// The direction of the sum of k unit normals; if that is shorter than 0.1 k, the principal
+// eigenvector instead.
 struct HullNormal {
   Vec3 normal;
   bool degenerate = false;

@@ -28,11 +28,11 @@ struct PrunedCandidates {
 };
 
 // 1. Umbrella flags of all vertices (umbrella.h). 2. Where an edge has exactly two candidates that
-// lie nearly flat, both are marked to stay. 3. At a sharp edge whose two ends have an umbrella all
-// candidates go that were not marked; repeated, since an edge that loses a candidate may become
-// sharp (one candidate is always sharp). Flags and marks are fixed beforehand and the largest
-// dihedral at an edge can only fall: the result does not depend on order.
-// Complexity: O(candidates + vertices) and one byte per cell; the first two steps parallel.
+// lie nearly flat, both are to stay. 3. At a sharp edge whose two ends have an umbrella all other
+// candidates go; repeated, since an edge that loses a candidate may become sharp (one candidate is
+// always sharp). Flags, and who is to stay, are those of all candidates, and the largest dihedral
+// at an edge can only fall: the result does not depend on order.
+// Complexity: O(candidates + vertices) and one byte per cell; the first step parallel.
 // Source: Amenta, Choi, Dey & Leekha 2002; Woo & Dey 2005, section 2.2; guard by umbrellas and
 // thresholds after the Tight Cocone program (docs/stages/prune_sharp_edges.md).
 PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet candidates,

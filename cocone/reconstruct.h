@@ -118,7 +118,7 @@ struct ReconstructResult {
 // even number of triangles, as many in one direction as in the other; `mesh` is closed, or empty
 // with the status that says why. Presumes samples of closed surfaces: an open cloud is closed
 // somehow. Progress: "delaunay", "poles", "cocone/cones", "boundary",
-// "cocone/surface", "tight".
+// "cocone/surface", "tight", and "verify" if asked for.
 // Coordinates of any finite size: beyond 2^100 or below 2^-100 the work is done on a copy scaled by
 // a power of two, which changes nothing else.
 // Errors: InputError as delaunay(), and if that scaling would lose bits: coordinates beyond 2^100
@@ -148,10 +148,11 @@ ReconstructResult reconstruct_tight_with_labels(Triangulation triangulation, Poi
                                                 const ReconstructOptions& options = {},
                                                 const Execution& execution = {});
 
-// The Cocone surface with its boundary: open where the cloud is. As above without "tight". Of a
-// scan that is open the options should be open_cloud_defaults(), as the program and the update have
-// them; by default they are those of closed surfaces, from which Tight Cocone goes on. Source:
-// Amenta, Choi, Dey & Leekha 2002; Dey & Giesen 2001; Woo & Dey 2005, sections 2.1, 3.2.
+// The Cocone surface with its boundary: open where the cloud is. As above, but the step after
+// "cocone/surface" is "cocone/mesh". Of a scan that is open the options should be
+// open_cloud_defaults(), as the program and the update have them; by default they are those of
+// closed surfaces, from which Tight Cocone goes on. Source: Amenta, Choi, Dey & Leekha 2002; Dey &
+// Giesen 2001; Woo & Dey 2005, sections 2.1, 3.2.
 ReconstructResult reconstruct_cocone(Points points, const ReconstructOptions& options = {},
                                      const Execution& execution = {});
 

@@ -125,7 +125,7 @@ class Carrying {
         if (triangulation_.vertex(c, i) != v && surface_.set.contains(f)) return f;
       }
     }
-    return {};  // not so: the disk at v has this half on one side
+    return {};  // never: the disk at v is the boundary of this half
   }
 
   // The position of a facet of the surface at the good vertex v.

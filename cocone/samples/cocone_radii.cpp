@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t facets_per_chunk = 2048;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A dual edge relative to the sample, in units of 1 / scale.
+// A dual edge relative to the sample; where that is far away, times `shrink` (double_cone.h).
 struct RelativeEdge {
   Vec3 x;
   Vec3 y;  // the other end, or the direction of the ray

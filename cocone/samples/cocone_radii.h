@@ -25,9 +25,9 @@ enum class RadiusMode : std::uint8_t {
 // edges inside the cocone: attained at an end inside it, or where the edge crosses the cone, (x.n +
 // t d.n)^2 = C^2 |x + t d|^2. In mode `tangent_plane` over the points where dual edges cross x.n =
 // 0; infinite if a hull normal at p makes no acute angle with n_p. Complexity: O(facets of
-// `cocones` + hull + vertices), parallel over facets. A maximum, each edge taken from its
-// lexicographically smaller end: independent of order. Source: Dey & Giesen 2001 (radius); the
-// tangent plane after the practice of the Cocone programs.
+// `cocones` + hull + vertices), parallel over facets. A maximum, each edge taken from the end that
+// is nearer or lexicographically smaller: independent of order. Source: Dey & Giesen 2001 (radius);
+// the tangent plane after the practice of the Cocone programs.
 IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, const Dual& dual,
                                         const Poles& poles, const Cocones& cocones, RadiusMode mode,
                                         const Execution& execution = {});

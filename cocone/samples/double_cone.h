@@ -1,11 +1,10 @@
 // The double cone about a sample's normal, whose complement inside the Voronoi cell is the cocone.
 //
-// For x relative to the sample p and C = cos(theta): x lies above the double cone's apex part if
-// x . n > C |x|, below if x . n < -C |x|, else in the cocone (closed). Both nappes of the open
-// double cone are convex, so a segment with ends x and y meets the cocone unless both ends lie in
-// the same nappe. Compared in squares: no root is taken. Complexity: O(1) each.
-// Source: Amenta, Choi, Dey & Leekha 2002 (cocone); the test by sides is ours,
-// docs/stages/cocones.md.
+// For x relative to the sample p and C = cos(theta): x lies in the upper nappe (above) if
+// x . n > C |x|, in the lower one (below) if x . n < -C |x|, else in the cocone (closed). Both
+// nappes of the open double cone are convex, so a segment with ends x and y meets the cocone unless
+// both ends lie in the same nappe. Compared in squares: no root is taken. Complexity: O(1) each.
+// Source: Amenta, Choi, Dey & Leekha 2002 (cocone); docs/stages/cocones.md.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +13,10 @@
 
 namespace cocoon {
 
-// Beyond this length squares of squares are not safe any more; centers of slivers get there.
+// Between these lengths squares of squares are in the range of double.
 inline constexpr double largest_safe_length = 0x1p+250;
 inline constexpr double smallest_safe_length = 0x1p-250;
+// Longer vectors, as to the centers of slivers, and shorter ones are multiplied by these first.
 inline constexpr double shrink = 0x1p-800;
 inline constexpr double enlarge = 0x1p+800;
 

@@ -11,8 +11,8 @@
 //
 //   |s| |N . n| <= C |y - p| + |a . n|,  so  |s N| <= (C R + |a . n|) / (|N . n| / |N| - C)
 //
-// if the line is steeper than the cone. Where such a bound is within rho h_p the facet cannot make
-// the ratio condition fail.
+// by |y - p| <= R + |s N|, if the line is steeper than the cone. Where such a bound is within rho
+// h_p the facet cannot make the ratio condition fail.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,8 @@ inline constexpr FacetDoubts ratio_doubts = 0b000'111;
 inline constexpr FacetDoubts normals_disagree = 0b111'000;
 
 // Of each facet of `cocones`. The bounds have room for all roundings where the facet is neither
-// thin (sine of an angle below 2^-10) nor steep to the tangent plane; elsewhere there is doubt.
+// thin (sine of the angle at its first corner below 2^-10) nor steep to the tangent plane;
+// elsewhere there is doubt.
 // The normals are compared as normals_agree() does, without doubt.
 // Complexity: O(facets of `cocones`), parallel, in SIMD lanes. Deterministic: a function of the
 // points and poles of the facet's corners; corners are taken in lexicographic order.

@@ -1,6 +1,6 @@
 // The farthest Voronoi vertex of every sample, by its cell: a maximum that many threads raise at
-// once. One word each, the length rounded in the upper half, so that most questions end there; what
-// rounds alike is compared exactly.
+// once. One word each, the length rounded to float in the upper half, so that most questions end
+// there; what rounds alike is compared in double precision.
 #pragma once
 
 #include <array>

@@ -35,7 +35,7 @@ double sample_spacing(const TriangulationView& triangulation, std::span<const Ce
                       VertexId v, std::size_t edges, SpacingBuffer& shortest);
 
 // Whether a spacing exceeds `ratio` times the median of the neighbors' spacings, the upper one of
-// two: whether at least half of them are too small. `spacing_of(w)` is asked for until that is
+// two: whether more than half of them are too small. `spacing_of(w)` is asked for until that is
 // clear. Precondition: there are neighbors. Complexity: O(neighbors).
 template <class SpacingOf>
 bool is_outlying(double spacing, double ratio, std::span<const VertexId> neighbors,
