@@ -15,7 +15,8 @@
 namespace cocoon {
 
 struct ChoiceOptions {
-  // A region that fewer of a loop's edges see does not take part in the loop's midpoint.
+  // A region that fewer of a loop's edges see, as a share of those that see the region most seen,
+  // does not take part in the loop's midpoint.
   double min_edge_share = 0.1;
   // Regions of a loop whose means are closer to each other than this cannot be told apart.
   double ambiguous_margin = 1.0 * std::numbers::pi / 180;

@@ -109,7 +109,7 @@ struct CloudSurface {
 // row. If they are much denser in some places than in others, the search is done again with few of
 // them (DensityOptions), whose rim may be better; the trials told are those of the search taken.
 // If the cloud is flat, exactly, the search goes on with its points just off their plane
-// (off_plane.h); the surface has them in it. If all this finds no rim, or mostly seams, the search
+// (off_plane.h); the surface has them in it. If that finds no rim, or too many seams, the search
 // begins again with the samples that LayerOptions leave.
 // Why: a rim is found iff the gap beyond it is wider than rho times the local feature size. Small
 // rhos find rims of gently curved patches; large ones bear noise and sharp edges.

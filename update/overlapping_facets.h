@@ -24,8 +24,8 @@ enum class LocationRule {
 
 struct OverlapOptions {
   LocationRule rule = LocationRule::closest_facet;
-  // A rim point farther from its facet than this many spacings is unmatched. The spacing is the
-  // larger one of the rim's and the model's median edge at the nearest vertex.
+  // A rim point farther from its facet than this many spacings is unmatched. The spacing is that of
+  // the rim or, if that is larger, the median edge of the model's facet closest to the point.
   double max_distance = 3;
   // Facets whose normal makes a smaller cosine than this with the surface normal of the cloud are
   // taken only if none with a larger one is hardly farther away (a cloud that leaves the model

@@ -23,12 +23,13 @@ struct AngleMean {
 struct RegionAngles {
   std::uint32_t cloud = 0;  // which cloud the loop belongs to; set by the caller
   IdVector<RegionId, AngleMean> regions;
-  std::size_t widened = 0;     // pairs (edge, region) served by the facets around those of the edge
-  std::size_t degenerate = 0;  // pairs left out: the region's vertex lies on the line of the edge
+  std::size_t widened = 0;  // pairs (edge, region) served by the facets around those of the edge
+  // Left out: pairs whose vertex lies on the line of the edge, and edges whose apex does.
+  std::size_t degenerate = 0;
 };
 
 struct AngleOptions {
-  // A vertex closer to the line of E_i than this share of its length does not count.
+  // A vertex closer to the line of E_i than this share of its distance from P0 does not count.
   double min_relative_height = 1e-9;
 };
 
