@@ -72,7 +72,7 @@ const std::string rho_of_clouds =
 void add_surface_options(CLI::App& app, SurfaceArguments& parameters, const std::string& of_rho) {
   app.add_option("-r,--rho", parameters.rho,
                  "Ratio condition: a sample is well sampled only if the radius of its cocone is at "
-                 "most RHO times the distance to its pole; " +
+                 "most RHO times its height, the distance to its negative pole; " +
                      of_rho)
       ->check(between(1e-6, 1))
       ->type_name("RHO");

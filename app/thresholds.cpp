@@ -29,12 +29,12 @@ constexpr std::array<Threshold, 3> of_marking{{
 constexpr std::array<Threshold, 24> of_clean_up{{
     {"most-clump-cells", "Clean-up: more undecided cells together are left as they are", 0, 4e9,
      whole, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_cells; }},
-    {"most-clump-share", "Clean-up: but not if they are at most this share of all cells", 0, 1,
+    {"most-clump-share", "Clean-up: and only if they are more than this share of all cells", 0, 1,
      number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_share; }},
     {"flat-ratio", "Clean-up: cells flatter than this share of their size are looked through", 0, 1,
      number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.flat_ratio; }},
-    {"thin-support", "Clean-up: good vertices of cells that doubt spreads to", 0, 3, whole,
-     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.thin_support; }},
+    {"thin-support", "Clean-up: doubt spreads to cells with so many good vertices at most", 0, 3,
+     whole, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.thin_support; }},
     {"stretch-cost", "Clean-up: a facet much longer than its samples lie apart", 0, 1000, number,
      clean_up, [](Options& o) -> Field { return &o.surface.clean_up.stretch_cost; }},
     {"stretch-ratio", "Clean-up: such facets are longer than so many spacings", 0, 1e6, number,
@@ -79,16 +79,16 @@ constexpr std::array<Threshold, 24> of_clean_up{{
 }};
 
 constexpr std::array<Threshold, 5> of_evidence{{
-    {"mark-credit", "Clean-up: weight of their labels as evidence", 0, 1, number, clean_up,
-     [](Options& o) -> Field { return &o.surface.clean_up.mark_credit; }},
+    {"mark-credit", "Clean-up: weight of what few good vertices say of a doubtful cell", 0, 1,
+     number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.mark_credit; }},
     {"evidence-weight", "Clean-up: evidence of the poles against a cell's label", 0, 1000, number,
      clean_up, [](Options& o) -> Field { return &o.surface.clean_up.evidence_weight; }},
     {"near-pole-ratio", "Clean-up: a pole this many spacings off says nothing of the other", 0, 1e6,
      number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.near_pole_ratio; }},
-    {"full-pole-ratio", "Clean-up: from so many spacings on all it can say", 0, 1e6, number,
+    {"full-pole-ratio", "Clean-up: a pole so many spacings off says all it can", 0, 1e6, number,
      clean_up, [](Options& o) -> Field { return &o.surface.clean_up.full_pole_ratio; }},
-    {"pole-good-share", "Clean-up: the same where this share of the samples around is good", 0, 1,
-     number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.pole_good_share; }},
+    {"pole-good-share", "Clean-up: so does one where this share of the samples around is good", 0,
+     1, number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.pole_good_share; }},
 }};
 
 constexpr std::array<Threshold, 14> of_clouds_and_findings{{
