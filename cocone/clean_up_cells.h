@@ -158,7 +158,8 @@ struct CleanUpCounters {
   std::size_t idle_after = 0;
 };
 
-// Changes marks.reached, and nothing where every vertex is good and no marks conflict.
+// Changes marks.reached, and marks.labels to what is known (CellMarks::known); nothing where every
+// vertex is good and no marks conflict.
 // Precondition: marks come from peel_cells. Complexity: passes over the cells, and near linear in
 // the number of undecided cells and defects. Deterministic: costs are integers, the cut is unique,
 // at each defect the best move is taken, at those of the densest samples first

@@ -37,7 +37,7 @@ struct SurfaceDoubts {
   // the triangles, divided by the mean distance to them: 0.7 times the deviation of normal noise in
   // units of the spacing, where curvature does not matter.
   double roughness = 0;
-  std::size_t boundary_samples = 0;  // vertices that fail the ratio or the normal condition
+  std::size_t boundary_samples = 0;  // among the vertices
   std::size_t gap_samples = 0;       // vertices at a gap
   std::vector<DoubtfulSpot> sparse;  // groups of both joined by edges; count: samples, at: the
                                      // one with the longest edge, size: that edge
