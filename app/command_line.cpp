@@ -90,8 +90,8 @@ void add_surface_options(CLI::App& app, SurfaceArguments& parameters, const std:
       ->type_name("DEGREES");
   app.add_option("--mode", parameters.mode,
                  "paper: the published reconstruction alone, and in updates the published way to "
-                 "locate a rim on the model; robust (default): with our repairs, each counted in "
-                 "the report")
+                 "locate a rim on the model, no long edges trimmed; robust (default): with our "
+                 "repairs, each counted in the report")
       ->check(CLI::IsMember({"paper", "robust"}));
   add_verify(app, parameters.verify);
 }
