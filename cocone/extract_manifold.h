@@ -5,9 +5,9 @@
 // edge, through the cells on the walker's side, to the first candidate met. That one belongs to the
 // sheet; the others at the edge do not.
 //
-//        g  \   | h         standing on f, turning about the edge (o) over the upper side:
+//        h  \   | g         standing on f, turning about the edge (o) over the upper side:
 //            \  |           g comes first and is kept, h comes later and is dropped
-//      _______\ | ______ f
+//             \ | ______ f
 //              (o)
 #pragma once
 

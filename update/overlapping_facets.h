@@ -45,8 +45,8 @@ struct OverlapOptions {
   // slant. A rim with a point so much farther off than its median is worth a warning.
   double max_raised_share = 0.3;
   double raised_distance = 1;
-  // A rim whose matched points lie farther off the model than this many spacings (the median of
-  // them) leaves a step there: that is worth a warning. Goals hold up to half a spacing.
+  // A rim whose matched points lie farther off the model than this many of its spacings (the median
+  // of them) leaves a step there: that is worth a warning. Up to half a spacing does no harm.
   double step_distance = 0.75;
 };
 
@@ -77,9 +77,11 @@ struct Overlap {
   std::vector<TriangleId> facets;  // all overlapping facets, sorted, each once
   std::size_t unmatched = 0;       // rim points without a facet
   std::size_t star_misses = 0;     // nearest_vertex_star only: no facet there, closest one taken
-  std::size_t facing_away = 0;     // rim points whose closest facet of all faces the other way
-  std::size_t steep = 0;           // rim points with a facet below min_normal_cosine
-  std::size_t relocated = 0;       // rim points moved to the part of the model the others are on
+  // Rim points whose closest facet of all has a cosine below min_normal_cosine, and those for which
+  // such a facet was taken.
+  std::size_t facing_away = 0;
+  std::size_t steep = 0;
+  std::size_t relocated = 0;  // rim points moved to the part of the model the others are on
   // Of matched rim points from their facets.
   double largest_distance = 0;
   double median_distance = 0;

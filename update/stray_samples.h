@@ -19,7 +19,7 @@ struct StrayOptions {
   // of a place that has others.
   std::size_t neighbors = 3;
   double outlier_ratio = 2;
-  // Delaunay neighbors hang together if they are not farther apart than so many spacings of either.
+  // Delaunay neighbors hang together if they are not farther apart than so many spacings of both.
   double link_ratio = 3;
   // Fewer samples that hang together than these are a small part: no surface has a rim and a middle
   // with so few. 0: none is.
