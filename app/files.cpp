@@ -39,6 +39,22 @@ void tell_columns(Job& job, const std::string& path, const std::string& section,
           y, z);
 }
 
+// A file without names of columns that looks as if it had other ones than x, y, z.
+void warn_of_counts(Job& job, const std::string& path, const std::string& section,
+                    const PointCloud& cloud) {
+  if (cloud.first_column_counts_rows) {
+    job.report().set(section + "/first_column_counts_rows", true);
+    job.warn(path +
+             ": the first column counts the rows and was read as x; if it is none, name the "
+             "columns in a first line: n x y z");
+  }
+  if (cloud.first_row_counts_columns) {
+    job.report().set(section + "/first_row_counts_columns", true);
+    job.warn(path +
+             ": the first row, 0 1 2, was read as a point; if it names the columns, remove it");
+  }
+}
+
 void warn_of_skipped(Job& job, const std::string& path, const std::string& section,
                      std::size_t points) {
   if (points == 0) return;
@@ -175,6 +191,7 @@ std::vector<Point> read_cloud(Job& job, const std::string& path, const std::stri
   options.skip_non_finite = job.shared().skip_non_finite;
   PointCloud cloud = timed(job.execution(), "read", [&] { return read_points(path, options); });
   tell_columns(job, path, section, cloud);
+  warn_of_counts(job, path, section, cloud);
   warn_of_skipped(job, path, section, cloud.skipped.size());
   const std::size_t points = cloud.points.size() + cloud.skipped.size();
   if (cloud.announced && *cloud.announced < points) {

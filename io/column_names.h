@@ -20,7 +20,10 @@ struct CoordinateColumns {
 
 // Names that tell: x y z, as CloudCompare begins a line with them ("//X Y Z") and in upper case,
 // too, with a unit in brackets ("x [mm]", "Y(m)"); Points:0 Points:1 Points:2, also with "_", as
-// ParaView writes them. In quotes or not. The first column of a name counts.
+// ParaView writes them, and Points_m_XYZ:0 of programs that build on it; easting and northing, or
+// east and north, with one of z, elevation, elev, height, altitude and up; x, y, z composed with
+// pos, position, point, coord or coordinate (pos_x, "x coordinate"), all three the same way. In
+// quotes or not. The first column of a name counts.
 CoordinateColumns coordinate_columns(std::span<const std::string_view> names);
 
 }  // namespace cocoon

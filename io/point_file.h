@@ -36,11 +36,16 @@ struct PointCloud {
   std::array<std::string, 3> coordinate_names;
   bool told_columns = false;
   std::size_t named_columns = 0;  // text files: how many columns the header names
+  // Text files without names of columns. All are read as points, but the user should know: of rows
+  // of more than three columns (10 rows at least) the first numbers are n, n + 1, n + 2 ...; or the
+  // first row is 0 1 2 ..., which pandas writes as names, and others are not all whole numbers.
+  bool first_column_counts_rows = false;
+  bool first_row_counts_columns = false;
   // Text files: the count in a first line of its own, if there is one. More points may follow.
   std::optional<std::size_t> announced;
   std::size_t surplus_lines = 0;  // ascii PLY: see MeshReadReport
   std::size_t first_surplus_line = 0;
-  std::size_t trailing_bytes = 0;  // PLY and OFF: behind the last element, not read
+  std::size_t trailing_bytes = 0;  // PLY, OFF, STL: behind the last element, not read
   VertexProperties properties;     // one row per point; no column unless asked for
 };
 

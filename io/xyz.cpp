@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -99,7 +100,14 @@ std::size_t count_comma_columns(std::string_view line) {
   return columns;
 }
 
+std::string_view without_quotes(std::string_view column) {
+  const bool is_quoted = column.size() >= 2 && column.front() == column.back() &&
+                         (column.front() == '"' || column.front() == '\'');
+  return is_quoted ? column.substr(1, column.size() - 2) : column;
+}
+
 bool is_name(std::string_view column) {
+  column = without_quotes(column);
   if (column.empty()) return false;
   const char* at = column.data();
   double value = 0;
@@ -107,6 +115,19 @@ bool is_name(std::string_view column) {
   const char first = column.front();
   return (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z') || first == '_' ||
          first == '"' || first == '\'';
+}
+
+// 0, 1, 2 ..., as pandas names the columns of a table that has no names.
+bool counts_columns(std::span<const std::string_view> columns) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (without_quotes(columns[i]) != std::to_string(i)) return false;
+  }
+  return columns.size() >= 3;
+}
+
+bool is_whole(const Point& point) {
+  return point.x == std::floor(point.x) && point.y == std::floor(point.y) &&
+         point.z == std::floor(point.z);
 }
 
 class XyzReader {
@@ -132,6 +153,7 @@ class XyzReader {
     }
     check_number_of_rows();
     leave_out_normals();
+    tell_doubts();
     return std::move(cloud_);
   }
 
@@ -142,8 +164,8 @@ class XyzReader {
 
   void read_row(std::string_view line) {
     if (cloud_.points.empty()) begin_rows(line);
-    if (columns_.at != CoordinateColumns().at) {
-      read_row_by_names(line);
+    if (columns_.at != CoordinateColumns().at || line.front() == '"') {
+      read_row_by_columns(line);
     } else {
       if (has_tabs_between_names_) require_coordinates(line);
       read_plain_row(line);
@@ -153,37 +175,49 @@ class XyzReader {
   // Before the first row, by its number of columns: a comment that happens to name x, y, z is none
   // of their names if it has another one.
   void begin_rows(std::string_view line) {
-    cloud_.columns = split_columns(line).size();
+    const std::vector<std::string_view> columns = split_columns(line);
+    cloud_.columns = columns.size();
     if (cloud_.header.empty() && comment_columns_.told == CoordinateColumns::Told::all &&
         comment_names_.size() == cloud_.columns) {
       columns_ = comment_columns_;
       names_ = comment_names_;
     }
-    if (header_begins_with_tab_ && cloud_.columns == names_.size() + 1) {
+    // What R writes in front of its rows are their names, in quotes.
+    const bool begins_with_row = header_begins_with_tab_ || line.front() == '"';
+    if (!names_.empty() && begins_with_row && cloud_.columns == names_.size() + 1) {
       names_.insert(names_.begin(), "");
       for (std::size_t& at : columns_.at) ++at;
     }
     cloud_.told_columns = columns_.told == CoordinateColumns::Told::all;
     cloud_.named_columns = names_.size();
-    if (names_.empty()) return;
+    if (names_.empty()) {
+      cloud_.first_row_counts_columns = counts_columns(columns);
+      return;
+    }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       cloud_.coordinate_names[axis] = names_[columns_.at[axis]];
     }
   }
 
-  void read_row_by_names(std::string_view line) {
+  // Where the names say so, or where values are in quotes.
+  void read_row_by_columns(std::string_view line) {
+    const std::size_t wanted = names_.empty() ? cloud_.columns : names_.size();
     std::vector<std::string_view> columns = split_columns(line);
     const char last = line[line.find_last_not_of(" \t")];
     const bool ends_empty = last == ',' || last == ';';
-    if (ends_empty && columns.size() + 1 == names_.size()) columns.emplace_back();
-    if (columns.size() != names_.size()) {
-      fail("has " + std::to_string(columns.size()) + " columns, but the header names " +
-           std::to_string(names_.size()) +
+    if (ends_empty && columns.size() + 1 == wanted) columns.emplace_back();
+    if (columns.size() != wanted) {
+      fail("has " + std::to_string(columns.size()) + " columns, but " +
+           (names_.empty() ? "earlier lines have " : "the header names ") + std::to_string(wanted) +
            "; if the comma is a decimal comma, write a point instead");
     }
+    if (columns.size() < 3) {
+      fail("a row needs three numbers x y z, this one has " + std::to_string(columns.size()));
+    }
+    rows_are_counted_ = false;
     double xyz[3] = {};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::string_view text = columns[columns_.at[axis]];
+      const std::string_view text = without_quotes(columns[columns_.at[axis]]);
       const char* at = text.data();
       if (parse_double(at, text.data() + text.size(), xyz[axis]) &&
           at == text.data() + text.size()) {
@@ -222,7 +256,9 @@ class XyzReader {
              " is not a decimal number: " + in_quotes(text.substr(0, text.find_first_of(" \t,;"))));
       }
       if (separators[column] == Separator::none && column < 2) {
-        fail("a row needs three numbers x y z, this one has " + std::to_string(column + 1));
+        const bool may_be_count = column == 0 && cloud_.announced && !cloud_.points.empty();
+        fail("a row needs three numbers x y z, this one has " + std::to_string(column + 1) +
+             (may_be_count ? "; split a file of several scans, each under its count" : ""));
       }
     }
     const bool mixed = separators[0] != separators[1] ||
@@ -231,6 +267,9 @@ class XyzReader {
       fail("mixes separators; if the comma is a decimal comma, write a point instead");
     }
     if (separators[0] == Separator::comma) check_comma_columns(line);
+    if (cloud_.points.empty()) first_number_ = xyz[0];
+    const auto number = static_cast<double>(cloud_.points.size());
+    rows_are_counted_ = rows_are_counted_ && xyz[0] == first_number_ + number;
     add({xyz[0], xyz[1], xyz[2]});
   }
 
@@ -277,11 +316,11 @@ class XyzReader {
     if (!cloud_.header.empty()) return false;
     const std::vector<std::string_view> names = split_columns(line);
     // Tables of pandas have no name for the column that numbers their rows.
-    const std::size_t first = !names.empty() && names.front().empty() ? 1 : 0;
+    const std::size_t first = !names.empty() && without_quotes(names.front()).empty() ? 1 : 0;
     if (names.size() < first + 3) return false;
-    for (std::size_t i = first; i < first + 3; ++i) {
-      if (!is_name(names[i])) return false;
-    }
+    const std::span<const std::string_view> named = std::span(names).subspan(first);
+    const bool are_names = std::all_of(named.begin(), named.begin() + 3, is_name);
+    if (!are_names && (first == 0 || !counts_columns(named))) return false;
     columns_ = coordinate_columns(names);
     if (columns_.told == CoordinateColumns::Told::none) columns_.at = {first, first + 1, first + 2};
     if (columns_.told == CoordinateColumns::Told::some) {
@@ -306,6 +345,17 @@ class XyzReader {
     }
   }
 
+  // What was read as told may have been meant otherwise; see PointCloud.
+  void tell_doubts() {
+    constexpr std::size_t least_rows = 10;
+    const std::vector<Point>& rows = cloud_.points;
+    cloud_.first_column_counts_rows = rows_are_counted_ && rows.size() >= least_rows &&
+                                      cloud_.columns > 3 && names_.empty() &&
+                                      first_number_ == std::floor(first_number_);
+    cloud_.first_row_counts_columns =
+        cloud_.first_row_counts_columns && !std::all_of(rows.begin(), rows.end(), is_whole);
+  }
+
   // Of a .pwn file that has them after all points.
   void leave_out_normals() {
     constexpr double tolerance = 0.01;
@@ -323,6 +373,8 @@ class XyzReader {
   NonFinitePoints& non_finite_;
   std::size_t count_line_ = 0;     // of the announced count
   std::size_t comma_columns_ = 0;  // 0: not known yet
+  double first_number_ = 0;        // of the first row
+  bool rows_are_counted_ = true;   // by their first numbers: each is one more than the last
   bool begins_with_tab_ = false;   // the current line
   // The same of pandas where tabs separate columns, if the rows have one more than the names.
   bool header_begins_with_tab_ = false;

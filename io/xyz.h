@@ -21,7 +21,8 @@ namespace cocoon {
 //     the caller can tell by PointCloud::announced) or a header: names in its first three columns.
 //     If some of x, y, z are named in it, then all three; PointCloud tells which columns were
 //     taken. A comment before the rows that names all three is a header, too, if the first row has
-//     as many columns. The first name may be empty, as pandas has it for the numbers of the rows.
+//     as many columns. The first name may be empty, as pandas has it for the numbers of the rows;
+//     names of rows in quotes need none.
 //   - A .pwn file of a count, so many points, and then as many rows of three numbers of length 1
 //     (within 1 %) has its normals there: these rows are left out.
 // Throws FileError with the line for a row that has fewer than three columns or no number where one

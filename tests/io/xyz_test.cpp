@@ -64,10 +64,83 @@ TEST_F(Xyz, ColumnsAreFoundByTheirNames) {
   const PointCloud told = read("id,Z,x,y\n7,3,1,2\n");
   EXPECT_TRUE(told.told_columns);
   EXPECT_EQ(told.coordinate_names, (std::array<std::string, 3>{"x", "y", "Z"}));
-  const PointCloud others = read("scalars,east,north,height\n1,2,3,4\n");
+  const PointCloud others = read("scalars,u,v,w\n1,2,3,4\n");
   EXPECT_FALSE(others.told_columns);
-  EXPECT_EQ(others.coordinate_names, (std::array<std::string, 3>{"scalars", "east", "north"}));
+  EXPECT_EQ(others.coordinate_names, (std::array<std::string, 3>{"scalars", "u", "v"}));
   EXPECT_EQ(read("1 2 3\n").coordinate_names, (std::array<std::string, 3>{}));
+}
+
+TEST_F(Xyz, NamesOfSurveysAndScannersTellTheColumns) {
+  for (const char* content :
+       {"Point ID,Easting,Northing,Elevation\n1,1,2,3\n2,4,5,6\n",
+        "Point,Northing (m),Easting (m),Height (m),Code\nA,2,1,3,c\nB,5,4,6,\n",
+        "height north east\n3 2 1\n6 5 4\n", "# north east elev\n2 1 3\n5 4 6\n",
+        "fid,easting,northing,z\n9,1,2,3\n9,4,5,6\n", "id,pos_x,pos_y,pos_z\n9,1,2,3\n9,4,5,6\n",
+        "t PositionX PositionY PositionZ\n9 1 2 3\n9 4 5 6\n",
+        "t;\"x coordinate\";\"y coordinate\";\"z coordinate\"\n9;1;2;3\n9;4;5;6\n",
+        "nx,ny,nz,x_coord [mm],y_coord [mm],z_coord [mm]\n0,0,1,1,2,3\n0,0,1,4,5,6\n",
+        "t,\"Points_m_XYZ:0\",Points_m_XYZ:1,Points_m_XYZ:2\n9,1,2,3\n9,4,5,6\n"}) {
+    const PointCloud cloud = read(content);
+    EXPECT_EQ(cloud.points, two) << content;
+    EXPECT_TRUE(cloud.told_columns) << content;
+  }
+  // Not all three, two heights, or not all in the same way: nothing is told.
+  for (const char* content :
+       {"a,easting,northing,b\n1,2,3,4\n", "a,east,north,up,height\n1,2,3,4,5\n",
+        "a,easting,north,up\n1,2,3,4\n", "a,pos_x,pos_y,posz\n1,2,3,4\n",
+        "a,pos_x,pos_y,pos\n1,2,3,4\n"}) {
+    EXPECT_FALSE(read(content).told_columns) << content;
+  }
+}
+
+TEST_F(Xyz, ValuesMayBeInQuotes) {
+  for (const char* content : {"\"x\",\"y\",\"z\"\n\"1\",\"2\",\"3\"\n\"4\",\"5\",\"6\"\n",
+                              "\"1\";\"2\";\"3\"\n\"4\";\"5\";\"6\"\n",
+                              "a,x,y,z\n\"1,5\",'1',\"2\",3\n\"b\",4,\"5\",'6'\n"}) {
+    EXPECT_EQ(read(content).points, two) << content;
+  }
+  EXPECT_EQ(message("x,y,z\n\"1,5\",\"2\",\"3\"\n"), ":2: column 1 is not a decimal number: '1,5'");
+  EXPECT_EQ(message("\"1\",\"2\"\n"), ":1: a row needs three numbers x y z, this one has 2");
+  EXPECT_EQ(message("\"1\",\"2\",\"3\"\n\"1\",\"2\",\"3\",\"4\"\n"),
+            ":2: has 4 columns, but earlier lines have 3; if the comma is a decimal comma, write a "
+            "point instead");
+}
+
+// Names of rows, which the header does not name.
+TEST_F(Xyz, TablesOfR) {
+  for (const char* content : {"\"x\" \"y\" \"z\"\n\"1\" 1 2 3\n\"2\" 4 5 6\n",
+                              "\"\",\"V1\",\"V2\",\"V3\"\n\"1\",1,2,3\n\"2\",4,5,6\n",
+                              "\"V1\" \"V2\" \"V3\" \"V4\"\n\"a b\" 1 2 3 9\n\"c\" 4 5 6 9\n"}) {
+    EXPECT_EQ(read(content).points, two) << content;
+  }
+}
+
+TEST_F(Xyz, PandasNumbersRowsAndColumns) {
+  EXPECT_EQ(read(",0,1,2\n0,1,2,3\n1,4,5,6\n").points, two);
+  EXPECT_EQ(read("\"\";\"0\";\"1\";\"2\";\"3\"\n0;1;2;3;9\n1;4;5;6;9\n").points, two);
+  EXPECT_EQ(message(",0,1,3\n0,1,2,3\n"), ":1: column 1 is not a decimal number: ''");
+}
+
+TEST_F(Xyz, TellsRowsAndColumnsThatAreCounted) {
+  const PointCloud names = read("0,1,2\n1,2,3.5\n");
+  EXPECT_EQ(names.points.size(), 2U);
+  EXPECT_TRUE(names.first_row_counts_columns);
+  for (const char* content : {"0 1 2\n1 2 3\n", "0 1 2.0\n1 2 3.5\n", "x y z\n0 1 2\n1 2 3.5\n"}) {
+    EXPECT_FALSE(read(content).first_row_counts_columns) << content;
+  }
+  const auto counted = [this](double first, double step, int rows, const char* begin,
+                              const char* end) {
+    std::string text = begin;
+    for (int i = 0; i < rows; ++i) text += std::to_string(first + step * i) + " 1 2" + end + "\n";
+    return read(text).first_column_counts_rows;
+  };
+  EXPECT_TRUE(counted(1, 1, 10, "", " 3"));
+  EXPECT_TRUE(counted(-7, 1, 20, "20\n# a comment\n", " 3 9"));
+  EXPECT_FALSE(counted(1, 1, 9, "", " 3"));
+  EXPECT_FALSE(counted(1, 1, 10, "", ""));
+  EXPECT_FALSE(counted(1, 2, 10, "", " 3"));
+  EXPECT_FALSE(counted(0.5, 1, 10, "", " 3"));
+  EXPECT_FALSE(counted(1, 1, 10, "x y z n\n", " 3"));
 }
 
 TEST_F(Xyz, TheColumnThatNumbersTheRowsMayHaveNoName) {
@@ -81,12 +154,12 @@ TEST_F(Xyz, TheColumnThatNumbersTheRowsMayHaveNoName) {
     EXPECT_TRUE(cloud.told_columns) << content;
     EXPECT_EQ(cloud.named_columns, cloud.columns) << content;
   }
-  for (const char* content : {",east,north,height\n0,1,2,3\n1,4,5,6\n",
-                              "\teast\tnorth\theight\n0\t1\t2\t3\n1\t4\t5\t6\n"}) {
+  for (const char* content :
+       {",u,v,w\n0,1,2,3\n1,4,5,6\n", "\tu\tv\tw\n0\t1\t2\t3\n1\t4\t5\t6\n"}) {
     const PointCloud cloud = read(content);
     EXPECT_EQ(cloud.points, two) << content;
     EXPECT_FALSE(cloud.told_columns);
-    EXPECT_EQ(cloud.coordinate_names, (std::array<std::string, 3>{"east", "north", "height"}));
+    EXPECT_EQ(cloud.coordinate_names, (std::array<std::string, 3>{"u", "v", "w"}));
   }
   EXPECT_EQ(message(",,x,y,z\n0,0,1,2,3\n"), ":1: column 1 is not a decimal number: ''");
   EXPECT_EQ(message(",x,y\n0,1,2\n"), ":1: column 1 is not a decimal number: ''");
