@@ -1,7 +1,10 @@
 #include "io/file_bytes.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <string>
+#include <string_view>
 
 #include "geom/large_pages.h"
 #include "io/input_file.h"
@@ -11,6 +14,26 @@ namespace cocoon {
 namespace {
 
 constexpr std::size_t growth_step = std::size_t{1} << 20;  // for files whose size is not known
+
+// What stands for a file in the place of it: packed by another program, or left by Git LFS.
+void refuse_stand_ins(const FileBytes& file) {
+  using namespace std::string_view_literals;
+  constexpr std::array<std::array<std::string_view, 2>, 5> packers = {
+      {{"gzip"sv, "\x1F\x8B\x08"sv},
+       {"zip"sv, "PK\3\4"sv},
+       {"bzip2"sv, "BZh91AY&SY"sv},
+       {"xz"sv,
+        "\xFD"
+        "7zXZ\0"sv},
+       {"zstd"sv, "\x28\xB5\x2F\xFD"sv}}};
+  for (const auto& [name, beginning] : packers) {
+    if (!file.view().starts_with(beginning)) continue;
+    throw file_error(file.path, "is packed (" + std::string(name) + "); unpack it first");
+  }
+  if (file.view().starts_with("version https://git-lfs.github.com/spec/")) {
+    throw file_error(file.path, "is a pointer of Git LFS, not the file itself; run 'git lfs pull'");
+  }
+}
 
 }  // namespace
 
@@ -30,8 +53,10 @@ FileBytes read_file(const std::filesystem::path& path) {
       file.data = std::move(larger);
     }
     file.size += input.read(file.data.get() + file.size, capacity - file.size);
-    if (file.size < capacity) return file;
+    if (file.size < capacity) break;
   }
+  refuse_stand_ins(file);
+  return file;
 }
 
 std::string_view text_of(const FileBytes& file) {

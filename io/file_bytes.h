@@ -23,7 +23,8 @@ struct FileBytes {
 };
 
 // Reads the whole file; pipes and devices are read to their end. Throws FileError if it cannot be
-// opened or read, or if it is a folder. Complexity: O(bytes).
+// opened or read, if it is a folder, or if its first bytes say that it is packed, or no more than a
+// pointer of Git LFS to the file. Complexity: O(bytes).
 FileBytes read_file(const std::filesystem::path& path);
 
 // The text of a file, without the UTF-8 byte order mark that some editors put first. Throws

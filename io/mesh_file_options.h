@@ -30,7 +30,7 @@ struct MeshReadReport {
   // read, and the number of the first one.
   std::size_t surplus_lines = 0;
   std::size_t first_surplus_line = 0;
-  std::size_t trailing_bytes = 0;    // behind the last element, not read
+  std::size_t trailing_bytes = 0;    // behind the last element or facet, not read
   std::vector<std::size_t> skipped;  // with skip_non_finite: which points of the file, ascending
 };
 

@@ -20,8 +20,8 @@ class ObjReader {
     while (next_statement(statement)) {
       Fields fields(statement);
       const std::string_view keyword = fields.word();
-      if (keyword == "v") read_vertex(fields);
-      if (keyword == "f") read_face(fields);
+      if (is_vertex(keyword)) read_vertex(fields);
+      if (is_face(keyword)) read_face(fields);
     }
     if (soup_.points.empty()) {
       throw file_error(file_.path, "has no vertex (no line 'v x y z'); is it an OBJ file?");
@@ -30,16 +30,17 @@ class ObjReader {
   }
 
  private:
-  // The next line without its comment, joined with the lines that continue it.
+  // The next line without its comment, joined with the lines that continue it if it is read.
   bool next_statement(std::string_view& statement) {
     if (!lines_.next(statement)) return false;
     line_ = lines_.number();
     statement = without_comment(statement);
-    if (!statement.ends_with('\\')) return true;
+    // Elsewhere a backslash may end the name of a folder, which must not take the next vertex away.
+    if (!is_continued(statement) || !is_read(Fields(statement).word())) return true;
 
     joined_.clear();
-    while (statement.ends_with('\\')) {
-      joined_.append(statement.substr(0, statement.size() - 1));
+    while (is_continued(statement)) {
+      joined_.append(statement.substr(0, statement.rfind('\\')));
       joined_ += ' ';
       statement = lines_.next(statement) ? without_comment(statement) : std::string_view{};
     }
@@ -47,6 +48,16 @@ class ObjReader {
     statement = joined_;
     return true;
   }
+
+  // By a backslash, behind which there may be blanks.
+  static bool is_continued(std::string_view statement) {
+    const std::size_t last = statement.find_last_not_of(" \t");
+    return last != std::string_view::npos && statement[last] == '\\';
+  }
+
+  static bool is_vertex(std::string_view keyword) { return keyword == "v"; }
+  static bool is_face(std::string_view keyword) { return keyword == "f" || keyword == "fo"; }
+  static bool is_read(std::string_view keyword) { return is_vertex(keyword) || is_face(keyword); }
 
   void read_vertex(Fields& fields) {
     double xyz[3];

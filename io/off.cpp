@@ -69,9 +69,9 @@ class OffReader {
   void read_header() {
     Fields fields = next_line("header line");
     std::string_view text = fields.rest();
-    skip_word(text, "ST");
-    skip_word(text, "C");
-    skip_word(text, "N");
+    // The format says ST C N; MeshLab writes N C ST.
+    while (skip_word(text, "ST") || skip_word(text, "C") || skip_word(text, "N")) {
+    }
     if (text.starts_with("4OFF") || text.starts_with("nOFF") || text.starts_with("4nOFF")) {
       fail("4OFF and nOFF have other than three coordinates a vertex and are not read");
     }

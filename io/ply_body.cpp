@@ -82,10 +82,26 @@ void PlyTextBody::begin_element(const PlyElement& element, std::size_t index) {
     }
     fields_ = Fields(line);
   } while (fields_.done());
+  short_line_ = 0;
+}
+
+void PlyTextBody::go_on_behind_short_line(const char* expected) {
+  if (!fields_.done()) return;
+  if (short_line_ == 0) {
+    short_line_ = line();
+    expected_there_ = expected;
+  }
+  std::string_view line;
+  while (fields_.done()) {
+    if (!lines_.next(line)) fail_short_line();
+    fields_ = Fields(line);
+  }
 }
 
 double PlyTextBody::number(PlyType) {
   double value = 0;
+  if (fields_.number(value)) return value;
+  go_on_behind_short_line("a number");
   if (!fields_.number(value)) fail_value("a number");
   return value;
 }
@@ -93,6 +109,8 @@ double PlyTextBody::number(PlyType) {
 std::int64_t PlyTextBody::integer(PlyType) {
   std::int64_t value = 0;
   double number = 0;
+  if (fields_.integer(value)) return value;
+  go_on_behind_short_line("a whole number");
   if (fields_.integer(value)) return value;
   Fields field = fields_;  // stays there for the message
   if (!field.number(number) || !whole_number(number, value)) fail_value("a whole number");
@@ -112,30 +130,40 @@ std::size_t PlyTextBody::list_length(PlyType count_type, PlyType) {
 }
 
 void PlyTextBody::skip(PlyType, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    if (fields_.word().empty()) fail_value("one more value");
-  }
+  for (std::size_t i = 0; i < count; ++i) next_word();
 }
 
 bool PlyTextBody::append(PlyType type, std::size_t count, std::string& bytes) {
   bool all = true;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string_view word = fields_.word();
-    if (word.empty()) fail_value("one more value");
-    all = append_word(word, type, bytes) && all;
+    all = append_word(next_word(), type, bytes) && all;
   }
   return all;
 }
 
+std::string_view PlyTextBody::next_word() {
+  const std::string_view word = fields_.word();
+  if (!word.empty()) return word;
+  go_on_behind_short_line("one more value");
+  return fields_.word();
+}
+
 void PlyTextBody::end_element() {
-  if (!fields_.done() && ++surplus_lines_ == 1) first_surplus_line_ = line();
+  if (fields_.done()) return;
+  if (short_line_ != 0) fail_short_line();
+  if (++surplus_lines_ == 1) first_surplus_line_ = line();
+}
+
+void PlyTextBody::fail_short_line() const {
+  throw file_error(file_.path, short_line_,
+                   std::string("expected ") + expected_there_ +
+                       ", found the end of the line; does the line match the header?");
 }
 
 void PlyTextBody::fail_value(const char* expected) {
-  const std::string_view found = fields_.word();
+  if (short_line_ != 0) fail_short_line();
   throw file_error(file_.path, line(),
-                   std::string("expected ") + expected + ", found " +
-                       (found.empty() ? "the end of the line" : in_quotes(found)) +
+                   std::string("expected ") + expected + ", found " + in_quotes(fields_.word()) +
                        "; does the line match the header?");
 }
 

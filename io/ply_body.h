@@ -28,7 +28,9 @@
 
 namespace cocoon {
 
-// One element is one line; blank lines do not count.
+// One element is one line; blank lines do not count. Some programs write an element in several
+// lines (librealsense does): they are one if the last one holds what is missing and nothing else,
+// so that a line with too few values is not completed by the next element.
 class PlyTextBody {
  public:
   PlyTextBody(const FileBytes& file, const PlyHeader& header);
@@ -46,12 +48,18 @@ class PlyTextBody {
   std::size_t trailing_bytes() const { return lines_.rest_without_blanks().size(); }
 
  private:
+  // To the next line if this one has no value left.
+  void go_on_behind_short_line(const char* expected);
+  std::string_view next_word();
   [[noreturn]] void fail_value(const char* expected);
+  [[noreturn]] void fail_short_line() const;
 
   const FileBytes& file_;
   std::size_t header_lines_;
   TextLines lines_;
   Fields fields_{std::string_view()};
+  std::size_t short_line_ = 0;  // where the element had too few values; 0: it has not
+  const char* expected_there_ = "";
   std::size_t surplus_lines_ = 0;
   std::size_t first_surplus_line_ = 0;
 };

@@ -32,6 +32,16 @@ std::size_t announced_facets(const FileBytes& file) {
   return load_number<std::uint32_t>(file.data.get() + 80, std::endian::little);
 }
 
+// Behind the facets there may be a few bytes, too few for another facet.
+bool has_size_of_binary(const FileBytes& file) {
+  if (file.size < header_bytes) return false;
+  const std::size_t count = announced_facets(file);
+  const std::size_t bytes = file.size - header_bytes;
+  if (bytes < facet_bytes * count) return false;
+  const std::size_t behind = bytes - facet_bytes * count;
+  return behind == 0 || (count > 0 && behind < facet_bytes);
+}
+
 PolygonSoup read_binary(const FileBytes& file) {
   const std::size_t count = announced_facets(file);
   PolygonSoup soup;
@@ -50,6 +60,7 @@ PolygonSoup read_binary(const FileBytes& file) {
     }
     soup.end_face();
   }
+  soup.trailing_bytes = file.size - header_bytes - facet_bytes * count;
   return soup;
 }
 
@@ -66,7 +77,7 @@ class StlTextReader {
         if (in_solid_) fail("a solid begins before the last one ended");
         in_solid_ = true;
         fields_ = Fields("");  // the rest of the line is its name
-      } else if (is("endsolid") && in_solid_) {
+      } else if (is_end_of_solid() && in_solid_) {
         in_solid_ = false;
         fields_ = Fields("");
       } else if (is("facet") && in_solid_) {
@@ -87,6 +98,9 @@ class StlTextReader {
 
   bool is(std::string_view lower_case) const { return equals_ignoring_case(word_, lower_case); }
 
+  // Assimp has written "endsolidAssimpScene".
+  bool is_end_of_solid() const { return equals_ignoring_case(word_.substr(0, 8), "endsolid"); }
+
   bool next_word() {
     while (fields_.done()) {
       std::string_view line;
@@ -94,7 +108,18 @@ class StlTextReader {
       fields_ = Fields(line);
     }
     word_ = fields_.word();
+    if (is("end")) join_end();
     return true;
+  }
+
+  // Some write "end solid", "end facet" and "end loop".
+  void join_end() {
+    const Fields behind_end = fields_;
+    const std::string_view what = fields_.word();
+    for (const std::string_view known : {"endsolid", "endfacet", "endloop"}) {
+      if (equals_ignoring_case(what, known.substr(3))) word_ = known;
+    }
+    if (is("end")) fields_ = behind_end;
   }
 
   void next_word_of_facet() {
@@ -214,13 +239,10 @@ PolygonSoup read_stl(const FileBytes& file) {
   if (file.size == 0) {
     throw file_error(file.path, "is empty (0 bytes); was it written completely?");
   }
-  const bool has_header = file.size >= header_bytes;
-  if (has_header && file.size - header_bytes == facet_bytes * announced_facets(file)) {
-    return read_binary(file);
-  }
+  if (has_size_of_binary(file)) return read_binary(file);
   const bool holds_nul = file.view().find('\0') != std::string_view::npos;
   if (begins_with_solid(file.view()) && !holds_nul) return StlTextReader(file).read();
-  if (!has_header) {
+  if (file.size < header_bytes) {
     throw file_error(file.path,
                      "is no STL file: it neither begins with 'solid' nor has the 84 "
                      "bytes of a binary header; check the extension");

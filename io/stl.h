@@ -11,9 +11,9 @@ namespace cocoon {
 // Reads the facets and welds their corners exactly: corners with equal coordinates (-0 equals 0)
 // become one vertex, in the order of first appearance; no tolerance, so that the mesh holds what
 // the file says. Several solids become one mesh. Normals are not read (the corners' order is). A
-// file of exactly 84 + 50 n bytes that announces n facets is binary, whatever its first word;
-// another one that begins with "solid" is text. Throws FileError for what is neither, damaged, cut
-// off (also a text without its last endsolid: it may be half a file).
+// file of 84 + 50 n bytes that announces n facets is binary, whatever its first word, also with up
+// to 49 bytes behind them; another one that begins with "solid" is text. Throws FileError for what
+// is neither, damaged, cut off (also a text without its last endsolid: it may be half a file).
 // Complexity: O(bytes) expected: corners are welded by a hash table.
 PolygonSoup read_stl(const FileBytes& file);
 

@@ -1,7 +1,9 @@
 // Bad input: exit code 1, one line that says what is wrong and where, no output file, nothing left
 // behind.
+#include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -282,17 +284,48 @@ TEST(BadInput, ColumnsWithoutNamesThatTellAreANote) {
   const TemporaryFolder folder;
   const std::string rows = "1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n5,0,2,2\n";
   const std::string out = folder.file("out.tet");
-  const std::string unknown = folder.write("unknown.csv", "id,east,north,up\n" + rows);
+  const std::string unknown = folder.write("unknown.csv", "id,a,b,c\n" + rows);
   EXPECT_NE(run_program({"delaunay", unknown, "-o", out})
                 .out.find("note: " + unknown +
                           ": no columns are named x, y, z; taken are the first "
-                          "three: id, east, north\n"),
+                          "three: id, a, b\n"),
             std::string::npos);
   const std::string known = folder.write("known.csv", "id,Points:0,Points:1,Points:2\n" + rows);
   const ProgramRun run = run_program({"delaunay", known, "-o", out, "--json", "-"});
   EXPECT_EQ(run.out.find("note"), std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(run.out)["input"]["coordinate_columns"].dump(),
             R"(["Points:0","Points:1","Points:2"])");
+}
+
+TEST(BadInput, RowsAndColumnsThatAreCountedAreAWarning) {
+  const TemporaryFolder folder;
+  std::ostringstream numbered;
+  std::ostringstream named;
+  named << "0,1,2\n";
+  for (int i = 1; i < 12; ++i) {
+    numbered << i << ' ' << i % 3 << ' ' << i % 4 << ' ' << i % 5 << ".5\n";
+    named << i % 3 << ',' << i % 4 << ',' << i % 5 << ".5\n";
+  }
+  const auto reads = [&](const std::string& name, const std::string& content) {
+    return run_program({"delaunay", folder.write(name, content), "-o", folder.file("out.tet")}).out;
+  };
+  EXPECT_NE(reads("a.xyz", numbered.str()).find("the first column counts the rows"),
+            std::string::npos);
+  EXPECT_NE(reads("a.csv", named.str()).find("the first row, 0 1 2, was read as a point"),
+            std::string::npos);
+  EXPECT_EQ(reads("b.xyz", "n x y z\n" + numbered.str()).find("warning"), std::string::npos);
+}
+
+TEST(BadInput, BytesBehindBinaryStlAreAWarning) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(100));
+  const std::string mesh = folder.file("mesh.stl");
+  ASSERT_EQ(run_program({"reconstruct", cloud, "-o", mesh}).exit_code, 0);
+  std::ofstream(mesh, std::ios::app) << '\n';
+  const ProgramRun run = run_program({"check", mesh, "--require", "closed"});
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_NE(run.out.find("warning: " + mesh + ": 1 byte was not read"), std::string::npos)
+      << run.out;
 }
 
 TEST(BadInput, MeshWithoutTriangles) {

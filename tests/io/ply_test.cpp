@@ -224,5 +224,38 @@ TEST(Ply, BlankLinesAreSkippedAndSurplusValuesCounted) {
   EXPECT_EQ(cloud.first_surplus_line, 15U);
 }
 
+// As librealsense writes them.
+TEST(Ply, AsciiElementsMayHaveSeveralLines) {
+  const TemporaryFolder folder;
+  const std::string start =
+      header("ascii", "element vertex 3\n" + xyz +
+                          "property float nx\nproperty list uchar int l\nproperty uchar red\n"
+                          "element face 1\nproperty list uchar int vertex_indices\n"
+                          "property int flags\n");
+  const std::string body = "0 0 0 \n0.5 0\n7 \n1 0 0\n\n0.5 2 1\n2 8\n0\n1 0 0.5 0 9\n3 0 1 2\n4\n";
+  const auto path = folder.write("a.ply", start + body);
+  MeshReadReport report;
+  VertexProperties properties;
+  const TriangleMesh mesh = read_mesh(path, report, properties);
+  EXPECT_EQ(mesh.points.raw(), (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}}));
+  EXPECT_EQ(read_mesh(path).points.raw(), mesh.points.raw());
+  EXPECT_EQ(report.surplus_lines, 0U);
+  ASSERT_EQ(properties.columns.size(), 3U);
+  EXPECT_EQ(properties.columns[2].values, "\7\10\11");
+
+  // A line that lacks values is not completed by another element.
+  const auto message = [&](const std::string& rows) {
+    const auto damaged = folder.write("b.ply", header("ascii", "element vertex 2\n" + xyz) + rows);
+    return message_of<FileError>(damaged, [&] { read_points(damaged); });
+  };
+  const std::string short_line =
+      ": expected a number, found the end of the line; does the line "
+      "match the header?";
+  EXPECT_EQ(message("0.5 0.5\n1 2 3\n"), ":8" + short_line);
+  EXPECT_EQ(message("0 0 0\n1 2\n\n"), ":9" + short_line);
+  EXPECT_EQ(message("0 0\nx\n1 2 3\n"), ":8" + short_line);
+}
+
 }  // namespace
 }  // namespace cocoon

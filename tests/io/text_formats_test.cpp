@@ -60,6 +60,26 @@ TEST_F(TextFormats, ObjNamesTheLineWhereAStatementBegins) {
       ":2: a corner of a face is '2x', not i, i/t, i//n or i/t/n with indices from 1 or -1 on");
 }
 
+TEST_F(TextFormats, ObjIsContinuedBeforeBlanksAtTheEndOfALine) {
+  const TriangleMesh mesh =
+      read("a.obj", "v 0 0 \\ \n0\nv 1 0 0\nv 0 \\\t\r\n1 0\nf 1 2 \\  \n3\n");
+  EXPECT_EQ(mesh.points.raw(), (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}}));
+}
+
+// As programs for Windows write the names of folders.
+TEST_F(TextFormats, ObjNamesThatEndWithABackslashTakeNoVertexAway) {
+  const TriangleMesh mesh =
+      read("a.obj", "o C:\\parts\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\ng C:\\\nf 1 2 3\n");
+  EXPECT_EQ(mesh.points.raw(), (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}}));
+}
+
+TEST_F(TextFormats, ObjFacesByTheirOldKeyword) {
+  const TriangleMesh mesh = read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nfo 1 2 3\nfoo 3 2 1\n");
+  EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}}));
+}
+
 TEST_F(TextFormats, NotFiniteAsOldLibrariesPrintIt) {
   const std::string not_finite = ": point 0 (counted from 0) has a coordinate that is not a finite";
   EXPECT_TRUE(message("a.obj", "v 0 0 1.#QNAN # c\n").starts_with(":1" + not_finite));
@@ -67,7 +87,8 @@ TEST_F(TextFormats, NotFiniteAsOldLibrariesPrintIt) {
 }
 
 TEST_F(TextFormats, OffKeepsTheFirstThreeNumbersOfAVertex) {
-  for (const char* keyword : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCNOFF"}) {
+  for (const char* keyword : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCNOFF", "NCOFF", "NSTOFF",
+                              "CSTOFF", "NCSTOFF"}) {
     const TriangleMesh mesh = read("a.off", std::string(keyword) +
                                                 "\n# counts\n3 1\n0 0 0 9 9 9 9\n1 0 0 9\n0 1 0\n"
                                                 "3 2 1 0 0.5 0.5 0.5\n");
@@ -101,6 +122,23 @@ TEST_F(TextFormats, StlTextIsReadWhateverItsLinesAndCase) {
   EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
 }
 
+TEST_F(TextFormats, StlTextMayWriteItsEndsInOtherWays) {
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
+  for (const char* ends :
+       {"end loop\nendfacet\nendsolid\n", "endloop\nend facet\nend solid end\n",
+        "endloop endfacet endsolidAssimpScene\n", "END LOOP End\tFacet end Solid name"}) {
+    const TriangleMesh mesh = read("a.stl", "solid name\n" + facet + ends);
+    EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}})) << ends;
+  }
+  EXPECT_EQ(message("a.stl", "solid\n" + facet + "end\nfacet\nendfacet\nendsolid\n"),
+            ":7: expected vertex or endloop, found 'end'");
+  EXPECT_EQ(message("a.stl", "solid\n" + facet + "end vertex 0 0 1\n"),
+            ":7: expected vertex or endloop, found 'end'");
+  EXPECT_EQ(message("a.stl", "solid\n" + facet + "endloop\nend"),
+            ":8: the file ends within a facet; it is cut off");
+}
+
 TEST_F(TextFormats, StlTextThatEndsEarlyIsRefused) {
   const std::string facet =
       "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
@@ -132,6 +170,25 @@ TEST_F(TextFormats, BinaryStlThatBeginsWithSolidIsNoText) {
   EXPECT_EQ(message("a.stl", damaged),
             ": is no STL file, or damaged: as binary STL it announces 2 facets, which take 184 "
             "bytes, but has 134");
+}
+
+// As long as they cannot be a facet that was not counted.
+TEST_F(TextFormats, BytesBehindTheFacetsOfBinaryStlAreCounted) {
+  std::string facet(50, '\0');
+  facet[24 + 3] = facet[36 + 7] = '\x3f';  // 0.5
+  const std::string header(80, ' ');
+  const std::string one = header + std::string("\1\0\0\0", 4) + facet;
+  for (const std::size_t behind : {0U, 1U, 49U}) {
+    MeshReadReport report;
+    const TriangleMesh mesh =
+        read_mesh(folder.write("a.stl", one + facet.substr(0, behind)), report);
+    EXPECT_EQ(mesh.triangles.raw(), triangles({{0, 1, 2}})) << behind;
+    EXPECT_EQ(report.trailing_bytes, behind);
+  }
+  const std::string refused = ": is no STL file, or damaged: as binary STL it announces ";
+  EXPECT_EQ(message("a.stl", one + facet), refused + "1 facets, which take 134 bytes, but has 184");
+  EXPECT_EQ(message("a.stl", header + std::string(4, '\0') + " "),
+            refused + "0 facets, which take 84 bytes, but has 85");
 }
 
 TEST_F(TextFormats, BinaryStlOfWhatIsNotFiniteIsRefused) {
@@ -180,6 +237,19 @@ TEST_F(TextFormats, FilesThatAreMissingOrFoldersAreRefused) {
   std::filesystem::create_directory(directory);
   EXPECT_EQ(message_of<FileError>(directory, [&] { read_mesh(directory); }),
             ": cannot be read (it is a folder); check the name and the permissions");
+}
+
+TEST_F(TextFormats, WhatStandsForAFileIsNamed) {
+  EXPECT_EQ(message("a.stl", "\x1F\x8B\x08" + std::string(90, 'a')),
+            ": is packed (gzip); unpack it first");
+  EXPECT_EQ(message("a.ply", std::string("\xFD"
+                                         "7zXZ\0",
+                                         6) +
+                                 "a"),
+            ": is packed (xz); unpack it first");
+  EXPECT_EQ(message("a.obj", "PK\3\4"), ": is packed (zip); unpack it first");
+  EXPECT_EQ(message("a.off", "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 9\n"),
+            ": is a pointer of Git LFS, not the file itself; run 'git lfs pull'");
 }
 
 TEST_F(TextFormats, NulBytesAreNoText) {
