@@ -53,6 +53,7 @@ UpdateOptions paper_update_options() {
   options.cloud.trim.max_edge = 0;
   options.cloud.rows.min_ratio = 0;
   options.cloud.density.min_ratio = 0;
+  options.cloud.layers.spread = 0;
   return options;
 }
 

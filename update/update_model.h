@@ -69,9 +69,9 @@ struct UpdateOptions {
 };
 
 // As near to the paper as options go: surfaces of clouds and model in Mode::paper, rim points
-// located among the facets at the nearest vertex, no long edges trimmed, no samples set aside in
-// rows of a scanner or where they are dense. Every other departure stays (docs/update.md, "With
-// --mode paper").
+// located among the facets at the nearest vertex, no long edges trimmed, no samples set aside (in
+// rows of a scanner, where they are dense, in layers). Every other departure stays (docs/update.md,
+// "With --mode paper").
 UpdateOptions paper_update_options();
 
 // V - E + F of a mesh with two triangles at each edge: 2 for each part, less 2 for each handle.

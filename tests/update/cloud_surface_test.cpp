@@ -7,6 +7,7 @@
 
 #include "geom/errors.h"
 #include "geom/random.h"
+#include "update/update_model.h"
 
 namespace cocoon {
 namespace {
@@ -110,13 +111,18 @@ TEST(CloudSurface, AClosedCloudHasNoRim) {
 }
 
 // Four scans of a sheet, each a little out of register.
-TEST(CloudSurface, LayersOverEachOtherAreOne) {
+std::vector<Point> four_layers() {
   std::vector<Point> layers;
   for (int k = 0; k < 4; ++k) {
     for (const Point& p : sheet(30, 0.02, 0.2, 0.1, everywhere)) {
       layers.push_back(p + Vec3{0.3 * k, 0.5 * (k % 2), 0.15 * k});
     }
   }
+  return layers;
+}
+
+TEST(CloudSurface, LayersOverEachOtherAreOne) {
+  const std::vector<Point> layers = four_layers();
   const CloudSurface surface = cloud_surface(layers);
   ASSERT_EQ(surface.status, CloudStatus::ok);
   EXPECT_GT(surface.set_aside, layers.size() / 2);
@@ -135,12 +141,18 @@ TEST(CloudSurface, LayersOverEachOtherAreOne) {
   }
   EXPECT_GT(points, 80U);
   EXPECT_LT(4 * inside, points);
+}
 
+TEST(CloudSurface, NoLayerIsSetAsideIfThatIsOffAsInPaperMode) {
   CloudSurfaceOptions options;
   options.layers.spread = 0;
-  const CloudSurface torn = cloud_surface(layers, options);
-  EXPECT_EQ(torn.set_aside, 0U);
-  for (const RimTrial& trial : torn.trials) EXPECT_TRUE(trial.loops == 0 || trial.seam_share > 0.3);
+  for (const CloudSurfaceOptions& off : {options, paper_update_options().cloud}) {
+    const CloudSurface torn = cloud_surface(four_layers(), off);
+    EXPECT_EQ(torn.set_aside, 0U);
+    for (const RimTrial& trial : torn.trials) {
+      EXPECT_TRUE(trial.loops == 0 || trial.seam_share > 0.3);
+    }
+  }
 }
 
 // Samples 0.4 apart on one half, 1 on the other: the rim is looked for among samples that are about
