@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -70,6 +71,14 @@ Found composed_columns(const std::vector<std::string>& names) {
   return std::nullopt;
 }
 
+bool names_angles(const std::vector<std::string>& names) {
+  const auto names_one_of = [&](std::initializer_list<std::string_view> words) {
+    return std::any_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return column_named(names, word) != npos; });
+  };
+  return names_one_of({"latitude", "lat"}) && names_one_of({"longitude", "long", "lon", "lng"});
+}
+
 }  // namespace
 
 CoordinateColumns coordinate_columns(std::span<const std::string_view> names) {
@@ -90,6 +99,7 @@ CoordinateColumns coordinate_columns(std::span<const std::string_view> names) {
   for (const Found& found : {survey_columns(plain), composed_columns(plain)}) {
     if (found) return {CoordinateColumns::Told::all, *found};
   }
+  if (names_angles(plain)) columns.told = CoordinateColumns::Told::angles;
   return columns;
 }
 

@@ -323,6 +323,11 @@ class XyzReader {
     if (!are_names && (first == 0 || !counts_columns(named))) return false;
     columns_ = coordinate_columns(names);
     if (columns_.told == CoordinateColumns::Told::none) columns_.at = {first, first + 1, first + 2};
+    if (columns_.told == CoordinateColumns::Told::angles) {
+      fail(
+          "the header names latitude and longitude, which are angles; project the points first "
+          "(to UTM, say), with coordinates and heights in one unit");
+    }
     if (columns_.told == CoordinateColumns::Told::some) {
       fail("the header names some of x, y, z, but not all three; name the columns of all, or none");
     }

@@ -206,6 +206,12 @@ TEST_F(Xyz, NormalsAfterAllPointsAreLeftOut) {
   EXPECT_EQ(read(points + "0 0 1\n0.6 0.8 0\n").points.size(), 4U);  // .xyz
 }
 
+TEST_F(Xyz, AnglesBesideCoordinatesAreNoObstacle) {
+  const std::vector<Point> expected{{1, 2, 3}};
+  EXPECT_EQ(read("lat,lon,easting,northing,height\n50,8,1,2,3\n").points, expected);
+  EXPECT_EQ(read("lat,lon,x,y,z\n50,8,1,2,3\n").points, expected);
+}
+
 TEST_F(Xyz, RefusesWhatItCannotBeSureOf) {
   const std::string decimal_comma = "if the comma is a decimal comma, write a point instead";
   EXPECT_EQ(message("1 2 3\n0,5 1 2\n"), ":2: mixes separators; " + decimal_comma);
@@ -218,6 +224,11 @@ TEST_F(Xyz, RefusesWhatItCannotBeSureOf) {
   EXPECT_EQ(message("id,x,y,height\n1,2,3,4\n"),
             ":1: the header names some of x, y, z, but not all three; name the columns of all, or "
             "none");
+  const std::string angles =
+      ":1: the header names latitude and longitude, which are angles; project the points first (to "
+      "UTM, say), with coordinates and heights in one unit";
+  EXPECT_EQ(message("lat,lon,alt\n1,2,3\n"), angles);
+  EXPECT_EQ(message("Id;Longitude [deg];Latitude [deg];z\n1;2;3;4\n"), angles);
   EXPECT_EQ(message("id;x;y;z\n1;0,5;1;2\n"), ":2: column 2 is not a decimal number: '0,5'");
   EXPECT_EQ(message("id,x,y,z\n1,0,5,1,2\n"),
             ":2: has 5 columns, but the header names 4; " + decimal_comma);
