@@ -39,5 +39,15 @@ TEST(UnitFactor, MakesNoDotsOfTheSamples) {
   EXPECT_EQ(factor_of(plane, rim_of({testing::circle(80, {3, 3, 8}, 0.8)})), std::nullopt);
 }
 
+// The rim of a scan that ends on what has changed: a third as large all of it would be near enough.
+TEST(UnitFactor, IsNotAskedForWhereMostOfTheRimLiesOnTheModel) {
+  const TriangleMesh plane = testing::grid_plane(20);
+  RimLoop loop = testing::circle(20, {3, 3, 0}, 0.8);
+  for (std::size_t i = 0; i < 7; ++i) loop.points[i].z = 8;
+  EXPECT_EQ(factor_of(plane, rim_of({loop})), std::nullopt);
+  for (std::size_t i = 7; i < 13; ++i) loop.points[i].z = 8;
+  EXPECT_EQ(factor_of(plane, rim_of({loop})), 0.3048);
+}
+
 }  // namespace
 }  // namespace cocoon
