@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "geom/closest_facet.h"
 #include "geom/id_vector.h"
@@ -45,26 +47,68 @@ struct IslandFacets {
   }
 };
 
+// A sample off the model, and which way its surface faces; the zero vector if that is not known.
+struct OffSample {
+  Point place;
+  Vec3 outward;
+};
+
+// `outward`: of all samples; empty if nothing is known.
+std::vector<OffSample> samples_off(const ModelIndex& model, const Scan& scan, double distance,
+                                   const std::vector<Vec3>& outward) {
+  const std::vector<double> heights = squared_heights(model, scan.samples, distance);
+  std::vector<OffSample> off;
+  for (std::size_t k = 0; k < heights.size(); ++k) {
+    if (!(heights[k] > distance * distance)) continue;
+    off.push_back({scan.samples[k], outward.empty() ? Vec3{} : outward[k]});
+  }
+  return off;
+}
+
 // A sample, and the place of an island that it lies over or under.
 struct Over {
   Point sample;
   TriangleId facet;
   Point foot;
+  double facing;  // cosine of the ways in which its surface and the facet face; 0: not known
+
+  double squared_height() const { return squared_distance(sample, foot); }
 };
 
 std::vector<Over> samples_over(const ModelIndex& model, const Regions& regions,
                                const std::vector<RegionId>& islands,
-                               const std::vector<Point>& samples, double min_cosine) {
+                               const std::vector<OffSample>& samples, double min_cosine) {
   const IslandFacets facets(model.mesh(), regions, islands);
   const ClosestFacetTree tree(facets.mesh);
   std::vector<Over> found;
-  for (const Point& p : samples) {
-    const ClosestFacet foot = tree.closest(p);
+  for (const OffSample& p : samples) {
+    const ClosestFacet foot = tree.closest(p.place);
     const TriangleId facet = facets.of_model[foot.triangle.index()];
-    const double cosine = dot(unit(p - foot.point), model.normal(facet));
-    if (std::abs(cosine) >= min_cosine) found.push_back({p, facet, foot.point});
+    const Vec3 normal = model.normal(facet);
+    if (std::abs(dot(unit(p.place - foot.point), normal)) < min_cosine) continue;
+    found.push_back({p.place, facet, foot.point, dot(p.outward, normal)});
   }
   return found;
+}
+
+// Those that do not face their facets, and have none between that clearly do: with feet within
+// reach of theirs, and nearer to the model.
+std::vector<Over> without_sheltered(const std::vector<Over>& over, double min_cosine,
+                                    double reach) {
+  std::vector<Point> feet;
+  std::vector<double> heights;
+  for (const Over& o : over) {
+    if (o.facing > -min_cosine || reach == 0) continue;
+    feet.push_back(o.foot);
+    heights.push_back(o.squared_height());
+  }
+  const SampleHeights facing(std::move(feet), std::move(heights));
+  std::vector<Over> open;
+  std::copy_if(over.begin(), over.end(), std::back_inserter(open), [&](const Over& o) {
+    const auto is_nearer = [&](const Point&, double height) { return height < o.squared_height(); };
+    return o.facing >= 0 && !facing.any_near(o.foot, reach, is_nearer);
+  });
+  return open;
 }
 
 // For each region, the places over or under which samples off the model lie, with no facet nearer
@@ -72,13 +116,16 @@ std::vector<Over> samples_over(const ModelIndex& model, const Regions& regions,
 // than its mouth is, faces the other way.
 IdVector<RegionId, std::vector<Point>> contradicted_places(const ModelIndex& model,
                                                            const Regions& regions, const Scan& scan,
+                                                           const std::vector<Vec3>& outward,
                                                            const std::vector<RegionId>& islands,
                                                            const IslandOptions& options) {
   IdVector<RegionId, std::vector<Point>> places(regions.regions.size());
-  const std::vector<Point> off = samples_off(model, scan.samples, options.off_model * scan.spacing);
+  const std::vector<OffSample> off =
+      samples_off(model, scan, options.off_model * scan.spacing, outward);
   if (off.size() < options.min_samples) return places;
   const std::vector<Over> over =
-      samples_over(model, regions, islands, off, options.min_normal_cosine);
+      without_sheltered(samples_over(model, regions, islands, off, options.min_normal_cosine),
+                        options.min_normal_cosine, options.facing_reach * scan.spacing);
   double reach = 0;
   std::vector<Point> centers;
   for (const Over& o : over) {
@@ -88,9 +135,9 @@ IdVector<RegionId, std::vector<Point>> contradicted_places(const ModelIndex& mod
   const NearFacets near(model, centers, reach);
   for (const Over& o : over) {
     const Vec3 normal = model.normal(o.facet);
-    const ClosestFacet closest = near.closest(
-        o.sample, squared_distance(o.sample, o.foot),
-        [&](TriangleId t) { return dot(model.normal(t), normal) >= options.min_normal_cosine; });
+    const ClosestFacet closest = near.closest(o.sample, o.squared_height(), [&](TriangleId t) {
+      return dot(model.normal(t), normal) >= options.min_normal_cosine;
+    });
     const RegionId region = regions.region_of_facet[o.facet];
     if (closest.triangle.is_none() || regions.region_of_facet[closest.triangle] == region) {
       places[region].push_back(o.foot);
@@ -134,11 +181,9 @@ void note_island(RegionId region, RegionId part, std::vector<RegionVerdict>& ver
 
 }  // namespace
 
-std::vector<ContradictedIsland> part_contradicted_islands(const ModelIndex& model,
-                                                          const RegionChoice& choice,
-                                                          std::span<const Scan> scans,
-                                                          Regions& regions,
-                                                          const IslandOptions& options) {
+std::vector<ContradictedIsland> part_contradicted_islands(
+    const ModelIndex& model, const RegionChoice& choice, std::span<const Scan> scans,
+    Regions& regions, const IslandOptions& options, const OutwardNormals& outward) {
   std::vector<ContradictedIsland> found;
   const RegionId largest = largest_kept_region(regions, choice);
   const std::size_t before = regions.regions.size();
@@ -149,8 +194,8 @@ std::vector<ContradictedIsland> part_contradicted_islands(const ModelIndex& mode
                          [&](const ContradictedIsland& island) { return island.region == r; });
     });
     if (islands.empty()) continue;
-    const IdVector<RegionId, std::vector<Point>> places =
-        contradicted_places(model, regions, scans[c], islands, options);
+    const IdVector<RegionId, std::vector<Point>> places = contradicted_places(
+        model, regions, scans[c], outward ? outward(c) : std::vector<Vec3>(), islands, options);
     for (const RegionId r : islands) {
       const auto count = static_cast<double>(places[r].size());
       const double limit = options.min_share * static_cast<double>(regions.regions[r].facets);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -27,7 +28,14 @@ struct IslandOptions {
   // Of a contradicted region goes what lies within so many spacings of the places over or under
   // which such samples lie.
   double reach = 2.5;
+  // A sample whose surface faces the region, as that under an arch, leaves room between: nothing
+  // farther off contradicts what is within so many spacings of its foot. 0: it may.
+  double facing_reach = 1.5;
 };
+
+// The outward normals of the samples of a cloud, by its number (cloud/outward_normals.h). Asked for
+// where a region may be contradicted: most updates have none.
+using OutwardNormals = std::function<std::vector<Vec3>(std::size_t cloud)>;
 
 struct ContradictedIsland {
   RegionId region;  // that stayed
@@ -39,17 +47,17 @@ struct ContradictedIsland {
 // The regions that stay by `choice`, border on the rim of a cloud, and are contradicted by its
 // samples; never the largest region that stays. What of such a region is far from all places over
 // or under which samples lie, in the shadow of a boss, still stays: then the other part becomes a
-// region of its own, behind the others. Why: from
-// one side a scanner sees the floor of a pocket, but not its walls, and the top of a boss, but not
-// its foot. Then the loop around the mouth lies on the model as that around a hole in the scan
-// does, and what is inside would stay, over the floor or in the boss. scans[c] belongs to
-// choice.clouds[c]. Complexity: O(regions) if no such region stays; else O(samples), what
-// NearFacets takes and, for the parts, O(triangles + vertices). Deterministic. Source: ours.
-std::vector<ContradictedIsland> part_contradicted_islands(const ModelIndex& model,
-                                                          const RegionChoice& choice,
-                                                          std::span<const Scan> scans,
-                                                          Regions& regions,
-                                                          const IslandOptions& options = {});
+// region of its own, behind the others. Why: from one side a scanner sees the floor of a pocket,
+// but not its walls, and the top of a boss, but not its foot. Then the loop around the mouth lies
+// on the model as that around a hole in the scan does, and what is inside would stay, over the
+// floor or in the boss. Floor and top face as the region does; what faces it, or has between
+// it and the region what does, is the rest of something that is hollow there. Without `outward`
+// nothing is known of that. scans[c] belongs to choice.clouds[c]. Complexity: O(regions) if no such
+// region stays; else O(samples log(samples)), what NearFacets takes and, for the parts, O(triangles
+// + vertices). Deterministic. Source: ours.
+std::vector<ContradictedIsland> part_contradicted_islands(
+    const ModelIndex& model, const RegionChoice& choice, std::span<const Scan> scans,
+    Regions& regions, const IslandOptions& options = {}, const OutwardNormals& outward = {});
 
 // Has the part go: clouds that saw the region saw the part under them. Precondition:
 // `choice.replaced` has an entry for the part. Complexity: O(verdicts).

@@ -8,6 +8,7 @@
 #include "geom/angles.h"
 #include "geom/errors.h"
 #include "geom/sort_ids.h"
+#include "update/cloud/outward_normals.h"
 #include "update/model/model_index.h"
 #include "update/regions/kept_surface.h"
 #include "update/report/contradicted_samples.h"
@@ -115,8 +116,11 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
 void UpdateSteps::take_islands(const ModelIndex& index) {
   RegionChoice& choice = result_.choice;
   if (choice.status != ChoiceStatus::ok) return;
+  const auto outward = [&](std::size_t c) {
+    return outward_normals(index, clouds_[c], result_.clouds[c].surface, overlaps_[c]);
+  };
   const std::vector<ContradictedIsland> islands = part_contradicted_islands(
-      index, choice, scans_of(clouds_, result_.clouds), result_.regions, options_.islands);
+      index, choice, scans_of(clouds_, result_.clouds), result_.regions, options_.islands, outward);
   choice.replaced.resize(result_.regions.regions.size(), 0);
   for (const ContradictedIsland& island : islands) {
     result_.islands.push_back(island.part);

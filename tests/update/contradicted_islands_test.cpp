@@ -71,6 +71,40 @@ TEST(ContradictedIslands, UnderTheTopOfABoss) {
   EXPECT_EQ(scene.found(), std::vector{scene.island()});
 }
 
+// The samples inside the ring, and others there at a second height, with the ways they face.
+struct TwoSheetsOverTheRing : RingOnABlock {
+  std::vector<Vec3> normals;
+
+  TwoSheetsOverTheRing(double height, double up, double second, double second_up)
+      : RingOnABlock(height), normals(samples.size(), Vec3{0, 0, up}) {
+    const std::vector<Point> first = samples;
+    for (const Point& p : first) {
+      if (p.z != height) continue;
+      samples.push_back({p.x, p.y, second});
+      normals.push_back({0, 0, second_up});
+    }
+  }
+  bool is_island_found(const IslandOptions& options = {}) {
+    const Scan scan{samples, 1};
+    return !part_contradicted_islands(model, choice, {&scan, 1}, regions, options,
+                                      [&](std::size_t) { return normals; })
+                .empty();
+  }
+};
+
+// Under an arch there is room between, and the region may well be as it was.
+TEST(ContradictedIslands, NotUnderWhatFacesThem) {
+  EXPECT_FALSE(TwoSheetsOverTheRing(11, 1, 9, -1).is_island_found());
+  EXPECT_FALSE(TwoSheetsOverTheRing(9, -1, 11, 0).is_island_found());
+  EXPECT_TRUE(TwoSheetsOverTheRing(11, 1, 9, -1).is_island_found({.facing_reach = 0}));
+  EXPECT_TRUE(TwoSheetsOverTheRing(11, 1, 9, 0).is_island_found());     // nothing is known of it
+  EXPECT_TRUE(TwoSheetsOverTheRing(11, 1, 9, -0.4).is_island_found());  // a slanted wall
+  // A boss with something over it.
+  EXPECT_TRUE(TwoSheetsOverTheRing(9, 1, 11, -1).is_island_found());
+  // The floor of a pocket, and the other side of the body, deeper.
+  EXPECT_TRUE(TwoSheetsOverTheRing(4, 1, 2, -1).is_island_found());
+}
+
 TEST(ContradictedIslands, NotWhereTheScanEnds) {
   RingOnABlock scene(4);
   std::erase_if(scene.samples, [](const Point& p) { return p.z < 5; });

@@ -1,0 +1,22 @@
+// Which way the surface of a cloud faces at its samples.
+#pragma once
+
+#include <vector>
+
+#include "geom/point.h"
+#include "update/cloud_surface.h"
+#include "update/model/model_index.h"
+#include "update/overlapping_facets.h"
+
+namespace cocoon {
+
+// Unit normals of the samples of `cloud`, out of the body. What is outside the model tells: each
+// part of the surface that hangs together by edges faces as the model does at the loops that lie on
+// it, by the sign of the sum of cosines there. The zero vector where that is not known: for samples
+// that are no vertices of the surface, on parts without such a loop, and on one-sided ones. The
+// overlap is that of the surface's rim. Complexity: O(samples). Deterministic: independent of the
+// numbering and orientation of the surface's triangles up to rounding. Source: ours.
+std::vector<Vec3> outward_normals(const ModelIndex& model, Points cloud,
+                                  const CloudSurface& surface, const Overlap& overlap);
+
+}  // namespace cocoon
