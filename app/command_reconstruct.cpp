@@ -148,6 +148,12 @@ NoiseFilter noise_filter_of(const ReconstructArguments& arguments, std::size_t f
   return faces > 0 ? NoiseFilter::not_used_on_mesh : NoiseFilter::not_used;
 }
 
+std::vector<Finding> findings_of_surface(const SurfaceDoubts& doubts, std::size_t points,
+                                         const ReconstructArguments& arguments, std::size_t faces) {
+  const bool cavities_may_help = !arguments.cavities && arguments.parameters.mode != "paper";
+  return findings_of(doubts, points, noise_filter_of(arguments, faces), {}, cavities_may_help);
+}
+
 // `faces`: those of the file, if their vertices alone are the samples.
 DensifiedMesh read_input(Job& job, const ReconstructArguments& arguments,
                          VertexProperties* properties, std::size_t& faces) {
@@ -243,7 +249,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
           result.duplicates, result.unused_points, result.tetrahedra);
   job.say_outputs("{} -> {}", surface_summary(certificate), arguments.mesh);
   const std::vector<Finding> of_surface =
-      findings_of(doubts, result.points - result.duplicates, noise_filter_of(arguments, faces));
+      findings_of_surface(doubts, result.points - result.duplicates, arguments, faces);
   findings.insert(findings.end(), of_surface.begin(), of_surface.end());
   const bool parted = certificate.edge_manifold && certificate.vertex_manifold;
   std::erase_if(findings, [&](const Finding& f) { return parted && f.kind == "contacts"; });

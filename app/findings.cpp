@@ -143,34 +143,29 @@ Finding fragments_finding(const SurfaceDoubts& d, NoiseFilter filter) {
       d.fragments, d.dust};
 }
 
-const char* reason_of_unused(NoiseFilter filter) {
-  switch (filter) {
-    case NoiseFilter::used:
-      return "such count as noise or outliers";
-    case NoiseFilter::not_used:
-    case NoiseFilter::not_used_on_mesh:
-      return "outliers (--noise robust finds more of them), inner surfaces (--cavities keeps "
-             "them), "
-             "or samples too sparse there";
-    case NoiseFilter::of_strays:
-      return "outliers (--noise robust finds more of them), inner surfaces, or samples too sparse "
-             "there";
-    case NoiseFilter::no_noise:
-      return "inner surfaces (--cavities keeps them), or samples too sparse there";
-    case NoiseFilter::no_option:
-      break;
+std::string reason_of_unused(NoiseFilter filter, bool cavities) {
+  if (filter == NoiseFilter::used) return "such count as noise or outliers";
+  const bool is_option_of_command =
+      filter != NoiseFilter::of_strays && filter != NoiseFilter::no_option;
+  std::string reason;
+  if (filter != NoiseFilter::no_noise) {
+    reason = filter == NoiseFilter::no_option ? "outliers, "
+                                              : "outliers (--noise robust finds more of them), ";
   }
-  return "outliers, inner surfaces, or samples too sparse there";
+  reason += "inner surfaces";
+  if (cavities && is_option_of_command) reason += " (--cavities keeps them)";
+  return reason + ", or samples too sparse there";
 }
 
-Finding unused_finding(const SurfaceDoubts& d, std::size_t points, bool warns, NoiseFilter filter) {
+Finding unused_finding(const SurfaceDoubts& d, std::size_t points, bool warns, NoiseFilter filter,
+                       bool cavities) {
   return {"unused",
           fmt::format("{} of {} points {} not on the surface; {} is {:.3g} ({} times the "
                       "spacing) off, at {}; {}",
                       d.unused_points, points, d.unused_points == 1 ? "is" : "are",
                       d.unused_points == 1 ? "it" : "the farthest", d.unused[0].size,
                       ratio(d.unused[0].size / d.spacing), place_name(d.unused[0].at),
-                      reason_of_unused(filter)),
+                      reason_of_unused(filter, cavities)),
           d.unused_points, d.unused, warns};
 }
 
@@ -192,7 +187,7 @@ Finding contacts_finding(const SurfaceDoubts& d) {
 }  // namespace
 
 std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, NoiseFilter filter,
-                                 const FindingLimits& limits) {
+                                 const FindingLimits& limits, bool cavities) {
   std::vector<Finding> findings;
   if (d.spacing == 0) return findings;
   const double guess = share(d.unsurrounded_samples, d.samples);
@@ -214,7 +209,7 @@ std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, Noi
   if (!d.unused.empty()) {
     const bool warns =
         filter != NoiseFilter::used && share(d.unused_points, points) > limits.unused_share;
-    findings.push_back(unused_finding(d, points, warns, filter));
+    findings.push_back(unused_finding(d, points, warns, filter, cavities));
   }
   if (!d.contacts.empty()) findings.push_back(contacts_finding(d));
   if (noisy) {

@@ -188,6 +188,26 @@ TEST(Findings, UnusedPointsWarnIfManyAndNotFiltered) {
   EXPECT_FALSE(finding_of(doubts, "unused", NoiseFilter::used).warns);
 }
 
+// --cavities where it does something, and has not been given.
+TEST(Findings, UnusedPointsNameCavitiesWhereTheyHelp) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.unused = one_spot;
+  doubts.unused_points = 1;
+  const auto names_cavities = [&](NoiseFilter filter, bool cavities) {
+    const Finding finding = findings_of(doubts, 10, filter, {}, cavities)[0];
+    EXPECT_NE(finding.message.find("inner surfaces"), std::string::npos) << finding.message;
+    return finding.message.find("(--cavities keeps them)") != std::string::npos;
+  };
+  for (const NoiseFilter filter :
+       {NoiseFilter::not_used, NoiseFilter::not_used_on_mesh, NoiseFilter::no_noise}) {
+    EXPECT_TRUE(names_cavities(filter, true));
+    EXPECT_FALSE(names_cavities(filter, false));
+  }
+  EXPECT_FALSE(names_cavities(NoiseFilter::of_strays, true));
+  EXPECT_FALSE(names_cavities(NoiseFilter::no_option, true));
+}
+
 // No advice names an option that the command does not have.
 TEST(Findings, UpdatesHaveNoNoiseFilter) {
   SurfaceDoubts doubts;
