@@ -61,8 +61,7 @@ int bring_simplex_to_front(const IdVector<VertexId, Point>& points,
 void require_space(int dimension, std::size_t count) {
   if (count < 4) {
     throw InputError("only " + counted(count, "different point") +
-                     ": a triangulation of space needs at least 4, not all in one plane; give "
-                     "more points");
+                     ": a triangulation of space needs at least 4; give more points");
   }
   if (dimension < 2) {
     throw InputError(

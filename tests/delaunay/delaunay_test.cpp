@@ -281,8 +281,8 @@ TEST(DelaunayErrors, FewerThanFourDifferentPoints) {
   EXPECT_TRUE(contains(error_of({}), "at least 4"));
   EXPECT_TRUE(contains(error_of({{1, 2, 3}}), "only 1 different point: "));
   EXPECT_TRUE(contains(error_of(gallery::repeated({{1, 2, 3}}, 5)), "only 1 different point: "));
-  EXPECT_TRUE(contains(error_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
-                       "at least 4, not all in one plane; give more points"));
+  EXPECT_TRUE(
+      contains(error_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), "at least 4; give more points"));
   EXPECT_TRUE(
       contains(error_of(gallery::repeated({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 5)), "at least 4"));
 }
