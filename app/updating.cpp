@@ -262,8 +262,10 @@ std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
 std::string with_cloud_names(std::string message, const std::vector<std::string>& names) {
   for (std::size_t c = 0; c < names.size(); ++c) {
     const std::string numbered = fmt::format("cloud {} of {}", c + 1, names.size());
-    const std::size_t at = message.find(numbered);
-    if (at != std::string::npos) message.replace(at, numbered.size(), names[c]);
+    for (std::size_t at = message.find(numbered); at != std::string::npos;
+         at = message.find(numbered, at + names[c].size())) {
+      message.replace(at, numbered.size(), names[c]);
+    }
   }
   return message;
 }

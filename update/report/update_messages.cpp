@@ -15,12 +15,14 @@ std::string rounded(double value) {
 }
 
 std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clouds) {
-  const auto number = [&](std::size_t k) { return std::to_string(members[k] + 1); };
-  std::string name = "cloud " + number(0) + " of " + std::to_string(clouds);
+  const auto name_of = [&](std::size_t k) {
+    return "cloud " + std::to_string(members[k] + 1) + " of " + std::to_string(clouds);
+  };
+  std::string name = name_of(0);
   if (members.size() == 1) return name;
-  name += " (with " + number(1);
+  name += " (with " + name_of(1);
   for (std::size_t k = 2; k < members.size(); ++k) {
-    name += (k + 1 < members.size() ? ", " : " and ") + number(k);
+    name += (k + 1 < members.size() ? ", " : " and ") + name_of(k);
   }
   return name + ")";
 }

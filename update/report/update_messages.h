@@ -22,7 +22,8 @@ namespace cocoon {
 // Four digits.
 std::string rounded(double value);
 
-// "cloud 2 of 3", "cloud 1 of 5 (with 2, 4 and 5)"; `members`: at least one, ascending, from 0.
+// "cloud 2 of 3", "cloud 1 of 5 (with cloud 2 of 5 and cloud 4 of 5)"; `members`: at least one,
+// ascending, from 0.
 std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clouds);
 // "loop of 31 edges at (0, 1, 2)".
 std::string name_of_loop(const RimLoop& loop);

@@ -106,8 +106,8 @@ TEST(UpdateMessages, JoinedCloudsAreNamedAfterTheFirst) {
     return name_of_clouds(members, 9);
   };
   EXPECT_EQ(name({2}), "cloud 3 of 9");
-  EXPECT_EQ(name({2, 4}), "cloud 3 of 9 (with 5)");
-  EXPECT_EQ(name({2, 4, 6, 7}), "cloud 3 of 9 (with 5, 7 and 8)");
+  EXPECT_EQ(name({2, 4}), "cloud 3 of 9 (with cloud 5 of 9)");
+  EXPECT_EQ(name({2, 4, 6, 7}), "cloud 3 of 9 (with cloud 5 of 9, cloud 7 of 9 and cloud 8 of 9)");
 }
 
 TEST(UpdateMessages, OtherUnitsAreSaid) {
