@@ -22,6 +22,7 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
     return naming_input(path,
                         [&] { return dense_samples(mesh, {.spacing = spacing}, job.execution()); });
   });
+  job.report().set("parameters/densify", spacing);
   job.report().set("input/vertices", mesh.points.size());
   job.report().set("input/added_samples", added.size());
   job.say("{}: {} added to {}", path, counted(added.size(), "sample"),

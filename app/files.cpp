@@ -58,7 +58,7 @@ void warn_of_counts(Job& job, const std::string& path, const std::string& sectio
 void warn_of_skipped(Job& job, const std::string& path, const std::string& section,
                      std::size_t points) {
   if (points == 0) return;
-  job.report().set(section + "/skipped_non_finite", points);
+  job.report().add(section + "/skipped_non_finite", points);
   job.warn(fmt::format(
       "{}: {} left out", path,
       counted(points, "point is not finite and was", "points are not finite and were")));
@@ -68,7 +68,7 @@ void warn_of_skipped(Job& job, const std::string& path, const std::string& secti
 void warn_of_trailing_bytes(Job& job, const std::string& path, const std::string& section,
                             std::size_t bytes) {
   if (bytes == 0) return;
-  job.report().set(section + "/trailing_bytes", bytes);
+  job.report().add(section + "/trailing_bytes", bytes);
   job.warn(fmt::format("{}: {} behind what its header announces", path,
                        counted(bytes, "byte was not read,", "bytes were not read,")));
 }
@@ -77,7 +77,7 @@ void warn_of_trailing_bytes(Job& job, const std::string& path, const std::string
 void warn_of_surplus_lines(Job& job, const std::string& path, const std::string& section,
                            std::size_t lines, std::size_t first) {
   if (lines == 0) return;
-  job.report().set(section + "/surplus_lines", lines);
+  job.report().add(section + "/surplus_lines", lines);
   job.warn(fmt::format(
       "{}:{}: {} more values than the header announces; the last ones were not read", path, first,
       lines == 1 ? "this line has" : fmt::format("this line and {} more have", lines - 1)));

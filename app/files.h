@@ -46,9 +46,10 @@ void make_folder(const std::string& path);
 std::string in_folder(const std::string& folder, const std::string& name);
 
 // Reads points; times it as stage "read". What the reader left out is counted in the report's
-// section `section` ("input") and warned of. `properties`, if not null, gets what a PLY file says
-// of its vertices beside their position, `faces` how many faces the file has, which are not used,
-// `skipped` which of its points are left out for not being finite, ascending.
+// section `section` ("input"), of all files together, and warned of. `properties`, if not null,
+// gets what a PLY file says of its vertices beside their position, `faces` how many faces the file
+// has, which are not used, `skipped` which of its points are left out for not being finite,
+// ascending.
 std::vector<Point> read_cloud(Job& job, const std::string& path, const std::string& section,
                               VertexProperties* properties = nullptr, std::size_t* faces = nullptr,
                               std::vector<std::size_t>* skipped = nullptr);

@@ -44,6 +44,10 @@ void JsonReport::set(std::string_view path, const std::vector<std::string>& valu
 void JsonReport::set(std::string_view path, const JsonReport& object) {
   tree_->at(path) = object.tree_->root;
 }
+void JsonReport::add(std::string_view path, std::size_t count) {
+  Json& value = tree_->at(path);
+  value = count + (value.is_null() ? 0 : value.get<std::size_t>());
+}
 void JsonReport::set_empty_array(std::string_view path) { tree_->at(path) = Json::array(); }
 void JsonReport::append(std::string_view path, const JsonReport& object) {
   tree_->at(path).push_back(object.tree_->root);

@@ -31,6 +31,8 @@ class JsonReport {
   void set(std::string_view path, const std::vector<double>& values);
   void set(std::string_view path, const std::vector<std::string>& values);
   void set(std::string_view path, const JsonReport& object);
+  // Adds to the count at `path`, which is 0 if there is none.
+  void add(std::string_view path, std::size_t count);
   // Makes an empty array at `path`, and adds an element to the array there.
   void set_empty_array(std::string_view path);
   void append(std::string_view path, const JsonReport& object);

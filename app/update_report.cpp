@@ -153,7 +153,7 @@ void add_update(JsonReport& report, const UpdateRecord& record) {
   report.set("input/triangles", record.model.triangles.size());
   report.set("input/duplicates", result.replacement.duplicates);
   std::vector<std::size_t> cloud_sizes;
-  for (std::size_t c = 0; c < record.clouds.size(); ++c) {  // as they were read
+  for (std::size_t c = 0; c < record.clouds.size(); ++c) {  // stray samples included
     cloud_sizes.push_back(record.strays.empty() ? record.clouds[c].size()
                                                 : record.strays[c].kept.size());
   }

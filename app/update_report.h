@@ -27,7 +27,7 @@ struct UpdateRecord {
   // For the page: the signed distances (signed_distance.h) from the model of the points of each
   // cloud, then of the vertices that --manifold added to the updated mesh.
   std::vector<std::vector<double>> deviation = {};
-  // What was left out of each cloud before; empty: they were not filtered.
+  // What was left out of each cloud as stray; empty: they were not filtered.
   std::span<const StraySamples> strays = {};
 };
 

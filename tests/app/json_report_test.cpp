@@ -61,5 +61,12 @@ TEST(JsonReport, ScriptTextCannotEndTheScript) {
   }
 }
 
+TEST(JsonReport, CountsAreAdded) {
+  JsonReport report;
+  report.add("input/skipped", 2);
+  report.add("input/skipped", 3);
+  EXPECT_EQ(nlohmann::json::parse(report.text())["input"]["skipped"], 5);
+}
+
 }  // namespace
 }  // namespace cocoon::app

@@ -216,6 +216,17 @@ TEST(BadInput, TheMapHasALineForEachPointThatIsLeftOut) {
   EXPECT_EQ(map_of(ply), expected);
 }
 
+// The report is of all files, not of the last one.
+TEST(BadInput, LeftOutPointsOfAllFilesAreCounted) {
+  const TemporaryFolder folder;
+  const std::string model = folder.write("model.xyz", whole_sphere(500) + "nan 0 0\n0 inf 0\n");
+  const std::string cap = folder.write("cap.xyz", sphere_cap(2000, 0.8, 0.3) + "0 0 nan\n");
+  const ProgramRun run = run_program(
+      {"update", model, cap, "-o", folder.file("out.ply"), "--skip-non-finite", "--json", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_EQ(nlohmann::json::parse(run.out)["input"]["skipped_non_finite"], 3);
+}
+
 // Where a file and its own counts disagree, but nothing is missing, the user is told.
 TEST(BadInput, MoreThanAFileAnnouncesIsAWarning) {
   const TemporaryFolder folder;

@@ -171,6 +171,7 @@ TEST(Densify, KeepsThinWallsOfAClosedMesh) {
   std::string error;
   const Json report = report_of({"reconstruct", part, "-o", dense, "--densify", "0.12"}, error);
   EXPECT_EQ(report["surface"]["genus"], 0) << report["surface"].dump();
+  EXPECT_EQ(report["parameters"]["densify"], 0.12);
   const std::string warnings = report["warnings"].dump();
   EXPECT_NE(warnings.find("too sharp"), std::string::npos);
   EXPECT_EQ(warnings.find("not closed"), std::string::npos);
