@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/files.h"
-#include "app/thresholds.h"
 #include "geom/counted.h"
 
 namespace cocoon::app {
@@ -38,6 +37,8 @@ std::optional<StrayOptions> stray_options(const CloudFilterArguments& arguments)
 CloudFilter cloud_filter(const CloudFilterArguments& arguments) {
   return {arguments.thin, stray_options(arguments)};
 }
+
+StageOptions cloud_filter_defaults() { return stages_of({}); }
 
 void add_cloud_filter(JsonReport& report, const StrayOptions& options) {
   add_thresholds(report, ThresholdUse::outliers, stages_of(options));

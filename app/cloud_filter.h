@@ -8,6 +8,7 @@
 
 #include "app/command_line.h"
 #include "app/job.h"
+#include "app/thresholds.h"
 #include "geom/point.h"
 #include "update/stray_samples.h"
 
@@ -20,6 +21,9 @@ struct CloudFilter {
 
 // Throws UsageError if options of the filter of strays are given, and it is off.
 CloudFilter cloud_filter(const CloudFilterArguments& arguments);
+
+// Default thresholds of the filter of strays, which are not those of reconstructions.
+StageOptions cloud_filter_defaults();
 
 // The options of the filter of strays, as "parameters/noise_*" of the report.
 void add_cloud_filter(JsonReport& report, const StrayOptions& options);

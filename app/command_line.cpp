@@ -2,11 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
 #include <memory>
 
 #include "app/check_requirements.h"
+#include "app/cloud_filter.h"
+#include "app/surface_options.h"
 #include "app/thresholds.h"
 #include "io/number_text.h"
 #include "io/sample_models.h"
@@ -68,8 +71,12 @@ void add_verify(CLI::App& app, bool& verify) {
 const std::string rho_of_clouds =
     "here for the rims of clouds; by default 0.3 and, where that finds no good rim, others";
 
+// "(30)", as the help shows defaults.
+std::string in_parentheses(double value) { return fmt::format(" ({:.6g})", value); }
+
 // `of_rho`: what else there is to be said of it.
 void add_surface_options(CLI::App& app, SurfaceArguments& parameters, const std::string& of_rho) {
+  const ReconstructOptions defaults;
   app.add_option("-r,--rho", parameters.rho,
                  "Ratio condition: a sample is well sampled only if the radius of its cocone is at "
                  "most RHO times its height, the distance to its negative pole; " +
@@ -77,15 +84,18 @@ void add_surface_options(CLI::App& app, SurfaceArguments& parameters, const std:
       ->check(between(1e-6, 1))
       ->type_name("RHO");
   app.add_option("-f,--alpha", parameters.alpha_deg,
-                 "Normal condition: largest angle between the normals of cocone neighbors")
+                 "Normal condition: largest angle between the normals of cocone neighbors" +
+                     in_parentheses(told_in_degrees(std::acos(defaults.boundary.alpha_cosine))))
       ->check(between(0, 90))
       ->type_name("DEGREES");
   app.add_option("-c,--cocone-angle", parameters.cocone_angle_deg,
-                 "Half opening of the cocone about the tangent plane")
+                 "Half opening of the cocone about the tangent plane" +
+                     in_parentheses(told_in_degrees(std::asin(defaults.cocone.cosine))))
       ->check(between(0.1, 89.9))
       ->type_name("DEGREES");
   app.add_option("-s,--sharp-angle", parameters.sharp_angle_deg,
-                 "Dihedral angle below which a surface edge is sharp and its triangles are pruned")
+                 "Dihedral angle below which a surface edge is sharp and its triangles are pruned" +
+                     in_parentheses(told_in_degrees(std::acos(defaults.prune.sharp_cosine))))
       ->check(between(0, 180))
       ->type_name("DEGREES");
   app.add_option("--mode", parameters.mode,
@@ -104,12 +114,12 @@ CLI::Option* add_switch_off(CLI::App& app, const std::string& name, bool& is_on,
       name, [&is_on] { is_on = false; }, meaning);
 }
 
-CLI::Option* add_mesh_output(CLI::App& app, std::string& mesh, bool& ascii) {
+// `of_ply`: what else there is to be said of that format.
+CLI::Option* add_mesh_output(CLI::App& app, std::string& mesh, bool& ascii,
+                             const std::string& of_ply = "") {
   app.add_flag("--ascii", ascii, "Write text where the format has a binary and a text form");
   return app
-      .add_option(
-          "-o,--output", mesh,
-          "The mesh to write: .ply, .obj, .off or .stl; PLY also keeps the vertices' properties")
+      .add_option("-o,--output", mesh, "The mesh to write: .ply, .obj, .off or .stl" + of_ply)
       ->required()
       ->type_name("MESH");
 }
@@ -130,13 +140,13 @@ void add_radius(CLI::App& app, std::string& radius, const std::string& group) {
 }
 
 void add_thresholds_of(CLI::App& app, ThresholdUse use, std::map<std::string, double>& given,
-                       const std::string& group) {
+                       const std::string& group, const StageOptions& defaults = {}) {
   for (const Threshold& t : thresholds()) {
     if (t.use != use) continue;
     const bool whole = t.kind == ThresholdKind::whole;
     CLI::Option* option = app.add_option_function<double>(
         std::string("--") + t.name, [&given, &t](double value) { given[t.name] = value; },
-        t.meaning);
+        t.meaning + in_parentheses(told_value(t, defaults)));
     if (whole) option->check(CLI::TypeValidator<std::uint64_t>("WHOLE NUMBER"));
     option->check(between(t.low, t.high))
         ->type_name(t.kind == ThresholdKind::angle ? "DEGREES"
@@ -149,7 +159,7 @@ void add_thresholds_of(CLI::App& app, ThresholdUse use, std::map<std::string, do
 void add_stages_of_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
   app.add_flag("--cavities", arguments.cavities,
                "Keep closed surfaces inside the body: they bound hollows of it");
-  const std::string stages = "Single stages (defaults in the report; not with --session)";
+  const std::string stages = "Single stages (with their defaults; not with --session)";
   add_radius(app, arguments.radius, stages);
   add_switch_off(
       app, "--no-deferred-seeding", arguments.deferred_seeding,
@@ -191,11 +201,11 @@ void add_cloud_filter(CLI::App& app, CloudFilterArguments& arguments) {
                  "none (default): every sample counts")
       ->check(CLI::IsMember({"none", "robust"}));
   add_thresholds_of(app, ThresholdUse::outliers, arguments.thresholds,
-                    "Noise filter (with --noise robust)");
+                    "Noise filter (with --noise robust)", cloud_filter_defaults());
 }
 
 void add_stages_of_boundary(CLI::App& app, BoundaryArguments& arguments) {
-  const std::string stages = "Single stages (defaults in the report)";
+  const std::string stages = "Single stages (with their defaults)";
   add_radius(app, arguments.radius, stages);
   for (const ThresholdUse use : {ThresholdUse::cocone, ThresholdUse::loops}) {
     add_thresholds_of(app, use, arguments.thresholds, stages);
@@ -245,12 +255,15 @@ void add_densify(CLI::App& sub, const std::string& mesh, std::optional<double>& 
       ->check(between(1e-300, 1e300));
 }
 
+const std::string keeps_properties = "; PLY also keeps the vertices' properties";
+
 void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& shared) {
   CLI::App* sub = nullptr;
   auto& reconstruct = add_command<ReconstructArguments>(app, "reconstruct", "Point cloud to mesh",
                                                         chosen, shared, sub);
   sub->add_option("POINTS", reconstruct.points, "Point cloud")->required();
-  add_mesh_output(*sub, reconstruct.mesh, reconstruct.ascii);
+  add_mesh_output(*sub, reconstruct.mesh, reconstruct.ascii,
+                  keeps_properties + " (but for --densify)");
   add_densify(*sub, "POINTS", reconstruct.densify);
   add_thin(*sub, reconstruct.thin, "");
   sub->add_option("--surface", reconstruct.surface,
@@ -271,7 +284,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
   auto& boundary = add_command<BoundaryArguments>(
       app, "boundary", "The surface of an open cloud and its boundary loops", chosen, shared, sub);
   sub->add_option("POINTS", boundary.points, "Point cloud")->required();
-  add_mesh_output(*sub, boundary.mesh, boundary.ascii);
+  add_mesh_output(*sub, boundary.mesh, boundary.ascii, keeps_properties);
   sub->add_option("--loops", boundary.loops, "Write the boundary loops as polylines")
       ->type_name("FILE.obj");
   add_thin(*sub, boundary.thin, "");
@@ -289,7 +302,8 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
                   "Go on from this session instead of a MODEL, and write it back; its parameters "
                   "hold, but for --rho")
       ->type_name("FILE");
-  add_mesh_output(*sub, update.mesh, update.ascii);
+  add_mesh_output(*sub, update.mesh, update.ascii,
+                  keeps_properties + " (but for --session and, of MODEL, --densify)");
   add_densify(*sub, "MODEL", update.densify);
   sub->add_option("--map", update.map,
                   "Write one line per vertex or point of MODEL: its new index, or -1; not for STL, "
@@ -352,7 +366,7 @@ void settle_model(UpdateArguments& update) {
           "a session has parameters of its own: with --session only --rho may be given");
     }
   } else if (update.clouds.empty()) {
-    throw UsageError("CLOUD is required (see cocoon --help)");
+    throw UsageError("CLOUD is required (see cocoon update --help)");
   }
 }
 
@@ -415,7 +429,10 @@ std::string problem_told(const CLI::App& app, const CLI::ParseError& error) {
   std::string problem = in_one_line(error.what());
   // With a session the first of the arguments without a name is a cloud (settle_model).
   const bool is_of_session = app.get_subcommand("update")->count("--session") > 0;
-  return is_of_session && problem == "MODEL is required" ? "CLOUD is required" : problem;
+  if (is_of_session && problem == "MODEL is required") problem = "CLOUD is required";
+  std::string command;
+  for (const CLI::App* chosen : app.get_subcommands()) command = chosen->get_name() + " ";
+  return fmt::format("{} (see cocoon {}--help)", problem, command);
 }
 
 }  // namespace
@@ -431,6 +448,7 @@ Request parse_command_line(int argc, const char* const* argv) {
   add_surface_commands(app, line.command, line.shared);
   add_watch_command(app, line.command, line.shared);
   add_other_commands(app, line.command, line.shared);
+  app.footer("Options of a command: cocoon COMMAND --help");  // commands would take it over
   try {
     require_known_command(app, argc, argv);
     app.parse(argc, argv);
@@ -450,7 +468,7 @@ Request parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::Success&) {    // --help
     return TextRequest{app.help()};  // of the chosen command, if there is one
   } catch (const CLI::ParseError& error) {
-    throw UsageError(problem_told(app, error) + " (see cocoon --help)");
+    throw UsageError(problem_told(app, error));
   }
   return line;
 }

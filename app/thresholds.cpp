@@ -22,8 +22,8 @@ constexpr std::array<Threshold, 3> of_marking{{
      180, angle, cocone, [](Options& o) -> Field { return &o.surface.prune.keep_cosine; }},
     {"fold-angle", "Marking: a dihedral angle of at most this makes both ends of an edge poor", 0,
      180, angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.fold_cosine; }},
-    {"crease-angle", "Marking: below it those ends become poor that are boundary samples", 0, 180,
-     angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
+    {"crease-angle", "Marking: one below this makes those ends poor that are boundary samples", 0,
+     180, angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
 }};
 
 constexpr std::array<Threshold, 24> of_clean_up{{
@@ -35,32 +35,34 @@ constexpr std::array<Threshold, 24> of_clean_up{{
      number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.flat_ratio; }},
     {"thin-support", "Clean-up: doubt spreads to cells with so many good vertices at most", 0, 3,
      whole, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.thin_support; }},
-    {"stretch-cost", "Clean-up: a facet much longer than its samples lie apart", 0, 1000, number,
-     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.stretch_cost; }},
-    {"stretch-ratio", "Clean-up: such facets are longer than so many spacings", 0, 1e6, number,
-     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.stretch_ratio; }},
-    {"mark-weight", "Clean-up: a decided cell that leaves its label", 0, 1000, number, clean_up,
-     [](Options& o) -> Field { return &o.surface.clean_up.mark_weight; }},
-    {"defect-cost", "Clean-up: a non-manifold edge or a pinched vertex", 0, 1000, number, clean_up,
-     [](Options& o) -> Field { return &o.surface.clean_up.defect_cost; }},
-    {"unused-cost", "Clean-up: a sample that is not on the surface", 0, 1000, number, clean_up,
-     [](Options& o) -> Field { return &o.surface.clean_up.unused_cost; }},
+    {"stretch-cost", "Clean-up: cost of a facet much longer than its samples lie apart", 0, 1000,
+     number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.stretch_cost; }},
+    {"stretch-ratio", "Clean-up: facets longer than so many spacings cost more (--stretch-cost)", 0,
+     1e6, number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.stretch_ratio; }},
+    {"mark-weight", "Clean-up: cost of a decided cell that leaves its label", 0, 1000, number,
+     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.mark_weight; }},
+    {"defect-cost", "Clean-up: cost of a non-manifold edge or a pinched vertex", 0, 1000, number,
+     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.defect_cost; }},
+    {"unused-cost", "Clean-up: cost of a sample that is not on the surface", 0, 1000, number,
+     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.unused_cost; }},
     {"outlier-ratio", "Clean-up: unused samples so many times as far from others are not missed", 1,
      1e6, number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.outlier_ratio; }},
-    {"handle-cost", "Clean-up: a handle of the surface", 0, 1000, number, clean_up,
+    {"handle-cost", "Clean-up: cost of a handle of the surface", 0, 1000, number, clean_up,
      [](Options& o) -> Field { return &o.surface.clean_up.handle_cost; }},
-    {"idle-cost", "Clean-up: a sample that does nothing for the surface; 0: holes stay filled", 0,
-     1000, number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.idle_cost; }},
-    {"idle-flat-angle", "Clean-up: facets of idle samples lean by at most this", 0, 90, angle,
-     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.idle.flat_cosine; }},
-    {"idle-ratio", "Clean-up: circles of idle samples' facets, in spacings, at least", 0, 1000,
-     number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.idle.ratio; }},
-    {"deep-angle", "Clean-up: balls of one cluster meet at this angle at most", 0, 180, angle,
-     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.deep_cosine; }},
-    {"deeper-angle", "Clean-up: balls of the closer clusters that are asked then", 0, 180, angle,
-     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.deeper_cosine; }},
-    {"most-cluster-cells", "Clean-up: larger clusters are not asked", 0, 4e9, whole, clean_up,
-     [](Options& o) -> Field { return &o.surface.clean_up.most_cluster_cells; }},
+    {"idle-cost", "Clean-up: cost of an idle sample (--idle-ratio); 0: holes stay filled", 0, 1000,
+     number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.idle_cost; }},
+    {"idle-flat-angle",
+     "Clean-up: a sample is idle only if its facets lie in one plane, up to this angle", 0, 90,
+     angle, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.idle.flat_cosine; }},
+    {"idle-ratio", "Clean-up: and only if the circles of its facets have radii of so many spacings",
+     0, 1000, number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.idle.ratio; }},
+    {"deep-angle",
+     "Clean-up: cells whose balls meet at most at this angle change sides as one cluster", 0, 180,
+     angle, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.deep_cosine; }},
+    {"deeper-angle", "Clean-up: the same for closer clusters, tried where those do not help", 0,
+     180, angle, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.deeper_cosine; }},
+    {"most-cluster-cells", "Clean-up: clusters and parts of more cells stay as they are", 0, 4e9,
+     whole, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.most_cluster_cells; }},
     {"max-rise", "Clean-up: what the first of several moves may cost; 0: single moves only", 0, 1e6,
      number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.max_rise; }},
     {"most-move-cells", "Clean-up: at samples with more cells no moves are looked for", 0, 4e9,
@@ -69,20 +71,22 @@ constexpr std::array<Threshold, 24> of_clean_up{{
      [](Options& o) -> Field { return &o.surface.clean_up.max_openings; }},
     {"max-closing-rise", "Clean-up: what closing a handle may cost in all other terms", 0, 1e6,
      number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.max_closing_rise; }},
-    {"most-handle-facets", "Clean-up: longer searches tell no handle; 0: none is closed", 0, 4e9,
-     whole, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.most_handle_facets; }},
+    {"most-handle-facets",
+     "Clean-up: handles that more facets have to tell are not closed; 0: none is", 0, 4e9, whole,
+     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.most_handle_facets; }},
     {"most-closing-cells", "Clean-up: handles with more cells at their three samples are left", 0,
      4e9, whole, clean_up,
      [](Options& o) -> Field { return &o.surface.clean_up.most_closing_cells; }},
-    {"component-cost", "Clean-up: a part of the body; cheaper parts are dropped", 0, 1e6, number,
-     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.component_cost; }},
+    {"component-cost",
+     "Clean-up: cost of a part of the body; parts that cost less to lose are dropped", 0, 1e6,
+     number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.component_cost; }},
 }};
 
 constexpr std::array<Threshold, 5> of_evidence{{
     {"mark-credit", "Clean-up: weight of what few good vertices say of a doubtful cell", 0, 1,
      number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.mark_credit; }},
-    {"evidence-weight", "Clean-up: evidence of the poles against a cell's label", 0, 1000, number,
-     clean_up, [](Options& o) -> Field { return &o.surface.clean_up.evidence_weight; }},
+    {"evidence-weight", "Clean-up: cost of a label against the evidence of the poles", 0, 1000,
+     number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.evidence_weight; }},
     {"near-pole-ratio", "Clean-up: a pole this many spacings off says nothing of the other", 0, 1e6,
      number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.near_pole_ratio; }},
     {"full-pole-ratio", "Clean-up: a pole so many spacings off says all it can", 0, 1e6, number,
@@ -102,8 +106,8 @@ constexpr std::array<Threshold, 14> of_clouds_and_findings{{
      0, 1, number, noise, [](Options& o) -> Field { return &o.noise.clump_share; }},
     {"noise-clump-depth", "Noise filter: samples of a clump so many links from good ones stay", 0,
      1000, whole, noise, [](Options& o) -> Field { return &o.noise.clump_depth; }},
-    {"noise-large-ratio", "Noise filter: large balls have larger radii, in spacings", 0, 1e6,
-     number, noise, [](Options& o) -> Field { return &o.noise.large_ratio; }},
+    {"noise-large-ratio", "Noise filter: balls count as large if their radii are more spacings", 0,
+     1e6, number, noise, [](Options& o) -> Field { return &o.noise.large_ratio; }},
     {"noise-deep-angle", "Noise filter: large balls on one side meet at this angle at most", 0, 180,
      angle, noise, [](Options& o) -> Field { return &o.noise.deep_cosine; }},
     {"noise-max-leak", "Noise filter: share of inner balls that infinity may reach; 1: all", 0, 1,
@@ -164,16 +168,21 @@ void set_thresholds(StageOptions& options, const std::map<std::string, double>& 
   }
 }
 
+double told_value(const Threshold& threshold, StageOptions options) {
+  const double value = value_of(threshold.field(options));
+  return threshold.kind == angle ? told_in_degrees(std::acos(value)) : value;
+}
+
 void add_thresholds(JsonReport& report, ThresholdUse use, StageOptions options) {
   for (const Threshold& t : table) {
     if (t.use != use) continue;
     std::string key = std::string("parameters/") + t.name + (t.kind == angle ? "_deg" : "");
     std::replace(key.begin(), key.end(), '-', '_');
-    const double value = value_of(t.field(options));
+    const double value = told_value(t, options);
     if (t.kind == whole) {
       report.set(key, static_cast<std::size_t>(value));
     } else {
-      report.set(key, t.kind == angle ? told_in_degrees(std::acos(value)) : value);
+      report.set(key, value);
     }
   }
 }

@@ -64,6 +64,9 @@ std::vector<std::string> given_thresholds(ThresholdUse use,
 // Sets those given, by name. Precondition: the names are among thresholds().
 void set_thresholds(StageOptions& options, const std::map<std::string, double>& given);
 
+// Its value as people give it: angles in degrees.
+double told_value(const Threshold& threshold, StageOptions options);
+
 // Those of one use, given or not.
 void add_thresholds(JsonReport& report, ThresholdUse use, StageOptions options);
 

@@ -172,14 +172,61 @@ TEST(CommandLine, HelpOfACommandIsAsOneTypesIt) {
   }
 }
 
+std::string help_of(const char* command) {
+  return std::get<TextRequest>(parse({command, "--help"})).text;
+}
+
+// Without a run that writes a report. Lines of the help are not broken.
+TEST(CommandLine, HelpHasDefaultsOfNumbers) {
+  const auto expect_default = [](const char* command, const std::string& text) {
+    EXPECT_NE(help_of(command).find(text), std::string::npos) << command << ": " << text;
+  };
+  for (const char* command : {"reconstruct", "boundary", "update", "watch"}) {
+    expect_default(command, "normals of cocone neighbors (30)");
+    expect_default(command, "about the tangent plane (22.5)");
+    expect_default(command, "triangles are pruned (60)");
+  }
+  expect_default("reconstruct", "flatter than this dihedral angle, stay (134.427)");
+  expect_default("reconstruct", "all cells (0.5)");
+  expect_default("reconstruct",
+                 "Noise filter: spacing of outliers, in spacings of their neighbors (3)");
+  expect_default("update", "Noise filter: spacing of outliers, in spacings of their neighbors (2)");
+  expect_default("boundary", "in median edges of the surface (12)");
+}
+
+// A session of `watch` does not keep them.
+TEST(CommandLine, HelpPromisesPropertiesWhereTheyAreKept) {
+  const auto promises = [](const char* command) {
+    return help_of(command).find("PLY also keeps") != std::string::npos;
+  };
+  EXPECT_TRUE(promises("reconstruct") && promises("boundary") && promises("update"));
+  EXPECT_FALSE(promises("watch"));
+}
+
+TEST(CommandLine, AWrongOptionPointsToTheHelpOfItsCommand) {
+  const auto told = [](const std::vector<const char*>& arguments) -> std::string {
+    try {
+      parse(arguments);
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(told({"check", "a.ply", "--wrong"}).find("(see cocoon check --help)"),
+            std::string::npos);
+  EXPECT_NE(told({"--wrong"}).find("(see cocoon --help)"), std::string::npos);
+  EXPECT_NE(told({}).find("(see cocoon --help)"), std::string::npos);
+}
+
 TEST(CommandLine, WhatIsMissingIsNamed) {
   const auto expect_missing = [](const std::vector<const char*>& arguments,
                                  const std::string& what) {
+    const std::string command = arguments[0];
     try {
       parse(arguments);
       ADD_FAILURE() << "accepted without " << what;
     } catch (const UsageError& error) {
-      EXPECT_EQ(error.what(), what + " is required (see cocoon --help)");
+      EXPECT_EQ(error.what(), what + " is required (see cocoon " + command + " --help)");
     }
   };
   expect_missing({"update", "-o", "u.ply"}, "MODEL");
