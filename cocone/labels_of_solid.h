@@ -14,9 +14,9 @@ namespace cocoon {
 
 struct LabelsOfSolidOptions {
   // A cell is told if its centroid is farther from the mesh than this part of its longest edge:
-  // nearer ones are slivers on the surface, which may as well lie on either side of it. Of eleven
-  // parts the surface comes closer to the mesh the smaller this is, but with 0.02 twice as many
-  // edges have four triangles; from 0.15 on thin walls get holes.
+  // nearer ones are slivers on the surface, which may as well lie on either side of it. The surface
+  // of parts comes closer to the mesh the smaller this is, but with 0.02 twice as many edges have
+  // four triangles; from 0.15 on thin walls get holes.
   double min_depth = 0.05;
 };
 
