@@ -16,10 +16,21 @@ struct Requirement {
   std::string (*failure)(const Certificate&);
 };
 
-// Counts that make a mesh fail, in words.
+// Counts that make a mesh fail, in words, and no others: an edge with four triangles does not leave
+// it open.
 std::string edges_failure(const Certificate& c) {
-  return fmt::format("{} open edges, {} edges with more than two triangles", c.report.open_edges,
-                     c.report.overfull_edges);
+  if (c.report.edges == 0) return "no triangle has three different corners";
+  return fmt::format("{} open edges, {} others with an odd number of triangles",
+                     c.report.open_edges, c.report.odd_edges - c.report.open_edges);
+}
+
+// Open edges are unbalanced, too, and none of the reasons.
+std::string oriented_failure(const Certificate& c) {
+  if (c.report.orientation_conflicts == 0) {
+    return "edges with more than two triangles are not run through equally often both ways";
+  }
+  return fmt::format("{} edges with two triangles in the same direction",
+                     c.report.orientation_conflicts);
 }
 
 std::string manifold_failure(const Certificate& c) {
@@ -43,11 +54,7 @@ const Requirement requirements[] = {
      manifold_failure},
     {"vertex-manifold", [](const Certificate& c) { return c.report.vertex_manifold; },
      manifold_failure},
-    {"oriented", [](const Certificate& c) { return c.report.oriented; },
-     [](const Certificate& c) {
-       return fmt::format("{} edges with two triangles in the same direction, {} unbalanced edges",
-                          c.report.orientation_conflicts, c.report.unbalanced_edges);
-     }},
+    {"oriented", [](const Certificate& c) { return c.report.oriented; }, oriented_failure},
     {"orientable", [](const Certificate& c) { return c.report.orientable; },
      [](const Certificate&) { return std::string("a component is one-sided"); }},
     {"connected", [](const Certificate& c) { return c.report.components == 1; },

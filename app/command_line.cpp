@@ -384,7 +384,9 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
       add_command<CheckArguments>(app, "check", "A certificate of a mesh", chosen, shared, sub);
   sub->add_option("MESH", check.mesh, "Mesh")->required();
   sub->add_option("--require", check.required,
-                  "Exit with 1 unless all hold: " + requirement_words())
+                  "Exit with 1 unless all hold: " + requirement_words() +
+                      " (closed, watertight: no edge with an odd number of triangles; manifold: "
+                      "edge- and vertex-manifold)")
       ->delimiter(',')
       ->type_name("WORD,...");
   sub->add_flag("--self-intersections", check.self_intersections,
