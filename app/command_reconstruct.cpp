@@ -148,10 +148,17 @@ NoiseFilter noise_filter_of(const ReconstructArguments& arguments, std::size_t f
   return faces > 0 ? NoiseFilter::not_used_on_mesh : NoiseFilter::not_used;
 }
 
+SurfaceRemedies remedies_of(NoiseFilter filter, std::size_t faces) {
+  return {
+      .noise_filter = filter == NoiseFilter::not_used || filter == NoiseFilter::not_used_on_mesh,
+      .other = faces > 0 ? std::string(", ") + remedy_of_mesh : std::string()};
+}
+
 std::vector<Finding> findings_of_surface(const SurfaceDoubts& doubts, std::size_t points,
                                          const ReconstructArguments& arguments, std::size_t faces) {
   const bool cavities_may_help = !arguments.cavities && arguments.parameters.mode != "paper";
-  return findings_of(doubts, points, noise_filter_of(arguments, faces), {}, cavities_may_help);
+  return findings_of(doubts, points, noise_filter_of(arguments, faces), {},
+                     {.cavities = cavities_may_help});
 }
 
 // `faces`: those of the file, if their vertices alone are the samples.
@@ -227,7 +234,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
                  : reconstruct_cocone(points, options, job.execution());
   });
   require_surface(job, arguments.points, result, points, options,
-                  faces > 0 ? std::string(", ") + remedy_of_mesh : "");
+                  remedies_of(noise_filter_of(arguments, faces), faces));
   const SurfaceDoubts doubts = timed(job.execution(), "check", [&] {
     return surface_doubts(result, points, stages.doubts, job.execution());
   });

@@ -403,7 +403,7 @@ class Watch {
     MeshReport certificate;
     findings_ = findings_of_update(surface, state_.session->points(),
                                    noise_filter_of_update(filter_.strays.has_value()),
-                                   {job_.execution().threads}, certificate);
+                                   {.manifold = false}, {job_.execution().threads}, certificate);
     for (const Finding& finding : findings_) {
       if (!told_findings_.insert(finding.message).second) continue;
       tell(job_, finding);

@@ -177,17 +177,18 @@ std::string contacts_of(const SurfaceDoubts& d) {
   return d.bad_edges == 0 ? vertices : edges + " and " + vertices;
 }
 
-Finding contacts_finding(const SurfaceDoubts& d) {
-  return {"contacts",
-          fmt::format("the surface touches itself at {}, as near {}; --manifold parts the sheets",
-                      contacts_of(d), place_name(d.contacts[0].at)),
-          d.bad_edges + d.pinched_vertices, d.contacts};
+Finding contacts_finding(const SurfaceDoubts& d, bool manifold) {
+  return {
+      "contacts",
+      fmt::format("the surface touches itself at {}, as near {}{}", contacts_of(d),
+                  place_name(d.contacts[0].at), manifold ? "; --manifold parts the sheets" : ""),
+      d.bad_edges + d.pinched_vertices, d.contacts};
 }
 
 }  // namespace
 
 std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, NoiseFilter filter,
-                                 const FindingLimits& limits, bool cavities) {
+                                 const FindingLimits& limits, const OptionsLeft& left) {
   std::vector<Finding> findings;
   if (d.spacing == 0) return findings;
   const double guess = share(d.unsurrounded_samples, d.samples);
@@ -209,9 +210,9 @@ std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, Noi
   if (!d.unused.empty()) {
     const bool warns =
         filter != NoiseFilter::used && share(d.unused_points, points) > limits.unused_share;
-    findings.push_back(unused_finding(d, points, warns, filter, cavities));
+    findings.push_back(unused_finding(d, points, warns, filter, left.cavities));
   }
-  if (!d.contacts.empty()) findings.push_back(contacts_finding(d));
+  if (!d.contacts.empty()) findings.push_back(contacts_finding(d, left.manifold));
   if (noisy) {
     const bool warns = limits.noise_alone || std::any_of(findings.begin(), findings.end(),
                                                          [](const Finding& f) { return f.warns; });

@@ -55,13 +55,18 @@ struct FindingLimits {
   double unused_share = 0.1;
 };
 
+// Other options that a finding may name.
+struct OptionsLeft {
+  bool cavities = true;  // --cavities: not in paper mode, nor if it was given
+  bool manifold = true;  // --manifold
+};
+
 // Nothing for a surface that is what it should be. Causes (sparse, noise) are notes unless much of
 // the surface is a guess or something else warns, too. `points`: how many there were, duplicates
-// apart. `cavities`: whether --cavities may help, where the filter leaves room for it: not in paper
-// mode, nor if it was given. Source of the limits: docs/stages/surface_doubts.md.
+// apart. Source of the limits: docs/stages/surface_doubts.md.
 std::vector<Finding> findings_of(const SurfaceDoubts& doubts, std::size_t points,
                                  NoiseFilter filter, const FindingLimits& limits = {},
-                                 bool cavities = true);
+                                 const OptionsLeft& left = {});
 
 // That the noise filter left out clumps (noise.clumps > 0), and where the largest is: it may be a
 // small body. `points`: those that the filter was given.

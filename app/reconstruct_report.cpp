@@ -74,35 +74,38 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("clean_up/idle_after", c.clean_up.idle_after);
 }
 
+const char* name_of_rho(const SurfaceRemedies& remedies) { return remedies.rho ? "--rho" : "rho"; }
+
 // "the smallest ratio of radius to height is 2.1, near (1, 2, 3), and --rho is 0.833"
-std::string ratios_said(const SampleDoubts& doubts, double rho) {
+std::string ratios_said(const SampleDoubts& doubts, double rho, const SurfaceRemedies& remedies) {
   if (!std::isfinite(doubts.least_ratio)) {
     return "they do not lie between two sides, as samples of a surface do";
   }
   if (doubts.least_ratio <= rho) {
     return fmt::format(
-        "normals of neighbors differ by more than --alpha wherever --rho {:.3g} is "
-        "met, as near {} (try a larger one)",
-        rho, place_name(doubts.best));
+        "normals of neighbors differ by more than --alpha wherever {} {:.3g} is met, as near {} "
+        "(try "
+        "a larger --alpha)",
+        name_of_rho(remedies), rho, place_name(doubts.best));
   }
-  return fmt::format(
-      "the smallest ratio of radius to height is {:.3g}, near {}, and --rho is {:.3g}",
-      doubts.least_ratio, place_name(doubts.best), rho);
+  return fmt::format("the smallest ratio of radius to height is {:.3g}, near {}, and {} is {:.3g}",
+                     doubts.least_ratio, place_name(doubts.best), name_of_rho(remedies), rho);
 }
 
 // How far apart they are and where, and what to do.
-std::string samples_said(const SampleDoubts& doubts, double rho) {
+std::string samples_said(const SampleDoubts& doubts, double rho, const SurfaceRemedies& remedies) {
   constexpr double of_volumes = 2;  // random points of a cube: 1.3, of a sphere: 10 and more
   const bool no_layer = doubts.height > of_volumes;
-  const bool rho_may_help = doubts.least_ratio > rho && doubts.least_ratio < 1;
-  return fmt::format("their spacing is {:.3g} (median) and reaches {:.3g}, near {}; {}",
-                     doubts.spacing, doubts.sparse[0].size, place_name(doubts.sparse[0].at),
-                     no_layer ? (rho_may_help ? "scan more densely there, or try a larger --rho"
-                                              : "scan more densely there")
-                              : fmt::format("the medial axis is only {:.2g} spacings away: they "
-                                            "fill a volume, or are noisy (try --noise robust), or "
-                                            "too few for their shape (scan more densely)",
-                                            doubts.height));
+  const bool rho_may_help = remedies.rho && doubts.least_ratio > rho && doubts.least_ratio < 1;
+  return fmt::format(
+      "their spacing is {:.3g} (median) and reaches {:.3g}, near {}; {}", doubts.spacing,
+      doubts.sparse[0].size, place_name(doubts.sparse[0].at),
+      no_layer ? (rho_may_help ? "scan more densely there, or try a larger --rho"
+                               : "scan more densely there")
+               : fmt::format("the medial axis is only {:.2g} spacings away: they "
+                             "fill a volume, or are noisy{}, or too few for their "
+                             "shape (scan more densely)",
+                             doubts.height, remedies.noise_filter ? " (try --noise robust)" : ""));
 }
 
 }  // namespace
@@ -135,24 +138,32 @@ void add_noise(JsonReport& report, const NoiseCounters& noise) {
   report.set("noise/layer_samples", noise.layer_samples);
 }
 
+SurfaceRemedies remedies_of_model() {
+  return {.rho = false,
+          .other =
+              ", or make the model by cocoon reconstruct, which has --rho and --noise robust "
+              "for it"};
+}
+
 void require_surface(Job& job, const std::string& file, const ReconstructResult& result,
                      Points points, const ReconstructOptions& options,
-                     const std::string& other_remedy) {
+                     const SurfaceRemedies& remedies) {
   report_verification(job.report(), file, result.verification);
   if (result.status != SurfaceStatus::no_surface && result.status != SurfaceStatus::empty) return;
   const SampleDoubts doubts = sample_doubts(points, options, {}, job.execution());
   const double rho = options.boundary.rho;
   if (result.status == SurfaceStatus::no_surface) {
-    throw InputError(fmt::format(
-        "{}: no surface: none of the {} samples lies well inside one: {}; {}{}", file,
-        result.vertices, ratios_said(doubts, rho), samples_said(doubts, rho), other_remedy));
+    throw InputError(
+        fmt::format("{}: no surface: none of the {} samples lies well inside one: {}; {}{}", file,
+                    result.vertices, ratios_said(doubts, rho, remedies),
+                    samples_said(doubts, rho, remedies), remedies.other));
   }
   throw InputError(
       fmt::format("{}: no surface: nothing is left of {}; {} of {} samples count as boundary by "
-                  "--rho {:.3g}; {}{}",
+                  "{} {:.3g}; {}{}",
                   file, counted(result.counters.candidates, "candidate triangle"),
-                  result.counters.boundary_samples, result.vertices, rho, samples_said(doubts, rho),
-                  other_remedy));
+                  result.counters.boundary_samples, result.vertices, name_of_rho(remedies), rho,
+                  samples_said(doubts, rho, remedies), remedies.other));
 }
 
 }  // namespace cocoon::app

@@ -18,12 +18,22 @@ void add_reconstruction(JsonReport& report, const ReconstructResult& result,
 // The section "noise": what was left out before the reconstruction.
 void add_noise(JsonReport& report, const NoiseCounters& noise);
 
+// What the user may try where there is no surface: no advice names an option that the command does
+// not have, or that is not of this surface.
+struct SurfaceRemedies {
+  bool noise_filter = false;  // --noise robust
+  bool rho = true;            // --rho
+  std::string other = {};     // anything else, after a comma
+};
+
+// Of the model of an update: the command's own options are of its clouds.
+SurfaceRemedies remedies_of_model();
+
 // Throws InputError unless the status is ok: what failed, the numbers and places that say why, what
 // to try; `points` and `options` are those of the reconstruction. If a verification was asked for,
-// it goes to the report (app/verification.h), or refutes the result. `other_remedy`: what else to
-// try, after a comma.
+// it goes to the report (app/verification.h), or refutes the result.
 void require_surface(Job& job, const std::string& file, const ReconstructResult& result,
                      Points points, const ReconstructOptions& options,
-                     const std::string& other_remedy = {});
+                     const SurfaceRemedies& remedies = {});
 
 }  // namespace cocoon::app

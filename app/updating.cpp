@@ -96,8 +96,8 @@ MeshReport report_doubts(Job& job, const UpdateInput& input, UpdateResult& resul
   ReconstructResult& surface = result.reconstruction;
   surface.mesh = std::move(result.mesh);
   MeshReport certificate;
-  std::vector<Finding> findings =
-      findings_of_update(surface, result.replacement.points, filter, job.execution(), certificate);
+  std::vector<Finding> findings = findings_of_update(surface, result.replacement.points, filter, {},
+                                                     job.execution(), certificate);
   result.mesh = std::move(surface.mesh);
   surface.mesh = {};
   std::erase_if(findings, [&](const Finding& f) { return parted && f.kind == "contacts"; });
@@ -177,8 +177,8 @@ namespace {
 void warn_of_unused(Job& job, const std::string& name, const ReconstructResult& model,
                     Points points) {
   MeshReport certificate;
-  for (const Finding& finding :
-       findings_of_update(model, points, NoiseFilter::no_option, job.execution(), certificate)) {
+  for (const Finding& finding : findings_of_update(model, points, NoiseFilter::no_option, {},
+                                                   job.execution(), certificate)) {
     if (finding.kind == "unused") job.warn(fmt::format("{}: {}", name, finding.message));
   }
 }
@@ -192,7 +192,7 @@ ReconstructResult initial_model(Job& job, const std::string& name, const std::ve
         return naming_input(
             name, [&] { return reconstruct_tight_with_labels(points, known, options, nested); });
       });
-  require_surface(job, name, result, points, options);
+  require_surface(job, name, result, points, options, remedies_of_model());
   job.report().set("initial_model/points", result.points);
   job.report().set("initial_model/duplicates", result.duplicates);
   job.report().set("initial_model/unused_points", result.unused_points);
@@ -202,13 +202,14 @@ ReconstructResult initial_model(Job& job, const std::string& name, const std::ve
 }
 
 std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points points,
-                                        NoiseFilter filter, const Execution& execution,
-                                        MeshReport& certificate) {
+                                        NoiseFilter filter, const OptionsLeft& left,
+                                        const Execution& execution, MeshReport& certificate) {
   SurfaceDoubts doubts = surface_doubts(surface, points, {.place_handles = false}, execution);
   certificate = doubts.certificate;
   doubts.gap_samples = 0;
   doubts.unsurrounded_samples = doubts.conflicts = 0;
-  return findings_of(doubts, surface.points - surface.duplicates, filter, {.noise_alone = true});
+  return findings_of(doubts, surface.points - surface.duplicates, filter, {.noise_alone = true},
+                     left);
 }
 
 NoiseFilter noise_filter_of_update(bool filtered) {
@@ -276,7 +277,8 @@ void begin_session(Job& job, const std::string& name, const std::vector<Point>& 
   run_step(job.execution(), "initial_model", [&](const Execution& nested) {
     naming_input(name, [&] { session.emplace(points, options, nested, known); });
   });
-  require_surface(job, name, session->reconstruction(), points, options.reconstruct);
+  require_surface(job, name, session->reconstruction(), points, options.reconstruct,
+                  remedies_of_model());
 }
 
 void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,

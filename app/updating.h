@@ -50,11 +50,11 @@ void begin_session(Job& job, const std::string& name, const std::vector<Point>& 
 // What is doubtful about the surface of an updated model, `surface` with its mesh, made from
 // `points`. Long edges beside short ones are no gaps here: they are at the rim of every cloud that
 // is denser than the model. What the stages counted is of the whole model, and nothing that this
-// update could be told of. Noise is always a warning: few models have it. `certificate` gets that
-// of the surface. Complexity: as surface_doubts.
+// update could be told of. Noise is always a warning: few models have it. `left`: options that the
+// command has. `certificate` gets that of the surface. Complexity: as surface_doubts.
 std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points points,
-                                        NoiseFilter filter, const Execution& execution,
-                                        MeshReport& certificate);
+                                        NoiseFilter filter, const OptionsLeft& left,
+                                        const Execution& execution, MeshReport& certificate);
 
 // What the findings of an update are to say of its filter.
 NoiseFilter noise_filter_of_update(bool filtered);

@@ -56,11 +56,13 @@ bool UpdateSteps::detect_boundaries(const Execution& execution) {
     const CloudSurface& surface = result_.clouds[c].surface;
     if (surface.status == CloudStatus::no_surface) {
       return fail(UpdateStatus::no_cloud_surface,
-                  name_of_cloud(c) + " gives no surface; sample it more densely or remove noise");
+                  name_of_cloud(c) + " gives no surface; sample it more densely or remove noise" +
+                      hint_of_only_trial(options_.cloud));
     }
     if (surface.status == CloudStatus::cloud_closed) {
-      return fail(UpdateStatus::cloud_closed,
-                  name_of_cloud(c) + " " + reason_of_closed_cloud(surface.rim));
+      return fail(UpdateStatus::cloud_closed, name_of_cloud(c) + " " +
+                                                  reason_of_closed_cloud(surface.rim) +
+                                                  hint_of_only_trial(options_.cloud));
     }
   }
   return true;

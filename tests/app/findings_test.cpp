@@ -42,6 +42,19 @@ TEST(Findings, ContactsNameOnlyWhatThereIs) {
   EXPECT_EQ(said(doubts, ","), "the surface touches itself at 1 edge");
 }
 
+// `watch` does not have the option.
+TEST(Findings, ContactsNameManifoldWhereItIsAnOption) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.contacts = one_spot;
+  doubts.bad_edges = 1;
+  const auto message = [&](bool manifold) {
+    return findings_of(doubts, 10, NoiseFilter::no_option, {}, {.manifold = manifold})[0].message;
+  };
+  EXPECT_NE(message(true).find("; --manifold parts the sheets"), std::string::npos);
+  EXPECT_EQ(message(false).find("--manifold"), std::string::npos);
+}
+
 TEST(Findings, SparseSamplesAreCountedWithThoseBesideGaps) {
   SurfaceDoubts doubts;
   doubts.spacing = 0.1;
@@ -195,7 +208,7 @@ TEST(Findings, UnusedPointsNameCavitiesWhereTheyHelp) {
   doubts.unused = one_spot;
   doubts.unused_points = 1;
   const auto names_cavities = [&](NoiseFilter filter, bool cavities) {
-    const Finding finding = findings_of(doubts, 10, filter, {}, cavities)[0];
+    const Finding finding = findings_of(doubts, 10, filter, {}, {.cavities = cavities})[0];
     EXPECT_NE(finding.message.find("inner surfaces"), std::string::npos) << finding.message;
     return finding.message.find("(--cavities keeps them)") != std::string::npos;
   };

@@ -119,6 +119,30 @@ TEST(Findings, ARefusalSaysWhereAndBecauseOfWhat) {
             0);
 }
 
+// No advice names an option that the command does not have, or that is of something else there.
+TEST(Findings, ARefusalAdvisesWhatCanBeDone) {
+  const TemporaryFolder folder;
+  const std::string few = folder.write("few.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n3 2 1\n");
+  const std::string cap = folder.write("cap.xyz", sphere_cap(2000, 0.8, 0.3));
+  const std::string out = folder.file("mesh.ply");
+  const auto advises_filter = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"-o", out});
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.error.find("no surface"), std::string::npos) << run.error;
+    return run.error.find("(try --noise robust)") != std::string::npos;
+  };
+  EXPECT_TRUE(advises_filter({"reconstruct", few}));
+  EXPECT_FALSE(advises_filter({"reconstruct", few, "--noise", "robust"}));
+  EXPECT_FALSE(advises_filter({"reconstruct", few, "--surface", "cocone"}));
+  EXPECT_FALSE(advises_filter({"boundary", few}));
+  EXPECT_FALSE(advises_filter({"update", few, cap}));
+  EXPECT_FALSE(advises_filter({"watch", few, folder.file("."), "--once"}));
+  const ProgramRun run = run_program({"update", few, cap, "-o", out});
+  EXPECT_NE(run.error.find("make the model by cocoon reconstruct"), std::string::npos) << run.error;
+  EXPECT_EQ(run.error.find("and --rho is"), std::string::npos) << run.error;
+}
+
 // An update tells what is doubtful about its result, as a reconstruction does: here a small part
 // beside the model.
 TEST(Findings, AreToldOfUpdatesToo) {

@@ -27,6 +27,11 @@ std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clo
   return name + ")";
 }
 
+std::string hint_of_only_trial(const CloudSurfaceOptions& options) {
+  if (!options.finer.empty() || !options.coarser.empty()) return "";
+  return "; only rho " + rounded(options.start.rho) + " was tried, and others may do";
+}
+
 std::string name_of_loop(const RimLoop& loop) {
   return "loop of " + std::to_string(loop.size()) + " edges at " + place_name(loop.points.front());
 }

@@ -25,6 +25,8 @@ std::string rounded(double value);
 // "cloud 2 of 3", "cloud 1 of 5 (with cloud 2 of 5 and cloud 4 of 5)"; `members`: at least one,
 // ascending, from 0.
 std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clouds);
+// Behind why a cloud has no surface or no rim: "; only rho 0.3 was tried, ...", if it was so.
+std::string hint_of_only_trial(const CloudSurfaceOptions& options);
 // "loop of 31 edges at (0, 1, 2)".
 std::string name_of_loop(const RimLoop& loop);
 

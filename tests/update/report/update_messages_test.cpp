@@ -110,6 +110,16 @@ TEST(UpdateMessages, JoinedCloudsAreNamedAfterTheFirst) {
   EXPECT_EQ(name({2, 4, 6, 7}), "cloud 3 of 9 (with cloud 5 of 9, cloud 7 of 9 and cloud 8 of 9)");
 }
 
+TEST(UpdateMessages, OneTrialAloneIsSaid) {
+  CloudSurfaceOptions options;
+  EXPECT_EQ(hint_of_only_trial(options), "");
+  options.start.rho = 0.001;
+  options.finer.clear();
+  EXPECT_EQ(hint_of_only_trial(options), "");
+  options.coarser.clear();
+  EXPECT_EQ(hint_of_only_trial(options), "; only rho 0.001 was tried, and others may do");
+}
+
 TEST(UpdateMessages, OtherUnitsAreSaid) {
   EXPECT_TRUE(says({reason_of_no_overlap(3, 4, 3, 0.5, 25.4)}, "multiplied by 25.4 it would"));
   EXPECT_TRUE(says({reason_of_no_overlap(3, 4, 3, 0.5, {})}, "register it to the model"));
