@@ -241,7 +241,7 @@ void add_demo_and_sample(CLI::App& app, Command& chosen, SharedArguments& shared
   sub->add_option("--cloud-points", sample.cloud_points,
                   "Points of all clouds together (the paper's number)")
       ->check(CLI::Range(std::size_t{4}, most_sample_points));
-  sub->add_option("--seed", sample.seed, "Seed of the random placement")
+  sub->add_option("--seed", sample.seed, "Seed of the random placement (1)")
       ->check(whole_number())
       ->type_name("N");
 }

@@ -4,9 +4,8 @@
 //   model CONTENT [densify SPACING]  the first note: what the session began with
 //   applied CONTENT TIME NAME        a cloud
 //   refused CONTENT TIME NAME        a cloud that could not be applied to the model of that moment
-//   alone CONTENT TIME NAME          one that could not be applied together with others; it is
-//   tried
-//                                    by itself next
+//   alone CONTENT TIME NAME          one that could not be applied together with others: it is to
+//                                    be tried by itself
 //   cloud CONTENT NAME               one that was applied, in session files of version 3
 //
 // CONTENT tells one content from another: a checksum and the size. TIME is that of the file's last
