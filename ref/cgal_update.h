@@ -21,7 +21,7 @@ struct CgalUpdate {
   std::size_t overlapping_facets = 0;
   std::size_t regions = 0;
   std::size_t replaced = 0;  // points of the model
-  TriangleMesh mesh;  // the updated surface; points on no triangle are among its points
+  TriangleMesh mesh;         // the updated surface; points on no triangle are among its points
 };
 
 // One thread, plain data structures, no indexes but CGAL's triangulation and AABB tree: Cocone

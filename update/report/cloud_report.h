@@ -56,7 +56,7 @@ struct CloudReport {
   std::size_t relocated = 0;
   double largest_distance = 0;
   double median_distance = 0;
-  double largest_excess = 0;  // see Overlap
+  double largest_excess = 0;      // see Overlap
   double shift = 0;               // see rim_shift()
   std::size_t border_facets = 0;  // with those traced between rim points
   std::size_t walks = 0;          // see Border
