@@ -59,10 +59,10 @@ bool is_well_formed(const Triangulation& triangulation, CellId c) {
   return true;
 }
 
-std::array<VertexId, 3> sorted_facet(const Triangulation& triangulation, FacetId f) {
-  std::array<VertexId, 3> vertices = triangulation.facet_vertices(f);
-  std::sort(vertices.begin(), vertices.end());
-  return vertices;
+// The same triangle, seen from its two sides.
+bool are_two_sides(const std::array<VertexId, 3>& a, const std::array<VertexId, 3>& b) {
+  const auto k = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
+  return k < 3 && b[(k + 1) % 3] == a[2] && b[(k + 2) % 3] == a[1];
 }
 
 void check_neighbors(const Triangulation& triangulation, CellId c, Violations& violations) {
@@ -71,7 +71,7 @@ void check_neighbors(const Triangulation& triangulation, CellId c, Violations& v
     const FacetId mirror = triangulation.mirror(f);
     if (cell_of(mirror).index() >= triangulation.num_cells() || cell_of(mirror) == c ||
         triangulation.mirror(mirror) != f ||
-        sorted_facet(triangulation, mirror) != sorted_facet(triangulation, f)) {
+        !are_two_sides(triangulation.facet_vertices(mirror), triangulation.facet_vertices(f))) {
       violations.add("facet", f.value, "and its neighbor do not name each other");
     }
   }
@@ -100,6 +100,58 @@ void check_hull(const Triangulation& triangulation, CellId c, Violations& violat
       violations.add("cell", c.value, "(infinite) has a hull facet with a vertex beyond it");
     }
   }
+}
+
+// Corners name a place strictly inside of what they span: the first of them, moved by e towards the
+// second, by e^2 towards the third and so on, e infinitesimal. This is the sign there of what is
+// linear in the place: that at the first corner where it is not zero.
+template <std::size_t N, class SignAt>
+Sign sign_inside(const std::array<Point, N>& corners, SignAt sign_at) {
+  for (const Point& corner : corners) {
+    const Sign sign = sign_at(corner);
+    if (sign != Sign::zero) return sign;
+  }
+  return Sign::zero;
+}
+
+// The hull as a whole. What check_hull accepts may still wind around twice, as the sides of a
+// pentagram do: so each facet must be seen from one place inside, and a ray from there must meet
+// only one of them.
+void check_cover(const Triangulation& triangulation, DelaunayReport& report,
+                 const Execution& execution) {
+  const auto point = [&](CellId c, int i) {
+    return triangulation.point(triangulation.vertex(c, i));
+  };
+  const std::size_t num_finite = triangulation.num_finite_cells();
+  const std::size_t num_infinite = triangulation.num_cells() - num_finite;
+  const auto facet = [&](std::size_t i) {
+    const CellId c(num_finite + i);
+    return std::array{point(c, 0), point(c, 1), point(c, 2)};
+  };
+  const CellId inner(0);
+  const std::array from{point(inner, 0), point(inner, 1), point(inner, 2), point(inner, 3)};
+  report.hidden_hull_facets =
+      run_tests(execution, num_infinite, report, [&](std::size_t i, Violations& violations) {
+        const auto [a, b, p] = facet(i);
+        const Sign side = sign_inside(
+            from, [&, &a = a, &b = b, &p = p](const Point& o) { return orient3d(a, b, p, o); });
+        if (side == Sign::negative) return;
+        violations.add("cell", num_finite + i, "(infinite) has a hull facet not seen from inside");
+      });
+  if (report.hidden_hull_facets != 0 || num_infinite == 0) return;
+  const std::array<Point, 3> to = facet(0);
+  const auto passes_left_of = [&](const Point& s, const Point& t) {
+    return sign_inside(to, [&](const Point& q) {
+             return sign_inside(from, [&](const Point& o) { return orient3d(o, s, t, q); });
+           }) == Sign::positive;
+  };
+  report.hidden_hull_facets =
+      run_tests(execution, num_infinite, report, [&](std::size_t i, Violations& violations) {
+        const auto [a, b, p] = facet(i);
+        if (i == 0 || !passes_left_of(a, b) || !passes_left_of(b, p) || !passes_left_of(p, a))
+          return;
+        violations.add("cell", num_finite + i, "(infinite) has a hull facet behind another");
+      });
 }
 
 void check_facets_of_cell(const Triangulation& triangulation, CellId c, Violations& violations) {
@@ -186,8 +238,9 @@ void check_geometry(const Triangulation& triangulation, DelaunayReport& report,
                 [&](std::size_t i, Violations& violations) {
                   check_hull(triangulation, CellId(num_finite + i), violations);
                 });
-  // The in-sphere test is defined for positive cells only.
+  // A place inside, and the in-sphere test, are defined for positive cells only.
   if (report.misoriented_cells != 0) return;
+  check_cover(triangulation, report, execution);
   report.occupied_spheres =
       run_tests(execution, num_finite, report, [&](std::size_t i, Violations& violations) {
         check_facets_of_cell(triangulation, CellId(i), violations);

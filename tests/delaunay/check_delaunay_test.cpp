@@ -2,7 +2,10 @@
 #include "delaunay/check_delaunay.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -193,6 +196,49 @@ TEST(CheckDelaunay, FindsATieBrokenWrong) {
     EXPECT_EQ(report.ok(), ref::cell_set(triangulation) == right_cells);
     EXPECT_EQ(report.occupied_spheres == 0, report.occupied_pairs == 0);
   }
+}
+
+// Around the edge ab cells wind twice, as the sides of a pentagram do. Whatever is next to each
+// other fits together, and is Delaunay: only a look at the whole tells.
+TEST(CheckDelaunay, FindsCellsThatCoverSpaceTwice) {
+  std::vector<Point> points{{0, 0, -1}, {0, 0, 1}};
+  for (int i = 0; i < 5; ++i) {
+    const double angle = 0.4 * std::numbers::pi * i;
+    points.push_back({2 * std::cos(angle), 2 * std::sin(angle), 0});
+  }
+  const ref::DistinctPoints distinct = ref::distinct_points(points);
+  const auto v = [&](int i) { return distinct.vertex_of_point[PointId(i)]; };
+  for (const int step : {1, 2}) {
+    CellList cells;
+    for (int i = 0; i < 5; ++i) cells.push_back({v(0), v(1), v(2 + i), v(2 + (i + step) % 5)});
+    const Triangulation triangulation = ref::triangulation_of_cells(distinct, cells);
+    const DelaunayReport report = check_delaunay(triangulation, {.every_pair_up_to = 7});
+    EXPECT_EQ(report.broken_neighbors, 0U);
+    EXPECT_EQ(report.misoriented_cells, 0U);
+    EXPECT_EQ(report.reflex_hull_edges, 0U);
+    EXPECT_EQ(report.bad_links, 0U);
+    EXPECT_EQ(report.occupied_spheres, 0U);
+    EXPECT_EQ(report.occupied_pairs == 0, step == 1);
+    EXPECT_EQ(check_delaunay(triangulation).ok(), step == 1);
+  }
+}
+
+// A facet in the middle of a flat face, so that no angle with its neighbors shows it.
+TEST(CheckDelaunay, FindsAHullFacetTurnedOver) {
+  const Triangulation good = ref::cgal_delaunay(gallery::integer_grid(5));
+  const auto is_turned = [&](CellId hull) {
+    IdVector<CellId, Cell> cells = good.cell_records();
+    Cell& cell = cells[hull];
+    std::swap(cell.vertices[0], cell.vertices[1]);
+    std::swap(cell.neighbors[0], cell.neighbors[1]);
+    for (const int i : {0, 1}) {
+      const FacetId behind = cell.neighbors[static_cast<std::size_t>(i)];
+      cells[cell_of(behind)].neighbors[static_cast<std::size_t>(index_of(behind))] =
+          facet_id(hull, i);
+    }
+    return !check_delaunay(with_cells(good, cells)).ok();
+  };
+  for (const CellId hull : good.infinite_cells()) EXPECT_TRUE(is_turned(hull)) << hull.value;
 }
 
 TEST(CheckDelaunay, SameReportForEveryThreadCount) {
