@@ -19,8 +19,8 @@ struct WalkResult {
 // Always ends, since the cells of a Delaunay triangulation are acyclic for every viewpoint, with
 // the perturbation of geom/perturbation.h also for cospherical points.
 // Complexity: O(n^(1/3)) steps expected for uniform points from a random start; a few from a start
-// nearby. Source: Devillers, Pion & Teillaud, Walking in a triangulation (2002); De Floriani et
-// al. 1991 for acyclicity.
+// nearby. Source: Devillers, Pion & Teillaud, Walking in a triangulation (2002); Edelsbrunner 1990
+// for acyclicity.
 WalkResult locate(const IdVector<CellId, Cell>& cells, const IdVector<VertexId, Point>& points,
                   const Point& p, CellId start);
 
