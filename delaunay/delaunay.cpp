@@ -143,7 +143,7 @@ DelaunayCounters& DelaunayCounters::operator+=(const DelaunayCounters& other) {
 
 DelaunayResult delaunay(Points points, const DelaunayOptions& options, const Execution& execution) {
   if (points.size() >= infinite_vertex.value) {
-    throw InputError("too many points: at most " + std::to_string(infinite_vertex.value) +
+    throw InputError("too many points: at most " + std::to_string(infinite_vertex.value - 1) +
                      " can be numbered");
   }
   require_finite(points, execution);

@@ -17,7 +17,7 @@ struct DelaunayOptions {
 
 // What the build did.
 struct DelaunayCounters {
-  std::size_t walk_steps = 0;      // cells visited by point location
+  std::size_t walk_steps = 0;      // cells entered by point location
   std::size_t conflict_tests = 0;  // cells tested against a new point's position
   std::size_t cells_created = 0;   // over the whole build
   std::size_t cells_deleted = 0;
@@ -45,7 +45,7 @@ struct DelaunayResult {
 // "delaunay".
 // Errors: InputError if a coordinate is not finite (names the first such point), if there are
 // fewer than four different points, if all points are coplanar, if there are more points than
-// 32-bit ids can number (2^32 - 2), or if there would be more than 2^30 - 1 cells (some 150 million
+// 32-bit ids can number (2^32 - 3), or if there would be more than 2^30 - 1 cells (some 150 million
 // points).
 // Complexity: O(n log n) expected for points on surfaces and in volumes, O(n^2) in the worst case.
 // Source: Bowyer 1981 and Watson 1981 (insertion), Amenta, Choi & Rote 2003 (insertion rounds).

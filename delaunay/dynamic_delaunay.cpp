@@ -323,7 +323,7 @@ DelaunayChange DynamicDelaunay::replace(std::span<const VertexId> vertices, Poin
   require_finite(points);
   state.require_vertices(vertices);
   if (state.points.size() + points.size() >= infinite_vertex.value) {
-    throw InputError("too many points: at most " + std::to_string(infinite_vertex.value) +
+    throw InputError("too many points: at most " + std::to_string(infinite_vertex.value - 1) +
                      " can be numbered");
   }
   DelaunayChange change;

@@ -54,10 +54,11 @@ struct FrozenDelaunay {
 // Operations throw InputError for a point that is not finite, an id that is no vertex, and what is
 // above; Cancelled if progress is cancelled. Then the point set and the vertex ids are as before,
 // though cells may have other numbers (not so if memory runs out).
-// Complexity: each operation costs O(k log n) expected for a change of k vertices and cells, apart
-// from the growth of arrays; nothing is proportional to the size of the triangulation.
-// Deterministic: same history, same numbers; so for every execution.threads, but where all vertices
-// are replaced: then the cells are numbered as delaunay() numbers them.
+// Complexity: each operation costs O(n^(1/4) + k log k) expected for a change of k vertices and
+// cells, apart from the growth of arrays: the first new point is searched for from a sample of the
+// n vertices, each other one from the point before. Deterministic: same history, same numbers; so
+// for every execution.threads, but where all vertices are replaced: then the cells are numbered as
+// delaunay() numbers them.
 class DynamicDelaunay {
  public:
   DynamicDelaunay();

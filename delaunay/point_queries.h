@@ -1,7 +1,8 @@
 // Questions about one point: where does it lie, which vertex is nearest?
 //
 // All take a Triangulation or the view of a DynamicDelaunay. The answers are exact and depend on
-// the points alone; the hint, a cell nearby, only saves time.
+// the points alone; the hint, a cell nearby, only saves time, and says which of several cells
+// locate names where p lies on the border of each.
 #pragma once
 
 #include <array>
