@@ -21,7 +21,7 @@ struct RepeatedPoint {
 // All of them, in increasing order. The first `distinct` points are known to differ from each
 // other: the hashes are those of the others. Precondition: finite points, fewer than 2^32.
 // Complexity: O(n), two passes over the points, and k log k for k points that are equal or look so
-// to a hash of 16 bits per point (about n / 8). Deterministic.
+// to a table of at least 16 bits per point (up to n / 16 of those that differ). Deterministic.
 std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct = 0);
 
 // The same for who knows which of the `distinct` lie in the bounding box of the others: `near`,

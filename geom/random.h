@@ -1,6 +1,7 @@
 // Random numbers that are the same bits on every machine and with every standard library (the
-// distributions of <random> are not). For sample models, tests and insertion rounds; not for
-// secrets. Complexity: O(1) each, expected where numbers are drawn until they fit; shuffle O(n).
+// distributions of <random> are not), but for gaussian(), which takes a logarithm. For sample
+// models, tests and insertion rounds; not for secrets. Complexity: O(1) each, expected where
+// numbers are drawn until they fit; shuffle O(n).
 #pragma once
 
 #include <array>

@@ -32,12 +32,12 @@ struct InsertionRounds {
 };
 
 // A biased randomized insertion order of [0, count): rounds of geometrically growing size, each
-// element in a round drawn by a hash of (seed, element), each round in increasing order of element
-// (the first, third, ... round from the end in decreasing order, so that a round starts near where
-// the one before ended). Inserting points that are numbered along a space-filling curve in this
-// order keeps point location short and memory accesses local, while the expected total work stays
-// that of a random order. The same for every number of threads. Complexity: O(n).
-// Source: Amenta, Choi & Rote, Incremental constructions con BRIO (SoCG 2003).
+// element in a round drawn by a hash of (seed, element). The last round is in increasing order of
+// elements, the one before in decreasing order, and so on in turn, so that a round starts near
+// where the one before ended. Inserting points that are numbered along a space-filling curve in
+// this order keeps point location short and memory accesses local, while the expected total work
+// stays that of a random order. The same for every number of threads. Complexity: O(n). Source:
+// Amenta, Choi & Rote, Incremental constructions con BRIO (SoCG 2003).
 InsertionRounds insertion_rounds(std::size_t count, std::uint64_t seed,
                                  const Execution& execution = {});
 
