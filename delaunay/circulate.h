@@ -110,8 +110,8 @@ void visit_stars(const Triangulation& triangulation, Stars& stars, std::size_t b
   }
 }
 
-// True iff v is on the convex hull: some cell of its star is infinite. O(1), because stars are in
-// increasing order and infinite cells come last.
+// True iff v is on the convex hull: some cell of its star is infinite. O(1) once the star is known,
+// because stars are in increasing order and infinite cells come last.
 // `stars`: VertexStars or StarCache.
 template <class Stars>
 bool is_hull_vertex(const Triangulation& triangulation, Stars& stars, VertexId v) {

@@ -49,7 +49,7 @@ Vec3 normal_of(Points points, double scale) {
   return unit(cross(along, way_to(third)));
 }
 
-// In [-1, 1).
+// In [-1, 1].
 double random_share(const Point& p) {
   return static_cast<double>(static_cast<std::int64_t>(point_hash(p))) * 0x1p-63;
 }

@@ -14,8 +14,8 @@ enum class PredicateLevel {
   permanent,  // floating point, bound from the products that occur; and points in a plane
               // x, y or z = const
   grid_64,    // integers, differences below 2^62 units of the common grid
-  grid_128,   // integers, differences up to 2^126 units
-  grid_256,   // integers, differences up to 2^254 units
+  grid_128,   // integers, differences below 2^126 units
+  grid_256,   // integers, differences below 2^254 units
   wide,       // integers as wide as the range of double
 };
 
