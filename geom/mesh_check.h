@@ -1,7 +1,8 @@
 // A certificate: what kind of surface a triangle mesh is, in counts that anyone can recompute.
 // Independent on purpose: of this library's mesh code it uses only linked_mesh.h (links, and which
-// edges are irregular), edge_components.h and the exact collinearity test, so that it can judge
-// what the stages produce. See docs/stages/mesh_check.md.
+// edges are irregular), what finds parts that hang together (edge_components.h, disjoint_sets.h)
+// and the exact collinearity test, so that it can judge what the stages produce. See
+// docs/stages/mesh_check.md.
 #pragma once
 
 #include <array>
