@@ -43,9 +43,8 @@ struct DelaunayReport {
 //
 //   1. The hull is convex at its edges. Each of its facets is seen from one place inside, and some
 //      ray from there meets only one: so every ray does, and the hull is convex as a whole.
-//   2. The two cells at a facet lie on its two sides, so what number of cells covers a place
-//   changes
-//      at the hull only: everywhere inside it is the number of times that the hull winds around, 1.
+//   2. The two cells at a facet lie on its two sides, so the number of cells that cover a place
+//      changes at the hull only: inside it is how often the hull winds around, which is once.
 //   3. So the cells fill the hull once, and local emptiness at every facet implies global emptiness
 //      (Delaunay's lemma: a lifted surface above the hull is convex if it is so at each facet).
 //   4. The perturbed Delaunay triangulation is unique: what passes is THE one of its points.
