@@ -54,7 +54,7 @@ struct OffSample {
 };
 
 // `outward`: of all samples; empty if nothing is known.
-std::vector<OffSample> samples_off(const ModelIndex& model, const Scan& scan, double distance,
+std::vector<OffSample> off_samples(const ModelIndex& model, const Scan& scan, double distance,
                                    const std::vector<Vec3>& outward) {
   const std::vector<double> heights = squared_heights(model, scan.samples, distance);
   std::vector<OffSample> off;
@@ -121,7 +121,7 @@ IdVector<RegionId, std::vector<Point>> contradicted_places(const ModelIndex& mod
                                                            const IslandOptions& options) {
   IdVector<RegionId, std::vector<Point>> places(regions.regions.size());
   const std::vector<OffSample> off =
-      samples_off(model, scan, options.off_model * scan.spacing, outward);
+      off_samples(model, scan, options.off_model * scan.spacing, outward);
   if (off.size() < options.min_samples) return places;
   const std::vector<Over> over =
       without_sheltered(samples_over(model, regions, islands, off, options.min_normal_cosine),

@@ -50,11 +50,11 @@ struct ContradictedIsland {
 // region of its own, behind the others. Why: from one side a scanner sees the floor of a pocket,
 // but not its walls, and the top of a boss, but not its foot. Then the loop around the mouth lies
 // on the model as that around a hole in the scan does, and what is inside would stay, over the
-// floor or in the boss. Floor and top face as the region does; what faces it, or has between
-// it and the region what does, is the rest of something that is hollow there. Without `outward`
-// nothing is known of that. scans[c] belongs to choice.clouds[c]. Complexity: O(regions) if no such
-// region stays; else O(samples log(samples)), what NearFacets takes and, for the parts, O(triangles
-// + vertices). Deterministic. Source: ours.
+// floor or in the boss. Floor and top face as the region does. A sample that faces the region, as
+// on the lower side of an arch, shows that there is room between: it contradicts nothing, nor does
+// what lies behind it. Without `outward` nobody knows which way samples face. scans[c] belongs to
+// choice.clouds[c]. Complexity: O(regions) if no such region stays; else O(samples log(samples)),
+// what NearFacets takes and, for the parts, O(triangles + vertices). Deterministic. Source: ours.
 std::vector<ContradictedIsland> part_contradicted_islands(
     const ModelIndex& model, const RegionChoice& choice, std::span<const Scan> scans,
     Regions& regions, const IslandOptions& options = {}, const OutwardNormals& outward = {});
