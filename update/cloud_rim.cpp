@@ -8,32 +8,20 @@
 #include "cocone/orient_surface.h"
 #include "geom/edge_components.h"
 #include "geom/median.h"
+#include "update/cloud/area_normals.h"
 
 namespace cocoon {
 
 namespace {
 
-// Unit normals of the vertices of the loops, weighted by area; zero for others. The triangles must
-// be oriented.
+// Of the vertices of the loops; zero for others. The triangles must be oriented.
 IdVector<VertexId, Vec3> normals_at(const std::vector<BoundaryLoop>& loops,
                                     const TriangleMesh& mesh) {
   IdVector<VertexId, std::uint8_t> wanted(mesh.points.size(), 0);
   for (const BoundaryLoop& loop : loops) {
     for (const BoundaryEdge& edge : loop.edges) wanted[edge.from] = 1;
   }
-  IdVector<VertexId, Vec3> sums(mesh.points.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    if ((wanted[a] | wanted[b] | wanted[c]) == 0) continue;
-    const Point& origin = mesh.points[a];
-    const Vec3 twice_area = cross(mesh.points[b] - origin, mesh.points[c] - origin);
-    for (const VertexId v : {a, b, c}) {
-      if (wanted[v] != 0) sums[v] = sums[v] + twice_area;
-    }
-  }
-  for (const VertexId v : sums.ids()) {
-    if (wanted[v] != 0) sums[v] = unit(sums[v]);
-  }
-  return sums;
+  return area_normals(mesh, wanted);
 }
 
 // The same of a loop on a one-sided part, where triangles have no common orientation: of the
