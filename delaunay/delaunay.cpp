@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -10,7 +9,6 @@
 #include "delaunay/cell_pool.h"
 #include "delaunay/first_cells.h"
 #include "delaunay/parallel_insertion.h"
-#include "geom/errors.h"
 #include "geom/large_pages.h"
 #include "geom/spatial_order.h"
 #include "geom/working_scale.h"
@@ -142,10 +140,7 @@ DelaunayCounters& DelaunayCounters::operator+=(const DelaunayCounters& other) {
 }
 
 DelaunayResult delaunay(Points points, const DelaunayOptions& options, const Execution& execution) {
-  if (points.size() >= infinite_vertex.value) {
-    throw InputError("too many points: at most " + std::to_string(infinite_vertex.value - 1) +
-                     " can be numbered");
-  }
+  require_ids(points.size());
   require_finite(points, execution);
   report_progress(execution, "delaunay", 0);
 

@@ -322,10 +322,7 @@ DelaunayChange DynamicDelaunay::replace(std::span<const VertexId> vertices, Poin
   State& state = *state_;
   require_finite(points);
   state.require_vertices(vertices);
-  if (state.points.size() + points.size() >= infinite_vertex.value) {
-    throw InputError("too many points: at most " + std::to_string(infinite_vertex.value - 1) +
-                     " can be numbered");
-  }
+  require_ids(state.points.size() + points.size());
   DelaunayChange change;
   change.removed.assign(vertices.begin(), vertices.end());
   make_set(change.removed);

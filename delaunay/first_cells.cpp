@@ -11,6 +11,12 @@
 
 namespace cocoon {
 
+void require_ids(std::size_t points) {
+  if (points < infinite_vertex.value) return;
+  throw InputError("too many points: at most " + std::to_string(infinite_vertex.value - 1) +
+                   " can be numbered");
+}
+
 void require_finite(Points points, const Execution& execution) {
   const auto are_finite = [&](std::size_t begin, std::size_t end) {
     const Points chunk = points.subspan(begin, end - begin);

@@ -13,6 +13,9 @@
 
 namespace cocoon {
 
+// Errors: InputError if so many points cannot be numbered.
+void require_ids(std::size_t points);
+
 // Errors: InputError if a coordinate is not finite; names the first such point.
 void require_finite(Points points, const Execution& execution = {});
 
