@@ -149,9 +149,8 @@ NoiseFilter noise_filter_of(const ReconstructArguments& arguments, std::size_t f
 }
 
 SurfaceRemedies remedies_of(NoiseFilter filter, std::size_t faces) {
-  return {
-      .noise_filter = filter == NoiseFilter::not_used || filter == NoiseFilter::not_used_on_mesh,
-      .other = faces > 0 ? std::string(", ") + remedy_of_mesh : std::string()};
+  return {.noise_filter = is_filter_left(filter),
+          .other = faces > 0 ? std::string(", ") + remedy_of_mesh : std::string()};
 }
 
 std::vector<Finding> findings_of_surface(const SurfaceDoubts& doubts, std::size_t points,

@@ -12,10 +12,6 @@ namespace cocoon::app {
 
 namespace {
 
-bool is_filter_left(NoiseFilter filter) {
-  return filter == NoiseFilter::not_used || filter == NoiseFilter::not_used_on_mesh;
-}
-
 // A deviation of normal noise from the median roughness it causes (surface_doubts.h).
 double noise_of(double roughness) { return roughness / 0.7; }
 
@@ -186,6 +182,10 @@ Finding contacts_finding(const SurfaceDoubts& d, bool manifold) {
 }
 
 }  // namespace
+
+bool is_filter_left(NoiseFilter filter) {
+  return filter == NoiseFilter::not_used || filter == NoiseFilter::not_used_on_mesh;
+}
 
 std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, NoiseFilter filter,
                                  const FindingLimits& limits, const OptionsLeft& left) {

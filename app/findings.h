@@ -36,6 +36,9 @@ enum class NoiseFilter {
   of_strays,  // not used; it would leave out stray samples only
 };
 
+// Whether the filter is left to be tried, whatever the samples are.
+bool is_filter_left(NoiseFilter filter);
+
 struct FindingLimits {
   // Noise as a share of the spacing: here surfaces through all points begin to fail.
   double noise = 0.2;
