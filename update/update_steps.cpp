@@ -345,11 +345,12 @@ bool UpdateSteps::fail_no_overlap(std::size_t c, const ModelIndex& index,
                                   const Execution& execution) {
   const CloudReport& report = result_.clouds[c];
   const CloudRim& rim = report.surface.rim;
-  return fail(UpdateStatus::no_overlap,
-              name_of_cloud(c) + " " +
-                  reason_of_no_overlap(overlaps_[c].unmatched, report.boundary_points,
-                                       options_.overlap.max_distance, rim.spacing,
-                                       unit_factor(index, rim, options_.overlap, execution)));
+  return fail(
+      UpdateStatus::no_overlap,
+      name_of_cloud(c) + " " +
+          reason_of_no_overlap(overlaps_[c].unmatched, report.boundary_points,
+                               options_.overlap.max_distance, rim.spacing,
+                               unit_factor(index, rim, overlaps_[c], options_.overlap, execution)));
 }
 
 bool UpdateSteps::check_separation(const ModelIndex& index, std::span<const RegionAngles> angles) {

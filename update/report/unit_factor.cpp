@@ -31,11 +31,11 @@ std::vector<double> unit_factors() {
 }  // namespace
 
 std::optional<double> unit_factor(const ModelIndex& model, const CloudRim& rim,
-                                  const OverlapOptions& options, const Execution& execution) {
+                                  const Overlap& as_is, const OverlapOptions& options,
+                                  const Execution& execution) {
   constexpr double most_apart = 30;
   std::size_t points = 0;
   for (const RimLoop& loop : rim.loops) points += loop.size();
-  const Overlap as_is = overlapping_facets(model, rim, options, execution);
   if (2 * as_is.unmatched <= points) return {};
   const double edge = mesh_measure(model.mesh()).edge_lengths.median;
   for (const double factor : unit_factors()) {

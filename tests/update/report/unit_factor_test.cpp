@@ -12,7 +12,8 @@ namespace {
 using testing::rim_of;
 
 std::optional<double> factor_of(const TriangleMesh& model, const CloudRim& rim) {
-  return unit_factor(ModelIndex(model), rim);
+  const ModelIndex index(model);
+  return unit_factor(index, rim, overlapping_facets(index, rim));
 }
 
 TEST(UnitFactor, BringsTheRimToTheModel) {
