@@ -79,7 +79,7 @@ class LocalSpacing {
   std::vector<double> numbers_;
 };
 
-// Squared, of each halfedge. Of triangles that repeat a vertex, which have no edges, infinite.
+// Squared, of each halfedge.
 std::vector<double> squared_lengths(const TriangleMesh& mesh) {
   std::vector<double> lengths;
   lengths.reserve(3 * mesh.triangles.size());
@@ -87,10 +87,9 @@ std::vector<double> squared_lengths(const TriangleMesh& mesh) {
     const Point& a = mesh.points[triangle[0]];
     const Point& b = mesh.points[triangle[1]];
     const Point& c = mesh.points[triangle[2]];
-    const double none = repeats_a_vertex(triangle) ? std::numeric_limits<double>::infinity() : 0;
-    lengths.push_back(squared_distance(b, c) + none);
-    lengths.push_back(squared_distance(c, a) + none);
-    lengths.push_back(squared_distance(a, b) + none);
+    lengths.push_back(squared_distance(b, c));
+    lengths.push_back(squared_distance(c, a));
+    lengths.push_back(squared_distance(a, b));
   }
   return lengths;
 }
@@ -100,15 +99,15 @@ std::vector<double> squared_lengths(const TriangleMesh& mesh) {
 IdVector<VertexId, double> shortest_around(const TriangleMesh& mesh,
                                            std::span<const double> squared_lengths) {
   IdVector<VertexId, double> at(mesh.points.size(), std::numeric_limits<double>::infinity());
-  Halfedge first = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const double bc = squared_lengths[first];
-    const double ca = squared_lengths[first + 1];
-    const double ab = squared_lengths[first + 2];
+  for (const TriangleId t : mesh.triangles.ids()) {
+    if (repeats_a_vertex(mesh.triangles[t])) continue;  // it has no edges
+    const auto& [a, b, c] = mesh.triangles[t];
+    const double bc = squared_lengths[halfedge_of(t, 0)];
+    const double ca = squared_lengths[halfedge_of(t, 1)];
+    const double ab = squared_lengths[halfedge_of(t, 2)];
     at[a] = std::min({at[a], ca, ab});
     at[b] = std::min({at[b], ab, bc});
     at[c] = std::min({at[c], bc, ca});
-    first += 3;
   }
   IdVector<VertexId, double> around = at;
   for (const Triangle& triangle : mesh.triangles) {
