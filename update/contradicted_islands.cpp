@@ -56,11 +56,9 @@ struct OffSample {
 // `outward`: of all samples; empty if nothing is known.
 std::vector<OffSample> off_samples(const ModelIndex& model, const Scan& scan, double distance,
                                    const std::vector<Vec3>& outward) {
-  const std::vector<double> heights = squared_heights(model, scan.samples, distance);
   std::vector<OffSample> off;
-  for (std::size_t k = 0; k < heights.size(); ++k) {
-    if (!(heights[k] > distance * distance)) continue;
-    off.push_back({scan.samples[k], outward.empty() ? Vec3{} : outward[k]});
+  for (const PointId p : which_are_off(model, scan.samples, distance)) {
+    off.push_back({scan.samples[p.index()], outward.empty() ? Vec3{} : outward[p.index()]});
   }
   return off;
 }

@@ -20,11 +20,19 @@ std::vector<double> squared_heights(const ModelIndex& model, Points places, doub
   return heights;
 }
 
+std::vector<PointId> which_are_off(const ModelIndex& model, Points samples, double distance) {
+  const std::vector<double> heights = squared_heights(model, samples, distance);
+  std::vector<PointId> off;
+  for (std::size_t k = 0; k < heights.size(); ++k) {
+    if (heights[k] > distance * distance) off.push_back(PointId(k));
+  }
+  return off;
+}
+
 std::vector<Point> samples_off(const ModelIndex& model, Points samples, double distance) {
   std::vector<Point> off;
-  const std::vector<double> heights = squared_heights(model, samples, distance);
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    if (heights[k] > distance * distance) off.push_back(samples[k]);
+  for (const PointId p : which_are_off(model, samples, distance)) {
+    off.push_back(samples[p.index()]);
   }
   return off;
 }

@@ -14,7 +14,9 @@ namespace cocoon {
 // Complexity: what NearFacets takes, and O(log f) for each place. Source: ours.
 std::vector<double> squared_heights(const ModelIndex& model, Points places, double bound);
 
-// The samples farther from the model than this, in their order. Complexity: as squared_heights().
+// Which samples are farther from the model than this, ascending; and these samples. Complexity: as
+// squared_heights().
+std::vector<PointId> which_are_off(const ModelIndex& model, Points samples, double distance);
 std::vector<Point> samples_off(const ModelIndex& model, Points samples, double distance);
 
 // Samples with their heights, found by place.
