@@ -13,8 +13,9 @@
 #include "cocone/samples/cell_arms.h"
 #include "cocone/samples/double_cone.h"
 #include "cocone/samples/farthest_cells.h"
-#include "cocone/samples/shared_maxima.h"
+#include "cocone/samples/vertex_maxima.h"
 #include "delaunay/vertex_stars.h"
+#include "geom/parallel_fold.h"
 
 namespace cocoon {
 namespace {
@@ -49,9 +50,8 @@ void for_each_run(std::size_t begin, std::size_t end, Visit visit) {
 template <class Load>
 FarthestCells find_farthest(const Triangulation& triangulation, const Dual& dual,
                             const Execution& execution, Load load) {
-  FarthestCells farthest(triangulation, dual, execution);
-  const ReadSoon soon{nullptr, farthest.words()};
-  const auto offer_cells = [&](std::size_t begin, std::size_t end) {
+  const auto offer_cells = [&](FarthestCells& farthest, std::size_t begin, std::size_t end) {
+    const ReadSoon soon{nullptr, farthest.words()};
     CellBlock block;
     ArmWords words;
     for_each_run(begin, end, [&](CellId first, std::size_t count) {
@@ -60,14 +60,16 @@ FarthestCells find_farthest(const Triangulation& triangulation, const Dual& dual
       farthest.offer(first, block, words);
     });
   };
-  parallel_chunks(execution, triangulation.num_finite_cells(), cells_per_chunk, offer_cells);
-  return farthest;
+  return parallel_fold(
+      execution, triangulation.num_finite_cells(), cells_per_chunk,
+      [&] { return FarthestCells(triangulation, dual); }, offer_cells,
+      [&](FarthestCells& all, const FarthestCells& others) { all.join(others, execution); });
 }
 
 // n_p of all samples.
 void find_normals(const Triangulation& triangulation, const Dual& dual, FarthestCells farthest,
                   Poles& poles, const Execution& execution) {
-  const VertexStars hull = hull_stars(triangulation);
+  const VertexStars hull = hull_stars(triangulation, execution);
   std::atomic<std::size_t> on_hull = 0;
   std::atomic<std::size_t> degenerate = 0;
   const auto from_hull = [&](VertexId p, std::vector<Vec3>& directions) {
@@ -111,65 +113,81 @@ void find_normals(const Triangulation& triangulation, const Dual& dual, Farthest
   poles.degenerate_vertices = degenerate;
 }
 
+// Maxima over lower arms that are found cell by cell: take(maxima, begin, end).
+template <class Take>
+VertexMaxima find_maxima(const Triangulation& triangulation, const Execution& execution,
+                         Take take) {
+  return parallel_fold(
+      execution, triangulation.num_finite_cells(), cells_per_chunk,
+      [&] { return VertexMaxima(triangulation.num_vertices()); }, take,
+      [&](VertexMaxima& all, const VertexMaxima& others) { all.join(others, execution); });
+}
+
 // h_p of all samples, from their normals, and the sides of finite cells to the double cones of
 // sides->cosine if they are wanted.
 void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& poles,
                   ConeSides* sides, const Execution& execution) {
-  const std::size_t count = triangulation.num_vertices();
   const double squared_cosine = sides != nullptr ? sides->cosine * sides->cosine : 0;
-  SharedMaxima squared(count, execution);
-  const ReadSoon soon{poles.normals.raw().data(), squared.values()};
-  // Calls visit(cells, lower arms) for blocks of cells; corners with arms of extreme lengths are
-  // left to visit_unsafe(c, p).
-  const auto for_each_lower_arm = [&](auto visit, auto visit_unsafe) {
-    const auto visit_cells = [&](std::size_t begin, std::size_t end) {
-      CellBlock block;
-      ArmSides arms;
-      for_each_run(begin, end, [&](CellId first, std::size_t size) {
-        load_run(triangulation, dual, first, size, block, soon);
-        arm_sides(triangulation, poles.normals, squared_cosine, first, block, arms);
-        if (sides != nullptr) {
-          take_cone_sides(triangulation, dual, poles.normals, arms, first, size, *sides);
+  // Calls visit(cells, lower arms) for blocks of the cells begin ... end - 1; corners with arms of
+  // extreme lengths are left to visit_unsafe(c, p). `maxima`: will be looked at.
+  const auto for_each_lower_arm = [&](std::size_t begin, std::size_t end,
+                                      const VertexMaxima& maxima, auto visit, auto visit_unsafe) {
+    const ReadSoon soon{poles.normals.raw().data(), maxima.values()};
+    CellBlock block;
+    ArmSides arms;
+    for_each_run(begin, end, [&](CellId first, std::size_t size) {
+      load_run(triangulation, dual, first, size, block, soon);
+      arm_sides(triangulation, poles.normals, squared_cosine, first, block, arms);
+      if (sides != nullptr) {
+        take_cone_sides(triangulation, dual, poles.normals, arms, first, size, *sides);
+      }
+      const auto cells = triangulation.cell_records().span().subspan(first.index(), size);
+      visit(cells, arms.lower);
+      for (std::size_t k = 0; k < size; ++k) {
+        for (unsigned rest = arms.unsafe[k]; rest != 0; rest &= rest - 1) {
+          const auto j = static_cast<std::size_t>(std::countr_zero(rest));
+          visit_unsafe(CellId(first.index() + k), cells[k].vertices[j]);
         }
-        const auto cells = triangulation.cell_records().span().subspan(first.index(), size);
-        visit(cells, arms.lower);
-        for (std::size_t k = 0; k < size; ++k) {
-          for (unsigned rest = arms.unsafe[k]; rest != 0; rest &= rest - 1) {
-            const auto j = static_cast<std::size_t>(std::countr_zero(rest));
-            visit_unsafe(CellId(first.index() + k), cells[k].vertices[j]);
-          }
-        }
-      });
-    };
-    parallel_chunks(execution, triangulation.num_finite_cells(), cells_per_chunk, visit_cells);
+      }
+    });
   };
   const auto is_lower = [&](VertexId p, const Arm& arm) {
     return dot(arm.safe(), poles.normals[p]) < 0;
   };
   std::atomic<bool> any_far = false;
-  const auto raise_all = [&](std::span<const Cell> cells, const SquaredArms& lower) {
-    squared.raise_corners(cells, [&](std::size_t k, std::size_t j) { return lower.at(k, j); });
+  const auto take_squares = [&](VertexMaxima& squared, std::size_t begin, std::size_t end) {
+    for_each_lower_arm(
+        begin, end, squared,
+        [&](std::span<const Cell> cells, const SquaredArms& lower) {
+          squared.raise_corners(cells,
+                                [&](std::size_t k, std::size_t j) { return lower.at(k, j); });
+        },
+        [&](CellId c, VertexId p) {
+          const Arm arm = arm_of(triangulation, dual, c, p);
+          if (!is_lower(p, arm)) return;
+          squared.raise(p, arm.squared_length);
+          if (arm.is_far()) any_far = true;
+        });
   };
-  for_each_lower_arm(raise_all, [&](CellId c, VertexId p) {
-    const Arm arm = arm_of(triangulation, dual, c, p);
-    if (!is_lower(p, arm)) return;
-    squared.raise(p, arm.squared_length);
-    if (arm.is_far()) any_far = true;
-  });
-  SharedMaxima far(any_far ? count : 0, execution);
-  if (any_far) {
-    for_each_lower_arm([](std::span<const Cell>, const SquaredArms&) {},
-                       [&](CellId c, VertexId p) {
-                         const Arm arm = arm_of(triangulation, dual, c, p);
-                         if (arm.is_far() && is_lower(p, arm)) {
-                           far.raise(p, norm(arm.safe()) / shrink);
-                         }
-                       });
-  }
-  poles.heights = std::move(squared).take();
+  poles.heights = find_maxima(triangulation, execution, take_squares).take();
+  parallel_chunks(execution, poles.heights.size(), vertices_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (VertexId p(begin); p.index() < end; ++p) {
+                      poles.heights[p] = std::sqrt(poles.heights[p]);
+                    }
+                  });
+  if (!any_far) return;
+  const auto take_far = [&](VertexMaxima& far, std::size_t begin, std::size_t end) {
+    for_each_lower_arm(
+        begin, end, far, [](std::span<const Cell>, const SquaredArms&) {},
+        [&](CellId c, VertexId p) {
+          const Arm arm = arm_of(triangulation, dual, c, p);
+          if (arm.is_far() && is_lower(p, arm)) far.raise(p, norm(arm.safe()) / shrink);
+        });
+  };
+  const VertexMaxima far = find_maxima(triangulation, execution, take_far);
   for (const VertexId p : poles.heights.ids()) {
-    const double height = std::sqrt(poles.heights[p]);
-    poles.heights[p] = std::isfinite(height) ? height : far[p];
+    if (!std::isfinite(poles.heights[p])) poles.heights[p] = far[p];
   }
 }
 
@@ -183,10 +201,14 @@ Poles finish_poles(const Triangulation& triangulation, const Dual& dual, Farthes
   if (sides != nullptr) sides->of_cells.resize(triangulation.num_cells());
   find_heights(triangulation, dual, poles, sides, execution);
   if (sides != nullptr) {
-    for (const CellId c : triangulation.infinite_cells()) {
-      sides->of_cells[c] =
-          cone_sides_of_cell(triangulation, dual, poles.normals, sides->cosine * sides->cosine, c);
-    }
+    const std::size_t finite = triangulation.num_finite_cells();
+    parallel_chunks(execution, triangulation.num_cells() - finite, cells_per_chunk,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (CellId c(finite + begin); c.index() < finite + end; ++c) {
+                        sides->of_cells[c] = cone_sides_of_cell(triangulation, dual, poles.normals,
+                                                                sides->cosine * sides->cosine, c);
+                      }
+                    });
   }
   report_progress(execution, "compute_poles", 1);
   return poles;

@@ -22,7 +22,7 @@ namespace {
 // ThreadSanitizer does not see.
 class ChunkLoop {
  public:
-  using Body = std::function<void(std::size_t, std::size_t)>;
+  using Body = std::function<void(std::size_t, std::size_t, std::size_t)>;
 
   ChunkLoop(std::size_t count, std::size_t grain, const Body& body)
       : count_(count), grain_(grain), body_(body) {
@@ -33,22 +33,22 @@ class ChunkLoop {
   ChunkLoop& operator=(const ChunkLoop&) = delete;
 
   std::size_t num_chunks() const { return (count_ + grain_ - 1) / grain_; }
-  void run(std::size_t chunk) const {
-    body_(chunk * grain_, std::min(count_, (chunk + 1) * grain_));
+  void run(std::size_t thread, std::size_t chunk) const {
+    body_(thread, chunk * grain_, std::min(count_, (chunk + 1) * grain_));
   }
-  static void run_as_task(void* loop, std::size_t chunk) {
-    static_cast<ChunkLoop*>(loop)->run_ordered(chunk);
+  static void run_as_task(void* loop, std::size_t chunk, std::size_t thread) {
+    static_cast<ChunkLoop*>(loop)->run_ordered(thread, chunk);
   }
 
  private:
-  void run_ordered(std::size_t chunk) {
+  void run_ordered(std::size_t thread, std::size_t chunk) {
     struct Return {  // also if the body throws
       std::atomic<std::size_t>& returned;
       ~Return() { returned.fetch_add(1, std::memory_order_release); }
     };
     begun_.load(std::memory_order_acquire);
     const Return at_end{returned_};
-    run(chunk);
+    run(thread, chunk);
   }
 
   std::size_t count_;
@@ -79,11 +79,19 @@ void report_progress(const Execution& execution, std::string_view stage, double 
 
 void parallel_chunks(const Execution& execution, std::size_t count, std::size_t grain,
                      const std::function<void(std::size_t, std::size_t)>& body) {
+  parallel_chunks_by_thread(
+      execution, count, grain,
+      [&](std::size_t, std::size_t begin, std::size_t end) { body(begin, end); });
+}
+
+void parallel_chunks_by_thread(
+    const Execution& execution, std::size_t count, std::size_t grain,
+    const std::function<void(std::size_t, std::size_t, std::size_t)>& body) {
   if (count == 0) return;
   ChunkLoop loop(count, std::max<std::size_t>(grain, 1), body);
   const int threads = thread_count(execution);
   if (threads == 1 || loop.num_chunks() == 1) {
-    for (std::size_t chunk = 0; chunk < loop.num_chunks(); ++chunk) loop.run(chunk);
+    for (std::size_t chunk = 0; chunk < loop.num_chunks(); ++chunk) loop.run(0, chunk);
   } else {
     run_tasks(threads, loop.num_chunks(), ChunkLoop::run_as_task, &loop);
   }

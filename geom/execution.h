@@ -67,4 +67,11 @@ auto run_step(const Execution& execution, std::string_view step, Body body) {
 void parallel_chunks(const Execution& execution, std::size_t count, std::size_t grain,
                      const std::function<void(std::size_t begin, std::size_t end)>& body);
 
+// The same; body(thread, begin, end) is also told which thread calls it, by a number below
+// thread_count(execution) that differs from those of all calls under way. Use parallel_fold
+// (parallel_fold.h) for what each thread keeps for itself.
+void parallel_chunks_by_thread(
+    const Execution& execution, std::size_t count, std::size_t grain,
+    const std::function<void(std::size_t thread, std::size_t begin, std::size_t end)>& body);
+
 }  // namespace cocoon

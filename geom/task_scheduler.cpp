@@ -24,7 +24,9 @@ void run_in(tbb::task_arena& arena, std::size_t count, Task task, void* context)
             bool before = std::exchange(is_at_task, true);
             ~AtTask() { is_at_task = before; }
           } const at_task;
-          for (std::size_t i = range.begin(); i != range.end(); ++i) task(context, i);
+          const auto thread =
+              static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
+          for (std::size_t i = range.begin(); i != range.end(); ++i) task(context, i, thread);
         },
         tbb::simple_partitioner());
   });

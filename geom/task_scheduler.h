@@ -5,11 +5,11 @@
 
 namespace cocoon {
 
-using Task = void (*)(void* context, std::size_t i);
+using Task = void (*)(void* context, std::size_t i, std::size_t thread);
 
-// Calls task(context, i) for each i in [0, count), on at most `threads` threads of which the
-// calling one is one. The first exception of a task reaches the caller; others may then not have
-// been called.
+// Calls task(context, i, thread) for each i in [0, count), on at most `threads` threads of which
+// the calling one is one; `thread` < threads differs from that of all tasks under way. The first
+// exception of a task reaches the caller; others may then not have been called.
 void run_tasks(int threads, std::size_t count, Task task, void* context);
 
 }  // namespace cocoon

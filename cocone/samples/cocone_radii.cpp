@@ -5,13 +5,13 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "cocone/samples/double_cone.h"
-#include "cocone/samples/shared_maxima.h"
+#include "cocone/samples/vertex_maxima.h"
+#include "geom/parallel_fold.h"
 #include "geom/parallel_list.h"
 
 namespace cocoon {
@@ -126,11 +126,8 @@ double largest_coordinate(const Vec3& v) {
 // four lengths occur, so edges to the far centers of slivers are measured in larger units.
 class Radii {
  public:
-  Radii(const Cocones& cocones, RadiusMode mode, std::size_t num_vertices,
-        const Execution& execution)
-      : squared_cosine_(cocones.cosine * cocones.cosine),
-        mode_(mode),
-        squared_(num_vertices, execution) {}
+  Radii(const Cocones& cocones, RadiusMode mode, std::size_t num_vertices)
+      : squared_cosine_(cocones.cosine * cocones.cosine), mode_(mode), squared_(num_vertices) {}
 
   // Of the corners of `cell` whose bits are set in `row`.
   void take(const Triangulation& triangulation, const Poles& poles, const Cell& cell, unsigned row,
@@ -150,6 +147,11 @@ class Radii {
     }
   }
   void take_infinite(VertexId v) { squared_.raise(v, infinity); }
+  // All that others have taken.
+  void join(const Radii& others, const Execution& execution) {
+    squared_.join(others.squared_, execution);
+    far_.insert(far_.end(), others.far_.begin(), others.far_.end());
+  }
 
   IdVector<VertexId, double> result() && {
     IdVector<VertexId, double> radii = std::move(squared_).take();
@@ -162,9 +164,7 @@ class Radii {
   void take_far(VertexId v, const DualEnds& ends, const Point& p, const Vec3& normal) {
     const RelativeEdge edge{shrink * (ends.from - p),
                             ends.is_ray ? ends.to : shrink * (ends.to - p), ends.is_ray};
-    const double radius = std::sqrt(squared_radius(edge, normal)) / shrink;
-    const std::lock_guard lock(mutex_);
-    far_.emplace_back(v, radius);
+    far_.emplace_back(v, std::sqrt(squared_radius(edge, normal)) / shrink);
   }
 
   double squared_radius(const RelativeEdge& edge, const Vec3& normal) const {
@@ -174,8 +174,7 @@ class Radii {
 
   double squared_cosine_;
   RadiusMode mode_;
-  SharedMaxima squared_;
-  std::mutex mutex_;
+  VertexMaxima squared_;
   std::vector<std::pair<VertexId, double>> far_;
 };
 
@@ -216,15 +215,17 @@ IdVector<VertexId, double> cocone_radii(const Triangulation& triangulation, cons
           asked.push_back({cocones.facets[k], static_cast<std::uint8_t>(corners)});
         }
       });
-  Radii radii(cocones, mode, triangulation.num_vertices(), execution);
-  parallel_chunks(
-      execution, facets.size(), facets_per_chunk, [&](std::size_t begin, std::size_t end) {
+  Radii radii = parallel_fold(
+      execution, facets.size(), facets_per_chunk,
+      [&] { return Radii(cocones, mode, triangulation.num_vertices()); },
+      [&](Radii& part, std::size_t begin, std::size_t end) {
         for_each_dual_edge(triangulation, dual, std::span(facets).subspan(begin, end - begin),
                            [&](const AskedFacet& asked, const DualEnds& ends) {
                              const Cell& cell = triangulation.cell(cell_of(asked.facet));
-                             radii.take(triangulation, poles, cell, asked.corners, ends);
+                             part.take(triangulation, poles, cell, asked.corners, ends);
                            });
-      });
+      },
+      [&](Radii& all, const Radii& others) { all.join(others, execution); });
   if (mode == RadiusMode::tangent_plane) {
     for (const VertexId p : unbounded_in_plane(triangulation, dual, poles)) {
       if (samples[p] != 0) radii.take_infinite(p);

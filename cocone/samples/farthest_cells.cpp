@@ -1,8 +1,6 @@
 #include "cocone/samples/farthest_cells.h"
 
 #include <algorithm>
-#include <atomic>
-#include <bit>
 
 namespace cocoon {
 namespace {
@@ -30,23 +28,13 @@ Arm arm_of(const Triangulation& triangulation, const Dual& dual, CellId c, Verte
   return Arm(center_of(triangulation, dual, c) - triangulation.point(p));
 }
 
-FarthestCells::FarthestCells(const Triangulation& triangulation, const Dual& dual,
-                             const Execution& execution)
-    : triangulation_(triangulation),
-      dual_(dual),
-      words_(triangulation.num_vertices(), 0),
-      alone_(thread_count(execution) == 1) {}
+FarthestCells::FarthestCells(const Triangulation& triangulation, const Dual& dual)
+    : triangulation_(triangulation), dual_(dual), words_(triangulation.num_vertices(), 0) {}
 
-void FarthestCells::offer(CellId first, const CellBlock& block, const ArmWords& words) {
-  alone_ ? offer_alone(first, block, words) : offer_beside_others(first, block, words);
-}
-
-CellId FarthestCells::farthest(VertexId p) const {
-  return unpack(std::atomic_ref<std::uint64_t>(words_[p]).load(std::memory_order_relaxed));
-}
+CellId FarthestCells::farthest(VertexId p) const { return unpack(words_[p]); }
 
 // No branch on which corners a cell wins, which cannot be foreseen.
-void FarthestCells::offer_alone(CellId first, const CellBlock& block, const ArmWords& words) {
+void FarthestCells::offer(CellId first, const CellBlock& block, const ArmWords& words) {
   for (std::size_t k = 0; k < block.size; ++k) {
     const CellId c(first.index() + k);
     const Cell& cell = triangulation_.cell(c);
@@ -74,30 +62,19 @@ void FarthestCells::decide_ties(CellId c, const Point& center, const Words& know
   }
 }
 
-void FarthestCells::offer_beside_others(CellId first, const CellBlock& block,
-                                        const ArmWords& words) {
-  for (std::size_t k = 0; k < block.size; ++k) {
-    const Cell& cell = triangulation_.cell(CellId(first.index() + k));
-    unsigned open = 0;  // corners that are not done
-    for (unsigned j = 0; j < 4; ++j) {
-      const std::atomic_ref<std::uint64_t> word(words_[cell.vertices[j]]);
-      const std::uint64_t known = word.load(std::memory_order_relaxed);
-      open |= static_cast<unsigned>(known >> 32 <= words.at(k, j) >> 32) << j;
-    }
-    for (; open != 0; open &= open - 1) {
-      const auto j = static_cast<unsigned>(std::countr_zero(open));
-      offer_at(cell.vertices[j], block.center(k), words.at(k, j));
-    }
-  }
-}
-
-void FarthestCells::offer_at(VertexId p, const Point& center, std::uint64_t offered) {
-  const std::atomic_ref<std::uint64_t> word(words_[p]);
-  std::uint64_t known = word.load(std::memory_order_relaxed);
-  while (known >> 32 <= offered >> 32) {
-    if (negative_if_tied(known, offered) < 0 && !precedes(p, center, known)) return;
-    if (word.compare_exchange_weak(known, offered, std::memory_order_relaxed)) return;
-  }
+void FarthestCells::join(const FarthestCells& others, const Execution& execution) {
+  constexpr std::size_t vertices_per_chunk = std::size_t{1} << 14;
+  parallel_chunks(execution, words_.size(), vertices_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (VertexId p(begin); p.index() < end; ++p) {
+                      const std::uint64_t known = words_[p];
+                      const std::uint64_t offered = others.words_[p];
+                      words_[p] = std::max(known, offered);
+                      if (known == offered || negative_if_tied(known, offered) >= 0) continue;
+                      const Point center = center_of(triangulation_, dual_, unpack(offered));
+                      words_[p] = precedes(p, center, known) ? offered : known;
+                    }
+                  });
 }
 
 bool FarthestCells::precedes(VertexId p, const Point& center, std::uint64_t known) const {

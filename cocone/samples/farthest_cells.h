@@ -1,6 +1,6 @@
-// The farthest Voronoi vertex of every sample, by its cell: a maximum that many threads raise at
-// once. One word each, the length rounded to float in the upper half, so that most questions end
-// there; what rounds alike is compared in double precision.
+// The farthest Voronoi vertex of every sample, by its cell: maxima that each thread raises for
+// itself (geom/parallel_fold.h). One word each, the length rounded to float in the upper half, so
+// that most questions end there; what rounds alike is compared in double precision.
 #pragma once
 
 #include <array>
@@ -37,11 +37,13 @@ Arm arm_of(const Triangulation& triangulation, const Dual& dual, CellId c, Verte
 
 class FarthestCells {
  public:
-  // No cells yet. Both must outlive this.
-  FarthestCells(const Triangulation& triangulation, const Dual& dual, const Execution& execution);
+  // No cells yet. Both must outlive this. O(vertices).
+  FarthestCells(const Triangulation& triangulation, const Dual& dual);
 
   // The cells first, first + 1, ... of a block, with its words. Complexity: O(cells).
   void offer(CellId first, const CellBlock& block, const ArmWords& words);
+  // All that were offered to others, of the same triangulation. Complexity: O(vertices), parallel.
+  void join(const FarthestCells& others, const Execution& execution);
 
   // The farthest of those offered; the one that precedes among those as far.
   CellId farthest(VertexId p) const;
@@ -52,16 +54,12 @@ class FarthestCells {
  private:
   using Words = std::array<std::uint64_t, 4>;  // one for each corner of a cell
 
-  void offer_alone(CellId first, const CellBlock& block, const ArmWords& words);
-  void offer_beside_others(CellId first, const CellBlock& block, const ArmWords& words);
   void decide_ties(CellId c, const Point& center, const Words& known, const Words& offered);
-  void offer_at(VertexId p, const Point& center, std::uint64_t offered);
   bool precedes(VertexId p, const Point& center, std::uint64_t known) const;
 
   const Triangulation& triangulation_;
   const Dual& dual_;
-  mutable IdVector<VertexId, std::uint64_t> words_;  // a look at one needs a reference to it
-  bool alone_;
+  IdVector<VertexId, std::uint64_t> words_;
 };
 
 }  // namespace cocoon

@@ -1,5 +1,7 @@
 #include "geom/execution.h"
 
+#include <array>
+#include <atomic>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
@@ -100,6 +102,26 @@ TEST(ParallelChunks, CanBeNested) {
     parallel_chunks({2}, 16, 1, [&](std::size_t i, std::size_t) { numbers[16 * begin + i] += 1; });
   });
   EXPECT_EQ(numbers, std::vector<double>(256, 1));
+}
+
+// So that each may keep something for itself.
+TEST(ParallelChunksByThread, NumbersThoseUnderWay) {
+  constexpr std::size_t threads = 3;
+  std::array<std::atomic<int>, threads> under_way{};
+  std::atomic<int> shared = 0;
+  std::atomic<int> calls = 0;
+  parallel_chunks_by_thread({threads}, 3000, 2,
+                            [&](std::size_t thread, std::size_t begin, std::size_t end) {
+                              ASSERT_LT(thread, threads);
+                              EXPECT_EQ(begin + 2, end);
+                              shared += under_way.at(thread)++;
+                              ++calls;
+                              --under_way.at(thread);
+                            });
+  EXPECT_EQ(shared, 0);
+  EXPECT_EQ(calls, 1500);
+  parallel_chunks_by_thread(
+      {1}, 5, 2, [](std::size_t thread, std::size_t, std::size_t) { EXPECT_EQ(thread, 0U); });
 }
 
 }  // namespace

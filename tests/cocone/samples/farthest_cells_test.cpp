@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "geom/parallel_fold.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 #include "tests/gallery.h"
@@ -27,15 +28,17 @@ CellId farthest_of_star(const Stages& s, VertexId p) {
 
 // Compared by their centers, since cells of cospherical points have the same.
 void expect_farthest_of_stars(const Stages& s, const Execution& execution) {
-  FarthestCells farthest(s.triangulation, s.dual, execution);
-  parallel_chunks(execution, s.triangulation.num_finite_cells(), block_size,
-                  [&](std::size_t begin, std::size_t end) {
-                    CellBlock block;
-                    ArmWords words;
-                    load_run(s.triangulation, s.dual, CellId(begin), end - begin, block);
-                    arm_words(CellId(begin), block, words);
-                    farthest.offer(CellId(begin), block, words);
-                  });
+  const FarthestCells farthest = parallel_fold(
+      execution, s.triangulation.num_finite_cells(), block_size,
+      [&] { return FarthestCells(s.triangulation, s.dual); },
+      [&](FarthestCells& part, std::size_t begin, std::size_t end) {
+        CellBlock block;
+        ArmWords words;
+        load_run(s.triangulation, s.dual, CellId(begin), end - begin, block);
+        arm_words(CellId(begin), block, words);
+        part.offer(CellId(begin), block, words);
+      },
+      [&](FarthestCells& all, const FarthestCells& others) { all.join(others, execution); });
   for (const VertexId p : s.triangulation.vertices()) {
     EXPECT_EQ(s.dual.centers[farthest.farthest(p)], s.dual.centers[farthest_of_star(s, p)]);
   }
