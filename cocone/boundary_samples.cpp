@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 #include <vector>
 
 #include "cocone/samples/cocone_radii.h"
 #include "cocone/samples/facet_doubts.h"
 #include "cocone/samples/shared_flags.h"
+#include "geom/parallel_list.h"
 
 namespace cocoon {
 namespace {
@@ -74,8 +76,7 @@ VertexSet doubtful_ratios(const Conditions& conditions, const Execution& executi
                       }
                     }
                   });
-  VertexSet doubtful(conditions.triangulation.num_vertices(), 0);
-  for (const VertexId v : doubtful.ids()) doubtful[v] = raised.is_raised(v) ? 1 : 0;
+  VertexSet doubtful = std::move(raised).take();
   if (conditions.options.radius_mode == RadiusMode::tangent_plane) {
     for (const VertexId v :
          unbounded_in_plane(conditions.triangulation, conditions.dual, conditions.poles)) {
@@ -106,19 +107,22 @@ using State = SampleState;
 
 // Phase 2: the least fixed point, from the interior samples outward along p in N_q with agreeing
 // normals and p pending. In order of steps.
-std::vector<TakenIn> take_in_pending(const Conditions& conditions,
-                                     IdVector<VertexId, State> states) {
+std::vector<TakenIn> take_in_pending(const Conditions& conditions, IdVector<VertexId, State> states,
+                                     const Execution& execution) {
   if (std::find(states.begin(), states.end(), State::pending) == states.end()) return {};
-  std::vector<NeighborOf> steps;
-  for (std::size_t k = 0; k < conditions.cocones.facets.size(); ++k) {
-    const auto [a, b, c] = conditions.cocones.corners[k];
-    const auto is_pending = [&](VertexId v) { return states[v] == State::pending; };
-    if (!is_pending(a) && !is_pending(b) && !is_pending(c)) continue;
-    conditions.for_each_neighbor(k, [&](VertexId p, VertexId q, bool agree) {
-      if (!is_pending(p) || states[q] == State::ratio_fails) return;
-      if (agree) steps.push_back({q, p});
-    });
-  }
+  std::vector<NeighborOf> steps = parallel_list<NeighborOf>(
+      execution, conditions.cocones.facets.size(), facets_per_chunk,
+      [&](std::size_t begin, std::size_t end, std::vector<NeighborOf>& found) {
+        const auto is_pending = [&](VertexId v) { return states[v] == State::pending; };
+        for (std::size_t k = begin; k < end; ++k) {
+          const auto [a, b, c] = conditions.cocones.corners[k];
+          if (!is_pending(a) && !is_pending(b) && !is_pending(c)) continue;
+          conditions.for_each_neighbor(k, [&](VertexId p, VertexId q, bool agree) {
+            if (!is_pending(p) || states[q] == State::ratio_fails) return;
+            if (agree) found.push_back({q, p});
+          });
+        }
+      });
   std::vector<TakenIn> taken;
   const auto take = [&](VertexId p, std::uint32_t count) {
     if (states[p] != State::pending) return;
@@ -168,7 +172,7 @@ BoundarySamples boundary_samples(const Triangulation& triangulation, const Dual&
   BoundarySamples result;
   result.states = judge(conditions, execution);
   report_progress(execution, "boundary_samples", 0.8);
-  result.taken_in = take_in_pending(conditions, result.states);
+  result.taken_in = take_in_pending(conditions, result.states, execution);
   result.recovered = result.taken_in.size();
   result.boundary = VertexSet(result.states.size(), 0);
   for (const VertexId p : result.states.ids()) {

@@ -35,7 +35,7 @@ class CleanUp {
           const CleanUpOptions& options, const IdVector<VertexId, CellId>* cell_at,
           const Execution& execution)
       : triangulation_(triangulation),
-        stars_(triangulation, cell_at),
+        stars_(triangulation, cell_at, execution),
         poles_(poles),
         marks_(marks),
         options_(options),

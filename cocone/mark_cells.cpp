@@ -66,8 +66,8 @@ std::vector<VertexId> may_be_refuted(const Triangulation& triangulation,
 // A closed umbrella may be no part of the surface. Where known cells tell both labels in one half
 // of the star, or one label in both, it is not, and its vertex is not good.
 void demote_refuted(const Triangulation& triangulation, const FacetSet& surface,
-                    const CarriedMarks& carried, CellMarks& marks) {
-  StarCache stars(triangulation);
+                    const CarriedMarks& carried, CellMarks& marks, const Execution& execution) {
+  StarCache stars(triangulation, execution);
   HalfStar half(triangulation, surface);
   for (const VertexId v : may_be_refuted(triangulation, carried, marks)) {
     const std::span<const CellId> star = stars.star(v);
@@ -91,7 +91,7 @@ void settle(const Triangulation& triangulation, const LinkedFacets& surface,
             const KnownLabelsSource& source, CellMarks& marks, const Execution& execution) {
   if (source) {
     marks.known = source(triangulation, surface.set, execution).labels;
-    if (!marks.known.empty()) demote_refuted(triangulation, surface.set, carried, marks);
+    if (!marks.known.empty()) demote_refuted(triangulation, surface.set, carried, marks, execution);
   }
   const BeforeTheRounds before = before_the_rounds(triangulation, marks);
   const bool all_carried = std::all_of(before.seeds.begin(), before.seeds.end(),
@@ -100,15 +100,16 @@ void settle(const Triangulation& triangulation, const LinkedFacets& surface,
     // The known cells tell of parts of the surface that the hull does not see.
     carried = carry_marks(triangulation, surface, corner_at, before.labels, marks, execution);
   }
-  settle_disputes(triangulation, surface, corner_at, carried, before.seeds, before.labels, marks);
+  settle_disputes(triangulation, surface, corner_at, carried, before.seeds, before.labels, marks,
+                  execution);
 }
 
 }  // namespace
 
 MarkingRounds::MarkingRounds(const Triangulation& triangulation, const FacetSet& surface,
-                             CellMarks& marks)
+                             CellMarks& marks, const Execution& execution)
     : triangulation_(triangulation),
-      stars_(triangulation),
+      stars_(triangulation, execution),
       surface_(surface),
       marks_(marks),
       half_(triangulation, surface),

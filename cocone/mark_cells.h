@@ -99,7 +99,8 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
 class MarkingRounds {
  public:
   // All references must outlive the object.
-  MarkingRounds(const Triangulation& triangulation, const FacetSet& surface, CellMarks& marks);
+  MarkingRounds(const Triangulation& triangulation, const FacetSet& surface, CellMarks& marks,
+                const Execution& execution);
 
   // Runs rounds from these vertices to the end; those not good or already visited are skipped, the
   // others must touch a labeled cell. Newly labeled OUT cells are appended to `out_cells`.

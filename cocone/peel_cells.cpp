@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cocone/facets/facet_size.h"
+#include "cocone/samples/shared_flags.h"
 #include "geom/visit_where.h"
 
 namespace cocoon {
@@ -25,11 +26,12 @@ struct DeferredSeed {
 
 class Peeling {
  public:
-  Peeling(const Triangulation& triangulation, const FacetSet& surface, CellMarks& marks)
+  Peeling(const Triangulation& triangulation, const FacetSet& surface, CellMarks& marks,
+          const Execution& execution)
       : triangulation_(triangulation),
         surface_(surface),
         marks_(marks),
-        rounds_(triangulation, surface, marks),
+        rounds_(triangulation, surface, marks, execution),
         poor_(triangulation.num_cells()),
         stops_(triangulation.num_cells()) {}
 
@@ -278,20 +280,24 @@ class Peeling {
 
 // Good vertices at facets of the surface with both sides alike, and at others with different ones.
 VertexSet contradicted_vertices(const Triangulation& triangulation, const FacetSet& surface,
-                                const CellMarks& marks) {
-  VertexSet contradicted(triangulation.num_vertices(), 0);
+                                const CellMarks& marks, const Execution& execution) {
+  constexpr std::size_t cells_per_chunk = std::size_t{1} << 14;
+  SharedFlags contradicted(triangulation.num_vertices());
   const auto is_out = [&](CellId c) { return marks.labels[c] == CellLabel::out; };
-  for (const CellId c : triangulation.cells()) {
-    for (int i = 0; i < 4; ++i) {
-      const FacetId f = facet_id(c, i);
-      const bool differ = is_out(c) != is_out(triangulation.neighbor(c, i));
-      if (differ == surface.contains(f)) continue;
-      for (const VertexId v : triangulation.facet_vertices(f)) {
-        if (v != infinite_vertex && marks.good[v] != 0) contradicted[v] = 1;
-      }
-    }
-  }
-  return contradicted;
+  parallel_chunks(execution, triangulation.num_cells(), cells_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (CellId c(begin); c.index() < end; ++c) {
+                      for (int i = 0; i < 4; ++i) {
+                        const FacetId f = facet_id(c, i);
+                        const bool differ = is_out(c) != is_out(triangulation.neighbor(c, i));
+                        if (differ == surface.contains(f)) continue;
+                        for (const VertexId v : triangulation.facet_vertices(f)) {
+                          if (v != infinite_vertex && marks.good[v] != 0) contradicted.raise(v);
+                        }
+                      }
+                    }
+                  });
+  return std::move(contradicted).take();
 }
 
 // What hangs together by facets.
@@ -322,9 +328,9 @@ CavityCounters count_parts(const Triangulation& triangulation,
 CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface, CellMarks marks,
                      const PeelOptions& options, const Execution& execution) {
   report_progress(execution, "peel_cells", 0);
-  Peeling(triangulation, surface, marks).run(options);
+  Peeling(triangulation, surface, marks, execution).run(options);
   if (marks.conflicts != 0) {
-    marks.contradicted = contradicted_vertices(triangulation, surface, marks);
+    marks.contradicted = contradicted_vertices(triangulation, surface, marks, execution);
   }
   report_progress(execution, "peel_cells", 1);
   return marks;
@@ -333,7 +339,7 @@ CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface
 CavityCounters open_cavities(const Triangulation& triangulation, const FacetSet& surface,
                              CellMarks& marks) {
   const IdVector<CellId, std::uint8_t> before = marks.reached;
-  Peeling(triangulation, surface, marks).open_cavities();
+  Peeling(triangulation, surface, marks, {}).open_cavities();
   IdVector<CellId, std::uint8_t> hollow(before.size(), 0);
   for (const CellId c : hollow.ids()) hollow[c] = marks.reached[c] != 0 && before[c] == 0;
   return count_parts(triangulation, std::move(hollow));

@@ -199,7 +199,7 @@ void check_layout(const Triangulation& triangulation, DelaunayReport& report,
 
 void check_vertices(const Triangulation& triangulation, DelaunayReport& report,
                     const Execution& execution) {
-  const VertexStars stars = vertex_stars(triangulation);
+  const VertexStars stars = vertex_stars(triangulation, execution);
   const std::size_t num_vertices = triangulation.num_vertices();
   report.unused_vertices =
       run_tests(execution, num_vertices, report, [&](std::size_t i, Violations& violations) {

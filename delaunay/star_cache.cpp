@@ -1,6 +1,7 @@
 #include "delaunay/star_cache.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "delaunay/circulate.h"
@@ -21,7 +22,7 @@ std::span<const CellId> StarCache::star(VertexId v) {
     stars_.push_back(collect(v));
     cells_of_stars_ += stars_.back().size();
     if (are_many(stars_.size()) || are_many_cells(cells_of_stars_)) {
-      all_ = vertex_stars(triangulation_);
+      all_ = vertex_stars(triangulation_, execution_);
       return all_->star(v);
     }
   }
@@ -37,7 +38,7 @@ bool StarCache::are_many_cells(std::size_t count) const {
 }
 
 bool StarCache::expect(std::size_t count) {
-  if (!all_.has_value() && are_many(count)) all_ = vertex_stars(triangulation_);
+  if (!all_.has_value() && are_many(count)) all_ = vertex_stars(triangulation_, execution_);
   return all_.has_value();
 }
 
@@ -71,10 +72,18 @@ void StarCache::begin() {
 }
 
 void StarCache::find_first_cells() {
+  constexpr std::size_t cells_per_chunk = std::size_t{1} << 14;
   first_cell_.resize(triangulation_.num_vertices());
-  for (const CellId c : triangulation_.finite_cells()) {
-    for (const VertexId v : triangulation_.cell(c).vertices) first_cell_[v] = c;
-  }
+  parallel_chunks(
+      execution_, triangulation_.num_finite_cells(), cells_per_chunk,
+      [&](std::size_t begin, std::size_t end) {
+        for (CellId c(begin); c.index() < end; ++c) {
+          for (const VertexId v : triangulation_.cell(c).vertices) {
+            // Which of its cells it is does not show: stars come out sorted.
+            std::atomic_ref(first_cell_[v].value).store(c.value, std::memory_order_relaxed);
+          }
+        }
+      });
 }
 
 // From cell to cell through the facets at v.

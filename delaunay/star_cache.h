@@ -18,17 +18,20 @@ namespace cocoon {
 // stars at once.
 class StarCache {
  public:
-  // Keeps a reference, which must outlive the object. O(1); the first question costs O(cells).
-  explicit StarCache(const Triangulation& triangulation) : triangulation_(triangulation) {}
+  // Keeps a reference, which must outlive the object. O(1); the first question costs O(cells),
+  // parallel.
+  explicit StarCache(const Triangulation& triangulation, const Execution& execution = {})
+      : StarCache(triangulation, nullptr, execution) {}
   // The same for who knows a cell at each vertex, which must stay so: the first question costs
   // O(vertices). None: not known.
-  StarCache(const Triangulation& triangulation, const IdVector<VertexId, CellId>* cell_at)
-      : triangulation_(triangulation), cell_at_(cell_at) {}
+  StarCache(const Triangulation& triangulation, const IdVector<VertexId, CellId>* cell_at,
+            const Execution& execution)
+      : triangulation_(triangulation), cell_at_(cell_at), execution_{execution.threads} {}
 
   // All cells, finite and infinite, that have v as a vertex, in increasing order. Valid as long as
   // the object. O(star log star) the first time, then O(1). When a sixteenth of all stars (and
   // some) has been asked for, or so many that they have a third as many cells as there are, all
-  // are listed: O(cells), once.
+  // are listed: O(cells), parallel, once.
   std::span<const CellId> star(VertexId v);
 
   // All cells that have one of the vertices, increasing. Complexity: as their stars, or O(cells) if
@@ -50,7 +53,8 @@ class StarCache {
   std::vector<CellId> collect(VertexId v);
 
   const Triangulation& triangulation_;
-  const IdVector<VertexId, CellId>* cell_at_ = nullptr;
+  const IdVector<VertexId, CellId>* cell_at_;
+  Execution execution_;                      // nobody is told of its progress
   IdVector<VertexId, CellId> first_cell_;    // if there are none
   IdVector<VertexId, std::uint32_t> place_;  // in stars_
   std::deque<std::vector<CellId>> stars_;

@@ -8,11 +8,12 @@ namespace {
 
 // Of every star the cells that lie in a range. They are put in increasing order, so every star
 // comes out sorted.
-VertexStars stars_in_range(const Triangulation& triangulation, IdRange<CellId> range) {
+VertexStars stars_in_range(const Triangulation& triangulation, IdRange<CellId> range,
+                           const Execution& execution) {
   const std::size_t first = (*range.begin()).index();
   std::vector<CellId> cells;
   std::vector<std::uint32_t> offsets =
-      sort_by_vertex((*range.end()).index() - first, triangulation.num_vertices(), Execution{},
+      sort_by_vertex((*range.end()).index() - first, triangulation.num_vertices(), execution,
                      [&](std::size_t count) { cells.resize(count); },
                      [&](std::size_t begin, std::size_t end, auto put) {
                        for (CellId c(first + begin); c.index() < first + end; ++c) {
@@ -27,12 +28,12 @@ VertexStars stars_in_range(const Triangulation& triangulation, IdRange<CellId> r
 
 }  // namespace
 
-VertexStars vertex_stars(const Triangulation& triangulation) {
-  return stars_in_range(triangulation, triangulation.cells());
+VertexStars vertex_stars(const Triangulation& triangulation, const Execution& execution) {
+  return stars_in_range(triangulation, triangulation.cells(), execution);
 }
 
-VertexStars hull_stars(const Triangulation& triangulation) {
-  return stars_in_range(triangulation, triangulation.infinite_cells());
+VertexStars hull_stars(const Triangulation& triangulation, const Execution& execution) {
+  return stars_in_range(triangulation, triangulation.infinite_cells(), execution);
 }
 
 }  // namespace cocoon

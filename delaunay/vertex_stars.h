@@ -27,11 +27,12 @@ class VertexStars {
   std::vector<CellId> cells_;
 };
 
-// Lists the star of every finite vertex. Complexity: O(cells), 4 bytes per corner of a cell.
-VertexStars vertex_stars(const Triangulation& triangulation);
+// Lists the star of every finite vertex. Complexity: O(cells), parallel; 4 bytes per corner of a
+// cell.
+VertexStars vertex_stars(const Triangulation& triangulation, const Execution& execution = {});
 
 // Of every star only the infinite cells; empty for vertices inside the hull.
-// Complexity: O(vertices + infinite cells).
-VertexStars hull_stars(const Triangulation& triangulation);
+// Complexity: O(vertices + infinite cells), parallel.
+VertexStars hull_stars(const Triangulation& triangulation, const Execution& execution = {});
 
 }  // namespace cocoon

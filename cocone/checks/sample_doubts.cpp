@@ -57,8 +57,8 @@ SampleDoubts sample_doubts(Points points, const ReconstructOptions& options,
   const double scale = working_scale(points);
   const Triangulation triangulation =
       delaunay(scaled(points, scale), effective.delaunay, execution).triangulation;
-  const IdVector<VertexId, double> spacing =
-      sample_spacing(triangulation, vertex_stars(triangulation), SpacingCache::edges, execution);
+  const IdVector<VertexId, double> spacing = sample_spacing(
+      triangulation, vertex_stars(triangulation, execution), SpacingCache::edges, execution);
   SampleDoubts result;
   find_sparse(triangulation, spacing, doubts.max_spots, result);
   find_ratios(triangulation, spacing, effective, execution, result);

@@ -23,14 +23,14 @@ class Disputes {
  public:
   Disputes(const Triangulation& triangulation, const LinkedFacets& surface,
            const IdVector<VertexId, Halfedge>& corner_at, const CarriedMarks& carried,
-           const IdVector<CellId, CellLabel>& known, CellMarks& marks)
+           const IdVector<CellId, CellLabel>& known, CellMarks& marks, const Execution& execution)
       : triangulation_(triangulation),
         surface_(surface),
         corner_at_(corner_at),
         carried_(carried),
         known_(known),
         marks_(marks),
-        stars_(triangulation),
+        stars_(triangulation, execution),
         half_star_(triangulation, surface.set),
         turn_(triangulation.num_vertices(), 0),
         half_of_(triangulation.num_vertices()),
@@ -206,8 +206,8 @@ class Disputes {
 void settle_disputes(const Triangulation& triangulation, const LinkedFacets& surface,
                      const IdVector<VertexId, Halfedge>& corner_at, const CarriedMarks& carried,
                      std::span<const VertexId> seeds, const IdVector<CellId, CellLabel>& known,
-                     CellMarks& marks) {
-  Disputes(triangulation, surface, corner_at, carried, known, marks).run(seeds);
+                     CellMarks& marks, const Execution& execution) {
+  Disputes(triangulation, surface, corner_at, carried, known, marks, execution).run(seeds);
 }
 
 }  // namespace cocoon

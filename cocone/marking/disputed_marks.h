@@ -22,6 +22,6 @@ namespace cocoon {
 void settle_disputes(const Triangulation& triangulation, const LinkedFacets& surface,
                      const IdVector<VertexId, Halfedge>& corner_at, const CarriedMarks& carried,
                      std::span<const VertexId> seeds, const IdVector<CellId, CellLabel>& known,
-                     CellMarks& marks);
+                     CellMarks& marks, const Execution& execution);
 
 }  // namespace cocoon

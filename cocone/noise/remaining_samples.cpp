@@ -26,7 +26,7 @@ void RemainingSamples::triangulate() {
   const std::vector<Point> copy = scale_ != 1 ? scaled(points_, scale_) : std::vector<Point>();
   triangulation_ =
       delaunay(scale_ != 1 ? Points(copy) : Points(points_), options_, execution_).triangulation;
-  stars_ = vertex_stars(triangulation_);
+  stars_ = vertex_stars(triangulation_, execution_);
   spacing_ = sample_spacing(triangulation_, stars_, noise_.neighbors, execution_);
 }
 

@@ -5,22 +5,23 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <utility>
 
+#include "cocone/facet_set.h"
 #include "geom/ids.h"
 
 namespace cocoon {
 
 class SharedFlags {
  public:
-  explicit SharedFlags(std::size_t num_vertices) : flags_(num_vertices) {}
-  void raise(VertexId v) { flags_[v.index()].store(1, std::memory_order_relaxed); }
-  bool is_raised(VertexId v) const {
-    return flags_[v.index()].load(std::memory_order_relaxed) != 0;
-  }
+  explicit SharedFlags(std::size_t num_vertices) : flags_(num_vertices, 0) {}
+  void raise(VertexId v) { std::atomic_ref(flags_[v]).store(1, std::memory_order_relaxed); }
+  // The following when all threads are done.
+  bool is_raised(VertexId v) const { return flags_[v] != 0; }
+  VertexSet take() && { return std::move(flags_); }
 
  private:
-  std::vector<std::atomic<std::uint8_t>> flags_;
+  VertexSet flags_;
 };
 
 }  // namespace cocoon

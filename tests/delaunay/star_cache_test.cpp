@@ -11,25 +11,27 @@
 namespace cocoon {
 namespace {
 
-std::vector<CellId> sorted(std::span<const CellId> cells) {
-  std::vector<CellId> list(cells.begin(), cells.end());
-  std::sort(list.begin(), list.end());
-  return list;
-}
+std::vector<CellId> copy(std::span<const CellId> cells) { return {cells.begin(), cells.end()}; }
 
 TEST(StarCache, StarsAreThoseListedAtOnceWhetherAnnouncedOrNot) {
   const Triangulation triangulation = delaunay(gallery::bumpy_sphere(20000)).triangulation;
   const VertexStars expected = vertex_stars(triangulation);
-  StarCache asked(triangulation);
-  EXPECT_FALSE(asked.expect(10));
-  StarCache announced(triangulation);
-  EXPECT_TRUE(announced.expect(triangulation.num_vertices()));
-  for (const VertexId v : triangulation.vertices()) {
-    const std::vector<CellId> star = sorted(expected.star(v));
-    ASSERT_EQ(sorted(asked.star(v)), star);
-    ASSERT_EQ(sorted(announced.star(v)), star);
+  for (const int threads : {1, 3}) {
+    const Execution execution{.threads = threads};
+    const VertexStars listed = vertex_stars(triangulation, execution);
+    StarCache asked(triangulation, execution);
+    EXPECT_FALSE(asked.expect(10));
+    StarCache announced(triangulation, execution);
+    EXPECT_TRUE(announced.expect(triangulation.num_vertices()));
+    for (const VertexId v : triangulation.vertices()) {
+      const std::vector<CellId> star = copy(expected.star(v));
+      ASSERT_TRUE(std::is_sorted(star.begin(), star.end()));
+      ASSERT_EQ(copy(listed.star(v)), star);
+      ASSERT_EQ(copy(asked.star(v)), star);
+      ASSERT_EQ(copy(announced.star(v)), star);
+    }
+    EXPECT_TRUE(asked.expect(0));  // so many were asked for that all are listed
   }
-  EXPECT_TRUE(asked.expect(0));  // so many were asked for that all are listed
 }
 
 TEST(StarCache, CellsAtFewOrManyVertices) {
