@@ -21,6 +21,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// What read() returns; its error names the option that would help.
+template <class Read>
+auto naming_the_option(Read read) {
+  try {
+    return read();
+  } catch (const NonFiniteError& error) {
+    if (!error.can_be_skipped()) throw;
+    throw FileError(fmt::format("{}, or leave them out: --skip-non-finite", error.what()));
+  }
+}
+
 // Which columns of a text file were taken, where it names them; a name that does not tell may be
 // that of something else.
 void tell_columns(Job& job, const std::string& path, const std::string& section,
@@ -189,7 +200,9 @@ std::vector<Point> read_cloud(Job& job, const std::string& path, const std::stri
   PointReadOptions options;
   options.keep_properties = properties != nullptr;
   options.skip_non_finite = job.shared().skip_non_finite;
-  PointCloud cloud = timed(job.execution(), "read", [&] { return read_points(path, options); });
+  PointCloud cloud = timed(job.execution(), "read", [&] {
+    return naming_the_option([&] { return read_points(path, options); });
+  });
   tell_columns(job, path, section, cloud);
   warn_of_counts(job, path, section, cloud);
   warn_of_skipped(job, path, section, cloud.skipped.size());
@@ -216,8 +229,10 @@ TriangleMesh read_shape(Job& job, const std::string& path, const std::string& se
   MeshReadReport read;
   const MeshReadOptions options = {job.shared().skip_non_finite};
   TriangleMesh mesh = timed(job.execution(), "read", [&] {
-    return properties == nullptr ? read_mesh(path, read, options)
-                                 : read_mesh(path, read, *properties, options);
+    return naming_the_option([&] {
+      return properties == nullptr ? read_mesh(path, read, options)
+                                   : read_mesh(path, read, *properties, options);
+    });
   });
   warn_of_skipped(job, path, section, read.skipped.size());
   job.report().set(section + "/faces", read.faces);

@@ -8,6 +8,7 @@
 
 #include "geom/large_pages.h"
 #include "io/input_file.h"
+#include "io/mesh_file_options.h"
 
 namespace cocoon {
 
@@ -111,12 +112,13 @@ void NonFinitePoints::note(std::size_t index, std::size_t line) {
   ++count_;
 }
 
-void NonFinitePoints::finish(const std::filesystem::path& path) const {
+void NonFinitePoints::finish(const std::filesystem::path& path, bool can_be_skipped) const {
   if (count_ == 0) return;
   std::string message = "point " + std::to_string(first_index_) +
                         " (counted from 0) has a coordinate that is not a finite number";
   if (count_ > 1) message += ", and so have " + std::to_string(count_ - 1) + " more";
-  throw file_error(path, first_line_, message + "; remove or repair such points");
+  message += "; remove or repair such points";
+  throw NonFiniteError(file_error(path, first_line_, message).what(), can_be_skipped);
 }
 
 }  // namespace cocoon

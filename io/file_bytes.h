@@ -48,8 +48,8 @@ class NonFinitePoints {
  public:
   // `line` 0: the format has no lines.
   void note(std::size_t index, std::size_t line);
-  // Throws FileError if any was noted.
-  void finish(const std::filesystem::path& path) const;
+  // Throws NonFiniteError (mesh_file_options.h) if any was noted.
+  void finish(const std::filesystem::path& path, bool can_be_skipped) const;
 
  private:
   std::size_t count_ = 0;

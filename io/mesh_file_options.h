@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
+
+#include "geom/errors.h"
 
 namespace cocoon {
 
@@ -18,6 +21,18 @@ struct MeshReadOptions {
   // A point with a coordinate that is not a finite number is an error. With true it is left out of
   // files without faces, and counted; faces need all of their corners.
   bool skip_non_finite = false;
+};
+
+// A point of a file has a coordinate that is not a finite number.
+class NonFiniteError : public FileError {
+ public:
+  NonFiniteError(const std::string& message, bool can_be_skipped)
+      : FileError(message), can_be_skipped_(can_be_skipped) {}
+  // Whether skip_non_finite would leave such points out.
+  bool can_be_skipped() const { return can_be_skipped_; }
+
+ private:
+  bool can_be_skipped_;
 };
 
 // What a reader met that the mesh itself does not show. All 0 but `faces`: a plain triangle mesh.

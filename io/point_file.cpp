@@ -43,7 +43,7 @@ PointCloud read_points(const std::filesystem::path& path, const PointReadOptions
   if (options.skip_non_finite) {
     cloud.skipped = remove_non_finite(cloud.points, cloud.properties);
   } else {
-    non_finite.finish(path);
+    non_finite.finish(path, true);
   }
   return cloud;
 }

@@ -52,9 +52,9 @@ struct PointCloud {
 // Text (.xyz .pts .txt .csv .npts .pwn .asc): one point a line, see io/xyz.h. Mesh
 // files (.ply .obj .off .stl) give their vertices; STL is welded exactly.
 // Throws FileError, with the line where there is one, for another extension, for what cannot be
-// read, for a coordinate that is not a finite number (see the options), and for a text without a
-// point. A file that says it holds no points (PLY, OFF, STL, a text with the count 0) gives none.
-// Complexity: O(bytes).
+// read, for a coordinate that is not a finite number (NonFiniteError, see the options), and for a
+// text without a point. A file that says it holds no points (PLY, OFF, STL, a text with the count
+// 0) gives none. Complexity: O(bytes).
 PointCloud read_points(const std::filesystem::path& path, const PointReadOptions& options = {});
 
 // Writes .xyz .txt .csv .pts (text, all bits kept), .ply (options apply), .obj and .off. The file

@@ -54,7 +54,7 @@ TriangleMesh triangles_of(PolygonSoup&& soup, const std::filesystem::path& path,
     throw file_error(path, "has " + std::to_string(soup.points.size()) +
                                " vertices, more than 32-bit ids can number; split it");
   }
-  soup.non_finite.finish(path);
+  soup.non_finite.finish(path, soup.face_ends.empty());
   check_corners(soup, path);
   report = {};
   report.faces = soup.face_ends.size();

@@ -135,6 +135,8 @@ TEST(BadInput, NonFinitePointsCanBeLeftOutOnDemand) {
   const TemporaryFolder folder;
   const std::string cloud = folder.write("gaps.xyz", "nan nan nan\n" + whole_sphere(200));
   const std::string out = folder.file("out.ply");
+  expect_error(run_program({"reconstruct", cloud, "-o", out}), 1,
+               "remove or repair such points, or leave them out: --skip-non-finite");
   const ProgramRun run = run_program({"reconstruct", cloud, "-o", out, "--skip-non-finite"});
   EXPECT_EQ(run.exit_code, 0) << run.error;
   EXPECT_NE(run.out.find("warning"), std::string::npos);
@@ -156,13 +158,17 @@ TEST(BadInput, NonFinitePointsOfModelsWithoutFacesCanBeLeftOut) {
   Names compare = {"compare", cloud, other};
   Names update = {"update", cloud, other, "-o", folder.file("out.ply")};
   for (Names* command : {&compare, &update}) {
-    expect_error(run_program(*command), 1, "point 2 (counted from 0) has a coordinate");
+    const ProgramRun run = run_program(*command);
+    expect_error(run, 1, "point 2 (counted from 0) has a coordinate");
+    EXPECT_NE(run.error.find("leave them out: --skip-non-finite"), std::string::npos);
     command->push_back("--skip-non-finite");
   }
   EXPECT_NE(run_program(compare).out.find(told), std::string::npos);
   EXPECT_EQ(run_program(compare).exit_code, 0);
   EXPECT_NE(run_program(update).out.find(told), std::string::npos);  // two points are no cloud
-  expect_error(run_program({"compare", mesh, mesh, "--skip-non-finite"}), 1, "point 2");
+  const ProgramRun run = run_program({"compare", mesh, mesh, "--skip-non-finite"});
+  expect_error(run, 1, "point 2");
+  EXPECT_EQ(run.error.find("leave them out"), std::string::npos);  // a face needs them
 }
 
 // As R writes a table: the first three columns of the rows need not be those of the names.

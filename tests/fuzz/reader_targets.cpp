@@ -91,7 +91,7 @@ void read_text_points_target(Bytes bytes) {
   try {
     NonFinitePoints non_finite;
     cloud = read_xyz(file, non_finite);
-    non_finite.finish(file.path);
+    non_finite.finish(file.path, true);
   } catch (const FileError&) {
     return;
   }
