@@ -255,6 +255,14 @@ void add_densify(CLI::App& sub, const std::string& mesh, std::optional<double>& 
       ->check(between(1e-300, 1e300));
 }
 
+void add_trim(CLI::App& sub, std::optional<double>& max_edge) {
+  sub.add_option("--trim", max_edge,
+                 "Open the watertight surface where nothing was scanned: leave out triangles with "
+                 "an edge longer than so many local spacings (8 suits most open scans)")
+      ->type_name("TIMES")
+      ->check(between(1, 1e300));
+}
+
 const std::string keeps_properties = "; PLY also keeps the vertices' properties";
 
 void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& shared) {
@@ -270,6 +278,7 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
                   "tight: watertight (default); cocone: the open surface")
       ->check(CLI::IsMember({"tight", "cocone"}));
   add_manifold_option(*sub, reconstruct.manifold);
+  add_trim(*sub, reconstruct.trim);
   sub->add_option("--session", reconstruct.session,
                   "Also write a session, from which 'update --session' goes on without this work")
       ->type_name("FILE");

@@ -63,6 +63,7 @@ struct ReconstructArguments {
   std::string noise = "none";     // "none" or "robust"
   std::optional<double> densify;  // spacing of samples added to a mesh
   std::optional<double> thin;     // least distance of points that are used
+  std::optional<double> trim;     // longest edge that is left, in local spacings
   SurfaceArguments parameters;
   std::string radius;                        // as of boundary
   bool deferred_seeding = true;              // of the peel, in robust mode

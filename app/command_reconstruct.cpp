@@ -9,6 +9,7 @@
 #include "app/files.h"
 #include "app/findings.h"
 #include "app/make_manifold.h"
+#include "app/open_surface.h"
 #include "app/reconstruct_report.h"
 #include "app/session_file.h"
 #include "app/surface_options.h"
@@ -69,6 +70,7 @@ void require_use_of_options(const ReconstructArguments& arguments) {
   if (arguments.surface == "tight") return;
   std::vector<std::string> names = of_tight_stages(arguments);
   if (arguments.cavities) names.push_back("--cavities");
+  if (arguments.trim) names.push_back("--trim");
   if (!names.empty()) throw UsageError(names.front() + " needs --surface tight");
 }
 
@@ -98,6 +100,9 @@ std::vector<std::string> unknown_to_sessions(const ReconstructArguments& argumen
 
 void require_possible_session(const ReconstructArguments& arguments) {
   if (arguments.session.empty()) return;
+  if (arguments.trim) {
+    throw UsageError("--session needs the watertight surface: leave out --trim");
+  }
   const std::vector<std::string> names = unknown_to_sessions(arguments);
   if (names.empty()) return;
   throw UsageError(fmt::format("a session does not keep {}: leave {} out, or leave out --session",
@@ -121,6 +126,7 @@ StageOptions options_of(const ReconstructArguments& arguments) {
 
 void add_stages(JsonReport& report, const ReconstructArguments& arguments,
                 const StageOptions& options) {
+  if (arguments.trim) report.set("parameters/trim", *arguments.trim);
   add_parameters(report, options.surface);
   add_thresholds(report, ThresholdUse::cocone, options);
   add_thresholds(report, ThresholdUse::findings, options);
@@ -153,11 +159,16 @@ SurfaceRemedies remedies_of(NoiseFilter filter, std::size_t faces) {
           .other = faces > 0 ? std::string(", ") + remedy_of_mesh : std::string()};
 }
 
+bool is_trim_left(const ReconstructArguments& arguments) {
+  return arguments.surface == "tight" && arguments.session.empty() && !arguments.densify &&
+         !arguments.trim;
+}
+
 std::vector<Finding> findings_of_surface(const SurfaceDoubts& doubts, std::size_t points,
                                          const ReconstructArguments& arguments, std::size_t faces) {
   const bool cavities_may_help = !arguments.cavities && arguments.parameters.mode != "paper";
   return findings_of(doubts, points, noise_filter_of(arguments, faces), {},
-                     {.cavities = cavities_may_help});
+                     {.cavities = cavities_may_help, .trim = is_trim_left(arguments)});
 }
 
 // `faces`: those of the file, if their vertices alone are the samples.
@@ -181,6 +192,13 @@ ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
           counted(result.noise.layer_samples, "point"));
   if (result.noise.clumps > 0) findings.push_back(clumps_finding(result.noise, points));
   return std::move(result.surface);
+}
+
+// Returns the certificate of the surface that it makes.
+MeshReport part_sheets(Job& job, const std::string& file, TriangleMesh& mesh,
+                       VertexProperties& properties) {
+  make_manifold(job, file, mesh, properties);
+  return timed(job.execution(), "check", [&] { return mesh_check(mesh, {}, job.execution()); });
 }
 
 void write_session(Job& job, const ReconstructArguments& arguments, UpdateSession&& session) {
@@ -234,16 +252,14 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   });
   require_surface(job, arguments.points, result, points, options,
                   remedies_of(noise_filter_of(arguments, faces), faces));
+  if (arguments.trim) open_surface(job, *arguments.trim, result);
   const SurfaceDoubts doubts = timed(job.execution(), "check", [&] {
     return surface_doubts(result, points, stages.doubts, job.execution());
   });
   properties = properties_of_surface(job, properties, arguments.points, result);
-  MeshReport certificate = doubts.certificate;
-  if (arguments.manifold) {
-    make_manifold(job, arguments.mesh, result.mesh, properties);
-    certificate = timed(job.execution(), "check",
-                        [&] { return mesh_check(result.mesh, {}, job.execution()); });
-  }
+  const MeshReport certificate = arguments.manifold
+                                     ? part_sheets(job, arguments.mesh, result.mesh, properties)
+                                     : doubts.certificate;
   timed(job.execution(), "write", [&] {
     write_mesh(arguments.mesh, result.mesh, properties, {.ascii = arguments.ascii}, job.outputs());
   });

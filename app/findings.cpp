@@ -56,16 +56,20 @@ std::string remedy_of_sparse(bool may_overlap, NoiseFilter filter) {
              : "scan such places more densely";
 }
 
+// The triangles that close it may be left out.
+constexpr const char* remedy_of_unscanned = ", or leave open what was not scanned (--trim 8)";
+
 // `guess`: the share of the samples where the surface is one; 0: few.
-Finding sparse_finding(const SurfaceDoubts& d, double guess, NoiseFilter filter) {
+Finding sparse_finding(const SurfaceDoubts& d, double guess, NoiseFilter filter,
+                       const std::string& remedy_of_gap) {
   return {"sparse",
           fmt::format(
               "samples are too sparse, or edges too sharp, at {}; the longest triangle edge "
-              "there is {}, near {}; {}{}",
+              "there is {}, near {}; {}{}{}",
               sparse_samples(d), longest_edge(d.sparse[0], d.spacing), place_name(d.sparse[0].at),
               guess > 0 ? "the surface is a guess at " + percent(guess) + " of them all; "
                         : std::string(),
-              remedy_of_sparse(false, filter)),
+              remedy_of_sparse(false, filter), remedy_of_gap),
           d.boundary_samples + d.gap_samples, d.sparse, guess > 0};
 }
 
@@ -195,7 +199,10 @@ std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, Noi
   const bool many = share(d.boundary_samples, points) > limits.sparse_share;
   const bool is_guess = guess > limits.guess_share;
   if (!d.sparse.empty() && (many || d.gap_samples > 0 || is_guess)) {
-    findings.push_back(sparse_finding(d, is_guess ? guess : 0, filter));
+    const double longest = d.sparse[0].size;
+    const bool has_gap = longest > limits.gap_edge * d.spacing && std::isfinite(longest);
+    findings.push_back(sparse_finding(d, is_guess ? guess : 0, filter,
+                                      has_gap && left.trim ? remedy_of_unscanned : ""));
   }
   const bool noisy = noise_of(d.roughness) > limits.noise;
   const auto place_of_noise = static_cast<std::ptrdiff_t>(findings.size());

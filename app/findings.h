@@ -56,12 +56,16 @@ struct FindingLimits {
   double conflict_share = 0.003;
   // The share of the points that are not on the surface, unless a filter left them out.
   double unused_share = 0.1;
+  // Edges so many medians long span what was not scanned: the longest of scans that see all of a
+  // body have up to 14, of open scans 20 and more, but for coarse ones.
+  double gap_edge = 15;
 };
 
 // Other options that a finding may name.
 struct OptionsLeft {
   bool cavities = true;  // --cavities: not in paper mode, nor if it was given
   bool manifold = true;  // --manifold
+  bool trim = false;     // --trim: of closed surfaces of points
 };
 
 // Nothing for a surface that is what it should be. Causes (sparse, noise) are notes unless much of

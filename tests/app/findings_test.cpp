@@ -69,6 +69,24 @@ TEST(Findings, SparseSamplesAreCountedWithThoseBesideGaps) {
   EXPECT_EQ(said(doubts, ";"), "samples are too sparse, or edges too sharp, at 3 samples");
 }
 
+// A long edge spans what was not scanned; one without a length leads to a stray point.
+TEST(Findings, LongEdgesNameTrimWhereItIsAnOption) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.sparse = one_spot;
+  doubts.gap_samples = 1;
+  const auto names_trim = [&](double longest, bool is_option) {
+    doubts.sparse[0].size = longest;
+    const Finding finding =
+        findings_of(doubts, 10, NoiseFilter::no_option, {}, {.trim = is_option})[0];
+    return finding.message.find("(--trim 8)") != std::string::npos;
+  };
+  EXPECT_FALSE(names_trim(1.4, true));
+  EXPECT_TRUE(names_trim(1.6, true));
+  EXPECT_FALSE(names_trim(1.6, false));
+  EXPECT_FALSE(names_trim(std::numeric_limits<double>::infinity(), true));
+}
+
 // The finding of one kind; it must be there.
 Finding finding_of(const SurfaceDoubts& doubts, const std::string& kind,
                    NoiseFilter filter = NoiseFilter::not_used) {

@@ -1,0 +1,14 @@
+// --trim: a closed surface without the triangles that span what was not scanned.
+#pragma once
+
+#include "app/job.h"
+#include "cocone/reconstruct.h"
+
+namespace cocoon::app {
+
+// Takes triangles with an edge longer than so many local spacings out of a closed surface, where
+// they hang together (trim_long_edges), and vertices that are then in none. Told in the summary and
+// in section "trim" of the report. Throws InputError if no triangle is left.
+void open_surface(Job& job, double max_edge, ReconstructResult& surface);
+
+}  // namespace cocoon::app
