@@ -41,22 +41,22 @@ std::size_t drop_unused_vertices(ReconstructResult& surface) {
 }  // namespace
 
 void open_surface(Job& job, double max_edge, ReconstructResult& surface) {
-  std::size_t dropped = 0;
-  const TrimmedSurface trimmed = timed(job.execution(), "trim", [&] {
-    TrimmedSurface result = trim_long_edges(std::move(surface.mesh), {.max_edge = max_edge});
-    surface.mesh = std::move(result.mesh);
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  timed(job.execution(), "trim", [&] {
+    TrimmedSurface trimmed = trim_long_edges(std::move(surface.mesh), {.max_edge = max_edge});
+    triangles = trimmed.in_clusters + trimmed.at_rim;
+    surface.mesh = std::move(trimmed.mesh);
     if (surface.mesh.triangles.empty()) {
       throw InputError(fmt::format(
-          "--trim {} leaves no triangle: all edges are longer than so many spacings; use more",
+          "--trim {} leaves no triangle: all have edges longer than so many spacings; use more",
           max_edge));
     }
-    dropped = drop_unused_vertices(surface);
-    return result;
+    vertices = drop_unused_vertices(surface);
   });
-  surface.unused_points += dropped;
-  const std::size_t triangles = trimmed.in_clusters + trimmed.at_rim;
+  surface.unused_points += vertices;
   job.report().set("trim/triangles", triangles);
-  job.report().set("trim/vertices", dropped);
+  job.report().set("trim/vertices", vertices);
   job.say("{} with edges longer than {} spacings left out", counted(triangles, "triangle"),
           max_edge);
 }
