@@ -89,6 +89,16 @@ TEST(Trim, WhatIsScannedAllAroundStaysClosed) {
   EXPECT_EQ(cap.report()["trim"]["triangles"], 0);
 }
 
+TEST(Trim, LeavesNothingIsAnError) {
+  const Cap cap;
+  cap.reconstruct();
+  const std::string before = content_of(cap.mesh);
+  const ProgramRun run = cap.reconstruct("--trim", "1");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.error.find("--trim 1 leaves no triangle"), std::string::npos) << run.error;
+  EXPECT_EQ(content_of(cap.mesh), before);
+}
+
 TEST(Trim, OpensTightSurfacesThatNobodyGoesOnWith) {
   const Cap cap;
   const auto refused = [&](const std::string& option, const std::string& value) {
