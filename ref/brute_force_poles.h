@@ -1,4 +1,4 @@
-// The definition of poles, word for word: every cell is asked whether it belongs to the sample.
+// The definition of poles: every cell is asked whether it belongs to the sample.
 #pragma once
 
 #include "cocone/poles.h"
@@ -7,7 +7,9 @@
 
 namespace cocoon::ref {
 
-// What compute_poles must give. Complexity: O(vertices * cells).
+// What compute_poles must give. Only the normal of a sample whose unbounded edges nearly cancel out
+// is that of the product, hull_normal; `cgal_cocone` finds it in its own way. Complexity:
+// O(vertices * cells).
 Poles brute_force_poles(const Triangulation& triangulation, const Dual& dual);
 
 }  // namespace cocoon::ref

@@ -5,7 +5,6 @@
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
@@ -43,7 +42,6 @@ std::optional<CgalMeshMeasure> cgal_mesh_check(const TriangleMesh& mesh) {
 
   CgalMeshMeasure measure;
   measure.closed = CGAL::is_closed(surface);
-  measure.bounds_a_volume = measure.closed && pmp::does_bound_a_volume(surface);
   measure.area = CGAL::to_double(pmp::area(surface));
   if (measure.closed) measure.volume = CGAL::to_double(pmp::volume(surface));
   const auto component = surface.add_property_map<Face, std::size_t>("f:component", 0).first;

@@ -13,7 +13,6 @@ namespace cocoon::ref {
 // The measures of a mesh that CGAL can represent.
 struct CgalMeshMeasure {
   bool closed = false;
-  bool bounds_a_volume = false;  // closed, self-intersection free, components oriented alike
   double area = 0;
   double volume = 0;           // of a closed mesh, else 0
   std::size_t components = 0;  // connected by edges

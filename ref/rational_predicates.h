@@ -11,8 +11,9 @@ Sign orient2d(double ax, double ay, double bx, double by, double cx, double cy);
 Sign orient3d(const Point& a, const Point& b, const Point& c, const Point& d);
 Sign insphere(const Point& a, const Point& b, const Point& c, const Point& d, const Point& e);
 
-// Perturbs for real: lifts the point of lexicographic rank i by a rational epsilon^(5 - i) so small
-// that halving it changes nothing. Same precondition as cocoon::insphere_perturbed.
+// Perturbs for real: lifts the point of lexicographic rank i by a rational epsilon^(5 - i), where
+// epsilon is divided by 2^200 until three times in a row the sign stays. Same precondition as
+// cocoon::insphere_perturbed.
 Sign insphere_perturbed(const Point& a, const Point& b, const Point& c, const Point& d,
                         const Point& e);
 

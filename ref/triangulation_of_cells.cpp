@@ -127,8 +127,11 @@ Triangulation triangulation_of_cells(DistinctPoints distinct, std::vector<CellVe
   const auto link = [&](FacetId from, FacetId to) {
     records[cell_of(from)].neighbors[static_cast<std::size_t>(index_of(from))] = to;
   };
+  const auto are_same = [&](std::size_t i, std::size_t k) {
+    return k < facets.size() && facets[i].sorted_vertices == facets[k].sorted_vertices;
+  };
   for (std::size_t i = 0; i < facets.size(); i += 2) {
-    if (i + 1 == facets.size() || facets[i].sorted_vertices != facets[i + 1].sorted_vertices) {
+    if (!are_same(i, i + 1) || are_same(i, i + 2)) {
       throw InputError("cell " + std::to_string(cell_of(facets[i].facet).value) +
                        " has a facet that does not belong to exactly two cells");
     }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "delaunay/circulate.h"
+#include "geom/errors.h"
 #include "geom/orient3d.h"
 #include "ref/brute_force_delaunay.h"
 #include "ref/cell_set.h"
@@ -254,6 +255,17 @@ TEST(CheckDelaunay, SameReportForEveryThreadCount) {
   EXPECT_EQ(one.first_violation, three.first_violation);
   EXPECT_EQ(one.misoriented_cells, three.misoriented_cells);
   EXPECT_EQ(one.reflex_hull_edges, three.reflex_hull_edges);
+}
+
+// Behind the third facet comes a cell at infinity, so that each of the four finds another one.
+TEST(TriangulationOfCells, RefusesAFacetThatIsOfMoreThanTwoCells) {
+  const ref::DistinctPoints distinct = ref::distinct_points(
+      std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, -1}});
+  const auto v = [&](int i) { return distinct.vertex_of_point[PointId(i)]; };
+  CellList cells{{v(0), v(1), v(2), v(3)}, {v(0), v(2), v(1), v(5)}};
+  EXPECT_NO_THROW(ref::triangulation_of_cells(distinct, cells));
+  cells.push_back({v(0), v(1), v(2), v(4)});
+  EXPECT_THROW(ref::triangulation_of_cells(distinct, cells), InputError);
 }
 
 // The two oracles share no predicate: they must agree.
