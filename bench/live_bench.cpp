@@ -9,9 +9,9 @@
 // ones, whose surface is not certain. Each row has the medians of R reconstructions of the model,
 // and of R updates by UpdateSession, with the four steps of that update; one thread, processor
 // time. All are calls that free what they worked with within the clock, but not their results. Then
-// the models after Woo & Dey 2005 with all their clouds; undone after each. The last model of each
-// session is compared with an update of the one before from scratch; if they differ the exit code
-// is 1. --paper 0 leaves these models out. FILE: the two curves.
+// the models after Woo & Dey 2005 with all their clouds; undone after each but the last. The
+// last model of each session is compared with an update of the one before from scratch; if they
+// differ the exit code is 1. --paper 0 leaves these models out. FILE: the two curves.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -126,7 +126,7 @@ double full_reconstruction(const std::vector<Point>& points, std::size_t repetit
   return median(std::move(times));
 }
 
-// Updates with these clouds in turn, and takes every one back if `undo`.
+// Updates with these clouds in turn, and takes every one but the last back if `undo`.
 Row measure(const std::vector<Point>& points,
             const std::vector<std::vector<std::vector<Point>>>& runs, bool undo) {
   Row row;

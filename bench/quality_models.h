@@ -19,8 +19,8 @@ struct QualityModel {
 };
 
 // The shapes: several genera, sharp edges, thin plates, several bodies, a cavity, uneven density, a
-// part that was not scanned. Each with `count` points, evenly spread unless its name says
-// otherwise.
+// part that was not scanned. Each with `count` points, evenly spread, unless its name says
+// otherwise: then there may be some more or fewer.
 std::vector<QualityModel> quality_models(std::size_t count);
 
 // `count` points on the surface of `truth`, evenly spread.
