@@ -1,12 +1,14 @@
-// Ten lines of somebody else's program: a tetrahedron's four points become a closed surface.
+// Ten lines of somebody else's program, with a header of each library: a sample is updated.
 #include <cstdio>
-#include <vector>
 
-#include "delaunay/delaunay.h"
+#include "io/sample_models.h"
+#include "update/update_session.h"
 
 int main() {
-  const std::vector<cocoon::Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const cocoon::DelaunayResult result = cocoon::delaunay(points);
-  std::printf("%zu tetrahedra\n", result.triangulation.num_finite_cells());
-  return result.triangulation.num_finite_cells() == 1 ? 0 : 1;
+  const cocoon::SampleModel sample =
+      cocoon::sample_model("block", {.points = 1500, .cloud_points = 1500});
+  cocoon::UpdateSession session(sample.initial);
+  const cocoon::UpdateResult result = session.apply(sample.clouds).result;
+  std::printf("%zu triangles\n", session.model().triangles.size());
+  return result.status == cocoon::UpdateStatus::ok ? 0 : 1;
 }

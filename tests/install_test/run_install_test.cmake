@@ -1,5 +1,5 @@
 # Installs the build tree to a fresh folder, builds the outside project against it and runs it, and
-# runs the installed program. Arguments: BUILD_DIR, SOURCE_DIR, WORK_DIR, CXX, BUILD_TYPE, SANITIZE.
+# runs the installed program. Arguments: BUILD_DIR, SOURCE_DIR, WORK_DIR, CXX, BUILD_TYPE.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output
                   ERROR_VARIABLE output)
