@@ -281,23 +281,31 @@ void begin_session(Job& job, const std::string& name, const std::vector<Point>& 
                   remedies_of_model());
 }
 
-void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,
-                      const UpdateOutput& output, UpdateSession* session) {
-  UpdateResult result;
-  MeshChange change;
+namespace {
+
+// Without a session the change is empty.
+SessionUpdate update_or_throw(Job& job, const UpdateInput& input, const UpdateOptions& options,
+                              UpdateSession* session) {
   try {
     if (session == nullptr) {
-      result = update_model(input.model, input.clouds, options, job.execution());
-    } else {
-      SessionUpdate update = session->apply(input.clouds, job.execution());
-      result = std::move(update.result);
-      change = std::move(update.change);
-      if (result.status == UpdateStatus::ok) add_surface_of(*session, result);
+      return {update_model(input.model, input.clouds, options, job.execution()), {}};
     }
+    SessionUpdate update = session->apply(input.clouds, job.execution());
+    if (update.result.status == UpdateStatus::ok) add_surface_of(*session, update.result);
+    return update;
   } catch (const InputError& error) {
     throw InputError(fmt::format("cannot update {}: {}", input.model_name,
                                  with_cloud_names(error.what(), input.cloud_names)));
   }
+}
+
+}  // namespace
+
+void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,
+                      const UpdateOutput& output, UpdateSession* session) {
+  SessionUpdate update = update_or_throw(job, input, options, session);
+  UpdateResult& result = update.result;
+  MeshChange& change = update.change;
   report_verification(job.report(), input.model_name, result.reconstruction.verification);
   if (result.status != UpdateStatus::ok) {
     throw InputError(fmt::format("cannot update {} ({}): {}", input.model_name,

@@ -120,6 +120,22 @@ HWY_INLINE Four perturbed_value(const std::array<Lifted, 4>& corners) {
   return top.coefficient;
 }
 
+// Puts another vertex in the place of that at infinity, whether it is the last corner or an apex.
+// Returns the lanes that do not count then.
+HWY_INLINE unsigned replace_infinite(const Cell& cell, VertexId& last,
+                                     std::array<VertexId, 4>& apexes) {
+  unsigned infinite = 0;
+  // An infinite cell has three infinite neighbors, behind the facets with the vertex at infinity.
+  if (last == infinite_vertex) infinite = 0x7U;
+  if (last == infinite_vertex) last = cell.vertices[0];
+  for (unsigned i = 0; i < 4; ++i) {
+    if (apexes[i] != infinite_vertex) continue;
+    infinite |= 1U << i;
+    apexes[i] = cell.vertices[0];
+  }
+  return infinite;
+}
+
 // The four cells around a cell in SIMD lanes, lane i behind its facet i. They share three vertices
 // each with it, and with each other many of the 2 x 2 minors. `apexes` are the fourth vertices. The
 // expression is that of insphere_filter, of the facet's corners and then the apex.
@@ -131,15 +147,7 @@ HWY_INLINE NeighborDecision decide_neighbors(SearchView& view, const Cell& cell,
   unsigned infinite = 0;
   if (has_infinite(apexes, last)) [[unlikely]] {
     view.has_infinite = true;
-    // An infinite cell has three infinite neighbors, behind the facets with the vertex at infinity.
-    // Any other vertex may stand for it in the lanes that do not count.
-    if (last == infinite_vertex) infinite = 0x7U;
-    if (last == infinite_vertex) last = cell.vertices[0];
-    for (unsigned i = 0; i < 4; ++i) {
-      if (apexes[i] != infinite_vertex) continue;
-      infinite |= 1U << i;
-      tips[i] = cell.vertices[0];
-    }
+    infinite = replace_infinite(cell, last, tips);
   }
   const FourVectors v = load_points(view.point(cell.vertices[0]), view.point(cell.vertices[1]),
                                     view.point(cell.vertices[2]), view.point(last)) -
@@ -178,8 +186,7 @@ HWY_INLINE NeighborDecision decide_neighbors(SearchView& view, const Cell& cell,
   if (decision.open == 0) [[likely]]
     return decision;
   // Where the value is exact, so are its cofactors and the differences of coordinates.
-  const unsigned not_exact = is_greater(reach, broadcast(view.exact_reach));
-  const unsigned exact = ~(not_exact | infinite) & 0xFU;
+  const unsigned exact = ~(is_greater(reach, broadcast(view.exact_reach)) | infinite) & 0xFU;
   if ((decision.open & exact) != 0) {
     const unsigned zero = ~(inside | is_greater(broadcast(0), value));
     const Four zero_minus = broadcast(0);
