@@ -1,5 +1,5 @@
 // What the documents name exists: files behind links, files and folders in code marks, commands and
-// options of the program in the README.
+// options of the program in the README and the tutorial.
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -51,22 +51,29 @@ TEST(Documents, AreThere) {
 }
 
 TEST(Documents, LinksLeadToFiles) {
+  std::size_t links = 0;
   for (const fs::path& document : documents()) {
     for (std::string target : matches(content_of(document.string()), "\\]\\(([^)#]+)[^)]*\\)")) {
       if (target.find("://") != std::string::npos) continue;
       EXPECT_TRUE(fs::exists(document.parent_path() / target)) << document << " -> " << target;
+      ++links;
     }
   }
+  EXPECT_GT(links, 100U);
 }
 
 TEST(Documents, NamedSourcesExist) {
   const std::string layers = "(?:geom|delaunay|cocone|update|io|app|ref|tests|bench|docs|cmake)";
-  const std::string pattern = "`(" + layers + "/[a-z0-9_/]+\\.(?:h|cpp|md|csv|txt|html))`";
+  const std::string file = "[a-zA-Z0-9_/-]+\\.(?:h|cpp|md|csv|txt|html|xyz|off|ply|cmake)";
+  const std::string pattern = "`(" + layers + "/(?:" + file + "|(?:[a-z0-9_-]+/)*))`";
+  std::size_t sources = 0;
   for (const fs::path& document : documents()) {
     for (const std::string& name : matches(content_of(document.string()), pattern)) {
       EXPECT_TRUE(fs::exists(root / name)) << document << " names " << name;
+      ++sources;
     }
   }
+  EXPECT_GT(sources, 300U);
 }
 
 // Which are compiled and run: tests/CMakeLists.txt.
@@ -124,18 +131,28 @@ TEST(Documents, BibliographyHasAllAuthors) {
   }
 }
 
-TEST(Documents, CommandsAndOptionsOfTheReadmeAreThoseOfTheProgram) {
-  const std::string readme = content_of((root / "README.md").string());
-  for (const std::string& command : matches(readme, "\n    cocoon ([a-z]+)")) {
-    const std::string help = run_program({command, "--help"}).out;
-    EXPECT_NE(help, "") << command;
-    const std::regex uses("\n    cocoon " + command + "([^#\n]*)");
-    for (std::sregex_iterator it(readme.begin(), readme.end(), uses), end; it != end; ++it) {
-      for (const std::string& option : matches((*it)[1], "(--[a-z-]+)")) {
-        EXPECT_NE(help.find(option), std::string::npos) << command << " has no " << option;
+TEST(Documents, CommandsAndOptionsAreThoseOfTheProgram) {
+  std::size_t options = 0;
+  for (const char* document : {"README.md", "docs/tutorial.md"}) {
+    const std::regex continued("\\\\\n *");
+    const std::string text =
+        std::regex_replace(content_of((root / document).string()), continued, "");
+    const std::set<std::string> commands = matches(text, "\n    cocoon ([a-z]+)");
+    EXPECT_GE(commands.size(), 6U) << document;
+    for (const std::string& command : commands) {
+      const std::set<std::string> known =
+          matches(run_program({command, "--help"}).out, "(--[a-z][a-z-]*)");
+      EXPECT_FALSE(known.empty()) << command;
+      const std::regex uses("\n    cocoon " + command + "([^#\n]*)");
+      for (std::sregex_iterator it(text.begin(), text.end(), uses), end; it != end; ++it) {
+        for (const std::string& option : matches((*it)[1], "(--[a-z-]+)")) {
+          EXPECT_TRUE(known.contains(option)) << document << ": " << command << " " << option;
+          ++options;
+        }
       }
     }
   }
+  EXPECT_GT(options, 20U);
 }
 
 }  // namespace
