@@ -358,6 +358,7 @@ TEST(KnownLabels, SettleContradictions) {
   const std::vector<KnownTriangle> known = triangles_of(plain);
   const ReconstructResult again = reconstruct_tight_with_labels(points, told_by(known));
   EXPECT_GT(again.counters.known_cells, 1000U);
+  EXPECT_LT(again.counters.marking_conflicts, plain.counters.marking_conflicts);
   EXPECT_EQ(again.status, SurfaceStatus::ok);
   const MeshReport before = mesh_check(plain.mesh);
   const MeshReport after = mesh_check(again.mesh);

@@ -16,16 +16,9 @@
 #include "geom/random.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
+#include "tests/gallery.h"
 
 namespace cocoon {
-
-inline std::vector<Point> lattice(int side) {
-  std::vector<Point> points;
-  for (int i = 0; i < side * side * side; ++i) {
-    points.push_back({double(i % side), double(i / side % side), double(i / side / side)});
-  }
-  return points;
-}
 
 // A center with far more than 64 cells around it.
 inline std::vector<Point> ball(std::uint64_t seed) {

@@ -23,6 +23,8 @@ TEST(StarCache, StarsAreThoseListedAtOnceWhetherAnnouncedOrNot) {
     EXPECT_FALSE(asked.expect(10));
     StarCache announced(triangulation, execution);
     EXPECT_TRUE(announced.expect(triangulation.num_vertices()));
+    const std::span<const CellId> first = asked.star(VertexId(0));
+    const std::vector<CellId> first_before = copy(first);
     for (const VertexId v : triangulation.vertices()) {
       const std::vector<CellId> star = copy(expected.star(v));
       ASSERT_TRUE(std::is_sorted(star.begin(), star.end()));
@@ -31,6 +33,7 @@ TEST(StarCache, StarsAreThoseListedAtOnceWhetherAnnouncedOrNot) {
       ASSERT_EQ(copy(announced.star(v)), star);
     }
     EXPECT_TRUE(asked.expect(0));  // so many were asked for that all are listed
+    EXPECT_EQ(copy(first), first_before);
   }
 }
 

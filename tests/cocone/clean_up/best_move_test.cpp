@@ -48,7 +48,7 @@ std::vector<CellId> plain_best(Labeling& labeling, LabelSplit& split, VertexId v
 template <class Visit>
 void for_each_vertex(std::array<double, 3> biases, std::uint64_t seed, const Visit& visit) {
   for (const double bias : biases) {
-    for (const auto& points : {shapes::random_cube(60, 3), lattice(4), ball(4)}) {
+    for (const auto& points : {shapes::random_cube(60, 3), gallery::integer_grid(4), ball(4)}) {
       Labeling labeling(points, seed, bias);
       const Triangulation& t = labeling.stages.triangulation;
       LabelSplit split(t, labeling.out);

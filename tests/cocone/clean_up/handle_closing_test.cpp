@@ -176,7 +176,7 @@ TEST(HandleClosing, IsItsDefinition) {
   std::size_t found = 0;
   for (std::uint64_t seed = 1; seed <= 16; ++seed) {
     const bool is_lattice = seed % 2 == 0;
-    Labeling labeling(is_lattice ? lattice(3) : shapes::random_cube(20, seed), seed,
+    Labeling labeling(is_lattice ? gallery::integer_grid(3) : shapes::random_cube(20, seed), seed,
                       seed % 4 < 2 ? 0.15 : 0.4);
     const double handle_cost = labeling.options.handle_cost;
     if (seed % 3 != 0) labeling.options.max_closing_rise = handle_cost;

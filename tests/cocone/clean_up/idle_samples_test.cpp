@@ -57,7 +57,8 @@ TEST(IdleSamples, AreTheirDefinition) {
   std::size_t idle = 0;
   std::size_t others = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    Labeling labeling(seed % 2 == 0 ? lattice(3) : shapes::random_cube(40, seed), seed, 0.3);
+    Labeling labeling(seed % 2 == 0 ? gallery::integer_grid(3) : shapes::random_cube(40, seed),
+                      seed, 0.3);
     const Triangulation& t = labeling.stages.triangulation;
     for (const double flat_cosine : {IdleOptions{}.flat_cosine, 0.95, 0.8, 0.0}) {
       // Not such as circles of the lattice have.

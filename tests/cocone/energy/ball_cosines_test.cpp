@@ -78,6 +78,20 @@ TEST(BallCosines, ContactIsTheAngleBetweenRadii) {
   });
 }
 
+// A regular tetrahedron: the ball's tangent plane at a facet's circle leans by acos(1/3) inward.
+TEST(BallCosines, OfARegularTetrahedron) {
+  const std::vector<Point> corners{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  const Triangulation t = delaunay(corners).triangulation;
+  BallCosines cosines(t);
+  for (int i = 0; i < 4; ++i) {
+    const FacetId f = facet_id(CellId(0), i);
+    EXPECT_NEAR(cosines.of(f), 1.0 / 3, 1e-15);
+    EXPECT_EQ(cosines.of(t.mirror(f)), 1);
+    EXPECT_NEAR(cosines.contact(f), -1.0 / 3, 1e-15);
+    EXPECT_EQ(cosines.contact(f), cosines.contact(t.mirror(f)));
+  }
+}
+
 // Cells of one cube of a grid have one ball.
 TEST(BallCosines, EqualBallsMeetAtACosineOfOne) {
   const Triangulation t = delaunay(gallery::integer_grid(2)).triangulation;

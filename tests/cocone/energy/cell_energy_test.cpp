@@ -16,8 +16,8 @@ namespace {
 
 TEST(CellEnergy, ChangeIsTheDifferenceOfTheWholeEnergies) {
   for (const double bias : {0.1, 0.5, 0.8, 0.97}) {
-    for (const auto& points :
-         {shapes::random_cube(25, 3), lattice(3), ball(4), shapes::random_torus(40, 0.4, 2)}) {
+    for (const auto& points : {shapes::random_cube(25, 3), gallery::integer_grid(3), ball(4),
+                               shapes::random_torus(40, 0.4, 2)}) {
       Labeling labeling(points, 7, bias);
       for (const VertexId v : labeling.stages.triangulation.vertices()) {
         if (labeling.parts(v) != 2) labeling.energy.doubt(v);
@@ -51,7 +51,7 @@ TEST(CellEnergy, ChangeIsTheDifferenceOfTheWholeEnergies) {
 TEST(CellEnergy, NoChangeIsLessThanItsBound) {
   std::size_t exact = 0;
   for (const double bias : {0.1, 0.5, 0.97}) {
-    for (const auto& points : {shapes::random_cube(25, 3), lattice(3), ball(4)}) {
+    for (const auto& points : {shapes::random_cube(25, 3), gallery::integer_grid(3), ball(4)}) {
       Labeling labeling(points, 8, bias);
       CellEnergy& energy = labeling.energy;
       const Triangulation& t = labeling.stages.triangulation;
@@ -85,7 +85,7 @@ TEST(CellEnergy, NoChangeIsLessThanItsBound) {
 
 TEST(CellEnergy, PartsOfStarsAndFlawsAreThoseOfThePlainSearch) {
   for (const double bias : {0.02, 0.3, 0.9}) {
-    for (const auto& points : {shapes::random_cube(60, 3), lattice(4), ball(4)}) {
+    for (const auto& points : {shapes::random_cube(60, 3), gallery::integer_grid(4), ball(4)}) {
       Labeling labeling(points, 9, bias);
       const Triangulation& t = labeling.stages.triangulation;
       CellMarks marks;
@@ -140,44 +140,6 @@ TEST(CellEnergy, LongFacetsCostMore) {
     }
   }
   EXPECT_GT(stretched, 20U);
-}
-
-// A regular tetrahedron: the ball's tangent plane at a facet's circle leans by acos(1/3) inward.
-TEST(BallCosines, OfARegularTetrahedron) {
-  Stages stages({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});
-  BallCosines cosines(stages.triangulation);
-  for (int i = 0; i < 4; ++i) {
-    const FacetId f = facet_id(CellId(0), i);
-    EXPECT_NEAR(cosines.of(f), 1.0 / 3, 1e-15);
-    EXPECT_EQ(cosines.of(stages.triangulation.mirror(f)), 1);
-    EXPECT_NEAR(cosines.contact(f), -1.0 / 3, 1e-15);
-    EXPECT_EQ(cosines.contact(f), cosines.contact(stages.triangulation.mirror(f)));
-  }
-}
-
-TEST(BallCosines, EqualBallsMeetAtNoAngle) {
-  Stages stages(lattice(2));  // one ball through all eight
-  BallCosines cosines(stages.triangulation);
-  for (const CellId c : stages.triangulation.finite_cells()) {
-    for (int i = 0; i < 4; ++i) {
-      if (stages.triangulation.is_infinite(stages.triangulation.neighbor(c, i))) continue;
-      EXPECT_NEAR(cosines.contact(facet_id(c, i)), 1, 1e-12);
-    }
-  }
-}
-
-// It has all stars listed once many have been asked for; nothing else changes.
-TEST(StarCache, TellsTheStarsOfVertexStars) {
-  const Triangulation triangulation = delaunay(shapes::random_cube(3000, 8)).triangulation;
-  const VertexStars stars = vertex_stars(triangulation);
-  StarCache cache(triangulation);
-  const std::span<const CellId> first = cache.star(VertexId(0));
-  for (const VertexId v : triangulation.vertices()) {
-    const std::span<const CellId> star = cache.star(v);
-    EXPECT_TRUE(std::equal(star.begin(), star.end(), stars.star(v).begin(), stars.star(v).end()));
-  }
-  const std::span<const CellId> again = stars.star(VertexId(0));
-  EXPECT_TRUE(std::equal(first.begin(), first.end(), again.begin(), again.end()));
 }
 
 TEST(CellEnergy, CostsHaveALimit) {

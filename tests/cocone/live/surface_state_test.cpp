@@ -32,7 +32,7 @@ std::string fault_of(const Snapshot& snapshot, int threads = 1) {
   return {};
 }
 
-// A cell with such a value, and the lowest facet in it.
+// The first cell with one of these flags.
 CellId cell_with(const IdVector<CellId, std::uint8_t>& flags, unsigned wanted) {
   for (const CellId c : flags.ids()) {
     if ((flags[c] & wanted) != 0) return c;

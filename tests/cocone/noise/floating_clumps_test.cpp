@@ -109,7 +109,6 @@ TEST(FloatingClumps, GoAndTheBodyStays) {
   EXPECT_GT(mesh_check(all.surface.mesh).components, 2U);
 }
 
-// Fewer than three in a hundred samples.
 // One that touches the body stays, unless it is asked for.
 TEST(FloatingClumps, ThoseOnTheSurfaceGoByDepth) {
   const std::vector<Point> points = shapes::joined(body(), clump(40, {0, 0.85, -0.85}, 0.1, 4));
@@ -119,6 +118,7 @@ TEST(FloatingClumps, ThoseOnTheSurfaceGoByDepth) {
   EXPECT_GE(deep, 10U);
 }
 
+// Of fewer than three in a hundred samples.
 TEST(FloatingClumps, ASmallBodyIsNone) {
   for (const std::size_t count : {75U, 90U}) {
     const double radius =
