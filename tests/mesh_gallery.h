@@ -220,8 +220,8 @@ inline TriangleMesh sphere(int levels) {
   return mesh;
 }
 
-// `count` triangles with random corners in a cube of side `size`; with 0 < size_of_triangle the
-// corners of one triangle lie within that distance of each other (per axis).
+// `count` triangles at random places of the unit cube; the corners of each lie within
+// `triangle_size` of each other (per axis).
 inline TriangleMesh random_soup(int count, unsigned seed, double triangle_size = 1) {
   std::mt19937 generator(seed);
   const auto random = [&generator] { return static_cast<double>(generator()) * 0x1p-32; };

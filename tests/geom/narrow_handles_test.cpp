@@ -49,19 +49,6 @@ std::size_t pieces_without(const LinkedMesh& mesh, const std::set<Edge>& cut) {
   return pieces;
 }
 
-TriangleMesh joined(const std::vector<TriangleMesh>& meshes, const std::vector<Point>& places) {
-  TriangleMesh all;
-  for (std::size_t k = 0; k < meshes.size(); ++k) {
-    const std::size_t first = all.points.size();
-    for (const Point& p : meshes[k].points) all.points.push_back(p + places[k]);
-    for (const Triangle& t : meshes[k].triangles) {
-      all.triangles.push_back({VertexId(t[0].index() + first), VertexId(t[1].index() + first),
-                               VertexId(t[2].index() + first)});
-    }
-  }
-  return all;
-}
-
 TEST(NarrowHandles, NoneOnABall) {
   EXPECT_TRUE(narrow_handles(link_mesh(gallery::cube()), 5).empty());
   EXPECT_TRUE(narrow_handles(link_mesh({}), 5).empty());
@@ -83,8 +70,9 @@ TEST(NarrowHandles, GoAroundTheTubeOfARing) {
 // A thin ring, a fat one and a ball: the thin one comes first, and the ball has none.
 TEST(NarrowHandles, TheNarrowestFirst) {
   const TriangleMesh all =
-      joined({gallery::torus(40, 20, 2, 0.9), gallery::cube(), gallery::torus(40, 20, 2, 0.2)},
-             {{0, 0, 0}, {5, 5, 5}, {0, 0, 9}});
+      gallery::join(gallery::join(gallery::torus(40, 20, 2, 0.9),
+                                  gallery::translated(gallery::cube(), {5, 5, 5})),
+                    gallery::translated(gallery::torus(40, 20, 2, 0.2), {0, 0, 9}));
   ASSERT_EQ(mesh_check(all).genus, 2U);
   const LinkedMesh mesh = link_mesh(all);
   const std::vector<NarrowHandle> handles = narrow_handles(mesh, 2);

@@ -163,13 +163,9 @@ TEST(SelfIntersection, SpindleTorusAgreesWithCgal) {
 TEST(SelfIntersection, UnweldedCopyHasTheSamePairs) {
   const TriangleMesh mesh = gallery::join(
       gallery::sphere(2), gallery::translated(gallery::sphere(2), {0.7, 0.123, 0.0456}));
-  TriangleMesh unwelded;
-  for (const Triangle& t : mesh.triangles) {
-    const VertexId a = unwelded.points.push_back(mesh.points[t[0]]);
-    const VertexId b = unwelded.points.push_back(mesh.points[t[1]]);
-    unwelded.triangles.push_back({a, b, unwelded.points.push_back(mesh.points[t[2]])});
-  }
-  EXPECT_EQ(self_intersection(mesh), self_intersection(unwelded));
+  const SelfIntersections expected = self_intersection(mesh);
+  EXPECT_GT(expected.count, 0U);
+  EXPECT_EQ(self_intersection(gallery::unshared(mesh)), expected);
 }
 
 TEST(SelfIntersection, ListsTheFirstPairsAndCountsAll) {

@@ -133,7 +133,6 @@ TEST(SignedDistance, OfAnOpenMeshIsThatOfTheNearestFacet) {
                              std::vector<Point>{{0, 0, 0.5}, {0, 0, 1.5}, {0.1, 0, -1.25}}));
 }
 
-// Where squares of areas leave the range of double, and where those of lengths do.
 // A tent without floor and ends, steeper than 45 degrees: beside its ridge one of the two facets
 // that are nearest has the point behind it.
 TEST(SignedDistance, BesideTheRidgeOfAnOpenTentIsOutside) {
@@ -147,6 +146,7 @@ TEST(SignedDistance, BesideTheRidgeOfAnOpenTentIsOutside) {
   EXPECT_LT(distances[2], 0);
 }
 
+// Where squares of areas leave the range of double, and where those of lengths do.
 TEST(SignedDistance, CoordinatesOfAnySize) {
   TriangleMesh open = cube_around_origin();
   open.triangles.resize(open.triangles.size() - 1);

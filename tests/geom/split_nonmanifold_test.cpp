@@ -48,9 +48,7 @@ TEST(SplitNonmanifold, LeavesManifoldsAlone) {
 
 // Two tetrahedra that meet in one vertex, or along one edge, come apart.
 TEST(SplitNonmanifold, TetrahedraThatTouch) {
-  const TriangleMesh vertex = gallery::make_mesh(
-      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
-      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 4, 5}, {0, 6, 4}, {4, 6, 5}, {0, 5, 6}});
+  const TriangleMesh vertex = gallery::two_tetrahedra_sharing_a_vertex();
   const SplitSurface at_vertex = split_nonmanifold(vertex);
   EXPECT_TRUE(mesh_check(at_vertex.mesh).is_closed_manifold());
   EXPECT_EQ(at_vertex.split_vertices, 1U);
@@ -58,9 +56,7 @@ TEST(SplitNonmanifold, TetrahedraThatTouch) {
   EXPECT_EQ(at_vertex.split_edges, 0U);
   expect_same_surface(at_vertex, vertex);
 
-  const TriangleMesh edge = gallery::make_mesh(
-      {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}},
-      {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 4, 1}, {0, 1, 5}, {0, 5, 4}, {1, 4, 5}});
+  const TriangleMesh edge = gallery::two_tetrahedra_sharing_an_edge();
   ASSERT_TRUE(mesh_check(edge).balanced);
   const SplitSurface at_edge = split_nonmanifold(edge);
   const MeshReport report = mesh_check(at_edge.mesh);

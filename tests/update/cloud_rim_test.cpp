@@ -13,18 +13,6 @@
 namespace cocoon {
 namespace {
 
-// Leaves out the triangles whose centroid lies in the open square (low, high) x (low, high).
-TriangleMesh with_hole(TriangleMesh mesh, double low, double high) {
-  IdVector<TriangleId, Triangle> kept;
-  for (const Triangle& t : mesh.triangles) {
-    const Point c = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
-    const bool inside = low < c.x && c.x < high && low < c.y && c.y < high;
-    if (!inside) kept.push_back(t);
-  }
-  mesh.triangles = kept;
-  return mesh;
-}
-
 // The edges of a loop with their apexes, whichever way and from wherever it runs.
 std::vector<std::array<Point, 3>> edges_of(const RimLoop& loop) {
   std::vector<std::array<Point, 3>> edges;
@@ -68,7 +56,7 @@ TEST(CloudRim, TheSpacingIsThatOfTheRim) {
 }
 
 TEST(CloudRim, DoesNotDependOnTheNumbering) {
-  const TriangleMesh mesh = with_hole(testing::grid_plane(12), 3, 9);
+  const TriangleMesh mesh = testing::with_hole(testing::grid_plane(12), 3, 9);
   const CloudRim expected = cloud_rim(mesh);
   ASSERT_EQ(expected.loops.size(), 2U);
   Random random(3);
@@ -104,18 +92,19 @@ TEST(CloudRim, ClosedSurfaceHasNone) {
 }
 
 TEST(CloudRim, HolesAndPinHoles) {
-  const CloudRim wide = cloud_rim(with_hole(testing::grid_plane(12), 4, 8));
+  const CloudRim wide = cloud_rim(testing::with_hole(testing::grid_plane(12), 4, 8));
   ASSERT_EQ(wide.loops.size(), 2U);
   EXPECT_EQ(wide.loops[0].size(), 48U);
   EXPECT_EQ(wide.loops[1].size(), 16U);
   EXPECT_EQ(wide.pin_holes, 0U);
 
-  const CloudRim narrow = cloud_rim(with_hole(testing::grid_plane(12), 5, 7));
+  const CloudRim narrow = cloud_rim(testing::with_hole(testing::grid_plane(12), 5, 7));
   ASSERT_EQ(narrow.loops.size(), 1U);
   EXPECT_EQ(narrow.pin_holes, 1U);
 
   const RimOptions accept_all = {.loops = {.min_loop_edges = 3, .min_perimeter_in_edges = 0}};
-  EXPECT_EQ(cloud_rim(with_hole(testing::grid_plane(12), 5, 7), accept_all).loops.size(), 2U);
+  EXPECT_EQ(cloud_rim(testing::with_hole(testing::grid_plane(12), 5, 7), accept_all).loops.size(),
+            2U);
 }
 
 TEST(CloudRim, SmallPatchIsNotAPinHole) {

@@ -126,7 +126,6 @@ TEST(CutRegions, ADetourIsNoPartOfTheBorder) {
   LoopBorder& band = plane.border.loops[0];
   // The first edge goes around the whole circle.
   std::vector<TriangleId> detour(band.facets.rbegin(), band.facets.rend());
-  const std::vector<TriangleId> own(band.facets_of(0).begin(), band.facets_of(0).end());
   for (const TriangleId t : plane.mesh.triangles.ids()) {
     if (plane.radius_of(t) > 10 && plane.radius_of(t) < 11) detour.push_back(t);
   }

@@ -12,6 +12,7 @@
 
 #include "geom/random.h"
 #include "geom/triangle_mesh.h"
+#include "tests/mesh_gallery.h"
 #include "update/cloud_rim.h"
 
 namespace cocoon::testing {
@@ -20,20 +21,18 @@ inline VertexId vertex(std::size_t i) { return VertexId(i); }
 
 // The square [0, n] x [0, n] in the plane z = 0, 2 n^2 triangles facing up.
 inline TriangleMesh grid_plane(std::size_t n) {
-  TriangleMesh mesh;
-  for (std::size_t y = 0; y <= n; ++y) {
-    for (std::size_t x = 0; x <= n; ++x) {
-      mesh.points.push_back({static_cast<double>(x), static_cast<double>(y), 0});
-    }
+  return gallery::open_patch(static_cast<int>(n), static_cast<int>(n));
+}
+
+// Leaves out the triangles whose centroid lies in the open square (low, high) x (low, high).
+inline TriangleMesh with_hole(TriangleMesh mesh, double low, double high) {
+  IdVector<TriangleId, Triangle> kept;
+  for (const Triangle& t : mesh.triangles) {
+    const Point c = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
+    const bool inside = low < c.x && c.x < high && low < c.y && c.y < high;
+    if (!inside) kept.push_back(t);
   }
-  for (std::size_t y = 0; y < n; ++y) {
-    for (std::size_t x = 0; x < n; ++x) {
-      const std::size_t a = y * (n + 1) + x;
-      const std::size_t c = a + n + 1;
-      mesh.triangles.push_back({vertex(a), vertex(a + 1), vertex(c + 1)});
-      mesh.triangles.push_back({vertex(a), vertex(c + 1), vertex(c)});
-    }
-  }
+  mesh.triangles = kept;
   return mesh;
 }
 
@@ -140,23 +139,7 @@ inline Point torus_point(double u, double v, double tube) {
   return {radius * std::cos(u), radius * std::sin(u), tube * std::sin(v)};
 }
 inline TriangleMesh torus(std::size_t nu, std::size_t nv, double tube) {
-  TriangleMesh mesh;
-  auto angle = [](std::size_t i, std::size_t n) {
-    return 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
-  };
-  for (std::size_t i = 0; i < nu; ++i) {
-    for (std::size_t j = 0; j < nv; ++j) {
-      mesh.points.push_back(torus_point(angle(i, nu), angle(j, nv), tube));
-    }
-  }
-  auto at = [&](std::size_t i, std::size_t j) { return vertex((i % nu) * nv + j % nv); };
-  for (std::size_t i = 0; i < nu; ++i) {
-    for (std::size_t j = 0; j < nv; ++j) {
-      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  return mesh;
+  return gallery::torus(static_cast<int>(nu), static_cast<int>(nv), 1, tube);
 }
 
 inline VertexId nearest_vertex(const TriangleMesh& mesh, const Point& p) {
@@ -192,7 +175,8 @@ inline CloudRim rim_of(std::vector<RimLoop> loops) {
   return rim;
 }
 
-// A circle of n points in the plane of height z, with the cloud inside it and facing up.
+// A circle of n points in the horizontal plane of its center, with the cloud inside it and facing
+// up.
 inline RimLoop circle(std::size_t n, const Point& center, double radius) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < n; ++i) {

@@ -62,6 +62,7 @@ TEST(JoinedClouds, AreThinnedByTheLargestSpacing) {
   const std::vector<JoinedCloud> joined = join_clouds(clouds);
   ASSERT_EQ(joined.size(), 1U);
   const std::vector<Point> samples = samples_of(joined[0], clouds);
+  EXPECT_GE(joined[0].sheet.size(), 75U);  // of the coarse one, where nothing is beside it
   for (const PointId a : joined[0].sheet) {
     for (const PointId b : joined[0].sheet) {
       if (a == b) continue;

@@ -14,16 +14,7 @@ constexpr std::size_t side = 12;
 bool in_hole(const Point& p) { return 5 < p.x && p.x < 7 && 5 < p.y && p.y < 7; }
 
 // The unit grid of a square with a square hole of eight edges in its middle.
-TriangleMesh plane_with_hole() {
-  TriangleMesh mesh = testing::grid_plane(side);
-  IdVector<TriangleId, Triangle> kept;
-  for (const Triangle& t : mesh.triangles) {
-    const Point c = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
-    if (!in_hole(c)) kept.push_back(t);
-  }
-  mesh.triangles = kept;
-  return mesh;
-}
+TriangleMesh plane_with_hole() { return testing::with_hole(testing::grid_plane(side), 5, 7); }
 
 // The plane, and what of a column stands out of the hole.
 TriangleMesh plane_with_column(std::size_t height) {

@@ -166,6 +166,7 @@ TEST(UpdateSession, GoesOnFromASnapshotOfAMeshThatCameBack) {
 TEST(UpdateSession, GoesOnFromASnapshot) {
   Random random(6);
   UpdateSession session(gallery::even_sphere(600));
+  std::size_t updates = 0;
   for (int step = 0; step < 4; ++step) {
     UpdateSession again(session.snapshot(), session.options());
     ASSERT_TRUE(again.model() == session.model());
@@ -174,11 +175,13 @@ TEST(UpdateSession, GoesOnFromASnapshot) {
     apply_and_compare(again, clouds);
     EXPECT_TRUE(again.model() == session.model());
     if (status == UpdateStatus::ok) {
+      ++updates;
       again.undo();
       const SessionSnapshot back = again.snapshot();
       EXPECT_EQ(back.points.size(), back.triangulation.num_vertices());
     }
   }
+  EXPECT_GT(updates, 1U);
 }
 
 void expect_equal_snapshots(const SessionSnapshot& actual, const SessionSnapshot& expected) {
@@ -244,6 +247,7 @@ TEST(UpdateSession, GoesOnFromSnapshotsOfUncertainSurfaces) {
   const TriangleMesh part = read_mesh(std::string(COCOON_TEST_DATA) + "/models/anchor_dense.off");
   UpdateSession session(part.points.span());
   Random random(11);
+  std::size_t updates = 0;
   for (int step = 0; step < 6; ++step) {
     const SessionSnapshot snapshot = session.snapshot();
     ASSERT_FALSE(snapshot.surface.empty());
@@ -251,10 +255,11 @@ TEST(UpdateSession, GoesOnFromSnapshotsOfUncertainSurfaces) {
     EXPECT_FALSE(snapshot.surface.out.empty());
     UpdateSession again(snapshot, session.options());
     const Clouds clouds = random_scans(session.model(), random, 0.1);
-    apply_and_compare(again, clouds);
+    updates += apply_and_compare(again, clouds) ? 1U : 0U;
     session.apply(clouds);
     EXPECT_TRUE(again.model() == session.model());
   }
+  EXPECT_GT(updates, 1U);
 }
 
 TEST(UpdateSession, ExtremeCoordinatesWorkToo) {
@@ -293,7 +298,7 @@ TEST(UpdateSession, CancelledAnywhereItStaysAsItWas) {
   EXPECT_GT(cancelled, 10);
   const TriangleMesh after = session.model();
   const ReconstructResult reconstruction_after = session.reconstruction();
-  test::stop_everywhere(
+  const int undos_cancelled = test::stop_everywhere(
       [&](Progress& progress) {
         session.undo({1, &progress});
       },
@@ -302,6 +307,7 @@ TEST(UpdateSession, CancelledAnywhereItStaysAsItWas) {
         expect_equal_reconstruction(session.reconstruction(), reconstruction_after);
       },
       3);
+  EXPECT_GT(undos_cancelled, 0);
   EXPECT_EQ(session.undo_levels(), 0U);
   EXPECT_TRUE(session.model() == before);
   expect_equal_reconstruction(session.reconstruction(), reconstruction_before);

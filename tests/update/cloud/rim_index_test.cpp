@@ -10,7 +10,7 @@
 namespace cocoon {
 namespace {
 
-// Inside a star-shaped polygon about the origin: the edge of p's sector decides.
+// By the number of edges that a ray to the right of p crosses.
 bool inside_star(const std::vector<Point>& polygon, const Point& p) {
   bool inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -52,14 +52,8 @@ TEST(TrimLongEdges, FromTheRimInwardsIfClustersAreOff) {
 
 // A hole of 12 cells bridged by triangles that do not reach any rim.
 TEST(TrimLongEdges, OpensABridgedHole) {
-  TriangleMesh mesh = testing::grid_plane(30);
-  IdVector<TriangleId, Triangle> kept;
-  for (const Triangle& t : mesh.triangles) {
-    const Point c = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
-    if (c.x > 9 && c.x < 21 && c.y > 9 && c.y < 21) continue;
-    kept.push_back(t);
-  }
-  mesh.triangles = kept;
+  TriangleMesh mesh = testing::with_hole(testing::grid_plane(30), 9, 21);
+  const std::size_t kept = mesh.triangles.size();
   auto at = [](std::size_t x, std::size_t y) { return testing::vertex(31 * y + x); };
   // Two fans: from one corner of the hole along the two opposite sides.
   for (std::size_t k = 9; k < 21; ++k) {
@@ -68,7 +62,7 @@ TEST(TrimLongEdges, OpensABridgedHole) {
   }
   const TrimmedSurface trimmed = trim_long_edges(mesh);
   EXPECT_EQ(trimmed.in_clusters, 24U);
-  EXPECT_EQ(trimmed.mesh.triangles.size(), kept.size());
+  EXPECT_EQ(trimmed.mesh.triangles.size(), kept);
 }
 
 // A tent over a cell: all its edges to the top are long, and none of its triangles is at a rim.
