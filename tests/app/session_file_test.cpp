@@ -21,7 +21,6 @@ const std::vector<std::function<void(SurfaceArguments&)>> settings{
     [](SurfaceArguments& a) { a.alpha_deg = 25; },
     [](SurfaceArguments& a) { a.cocone_angle_deg = 20; },
     [](SurfaceArguments& a) { a.sharp_angle_deg = 80; },
-    [](SurfaceArguments& a) { a.alpha_deg = 0; },
 };
 
 TEST(SessionFile, EachParameterCounts) {

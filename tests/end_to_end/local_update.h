@@ -27,6 +27,21 @@ inline double hill(double distance, double width) {
   return t < 1 ? (1 - t * t) * (1 - t * t) : 0;
 }
 
+// A flat cap around `center`, with a hill in its middle.
+inline std::vector<Point> cap_with_hill(const Point& center, double height) {
+  std::vector<Point> cap;
+  Random random(9);
+  for (int i = 0; i < 48; ++i) {
+    for (int j = 0; j < 48; ++j) {
+      const double x = 0.5 * i + random.uniform(-0.1, 0.1) - 12;
+      const double y = 0.5 * j + random.uniform(-0.1, 0.1) - 12;
+      const double r = std::hypot(x, y);
+      if (r < 8) cap.push_back(center + Vec3{x, y, height * hill(r, 6)});
+    }
+  }
+  return cap;
+}
+
 // n points on the unit sphere, evenly spread along a spiral, with a little noise across.
 inline std::vector<Point> sphere_points(std::size_t n, std::uint64_t seed = 1) {
   Random random(seed);

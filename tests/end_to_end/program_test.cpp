@@ -1,4 +1,4 @@
-// The program as command-line.md promises it: exit codes, outputs, the JSON report, silence.
+// The program as README.md and its help promise it: exit codes, outputs, the JSON report, silence.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <gtest/gtest.h>
 #include <map>
 #include <numbers>
@@ -12,6 +11,7 @@
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
 #include "geom/random.h"
+#include "tests/end_to_end/boxy_part.h"
 #include "tests/end_to_end/local_update.h"
 #include "tests/gallery.h"
 #include "tests/update/hand_made_models.h"
@@ -21,6 +21,7 @@
 namespace cocoon {
 namespace {
 
+using testing::cap_with_hill;
 using testing::Clouds;
 using testing::hill;
 
@@ -60,21 +61,6 @@ TriangleMesh block_with_a_hole() {
   return mesh;
 }
 
-// A flat cap with a hill in its middle, on the plane of height z.
-std::vector<Point> cap_with_hill(const Point& center, double height) {
-  std::vector<Point> cap;
-  Random random(9);
-  for (int i = 0; i < 48; ++i) {
-    for (int j = 0; j < 48; ++j) {
-      const double x = 0.5 * i + random.uniform(-0.1, 0.1) - 12;
-      const double y = 0.5 * j + random.uniform(-0.1, 0.1) - 12;
-      const double r = std::hypot(x, y);
-      if (r < 8) cap.push_back(center + Vec3{x, y, height * hill(r, 6)});
-    }
-  }
-  return cap;
-}
-
 // The way through the hole leads from inside the rim to outside of it, on the far side of the
 // block. Whether the hole goes is nothing that a cloud over one of its mouths tells.
 TEST(UpdateWithHandles, BlockWithAHoleByACap) {
@@ -87,64 +73,15 @@ TEST(UpdateWithHandles, BlockWithAHoleByACap) {
   EXPECT_TRUE(result.mesh.triangles.empty());
 }
 
-// The surface of all unit cells in [0, size) for which is_solid(cell) holds, facing outward.
-TriangleMesh cell_surface(const std::array<int, 3>& size,
-                          const std::function<bool(const std::array<int, 3>&)>& is_solid) {
-  TriangleMesh mesh;
-  std::map<std::array<int, 3>, VertexId> vertex_at;
-  const auto corner = [&](const std::array<int, 3>& at) {
-    const auto [entry, is_new] = vertex_at.try_emplace(at);
-    if (is_new) {
-      entry->second = mesh.points.push_back({1.0 * at[0], 1.0 * at[1], 1.0 * at[2]});
-    }
-    return entry->second;
-  };
-  const auto solid = [&](const std::array<int, 3>& cell) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (cell[axis] < 0 || cell[axis] >= size[axis]) return false;
-    }
-    return is_solid(cell);
-  };
-  const auto add_side = [&](const std::array<int, 3>& cell, std::size_t axis, int side) {
-    std::array<int, 3> next = cell;
-    next[axis] += 2 * side - 1;
-    if (!solid(cell) || solid(next)) return;
-    const auto at = [&](int u, int v) {
-      std::array<int, 3> place = cell;
-      place[axis] += side;
-      place[(axis + 1) % 3] += u;
-      place[(axis + 2) % 3] += v;
-      return corner(place);
-    };
-    Triangle first = {at(0, 0), at(1, 0), at(1, 1)};
-    Triangle second = {at(0, 0), at(1, 1), at(0, 1)};
-    if (side == 0) std::swap(first[1], first[2]);
-    if (side == 0) std::swap(second[1], second[2]);
-    mesh.triangles.push_back(first);
-    mesh.triangles.push_back(second);
-  };
-  for (int x = 0; x < size[0]; ++x) {
-    for (int y = 0; y < size[1]; ++y) {
-      for (int z = 0; z < size[2]; ++z) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          add_side({x, y, z}, axis, 0);
-          add_side({x, y, z}, axis, 1);
-        }
-      }
-    }
-  }
-  return mesh;
-}
-
 // A slot in the top of a block that is closed in its middle, under the rim: a tunnel from inside
 // the rim to outside of it. It is cut about halfway, under the rim.
 TEST(UpdateWithHandles, BlockWithAClosedSlotByACap) {
-  const TriangleMesh model = cell_surface({24, 36, 10}, [](const std::array<int, 3>& cell) {
-    const auto [x, y, z] = cell;
-    const bool in_slot = x >= 10 && x < 14 && y >= 13 && y < 27 && z >= 5;
-    const bool in_bridge = y >= 17 && y < 23 && z >= 8;
-    return !in_slot || in_bridge;
-  });
+  const TriangleMesh model =
+      testing::surface_of({{24, 36, 10}, [](int x, int y, int z) {
+                             const bool in_slot = x >= 10 && x < 14 && y >= 13 && y < 27 && z >= 5;
+                             const bool in_bridge = y >= 17 && y < 23 && z >= 8;
+                             return !in_slot || in_bridge;
+                           }});
   ASSERT_TRUE(mesh_check(model).is_closed_manifold());
   ASSERT_EQ(mesh_check(model).euler, 0);
   const Point center = {12, 12, 10};

@@ -23,6 +23,7 @@ namespace cocoon {
 namespace {
 
 using std::numbers::pi;
+using testing::cap_with_hill;
 using testing::Clouds;
 using testing::expect_local_update;
 using testing::hill;
@@ -174,25 +175,10 @@ TEST(UpdateScenarios, SphereByAnAnnulus) {
   EXPECT_LT(largest_deviation(result.mesh, [&](const Point& p) { return 1 + ridge(p); }), 0.01);
 }
 
-// A hill on the middle of the top of a block of 24 x 20 and the given height.
-std::vector<Point> hill_on_top(double height) {
-  std::vector<Point> cloud;
-  Random random(9);
-  for (int i = 0; i < 48; ++i) {
-    for (int j = 0; j < 48; ++j) {
-      const double x = 0.5 * i + random.uniform(-0.1, 0.1) - 12;
-      const double y = 0.5 * j + random.uniform(-0.1, 0.1) - 12;
-      const double r = std::hypot(x, y);
-      if (r < 8) cloud.push_back({12 + x, 10 + y, height + 3 * hill(r, 6)});
-    }
-  }
-  return cloud;
-}
-
 // The top of a block with flat sides and sharp edges gets a hill.
 TEST(UpdateScenarios, BlockByACap) {
   const TriangleMesh model = testing::block(24, 20, 8);
-  const Clouds clouds = {hill_on_top(8)};
+  const Clouds clouds = {cap_with_hill({12, 10, 8}, 3)};
   auto off_axis = [](const Point& p) { return std::hypot(p.x - 12, p.y - 10); };
   // Tight Cocone cuts off a sharp corner of three faces if that is one sample.
   auto is_corner = [](const Point& p) {
@@ -355,7 +341,7 @@ TEST(UpdateScenarios, CloudWithAHoleOnTheNewShape) {
 // Two sheets close together: the cloud lies on one of them, two spacings away from the other.
 TEST(UpdateScenarios, ThinPlateByACap) {
   const TriangleMesh model = testing::block(24, 20, 2);
-  const Clouds clouds = {hill_on_top(2)};
+  const Clouds clouds = {cap_with_hill({12, 10, 2}, 3)};
   const auto off_axis = [](const Point& p) { return std::hypot(p.x - 12, p.y - 10); };
   const auto is_corner = [](const Point& p) {
     return (p.x == 0 || p.x == 24) && (p.y == 0 || p.y == 20) && (p.z == 0 || p.z == 2);

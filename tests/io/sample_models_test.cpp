@@ -198,7 +198,8 @@ TEST_P(SampleModelsOfThePaper, CountsShapesAndOutlines) {
   EXPECT_EQ(report.genus, 0U);
   EXPECT_GT(mesh_measure(model.truth).signed_volume, 0);
 
-  // All points that are there after the change lie on it; those it makes wrong are covered.
+  // All points that are there after the change lie on it; the clouds end
+  // a little before those that stay.
   const double spacing =
       std::sqrt(mesh_measure(model.truth).area / 1.02 / static_cast<double>(model.initial.size()));
   const ClosestFacetTree truth(model.truth);

@@ -48,7 +48,8 @@ inline std::string content_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-// What `action` throws as FileError, without the path that it begins with; "" if it throws nothing.
+// The message of the Error that `action` throws, without the path that it begins with; "" if it
+// throws nothing.
 template <class Error, class Action>
 std::string message_of(const std::filesystem::path& path, const Action& action) {
   try {

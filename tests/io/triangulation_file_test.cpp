@@ -22,11 +22,6 @@
 namespace cocoon {
 namespace {
 
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 std::string error_of(const std::filesystem::path& path,
                      const LoadTriangulationOptions& options = {}) {
   try {
@@ -63,7 +58,7 @@ TEST(TriangulationFile, ComesThroughAPipe) {
   const TemporaryFolder folder;
   const Triangulation original = delaunay(gallery::uniform_cube(3000)).triangulation;
   save_triangulation(folder / "t.dt", original);
-  const std::string bytes = bytes_of(folder / "t.dt");
+  const std::string bytes = content_of(folder / "t.dt");
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   std::thread writer([&] { std::ofstream(folder / "pipe", std::ios::binary) << bytes; });
   expect_equal(load_triangulation(folder / "pipe"), original);
@@ -73,7 +68,7 @@ TEST(TriangulationFile, ComesThroughAPipe) {
 TEST(TriangulationFile, HoldsAnEmptyTriangulation) {
   const TemporaryFolder folder;
   save_triangulation(folder / "empty.dt", {});
-  EXPECT_EQ(bytes_of(folder / "empty.dt").size(), 56U);
+  EXPECT_EQ(content_of(folder / "empty.dt").size(), 56U);
   EXPECT_EQ(load_triangulation(folder / "empty.dt").num_cells(), 0U);
 }
 
@@ -82,7 +77,7 @@ TEST(TriangulationFile, HasTheLayoutOfItsDescription) {
   const TemporaryFolder folder;
   const std::vector<Point> points{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {1, 0, 0}};
   save_triangulation(folder / "t.dt", delaunay(points).triangulation);
-  const std::string bytes = bytes_of(folder / "t.dt");
+  const std::string bytes = content_of(folder / "t.dt");
   EXPECT_EQ(bytes.size(), 48U + 24 * 4 + 32 * 5 + 24 + 8);
   const std::string header(
       "COCOONDT\1\0\0\0\0\0\0\0"
@@ -94,7 +89,7 @@ TEST(TriangulationFile, HasTheLayoutOfItsDescription) {
 TEST(TriangulationFile, EveryDamagedByteIsFound) {
   const TemporaryFolder folder;
   save_triangulation(folder / "t.dt", delaunay(gallery::uniform_cube(6)).triangulation);
-  const std::string good = bytes_of(folder / "t.dt");
+  const std::string good = content_of(folder / "t.dt");
   for (std::size_t i = 0; i < good.size(); ++i) {
     std::string bad = good;
     bad[i] = static_cast<char>(bad[i] ^ (1 << (i % 8)));
@@ -112,7 +107,7 @@ TEST(TriangulationFile, EveryDamagedByteIsFound) {
 TEST(TriangulationFile, EveryTruncationIsFound) {
   const TemporaryFolder folder;
   save_triangulation(folder / "t.dt", delaunay(gallery::uniform_cube(12)).triangulation);
-  const std::string good = bytes_of(folder / "t.dt");
+  const std::string good = content_of(folder / "t.dt");
   for (std::size_t size = 0; size < good.size(); size += size < 64 ? 1 : 13) {
     folder.write("bad.dt", good.substr(0, size));
     ASSERT_NE(error_of(folder / "bad.dt"), "") << size << " bytes";
