@@ -123,48 +123,62 @@ VertexMaxima find_maxima(const Triangulation& triangulation, const Execution& ex
       [&](VertexMaxima& all, const VertexMaxima& others) { all.join(others, execution); });
 }
 
+// The arms of finite cells below the tangent planes of their corners.
+class LowerArms {
+ public:
+  // `sides`: gets the sides of the cells, too, if not null.
+  LowerArms(const Triangulation& triangulation, const Dual& dual,
+            const IdVector<VertexId, Vec3>& normals, ConeSides* sides)
+      : triangulation_(triangulation), dual_(dual), normals_(normals), sides_(sides) {}
+
+  // Calls visit(cells, lower arms) for blocks of the cells begin ... end - 1; corners with arms of
+  // extreme lengths that are lower are left to visit_unsafe(arm, p). `maxima`: will be looked at.
+  template <class Visit, class VisitUnsafe>
+  void for_each(std::size_t begin, std::size_t end, const VertexMaxima& maxima, Visit visit,
+                VisitUnsafe visit_unsafe) const {
+    const double squared_cosine = sides_ != nullptr ? sides_->cosine * sides_->cosine : 0;
+    const ReadSoon soon{normals_.raw().data(), maxima.values()};
+    CellBlock block;
+    ArmSides arms;
+    for_each_run(begin, end, [&](CellId first, std::size_t size) {
+      load_run(triangulation_, dual_, first, size, block, soon);
+      arm_sides(triangulation_, normals_, squared_cosine, first, block, arms);
+      if (sides_ != nullptr) {
+        take_cone_sides(triangulation_, dual_, normals_, arms, first, size, *sides_);
+      }
+      const auto cells = triangulation_.cell_records().span().subspan(first.index(), size);
+      visit(cells, arms.lower);
+      for (std::size_t k = 0; k < size; ++k) {
+        for (unsigned rest = arms.unsafe[k]; rest != 0; rest &= rest - 1) {
+          const VertexId p = cells[k].vertices[static_cast<std::size_t>(std::countr_zero(rest))];
+          const Arm arm = arm_of(triangulation_, dual_, CellId(first.index() + k), p);
+          if (dot(arm.safe(), normals_[p]) < 0) visit_unsafe(arm, p);
+        }
+      }
+    });
+  }
+
+ private:
+  const Triangulation& triangulation_;
+  const Dual& dual_;
+  const IdVector<VertexId, Vec3>& normals_;
+  ConeSides* sides_;
+};
+
 // h_p of all samples, from their normals, and the sides of finite cells to the double cones of
 // sides->cosine if they are wanted.
 void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& poles,
                   ConeSides* sides, const Execution& execution) {
-  const double squared_cosine = sides != nullptr ? sides->cosine * sides->cosine : 0;
-  // Calls visit(cells, lower arms) for blocks of the cells begin ... end - 1; corners with arms of
-  // extreme lengths are left to visit_unsafe(c, p). `maxima`: will be looked at.
-  const auto for_each_lower_arm = [&](std::size_t begin, std::size_t end,
-                                      const VertexMaxima& maxima, auto visit, auto visit_unsafe) {
-    const ReadSoon soon{poles.normals.raw().data(), maxima.values()};
-    CellBlock block;
-    ArmSides arms;
-    for_each_run(begin, end, [&](CellId first, std::size_t size) {
-      load_run(triangulation, dual, first, size, block, soon);
-      arm_sides(triangulation, poles.normals, squared_cosine, first, block, arms);
-      if (sides != nullptr) {
-        take_cone_sides(triangulation, dual, poles.normals, arms, first, size, *sides);
-      }
-      const auto cells = triangulation.cell_records().span().subspan(first.index(), size);
-      visit(cells, arms.lower);
-      for (std::size_t k = 0; k < size; ++k) {
-        for (unsigned rest = arms.unsafe[k]; rest != 0; rest &= rest - 1) {
-          const auto j = static_cast<std::size_t>(std::countr_zero(rest));
-          visit_unsafe(CellId(first.index() + k), cells[k].vertices[j]);
-        }
-      }
-    });
-  };
-  const auto is_lower = [&](VertexId p, const Arm& arm) {
-    return dot(arm.safe(), poles.normals[p]) < 0;
-  };
+  const LowerArms arms(triangulation, dual, poles.normals, sides);
   std::atomic<bool> any_far = false;
   const auto take_squares = [&](VertexMaxima& squared, std::size_t begin, std::size_t end) {
-    for_each_lower_arm(
+    arms.for_each(
         begin, end, squared,
         [&](std::span<const Cell> cells, const SquaredArms& lower) {
           squared.raise_corners(cells,
                                 [&](std::size_t k, std::size_t j) { return lower.at(k, j); });
         },
-        [&](CellId c, VertexId p) {
-          const Arm arm = arm_of(triangulation, dual, c, p);
-          if (!is_lower(p, arm)) return;
+        [&](const Arm& arm, VertexId p) {
           squared.raise(p, arm.squared_length);
           if (arm.is_far()) any_far = true;
         });
@@ -178,11 +192,10 @@ void find_heights(const Triangulation& triangulation, const Dual& dual, Poles& p
                   });
   if (!any_far) return;
   const auto take_far = [&](VertexMaxima& far, std::size_t begin, std::size_t end) {
-    for_each_lower_arm(
+    arms.for_each(
         begin, end, far, [](std::span<const Cell>, const SquaredArms&) {},
-        [&](CellId c, VertexId p) {
-          const Arm arm = arm_of(triangulation, dual, c, p);
-          if (arm.is_far() && is_lower(p, arm)) far.raise(p, norm(arm.safe()) / shrink);
+        [&](const Arm& arm, VertexId p) {
+          if (arm.is_far()) far.raise(p, norm(arm.safe()) / shrink);
         });
   };
   const VertexMaxima far = find_maxima(triangulation, execution, take_far);
