@@ -65,7 +65,7 @@ struct CloudSurfaceOptions {
 enum class CloudStatus {
   ok,
   no_surface,    // no trial gives a surface: too few or too noisy samples
-  cloud_closed,  // a surface, but no trial finds a rim: nothing to join it to the model by
+  cloud_closed,  // a surface, but no trial finds a rim, though there may be pin-holes
 };
 
 // What one trial gave.
@@ -96,6 +96,13 @@ struct CloudSurface {
   // Different samples in rows, dense places or layers that are not looked at.
   std::size_t set_aside = 0;
   SpacingRange spacing;  // of all, by the surface of the first trial
+
+  // A rim, or pin-holes: these are rims where the model goes on through them (pin_holes.h), as
+  // where all around a thin limb was scanned.
+  bool has_loops() const {
+    return status == CloudStatus::ok ||
+           (status == CloudStatus::cloud_closed && !rim.pin_hole_loops.empty());
+  }
 };
 
 // Reconstructs `cloud` alone. One triangulation and one set of poles and cocones serve all trials:

@@ -1,6 +1,7 @@
 // Where the rim of a cloud lies on the model: the overlapping facets.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -88,6 +89,12 @@ struct Overlap {
   // By how many spacings, as in max_distance, a matched point at most is farther from its facet
   // than the median.
   double largest_excess = 0;
+
+  // Whether a loop lies on the model, or on other clouds.
+  bool is_border() const {
+    return std::any_of(loops.begin(), loops.end(),
+                       [](const LoopOverlap& loop) { return loop.match != LoopMatch::off_model; });
+  }
 };
 
 // The overlapping facet of each rim point, and which loops lie on the model at all.

@@ -53,17 +53,7 @@ bool UpdateSteps::detect_boundaries(const Execution& execution) {
     other_surfaces_.push_back(surfaces_of_cloud(c, execution));
     take_surface(c, std::move(other_surfaces_[c].front()));
     other_surfaces_[c].erase(other_surfaces_[c].begin());
-    const CloudSurface& surface = result_.clouds[c].surface;
-    if (surface.status == CloudStatus::no_surface) {
-      return fail(UpdateStatus::no_cloud_surface,
-                  name_of_cloud(c) + " gives no surface; sample it more densely or remove noise" +
-                      hint_of_only_trial(options_.cloud));
-    }
-    if (surface.status == CloudStatus::cloud_closed) {
-      return fail(UpdateStatus::cloud_closed, name_of_cloud(c) + " " +
-                                                  reason_of_closed_cloud(surface.rim) +
-                                                  hint_of_only_trial(options_.cloud));
-    }
+    if (!result_.clouds[c].surface.has_loops()) return fail_surface(c);
   }
   return true;
 }
@@ -77,8 +67,9 @@ bool UpdateSteps::find_overlapping_facets(const ModelIndex& index, const Executi
     if (overlaps_[c].status == OverlapStatus::no_overlap) try_others(c, index, execution);
   }
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
-    report_overlap(c);
     CloudReport& report = result_.clouds[c];
+    if (report.surface.rim.loops.empty()) return fail_surface(c);
+    report_overlap(c);
     report.shift = rim_shift(index, report.surface.rim, overlaps_[c], options_.shift);
     warn_of_cloud(c, warnings_of_cloud(report, options_.overlap, options_.shift));
     if (overlaps_[c].status == OverlapStatus::no_overlap)
@@ -89,7 +80,12 @@ bool UpdateSteps::find_overlapping_facets(const ModelIndex& index, const Executi
 }
 
 bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& execution) {
-  if (close_pin_holes(index, execution)) trace_borders(index, execution);
+  if (close_pin_holes(index, execution)) {
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      if (!overlaps_[c].is_border()) return fail_surface(c);
+    }
+    trace_borders(index, execution);
+  }
   const std::vector<std::size_t> joined = lowest_sharing_clouds(shared_with_);
   is_cut_ = clouds_to_cut(partial_rims(result_.clouds), joined);
   if (!segment(index, joined, execution)) return false;
@@ -180,16 +176,6 @@ void UpdateSteps::warn_of_cloud(std::size_t c, const std::vector<std::string>& w
   for (const std::string& warning : warnings) warn(name_of_cloud(c) + ": " + warning);
 }
 
-// The samples of each cloud that are no vertices of the updated mesh.
-std::vector<std::vector<Point>> UpdateSteps::unused_samples() const {
-  if (result_.reconstruction.unused_points == 0) {
-    return std::vector<std::vector<Point>>(clouds_.size());
-  }
-  IdVector<PointId, std::uint8_t> unused(result_.replacement.points.size(), 1);
-  for (const PointId p : result_.reconstruction.point_of_vertex) unused[p] = 0;
-  return samples_with_flag(result_.replacement, joined_, given_, std::move(unused));
-}
-
 void UpdateSteps::look_for_contradictions(std::span<const Scan> scans) {
   if (result_.reconstruction.contradicted.empty()) return;
   IdVector<PointId, std::uint8_t> flags(result_.replacement.points.size(), 0);
@@ -207,7 +193,9 @@ void UpdateSteps::look_for_contradictions(std::span<const Scan> scans) {
 void UpdateSteps::look_for_losses(const ModelIndex& index) {
   const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
   look_for_contradictions(scans);
-  result_.unused_changes = unused_changes(index, scans, unused_samples(), options_.unused_changes);
+  result_.unused_changes = unused_changes(
+      index, scans, unused_samples(result_.replacement, result_.reconstruction, joined_, given_),
+      options_.unused_changes);
   if (result_.unused_changes.is_doubtful(options_.unused_changes)) {
     warn(warning_of_unused_changes(result_.unused_changes));
   }
@@ -284,7 +272,7 @@ void UpdateSteps::try_others(std::size_t c, const ModelIndex& index, const Execu
   const Overlap overlap = overlaps_[c];
   const std::vector<std::size_t> shared_with = shared_with_[c];
   for (CloudSurface& other : other_surfaces_[c]) {
-    if (other.status != CloudStatus::ok) continue;
+    if (other.status != report.surface.status || !other.has_loops()) continue;
     take_surface(c, std::move(other));
     locate_rim(c, index, execution);
     excuse_covered_points(rims_of(result_.clouds), clouds_, overlaps_, options_.overlap);
@@ -339,6 +327,16 @@ void UpdateSteps::report_overlap(std::size_t c) {
                                    ? ": lies on other clouds and is no border"
                                    : ": is off the model and taken for a hole in the cloud"));
   }
+}
+
+bool UpdateSteps::fail_surface(std::size_t c) {
+  const CloudSurface& surface = result_.clouds[c].surface;
+  const bool is_empty = surface.status == CloudStatus::no_surface;
+  return fail(is_empty ? UpdateStatus::no_cloud_surface : UpdateStatus::cloud_closed,
+              name_of_cloud(c) + " " +
+                  (is_empty ? "gives no surface; sample it more densely or remove noise"
+                            : reason_of_closed_cloud(surface.rim)) +
+                  hint_of_only_trial(options_.cloud));
 }
 
 bool UpdateSteps::fail_no_overlap(std::size_t c, const ModelIndex& index,

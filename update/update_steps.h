@@ -57,7 +57,6 @@ class UpdateSteps {
 
   // Has contradicted islands go.
   void take_islands(const ModelIndex& index);
-  std::vector<std::vector<Point>> unused_samples() const;
   void look_for_contradictions(std::span<const Scan> scans);
   void look_for_losses(const ModelIndex& index);
 
@@ -93,6 +92,9 @@ class UpdateSteps {
   void trace_borders(const ModelIndex& index, const Execution& execution);
 
   void report_overlap(std::size_t c);
+
+  // There is no surface, or no rim.
+  bool fail_surface(std::size_t c);
 
   bool fail_no_overlap(std::size_t c, const ModelIndex& index, const Execution& execution);
 

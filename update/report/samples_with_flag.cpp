@@ -1,6 +1,7 @@
 #include "update/report/samples_with_flag.h"
 
 #include <cstddef>
+#include <utility>
 
 namespace cocoon {
 
@@ -20,6 +21,16 @@ std::vector<std::vector<Point>> samples_with_flag(const Replacement& replacement
     }
   }
   return samples;
+}
+
+std::vector<std::vector<Point>> unused_samples(const Replacement& replacement,
+                                               const ReconstructResult& reconstruction,
+                                               std::span<const JoinedCloud> joined,
+                                               std::span<const std::vector<Point>> clouds) {
+  if (reconstruction.unused_points == 0) return std::vector<std::vector<Point>>(joined.size());
+  IdVector<PointId, std::uint8_t> unused(replacement.points.size(), 1);
+  for (const PointId p : reconstruction.point_of_vertex) unused[p] = 0;
+  return samples_with_flag(replacement, joined, clouds, std::move(unused));
 }
 
 }  // namespace cocoon

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "cocone/reconstruct.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/point.h"
@@ -20,5 +21,12 @@ std::vector<std::vector<Point>> samples_with_flag(const Replacement& replacement
                                                   std::span<const JoinedCloud> joined,
                                                   std::span<const std::vector<Point>> clouds,
                                                   IdVector<PointId, std::uint8_t> flags);
+
+// Of each joined cloud the samples that are no vertices of the updated mesh, of equal ones the
+// first. Complexity: O(updated points + samples), O(clouds) if all points are. Source: ours.
+std::vector<std::vector<Point>> unused_samples(const Replacement& replacement,
+                                               const ReconstructResult& reconstruction,
+                                               std::span<const JoinedCloud> joined,
+                                               std::span<const std::vector<Point>> clouds);
 
 }  // namespace cocoon
