@@ -1,6 +1,7 @@
 #include "update/replace_points.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "geom/box.h"
@@ -54,6 +55,22 @@ std::vector<VertexId> not_plain(RegionId plain, const Regions& regions,
   scanned.visit_where([](Scanned s) { return s != Scanned::unclear; }, take);
   make_set(found);
   return found;
+}
+
+// Whether a vertex goes because the regions around it do, or stays because they do and no rim is
+// there; nothing if they differ. Parts of what a rim encloses border on each other without a rim
+// between: islands that were split off, and what several clouds cut.
+std::optional<bool> told_by_regions(const ModelIndex& model, const Regions& regions,
+                                    const RegionChoice& choice, VertexId v) {
+  bool goes = false;
+  bool stays = false;
+  bool at_rim = false;
+  for (const TriangleId t : model.triangles_at(v)) {
+    const RegionId r = regions.region_of_facet[t];
+    (r.is_none() ? at_rim : choice.replaced[r] != 0 ? goes : stays) = true;
+  }
+  if (goes == stays || (stays && at_rim)) return std::nullopt;
+  return goes;
 }
 
 // Merges equal points, keeping the first of each in place; returns the new position of every old
@@ -162,8 +179,9 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
       edit.removed.push_back(v);
       return;
     }
-    bool replaced =
-        on_border ? rim_index.on_cloud_side(model.points[v]) : choice.replaced[group] != 0;
+    bool replaced = !on_border ? choice.replaced[group] != 0
+                               : told_by_regions(index, regions, choice, v)
+                                     .value_or(rim_index.on_cloud_side(model.points[v]));
     if (scanned[v] != Scanned::unclear && replaced != (scanned[v] == Scanned::yes)) {
       replaced = !replaced;
       ++(replaced ? result.scanned_replaced : result.unscanned_kept);

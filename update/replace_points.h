@@ -50,11 +50,13 @@ struct Replacement {
   std::size_t duplicates = 0;       // points left out because an equal one came before
 };
 
-// Replaces the vertices of replaced groups by the clouds. A border vertex, which has no group, is
-// replaced iff it lies on the cloud's side of the rim edge nearest to it; the rims are those that
-// formed the border. A border vertex all of whose neighboring regions are kept although it lies
-// under the cloud is replaced as well: then the cloud covers it without covering a facet. Of the
-// vertices at the very rim those go that have been scanned anew (scanned_vertices.h).
+// Replaces the vertices of replaced groups by the clouds. A vertex without a group goes if all
+// regions around it go, and stays if all stay and no border is there: regions that were parted
+// have no rim between them. Any other is replaced iff it lies on the cloud's side of the rim edge
+// nearest to it; the rims are those that formed the border. So is a border vertex all of whose
+// neighboring regions are kept although it lies under the cloud: then the cloud covers it without
+// covering a facet. Of the vertices at the very rim those go that have been scanned anew
+// (scanned_vertices.h).
 // rims[c] belongs to clouds[c]. `added`: what comes in, the same samples in the order wanted.
 // Complexity: O(n) for n points and triangles, and a search per border vertex. Deterministic.
 // Source: Woo & Dey 2005, section 3.4 ("the vertices in the region"; border vertices are open).

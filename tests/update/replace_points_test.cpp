@@ -172,5 +172,37 @@ TEST(ReplacePoints, AtTheRimSamplesTell) {
   }
 }
 
+// Parts the region of the vertex nearest to p by a line that is no border, and adds a rim around p
+// that has got there by mistake.
+void part_at(const Point& p, bool cloud_inside, ReplacedDisk& scene) {
+  const VertexId at = testing::nearest_vertex(scene.model, p);
+  const RegionId region = scene.regions.group_of_vertex[at];
+  const RegionId part = scene.regions.regions.push_back({});
+  scene.choice.replaced.push_back(scene.choice.replaced[region]);
+  const ModelIndex index(scene.model);
+  for (const TriangleId t : scene.model.triangles.ids()) {
+    if (scene.regions.region_of_facet[t] != region || index.centroid(t).x < p.x) continue;
+    scene.regions.region_of_facet.set(t, part);
+  }
+  count_and_group(index, scene.regions);
+  ASSERT_TRUE(scene.regions.group_of_vertex[at].is_none());
+  RimLoop stray = testing::circle(12, p, 1.5);
+  for (std::size_t i = 0; i < stray.size(); ++i) {
+    if (!cloud_inside) stray.apexes[i] = stray.points[i] + (stray.points[i] - p);
+  }
+  scene.rims[0].loops.push_back(stray);
+}
+
+// Where no border is, what lies between two regions goes if both go, and stays if both stay.
+TEST(ReplacePoints, BetweenRegionsOfOneMindNoRimTells) {
+  const std::vector<VertexId> removed = ReplacedDisk().replace().removed;
+  ReplacedDisk inside;
+  part_at({10, 10, 0}, false, inside);
+  EXPECT_EQ(inside.replace().removed, removed);
+  ReplacedDisk outside;
+  part_at({10, 1, 0}, true, outside);
+  EXPECT_EQ(outside.replace().removed, removed);
+}
+
 }  // namespace
 }  // namespace cocoon
