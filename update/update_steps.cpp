@@ -82,7 +82,8 @@ bool UpdateSteps::find_overlapping_facets(const ModelIndex& index, const Executi
 bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& execution) {
   if (close_pin_holes(index, execution)) {
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      if (!overlaps_[c].is_border()) return fail_surface(c);
+      const bool has_rim = result_.clouds[c].surface.status == CloudStatus::ok;
+      if (!has_rim && !overlaps_[c].is_border()) return fail_surface(c);
     }
     trace_borders(index, execution);
   }
