@@ -13,6 +13,7 @@
 
 #include "geom/box.h"
 #include "geom/changed_neighbors.h"
+#include "geom/disjoint_sets.h"
 #include "geom/edited_ids.h"
 #include "geom/errors.h"
 #include "geom/halfedges.h"
@@ -28,9 +29,12 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) {
     throw InputError("update: the model has no triangles; give a closed mesh or reconstruct one");
   }
+  // Nearly always all points are finite: in the order of memory.
+  const bool all_finite = std::all_of(mesh.points.begin(), mesh.points.end(),
+                                      [](const Point& p) { return is_finite(p); });
   for (const TriangleId t : mesh.triangles.ids()) {
     for (const VertexId v : mesh.triangles[t]) {
-      if (v.index() < mesh.points.size() && is_finite(mesh.points[v])) continue;
+      if (v.index() < mesh.points.size() && (all_finite || is_finite(mesh.points[v]))) continue;
       throw InputError("update: triangle " + std::to_string(t.value) +
                        " of the model names vertex " + std::to_string(v.value) +
                        ", which is missing or not finite; repair the mesh");
@@ -39,28 +43,31 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
   return mesh;
 }
 
-// Empty if all triangles are of one component.
+// Numbered by their first triangles; empty if all are of one component. Each triangle takes over
+// the seed of its first earlier neighbor, and seeds that meet are joined: in the order of memory.
 IdVector<TriangleId, std::uint32_t> components_of(const TriangleNeighbors& neighbors) {
   constexpr std::uint32_t none = 0xFFFFFFFFU;
-  IdVector<TriangleId, std::uint32_t> components(neighbors.size(), none);
-  std::uint32_t count = 0;
-  std::vector<TriangleId> stack;
-  for (const TriangleId seed : components.ids()) {
-    if (components[seed] != none) continue;
-    components[seed] = count;
-    stack.assign(1, seed);
-    while (!stack.empty()) {
-      const TriangleId t = stack.back();
-      stack.pop_back();
-      for (const TriangleId next : neighbors[t]) {
-        if (next.is_none() || components[next] != none) continue;
-        components[next] = count;
-        stack.push_back(next);
-      }
+  IdVector<TriangleId, std::uint32_t> components(neighbors.size());  // first, their seeds
+  std::uint32_t seeds = 0;
+  std::vector<std::array<std::uint32_t, 2>> joins;
+  for (const TriangleId t : components.ids()) {
+    std::uint32_t seed = none;
+    for (const TriangleId next : neighbors[t]) {
+      if (next.is_none() || next > t) continue;
+      if (seed == none) seed = components[next];
+      if (components[next] != seed) joins.push_back({seed, components[next]});
     }
-    ++count;
+    components[t] = seed == none ? seeds++ : seed;
   }
-  if (count <= 1) components = {};
+  DisjointSets sets(seeds);
+  for (const auto& [one, other] : joins) sets.join(one, other);
+  std::vector<std::uint32_t> number(seeds);
+  std::uint32_t count = 0;
+  for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+    number[seed] = sets.root(seed) == seed ? count++ : number[sets.root(seed)];
+  }
+  if (count <= 1) return {};
+  for (std::uint32_t& component : components) component = number[component];
   return components;
 }
 

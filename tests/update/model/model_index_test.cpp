@@ -1,8 +1,13 @@
 #include "update/model/model_index.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <gtest/gtest.h>
+#include <random>
 #include <utility>
+#include <vector>
+
+#include "tests/mesh_gallery.h"
 
 namespace cocoon {
 namespace {
@@ -53,6 +58,35 @@ struct Bridge {
   TriangleMesh joined;  // one
   IdVector<VertexId, VertexId> same;
 };
+
+// In whatever order triangles come, so that many parts meet late.
+TEST(ModelIndex, NumbersComponentsByTheirFirstTriangles) {
+  constexpr std::size_t count = 3;
+  std::vector<std::pair<Triangle, std::size_t>> triangles;  // and the torus that it is of
+  TriangleMesh mesh;
+  for (std::size_t k = 0; k < count; ++k) {
+    const TriangleMesh torus = gallery::torus(17, 9, 3, 1);
+    const std::size_t first = mesh.points.size();
+    for (const Point& p : torus.points)
+      mesh.points.push_back(p + Vec3{10 * static_cast<double>(k), 0, 0});
+    for (Triangle t : torus.triangles) {
+      for (VertexId& v : t) v = VertexId(first + v.index());
+      triangles.emplace_back(t, k);
+    }
+  }
+  std::shuffle(triangles.begin(), triangles.end(), std::mt19937(3));
+  for (const auto& [triangle, torus] : triangles) mesh.triangles.push_back(triangle);
+
+  const ModelIndex index(mesh);
+  EXPECT_FALSE(index.is_connected());
+  std::vector<std::size_t> met;  // tori, as they are met
+  for (const TriangleId t : mesh.triangles.ids()) {
+    const std::size_t torus = triangles[t.index()].second;
+    if (std::find(met.begin(), met.end(), torus) == met.end()) met.push_back(torus);
+    ASSERT_EQ(met.at(index.component(t)), torus);
+  }
+  EXPECT_EQ(met.size(), count);
+}
 
 TEST(ModelIndex, AfterAChangeAsFromTheStart) {
   const Bridge bridge;
