@@ -213,16 +213,7 @@ Poles finish_poles(const Triangulation& triangulation, const Dual& dual, Farthes
   report_progress(execution, "compute_poles", 0.5);
   if (sides != nullptr) sides->of_cells.resize(triangulation.num_cells());
   find_heights(triangulation, dual, poles, sides, execution);
-  if (sides != nullptr) {
-    const std::size_t finite = triangulation.num_finite_cells();
-    parallel_chunks(execution, triangulation.num_cells() - finite, cells_per_chunk,
-                    [&](std::size_t begin, std::size_t end) {
-                      for (CellId c(finite + begin); c.index() < finite + end; ++c) {
-                        sides->of_cells[c] = cone_sides_of_cell(triangulation, dual, poles.normals,
-                                                                sides->cosine * sides->cosine, c);
-                      }
-                    });
-  }
+  if (sides != nullptr) take_ray_sides(triangulation, dual, poles.normals, *sides, execution);
   report_progress(execution, "compute_poles", 1);
   return poles;
 }

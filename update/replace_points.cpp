@@ -179,9 +179,9 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
       edit.removed.push_back(v);
       return;
     }
-    bool replaced = !on_border ? choice.replaced[group] != 0
-                               : told_by_regions(index, regions, choice, v)
-                                     .value_or(rim_index.on_cloud_side(model.points[v]));
+    const std::optional<bool> told =
+        on_border ? told_by_regions(index, regions, choice, v) : choice.replaced[group] != 0;
+    bool replaced = told ? *told : rim_index.on_cloud_side(model.points[v]);
     if (scanned[v] != Scanned::unclear && replaced != (scanned[v] == Scanned::yes)) {
       replaced = !replaced;
       ++(replaced ? result.scanned_replaced : result.unscanned_kept);

@@ -67,27 +67,38 @@ void take_cone_sides(const Triangulation& triangulation, const Dual& dual,
   }
 }
 
+void take_ray_sides(const Triangulation& triangulation, const Dual& dual,
+                    const IdVector<VertexId, Vec3>& normals, ConeSides& sides,
+                    const Execution& execution) {
+  const double squared_cosine = sides.cosine * sides.cosine;
+  const std::size_t finite = triangulation.num_finite_cells();
+  parallel_chunks(execution, triangulation.num_cells() - finite, cells_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (CellId c(finite + begin); c.index() < finite + end; ++c) {
+                      sides.of_cells[c] =
+                          cone_sides_of_cell(triangulation, dual, normals, squared_cosine, c);
+                    }
+                  });
+}
+
 ConeSides cone_sides(const Triangulation& triangulation, const Dual& dual,
                      const IdVector<VertexId, Vec3>& normals, double cosine,
                      const Execution& execution) {
   ConeSides sides{cosine, IdVector<CellId, CornerSides>(triangulation.num_cells())};
   const double squared_cosine = cosine * cosine;
-  parallel_chunks(
-      execution, triangulation.num_cells(), cells_per_chunk,
-      [&](std::size_t begin, std::size_t end) {
-        const std::size_t infinite = std::clamp(triangulation.num_finite_cells(), begin, end);
-        CellBlock block;
-        ArmSides arms;
-        for (std::size_t first = begin; first < infinite; first += max_block_cells) {
-          const std::size_t count = std::min(max_block_cells, infinite - first);
-          load_run(triangulation, dual, CellId(first), count, block);
-          arm_sides(triangulation, normals, squared_cosine, CellId(first), block, arms);
-          take_cone_sides(triangulation, dual, normals, arms, CellId(first), count, sides);
-        }
-        for (CellId c(infinite); c.index() < end; ++c) {
-          sides.of_cells[c] = cone_sides_of_cell(triangulation, dual, normals, squared_cosine, c);
-        }
-      });
+  parallel_chunks(execution, triangulation.num_finite_cells(), cells_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    CellBlock block;
+                    ArmSides arms;
+                    for (std::size_t first = begin; first < end; first += max_block_cells) {
+                      const std::size_t count = std::min(max_block_cells, end - first);
+                      load_run(triangulation, dual, CellId(first), count, block);
+                      arm_sides(triangulation, normals, squared_cosine, CellId(first), block, arms);
+                      take_cone_sides(triangulation, dual, normals, arms, CellId(first), count,
+                                      sides);
+                    }
+                  });
+  take_ray_sides(triangulation, dual, normals, sides, execution);
   return sides;
 }
 

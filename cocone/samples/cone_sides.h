@@ -55,4 +55,9 @@ void take_cone_sides(const Triangulation& triangulation, const Dual& dual,
                      const IdVector<VertexId, Vec3>& normals, const ArmSides& arms, CellId first,
                      std::size_t count, ConeSides& sides);
 
+// Of all infinite cells. Complexity: O(infinite cells), parallel.
+void take_ray_sides(const Triangulation& triangulation, const Dual& dual,
+                    const IdVector<VertexId, Vec3>& normals, ConeSides& sides,
+                    const Execution& execution);
+
 }  // namespace cocoon

@@ -3,7 +3,6 @@
 // by exchanges, for each of which the processor waits for all that it has under way.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <utility>
