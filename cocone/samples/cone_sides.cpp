@@ -34,8 +34,7 @@ CornerSides in_order(const Cell& cell, unsigned nappes) {
   return {static_cast<std::uint8_t>(by_rank[nappes & 15U] | by_rank[nappes >> 4] << 4), ranks};
 }
 
-}  // namespace
-
+// Of one cell, of any size.
 CornerSides cone_sides_of_cell(const Triangulation& triangulation, const Dual& dual,
                                const IdVector<VertexId, Vec3>& normals, double squared_cosine,
                                CellId c) {
@@ -51,6 +50,8 @@ CornerSides cone_sides_of_cell(const Triangulation& triangulation, const Dual& d
   }
   return in_order(triangulation.cell(c), nappes);
 }
+
+}  // namespace
 
 void take_cone_sides(const Triangulation& triangulation, const Dual& dual,
                      const IdVector<VertexId, Vec3>& normals, const ArmSides& arms, CellId first,

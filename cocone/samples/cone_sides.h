@@ -44,11 +44,6 @@ ConeSides cone_sides(const Triangulation& triangulation, const Dual& dual,
                      const IdVector<VertexId, Vec3>& normals, double cosine,
                      const Execution& execution = {});
 
-// Of one cell, of any size. O(1).
-CornerSides cone_sides_of_cell(const Triangulation& triangulation, const Dual& dual,
-                               const IdVector<VertexId, Vec3>& normals, double squared_cosine,
-                               CellId c);
-
 // Of cells whose arms are known: first, first + 1, ... (`arms` as of arm_sides() with the same
 // cosine). Complexity: O(count).
 void take_cone_sides(const Triangulation& triangulation, const Dual& dual,
