@@ -65,9 +65,9 @@ class CleanUp {
     ZeroedArray<CellId, Point> centers;
     if (!region_.undecided.empty()) {  // else hardly anything will be asked
       centers = cosines_.prepare(region_.cells, execution_);
-      spacings_.prepare(samples_of(triangulation_, region_.undecided), execution_);
+      energy_.prepare_facet_costs(region_.undecided, execution_);
     }
-    flaws_ = find_surface_flaws(triangulation_, region_, out_);
+    flaws_ = find_surface_flaws(triangulation_, region_, out_, execution_);
     count(counters_.defects_before, counters_.unused_before);
     if (region_.undecided.empty() && flaws_.pinched.empty() && marks_.known.empty()) {
       // Nothing is to be settled.
@@ -80,7 +80,7 @@ class CleanUp {
     fill_cavities();
     extend_region(stars_, spacings_, touched_, region_);
     touched_.clear();
-    flaws_ = find_surface_flaws(triangulation_, region_, out_);
+    flaws_ = find_surface_flaws(triangulation_, region_, out_, execution_);
     tell_flaws();
     repair();
     flip_clusters();
@@ -123,8 +123,9 @@ class CleanUp {
   }
 
   void set_preferences(ZeroedArray<CellId, Point> centers) {
-    const ZeroedArray<CellId, LabelEvidence> evidence = label_evidence(
-        triangulation_, cosines_, centers, spacings_, poles_, marks_, region_, options_);
+    const ZeroedArray<CellId, LabelEvidence> evidence =
+        label_evidence(triangulation_, stars_, cosines_, centers, spacings_, poles_, marks_,
+                       region_, options_, execution_);
     for (const CellId c : region_.undecided) {
       const double margin = static_cast<double>(evidence[c].in) - evidence[c].out;
       energy_.set_preference(c, to_energy(options_.evidence_weight * margin));
@@ -255,7 +256,7 @@ class CleanUp {
   // Those of girth 3, once each.
   bool close_handles() {
     if (!touched_.empty()) update_flaws();
-    for (const Triangle& loop : handle_loops_.find(region_)) {
+    for (const Triangle& loop : handle_loops_.find(region_, execution_)) {
       if (!handle_loops_.is_handle(loop, options_.most_handle_facets)) continue;
       const bool is_large = handle_closing_.count_cells_at(loop) > options_.most_closing_cells;
       counters_.large_handles += is_large ? 1U : 0U;
@@ -428,7 +429,7 @@ class CleanUp {
       const bool is_left = std::any_of(part.begin(), part.end(), [&](CellId c) {
         return has_left_vertex(triangulation_, region_, c);
       });
-      if (is_left || energy_.change(part) >= gain) continue;
+      if (is_left || energy_.change(part, gain) >= gain) continue;
       flip(part);
       ++counters_.dropped_components;
     }

@@ -6,6 +6,7 @@
 
 #include "cocone/facets/surface_walk.h"
 #include "delaunay/circulate.h"
+#include "geom/parallel_list.h"
 #include "geom/sort_by_vertex.h"
 
 namespace cocoon {
@@ -15,19 +16,22 @@ using Ranks = std::array<std::uint32_t, 3>;  // of the corners of a facet, incre
 
 // Of the surface facets at vertices of the region that are next to its cells.
 std::vector<Ranks> facets_by_rank(const Triangulation& triangulation, const DoubtfulRegion& region,
-                                  const IdVector<CellId, std::uint8_t>& out) {
-  std::vector<Ranks> facets;
-  for (const CellId c : region.cells) {
-    if (out[c] != 0) continue;
-    for (int i = 0; i < 4; ++i) {
-      if (out[triangulation.neighbor(c, i)] == 0) continue;
-      const auto [u, v, w] = triangulation.facet_vertices(facet_id(c, i));
-      Ranks ranks = {region.rank[u], region.rank[v], region.rank[w]};
-      std::sort(ranks.begin(), ranks.end());
-      if (ranks[1] != 0) facets.push_back(ranks);
+                                  const IdVector<CellId, std::uint8_t>& out,
+                                  const Execution& execution) {
+  constexpr std::size_t cells_per_chunk = 4096;
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<Ranks>& facets) {
+    for (const CellId c : std::span(region.cells).subspan(begin, end - begin)) {
+      if (out[c] != 0) continue;
+      for (int i = 0; i < 4; ++i) {
+        if (out[triangulation.neighbor(c, i)] == 0) continue;
+        const auto [u, v, w] = triangulation.facet_vertices(facet_id(c, i));
+        Ranks ranks = {region.rank[u], region.rank[v], region.rank[w]};
+        std::sort(ranks.begin(), ranks.end());
+        if (ranks[1] != 0) facets.push_back(ranks);
+      }
     }
-  }
-  return facets;
+  };
+  return parallel_list<Ranks>(execution, region.cells.size(), cells_per_chunk, find);
 }
 
 // For each rank the vertices that come later and have an edge with it, each once, increasing.
@@ -81,26 +85,27 @@ bool runs(const Triangle& corners, VertexId a, VertexId b) {
 
 }  // namespace
 
-std::vector<Triangle> HandleLoops::find(const DoubtfulRegion& region) const {
-  std::vector<Ranks> facets = facets_by_rank(triangulation_, region, out_);
+std::vector<Triangle> HandleLoops::find(const DoubtfulRegion& region,
+                                        const Execution& execution) const {
+  std::vector<Ranks> facets = facets_by_rank(triangulation_, region, out_, execution);
   const LaterNeighbors later(facets, region.vertices.size());
   std::erase_if(facets, [](const Ranks& ranks) { return ranks[0] == 0; });
-  std::vector<Ranks> paths;
-  for (std::uint32_t a = 1; a <= region.vertices.size(); ++a) {
-    for (const std::uint32_t b : later.of(a)) {
-      for (const std::uint32_t c : later.of(b)) {
-        if (later.contain(a, c)) paths.push_back({a, b, c});
-      }
-    }
-  }
   std::sort(facets.begin(), facets.end());
-  std::vector<Triangle> loops;
-  for (const Ranks& path : paths) {
-    if (std::binary_search(facets.begin(), facets.end(), path)) continue;
-    const auto& [a, b, c] = path;
-    loops.push_back({region.vertices[a - 1], region.vertices[b - 1], region.vertices[c - 1]});
-  }
-  return loops;
+  constexpr std::size_t ranks_per_chunk = 1024;
+  return parallel_list<Triangle>(
+      execution, region.vertices.size(), ranks_per_chunk,
+      [&](std::size_t begin, std::size_t end, std::vector<Triangle>& loops) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const auto a = static_cast<std::uint32_t>(k + 1);
+          for (const std::uint32_t b : later.of(a)) {
+            for (const std::uint32_t c : later.of(b)) {
+              if (!later.contain(a, c)) continue;
+              if (std::binary_search(facets.begin(), facets.end(), Ranks{a, b, c})) continue;
+              loops.push_back({region.vertices[k], region.vertices[b - 1], region.vertices[c - 1]});
+            }
+          }
+        }
+      });
 }
 
 bool HandleLoops::is_handle(const Triangle& loop, std::size_t most_facets) {

@@ -8,6 +8,7 @@
 #include "cocone/energy/doubtful_region.h"
 #include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
@@ -22,8 +23,8 @@ class HandleLoops {
   // Three vertices of the region each two of which are an edge of the surface, though the three
   // are no facet of it, by their ranks. Around a neck, through a tunnel, or around a thinner part
   // of the body; see is_handle(). Complexity: O(cells of the region + f log f +
-  // sum of squared degrees) for f surface facets there.
-  std::vector<Triangle> find(const DoubtfulRegion& region) const;
+  // sum of squared degrees) for f surface facets there, parallel but for their order.
+  std::vector<Triangle> find(const DoubtfulRegion& region, const Execution& execution = {}) const;
 
   // Do the edges of the loop not divide the surface? Floods from both sides of it go on by turns,
   // ring by ring, until they meet, or one has come to its end or has more than `most_facets`, which

@@ -3,12 +3,29 @@
 #include <algorithm>
 
 #include "cocone/facets/surface_fan.h"
+#include "geom/parallel_list.h"
 #include "geom/zeroed_array.h"
 
 namespace cocoon {
 
+namespace {
+
+// Vertices on the surface around which it is not one disk, of those of a range.
+void add_pinched(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
+                 const ZeroedArray<VertexId, SurfaceFan>& fans, std::size_t begin, std::size_t end,
+                 std::vector<VertexId>& pinched) {
+  std::vector<VertexId> edge_ends;
+  for (VertexId v(begin); v.index() < end; ++v) {
+    if (fans[v].facets == 0) continue;
+    if (!is_one_umbrella(triangulation, out, v, fans[v], edge_ends)) pinched.push_back(v);
+  }
+}
+
+}  // namespace
+
 SurfaceFlaws find_surface_flaws(const Triangulation& triangulation, const DoubtfulRegion& region,
-                                const IdVector<CellId, std::uint8_t>& out) {
+                                const IdVector<CellId, std::uint8_t>& out,
+                                const Execution& execution) {
   ZeroedArray<VertexId, SurfaceFan> fans(triangulation.num_vertices());
   for (const CellId c : region.cells) {
     if (out[c] != 0) continue;
@@ -20,18 +37,17 @@ SurfaceFlaws find_surface_flaws(const Triangulation& triangulation, const Doubtf
     }
   }
   SurfaceFlaws flaws;
-  std::vector<VertexId> edge_ends;
-  // In the order of memory, which is that of space.
-  for (const VertexId v : triangulation.vertices()) {
-    if (!region.contains(v)) continue;
-    if (fans[v].facets == 0) {
-      flaws.unused.push_back(v);
-    } else if (!is_one_umbrella(triangulation, out, v, fans[v], edge_ends)) {
-      flaws.pinched.push_back(v);
-    }
+  for (const VertexId v : region.vertices) {
+    if (fans[v].facets == 0) flaws.unused.push_back(v);
   }
+  // In the order of memory, which is that of space.
+  constexpr std::size_t vertices_per_chunk = 1024;
+  flaws.pinched = parallel_list<VertexId>(
+      execution, triangulation.num_vertices(), vertices_per_chunk,
+      [&](std::size_t begin, std::size_t end, std::vector<VertexId>& pinched) {
+        add_pinched(triangulation, out, fans, begin, end, pinched);
+      });
   const auto earlier = [&](VertexId a, VertexId b) { return region.rank[a] < region.rank[b]; };
-  std::sort(flaws.unused.begin(), flaws.unused.end(), earlier);
   std::sort(flaws.pinched.begin(), flaws.pinched.end(), earlier);
   return flaws;
 }

@@ -6,6 +6,7 @@
 
 #include "cocone/energy/doubtful_region.h"
 #include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "geom/id_vector.h"
 
 namespace cocoon {
@@ -17,10 +18,11 @@ struct SurfaceFlaws {
 
 // Of the vertices of the region, each list in their order. `out`: 1 or 0 for each cell; the
 // surface lies between. Complexity: O(cells of the region + their surface facets and what is met
-// on turns about their edges). A vertex is on one disk iff a walk around it, from surface facet to
-// surface facet through one side, meets all of them and no edge twice: a simple closed curve in the
-// link of the vertex, a sphere, which it divides in two. Source: ours.
+// on turns about their edges); the turns are parallel. A vertex is on one disk iff a walk around
+// it, from surface facet to surface facet through one side, meets all of them and no edge twice: a
+// simple closed curve in the link of the vertex, a sphere, which it divides in two. Source: ours.
 SurfaceFlaws find_surface_flaws(const Triangulation& triangulation, const DoubtfulRegion& region,
-                                const IdVector<CellId, std::uint8_t>& out);
+                                const IdVector<CellId, std::uint8_t>& out,
+                                const Execution& execution = {});
 
 }  // namespace cocoon

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cocone/energy/doubtful_region.h"
 #include "delaunay/circulate.h"
 
 namespace cocoon {
@@ -72,6 +73,24 @@ Energy CellEnergy::ask_facet_cost(FacetId f) {
     facet_costs_[std::min(f, mirror)] = static_cast<std::uint32_t>(cost + 1);
   }
   return cost;
+}
+
+// Flat cells see through others, which threads would have to remember.
+void CellEnergy::prepare_facet_costs(std::span<const CellId> cells, const Execution& execution) {
+  if (!spacings_.prepare(samples_of(triangulation_, cells), execution)) return;
+  constexpr std::size_t cells_per_chunk = 4096;
+  for (const CellId c : cells) taken_[c] = 1;
+  parallel_chunks(execution, cells.size(), cells_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    for (const CellId c : cells.subspan(begin, end - begin)) {
+                      for (int i = 0; i < 4 && !cosines_.is_flat(c); ++i) {
+                        const CellId behind = triangulation_.neighbor(c, i);
+                        if (taken_[behind] != 0 && behind < c) continue;  // asked from there
+                        if (!cosines_.is_flat(behind)) ask_facet_cost(facet_id(c, i));
+                      }
+                    }
+                  });
+  for (const CellId c : cells) taken_[c] = 0;
 }
 
 double CellEnergy::stretch(FacetId f) {

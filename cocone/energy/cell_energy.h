@@ -48,6 +48,10 @@ class CellEnergy {
     const std::uint32_t known = facet_costs_[triangulation_.canonical(f)];
     return known != 0 ? known - 1 : ask_facet_cost(f);
   }
+  // Computes ahead what the facets of these finite cells cost, but for those at flat ones, on all
+  // threads, if there are so many that all stars are listed; and the spacings of their samples.
+  // Precondition: what the BallCosines tell of these cells and those beside them is known.
+  void prepare_facet_costs(std::span<const CellId> cells, const Execution& execution);
   // The cost of defects at a vertex, apart from its edges. O(star).
   Energy vertex_cost(VertexId v);
   // The same if these cells changed sides; they do not. O(star + cells).

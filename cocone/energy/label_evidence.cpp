@@ -14,36 +14,40 @@
 namespace cocoon {
 namespace {
 
-// The finite cells of a star with the poles of its vertex; none at infinity.
-struct AtVertex {
+// The poles of a vertex, finite cells of its star. The positive one is none on the hull: it is
+// infinity.
+struct PolePair {
   CellId positive;
   CellId negative;
-  double reach_of_positive;  // squared
-  double reach_of_negative;
-  double trust;          // in what one of them says of the other
-  std::uint32_t around;  // the other corners of the cells, and those of them that are good
-  std::uint32_t good_around;
-  bool on_hull;
+  double trust;  // in what one of them says of the other
+};
+
+// The farthest of the cells that it is told.
+struct FarthestCell {
+  CellId cell;
+  double reach = 0;  // squared
 };
 
 class Propagation {
  public:
-  Propagation(const Triangulation& triangulation, BallCosines& cosines,
+  Propagation(const Triangulation& triangulation, StarCache& stars, BallCosines& cosines,
               const ZeroedArray<CellId, Point>& centers, SpacingCache& spacings, const Poles& poles,
-              const CellMarks& marks, const DoubtfulRegion& region, const CleanUpOptions& options)
+              const CellMarks& marks, const DoubtfulRegion& region, const CleanUpOptions& options,
+              const Execution& execution)
       : triangulation_(triangulation),
+        stars_(stars),
         cosines_(cosines),
         poles_(poles),
         region_(region),
         centers_(centers),
         labels_(marks.labels),
         nodes_(triangulation.num_cells()),
-        asked_(triangulation.num_vertices(), 0),
-        at_vertices_(triangulation.num_vertices()) {
+        is_asked_(triangulation.num_vertices(), 0),
+        poles_at_(triangulation.num_vertices()) {
     rank();
-    find_domain();
-    find_poles();
-    trust_poles(spacings, marks.good, options);
+    find_asked();
+    find_flat_cells(execution);
+    find_poles(spacings, marks.good, options, execution);
     settle_known();
     credit_marks(marks, options.mark_credit);
   }
@@ -71,7 +75,7 @@ class Propagation {
     LabelEvidence evidence;
     std::uint32_t rank;  // of an undecided cell, in order_
     State state;
-    bool is_flat;  // of a cell of the domain
+    bool is_flat;  // of a cell of the region
     bool is_pole;
   };
 
@@ -125,23 +129,31 @@ class Propagation {
     }
     if (!nodes_[next].is_pole) return;
     for (const VertexId v : triangulation_.cell(next).vertices) {
-      if (v != infinite_vertex) __builtin_prefetch(&at_vertices_[v]);
+      if (v != infinite_vertex) __builtin_prefetch(&poles_at_[v]);
     }
   }
 
-  // Undecided cells, their vertices, and all other cells at those.
-  void find_domain() {
+  // The samples of undecided cells, in the order of memory.
+  void find_asked() {
     for (const CellId c : region_.undecided) {
       nodes_[c].state = open;
-      for (const VertexId v : triangulation_.cell(c).vertices) asked_[v] = 1;
+      for (const VertexId v : triangulation_.cell(c).vertices) is_asked_[v] = 1;
     }
-    for (const CellId c : region_.cells) {
-      for_asked_vertices(c, [&](VertexId v) {
-        if (domain_.empty() || domain_.back() != c) domain_.push_back(c);
-        if (triangulation_.is_infinite(c)) at_vertices_[v].on_hull = true;
-      });
+    for (const VertexId v : triangulation_.vertices()) {
+      if (is_asked_[v] != 0) asked_.push_back(v);
     }
-    for (const CellId c : domain_) nodes_[c].is_flat = cosines_.is_flat(c);
+  }
+
+  void find_flat_cells(const Execution& execution) {
+    constexpr std::size_t cells_per_chunk = 4096;
+    // What is known already may be asked by several threads.
+    parallel_chunks(execution, region_.cells.size(), cells_per_chunk,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t k = begin; k < end; ++k) {
+                        const CellId c = region_.cells[k];
+                        if (cosines_.is_flat(c)) nodes_[c].is_flat = true;
+                      }
+                    });
   }
 
   const Point& center(CellId c) const { return centers_[c]; }
@@ -149,73 +161,85 @@ class Propagation {
   template <class Visit>
   void for_asked_vertices(CellId c, Visit visit) {
     for (const VertexId v : triangulation_.cell(c).vertices) {
-      if (v != infinite_vertex && asked_[v] != 0) visit(v);
+      if (v != infinite_vertex && is_asked_[v] != 0) visit(v);
     }
   }
 
-  // The finite cells farthest off: of all, and of those whose center lies below the normal.
-  void find_poles() {
-    for_finite_corners([&](CellId c, VertexId v, const Vec3& arm) {
-      AtVertex& here = at_vertices_[v];
-      if (!here.on_hull) raise_pole(here.positive, here.reach_of_positive, c, arm);
-    });
-    for_finite_corners([&](CellId c, VertexId v, const Vec3& arm) {
-      AtVertex& here = at_vertices_[v];
-      const Vec3 normal =
-          here.on_hull ? poles_.normals[v] : center(here.positive) - triangulation_.point(v);
-      if (dot(arm, normal) < 0) raise_pole(here.negative, here.reach_of_negative, c, arm);
-    });
-    for (const VertexId v : asked_.ids()) {
-      if (asked_[v] == 0) continue;
-      for (const CellId pole : {at_vertices_[v].positive, at_vertices_[v].negative}) {
+  void find_poles(SpacingCache& spacings, const VertexSet& good, const CleanUpOptions& options,
+                  const Execution& execution) {
+    constexpr std::size_t vertices_per_chunk = 1024;
+    spacings.prepare(asked_, execution);  // threads may ask for known ones
+    const Execution shared = stars_.expect(asked_.size()) ? execution : Execution{};
+    const auto asked_at = [&](std::size_t k) { return asked_[k]; };
+    parallel_chunks(
+        shared, asked_.size(), vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
+          visit_stars(triangulation_, stars_, begin, end, asked_at,
+                      [&](std::size_t k) { find_poles_at(asked_[k], spacings, good, options); });
+        });
+    for (const VertexId v : asked_) {
+      for (const CellId pole : {poles_at_[v].positive, poles_at_[v].negative}) {
         if (!pole.is_none()) nodes_[pole].is_pole = true;
       }
     }
   }
 
-  void trust_poles(SpacingCache& spacings, const VertexSet& good, const CleanUpOptions& options) {
-    count_good_around(good);
-    const double width = options.full_pole_ratio - options.near_pole_ratio;
-    for (const VertexId v : asked_.ids()) {
-      if (asked_[v] == 0) continue;
-      AtVertex& here = at_vertices_[v];
-      const double ratio = std::sqrt(here.reach_of_negative) / spacings.of(v);
-      const double far = ratio >= options.full_pole_ratio
-                             ? 1
-                             : std::max(0.0, (ratio - options.near_pole_ratio) / width);
-      const double share =
-          here.around == 0 ? 0 : static_cast<double>(here.good_around) / here.around;
-      const double calm =
-          options.pole_good_share > 0 ? std::min(1.0, share / options.pole_good_share) : 1;
-      here.trust = far + (1 - far) * calm;
+  // The finite cells farthest off: of all, and of those whose center lies below the normal.
+  void find_poles_at(VertexId v, SpacingCache& spacings, const VertexSet& good,
+                     const CleanUpOptions& options) {
+    const std::span<const CellId> star = stars_.star(v);
+    const Point& p = triangulation_.point(v);
+    PolePair& here = poles_at_[v];
+    FarthestCell farthest;
+    const bool on_hull = triangulation_.is_infinite(star.back());  // infinite cells come last
+    if (!on_hull) {
+      for (const CellId c : star) {
+        if (!nodes_[c].is_flat) raise_pole(farthest, c, center(c) - p);
+      }
+      if (farthest.cell.is_none()) return;  // all are flat
+      here.positive = farthest.cell;
     }
-  }
-
-  void count_good_around(const VertexSet& good) {
-    for (const CellId c : domain_) {
-      if (triangulation_.is_infinite(c)) continue;
-      std::uint32_t good_corners = 0;
-      for (const VertexId v : triangulation_.cell(c).vertices) good_corners += good[v];
-      for_asked_vertices(c, [&](VertexId v) {
-        at_vertices_[v].good_around += good_corners - good[v];
-        at_vertices_[v].around += 3;
-      });
-    }
-  }
-
-  template <class Visit>
-  void for_finite_corners(Visit visit) {
-    for (const CellId c : domain_) {
+    const Vec3 normal = on_hull ? poles_.normals[v] : center(here.positive) - p;
+    FarthestCell below;
+    for (const CellId c : star) {
       if (triangulation_.is_infinite(c) || nodes_[c].is_flat) continue;
-      for_asked_vertices(c, [&](VertexId v) { visit(c, v, center(c) - triangulation_.point(v)); });
+      const Vec3 arm = center(c) - p;
+      if (dot(arm, normal) < 0) raise_pole(below, c, arm);
     }
+    here.negative = below.cell;
+    here.trust =
+        trust_in(std::sqrt(below.reach) / spacings.of(v), good_share(v, star, good), options);
   }
 
-  void raise_pole(CellId& pole, double& reach, CellId c, const Vec3& arm) const {
+  static double trust_in(double ratio, double good_share, const CleanUpOptions& options) {
+    const double width = options.full_pole_ratio - options.near_pole_ratio;
+    const double far = ratio >= options.full_pole_ratio
+                           ? 1
+                           : std::max(0.0, (ratio - options.near_pole_ratio) / width);
+    const double calm =
+        options.pole_good_share > 0 ? std::min(1.0, good_share / options.pole_good_share) : 1;
+    return far + (1 - far) * calm;
+  }
+
+  // Of the other corners of the finite cells of a star, each as often as it comes.
+  double good_share(VertexId v, std::span<const CellId> star, const VertexSet& good) const {
+    std::uint32_t around = 0;
+    std::uint32_t good_around = 0;
+    for (const CellId c : star) {
+      if (triangulation_.is_infinite(c)) break;
+      for (const VertexId w : triangulation_.cell(c).vertices) good_around += good[w];
+      good_around -= good[v];
+      around += 3;
+    }
+    return around == 0 ? 0 : static_cast<double>(good_around) / around;
+  }
+
+  void raise_pole(FarthestCell& farthest, CellId c, const Vec3& arm) const {
     const double squared = squared_norm(arm);
-    if (!pole.is_none() && (squared < reach || (squared == reach && !precedes(c, pole)))) return;
-    reach = squared;
-    pole = c;
+    if (!farthest.cell.is_none() &&
+        (squared < farthest.reach || (squared == farthest.reach && !precedes(c, farthest.cell)))) {
+      return;
+    }
+    farthest = {c, squared};
   }
 
   // Ties: the smaller center, and of cells on one sphere the smaller corners.
@@ -229,16 +253,16 @@ class Propagation {
   // What the known cells tell the undecided ones, these being asked: few of the others are beside
   // one, or are opposite poles.
   void settle_known() {
-    for (const VertexId v : asked_.ids()) {
-      if (asked_[v] == 0) continue;
-      for (const CellId pole : {at_vertices_[v].positive, at_vertices_[v].negative}) {
+    for (const VertexId v : asked_) {
+      for (const CellId pole : {poles_at_[v].positive, poles_at_[v].negative}) {
         if (!pole.is_none() && nodes_[pole].state == settled) {
           pass_on_to_opposite_pole(pole, v, is_out(pole), 1);
         }
       }
-    }
-    for (auto c = domain_.rbegin(); c != domain_.rend() && triangulation_.is_infinite(*c); ++c) {
-      for_asked_vertices(*c, [&](VertexId v) { pass_on_to_opposite_pole(*c, v, is_out(*c), 1); });
+      const std::span<const CellId> star = stars_.star(v);
+      for (auto c = star.rbegin(); c != star.rend() && triangulation_.is_infinite(*c); ++c) {
+        pass_on_to_opposite_pole(*c, v, is_out(*c), 1);
+      }
     }
     for (const CellId c : region_.undecided) {
       for (int i = 0; i < 4; ++i) {
@@ -249,9 +273,9 @@ class Propagation {
     for (const CellId c : flat_cells_beside_undecided()) {
       for (int i = 0; i < 4; ++i) {
         const FacetId behind = triangulation_.mirror(facet_id(c, i));
-        bool in_domain = false;
-        for_asked_vertices(cell_of(behind), [&](VertexId) { in_domain = true; });
-        if (in_domain && nodes_[cell_of(behind)].state == settled) hear_from(behind);
+        bool has_asked_vertex = false;
+        for_asked_vertices(cell_of(behind), [&](VertexId) { has_asked_vertex = true; });
+        if (has_asked_vertex && nodes_[cell_of(behind)].state == settled) hear_from(behind);
       }
     }
   }
@@ -327,7 +351,7 @@ class Propagation {
   }
 
   void pass_on_to_opposite_pole(CellId c, VertexId v, bool out, double weight) {
-    const AtVertex& pair = at_vertices_[v];
+    const PolePair& pair = poles_at_[v];
     const Point& p = triangulation_.point(v);
     Vec3 arm;
     CellId other;
@@ -344,29 +368,32 @@ class Propagation {
   }
 
   const Triangulation& triangulation_;
+  StarCache& stars_;
   BallCosines& cosines_;
   const Poles& poles_;
   const DoubtfulRegion& region_;
-  const ZeroedArray<CellId, Point>& centers_;  // of the finite cells of the domain
+  const ZeroedArray<CellId, Point>& centers_;  // of the finite cells of the region
   const IdVector<CellId, CellLabel>& labels_;
   ZeroedArray<CellId, Node> nodes_;
   std::vector<CellId> order_;  // undecided cells in canonical order
-  VertexSet asked_;            // 1: a vertex of an undecided cell
-  IdVector<VertexId, AtVertex> at_vertices_;
-  std::vector<CellId> domain_;  // at vertices of undecided cells
+  VertexSet is_asked_;         // 1: a vertex of an undecided cell
+  std::vector<VertexId> asked_;
+  IdVector<VertexId, PolePair> poles_at_;
   TurnQueue turns_;
 };
 
 }  // namespace
 
 ZeroedArray<CellId, LabelEvidence> label_evidence(
-    const Triangulation& triangulation, BallCosines& cosines,
+    const Triangulation& triangulation, StarCache& stars, BallCosines& cosines,
     const ZeroedArray<CellId, Point>& centers, SpacingCache& spacings, const Poles& poles,
-    const CellMarks& marks, const DoubtfulRegion& region, const CleanUpOptions& options) {
+    const CellMarks& marks, const DoubtfulRegion& region, const CleanUpOptions& options,
+    const Execution& execution) {
   if (region.undecided.empty()) {
     return ZeroedArray<CellId, LabelEvidence>(triangulation.num_cells());
   }
-  return Propagation(triangulation, cosines, centers, spacings, poles, marks, region, options)
+  return Propagation(triangulation, stars, cosines, centers, spacings, poles, marks, region,
+                     options, execution)
       .run();
 }
 

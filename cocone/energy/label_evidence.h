@@ -24,7 +24,9 @@
 #include "cocone/mark_cells.h"
 #include "cocone/poles.h"
 #include "cocone/samples/sample_spacing.h"
+#include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
+#include "geom/execution.h"
 #include "geom/point.h"
 #include "geom/zeroed_array.h"
 
@@ -40,14 +42,15 @@ struct LabelEvidence {
 // are taken for granted, and what has none for IN. The weight of a chain is the product of its
 // rules' weights. Cells are settled in the order of how clear their evidence is (power crust):
 // uncontested ones and large |out - in| first, and pass on the stronger label. Ties go to the
-// smaller corners in the order of the region's vertices: a function of the point set. `centers`: of
-// the finite cells of the region (BallCosines::prepare); `spacings`: asked for those of the
-// undecided cells' samples. Complexity: O(u log u) for u undecided cells, and three passes over the
-// cells at their vertices. Source: Amenta, Choi & Kolluri 2001 (the power crust, labeling of
-// poles); the trust is ours.
+// smaller corners in the order of the region's vertices: a function of the point set. `cosines`,
+// `centers`: prepared for the cells of the region (BallCosines::prepare); `spacings`: asked for
+// those of the undecided cells' samples. Complexity: O(u log u) for u undecided cells, and three
+// passes over the stars of their vertices, parallel. Source: Amenta, Choi & Kolluri 2001 (the power
+// crust, labeling of poles); the trust is ours.
 ZeroedArray<CellId, LabelEvidence> label_evidence(
-    const Triangulation& triangulation, BallCosines& cosines,
+    const Triangulation& triangulation, StarCache& stars, BallCosines& cosines,
     const ZeroedArray<CellId, Point>& centers, SpacingCache& spacings, const Poles& poles,
-    const CellMarks& marks, const DoubtfulRegion& region, const CleanUpOptions& options);
+    const CellMarks& marks, const DoubtfulRegion& region, const CleanUpOptions& options,
+    const Execution& execution = {});
 
 }  // namespace cocoon

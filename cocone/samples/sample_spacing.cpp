@@ -85,26 +85,30 @@ double sample_spacing(const TriangulationView& triangulation, std::span<const Ce
   return std::sqrt(sum / static_cast<double>(shortest.size()));
 }
 
-void SpacingCache::prepare(std::span<const VertexId> vertices, const Execution& execution) {
-  if (!stars_.expect(vertices.size())) return;
+bool SpacingCache::prepare(std::span<const VertexId> vertices, const Execution& execution) {
+  if (!stars_.expect(vertices.size())) return false;
   constexpr std::size_t vertices_per_chunk = 1024;
   const auto vertex_at = [&](std::size_t k) { return vertices[k]; };
-  parallel_chunks(
-      execution, vertices.size(), vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
-        SpacingBuffer shortest;
-        visit_stars(triangulation_, stars_, begin, end, vertex_at, [&](std::size_t k) {
-          const VertexId v = vertices[k];
-          if (spacing_[v] != 0) return;
-          spacing_[v] = sample_spacing(triangulation_, stars_.star(v), v, edges, shortest);
-        });
-      });
+  parallel_chunks(execution, vertices.size(), vertices_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    SpacingBuffer shortest;
+                    visit_stars(triangulation_, stars_, begin, end, vertex_at, [&](std::size_t k) {
+                      const VertexId v = vertices[k];
+                      if (spacing_[v] == 0) spacing_[v] = compute(v, shortest);
+                    });
+                  });
+  return true;
 }
 
 double SpacingCache::of(VertexId v) {
-  if (spacing_[v] == 0) {
-    spacing_[v] = sample_spacing(triangulation_, stars_.star(v), v, edges, shortest_);
-  }
+  if (spacing_[v] == 0) spacing_[v] = compute(v, shortest_);
   return spacing_[v];
+}
+
+// Zero, when squares underflow, would stand for one that was not asked for.
+double SpacingCache::compute(VertexId v, SpacingBuffer& shortest) {
+  return std::max(sample_spacing(triangulation_, stars_.star(v), v, edges, shortest),
+                  std::numeric_limits<double>::denorm_min());
 }
 
 bool SpacingCache::precedes(VertexId a, VertexId b) {

@@ -50,7 +50,7 @@ bool is_outlying(double spacing, double ratio, std::span<const VertexId> neighbo
 }
 
 // Spacings of some vertices of a triangulation, computed when asked for, once, or ahead. Not to be
-// shared by threads.
+// shared by threads, but see prepare().
 class SpacingCache {
  public:
   static constexpr std::size_t edges = 3;  // that make the spacing of a sample
@@ -60,9 +60,9 @@ class SpacingCache {
       : triangulation_(triangulation), stars_(stars), spacing_(triangulation.num_vertices()) {}
 
   // Computes ahead what will be asked of these vertices, if they are so many that all stars are
-  // listed (StarCache::expect); few are left until they are asked for. Complexity: O(stars),
-  // parallel.
-  void prepare(std::span<const VertexId> vertices, const Execution& execution);
+  // listed (StarCache::expect); few are left until they are asked for. Whether they were so many:
+  // then several threads may ask about these vertices. Complexity: O(stars), parallel.
+  bool prepare(std::span<const VertexId> vertices, const Execution& execution);
 
   // Complexity: O(star) when first asked.
   double of(VertexId v);
@@ -74,6 +74,8 @@ class SpacingCache {
   bool is_outlier(VertexId v, double ratio);
 
  private:
+  double compute(VertexId v, SpacingBuffer& shortest);
+
   const Triangulation& triangulation_;
   StarCache& stars_;
   ZeroedArray<VertexId, double> spacing_;  // 0: not yet asked for

@@ -230,7 +230,7 @@ ZeroedArray<CellId, LabelEvidence> evidence_of(const Scene& scene,
   StarCache stars(t);
   SpacingCache spacings(t, stars);
   const ZeroedArray<CellId, Point> centers = cosines.prepare(scene.region.cells, {});
-  return label_evidence(t, cosines, centers, spacings, scene.stages.poles, scene.marks,
+  return label_evidence(t, stars, cosines, centers, spacings, scene.stages.poles, scene.marks,
                         scene.region, options);
 }
 
