@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geom/box.h"
+#include "geom/execution.h"
 
 namespace cocoon {
 
@@ -20,8 +21,9 @@ namespace cocoon {
 class BoxTree {
  public:
   BoxTree() = default;
-  // Complexity: O(n log n). Items are named by their position in `boxes`, fewer than 2^32.
-  explicit BoxTree(std::span<const Box> boxes);
+  // Complexity: O(n log n), parallel. Items are named by their position in `boxes`, fewer than
+  // 2^32. The same tree for every thread count.
+  explicit BoxTree(std::span<const Box> boxes, const Execution& execution = {});
 
   // Items in the order of the leaves: queries name a slot of it, since data stored in this order
   // is read consecutively.
@@ -52,7 +54,15 @@ class BoxTree {
     Point at;
     std::uint32_t item = 0;
   };
-  std::uint32_t build(std::span<const Box> boxes, std::span<Center> centers, std::size_t first);
+  // A subtree: its items, the first of the slots that they fill, and its root.
+  struct Subtree {
+    std::span<Center> centers;
+    std::size_t first;
+    std::uint32_t root;
+  };
+  std::uint32_t build(std::span<const Box> boxes, const Subtree& subtree);
+  void make_leaf(std::span<const Box> boxes, const Subtree& leaf);
+  void join_boxes(std::uint32_t inner);
 
   std::vector<Node> nodes_;  // the root first; empty for no items
   std::vector<std::uint32_t> items_;

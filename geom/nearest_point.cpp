@@ -7,7 +7,7 @@
 
 namespace cocoon {
 
-NearestPointTree::NearestPointTree(Points points) {
+NearestPointTree::NearestPointTree(Points points, const Execution& execution) {
   if (points.empty()) throw InputError("there are no points, so that none is nearest; give some");
   std::vector<Box> boxes;
   boxes.reserve(points.size());
@@ -18,7 +18,7 @@ NearestPointTree::NearestPointTree(Points points) {
     }
     boxes.push_back({p, p});
   }
-  tree_ = BoxTree(boxes);
+  tree_ = BoxTree(boxes, execution);
   points_.reserve(points.size());
   for (const std::uint32_t item : tree_.items()) points_.push_back(points[item]);
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geom/box_tree.h"
+#include "geom/execution.h"
 #include "geom/ids.h"
 #include "geom/point.h"
 
@@ -19,8 +20,9 @@ struct NearestPoint {
 // Search tree over points, of which it keeps a copy.
 class NearestPointTree {
  public:
-  // Throws InputError for no points or a coordinate that is not finite. Complexity: O(n log n).
-  explicit NearestPointTree(Points points);
+  // Throws InputError for no points or a coordinate that is not finite. Complexity: O(n log n),
+  // parallel.
+  explicit NearestPointTree(Points points, const Execution& execution = {});
 
   // The point nearest to p; at equal computed distance the lexicographically smallest one, of equal
   // points the one given first. p must be finite, squared distances in the range of double.

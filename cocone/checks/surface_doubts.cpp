@@ -244,7 +244,7 @@ class Doubts {
     // A tree of a million vertices takes as long to build as some 150 looks at each of them.
     constexpr std::size_t few = 128;
     std::optional<NearestPointTree> tree;
-    if (unused.size() > few) tree.emplace(mesh_.points.span());
+    if (unused.size() > few) tree.emplace(mesh_.points.span(), execution_);
     for (const Point& p : unused) {
       const double squared = tree ? tree->nearest(p).squared_distance : nearest_vertex(p);
       doubts_.unused.push_back({p, 1, std::sqrt(squared)});
