@@ -106,15 +106,38 @@ std::vector<Point> samples_near(std::span<const std::vector<Point>> clouds,
   return samples;
 }
 
-// How many edges of each loop are torn.
+bool is_torn_all_along(const RimLoop& loop, std::size_t torn, const TornEdgeOptions& options) {
+  const std::size_t inner = loop.inner_edges();
+  const auto size = static_cast<double>(loop.size());
+  const auto others = static_cast<double>(loop.size() - inner);
+  return static_cast<double>(torn) > options.min_torn_share * others &&
+         static_cast<double>(torn + inner) > options.max_seam_share * size;
+}
+
+// Leaves out the edges of loops that are no seams even if all of their edges with a sample beyond
+// them are torn: that is most loops, and saves the heights there.
+void leave_out_rims(const CloudRim& rim, const std::vector<RimEdge>& edges,
+                    const TornEdgeOptions& options, std::vector<SampleBeyond>& beyond) {
+  std::vector<std::size_t> most(rim.loops.size(), 0);
+  for (std::size_t k = 0; k < beyond.size(); ++k) {  // in the order of edges
+    if (k == 0 || beyond[k - 1].edge != beyond[k].edge) ++most[edges[beyond[k].edge].loop];
+  }
+  std::erase_if(beyond, [&](const SampleBeyond& pair) {
+    const std::size_t l = edges[pair.edge].loop;
+    return !is_torn_all_along(rim.loops[l], most[l], options);
+  });
+}
+
+// How many edges of each loop are torn, as far as it can be a seam.
 std::vector<std::size_t> count_torn(const ModelIndex& model,
                                     std::span<const std::vector<Point>> clouds, const CloudRim& rim,
                                     const TornEdgeOptions& options) {
   const double reach = options.reach * rim.spacing;
   const std::vector<RimEdge> edges = edges_to_ask(rim);
   const std::vector<Point> samples = samples_near(clouds, edges, reach);
-  const std::vector<SampleBeyond> beyond =
+  std::vector<SampleBeyond> beyond =
       samples_beyond(edges, samples, reach, options.min_outward * rim.spacing);
+  leave_out_rims(rim, edges, options, beyond);
   std::vector<std::size_t> torn(rim.loops.size(), 0);
   if (beyond.empty()) return torn;
   const std::vector<double> heights = heights_of_pairs(model, edges, samples, beyond, 2 * reach);
@@ -127,18 +150,11 @@ std::vector<std::size_t> count_torn(const ModelIndex& model,
   return torn;
 }
 
-bool is_torn_all_along(const RimLoop& loop, std::size_t torn, const TornEdgeOptions& options) {
-  const std::size_t inner = loop.inner_edges();
-  const auto size = static_cast<double>(loop.size());
-  const auto others = static_cast<double>(loop.size() - inner);
-  return static_cast<double>(torn) > options.min_torn_share * others &&
-         static_cast<double>(torn + inner) > options.max_seam_share * size;
-}
-
 }  // namespace
 
 void mark_torn_edges(const ModelIndex& model, std::span<const std::vector<Point>> clouds,
                      CloudRim& rim, const TornEdgeOptions& options) {
+  if (rim.loops.size() < 2) return;  // a rim has to be left
   const std::vector<std::size_t> torn = count_torn(model, clouds, rim, options);
   std::vector<std::size_t> seams;
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {

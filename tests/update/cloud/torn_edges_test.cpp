@@ -130,6 +130,18 @@ TEST(TornEdges, AFewMakeNoSeam) {
   EXPECT_EQ(scene.inner_edges(0), 18U);
 }
 
+// Torn edges of a loop that is none do not count beside those of a seam.
+TEST(TornEdges, AFewBesideASeam) {
+  RingOnAPlane scene;
+  for (const double z : {-0.7, -1.6, -2.5}) scene.add_ring(2.5, z);
+  scene.cloud.push_back(RingOnAPlane::at(6.5, 0.5, 0.7));
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim);
+  EXPECT_EQ(scene.rim.torn_edges, 18U);
+  EXPECT_TRUE(scene.rim.loops[0].is_seam);
+  EXPECT_FALSE(scene.rim.loops[1].is_seam);
+  EXPECT_EQ(scene.inner_edges(1), 0U);
+}
+
 // No rim would be left.
 TEST(TornEdges, NotAllOfARimIsASeam) {
   RingOnAPlane scene;
