@@ -13,6 +13,8 @@ Vec3 scaled(const Vec3& v) {
   const double reach = max_norm(v);
   if (!(reach > 0) || !std::isfinite(reach)) return v;
   const int exponent = -std::ilogb(reach);
+  const double power = std::ldexp(1.0, exponent);
+  if (std::isfinite(power)) return power * v;  // one call, and the same numbers
   return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 

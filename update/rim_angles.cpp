@@ -1,5 +1,6 @@
 #include "update/rim_angles.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "geom/angles.h"
@@ -72,6 +73,7 @@ RegionAngles mean_rim_angles(const ModelIndex& model, const Regions& regions, co
   RegionAngles result;
   result.regions = IdVector<RegionId, AngleMean>(regions.regions.size());
   if (band.begin.empty()) return result;
+  std::vector<VertexId> corners;  // of the facets under an edge
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const auto facets = band.facets_of(i);
     if (facets.empty()) continue;
@@ -84,11 +86,13 @@ RegionAngles mean_rim_angles(const ModelIndex& model, const Regions& regions, co
     // The paper's P3, P4: first under the edge, then around.
     NearestOfGroups nearest(mesh, regions, 0.5 * (from + to));
     for (const TriangleId t : facets) nearest.enter(t, false);
+    corners.clear();
     for (const TriangleId t : facets) {
       for (const VertexId v : mesh.triangles[t]) {
-        for (const TriangleId around : model.triangles_at(v)) {
-          nearest.enter(around, true);
-        }
+        // Facets on the way share corners.
+        if (std::find(corners.begin(), corners.end(), v) != corners.end()) continue;
+        corners.push_back(v);
+        model.for_each_triangle_at(v, [&](TriangleId around) { nearest.enter(around, true); });
       }
     }
     for (const NearestOfGroup& entry : nearest.found()) {

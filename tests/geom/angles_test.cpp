@@ -51,5 +51,12 @@ TEST(WedgeAngle, SymmetryAndScale) {
   }
 }
 
+// The power of two that brings these to 1 is larger than any number.
+TEST(WedgeAngle, OfTheSmallestNumbers) {
+  constexpr double s = 0x1p-1070;
+  const double angle = wedge_angle(kFrom, kTo, {1, 1, 0}, {3, 2, 5});
+  EXPECT_EQ(wedge_angle(kFrom, s * kTo, {s, s, 0}, {3 * s, 2 * s, 5 * s}), angle);
+}
+
 }  // namespace
 }  // namespace cocoon
