@@ -44,20 +44,21 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
 }
 
 // Numbered by their first triangles; empty if all are of one component. Each triangle takes over
-// the seed of its first earlier neighbor, and seeds that meet are joined: in the order of memory.
+// the seed of its earliest neighbor before it, and seeds that meet are joined: in the order of
+// memory, and with one branch for most triangles, since which neighbors are earlier cannot be
+// foreseen.
 IdVector<TriangleId, std::uint32_t> components_of(const TriangleNeighbors& neighbors) {
-  constexpr std::uint32_t none = 0xFFFFFFFFU;
   IdVector<TriangleId, std::uint32_t> components(neighbors.size());  // first, their seeds
   std::uint32_t seeds = 0;
   std::vector<std::array<std::uint32_t, 2>> joins;
   for (const TriangleId t : components.ids()) {
-    std::uint32_t seed = none;
-    for (const TriangleId next : neighbors[t]) {
-      if (next.is_none() || next > t) continue;
-      if (seed == none) seed = components[next];
-      if (components[next] != seed) joins.push_back({seed, components[next]});
-    }
-    components[t] = seed == none ? seeds++ : seed;
+    const auto& [a, b, c] = neighbors[t];  // none is above all
+    const TriangleId earliest = std::min({a, b, c});
+    const std::uint32_t seed = earliest < t ? components[earliest] : seeds++;
+    components[t] = seed;
+    const auto seed_of = [&](TriangleId next) { return components[std::min(next, t)]; };
+    if (((seed_of(a) ^ seed) | (seed_of(b) ^ seed) | (seed_of(c) ^ seed)) == 0) continue;
+    for (const TriangleId next : neighbors[t]) joins.push_back({seed, seed_of(next)});
   }
   DisjointSets sets(seeds);
   for (const auto& [one, other] : joins) sets.join(one, other);
