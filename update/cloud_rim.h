@@ -44,6 +44,7 @@ struct RimLoop {
   std::size_t inner_edges() const {
     return static_cast<std::size_t>(std::count(inner.begin(), inner.end(), 1));
   }
+  bool is_partial() const { return inner_edges() > 0; }
   std::size_t size() const { return points.size(); }
   std::size_t next(std::size_t i) const { return i + 1 < points.size() ? i + 1 : 0; }
 };

@@ -23,17 +23,21 @@ double length_of(std::int64_t steps) { return static_cast<double>(steps) / steps
 // The facets that say on which side they are, and what they cost.
 class CutSeeds {
  public:
-  CutSeeds(const ModelIndex& model, const TriangleSet& border, double median_edge)
-      : model_(model), border_(border), steps_(steps_per_edge / median_edge) {}
+  CutSeeds(const ModelIndex& model, const TriangleSet& border, std::span<const CloudRim> rims,
+           double median_edge)
+      : model_(model),
+        border_(border),
+        rims_(rims),
+        rim_index_(rims),
+        steps_(steps_per_edge / median_edge) {}
 
   // By the rims: those beside the border.
-  void pull_by_rims(std::span<const CloudRim> all_rims, double reach, RegionCut& cut) {
-    const RimIndex rims(all_rims);
-    if (rims.empty()) return;
+  void pull_by_rims(double reach, RegionCut& cut) {
+    if (rim_index_.empty()) return;
     for (const TriangleId t : beside_border()) {
       const EdgeLengths edges = edges_of(t);
-      const RimSide side = rims.side_of(model_.centroid(t));
-      const double spacing = all_rims[side.rim].spacing;
+      const RimSide side = rim_index_.side_of(model_.centroid(t));
+      const double spacing = rims_[side.rim].spacing;
       if (!(side.distance <= reach * std::max(spacing, edges.shortest))) continue;
       pulls_.push_back({t, side.on_cloud_side ? edges.at_border : -edges.at_border});
       (side.on_cloud_side ? cut.seeds_under : cut.seeds_outside) += length_of(edges.at_border);
@@ -62,6 +66,21 @@ class CutSeeds {
     }
     ends_ = ends;
     cut.scan_ends = ends.size();
+  }
+
+  // Tiny parts of the outside beside partial loops; none if nothing else is outside.
+  void find_splinters(std::size_t min_facets, RegionCut& cut) const {
+    TriangleSet seen(border_.size(), 0);
+    for (const TriangleId t : beside_border()) {
+      if (cut.under[t] != 0 || seen[t] != 0) continue;
+      const std::vector<TriangleId> part = start_of_part(t, min_facets, cut.under);
+      for (const TriangleId in_part : part) seen[in_part] = 1;
+      if (part.size() >= min_facets || !lies_at_partial_loops(part)) continue;
+      cut.splinters.insert(cut.splinters.end(), part.begin(), part.end());
+    }
+    make_set(cut.splinters);
+    const std::size_t off_border = border_.size() - members(border_).size();
+    if (cut.splinters.size() == off_border - cut.under_facets) cut.splinters.clear();
   }
 
   // Anew with each call.
@@ -104,6 +123,26 @@ class CutSeeds {
     return facets;
   }
 
+  // Facets of the label of t that hang together with it by edges off the border: all of them, or as
+  // many as are asked for.
+  std::vector<TriangleId> start_of_part(TriangleId t, std::size_t most,
+                                        const TriangleSet& under) const {
+    std::vector<TriangleId> part = {t};
+    for (std::size_t k = 0; k < part.size() && part.size() < most; ++k) {
+      for (const TriangleId next : model_.neighbors()[part[k]]) {
+        if (next.is_none() || border_[next] != 0 || under[next] != under[t]) continue;
+        if (std::find(part.begin(), part.end(), next) == part.end()) part.push_back(next);
+      }
+    }
+    return part;
+  }
+
+  bool lies_at_partial_loops(const std::vector<TriangleId>& part) const {
+    return !rim_index_.empty() && std::all_of(part.begin(), part.end(), [&](TriangleId t) {
+      return rim_index_.side_of(model_.centroid(t)).at_partial_loop;
+    });
+  }
+
   EdgeLengths edges_of(TriangleId t) const {
     EdgeLengths edges;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -117,6 +156,8 @@ class CutSeeds {
 
   const ModelIndex& model_;
   const TriangleSet& border_;
+  std::span<const CloudRim> rims_;
+  RimIndex rim_index_;
   double steps_;                  // of one unit of length
   std::vector<FacetPull> pulls_;  // those by the rims first, in the order of ids
   std::vector<TriangleId> ends_;  // in the order of ids
@@ -189,23 +230,25 @@ RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
   double median_edge = rims.front().median_edge;
   for (const CloudRim& rim : rims) median_edge = std::min(median_edge, rim.median_edge);
   RegionCut cut;
-  CutSeeds seeds(model, border, median_edge);
-  seeds.pull_by_rims(rims, options.seed_reach, cut);
+  CutSeeds seeds(model, border, rims, median_edge);
+  seeds.pull_by_rims(options.seed_reach, cut);
   seeds.label(cut);
   const auto is_clear = [&](const CloudRim& rim) {
     return static_cast<double>(rim.seam_edges) <=
            options.clear_seam_share * static_cast<double>(rim.rim_edges);
   };
   const std::vector<TriangleId> under = members(cut.under);
-  if (std::all_of(rims.begin(), rims.end(), is_clear) &&
-      !reaches_beyond(model, under, scans, options.ends)) {
-    return cut;
+  std::vector<TriangleId> ends;
+  if (!std::all_of(rims.begin(), rims.end(), is_clear) ||
+      reaches_beyond(model, under, scans, options.ends)) {
+    ends = scan_ends(model, under, scans, options.ends);
   }
-  const std::vector<TriangleId> ends = scan_ends(model, under, scans, options.ends);
-  if (ends.empty()) return cut;
-  // Fewer facets are under the cloud then: none that was not looked at.
-  seeds.pull_outside(ends, cut);
-  seeds.label(cut);
+  if (!ends.empty()) {
+    // Fewer facets are under the cloud then: none that was not looked at.
+    seeds.pull_outside(ends, cut);
+    seeds.label(cut);
+  }
+  seeds.find_splinters(options.min_outside_facets, cut);
   return cut;
 }
 
@@ -246,6 +289,7 @@ CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
     }
     result.cuts[first] = cut_under_cloud(model, border, cut_rims, cut_scans, options);
     for (const TriangleId t : all.ids()) all[t] |= border[t];
+    for (const TriangleId t : result.cuts[first].splinters) all[t] = 1;
   }
   result.regions = segment_model(model, all, segment, execution);
   const std::size_t whole = result.regions.regions.size();

@@ -38,6 +38,9 @@ struct CutOptions {
   // Of rims with no larger share of seams no loop is lost (as CloudSurfaceOptions::max_seam_share):
   // where scans end is looked for only if what would go reaches beyond the box of the samples.
   double clear_seam_share = 0.05;
+  // Parts of the model outside the cloud with fewer facets, cut off from the rest beside a
+  // partial loop, are none: their facets become border. 0: none is too small.
+  std::size_t min_outside_facets = 8;
   ScanEndOptions ends = {};
 };
 
@@ -58,6 +61,8 @@ struct RegionCut {
   double seeds_outside = 0;
   double contradicted = 0;    // of both, with the other label
   std::size_t scan_ends = 0;  // facets that say "outside" by ScanEndOptions
+  // Facets of tiny parts of the outside, as CutOptions::min_outside_facets, ascending.
+  std::vector<TriangleId> splinters;
 
   // What the cut costs as a share of what the weaker side says; 1 if it says nothing.
   double doubt() const;
@@ -70,14 +75,14 @@ struct RegionCut {
 // a whole rim is all of the cut; where a stretch of it is missing the shortest way over the model
 // replaces it, and where one is in a wrong place the others outvote it. Where the labels would have
 // the model go on under the cloud although the scans end on it (scan_ends.h), facets there say
-// "outside", too. A facet of the border is under no cloud.
-// `rims`: of one cloud, or of several that overlap each other and are cut as one. `scans`: their
-// samples; without them nothing is known of where they end.
-// Why: a border that is closed by walks over its gaps leads astray where the gap is long, and one
-// region is then partly under the cloud and partly not; the mean angle along it decides for all.
-// Complexity: that of a minimum cut of n facets, near linear. Deterministic: lengths are compared
-// as integers, and the labels are unique.
-// Source: ours; Woo & Dey 2005, section 3.4 presumes rims that are closed.
+// "outside", too. Where the rim runs into a seam, as at the mouth of a hole, edges that are no end
+// of the cloud have a few facets say "outside" in the midst of it: the splinters. A facet of the
+// border is under no cloud. `rims`: of one cloud, or of several that overlap each other and are cut
+// as one. `scans`: their samples; without them nothing is known of where they end. Why: a border
+// that is closed by walks over its gaps leads astray where the gap is long, and one region is then
+// partly under the cloud and partly not; the mean angle along it decides for all. Complexity: that
+// of a minimum cut of n facets, near linear. Deterministic: lengths are compared as integers, and
+// the labels are unique. Source: ours; Woo & Dey 2005, section 3.4 presumes rims that are closed.
 RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
                           std::span<const CloudRim> rims, std::span<const Scan> scans = {},
                           const CutOptions& options = {});
@@ -99,7 +104,7 @@ std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
 
 // The components of the model without the borders of all clouds, split so that each lies as a whole
 // under each cloud that is cut, or outside: parts of regions under a cloud are new ones behind the
-// others. Of such clouds the border is certain_border(), of others all of it.
+// others. Of such clouds the border is certain_border() and splinters, of others all of it.
 // is_cut: as clouds_to_cut(), or more. rims[c], borders[c], scans[c], joined[c] and is_cut[c]
 // belong together; where a scan without samples ends is not known. Complexity: as cut_under_cloud()
 // for each group of joined clouds.

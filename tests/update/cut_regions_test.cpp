@@ -247,6 +247,68 @@ TEST(CutRegions, EndsAreLookedForUnlessAllRimsAreClear) {
   EXPECT_EQ(ends({clear, torn}), ends({torn}));
 }
 
+// The rim around what the scan shows, and another loop in its midst beyond which a few facets lie.
+Case with_inner_loop(std::size_t inner_edges) {
+  constexpr std::size_t n = 16;
+  CloudRim rim = torn_rim(0, 0);
+  RimLoop loop = circle(n, middle, 1.4);
+  for (std::size_t i = 0; i < n; ++i) {
+    loop.apexes[i] = loop.points[i] + (loop.points[i] - middle);
+  }
+  loop.inner.assign(n, 0);
+  std::fill_n(loop.inner.begin(), inner_edges, std::uint8_t{1});
+  rim.loops.push_back(loop);
+  rim.seam_edges = inner_edges;
+  return Case(grid_plane(30), rim);
+}
+
+// A whole loop is that around a hole in the scan, and what lies beyond it stays, be it small. What
+// is left of a seam leaves a few facets outside, with cloud all around: they are none.
+TEST(CutRegions, TinyPartsBesideAPartialLoopAreNotOutside) {
+  const RegionCut whole = with_inner_loop(0).cut();
+  EXPECT_TRUE(whole.splinters.empty());
+  const Case torn = with_inner_loop(2);
+  const RegionCut cut = torn.cut();
+  ASSERT_FALSE(cut.splinters.empty());
+  EXPECT_LT(cut.splinters.size(), CutOptions().min_outside_facets);
+  for (const TriangleId t : cut.splinters) {
+    EXPECT_LT(torn.radius_of(t), 2);
+    EXPECT_EQ(cut.under[t], 0);
+    EXPECT_EQ(whole.under[t], 0);
+  }
+  EXPECT_TRUE(torn.cut({.min_outside_facets = cut.splinters.size()}).splinters.empty());
+  EXPECT_EQ(torn.cut({.min_outside_facets = cut.splinters.size() + 1}).splinters, cut.splinters);
+}
+
+TEST(CutRegions, TinyPartsAreOfNoRegion) {
+  const Case torn = with_inner_loop(2);
+  const auto cut = [&](const CutOptions& options) {
+    const std::vector<Scan> scans(1);
+    return cut_regions(torn.model, std::span(&torn.rim, 1), std::span(&torn.border, 1), scans,
+                       std::vector<std::size_t>{0}, std::vector<std::uint8_t>{1}, options);
+  };
+  const CutRegions found = cut({});
+  ASSERT_FALSE(found.cuts[0].splinters.empty());
+  for (const TriangleId t : found.cuts[0].splinters) {
+    EXPECT_TRUE(found.regions.region_of_facet[t].is_none());
+  }
+  const CutRegions kept = cut({.min_outside_facets = 0});
+  EXPECT_TRUE(kept.cuts[0].splinters.empty());
+  for (const TriangleId t : found.cuts[0].splinters) {
+    EXPECT_FALSE(kept.regions.region_of_facet[t].is_none());
+  }
+}
+
+// If that is all that is outside it is no splinter.
+TEST(CutRegions, TheLastPartOutsideStays) {
+  Case torn = with_inner_loop(2);
+  torn.rim.loops.erase(torn.rim.loops.begin());
+  torn.border.loops.erase(torn.border.loops.begin());
+  const RegionCut cut = torn.cut();
+  EXPECT_GT(cut.under_facets, 1000U);
+  EXPECT_TRUE(cut.splinters.empty());
+}
+
 // Of joined clouds lengths are in the shorter median edges.
 TEST(CutRegions, LengthsAreInTheShortestMedianEdges) {
   const Case scene(grid_plane(30), torn_rim(0, 0));

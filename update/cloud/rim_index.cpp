@@ -25,14 +25,15 @@ RimIndex::RimIndex(std::span<const CloudRim> rims) {
   std::vector<Box> boxes;
   for (std::size_t r = 0; r < rims.size(); ++r) {
     for (const RimLoop& loop : rims[r].loops) {
+      const bool is_partial = loop.is_partial();
       for (std::size_t i = 0; i < loop.size(); ++i) {
         if (loop.is_inner(i)) continue;
         const Point& from = loop.points[i];
         const Point& to = loop.points[loop.next(i)];
         const Vec3 along = unit(to - from);
         const Vec3 apex = loop.apexes[i] - from;
-        edges_.push_back(
-            {from, to, unit(apex - dot(apex, along) * along), static_cast<std::uint32_t>(r)});
+        edges_.push_back({from, to, unit(apex - dot(apex, along) * along),
+                          static_cast<std::uint32_t>(r), is_partial});
         Box box;
         box.include(from);
         box.include(to);
@@ -70,7 +71,9 @@ RimSide RimIndex::side_of(const Point& p) const {
     const Edge& edge = edges_[item];
     side += dot(p - closest_on_segment(p, edge.from, edge.to), edge.inward);
   }
-  return {std::sqrt(least), nearest.empty() ? 0 : edges_[nearest.front()].rim, side > 0};
+  if (nearest.empty()) return {.distance = std::sqrt(least)};
+  const Edge& first = edges_[nearest.front()];
+  return {std::sqrt(least), first.rim, side > 0, first.of_partial_loop};
 }
 
 }  // namespace cocoon

@@ -17,6 +17,7 @@ struct RimSide {
   double distance = 0;
   std::uint32_t rim = 0;       // the first rim that has such an edge
   bool on_cloud_side = false;  // the wedge angle between its cocone triangle and the point is acute
+  bool at_partial_loop = false;  // the first loop that has such an edge has inner ones, too
 };
 
 // Copies what it needs of the rims. Safe to query from many threads.
@@ -43,6 +44,7 @@ class RimIndex {
     Point to;
     Vec3 inward;  // unit, orthogonal to the edge, towards the apex
     std::uint32_t rim;
+    bool of_partial_loop;
   };
   std::vector<Edge> edges_;
   BoxTree tree_;

@@ -46,6 +46,19 @@ TEST(RimIndex, SideAgreesWithRayCrossing) {
   EXPECT_GT(inside, 500U);
 }
 
+// The nearest edge tells whether its loop is partial; edges with cloud beyond them are not asked.
+TEST(RimIndex, TellsPartialLoops) {
+  CloudRim rim =
+      testing::rim_of({testing::circle(12, {0, 0, 0}, 2), testing::circle(12, {10, 0, 0}, 2)});
+  rim.loops[0].inner.assign(12, 0);
+  rim.loops[1].inner.assign(12, 0);
+  rim.loops[1].inner[3] = 1;
+  const std::vector<CloudRim> rims = {rim};
+  const RimIndex index(rims);
+  EXPECT_FALSE(index.side_of({1, 0, 0}).at_partial_loop);
+  EXPECT_TRUE(index.side_of({9, 0, 0}).at_partial_loop);
+}
+
 TEST(RimIndex, NoRim) {
   const RimIndex index({});
   EXPECT_TRUE(index.empty());
