@@ -57,6 +57,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("cut_length", cloud.cut.cut_length);
   entry.set("cut_contradicted", cloud.cut.contradicted);
   entry.set("scan_ends", cloud.cut.scan_ends);
+  entry.set("cut_splinters", cloud.cut.splinters.size());
   entry.set("contradicted_samples", cloud.contradicted.count);
   entry.set("boundary_points", cloud.boundary_points);
   entry.set("boundary_samples", cloud.surface.boundary_samples);
@@ -124,6 +125,7 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/kept_points", replacement.kept);
   report.set("update/border_kept", replacement.border_kept);
   report.set("update/border_replaced", replacement.border_replaced);
+  report.set("update/enclosed_replaced", replacement.enclosed_replaced);
   report.set("update/scanned_replaced", replacement.scanned_replaced);
   report.set("update/unscanned_kept", replacement.unscanned_kept);
   report.set("update/overlooked", result.overlooked.count);

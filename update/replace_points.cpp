@@ -73,6 +73,26 @@ std::optional<bool> told_by_regions(const ModelIndex& model, const Regions& regi
   return goes;
 }
 
+// Whether a partial loop is nearest to a vertex, all regions around it and its neighbors go, and
+// there is one.
+bool is_enclosed(const ModelIndex& model, const Regions& regions, const RegionChoice& choice,
+                 const RimIndex& rims, VertexId v, const ReplaceOptions& options) {
+  if (!options.enclosed_go || rims.empty()) return false;
+  if (!rims.side_of(model.mesh().points[v]).at_partial_loop) return false;
+  bool any = false;
+  for (const TriangleId t : model.triangles_at(v)) {
+    for (const VertexId neighbor : model.mesh().triangles[t]) {
+      for (const TriangleId around : model.triangles_at(neighbor)) {
+        const RegionId r = regions.region_of_facet[around];
+        if (r.is_none()) continue;
+        if (choice.replaced[r] == 0) return false;
+        any = true;
+      }
+    }
+  }
+  return any;
+}
+
 // Merges equal points, keeping the first of each in place; returns the new position of every old
 // one.
 std::vector<PointId> merge_equal(std::vector<Point>& points,
@@ -165,7 +185,6 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   const TriangleMesh& model = index.mesh();
   const RimIndex rim_index(rims);
   const ThinningTest thinning(rims, clouds, options.thinning_distance);
-
   const SparseVector<VertexId, Scanned> scanned =
       scanned_vertices(index, regions, rim_index, rims, clouds, options.scanned);
 
@@ -182,6 +201,10 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
     const std::optional<bool> told =
         on_border ? told_by_regions(index, regions, choice, v) : choice.replaced[group] != 0;
     bool replaced = told ? *told : rim_index.on_cloud_side(model.points[v]);
+    if (!told && !replaced && is_enclosed(index, regions, choice, rim_index, v, options)) {
+      replaced = true;
+      ++result.enclosed_replaced;
+    }
     if (scanned[v] != Scanned::unclear && replaced != (scanned[v] == Scanned::yes)) {
       replaced = !replaced;
       ++(replaced ? result.scanned_replaced : result.unscanned_kept);

@@ -23,6 +23,9 @@ struct ReplaceOptions {
   // dropped, too: where cloud and model overlap, the cloud wins. 0 = off, as in the paper.
   double thinning_distance = 0;
   ScannedOptions scanned;  // vertices at the very rim
+  // Border vertices beside a partial loop go whatever side of it they are on if all regions around
+  // their neighbors go.
+  bool enclosed_go = true;
 };
 
 struct Replacement {
@@ -38,10 +41,11 @@ struct Replacement {
   std::vector<VertexId> removed;
   bool kept_are_distinct = false;
 
-  std::size_t kept = 0;             // model vertices, with border vertices
-  std::size_t replaced = 0;         // model vertices, with border vertices
-  std::size_t border_kept = 0;      // of those without a group: outside the rim
-  std::size_t border_replaced = 0;  // and under the cloud
+  std::size_t kept = 0;               // model vertices, with border vertices
+  std::size_t replaced = 0;           // model vertices, with border vertices
+  std::size_t border_kept = 0;        // of those without a group: outside the rim
+  std::size_t border_replaced = 0;    // and under the cloud
+  std::size_t enclosed_replaced = 0;  // of these, as ReplaceOptions::enclosed_go
   // Of these and of those with a group, decided otherwise because of the samples around them.
   std::size_t scanned_replaced = 0;
   std::size_t unscanned_kept = 0;
@@ -55,11 +59,12 @@ struct Replacement {
 // have no rim between them. Any other is replaced iff it lies on the cloud's side of the rim edge
 // nearest to it; the rims are those that formed the border. So is a border vertex all of whose
 // neighboring regions are kept although it lies under the cloud: then the cloud covers it without
-// covering a facet. Of the vertices at the very rim those go that have been scanned anew
-// (scanned_vertices.h).
-// rims[c] belongs to clouds[c]. `added`: what comes in, the same samples in the order wanted.
-// Complexity: O(n) for n points and triangles, and a search per border vertex. Deterministic.
-// Source: Woo & Dey 2005, section 3.4 ("the vertices in the region"; border vertices are open).
+// covering a facet. But what is left of a partial loop may lead into the midst of what goes, as at
+// the mouth of a hole, with that on both sides: there vertices on the other side go, too. Of the
+// vertices at the very rim those go that have been scanned anew (scanned_vertices.h). rims[c]
+// belongs to clouds[c]. `added`: what comes in, the same samples in the order wanted. Complexity:
+// O(n) for n points and triangles, and a search per border vertex. Deterministic. Source: Woo & Dey
+// 2005, section 3.4 ("the vertices in the region"; border vertices are open).
 Replacement replace_points(const ModelIndex& model, const Regions& regions,
                            const RegionChoice& choice, std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds,

@@ -204,5 +204,44 @@ TEST(ReplacePoints, BetweenRegionsOfOneMindNoRimTells) {
   EXPECT_EQ(outside.replace().removed, removed);
 }
 
+// A vertex all of whose facets are border, and a loop around it that says it is outside the cloud.
+void surround(const Point& p, bool is_partial, ReplacedDisk& scene) {
+  const VertexId at = testing::nearest_vertex(scene.model, p);
+  const ModelIndex index(scene.model);
+  for (const TriangleId t : index.triangles_at(at)) {
+    scene.regions.region_of_facet.set(t, RegionId());
+  }
+  count_and_group(index, scene.regions);
+  RimLoop stray = testing::circle(12, p, 0.5);
+  for (std::size_t i = 0; i < stray.size(); ++i) {
+    stray.apexes[i] = stray.points[i] + (stray.points[i] - p);
+  }
+  stray.inner.assign(stray.size(), 0);
+  if (is_partial) stray.inner[5] = 1;
+  scene.rims[0].loops.push_back(stray);
+}
+
+// Beyond a whole loop the model may go on. One that is partial may lead around nothing: if all
+// regions around go, so does what lies between them.
+TEST(ReplacePoints, InTheMidstOfWhatGoesNoPartialLoopTells) {
+  const VertexId at = testing::nearest_vertex(ReplacedDisk().model, {10, 10, 0});
+  ReplacedDisk partial;
+  surround({10, 10, 0}, true, partial);
+  const Replacement gone = partial.replace();
+  EXPECT_TRUE(gone.point_of_vertex[at].is_none());
+  EXPECT_EQ(gone.enclosed_replaced, 1U);
+  EXPECT_EQ(gone.removed, ReplacedDisk().replace().removed);
+  const Replacement off = partial.replace({.scanned = {.rim_zone = 0}, .enclosed_go = false});
+  EXPECT_FALSE(off.point_of_vertex[at].is_none());
+  EXPECT_EQ(off.enclosed_replaced, 0U);
+  ReplacedDisk whole;
+  surround({10, 10, 0}, false, whole);
+  EXPECT_FALSE(whole.replace().point_of_vertex[at].is_none());
+  // Among what stays it stays.
+  ReplacedDisk outside;
+  surround({10, 1, 0}, true, outside);
+  EXPECT_EQ(outside.replace().removed, ReplacedDisk().replace().removed);
+}
+
 }  // namespace
 }  // namespace cocoon
