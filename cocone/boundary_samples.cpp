@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/facets/stage_inputs.h"
 #include "cocone/samples/cocone_radii.h"
 #include "cocone/samples/facet_doubts.h"
 #include "cocone/samples/shared_flags.h"
@@ -155,18 +156,27 @@ IdVector<VertexId, State> judge(const Conditions& conditions, const Execution& e
   return states;
 }
 
+void require_inputs(const char* stage, const Triangulation& triangulation, const Dual& dual,
+                    const Poles& poles, const Cocones& cocones) {
+  require_dual(stage, triangulation, dual);
+  require_poles(stage, triangulation, poles);
+  require_cocones(stage, triangulation, cocones);
+}
+
 }  // namespace
 
 IdVector<VertexId, SampleState> judge_samples(const Triangulation& triangulation, const Dual& dual,
                                               const Poles& poles, const Cocones& cocones,
                                               const BoundaryOptions& options,
                                               const Execution& execution) {
+  require_inputs("judge_samples", triangulation, dual, poles, cocones);
   return judge({triangulation, dual, poles, cocones, options, execution}, execution);
 }
 
 BoundarySamples boundary_samples(const Triangulation& triangulation, const Dual& dual,
                                  const Poles& poles, const Cocones& cocones,
                                  const BoundaryOptions& options, const Execution& execution) {
+  require_inputs("boundary_samples", triangulation, dual, poles, cocones);
   report_progress(execution, "boundary_samples", 0);
   const Conditions conditions(triangulation, dual, poles, cocones, options, execution);
   BoundarySamples result;

@@ -1,5 +1,7 @@
 #include "cocone/candidate_triangles.h"
 
+#include "cocone/facets/stage_inputs.h"
+
 namespace cocoon {
 
 FacetSet candidate_triangles(const Triangulation& triangulation, const Cocones& cocones,
@@ -10,6 +12,8 @@ FacetSet candidate_triangles(const Triangulation& triangulation, const Cocones& 
 CandidateTriangles list_candidate_triangles(const Triangulation& triangulation,
                                             const Cocones& cocones, const VertexSet& boundary,
                                             const Execution& execution) {
+  require_cocones("candidate_triangles", triangulation, cocones);
+  require_vertex_flags("candidate_triangles", triangulation, boundary);
   report_progress(execution, "candidate_triangles", 0);
   CandidateTriangles candidates{FacetSet(triangulation.num_cells()), {}, {}};
   candidates.facets.reserve(cocones.facets.size());

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "cocone/facets/stage_inputs.h"
 #include "cocone/samples/met_facets.h"
+#include "geom/require_size.h"
 
 namespace cocoon {
 namespace {
@@ -46,6 +48,9 @@ Cocones put_together(const Triangulation& triangulation, std::vector<MetFacets> 
 
 Cocones intersect_cocones(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
                           const CoconeOptions& options, const Execution& execution) {
+  require_dual("intersect_cocones", triangulation, dual);
+  require_size("intersect_cocones", "normals of the poles", poles.normals.size(),
+               triangulation.num_vertices());
   return intersect_cocones(
       triangulation, cone_sides(triangulation, dual, poles.normals, options.cosine, execution),
       execution);

@@ -10,6 +10,7 @@
 #include "cocone/facets/cell_order.h"
 #include "cocone/facets/facet_size.h"
 #include "cocone/facets/half_facets.h"
+#include "cocone/facets/stage_inputs.h"
 #include "cocone/facets/walk_reach.h"
 
 namespace cocoon {
@@ -311,6 +312,8 @@ class Walk {
 ManifoldSurface extract(const Triangulation& triangulation, LinkedFacets candidates,
                         const VertexSet& umbrella, FirstWalk first_walk, bool keep_rest,
                         const Execution& execution) {
+  require_facets("extract_manifold", triangulation, candidates);
+  require_vertex_flags("extract_manifold", triangulation, umbrella);
   report_progress(execution, "extract_manifold", 0);
   ManifoldSurface surface;
   std::vector<std::uint8_t> off_surface;

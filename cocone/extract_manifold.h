@@ -54,7 +54,8 @@ struct ManifoldSurface {
 // order settles: of circles by the corners, of two sides for the positive one of the sorted
 // corners. Two candidates at an edge see each other without a turn; a turn through the cells is
 // made only at edges with more. The first walk, which is nearly always the only one, goes without
-// rounds if its result does not depend on them (walk_reach.h), on all threads. Complexity:
+// rounds if its result does not depend on them (walk_reach.h), on all threads. Errors: InputError
+// for parts of another triangulation, by their sizes (facets/stage_inputs.h). Complexity:
 // O(candidates + vertices), and one byte per cell. Source: Amenta, Choi, Dey & Leekha 2002
 // (manifold extraction); the walk about edges is that of the Tight Cocone program (Dey & Goswami
 // 2003), the rounds are ours (docs/stages/extract_manifold.md). Classes of half-facets would need

@@ -39,6 +39,8 @@ class FacetSet {
   IdVector<CellId, std::uint8_t> release() && { return std::move(bits_); }
   // The four flags of a cell, bit i for facet i.
   std::uint8_t bits(CellId c) const { return bits_[c]; }
+  // Of the triangulation.
+  std::size_t num_cells() const { return bits_.size(); }
   // Number of facets (each counted once). Complexity: O(cells).
   std::size_t size() const;
   // Calls visit(f) once for each facet of the set, with its canonical (smaller) id, in order.

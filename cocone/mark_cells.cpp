@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cocone/facets/half_star.h"
+#include "cocone/facets/stage_inputs.h"
 #include "cocone/known_labels.h"
 #include "cocone/marking/carried_marks.h"
 #include "cocone/marking/disputed_marks.h"
@@ -204,6 +205,8 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      const VertexSet& boundary, const KnownLabelsSource& known,
                      const GoodVertexOptions& options, const Execution& execution) {
+  require_facets("mark_cells", triangulation, surface);
+  require_vertex_flags("mark_cells", triangulation, boundary);
   return mark_cells(triangulation, surface, good_vertices(surface, boundary, options, execution),
                     known, execution);
 }
@@ -211,6 +214,8 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
 CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                      GoodVertices good, const KnownLabelsSource& known,
                      const Execution& execution) {
+  require_facets("mark_cells", triangulation, surface);
+  require_vertex_flags("mark_cells", triangulation, good.good);
   report_progress(execution, "mark_cells", 0);
   CellMarks marks;
   marks.good = std::move(good.good);

@@ -74,6 +74,7 @@ inline bool is_contradicted(const CellMarks& marks, VertexId v) {
 // A vertex whose star is labeled already passes on the turn and is not examined for conflicts.
 // One pass over the cells (carried_marks.h) gives the same labels where no two vertices disagree;
 // of the others those are asked, round by round, whom the disagreement touches (disputed_marks.h).
+// Errors: InputError for parts of another triangulation, by their sizes (facets/stage_inputs.h).
 // Complexity: O(cells). Rounds read only earlier rounds: independent of order.
 // Source: Dey & Goswami 2003 (Tight Cocone, marking); rounds and majorities are ours,
 // docs/stages/mark_cells.md.

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "cocone/facets/facet_size.h"
+#include "cocone/facets/stage_inputs.h"
 #include "cocone/samples/shared_flags.h"
+#include "geom/require_size.h"
 #include "geom/visit_where.h"
 
 namespace cocoon {
@@ -327,6 +329,9 @@ CavityCounters count_parts(const Triangulation& triangulation,
 
 CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface, CellMarks marks,
                      const PeelOptions& options, const Execution& execution) {
+  require_facets("peel_cells", triangulation, surface);
+  require_vertex_flags("peel_cells", triangulation, marks.good);
+  require_size("peel_cells", "labels of cells", marks.labels.size(), triangulation.num_cells());
   report_progress(execution, "peel_cells", 0);
   Peeling(triangulation, surface, marks, execution).run(options);
   if (marks.conflicts != 0) {
@@ -338,6 +343,9 @@ CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface
 
 CavityCounters open_cavities(const Triangulation& triangulation, const FacetSet& surface,
                              CellMarks& marks) {
+  require_facets("open_cavities", triangulation, surface);
+  require_size("open_cavities", "flags of reached cells", marks.reached.size(),
+               triangulation.num_cells());
   const IdVector<CellId, std::uint8_t> before = marks.reached;
   Peeling(triangulation, surface, marks, {}).open_cavities();
   IdVector<CellId, std::uint8_t> hollow(before.size(), 0);

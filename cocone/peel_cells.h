@@ -32,6 +32,7 @@ struct CavityCounters {
 // circumradius, ties go to the lexicographically smaller corners, as for stop facets.
 // `marks.rounds` tells whether the labels are those of the one pass of mark_cells, which lead from
 // every OUT cell to infinity: then there is nothing to flood but what is not labeled.
+// Errors: InputError for parts of another triangulation, by their sizes (facets/stage_inputs.h).
 // Complexity: O(cells + d log d) for d facets of unvisited cells. Independent of order.
 // Source: Dey & Goswami 2003 (Tight Cocone, peeling); rounds and deferred seeds are ours,
 // docs/stages/peel_cells.md.
@@ -45,7 +46,8 @@ CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface
 // surface, the peel goes on, and so it does with what is found behind them: bodies within cavities.
 // Repeated until nothing changes. Where `marks.reached` differs from the labels (clean_up_cells)
 // the labels follow. Complexity: O(cells) for each depth of nesting. Independent of order.
-// Precondition: marks come from peel_cells. Source: ours, docs/stages/peel_cells.md.
+// Errors: InputError if the marks do not come from peel_cells. Source: ours,
+// docs/stages/peel_cells.md.
 CavityCounters open_cavities(const Triangulation& triangulation, const FacetSet& surface,
                              CellMarks& marks);
 

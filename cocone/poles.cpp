@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/facets/stage_inputs.h"
 #include "cocone/samples/cell_arms.h"
 #include "cocone/samples/double_cone.h"
 #include "cocone/samples/farthest_cells.h"
@@ -244,11 +245,13 @@ HullNormal hull_normal(std::span<Vec3> directions) {
 
 Poles compute_poles(const Triangulation& triangulation, const Dual& dual,
                     const Execution& execution) {
+  require_dual("compute_poles", triangulation, dual);
   return find_poles(triangulation, dual, nullptr, execution);
 }
 
 Poles compute_poles(const Triangulation& triangulation, const Dual& dual, double cosine,
                     ConeSides& sides, const Execution& execution) {
+  require_dual("compute_poles", triangulation, dual);
   sides = {cosine, {}};
   return find_poles(triangulation, dual, &sides, execution);
 }

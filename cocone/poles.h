@@ -20,6 +20,9 @@
 
 namespace cocoon {
 
+// They may be of one's own instead (docs/examples/own_stages.cpp): intersect_cocones() reads the
+// normals, boundary_samples() all three arrays, of each one element per vertex; clean_up_cells()
+// the normals at the hull.
 struct Poles {
   IdVector<VertexId, Vec3> normals;    // n_p, unit; which side it points to means nothing
   IdVector<VertexId, double> heights;  // h_p, in units of the coordinates; 0 = no negative pole
@@ -33,10 +36,11 @@ struct Poles {
 // The poles of every vertex. Ties between equally far Voronoi vertices go to the lexicographically
 // smallest one, hull normals are summed in lexicographic order: the result is a function of the
 // point set, not of ids.
-// Preconditions: `dual` belongs to `triangulation`; |coordinate| < 1e75 (the
-// compositions of reconstruct.h see to that). Circumcenters may be anything finite.
-// Complexity: O(cells + vertices): two passes over the cells, each a maximum per corner, parallel.
-// Source: Amenta, Bern & Kamvysselis 1998; Woo & Dey 2005, section 2.1 (poles).
+// Errors: InputError for parts of another triangulation, by their sizes (facets/stage_inputs.h).
+// Precondition: |coordinate| < 1e75 (the compositions of reconstruct.h see to that). Circumcenters
+// may be anything finite. Complexity: O(cells + vertices): two passes over the cells, each a
+// maximum per corner, parallel. Source: Amenta, Bern & Kamvysselis 1998; Woo & Dey 2005,
+// section 2.1 (poles).
 Poles compute_poles(const Triangulation& triangulation, const Dual& dual,
                     const Execution& execution = {});
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cocone/facets/facet_removal.h"
+#include "cocone/facets/stage_inputs.h"
 #include "cocone/umbrella.h"
 
 namespace cocoon {
@@ -121,6 +122,7 @@ PrunedCandidates prune(const Triangulation& triangulation, LinkedFacets triangle
 
 PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet candidates,
                                    const PruneOptions& options, const Execution& execution) {
+  require_facets("prune_sharp_edges", triangulation, candidates);
   report_progress(execution, "prune_sharp_edges", 0);
   return prune(triangulation, link_facets(triangulation, std::move(candidates), execution), options,
                execution);
@@ -129,6 +131,7 @@ PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet 
 PrunedCandidates prune_sharp_edges(const Triangulation& triangulation,
                                    CandidateTriangles candidates, const PruneOptions& options,
                                    const Execution& execution) {
+  require_facets("prune_sharp_edges", triangulation, candidates.set);
   report_progress(execution, "prune_sharp_edges", 0);
   return prune(triangulation, link_facets(triangulation, std::move(candidates), execution), options,
                execution);

@@ -129,7 +129,8 @@ ReconstructResult reconstruct_tight(Points points, const ReconstructOptions& opt
                                     const Execution& execution = {});
 
 // The same from a triangulation that is there already; `points` are its input points, and it is
-// that of working_scale(points) times them. Counters of `delaunay` stay zero. The faster, the
+// that of working_scale(points) times them, else InputError if their numbers differ. Counters of
+// `delaunay` stay zero. The faster, the
 // nearer cells lie that are neighbors (canonical_order.h). Complexity: O(n).
 ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
                                     const ReconstructOptions& options = {},

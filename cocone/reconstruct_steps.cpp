@@ -16,6 +16,7 @@
 #include "delaunay/first_cells.h"
 #include "geom/errors.h"
 #include "geom/parallel_reduce.h"
+#include "geom/require_size.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
@@ -51,6 +52,8 @@ void ReconstructSteps::take(Triangulation triangulation) {
 }
 
 void ReconstructSteps::refer_to(const Triangulation& triangulation) {
+  require_size("reconstruct_tight", "input points of the triangulation",
+               triangulation.vertex_of_point().size(), points_.size());
   scale_ = working_scale(points_);
   triangulation_ = &triangulation;
   result_.points = points_.size();

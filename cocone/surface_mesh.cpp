@@ -7,6 +7,7 @@
 
 #include "cocone/samples/shared_flags.h"
 #include "geom/parallel_list.h"
+#include "geom/require_size.h"
 #include "geom/triangle_order.h"
 
 namespace cocoon {
@@ -110,6 +111,7 @@ SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const Facet
 
 SurfaceMesh surface_of(const Triangulation& triangulation, LinkedFacets triangles,
                        std::span<const FacetId> halves, const Execution& execution) {
+  require_size("surface_of", "halves of triangles", halves.size(), triangles.size());
   OverwriteVector<Triangle> corners = std::move(triangles.corners);
   parallel_chunks(execution, halves.size(), elements_per_chunk,
                   [&](std::size_t begin, std::size_t end) {
@@ -127,6 +129,8 @@ SurfaceMesh surface_of(const Triangulation& triangulation, LinkedFacets triangle
 SurfaceMesh surface_between(const Triangulation& triangulation,
                             const IdVector<CellId, std::uint8_t>& reached,
                             const Execution& execution) {
+  require_size("surface_between", "flags of reached cells", reached.size(),
+               triangulation.num_cells());
   const std::vector<Triangle> triangles = parallel_list<Triangle>(
       execution, triangulation.num_finite_cells(), elements_per_chunk,
       [&](std::size_t begin, std::size_t end, std::vector<Triangle>& found) {

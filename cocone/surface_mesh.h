@@ -34,8 +34,8 @@ SurfaceMesh surface_of(const Triangulation& triangulation, LinkedFacets triangle
 // The boundary of the body: all facets between a cell reached by the peel (1) and one not reached,
 // with normals away from the body. Every directed edge is balanced: as many triangles run through
 // an edge in one direction as in the other. Empty if everything was peeled. Precondition: infinite
-// cells are reached. Complexity: O(cells) and as above, parallel. Source: Dey & Goswami 2003 (Tight
-// Cocone, peeling).
+// cells are reached. Errors: InputError unless there is a flag for each cell, as after the peel.
+// Complexity: O(cells) and as above, parallel. Source: Dey & Goswami 2003 (Tight Cocone, peeling).
 SurfaceMesh surface_between(const Triangulation& triangulation,
                             const IdVector<CellId, std::uint8_t>& reached,
                             const Execution& execution = {});

@@ -1,0 +1,16 @@
+#include "geom/require_size.h"
+
+#include <string>
+
+#include "geom/errors.h"
+
+namespace cocoon {
+
+void require_size(const char* stage, const char* what, std::size_t size, std::size_t wanted) {
+  if (size == wanted) return;
+  throw InputError(std::string(stage) + ": " + std::to_string(size) + " " + what +
+                   " given where there must be " + std::to_string(wanted) +
+                   "; give what belongs to the same input");
+}
+
+}  // namespace cocoon

@@ -1,0 +1,108 @@
+#include "cocone/facets/stage_inputs.h"
+
+#include <gtest/gtest.h>
+#include <utility>
+#include <vector>
+
+#include "cocone/mark_cells.h"
+#include "cocone/peel_cells.h"
+#include "cocone/reconstruct.h"
+#include "cocone/surface_mesh.h"
+#include "geom/errors.h"
+#include "tests/cocone/sample_shapes.h"
+#include "tests/cocone/stages.h"
+
+namespace cocoon {
+namespace {
+
+struct AllStages : Stages {
+  explicit AllStages(const std::vector<Point>& points)
+      : Stages(points),
+        boundary(labels().boundary),
+        candidates(candidate_triangles(triangulation, cocones, boundary)),
+        pruned(prune_sharp_edges(triangulation, candidates)),
+        triangles(extract_manifold(triangulation, pruned.left, pruned.umbrella).triangles),
+        marks(mark_cells(triangulation, triangles, boundary)) {}
+  VertexSet boundary;
+  FacetSet candidates;
+  PrunedCandidates pruned;
+  LinkedFacets triangles;
+  CellMarks marks;
+};
+
+// A large and a small one: what is mixed up would be read beyond its end, or not be read at all.
+class StageInputs : public testing::Test {
+ protected:
+  void expect_refused_either_way() {
+    EXPECT_NO_THROW(run_all(large_, large_));
+    for (const auto& [own, other] : {std::pair{&large_, &small_}, std::pair{&small_, &large_}}) {
+      expect_each_refused(*own, *other);
+    }
+  }
+
+ private:
+  static void run_all(const AllStages& own, const AllStages& other) {
+    const Triangulation& t = own.triangulation;
+    compute_poles(t, other.dual);
+    intersect_cocones(t, other.dual, other.poles);
+    boundary_samples(t, other.dual, other.poles, other.cocones);
+    candidate_triangles(t, other.cocones, other.boundary);
+    prune_sharp_edges(t, other.candidates);
+    extract_manifold(t, other.pruned.left, other.pruned.umbrella);
+    mark_cells(t, other.triangles, other.boundary);
+    surface_between(t, peel_cells(t, other.triangles.set, other.marks));
+  }
+
+  static void expect_each_refused(const AllStages& own, const AllStages& other) {
+    const Triangulation& t = own.triangulation;
+    EXPECT_THROW(compute_poles(t, other.dual), InputError);
+    EXPECT_THROW(compute_poles(t, Dual()), InputError);
+    EXPECT_THROW(intersect_cocones(t, other.dual, own.poles), InputError);
+    EXPECT_THROW(intersect_cocones(t, own.dual, other.poles), InputError);
+    EXPECT_THROW(boundary_samples(t, other.dual, own.poles, own.cocones), InputError);
+    EXPECT_THROW(boundary_samples(t, own.dual, other.poles, own.cocones), InputError);
+    EXPECT_THROW(boundary_samples(t, own.dual, own.poles, other.cocones), InputError);
+    EXPECT_THROW(judge_samples(t, own.dual, own.poles, other.cocones), InputError);
+    EXPECT_THROW(candidate_triangles(t, other.cocones, own.boundary), InputError);
+    EXPECT_THROW(candidate_triangles(t, own.cocones, other.boundary), InputError);
+    EXPECT_THROW(candidate_triangles(t, own.cocones, {}), InputError);
+    EXPECT_THROW(prune_sharp_edges(t, other.candidates), InputError);
+    EXPECT_THROW(extract_manifold(t, other.pruned.left, own.pruned.umbrella), InputError);
+    EXPECT_THROW(extract_manifold(t, own.pruned.left, other.pruned.umbrella), InputError);
+    EXPECT_THROW(mark_cells(t, other.triangles, own.boundary), InputError);
+    EXPECT_THROW(mark_cells(t, own.triangles, other.boundary), InputError);
+    EXPECT_THROW(peel_cells(t, other.triangles.set, own.marks), InputError);
+    EXPECT_THROW(peel_cells(t, own.triangles.set, other.marks), InputError);
+  }
+
+  const AllStages large_{shapes::noisy_sphere(600, 0.01, 1)};
+  const AllStages small_{shapes::noisy_sphere(200, 0.01, 2)};
+};
+
+TEST_F(StageInputs, OfAnotherTriangulationAreRefused) { expect_refused_either_way(); }
+
+TEST(StageInputsLeftOut, NormalsAloneAreEnoughForCoconesButNotForTheBoundary) {
+  const AllStages s(shapes::noisy_sphere(300, 0.01, 3));
+  Poles normals;
+  normals.normals = s.poles.normals;
+  const Cocones cocones = intersect_cocones(s.triangulation, s.dual, normals);
+  EXPECT_EQ(cocones.facets, s.cocones.facets);
+  EXPECT_THROW(boundary_samples(s.triangulation, s.dual, normals, cocones), InputError);
+}
+
+TEST(StageInputsLeftOut, CellsThatWereNotPeeledHaveNoSurface) {
+  AllStages s(shapes::noisy_sphere(300, 0.01, 4));
+  EXPECT_THROW(surface_between(s.triangulation, s.marks), InputError);
+  EXPECT_THROW(open_cavities(s.triangulation, s.triangles.set, s.marks), InputError);
+}
+
+TEST(StageInputsLeftOut, ATriangulationOfOtherPointsIsRefused) {
+  const std::vector<Point> points = shapes::noisy_sphere(300, 0.01, 5);
+  const std::vector<Point> fewer(points.begin(), points.end() - 1);
+  EXPECT_THROW(reconstruct_tight(delaunay(points).triangulation, fewer), InputError);
+  EXPECT_THROW(reconstruct_tight(delaunay(fewer).triangulation, points), InputError);
+  EXPECT_THROW(reconstruct_tight(Triangulation(), points), InputError);
+}
+
+}  // namespace
+}  // namespace cocoon
