@@ -1,12 +1,15 @@
 #include "delaunay/point_queries.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 #include <unordered_set>
 
 #include "delaunay/circulate.h"
 #include "delaunay/locate.h"
 #include "geom/compare_distance.h"
+#include "geom/errors.h"
 #include "geom/orient3d.h"
 #include "geom/sort_ids.h"
 
@@ -33,9 +36,27 @@ CellId sampled_cell_near(const TriangulationView& triangulation, const Point& p)
   return best;
 }
 
+void require_cell(const TriangulationView& triangulation, CellId c) {
+  if (c.index() < triangulation.cell_records().size() && !triangulation.is_free(c)) return;
+  throw InputError("cell " + std::to_string(c.value) +
+                   " is not in the triangulation; give one of its cells");
+}
+
 CellId walk_to(const TriangulationView& triangulation, const Point& p, CellId hint) {
+  if (triangulation.cell_records().empty()) {
+    throw InputError("the triangulation has no cells to look for a point in; insert points first");
+  }
+  if (!hint.is_none()) require_cell(triangulation, hint);
   const CellId start = hint.is_none() ? sampled_cell_near(triangulation, p) : hint;
   return locate(triangulation.cell_records(), triangulation.points(), p, start).cell;
+}
+
+void require_cell_at(const TriangulationView& triangulation, VertexId v, CellId cell) {
+  require_cell(triangulation, cell);
+  const std::array<VertexId, 4>& vertices = triangulation.cell(cell).vertices;
+  if (std::find(vertices.begin(), vertices.end(), v) != vertices.end()) return;
+  throw InputError("vertex " + std::to_string(v.value) + " is none of cell " +
+                   std::to_string(cell.value) + "; give a cell at the vertex");
 }
 
 // True iff a is the better answer to "which vertex is nearest to p".
@@ -115,6 +136,7 @@ VertexId nearest_vertex(const TriangulationView& triangulation, const Point& p, 
 
 std::vector<CellId> star_of_vertex(const TriangulationView& triangulation, VertexId v,
                                    CellId cell) {
+  require_cell_at(triangulation, v, cell);
   std::vector<CellId> star;
   flood_star(triangulation, v, cell, [&](CellId c) {
     star.push_back(c);
@@ -125,6 +147,7 @@ std::vector<CellId> star_of_vertex(const TriangulationView& triangulation, Verte
 
 std::vector<VertexId> neighbors_of_vertex(const TriangulationView& triangulation, VertexId v,
                                           CellId cell) {
+  require_cell_at(triangulation, v, cell);
   std::vector<VertexId> neighbors;
   flood_star(triangulation, v, cell, [&](CellId c) {
     for (const VertexId w : triangulation.cell(c).vertices) {

@@ -32,7 +32,8 @@ struct Location {
 };
 
 // Walks from `hint` to p, or from the nearest of a sample of cells if it is none.
-// Precondition: p finite; the triangulation has cells; the hint is one that is not free.
+// Errors: InputError if the triangulation has no cells (a DynamicDelaunay without points), or the
+// hint is none of them. Precondition: p finite.
 // Complexity: O(n^(1/4)) expected for uniform points without a hint; a few cells from nearby.
 // Source: Muecke, Saias & Zhu, Fast randomized point location without preprocessing (1996);
 // delaunay/locate.h for the walk.
@@ -43,17 +44,17 @@ Location locate(const TriangulationView& triangulation, const Point& p, CellId h
 // nearer. Equally near vertices span a polytope with an empty sphere around p, whose edges are
 // edges of the triangulation; along them lexicographic order, a linear function, has no local
 // minimum but the global one. So distance first, order second, descends to the answer.
-// Preconditions and complexity: as for locate, and the stars passed, a few on average.
+// Errors, precondition and complexity: as for locate, and the stars passed, a few on average.
 VertexId nearest_vertex(const TriangulationView& triangulation, const Point& p,
                         CellId hint = CellId());
 
 // All cells, finite and infinite, that have v as a vertex, in order of a flood from `cell`, which
-// is one of them (DynamicDelaunay::cell_at). For many vertices of a Triangulation, vertex_stars is
-// faster. Complexity: O(star) expected.
+// is one of them (DynamicDelaunay::cell_at), else InputError. For many vertices of a Triangulation,
+// vertex_stars is faster. Complexity: O(star) expected.
 std::vector<CellId> star_of_vertex(const TriangulationView& triangulation, VertexId v, CellId cell);
 
 // The vertices that share an edge with v, without the infinite one, in increasing order.
-// Precondition and complexity: as for star_of_vertex, and sorting.
+// Errors and complexity: as for star_of_vertex, and sorting.
 std::vector<VertexId> neighbors_of_vertex(const TriangulationView& triangulation, VertexId v,
                                           CellId cell);
 

@@ -23,7 +23,7 @@ struct VoronoiCell {
   bool is_bounded = true;          // the vertex is not on the convex hull
 };
 
-// `cell`: one of the cells at v (VertexStars::star, DynamicDelaunay::cell_at).
+// `cell`: one of the cells at v (VertexStars::star, DynamicDelaunay::cell_at), else InputError.
 // Complexity: O(size of the star) expected, and sorting.
 VoronoiCell voronoi_cell(const TriangulationView& triangulation, VertexId v, CellId cell);
 

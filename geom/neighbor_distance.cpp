@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "geom/box_tree.h"
+#include "geom/errors.h"
 #include "geom/median.h"
 
 namespace cocoon {
 
 double median_neighbor_distance(Points points, std::size_t k) {
   constexpr std::size_t asked = 500;
+  if (k == 0) throw InputError("the distance of neighbor 0 is asked for; count from 1");
   std::vector<Point> different(points.begin(), points.end());
   std::sort(different.begin(), different.end());
   different.erase(std::unique(different.begin(), different.end()), different.end());

@@ -16,6 +16,7 @@
 #include "delaunay/voronoi_cell.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/compare_distance.h"
+#include "geom/errors.h"
 #include "geom/orient3d.h"
 #include "geom/random.h"
 #include "tests/gallery.h"
@@ -249,6 +250,27 @@ TEST(PointQueriesOfDynamicDelaunay, AnswerWithoutFreezing) {
   std::size_t cells = 0;
   for_each_finite_cell(dynamic.view(), [&](CellId) { ++cells; });
   EXPECT_EQ(cells, frozen.triangulation.num_finite_cells());
+}
+
+TEST(PointQueriesOfNothing, AreRefused) {
+  EXPECT_THROW(locate(Triangulation(), {0, 0, 0}), InputError);
+  EXPECT_THROW(nearest_vertex(Triangulation(), {0, 0, 0}), InputError);
+  EXPECT_THROW(nearest_vertex(DynamicDelaunay().view(), {0, 0, 0}), InputError);
+}
+
+TEST(PointQueriesOfNothing, CellsMustBeThereAndAtTheVertex) {
+  const Triangulation t = delaunay(gallery::uniform_cube(50)).triangulation;
+  const CellId beyond(t.num_cells());
+  EXPECT_THROW(locate(t, {0, 0, 0}, beyond), InputError);
+  EXPECT_THROW(nearest_vertex(t, {0, 0, 0}, beyond), InputError);
+  EXPECT_THROW(star_of_vertex(t, VertexId(0), beyond), InputError);
+  for (const CellId c : t.finite_cells()) {
+    const auto& vertices = t.cell(c).vertices;
+    if (std::find(vertices.begin(), vertices.end(), VertexId(0)) != vertices.end()) continue;
+    EXPECT_THROW(star_of_vertex(t, VertexId(0), c), InputError);
+    EXPECT_THROW(neighbors_of_vertex(t, VertexId(0), c), InputError);
+    EXPECT_THROW(voronoi_cell(t, VertexId(0), c), InputError);
+  }
 }
 
 }  // namespace

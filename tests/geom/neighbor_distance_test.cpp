@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "geom/errors.h"
 #include "geom/random.h"
 
 namespace cocoon {
@@ -47,6 +48,11 @@ TEST(NeighborDistance, NothingWithoutNeighbors) {
   EXPECT_EQ(median_neighbor_distance(points, 1), 3);
   EXPECT_EQ(median_neighbor_distance(points, 2), 0);
   EXPECT_EQ(median_neighbor_distance({}, 1), 0);
+}
+
+TEST(NeighborDistance, NeighborsAreCountedFromOne) {
+  const std::vector<Point> points = {{1, 0, 0}, {2, 0, 0}, {4, 0, 0}};
+  EXPECT_THROW(median_neighbor_distance(points, 0), InputError);
 }
 
 }  // namespace
