@@ -5,6 +5,7 @@
 #include <string>
 
 #include "geom/errors.h"
+#include "geom/require_size.h"
 
 namespace cocoon {
 
@@ -98,6 +99,10 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
   RegionChoice choice;
   choice.replaced = IdVector<RegionId, std::uint8_t>(num_regions, 0);
   choice.clouds.resize(num_clouds);
+  for (std::size_t c = 0; c < num_clouds; ++c) {
+    if (!is_decided(c)) continue;
+    require_size("choose_regions", "decided regions", decided[c].size(), num_regions);
+  }
 
   // 1. Per cloud and region: mean angles, and where they lie to the midpoints of the loops.
   std::vector<IdVector<RegionId, RegionSum>> sums(num_clouds,
@@ -148,6 +153,8 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
 }
 
 RegionId largest_kept_region(const Regions& regions, const RegionChoice& choice) {
+  require_size("largest_kept_region", "flags of replaced regions", choice.replaced.size(),
+               regions.regions.size());
   RegionId largest;
   for (const RegionId r : regions.regions.ids()) {
     if (choice.replaced[r] != 0) continue;

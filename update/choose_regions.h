@@ -71,8 +71,8 @@ struct RegionChoice {
 // `loops`: one entry per loop of any cloud, with its cloud set; `num_clouds` sets the length of the
 // result's list. decided[c], where it is given and not empty, says which regions lie under cloud c
 // (cut_regions.h): then its loops decide nothing, and its margin is by how much the mean angle of
-// its regions outside is larger. Precondition: all entries have the same number of regions (else
-// InputError). Complexity: O(loops * regions). Source: Woo & Dey 2005, section 3.4, angle
+// its regions outside is larger. Errors: InputError unless all entries have the same number of
+// regions. Complexity: O(loops * regions). Source: Woo & Dey 2005, section 3.4, angle
 // condition; several loops: their airbag example.
 RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num_clouds,
                             const ChoiceOptions& options = {},

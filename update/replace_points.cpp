@@ -9,6 +9,7 @@
 #include "geom/large_pages.h"
 #include "geom/list_edit.h"
 #include "geom/nearest_point.h"
+#include "geom/require_size.h"
 #include "geom/sort_ids.h"
 #include "update/cloud/rim_index.h"
 
@@ -174,6 +175,15 @@ void tell_positions(const ListEdit<VertexId>& edit, std::size_t num_vertices,
   }
 }
 
+void require_inputs(const ModelIndex& index, const Regions& regions, const RegionChoice& choice,
+                    std::span<const CloudRim> rims, std::span<const std::vector<Point>> clouds) {
+  require_size("replace_points", "groups of vertices", regions.group_of_vertex.size(),
+               index.mesh().points.size());
+  require_size("replace_points", "flags of replaced regions", choice.replaced.size(),
+               regions.regions.size());
+  require_size("replace_points", "rims of clouds", rims.size(), clouds.size());
+}
+
 }  // namespace
 
 Replacement replace_points(const ModelIndex& index, const Regions& regions,
@@ -181,8 +191,9 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
                            std::span<const std::vector<Point>> clouds,
                            std::span<const std::vector<Point>> added,
                            const ReplaceOptions& options) {
-  Replacement result;
   const TriangleMesh& model = index.mesh();
+  require_inputs(index, regions, choice, rims, clouds);
+  Replacement result;
   const RimIndex rim_index(rims);
   const ThinningTest thinning(rims, clouds, options.thinning_distance);
   const SparseVector<VertexId, Scanned> scanned =
@@ -230,7 +241,6 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   if (!repeated.empty()) new_position = merge_equal(result.points, repeated);
   result.duplicates = repeated.size();
   result.kept_are_distinct = repeated.empty() || repeated.front().point >= result.kept;
-
   // 3. Where everything went.
   tell_positions(edit, model.points.size(), added, new_position, result);
   result.removed = std::move(edit.removed);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geom/angles.h"
+#include "geom/require_size.h"
 
 namespace cocoon {
 
@@ -70,6 +71,11 @@ double relative_height(const Point& a, const Point& b, const Point& p) {
 RegionAngles mean_rim_angles(const ModelIndex& model, const Regions& regions, const RimLoop& loop,
                              const LoopBorder& band, const AngleOptions& options) {
   const TriangleMesh& mesh = model.mesh();
+  require_size("mean_rim_angles", "groups of vertices", regions.group_of_vertex.size(),
+               mesh.points.size());
+  if (!band.begin.empty()) {
+    require_size("mean_rim_angles", "edges of the band", band.begin.size() - 1, loop.size());
+  }
   RegionAngles result;
   result.regions = IdVector<RegionId, AngleMean>(regions.regions.size());
   if (band.begin.empty()) return result;

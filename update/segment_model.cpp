@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "geom/require_size.h"
 #include "geom/visit_where.h"
 #include "update/regions/grow_regions.h"
 
@@ -112,6 +113,8 @@ void complete(const ModelIndex& model, Neighbors neighbors, Regions& result) {
 
 Regions segment_model(const ModelIndex& model, const TriangleSet& border,
                       const SegmentOptions& options, const Execution& execution) {
+  require_size("segment_model", "flags of the border", border.size(),
+               model.mesh().triangles.size());
   report_progress(execution, "segment_model", 0);
   Regions result = grow_regions(model, border);
   merge_islands(options.min_region_facets, result);

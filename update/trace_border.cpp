@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geom/require_size.h"
+
 namespace cocoon {
 
 namespace {
@@ -194,6 +196,7 @@ LoopBorder trace_loop(const ModelIndex& model, const LoopOverlap& overlap,
 
 Border trace_border(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
                     const TraceOptions& options, const Execution& execution) {
+  require_size("trace_border", "loops of the overlap", overlap.loops.size(), rim.loops.size());
   report_progress(execution, "trace_border", 0);
   Border border;
   border.facets = TriangleSet(model.mesh().triangles.size(), 0);

@@ -2,7 +2,7 @@
 //
 //   clouds --cloud_surface--> rims --overlapping_facets, trace_border--> border on the model
 //          --segment_model, mean_rim_angles, choose_regions--> regions under the clouds
-//          --replace_points, reconstruct_tight--> updated mesh
+//          --replace_points--> points, KeptSurface --reconstruct_tight_with_labels--> updated mesh
 //
 // Anything done here can be done by hand with the stages themselves.
 #pragma once
@@ -106,10 +106,10 @@ struct UpdateResult {
   ReconstructResult reconstruction;
 };
 
-// Updates `model`, a closed mesh oriented outward (others: orient_outward()), by `clouds`
-// registered to it, each of which covers a part of the model and overlaps the rest along its rim.
-// Vertices of the result: kept vertices in the order of the model, then cloud points in the order
-// given, without those not on the surface. Every edge of the result is balanced
+// Updates `model`, a closed mesh oriented outward (others: update/model/orient_outward.h), by
+// `clouds` registered to it, each of which covers a part of the model and overlaps the rest along
+// its rim. Vertices of the result: kept vertices in the order of the model, then cloud points in
+// the order given, without those not on the surface. Every edge of the result is balanced
 // (reconstruct_tight), whatever the model was.
 // Progress: its four steps are "boundary_detection", "overlapping_facets",
 // "segmentation_and_selection" and "reconstruction"; stages report below them. The first three come

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cassert>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -328,7 +327,9 @@ void UpdateSession::keep_body(SessionUpdate& update, std::vector<PointId> positi
 }
 
 MeshChange UpdateSession::undo(const Execution& execution) {
-  assert(!history_.empty());
+  if (history_.empty()) {
+    throw InputError("session: there is no update to take back; ask undo_levels() first");
+  }
   Step& last = history_.back();
   MeshChange change;
   if (const MeshEdit* edit = std::get_if<MeshEdit>(&last.way)) {

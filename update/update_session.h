@@ -90,7 +90,7 @@ class UpdateSession {
 
   std::size_t undo_levels() const { return history_.size(); }
   // Takes the last update back: the model is the one from before, in all its bits. Returns what
-  // that changed. Precondition: undo_levels() > 0. Throws Cancelled; then nothing was undone.
+  // that changed. Errors: InputError if undo_levels() is 0; Cancelled, and then nothing was undone.
   MeshChange undo(const Execution& execution = {});
 
   // Updates and undos whose surface was looked at only where points changed

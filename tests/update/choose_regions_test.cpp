@@ -200,5 +200,15 @@ TEST(ChooseRegions, NoLoops) {
   EXPECT_EQ(choice.clouds.size(), 2U);
 }
 
+TEST(ChooseRegions, FlagsOfOtherRegionsAreRefused) {
+  const std::vector<RegionAngles> loops = {loop(0, {10, 170})};
+  const std::vector<IdVector<RegionId, std::uint8_t>> decided = {
+      IdVector<RegionId, std::uint8_t>(1, 1)};
+  EXPECT_THROW(choose_regions(loops, 1, {}, decided), InputError);
+  Regions regions;
+  regions.regions.resize(2);
+  EXPECT_THROW(largest_kept_region(regions, RegionChoice()), InputError);
+}
+
 }  // namespace
 }  // namespace cocoon

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "geom/errors.h"
 #include "tests/update/replaced_disk.h"
 
 namespace cocoon {
@@ -241,6 +242,16 @@ TEST(ReplacePoints, InTheMidstOfWhatGoesNoPartialLoopTells) {
   ReplacedDisk outside;
   surround({10, 1, 0}, true, outside);
   EXPECT_EQ(outside.replace().removed, ReplacedDisk().replace().removed);
+}
+
+TEST(ReplacePoints, InputsOfAnotherModelAreRefused) {
+  ReplacedDisk scene;
+  EXPECT_NO_THROW(scene.replace());
+  scene.clouds.emplace_back();
+  EXPECT_THROW(scene.replace(), InputError);  // fewer rims than clouds
+  scene.clouds.pop_back();
+  scene.choice.replaced = {};
+  EXPECT_THROW(scene.replace(), InputError);
 }
 
 }  // namespace

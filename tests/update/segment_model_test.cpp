@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "geom/errors.h"
 #include "geom/random.h"
 #include "tests/mesh_gallery.h"
 #include "tests/update/hand_made_models.h"
@@ -174,6 +175,12 @@ TEST(SegmentModel, IsTheSameWhateverTheIndexKnows) {
     border_vertices += expected.border_vertices;
   }
   EXPECT_GT(border_vertices, 100U);
+}
+
+TEST(SegmentModel, ABorderOfAnotherModelIsRefused) {
+  const TriangleMesh mesh = testing::grid_plane(10);
+  EXPECT_THROW(segment_model(mesh, column_border(testing::grid_plane(9), 3)), InputError);
+  EXPECT_THROW(segment_model(mesh, TriangleSet()), InputError);
 }
 
 }  // namespace

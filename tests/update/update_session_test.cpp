@@ -423,5 +423,11 @@ TEST(UpdateSession, RefusesSurfacesThatDoNotFit) {
       [&](SurfaceState& s) { s.sides[outer] = static_cast<std::uint8_t>(s.sides[outer] << 4); });
 }
 
+TEST(UpdateSession, NothingToTakeBackIsACallersMistake) {
+  UpdateSession session(gallery::even_sphere(300));
+  EXPECT_THROW(session.undo(), InputError);
+  EXPECT_EQ(session.model().triangles.size(), 2U * 300 - 4);
+}
+
 }  // namespace
 }  // namespace cocoon
