@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "geom/errors.h"
 #include "io/atomic_file.h"
 #include "io/base64.h"
 #include "io/byte_order.h"
@@ -102,8 +103,12 @@ void append_block(AtomicFile& file, std::size_t count, std::size_t value_bytes,
 class VtuWriter {
  public:
   VtuWriter(AtomicFile& file, const Triangulation& triangulation, const Numbering& numbering,
-            bool ascii)
-      : file_(file), triangulation_(triangulation), numbering_(numbering), ascii_(ascii) {}
+            const TetrahedraValues& values, bool ascii)
+      : file_(file),
+        triangulation_(triangulation),
+        numbering_(numbering),
+        values_(values),
+        ascii_(ascii) {}
 
   void write() {
     const std::size_t num_cells = triangulation_.num_finite_cells();
@@ -124,10 +129,29 @@ class VtuWriter {
     write_array<std::int64_t>("offsets", 1, num_cells,
                               [](std::size_t i) { return static_cast<std::int64_t>(4 * (i + 1)); });
     write_array<std::uint8_t>("types", 1, num_cells, [](std::size_t) { return vtk_tetrahedron; });
-    file_.write("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+    file_.write("</Cells>\n");
+    write_values();
+    file_.write("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
   }
 
  private:
+  void write_values() {
+    if (!values_.of_vertices.empty()) file_.write("<PointData>\n");
+    for (const NamedValues& column : values_.of_vertices) {
+      write_array<double>(column.name.c_str(), 1, column.values.size(), [&](std::size_t i) {
+        return column.values[numbering_.vertices[i].index()];
+      });
+    }
+    if (!values_.of_vertices.empty()) file_.write("</PointData>\n");
+    if (values_.of_cells.empty()) return;
+    file_.write("<CellData>\n");
+    for (const NamedValues& column : values_.of_cells) {
+      write_array<double>(column.name.c_str(), 1, column.values.size(),
+                          [&](std::size_t i) { return column.values[i]; });
+    }
+    file_.write("</CellData>\n");
+  }
+
   template <class T>
   static const char* type_name() {
     if (std::is_same_v<T, double>) return "Float64";
@@ -164,13 +188,35 @@ class VtuWriter {
   AtomicFile& file_;
   const Triangulation& triangulation_;
   const Numbering& numbering_;
+  const TetrahedraValues& values_;
   bool ascii_;
 };
+
+void require_values(const char* what, const std::vector<NamedValues>& columns, std::size_t count) {
+  for (const NamedValues& column : columns) {
+    if (column.name.find_first_of("<>&\"") != std::string::npos) {
+      throw InputError("write_tetrahedra: the name " + in_quotes(column.name) +
+                       " has a character of markup; choose another");
+    }
+    if (column.values.size() == count) continue;
+    throw InputError("write_tetrahedra: " + std::to_string(column.values.size()) + " values " +
+                     in_quotes(column.name) + " for " + std::to_string(count) + " " + what +
+                     "; give one each");
+  }
+}
 
 }  // namespace
 
 void write_tetrahedra(const std::filesystem::path& path, const Triangulation& triangulation,
                       const TetrahedraWriteOptions& options, FileBatch* batch) {
+  write_tetrahedra(path, triangulation, TetrahedraValues(), options, batch);
+}
+
+void write_tetrahedra(const std::filesystem::path& path, const Triangulation& triangulation,
+                      const TetrahedraValues& values, const TetrahedraWriteOptions& options,
+                      FileBatch* batch) {
+  require_values("vertices", values.of_vertices, triangulation.num_vertices());
+  require_values("finite cells", values.of_cells, triangulation.num_finite_cells());
   const std::string extension = extension_of(path);
   if (extension != ".vtu" && extension != ".mesh" && extension != ".tet") {
     throw file_error(path, "tetrahedra are not written with extension " + in_quotes(extension) +
@@ -180,7 +226,9 @@ void write_tetrahedra(const std::filesystem::path& path, const Triangulation& tr
   AtomicFile file(path);
   if (extension == ".tet") write_tet(file, triangulation, numbering);
   if (extension == ".mesh") write_medit(file, triangulation, numbering);
-  if (extension == ".vtu") VtuWriter(file, triangulation, numbering, options.ascii).write();
+  if (extension == ".vtu") {
+    VtuWriter(file, triangulation, numbering, values, options.ascii).write();
+  }
   file.commit(batch);
 }
 

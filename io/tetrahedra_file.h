@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "delaunay/triangulation.h"
 #include "io/atomic_file.h"
@@ -27,5 +30,23 @@ struct TetrahedraWriteOptions {
 // O(points log points + cells).
 void write_tetrahedra(const std::filesystem::path& path, const Triangulation& triangulation,
                       const TetrahedraWriteOptions& options = {}, FileBatch* batch = nullptr);
+
+// One number for each vertex, or each finite cell, of the triangulation, in the order of ids; not
+// copied.
+struct NamedValues {
+  std::string name;
+  std::span<const double> values;
+};
+struct TetrahedraValues {
+  std::vector<NamedValues> of_vertices;
+  std::vector<NamedValues> of_cells;
+};
+
+// The same with values to look at, such as heights of poles or labels of cells (docs/examples/
+// own_stages.cpp); formats other than VTU have no place for them. Also throws InputError if there
+// are not as many as vertices or finite cells.
+void write_tetrahedra(const std::filesystem::path& path, const Triangulation& triangulation,
+                      const TetrahedraValues& values, const TetrahedraWriteOptions& options = {},
+                      FileBatch* batch = nullptr);
 
 }  // namespace cocoon

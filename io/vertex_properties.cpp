@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "io/byte_order.h"
 
@@ -58,6 +59,18 @@ void append_nothing_known(VertexProperty& to) {
 }
 
 }  // namespace
+
+VertexProperty property_of(std::string name, std::span<const double> values) {
+  VertexProperty column{{std::move(name), PlyType::float64}, {}, {}};
+  for (const double value : values) append_little_endian(column.values, value);
+  return column;
+}
+
+VertexProperty property_of(std::string name, std::span<const std::uint8_t> values) {
+  VertexProperty column{{std::move(name), PlyType::uint8}, {}, {}};
+  for (const std::uint8_t value : values) append_little_endian(column.values, value);
+  return column;
+}
 
 GatheredProperties gather_properties(std::span<const VertexProperties> tables,
                                      std::span<const RowOrigin> origins) {

@@ -31,6 +31,11 @@ struct VertexProperties {
   friend bool operator==(const VertexProperties&, const VertexProperties&) = default;
 };
 
+// A property of the caller's own, to be written with a mesh: one number a row, as `double` or
+// `uchar`. docs/examples/own_stages.cpp writes some. Complexity: O(rows).
+VertexProperty property_of(std::string name, std::span<const double> values);
+VertexProperty property_of(std::string name, std::span<const std::uint8_t> values);
+
 // Where a row comes from.
 struct RowOrigin {
   std::uint32_t table = 0;

@@ -180,6 +180,37 @@ TEST(TetrahedraFile, LargeArraysJoinWithoutPaddingInside) {
             static_cast<std::int64_t>(4 * triangulation.num_finite_cells()));
 }
 
+TEST(TetrahedraFile, VtuHoldsValuesOfVerticesAndCells) {
+  const TemporaryFolder folder;
+  const Triangulation triangulation = delaunay(input).triangulation;
+  std::vector<double> heights;
+  for (const VertexId v : triangulation.vertices()) heights.push_back(triangulation.point(v).z);
+  std::vector<double> numbers;
+  for (const CellId c : triangulation.finite_cells()) numbers.push_back(c.value);
+  write_tetrahedra(folder / "a.vtu", triangulation, {{{"height", heights}}, {{"number", numbers}}});
+  const std::string xml = content_of(folder / "a.vtu");
+  EXPECT_EQ(values_of<double>(xml, "number"), numbers);
+  // Points are written in the order of the input, and so are their values.
+  const std::vector<double> points = values_of<double>(xml, "Points");
+  const std::vector<double> written = values_of<double>(xml, "height");
+  ASSERT_EQ(written.size(), triangulation.num_vertices());
+  for (std::size_t i = 0; i < written.size(); ++i) EXPECT_EQ(written[i], points[3 * i + 2]);
+  EXPECT_NE(xml.find("<PointData>"), std::string::npos);
+  EXPECT_NE(xml.find("</CellData>\n</Piece>"), std::string::npos);
+}
+
+TEST(TetrahedraFile, RefusesValuesThatDoNotFit) {
+  const TemporaryFolder folder;
+  const Triangulation triangulation = delaunay(input).triangulation;
+  const std::vector<double> few(triangulation.num_vertices() - 1, 0);
+  const std::vector<double> all(triangulation.num_cells(), 0);
+  EXPECT_THROW(write_tetrahedra(folder / "a.vtu", triangulation, {{{"few", few}}, {}}), InputError);
+  EXPECT_THROW(write_tetrahedra(folder / "a.vtu", triangulation, {{}, {{"all", all}}}), InputError);
+  const std::span<const double> fit = std::span(all).first(triangulation.num_finite_cells());
+  EXPECT_THROW(write_tetrahedra(folder / "a.vtu", triangulation, {{}, {{"a<b", fit}}}), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.vtu"));
+}
+
 TEST(TetrahedraFile, RefusesOtherExtensions) {
   const TemporaryFolder folder;
   EXPECT_THROW(write_tetrahedra(folder / "a.ply", Triangulation()), FileError);

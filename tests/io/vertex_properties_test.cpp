@@ -217,5 +217,26 @@ TEST(VertexProperties, AMeshIsNotWrittenWithRowsOfAnother) {
   EXPECT_EQ(folder.num_files(), 0U);
 }
 
+TEST(VertexProperties, OfTheCallersOwnComeBack) {
+  const TemporaryFolder folder;
+  TriangleMesh mesh;
+  for (const Point& p : {Point{0, 0, 0}, Point{1, 0, 0}, Point{0, 1, 0}}) mesh.points.push_back(p);
+  mesh.triangles.push_back({VertexId(0), VertexId(1), VertexId(2)});
+  const std::vector<double> heights = {0.1, -2, 1e300};
+  const std::vector<std::uint8_t> flags = {0, 1, 255};
+  VertexProperties own;
+  own.rows = 3;
+  own.columns = {property_of("height", heights), property_of("boundary", flags)};
+  for (const bool ascii : {false, true}) {
+    write_mesh(folder / "a.ply", mesh, own, {.ascii = ascii});
+    MeshReadReport report;
+    VertexProperties read;
+    read_mesh(folder / "a.ply", report, read);
+    EXPECT_TRUE(read == own);
+    EXPECT_EQ(type_text(read.columns[0].declaration), "double");
+    EXPECT_EQ(type_text(read.columns[1].declaration), "uchar");
+  }
+}
+
 }  // namespace
 }  // namespace cocoon
