@@ -10,6 +10,7 @@
 #include "update/cloud_surface.h"
 #include "update/model/model_index.h"
 #include "update/overlapping_facets.h"
+#include "update/regions/kept_surface.h"
 #include "update/replace_points.h"
 #include "update/rim_angles.h"
 #include "update/segment_model.h"
@@ -43,10 +44,13 @@ int main() {
                 verdict.under_cloud ? "replaced" : "kept");
   }
 
-  // Its vertices go, the cloud comes, and all points get a closed surface.
+  // Its vertices go, the cloud comes, and all points get a closed surface. Where the samples leave
+  // that in doubt, the triangles of the model that stay tell the sides.
   const cocoon::Replacement replacement =
       cocoon::replace_points(index, regions, choice, rims, clouds, clouds);
-  const cocoon::TriangleMesh updated = cocoon::reconstruct_tight(replacement.points).mesh;
+  const cocoon::KeptSurface kept(index, regions, choice, replacement);
+  const cocoon::TriangleMesh updated =
+      cocoon::reconstruct_tight_with_labels(replacement.points, kept.told().labels).mesh;
 
   std::printf("%zu facets under the rim, %zu points replaced, %zu triangles\n",
               overlap.facets.size(), replacement.replaced, updated.triangles.size());
