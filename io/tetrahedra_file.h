@@ -43,8 +43,8 @@ struct TetrahedraValues {
 };
 
 // The same with values to look at, such as heights of poles or labels of cells (docs/examples/
-// own_stages.cpp); formats other than VTU have no place for them. Also throws InputError if there
-// are not as many as vertices or finite cells.
+// own_stages.cpp). Also throws InputError if there are not as many as vertices or finite cells, or
+// the format is another than VTU, which has no place for them.
 void write_tetrahedra(const std::filesystem::path& path, const Triangulation& triangulation,
                       const TetrahedraValues& values, const TetrahedraWriteOptions& options = {},
                       FileBatch* batch = nullptr);

@@ -208,7 +208,8 @@ TEST(TetrahedraFile, RefusesValuesThatDoNotFit) {
   EXPECT_THROW(write_tetrahedra(folder / "a.vtu", triangulation, {{}, {{"all", all}}}), InputError);
   const std::span<const double> fit = std::span(all).first(triangulation.num_finite_cells());
   EXPECT_THROW(write_tetrahedra(folder / "a.vtu", triangulation, {{}, {{"a<b", fit}}}), InputError);
-  EXPECT_FALSE(std::filesystem::exists(folder / "a.vtu"));
+  EXPECT_THROW(write_tetrahedra(folder / "a.mesh", triangulation, {{}, {{"a", fit}}}), InputError);
+  EXPECT_EQ(folder.num_files(), 0U);
 }
 
 TEST(TetrahedraFile, RefusesOtherExtensions) {
