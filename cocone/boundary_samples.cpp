@@ -157,7 +157,8 @@ IdVector<VertexId, State> judge(const Conditions& conditions, const Execution& e
 }
 
 void require_inputs(const char* stage, const Triangulation& triangulation, const Dual& dual,
-                    const Poles& poles, const Cocones& cocones) {
+                    const Poles& poles, const Cocones& cocones, const BoundaryOptions& options) {
+  require_options(stage, options);
   require_dual(stage, triangulation, dual);
   require_poles(stage, triangulation, poles);
   require_cocones(stage, triangulation, cocones);
@@ -169,14 +170,14 @@ IdVector<VertexId, SampleState> judge_samples(const Triangulation& triangulation
                                               const Poles& poles, const Cocones& cocones,
                                               const BoundaryOptions& options,
                                               const Execution& execution) {
-  require_inputs("judge_samples", triangulation, dual, poles, cocones);
+  require_inputs("judge_samples", triangulation, dual, poles, cocones, options);
   return judge({triangulation, dual, poles, cocones, options, execution}, execution);
 }
 
 BoundarySamples boundary_samples(const Triangulation& triangulation, const Dual& dual,
                                  const Poles& poles, const Cocones& cocones,
                                  const BoundaryOptions& options, const Execution& execution) {
-  require_inputs("boundary_samples", triangulation, dual, poles, cocones);
+  require_inputs("boundary_samples", triangulation, dual, poles, cocones, options);
   report_progress(execution, "boundary_samples", 0);
   const Conditions conditions(triangulation, dual, poles, cocones, options, execution);
   BoundarySamples result;

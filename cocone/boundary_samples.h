@@ -56,7 +56,8 @@ struct BoundarySamples {
 // until nothing changes. The result is a least fixed point, so the order of work does not matter.
 // Degenerate samples (poles.h) never join. If nothing is interior, no surface can be built from
 // these samples: interior() == 0.
-// Errors: InputError for parts of another triangulation, by their sizes (facets/stage_inputs.h).
+// Errors: InputError for parts of another triangulation, by their sizes, and for options out of
+// range (facets/stage_inputs.h).
 // Complexity: O(vertices + facets of `cocones`), and k log k for k facets at samples that fail the
 // normal condition; phase 1 parallel over facets.
 // Source: Dey & Giesen 2001 (Boundary); Woo & Dey 2005, section 3.2.

@@ -48,6 +48,7 @@ Cocones put_together(const Triangulation& triangulation, std::vector<MetFacets> 
 
 Cocones intersect_cocones(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
                           const CoconeOptions& options, const Execution& execution) {
+  require_options("intersect_cocones", options);
   require_dual("intersect_cocones", triangulation, dual);
   require_size("intersect_cocones", "normals of the poles", poles.normals.size(),
                triangulation.num_vertices());

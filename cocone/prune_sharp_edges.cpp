@@ -122,6 +122,7 @@ PrunedCandidates prune(const Triangulation& triangulation, LinkedFacets triangle
 
 PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet candidates,
                                    const PruneOptions& options, const Execution& execution) {
+  require_options("prune_sharp_edges", options);
   require_facets("prune_sharp_edges", triangulation, candidates);
   report_progress(execution, "prune_sharp_edges", 0);
   return prune(triangulation, link_facets(triangulation, std::move(candidates), execution), options,
@@ -131,6 +132,7 @@ PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet 
 PrunedCandidates prune_sharp_edges(const Triangulation& triangulation,
                                    CandidateTriangles candidates, const PruneOptions& options,
                                    const Execution& execution) {
+  require_options("prune_sharp_edges", options);
   require_facets("prune_sharp_edges", triangulation, candidates.set);
   report_progress(execution, "prune_sharp_edges", 0);
   return prune(triangulation, link_facets(triangulation, std::move(candidates), execution), options,

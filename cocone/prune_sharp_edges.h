@@ -32,7 +32,8 @@ struct PrunedCandidates {
 // candidates go; repeated, since an edge that loses a candidate may become sharp (one candidate is
 // always sharp). Flags, and who is to stay, are those of all candidates, and the largest dihedral
 // at an edge can only fall: the result does not depend on order.
-// Errors: InputError for parts of another triangulation, by their sizes (facets/stage_inputs.h).
+// Errors: InputError for parts of another triangulation, by their sizes, and for options out of
+// range (facets/stage_inputs.h).
 // Complexity: O(candidates + vertices) and one byte per cell; the first step parallel.
 // Source: Amenta, Choi, Dey & Leekha 2002; Woo & Dey 2005, section 2.2; guard by umbrellas and
 // thresholds after the Tight Cocone program (docs/stages/prune_sharp_edges.md).

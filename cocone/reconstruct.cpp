@@ -2,11 +2,16 @@
 
 #include <utility>
 
+#include "cocone/facets/stage_inputs.h"
 #include "cocone/reconstruct_steps.h"
 
 namespace cocoon {
 
 ReconstructOptions effective_options(ReconstructOptions options) {
+  require_options("reconstruct", options.cocone);
+  require_options("reconstruct", options.boundary);
+  require_options("reconstruct", options.prune);
+  require_options("reconstruct", options.good_vertices);
   if (options.mode == Mode::paper) {
     options.boundary.radius_mode = RadiusMode::cocone;
     options.peel.deferred_seeding = false;

@@ -55,7 +55,9 @@ struct ReconstructOptions {
   bool verify = false;
 };
 
-// What the stages get: in mode paper some options are as published, whatever they say.
+// What the stages get: in mode paper some options are as published, whatever they say. Throws
+// InputError for options of the stages that are out of range (facets/stage_inputs.h), so all that
+// take these options do.
 ReconstructOptions effective_options(ReconstructOptions options);
 
 // For clouds whose surface has a rim (a scan from one side, the added cloud of an update):

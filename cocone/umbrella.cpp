@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/facets/stage_inputs.h"
 #include "geom/parallel_list.h"
 
 namespace cocoon {
@@ -241,6 +242,7 @@ VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::span<const 
 
 GoodVertices good_vertices(const LinkedFacets& triangles, const VertexSet& boundary,
                            const GoodVertexOptions& options, const Execution& execution) {
+  require_options("good_vertices", options);
   const std::size_t count = boundary.size();
   const Spokes spokes = spokes_at(triangles, boundary, options, execution);
   const IdVector<VertexId, Corners> corners = corners_at(triangles, count);

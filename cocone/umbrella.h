@@ -49,6 +49,7 @@ struct GoodVertices {
 // them, and they make one cycle. All others are poor: rims, pinched vertices, spokes with three
 // triangles, isolated samples. Demotions look at the umbrellas only, not at other demotions, so
 // they do not depend on order.
+// Errors: InputError for options that are no numbers.
 // Complexity: O(triangles + vertices), parallel over vertices; edges are looked at only where they
 // are steep (linked_facets.h), unless the options ask for flatter ones.
 // Source: Dey & Goswami 2003 (Tight Cocone).

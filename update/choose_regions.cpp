@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <string>
 
 #include "geom/errors.h"
+#include "geom/require_number.h"
 #include "geom/require_size.h"
 
 namespace cocoon {
@@ -76,6 +78,21 @@ void keep_the_largest_mean(RegionChoice& choice) {
   choice.kept_largest = true;
 }
 
+void require_inputs(const ChoiceOptions& options,
+                    std::span<const IdVector<RegionId, std::uint8_t>> decided,
+                    std::size_t num_regions) {
+  for (const IdVector<RegionId, std::uint8_t>& regions : decided) {
+    if (regions.empty()) continue;
+    require_size("choose_regions", "decided regions", regions.size(), num_regions);
+  }
+  const auto require = [](const char* option, double value, double high) {
+    require_number("choose_regions", option, value, 0, high);
+  };
+  require("min_edge_share", options.min_edge_share, 1);
+  require("ambiguous_margin", options.ambiguous_margin, std::numbers::pi);
+  require("narrow_margin", options.narrow_margin, std::numbers::pi);
+}
+
 }  // namespace
 
 bool tells_sides_apart(const RegionAngles& loop, const ChoiceOptions& options) {
@@ -96,13 +113,10 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
                             std::span<const IdVector<RegionId, std::uint8_t>> decided) {
   const auto is_decided = [&](std::size_t c) { return c < decided.size() && !decided[c].empty(); };
   const std::size_t num_regions = loops.empty() ? 0 : loops.front().regions.size();
+  require_inputs(options, decided, num_regions);
   RegionChoice choice;
   choice.replaced = IdVector<RegionId, std::uint8_t>(num_regions, 0);
   choice.clouds.resize(num_clouds);
-  for (std::size_t c = 0; c < num_clouds; ++c) {
-    if (!is_decided(c)) continue;
-    require_size("choose_regions", "decided regions", decided[c].size(), num_regions);
-  }
 
   // 1. Per cloud and region: mean angles, and where they lie to the midpoints of the loops.
   std::vector<IdVector<RegionId, RegionSum>> sums(num_clouds,

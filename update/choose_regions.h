@@ -72,8 +72,9 @@ struct RegionChoice {
 // result's list. decided[c], where it is given and not empty, says which regions lie under cloud c
 // (cut_regions.h): then its loops decide nothing, and its margin is by how much the mean angle of
 // its regions outside is larger. Errors: InputError unless all entries have the same number of
-// regions. Complexity: O(loops * regions). Source: Woo & Dey 2005, section 3.4, angle
-// condition; several loops: their airbag example.
+// regions, the share is one (0 to 1) and the margins are angles (0 to pi). Complexity: O(loops *
+// regions). Source: Woo & Dey 2005, section 3.4, angle condition; several loops: their airbag
+// example.
 RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num_clouds,
                             const ChoiceOptions& options = {},
                             std::span<const IdVector<RegionId, std::uint8_t>> decided = {});

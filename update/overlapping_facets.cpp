@@ -12,6 +12,7 @@
 #include "geom/disjoint_sets.h"
 #include "geom/median.h"
 #include "geom/nearest_point.h"
+#include "geom/require_number.h"
 #include "geom/sort_ids.h"
 #include "geom/triangle_projection.h"
 #include "update/model/near_facets.h"
@@ -376,10 +377,25 @@ void locate_points(const ModelIndex& model, const Locator& locator,
                   });
 }
 
+void require_options(const OverlapOptions& options) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto require = [](const char* option, double value, double low, double high) {
+    require_number("overlapping_facets", option, value, low, high);
+  };
+  require("max_distance", options.max_distance, 0, infinity);
+  require("min_normal_cosine", options.min_normal_cosine, -1, 1);
+  require("facing_preference", options.facing_preference, 0, infinity);
+  require("max_unmatched_share", options.max_unmatched_share, 0, 1);
+  require("max_raised_share", options.max_raised_share, 0, 1);
+  require("raised_distance", options.raised_distance, 0, infinity);
+  require("step_distance", options.step_distance, 0, infinity);
+}
+
 }  // namespace
 
 Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
                            const OverlapOptions& options, const Execution& execution) {
+  require_options(options);
   report_progress(execution, "overlapping_facets", 0);
   const std::vector<RimPoint> points = all_points(rim);
 

@@ -103,6 +103,7 @@ struct Overlap {
 // one-sided, as at walls thinner than its spacing, the points next to each decide. A loop lies on
 // one connected part of the model: if all but max_unmatched_share of its points do, the others look
 // for their facets on that part, too (a speck of dust beside the surface would break the band).
+// Errors: InputError for options out of range: distances from 0, shares from 0 to 1, a cosine.
 // Complexity: a few operations for each vertex and facet of the model, and O(rim log(model)) where
 // the rim lies on it (update/model/near_facets.h); O(model log(model)) for rims far away and for
 // nearest_vertex_star. Deterministic: ties by lexicographic corners.

@@ -1,11 +1,17 @@
 #include "cocone/facets/stage_inputs.h"
 
+#include <limits>
 #include <string>
 
 #include "geom/errors.h"
+#include "geom/require_number.h"
 #include "geom/require_size.h"
 
 namespace cocoon {
+
+namespace {
+constexpr double infinity = std::numeric_limits<double>::infinity();
+}  // namespace
 
 void require_dual(const char* stage, const Triangulation& triangulation, const Dual& dual) {
   const std::size_t cells = triangulation.num_cells();
@@ -53,6 +59,25 @@ void require_facets(const char* stage, const Triangulation& triangulation, const
 void require_facets(const char* stage, const Triangulation& triangulation,
                     const LinkedFacets& facets) {
   if (facets.size() != 0) require_facets(stage, triangulation, facets.set);
+}
+
+void require_options(const char* stage, const CoconeOptions& options) {
+  require_number(stage, "cocone.cosine", options.cosine, 0, 1);
+}
+
+void require_options(const char* stage, const BoundaryOptions& options) {
+  require_number(stage, "boundary.rho", options.rho, 0, infinity);
+  require_number(stage, "boundary.alpha_cosine", options.alpha_cosine, -1, 1);
+}
+
+void require_options(const char* stage, const PruneOptions& options) {
+  require_number(stage, "prune.sharp_cosine", options.sharp_cosine, -infinity, infinity);
+  require_number(stage, "prune.keep_cosine", options.keep_cosine, -infinity, infinity);
+}
+
+void require_options(const char* stage, const GoodVertexOptions& options) {
+  require_number(stage, "good_vertices.fold_cosine", options.fold_cosine, -infinity, infinity);
+  require_number(stage, "good_vertices.crease_cosine", options.crease_cosine, -infinity, infinity);
 }
 
 }  // namespace cocoon

@@ -1,10 +1,14 @@
-// Whether values given to a stage are those of its triangulation: who calls the stages by hand may
-// mix up two of them, or leave out a stage. What is tested takes no time and finds nearly all.
+// Whether values given to a stage are those of its triangulation, and its options numbers that it
+// can work with: who calls the stages by hand may mix up two triangulations, or leave out a stage,
+// or give an angle where its cosine is meant. What is tested takes no time and finds nearly all.
 #pragma once
 
+#include "cocone/boundary_options.h"
 #include "cocone/cocones.h"
 #include "cocone/facets/linked_facets.h"
 #include "cocone/poles.h"
+#include "cocone/prune_sharp_edges.h"
+#include "cocone/umbrella.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi_dual.h"
 
@@ -21,5 +25,12 @@ void require_facets(const char* stage, const Triangulation& triangulation, const
 // Of no triangles the set may be empty, too.
 void require_facets(const char* stage, const Triangulation& triangulation,
                     const LinkedFacets& facets);
+
+// Cosines from -1 to 1, of a cone from 0 on; rho at least 0. Limits for dihedral cosines may be
+// any number: beyond 1 no edge is meant, beyond -1 every one.
+void require_options(const char* stage, const CoconeOptions& options);
+void require_options(const char* stage, const BoundaryOptions& options);
+void require_options(const char* stage, const PruneOptions& options);
+void require_options(const char* stage, const GoodVertexOptions& options);
 
 }  // namespace cocoon

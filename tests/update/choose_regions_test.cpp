@@ -1,6 +1,7 @@
 #include "update/choose_regions.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -208,6 +209,18 @@ TEST(ChooseRegions, FlagsOfOtherRegionsAreRefused) {
   Regions regions;
   regions.regions.resize(2);
   EXPECT_THROW(largest_kept_region(regions, RegionChoice()), InputError);
+}
+
+TEST(ChooseRegions, OptionsOutOfRangeAreRefused) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<RegionAngles> loops = {loop(0, {10, 170})};
+  for (const ChoiceOptions& options : {
+           ChoiceOptions{.min_edge_share = 1.5}, ChoiceOptions{.min_edge_share = nan},
+           ChoiceOptions{.ambiguous_margin = -1}, ChoiceOptions{.ambiguous_margin = nan},
+           ChoiceOptions{.narrow_margin = 30},  // degrees
+       }) {
+    EXPECT_THROW(choose_regions(loops, 1, options), InputError);
+  }
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
+#include "geom/errors.h"
 #include "geom/random.h"
 #include "geom/triangle_projection.h"
 #include "tests/update/hand_made_models.h"
@@ -42,6 +44,24 @@ TEST(OverlappingFacets, FindsTheFacetBelowEachPoint) {
     }
     EXPECT_LE(overlap.facets.size(), 40U);
     EXPECT_TRUE(std::is_sorted(overlap.facets.begin(), overlap.facets.end()));
+  }
+}
+
+TEST(OverlappingFacets, OptionsOutOfRangeAreRefused) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const TriangleMesh model = testing::grid_plane(20);
+  const CloudRim rim = rim_of({circle(40, {10, 10, 0.3}, 6.2)});
+  for (const OverlapOptions& options : {
+           OverlapOptions{.max_distance = -1},
+           OverlapOptions{.max_distance = nan},
+           OverlapOptions{.min_normal_cosine = 60},  // degrees
+           OverlapOptions{.facing_preference = nan},
+           OverlapOptions{.max_unmatched_share = 10},
+           OverlapOptions{.max_raised_share = -0.1},
+           OverlapOptions{.raised_distance = nan},
+           OverlapOptions{.step_distance = -2},
+       }) {
+    EXPECT_THROW(overlapping_facets(model, rim, options), InputError);
   }
 }
 

@@ -1,9 +1,11 @@
 #include "cocone/facets/stage_inputs.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include "cocone/dynamic_tight_cocone.h"
 #include "cocone/mark_cells.h"
 #include "cocone/peel_cells.h"
 #include "cocone/reconstruct.h"
@@ -31,7 +33,7 @@ struct AllStages : Stages {
 };
 
 // A large and a small one: what is mixed up would be read beyond its end, or not be read at all.
-class StageInputs : public testing::Test {
+class MixedStageInputs : public testing::Test {
  protected:
   void expect_refused_either_way() {
     EXPECT_NO_THROW(run_all(large_, large_));
@@ -79,7 +81,7 @@ class StageInputs : public testing::Test {
   const AllStages small_{shapes::noisy_sphere(200, 0.01, 2)};
 };
 
-TEST_F(StageInputs, OfAnotherTriangulationAreRefused) { expect_refused_either_way(); }
+TEST_F(MixedStageInputs, OfAnotherTriangulationAreRefused) { expect_refused_either_way(); }
 
 TEST(StageInputsLeftOut, NormalsAloneAreEnoughForCoconesButNotForTheBoundary) {
   const AllStages s(shapes::noisy_sphere(300, 0.01, 3));
@@ -94,6 +96,34 @@ TEST(StageInputsLeftOut, CellsThatWereNotPeeledHaveNoSurface) {
   AllStages s(shapes::noisy_sphere(300, 0.01, 4));
   EXPECT_THROW(surface_between(s.triangulation, s.marks), InputError);
   EXPECT_THROW(open_cavities(s.triangulation, s.triangles.set, s.marks), InputError);
+}
+
+TEST(StageInputs, OptionsOutOfRangeAreRefused) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const AllStages s(shapes::noisy_sphere(300, 0.01, 6));
+  const Triangulation& t = s.triangulation;
+  for (const double cosine : {-0.5, 67.5, nan}) {
+    EXPECT_THROW(intersect_cocones(t, s.dual, s.poles, {.cosine = cosine}), InputError);
+  }
+  for (const BoundaryOptions& options :
+       {BoundaryOptions{.rho = -1}, BoundaryOptions{.rho = nan},
+        BoundaryOptions{.alpha_cosine = 30}, BoundaryOptions{.alpha_cosine = nan}}) {
+    EXPECT_THROW(boundary_samples(t, s.dual, s.poles, s.cocones, options), InputError);
+    EXPECT_THROW(judge_samples(t, s.dual, s.poles, s.cocones, options), InputError);
+  }
+  EXPECT_THROW(prune_sharp_edges(t, s.candidates, {.sharp_cosine = nan}), InputError);
+  EXPECT_THROW(prune_sharp_edges(t, s.candidates, {.keep_cosine = nan}), InputError);
+  EXPECT_THROW(good_vertices(s.triangles, s.boundary, {.fold_cosine = nan}), InputError);
+  EXPECT_THROW(good_vertices(s.triangles, s.boundary, {.crease_cosine = nan}), InputError);
+}
+
+TEST(StageInputs, WholeReconstructionsRefuseThemBeforeTheyBegin) {
+  const std::vector<Point> points = shapes::noisy_sphere(300, 0.01, 7);
+  ReconstructOptions options;
+  options.boundary.rho = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(reconstruct_tight(points, options), InputError);
+  EXPECT_THROW(reconstruct_cocone(points, options), InputError);
+  EXPECT_THROW((DynamicTightCocone(options)), InputError);
 }
 
 TEST(StageInputsLeftOut, ATriangulationOfOtherPointsIsRefused) {
