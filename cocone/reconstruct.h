@@ -132,8 +132,8 @@ ReconstructResult reconstruct_tight(Points points, const ReconstructOptions& opt
 
 // The same from a triangulation that is there already; `points` are its input points, and it is
 // that of working_scale(points) times them, else InputError if their numbers differ. Counters of
-// `delaunay` stay zero. The faster, the
-// nearer cells lie that are neighbors (canonical_order.h). Complexity: O(n).
+// `delaunay` stay zero. The faster, the nearer cells lie that are neighbors (canonical_order.h).
+// Complexity: O(n).
 ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
                                     const ReconstructOptions& options = {},
                                     const Execution& execution = {});

@@ -217,12 +217,12 @@ void write_tetrahedra(const std::filesystem::path& path, const Triangulation& tr
                       FileBatch* batch) {
   require_values("vertices", values.of_vertices, triangulation.num_vertices());
   require_values("finite cells", values.of_cells, triangulation.num_finite_cells());
+  const std::string extension = extension_of(path);
   const bool has_values = !values.of_vertices.empty() || !values.of_cells.empty();
-  if (has_values && extension_of(path) != ".vtu") {
+  if (has_values && extension != ".vtu") {
     throw InputError("write_tetrahedra: " + in_quotes(path.string()) +
                      " has no place for values; give a .vtu");
   }
-  const std::string extension = extension_of(path);
   if (extension != ".vtu" && extension != ".mesh" && extension != ".tet") {
     throw file_error(path, "tetrahedra are not written with extension " + in_quotes(extension) +
                                "; use .vtu, .mesh or .tet");

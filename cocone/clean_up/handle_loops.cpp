@@ -73,6 +73,18 @@ class LaterNeighbors {
   std::vector<std::uint32_t> others_;
 };
 
+// Loops whose first vertex is that of rank a; `facets` in order.
+void add_loops_from(std::uint32_t a, const LaterNeighbors& later, const std::vector<Ranks>& facets,
+                    const DoubtfulRegion& region, std::vector<Triangle>& loops) {
+  for (const std::uint32_t b : later.of(a)) {
+    for (const std::uint32_t c : later.of(b)) {
+      if (!later.contain(a, c)) continue;
+      if (std::binary_search(facets.begin(), facets.end(), Ranks{a, b, c})) continue;
+      loops.push_back({region.vertices[a - 1], region.vertices[b - 1], region.vertices[c - 1]});
+    }
+  }
+}
+
 bool has(const Triangle& corners, VertexId v) {
   return corners[0] == v || corners[1] == v || corners[2] == v;
 }
@@ -96,14 +108,7 @@ std::vector<Triangle> HandleLoops::find(const DoubtfulRegion& region,
       execution, region.vertices.size(), ranks_per_chunk,
       [&](std::size_t begin, std::size_t end, std::vector<Triangle>& loops) {
         for (std::size_t k = begin; k < end; ++k) {
-          const auto a = static_cast<std::uint32_t>(k + 1);
-          for (const std::uint32_t b : later.of(a)) {
-            for (const std::uint32_t c : later.of(b)) {
-              if (!later.contain(a, c)) continue;
-              if (std::binary_search(facets.begin(), facets.end(), Ranks{a, b, c})) continue;
-              loops.push_back({region.vertices[k], region.vertices[b - 1], region.vertices[c - 1]});
-            }
-          }
+          add_loops_from(static_cast<std::uint32_t>(k + 1), later, facets, region, loops);
         }
       });
 }

@@ -133,15 +133,10 @@ class Propagation {
     }
   }
 
-  // The samples of undecided cells, in the order of memory.
   void find_asked() {
-    for (const CellId c : region_.undecided) {
-      nodes_[c].state = open;
-      for (const VertexId v : triangulation_.cell(c).vertices) is_asked_[v] = 1;
-    }
-    for (const VertexId v : triangulation_.vertices()) {
-      if (is_asked_[v] != 0) asked_.push_back(v);
-    }
+    for (const CellId c : region_.undecided) nodes_[c].state = open;
+    asked_ = samples_of(triangulation_, region_.undecided);
+    for (const VertexId v : asked_) is_asked_[v] = 1;
   }
 
   void find_flat_cells(const Execution& execution) {

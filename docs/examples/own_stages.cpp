@@ -24,6 +24,7 @@
 #include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
 #include "docs/examples/bump.h"
+#include "geom/angles.h"
 #include "geom/mesh_check.h"
 #include "io/mesh_file.h"
 #include "io/tetrahedra_file.h"
@@ -91,7 +92,7 @@ int main() {
   std::vector<std::uint8_t> flags;
   for (const VertexId v : closed.triangulation_vertex) {
     const double cosine = std::abs(dot(poles.normals[v], unit(cells.point(v))));
-    degrees.push_back(std::acos(std::min(1.0, cosine)) * 57.29577951308232);
+    degrees.push_back(std::acos(std::min(1.0, cosine)) * degrees_per_radian);
     flags.push_back(boundary.boundary[v]);
   }
   VertexProperties properties;

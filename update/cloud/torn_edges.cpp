@@ -122,10 +122,12 @@ void leave_out_rims(const CloudRim& rim, const std::vector<RimEdge>& edges,
   for (std::size_t k = 0; k < beyond.size(); ++k) {  // in the order of edges
     if (k == 0 || beyond[k - 1].edge != beyond[k].edge) ++most[edges[beyond[k].edge].loop];
   }
-  std::erase_if(beyond, [&](const SampleBeyond& pair) {
-    const std::size_t l = edges[pair.edge].loop;
-    return !is_torn_all_along(rim.loops[l], most[l], options);
-  });
+  std::vector<std::uint8_t> may_be_seam(rim.loops.size());
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    may_be_seam[l] = is_torn_all_along(rim.loops[l], most[l], options) ? 1 : 0;
+  }
+  std::erase_if(beyond,
+                [&](const SampleBeyond& pair) { return may_be_seam[edges[pair.edge].loop] == 0; });
 }
 
 // How many edges of each loop are torn, as far as it can be a seam.
