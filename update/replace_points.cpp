@@ -74,12 +74,9 @@ std::optional<bool> told_by_regions(const ModelIndex& model, const Regions& regi
   return goes;
 }
 
-// Whether a partial loop is nearest to a vertex, all regions around it and its neighbors go, and
-// there is one.
+// Whether all regions around a vertex and its neighbors go, and there is one.
 bool is_enclosed(const ModelIndex& model, const Regions& regions, const RegionChoice& choice,
-                 const RimIndex& rims, VertexId v, const ReplaceOptions& options) {
-  if (!options.enclosed_go || rims.empty()) return false;
-  if (!rims.side_of(model.mesh().points[v]).at_partial_loop) return false;
+                 VertexId v) {
   bool any = false;
   for (const TriangleId t : model.triangles_at(v)) {
     for (const VertexId neighbor : model.mesh().triangles[t]) {
@@ -92,6 +89,21 @@ bool is_enclosed(const ModelIndex& model, const Regions& regions, const RegionCh
     }
   }
   return any;
+}
+
+// Of a vertex that regions do not tell about.
+struct ToldByRim {
+  bool goes = false;
+  bool is_enclosed = false;  // and goes though it is on the other side
+};
+
+ToldByRim told_by_rim(const ModelIndex& model, const Regions& regions, const RegionChoice& choice,
+                      const RimIndex& rims, VertexId v, const ReplaceOptions& options) {
+  const RimSide side = rims.side_of(model.mesh().points[v]);
+  if (side.on_cloud_side) return {.goes = true};
+  const bool enclosed =
+      options.enclosed_go && side.at_partial_loop && is_enclosed(model, regions, choice, v);
+  return {enclosed, enclosed};
 }
 
 // Merges equal points, keeping the first of each in place; returns the new position of every old
@@ -211,11 +223,10 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
     }
     const std::optional<bool> told =
         on_border ? told_by_regions(index, regions, choice, v) : choice.replaced[group] != 0;
-    bool replaced = told ? *told : rim_index.on_cloud_side(model.points[v]);
-    if (!told && !replaced && is_enclosed(index, regions, choice, rim_index, v, options)) {
-      replaced = true;
-      ++result.enclosed_replaced;
-    }
+    const ToldByRim by_rim =
+        told ? ToldByRim() : told_by_rim(index, regions, choice, rim_index, v, options);
+    bool replaced = told ? *told : by_rim.goes;
+    result.enclosed_replaced += by_rim.is_enclosed ? 1U : 0U;
     if (scanned[v] != Scanned::unclear && replaced != (scanned[v] == Scanned::yes)) {
       replaced = !replaced;
       ++(replaced ? result.scanned_replaced : result.unscanned_kept);
@@ -241,6 +252,7 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   if (!repeated.empty()) new_position = merge_equal(result.points, repeated);
   result.duplicates = repeated.size();
   result.kept_are_distinct = repeated.empty() || repeated.front().point >= result.kept;
+
   // 3. Where everything went.
   tell_positions(edit, model.points.size(), added, new_position, result);
   result.removed = std::move(edit.removed);

@@ -32,11 +32,9 @@ class RimIndex {
   bool empty() const { return edges_.empty(); }
   // The side of the rim edge nearest to p: p lies on the cloud's if the wedge angle between the
   // edge's cocone triangle and p is below pi / 2. Where an end of edges is what is nearest, the
-  // sides of all edges that end there are added up. Ties by rim order. Precondition: not empty.
-  // Complexity: O(log n) on ordinary rims.
+  // sides of all edges that end there are added up. Ties by rim order. No rim: infinitely far,
+  // on the other side. Complexity: O(log n) on ordinary rims.
   RimSide side_of(const Point& p) const;
-  // No rim: false.
-  bool on_cloud_side(const Point& p) const { return !empty() && side_of(p).on_cloud_side; }
 
  private:
   struct Edge {

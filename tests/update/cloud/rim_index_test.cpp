@@ -41,7 +41,7 @@ TEST(RimIndex, SideAgreesWithRayCrossing) {
     const Point p = {random.uniform(-12, 12), random.uniform(-12, 12), 0};
     const bool expected = inside_star(star, p);
     inside += expected ? 1 : 0;
-    EXPECT_EQ(index.on_cloud_side(p), expected) << p.x << " " << p.y;
+    EXPECT_EQ(index.side_of(p).on_cloud_side, expected) << p.x << " " << p.y;
   }
   EXPECT_GT(inside, 500U);
 }
@@ -62,7 +62,7 @@ TEST(RimIndex, TellsPartialLoops) {
 TEST(RimIndex, NoRim) {
   const RimIndex index({});
   EXPECT_TRUE(index.empty());
-  EXPECT_FALSE(index.on_cloud_side({0, 0, 0}));
+  EXPECT_FALSE(index.side_of({0, 0, 0}).on_cloud_side);
 }
 
 }  // namespace
