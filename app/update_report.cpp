@@ -62,6 +62,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("boundary_points", cloud.boundary_points);
   entry.set("boundary_samples", cloud.surface.boundary_samples);
   entry.set("set_aside", cloud.surface.set_aside);
+  entry.set("is_layered", cloud.surface.is_layered);
   entry.set("rho", cloud.surface.rho);
   entry.set("rho_trials", cloud.surface.trials.size());
   entry.set("trimmed_triangles", cloud.surface.trimmed);

@@ -41,6 +41,7 @@ struct KeptSamples {
   Foundation foundation;      // of the samples that are kept
   std::vector<PointId> kept;  // increasing; empty: all
   std::size_t duplicates = 0;
+  bool are_of_layers = false;  // by LayerOptions
 
   std::size_t set_aside() const {
     return kept.empty() ? 0 : cloud.size() - duplicates - kept.size();
@@ -104,6 +105,7 @@ Trial find_rim(const KeptSamples& samples, Sheet&& found, const RimSearch& searc
   mark_rim_seams(samples.cloud, surface.rim, options.seams);
   surface.rho = search.rho;
   surface.set_aside = samples.set_aside();
+  surface.is_layered = samples.are_of_layers;
   surface.boundary_samples = boundary.count;
   surface.trimmed = trimmed.at_rim + trimmed.in_clusters;
   surface.status = surface.mesh.triangles.empty() ? CloudStatus::no_surface
@@ -300,7 +302,9 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   }
   if (search.is_layered()) {
     try {
-      search.go_on(thinned(samples, few_of_layers(samples, options), options, execution));
+      KeptSamples few = thinned(samples, few_of_layers(samples, options), options, execution);
+      few.are_of_layers = true;
+      search.go_on(few);
     } catch (const InputError&) {
       // Nothing is left that could be triangulated: what was found before is all.
     }

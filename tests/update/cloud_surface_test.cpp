@@ -125,6 +125,7 @@ TEST(CloudSurface, LayersOverEachOtherAreOne) {
   const std::vector<Point> layers = four_layers();
   const CloudSurface surface = cloud_surface(layers);
   ASSERT_EQ(surface.status, CloudStatus::ok);
+  EXPECT_TRUE(surface.is_layered);
   EXPECT_GT(surface.set_aside, layers.size() / 2);
   EXPECT_GT(surface.trials.size(), 4U);
   for (const VertexId v : surface.mesh.points.ids()) {
@@ -148,6 +149,7 @@ TEST(CloudSurface, NoLayerIsSetAsideIfThatIsOffAsInPaperMode) {
   options.layers.spread = 0;
   for (const CloudSurfaceOptions& off : {options, paper_update_options().cloud}) {
     const CloudSurface torn = cloud_surface(four_layers(), off);
+    EXPECT_FALSE(torn.is_layered);
     EXPECT_EQ(torn.set_aside, 0U);
     for (const RimTrial& trial : torn.trials) {
       EXPECT_TRUE(trial.loops == 0 || trial.seam_share > 0.3);

@@ -129,6 +129,7 @@ TEST(ScanRows, HaveARim) {
     const CloudSurface surface = cloud_surface(cloud);
     ASSERT_EQ(surface.status, CloudStatus::ok) << ratio;
     EXPECT_GT(2 * surface.set_aside, cloud.size());
+    EXPECT_FALSE(surface.is_layered);
     ASSERT_EQ(surface.rim.loops.size(), 1U) << ratio;
     EXPECT_NEAR(surface.rim.loops[0].perimeter, 98, 8) << ratio;
     for (const VertexId v : surface.mesh.points.ids()) {

@@ -188,6 +188,12 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
     warnings.push_back(counted(rim.seamed_loops, "loop of its rim runs", "loops of its rim run") +
                        " along seams inside the cloud for the most part; look at the result");
   }
+  if (cloud.surface.is_layered) {
+    warnings.push_back(counted(cloud.surface.set_aside, "sample was", "samples were") +
+                       " set aside to find its rim, since all together are no surface: layers out "
+                       "of register, noise, or edges and walls too sparsely sampled; look at the "
+                       "result, and register or scan it better if its rim is wrong");
+  }
   if (cloud.median_distance > options.step_distance * rim.spacing) {
     warnings.push_back("its rim lies " + rounded(cloud.median_distance / rim.spacing) +
                        " spacings off the model (median): there will be a step; register it "
