@@ -135,8 +135,9 @@ void UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
                                        given_, options_.replace);
   result_.overlooked =
       overlooked_vertices(index, result_.replacement, rims, clouds_, options_.overlooked);
-  if (const auto& [count, at] = result_.overlooked; count >= options_.overlooked.min_count) {
-    warn(warning_of_overlooked(count, model_.points[at]));
+  if (result_.overlooked.is_doubtful(options_.overlooked)) {
+    const Point& at = model_.points[result_.overlooked.farthest];
+    warn(warning_of_overlooked(result_.overlooked, at, options_.overlooked));
   }
   const KeptSurface kept(index, result_.regions, result_.choice, result_.replacement);
   UpdatedSurface surface = parts.reconstruct(result_.replacement, kept.told(), execution);

@@ -11,8 +11,6 @@ OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacemen
                                        std::span<const CloudRim> rims,
                                        std::span<const std::vector<Point>> clouds,
                                        const OverlookedOptions& options) {
-  const auto is_partial = [](const CloudRim& rim) { return rim.is_partial(); };
-  if (std::none_of(rims.begin(), rims.end(), is_partial)) return {};
   const RimIndex rim_index(rims);
   if (rim_index.empty()) return {};
   ScannedPlaces scanned;
@@ -20,15 +18,16 @@ OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacemen
     scanned.add(clouds[c], options.reach * rims[c].median_edge);
   }
   OverlookedVertices found;
-  double farthest = options.min_rim_distance;
+  double farthest = -1;
   for (const VertexId v : model.mesh().points.ids()) {
-    if (replacement.point_of_vertex[v].is_none()) continue;
     const Point& p = model.mesh().points[v];
-    if (!scanned.contain(p)) continue;
+    if (!model.is_used(v) || !scanned.contain(p)) continue;
+    ++found.scanned;
+    if (replacement.point_of_vertex[v].is_none()) continue;
+    ++found.kept;
     const RimSide side = rim_index.side_of(p);
     const double edges = side.distance / rims[side.rim].median_edge;
-    if (!(edges > options.min_rim_distance)) continue;
-    ++found.count;
+    if (edges > options.min_rim_distance) ++found.count;
     if (!(edges > farthest)) continue;
     farthest = edges;
     found.farthest = v;

@@ -129,8 +129,18 @@ std::string warning_of_narrow_margin(double degrees) {
   return "its regions differ by only " + rounded(degrees) + " degrees; look at the result";
 }
 
-std::string warning_of_overlooked(std::size_t vertices, const Point& at) {
-  return counted(vertices, "vertex of the model stays", "vertices of the model stay") +
+std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,
+                                  const OverlookedOptions& options) {
+  if (!vertices.are_many(options)) {
+    return std::to_string(vertices.kept) + " of " +
+           counted(vertices.scanned, "vertex", "vertices") +
+           " of the model that were scanned anew stay, as at " + place_name(at) +
+           ": the rim runs through the scan, whose surface is torn or too coarse there; sample "
+           "more "
+           "densely at sharp edges and thin walls, let the cloud reach farther, and look at the "
+           "result";
+  }
+  return counted(vertices.count, "vertex of the model stays", "vertices of the model stay") +
          " in the midst of the new samples, as at " + place_name(at) +
          ": a part of the rim was not found, or the wrong region "
          "chosen; sample more densely at sharp edges and thin walls, and look at the result";

@@ -12,6 +12,7 @@
 #include "update/overlapping_facets.h"
 #include "update/report/cloud_report.h"
 #include "update/report/contradicted_samples.h"
+#include "update/report/overlooked_vertices.h"
 #include "update/report/rim_shift.h"
 #include "update/report/unscanned_losses.h"
 #include "update/report/unused_changes.h"
@@ -60,8 +61,9 @@ std::string warning_of_clouds_apart(const std::string& why);
 std::string warning_of_shared_regions(std::size_t regions);
 // Mean angles of regions, in degrees, that hardly differ.
 std::string warning_of_narrow_margin(double degrees);
-// `at`: one of them.
-std::string warning_of_overlooked(std::size_t vertices, const Point& at);
+// Of the doubtful; `at`: one of them.
+std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,
+                                  const OverlookedOptions& options = {});
 std::string warning_of_unused_changes(const UnusedChanges& changes);
 std::string warning_of_contradicted(const ContradictedSamples& samples);
 // More than the rims explain.

@@ -23,7 +23,6 @@ struct ScannedPlane {
     TriangleMesh surface = testing::grid_plane(10);
     for (Point& p : surface.points) p = p + Vec3{5, 5, 0.1};
     rims = {cloud_rim(surface)};
-    rims[0].seam_edges = 1;
     clouds = {surface.points.raw()};
     for (const VertexId v : model.points.ids()) {
       replacement.point_of_vertex.push_back(PointId(v.index()));
@@ -47,18 +46,43 @@ TEST(OverlookedVertices, ThoseThatStayAmongSamplesFarFromTheRim) {
   }
   EXPECT_EQ(scene.count(), 10U);
   EXPECT_EQ(scene.model.points[scene.found().farthest], (Point{9, 9, 0}));  // the first of three
-  scene.rims[0].seam_edges = 0;                                             // nothing is torn
-  EXPECT_EQ(scene.count(), 0U);
-  scene.rims[0].seam_edges = 1;
   scene.rims[0].loops.clear();
   EXPECT_EQ(scene.count(), 0U);
 }
 
-// Of two clouds one with a whole rim, at no vertex that stays.
-TEST(OverlookedVertices, AreLookedForIfAnyRimIsPartial) {
+// As many as stay far from the rims may go: what stays beside them tells as well.
+TEST(OverlookedVertices, AreDoubtfulIfALargeShareOfWhatWasScannedStays) {
+  ScannedPlane scene;
+  const auto is_doubtful = [&](const OverlookedOptions& options = {}) {
+    const OverlookedVertices found = scene.found(options);
+    EXPECT_EQ(found.scanned, 121U);
+    EXPECT_FALSE(found.are_many(options));
+    EXPECT_EQ(found.is_doubtful(options), found.are_large_share(options));
+    return found.is_doubtful(options);
+  };
+  for (const VertexId v : scene.model.points.ids()) {
+    const Point& p = scene.model.points[v];
+    if (p.x > 5.5 && p.x < 14.5) scene.replacement.point_of_vertex[v] = PointId();
+  }
+  EXPECT_EQ(scene.found().kept, 22U);  // on two sides of the rim
+  EXPECT_EQ(scene.count(), 0U);
+  EXPECT_FALSE(is_doubtful());
+  EXPECT_TRUE(is_doubtful({.max_kept_share = 0.18}));
+  EXPECT_FALSE(is_doubtful({.max_kept_share = 0.19}));
+  for (const VertexId v : scene.model.points.ids()) {
+    const Point& p = scene.model.points[v];
+    if (p.y < 6.5 && p.y > 4.5) scene.replacement.point_of_vertex[v] = PointId(v.index());
+  }
+  EXPECT_EQ(scene.found().kept, 40U);  // 18 more: a third
+  EXPECT_TRUE(is_doubtful());
+  EXPECT_FALSE(is_doubtful({.min_kept = 41}));
+  EXPECT_EQ(scene.model.points[scene.found().farthest], (Point{6, 6, 0}));
+}
+
+// Of two clouds one without samples.
+TEST(OverlookedVertices, AreLookedForAtAllClouds) {
   ScannedPlane scene;
   scene.rims.push_back(scene.rims[0]);
-  scene.rims[1].seam_edges = 0;
   scene.clouds.emplace_back();
   EXPECT_EQ(scene.count(), 25U);
 }
@@ -82,7 +106,7 @@ TEST(OverlookedVertices, AreCountedWhereTheScanIsTornAndWarnedOf) {
     for (const std::string& warning : result.warnings) {
       found = found || warning.find("in the midst of the new samples") != std::string::npos;
     }
-    EXPECT_EQ(found, result.overlooked.count >= options.overlooked.min_count);
+    EXPECT_EQ(found, result.overlooked.are_many(options.overlooked));
     return found;
   };
   UpdateOptions wide;  // so that vertices beside the rim count as well

@@ -73,6 +73,15 @@ TEST(UpdateMessages, LossesHaveAPlace) {
                    "it; it is 5 spacings"));
 }
 
+TEST(UpdateMessages, OverlookedVerticesAreToldByCountOrByShare) {
+  EXPECT_TRUE(
+      says({warning_of_overlooked({.count = 9, .scanned = 50, .kept = 30}, {1, 2, 3})},
+           "9 vertices of the model stay in the midst of the new samples, as at (1, 2, 3)"));
+  EXPECT_TRUE(says({warning_of_overlooked({.count = 2, .scanned = 50, .kept = 30}, {1, 2, 3})},
+                   "30 of 50 vertices of the model that were scanned anew stay, as at (1, 2, 3): "
+                   "the rim runs through the scan"));
+}
+
 TEST(UpdateMessages, PinHolesAndSeamsAreCounted) {
   CloudRim rim;
   rim.pin_holes = 2;
