@@ -18,4 +18,10 @@ bool ScannedPlaces::contain(const Point& place) const {
   });
 }
 
+Box ScannedPlaces::box() const {
+  Box all;
+  for (const Reached& set : sets_) all.include(set.box);
+  return all;
+}
+
 }  // namespace cocoon

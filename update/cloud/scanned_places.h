@@ -16,6 +16,8 @@ class ScannedPlaces {
   void add(Points samples, double reach);
   // Whether a sample lies near. Complexity: O(log n) for each set of samples, O(1) far from all.
   bool contain(const Point& place) const;
+  // Around all that they contain; empty without samples.
+  Box box() const;
 
  private:
   struct Reached {

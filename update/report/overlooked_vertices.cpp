@@ -1,7 +1,5 @@
 #include "update/report/overlooked_vertices.h"
 
-#include <algorithm>
-
 #include "update/cloud/rim_index.h"
 #include "update/cloud/scanned_places.h"
 
@@ -19,19 +17,19 @@ OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacemen
   }
   OverlookedVertices found;
   double farthest = -1;
-  for (const VertexId v : model.mesh().points.ids()) {
+  model.for_each_vertex_in(scanned.box(), [&](VertexId v) {
     const Point& p = model.mesh().points[v];
-    if (!model.is_used(v) || !scanned.contain(p)) continue;
+    if (!model.is_used(v) || !scanned.contain(p)) return;
     ++found.scanned;
-    if (replacement.point_of_vertex[v].is_none()) continue;
+    if (replacement.point_of_vertex[v].is_none()) return;
     ++found.kept;
     const RimSide side = rim_index.side_of(p);
     const double edges = side.distance / rims[side.rim].median_edge;
     if (edges > options.min_rim_distance) ++found.count;
-    if (!(edges > farthest)) continue;
+    if (!(edges > farthest)) return;
     farthest = edges;
     found.farthest = v;
-  }
+  });
   return found;
 }
 

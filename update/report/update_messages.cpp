@@ -136,9 +136,8 @@ std::string warning_of_overlooked(const OverlookedVertices& vertices, const Poin
            counted(vertices.scanned, "vertex", "vertices") +
            " of the model that were scanned anew stay, as at " + place_name(at) +
            ": the rim runs through the scan, whose surface is torn or too coarse there; sample "
-           "more "
-           "densely at sharp edges and thin walls, let the cloud reach farther, and look at the "
-           "result";
+           "more densely at sharp edges and thin walls, let the cloud reach farther, and look at "
+           "the result";
   }
   return counted(vertices.count, "vertex of the model stays", "vertices of the model stay") +
          " in the midst of the new samples, as at " + place_name(at) +
