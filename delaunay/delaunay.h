@@ -43,10 +43,10 @@ struct DelaunayResult {
 // by the point set alone whatever the history. Fewer than 10 000 different points are inserted on
 // one thread (delaunay/parallel_insertion.h says how many do it). Progress is reported as
 // "delaunay".
-// Errors: InputError if a coordinate is not finite (names the first such point), if there are
-// fewer than four different points, if all points are coplanar, if there are more points than
-// 32-bit ids can number (2^32 - 3), or if there would be more than 2^30 - 1 cells (some 150 million
-// points).
+// Errors: InputError if a coordinate is not finite (names the first such point), if there are more
+// points than 32-bit ids can number (2^32 - 3), or if there would be more than 2^30 - 1 cells (some
+// 150 million points); DegenerateInput if there are fewer than four different points, or all points
+// are coplanar.
 // Complexity: O(n log n) expected for points on surfaces and in volumes, O(n^2) in the worst case.
 // Source: Bowyer 1981 and Watson 1981 (insertion), Amenta, Choi & Rote 2003 (insertion rounds).
 DelaunayResult delaunay(Points points, const DelaunayOptions& options = {},

@@ -309,9 +309,10 @@ void DynamicDelaunay::State::insert_then_remove(Points given, const Execution& e
     return;
   }
   if (!plan_removal(removed)) {
-    throw InputError("the " + std::to_string(num_vertices - removed.size()) +
-                     " points that would remain do not span space: keep at least 4 that are not "
-                     "in one plane, or remove all");
+    throw DegenerateInput(
+        "the " + std::to_string(num_vertices - removed.size()) +
+        " points that would remain do not span space: keep at least 4 that are not "
+        "in one plane, or remove all");
   }
   commit_removal(removed, change);
   change.removed = std::move(removed);

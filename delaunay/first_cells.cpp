@@ -66,16 +66,16 @@ int bring_simplex_to_front(const IdVector<VertexId, Point>& points,
 
 void require_space(int dimension, std::size_t count) {
   if (count < 4) {
-    throw InputError("only " + counted(count, "different point") +
-                     ": a triangulation of space needs at least 4; give more points");
+    throw DegenerateInput("only " + counted(count, "different point") +
+                          ": a triangulation of space needs at least 4; give more points");
   }
   if (dimension < 2) {
-    throw InputError(
+    throw DegenerateInput(
         "all points lie on one line: no triangulation of space; a surface needs points off the "
         "line, and off any plane");
   }
   if (dimension < 3) {
-    throw InputError(
+    throw DegenerateInput(
         "all points lie in one plane: no triangulation of space; a surface needs points off the "
         "plane");
   }

@@ -26,8 +26,8 @@ void require_finite(Points points, const Execution& execution = {});
 int bring_simplex_to_front(const IdVector<VertexId, Point>& points,
                            std::vector<std::uint32_t>& order);
 
-// Errors: InputError if `count` different points of this affine dimension do not span space; says
-// which of the ways.
+// Errors: DegenerateInput if `count` different points of this affine dimension do not span space;
+// says which of the ways.
 void require_space(int dimension, std::size_t count);
 
 // Fills an empty pool with one finite cell and the four infinite ones around it. Precondition: the

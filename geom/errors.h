@@ -20,6 +20,13 @@ class InputError : public Error {
   using Error::Error;
 };
 
+// Of these: the points given span no space, so that none can be triangulated: fewer than four
+// different ones, or all in one plane. Who tries fewer points than are given goes on without.
+class DegenerateInput : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 // A file cannot be opened, read, understood or written.
 class FileError : public Error {
  public:

@@ -135,15 +135,16 @@ std::vector<PointId> few_of_rows(const KeptSamples& samples, const Sheet& sheet,
                        options.rows.spread);
 }
 
-// If layers lie over each other, one layer. Throws InputError if there are too few samples for one.
+// If layers lie over each other, one layer. Throws DegenerateInput if there are too few samples for
+// one.
 std::vector<PointId> few_of_layers(const KeptSamples& samples, const CloudSurfaceOptions& options) {
   constexpr std::size_t neighbor = 8;
   const double distance = options.layers.spread * median_neighbor_distance(samples.cloud, neighbor);
-  if (distance == 0) throw InputError("too few different points");
+  if (distance == 0) throw DegenerateInput("too few different points");
   return thin_points(samples.cloud, [&](PointId) { return distance * distance; });
 }
 
-// With these samples alone. Throws InputError if they are too few, or lie in one plane.
+// With these samples alone. Throws DegenerateInput if they are too few, or lie in one plane.
 KeptSamples thinned(const KeptSamples& all, std::vector<PointId> kept,
                     const CloudSurfaceOptions& options, const Execution& execution) {
   KeptSamples samples{all.cloud, {}, std::move(kept), all.duplicates};
@@ -275,7 +276,7 @@ void look_at_few_of_dense(const SpacingRange& spacing, const CloudSurfaceOptions
     Search among_few(options, execution);
     among_few.begin(few, find_sheet(few.foundation, options.start, options, execution));
     if (search.prefer(std::move(among_few))) samples = std::move(few);
-  } catch (const InputError&) {
+  } catch (const DegenerateInput&) {
     // They cannot be triangulated.
   }
 }
@@ -305,7 +306,7 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
       KeptSamples few = thinned(samples, few_of_layers(samples, options), options, execution);
       few.are_of_layers = true;
       search.go_on(few);
-    } catch (const InputError&) {
+    } catch (const DegenerateInput&) {
       // Nothing is left that could be triangulated: what was found before is all.
     }
   }

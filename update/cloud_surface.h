@@ -122,7 +122,7 @@ struct CloudSurface {
 // begins again with the samples that LayerOptions leave.
 // Why: a rim is found iff the gap beyond it is wider than rho times the local feature size. Small
 // rhos find rims of gently curved patches; large ones bear noise and sharp edges.
-// Errors: InputError as delaunay(), but for flat clouds. Complexity: O(n log n) expected.
+// Errors: as delaunay(), but for flat clouds. Complexity: O(n log n) expected.
 // Deterministic as reconstruct_cocone(). Source: Woo & Dey 2005, section 3.2; ladder and trimming
 // are ours.
 CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options = {},

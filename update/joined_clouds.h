@@ -43,7 +43,7 @@ std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
 std::vector<Point> samples_of(const JoinedCloud& cloud, std::span<const std::vector<Point>> clouds);
 
 // ranked_cloud_surfaces() of the samples chosen for it, told of all of them. `points`: samples_of()
-// the cloud. Errors: InputError if what was chosen cannot be triangulated. Precondition: some were
+// the cloud. Errors: as cloud_surface() of what was chosen. Precondition: some were
 // chosen.
 std::vector<CloudSurface> joined_cloud_surfaces(Points points, const JoinedCloud& cloud,
                                                 const CloudSurfaceOptions& options,

@@ -68,14 +68,9 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
     return take_steps(steps, parts, execution);
   }
   UpdateSteps together(model, clouds, std::move(joined), options);
-  std::string why;
-  try {
-    const ModelIndex* index = choose(together, parts, execution);
-    if (index != nullptr) return finish(together, *index, parts, execution);
-    why = together.take_result().message;
-  } catch (const InputError& error) {
-    why = error.what();  // what was chosen of the samples cannot be triangulated
-  }
+  const ModelIndex* index = choose(together, parts, execution);
+  if (index != nullptr) return finish(together, *index, parts, execution);
+  const std::string why = together.take_result().message;
   UpdateSteps apart(model, clouds, options);
   UpdateResult result = take_steps(apart, parts, execution);
   result.warnings.insert(result.warnings.begin(), warning_of_clouds_apart(why));

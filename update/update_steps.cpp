@@ -50,7 +50,12 @@ void UpdateSteps::tell_members() {
 
 bool UpdateSteps::detect_boundaries(const Execution& execution) {
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
-    other_surfaces_.push_back(surfaces_of_cloud(c, execution));
+    try {
+      other_surfaces_.push_back(surfaces_of_cloud(c, execution));
+    } catch (const DegenerateInput& error) {
+      if (joined_[c].sheet.empty()) throw;
+      return fail(UpdateStatus::no_cloud_surface, error.what());  // of a choice of the samples
+    }
     take_surface(c, std::move(other_surfaces_[c].front()));
     other_surfaces_[c].erase(other_surfaces_[c].begin());
     if (!result_.clouds[c].surface.has_loops()) return fail_surface(c);
@@ -238,6 +243,8 @@ std::vector<CloudSurface> UpdateSteps::surfaces_of_cloud(std::size_t c,
     return joined_[c].sheet.empty()
                ? ranked_cloud_surfaces(clouds_[c], options_.cloud, execution)
                : joined_cloud_surfaces(clouds_[c], joined_[c], options_.cloud, execution);
+  } catch (const DegenerateInput& error) {
+    throw DegenerateInput(name_of_cloud(c) + ": " + error.what());
   } catch (const InputError& error) {
     throw InputError(name_of_cloud(c) + ": " + error.what());
   }

@@ -62,10 +62,11 @@ class Rounds {
   DelaunayChange remove(std::span<const VertexId> outliers, std::size_t count) {
     try {
       return delaunay_.remove(outliers, execution_);
-    } catch (const InputError&) {  // all ids are vertices: too few are left, or in one plane
-      throw InputError("without " + std::to_string(count) +
-                       " outliers all points lie in one plane: no surface; a larger outlier ratio "
-                       "leaves fewer out");
+    } catch (const DegenerateInput&) {
+      throw DegenerateInput(
+          "without " + std::to_string(count) +
+          " outliers all points lie in one plane: no surface; a larger outlier ratio "
+          "leaves fewer out");
     }
   }
 

@@ -25,8 +25,8 @@ struct OutlierRounds {
 // triangulation is used up; `spacing` (sample_spacing by options.neighbors) is its own. Asked again
 // are only those that have new neighbors, or neighbors with another spacing. Complexity: O(cells)
 // once, if there are outliers that go; then for each round O(k log n) expected for k cells that it
-// replaces, with the stars of their vertices, on one thread. Errors: InputError if what is left
-// does not span space. Deterministic: a function of the points.
+// replaces, with the stars of their vertices, on one thread. Errors: DegenerateInput if what is
+// left does not span space. Deterministic: a function of the points.
 OutlierRounds outlier_rounds(Triangulation triangulation, IdVector<VertexId, double> spacing,
                              const VertexSet& first, const VertexSet& spared,
                              const NoiseOptions& options, const Execution& execution = {});

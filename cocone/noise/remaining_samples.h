@@ -35,7 +35,7 @@ class RemainingSamples {
   // Leaves out the points at these vertices; before anything else is left out, triangulate().
   // Complexity: O(points).
   void leave_out(const VertexSet& out);
-  // Triangulates what remains. Errors: InputError if that does not span space.
+  // Triangulates what remains. Errors: DegenerateInput if that does not span space.
   void triangulate();
 
   // 1 = outlier (outlier_samples) of the samples when they were last triangulated.
@@ -47,7 +47,7 @@ class RemainingSamples {
   };
   // Leaves out the first outliers, as from outliers(), and others until there are none, but none of
   // those with spared[v] = 1 (outlier_rounds.h); and triangulates again if any went. Errors:
-  // InputError if what is left does not span space.
+  // DegenerateInput if what is left does not span space.
   Outliers leave_out_outliers(const VertexSet& first, const VertexSet& spared = {});
 
  private:

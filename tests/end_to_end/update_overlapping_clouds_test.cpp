@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geom/errors.h"
 #include "tests/end_to_end/local_update.h"
 #include "tests/end_to_end/slab_with_pocket.h"
 #include "update/update_model.h"
@@ -32,6 +33,38 @@ std::ptrdiff_t doubtful_ends(const UpdateResult& result) {
   return std::count_if(result.warnings.begin(), result.warnings.end(), [](const std::string& w) {
     return w.find("ends on what has changed") != std::string::npos;
   });
+}
+
+// What is wrong with the caller's own part, or the model, is no reason to take clouds apart.
+TEST(UpdateOfJoinedClouds, TakesThemApartForNoOtherError) {
+  SlabWithPocket slab(1);
+  int calls = 0;
+  UpdateParts parts;
+  parts.index = [&](const Execution&) -> const ModelIndex& {
+    ++calls;
+    throw InputError("no index");
+  };
+  EXPECT_THROW(update_model(slab.model, two_halves(slab), parts), InputError);
+  EXPECT_EQ(calls, 1);
+}
+
+// Of samples along a line and a few beside it, which do span space, those on the line are chosen.
+TEST(UpdateOfJoinedClouds, GoesOnWithCloudsApartIfFewOfTheirSamplesSpanNoSpace) {
+  const SlabWithPocket slab(1);
+  Clouds clouds(2);
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (int i = 0; i < 12; ++i) {
+      const Point p = {i + 0.05 * static_cast<double>(c), 10, 30};
+      clouds[c].push_back(p);
+      if (i % 4 == 1) clouds[c].push_back(p + Vec3{0.2, 0.1, 0.05 * i});
+    }
+  }
+  ASSERT_FALSE(join_clouds(clouds).empty());
+  const UpdateResult result = update_model(slab.model, clouds);
+  EXPECT_EQ(result.status, UpdateStatus::no_cloud_surface);
+  ASSERT_FALSE(result.warnings.empty());
+  EXPECT_NE(result.warnings[0].find("do not make one surface"), std::string::npos);
+  EXPECT_NE(result.warnings[0].find("all points lie on one line"), std::string::npos);
 }
 
 class UpdateOverlappingClouds : public ::testing::TestWithParam<std::uint64_t> {};
