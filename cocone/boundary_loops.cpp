@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <utility>
 
+#include "cocone/facets/stage_inputs.h"
 #include "cocone/orient_surface.h"
 #include "geom/edge_components.h"
 #include "geom/median.h"
+#include "geom/require_size.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
@@ -265,6 +267,7 @@ BoundaryLoops scaled_loops(const TriangleMesh& surface, double scale,
 }  // namespace
 
 BoundaryLoops boundary_loops(const TriangleMesh& open_surface, const BoundaryLoopOptions& options) {
+  require_options("boundary_loops", options);
   if (const double scale = working_scale(open_surface.points.span()); scale != 1) {
     return scaled_loops(open_surface, scale, options);
   }
@@ -276,6 +279,11 @@ BoundaryLoops boundary_loops(const TriangleMesh& open_surface, const BoundaryLoo
 
 BoundaryLoops boundary_loops(const TriangleMesh& oriented_surface, const HalfedgeRings& rings,
                              const EdgeComponents& components, const BoundaryLoopOptions& options) {
+  require_options("boundary_loops", options);
+  const std::size_t triangles = oriented_surface.triangles.size();
+  require_size("boundary_loops", "linked halfedges", rings.links.size(), 3 * triangles);
+  require_size("boundary_loops", "triangles in components", components.component_of.size(),
+               triangles);
   std::vector<std::uint8_t> surplus = surplus_triangles(oriented_surface, rings);
   if (surplus.empty()) return loops_of(oriented_surface, rings, components, options);
   return loops_without(oriented_surface, rings, std::move(surplus), options);

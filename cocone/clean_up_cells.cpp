@@ -22,6 +22,7 @@
 #include "cocone/energy/doubtful_region.h"
 #include "cocone/energy/label_evidence.h"
 #include "cocone/facets/cell_order.h"
+#include "cocone/facets/stage_inputs.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/circulate.h"
 #include "delaunay/star_cache.h"
@@ -483,6 +484,7 @@ CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Poles& 
                                const IdVector<VertexId, CellId>* cell_at,
                                const Execution& execution) {
   if (!options.enabled) return {};
+  require_clean_up("clean_up_cells", triangulation, poles, marks, options, cell_at);
   const bool all_good = marks.good_vertices == triangulation.num_vertices();
   if (all_good && marks.conflicts == 0) return {};  // every vertex has one disk around it
   report_progress(execution, "clean_up_cells", 0);

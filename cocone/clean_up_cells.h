@@ -160,12 +160,13 @@ struct CleanUpCounters {
 
 // Changes marks.reached, and marks.labels to what is known (CellMarks::known); nothing where every
 // vertex is good and no marks conflict.
-// Precondition: marks come from peel_cells. Complexity: passes over the cells, and near linear in
-// the number of undecided cells and defects. Deterministic: costs are integers, the cut is unique,
-// at each defect the best move is taken, at those of the densest samples first
-// (SpacingCache::precedes); a function of the point set.
-// Source: Labatut, Pons & Keriven 2009 (cut, facet quality); Kolluri, Shewchuk & O'Brien 2004
-// (poles as evidence); Amenta, Choi & Kolluri 2001 (its propagation). The moves are ours.
+// Errors: InputError for parts of another triangulation, by their sizes, for marks that do not
+// come from peel_cells, and for options out of range (facets/stage_inputs.h). Complexity: passes
+// over the cells, and near linear in the number of undecided cells and defects. Deterministic:
+// costs are integers, the cut is unique, at each defect the best move is taken, at those of the
+// densest samples first (SpacingCache::precedes); a function of the point set. Source: Labatut,
+// Pons & Keriven 2009 (cut, facet quality); Kolluri, Shewchuk & O'Brien 2004 (poles as evidence);
+// Amenta, Choi & Kolluri 2001 (its propagation). The moves are ours.
 CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Poles& poles,
                                CellMarks& marks, const CleanUpOptions& options = {},
                                const Execution& execution = {});

@@ -53,7 +53,7 @@ class DynamicTightCocone {
                                 const KnownLabelsSource& known = {});
   // As reconstruct(points), but goes on from the points so far: old_position[i] is where points[i]
   // was among them, or none if it is new. Points without a successor go.
-  // Precondition: equal coordinates at both positions, no position twice.
+  // Errors: InputError unless there is a position for each point, with equal coordinates there.
   // Complexity: the triangulation changes in O(k log n) expected for k points that come or go.
   ReconstructResult replace(Points points, std::span<const PointId> old_position,
                             const Execution& execution = {}, const OldSurface& old = {});
@@ -76,8 +76,8 @@ class DynamicTightCocone {
   // before, and the mesh is smooth after, only what the edit did is told as a rule; not of the
   // first body after a certain surface, of a change of about half of the points, or where a point
   // that went comes back as the vertex it was. Precondition: points that stay are equal before and
-  // after. Complexity: where the surface stays certain, as the change of the triangulation, and a
-  // pass over the numbers of the points.
+  // after. Errors: InputError for a change of lists of other lengths. Complexity: where the surface
+  // stays certain, as the change of the triangulation, and a pass over the numbers of the points.
   Edited edit(Points points, const ListEdit<PointId>& change, const Execution& execution = {},
               const OldSurface& old = {});
   // To be called if the caller's mesh is not what the last call found, as where labels were known

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cocone/facets/half_star.h"
+#include "cocone/facets/stage_inputs.h"
 #include "cocone/marking/old_triangles.h"
 #include "geom/parallel_list.h"
 #include "geom/parallel_reduce.h"
@@ -217,6 +218,7 @@ class Telling {
 KnownLabels known_labels(const Triangulation& triangulation,
                          std::span<const KnownTriangle> triangles, const FacetSet& likely,
                          const Execution& execution) {
+  require_facets("known_labels", triangulation, likely);
   if (triangles.empty()) return {};
   return Telling(triangulation, triangles, likely, execution).run();
 }

@@ -62,9 +62,10 @@ struct OldSurface {
 // known. A vertex is undisturbed if its triangles leave no gap and all its neighbors are corners of
 // triangles, though not all triangles at it are facets; a cell is if all its vertices are. (In a
 // mesh of facets none is: what takes a triangle away is a new neighbor of each of its corners.)
-// Triangles are looked for in `likely` first, which changes nothing else. Complexity:
-// O(cells + t) for t triangles, for bounded valence; in part parallel. Deterministic: independent
-// of their order and of the threads. Source: ours, docs/stages/mark_cells.md.
+// Triangles are looked for in `likely` first, which changes nothing else. Errors: InputError for
+// one of another triangulation, by its size. Complexity: O(cells + t) for t triangles, for bounded
+// valence; in part parallel. Deterministic: independent of their order and of the threads. Source:
+// ours, docs/stages/mark_cells.md.
 KnownLabels known_labels(const Triangulation& triangulation,
                          std::span<const KnownTriangle> triangles, const FacetSet& likely,
                          const Execution& execution = {});

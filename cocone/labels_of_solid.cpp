@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "geom/mesh_check.h"
+#include "geom/require_number.h"
+#include "geom/require_size.h"
 #include "geom/signed_distance.h"
 #include "geom/working_scale.h"
 
@@ -49,6 +51,11 @@ KnownLabels labels_of_solid(const Triangulation& triangulation, const TriangleMe
 void add_labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
                          std::span<const CellId> cells, KnownLabels& known,
                          const LabelsOfSolidOptions& options, const Execution& execution) {
+  if (!known.labels.empty()) {
+    require_size("add_labels_of_solid", "known labels of cells", known.labels.size(),
+                 triangulation.num_cells());
+  }
+  require_amounts("add_labels_of_solid", {{"min_depth", options.min_depth}});
   if (!mesh_check(solid).balanced) return;
   std::vector<Point> centroids;
   centroids.reserve(cells.size());

@@ -24,9 +24,9 @@ struct LabelsOfSolidOptions {
 // OUT. Right where cells do not cross the surface, as those of a sampling dense enough do not.
 // `solid` is in the coordinates of the triangulation's vertices. Nothing is known if it is not
 // closed (balanced: mesh_check.h).
-// Throws InputError as signed_distances(), and Cancelled. Complexity: O((t + n) log t) for t
-// triangles and n cells. Deterministic for any thread count. Source: ours,
-// docs/stages/mark_cells.md.
+// Throws InputError as signed_distances() and for a depth that is negative or no number; Cancelled.
+// Complexity: O((t + n) log t) for t triangles and n cells. Deterministic for any thread count.
+// Source: ours, docs/stages/mark_cells.md.
 KnownLabels labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
                             const LabelsOfSolidOptions& options = {},
                             const Execution& execution = {});

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "cocone/facets/stage_inputs.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/circulate.h"
+#include "geom/require_number.h"
+#include "geom/require_size.h"
 
 namespace cocoon {
 namespace {
@@ -86,11 +89,30 @@ class Flood {
   const NoiseOptions& options_;
 };
 
+void require_stars(const char* stage, const Triangulation& triangulation,
+                   const VertexStars& stars) {
+  require_size(stage, "stars of vertices", stars.num_vertices(), triangulation.num_vertices());
+}
+
+void require_spacing(const char* stage, const Triangulation& triangulation,
+                     const IdVector<VertexId, double>& spacing) {
+  require_size(stage, "spacings of samples", spacing.size(), triangulation.num_vertices());
+}
+
+void require_inputs(const Triangulation& triangulation, const Dual& dual,
+                    const IdVector<VertexId, double>& spacing, const NoiseOptions& options) {
+  require_options("outer_skin", options);
+  require_dual("outer_skin", triangulation, dual);
+  require_spacing("outer_skin", triangulation, spacing);
+}
+
 }  // namespace
 
 IdVector<VertexId, double> sample_spacing(const Triangulation& triangulation,
                                           const VertexStars& stars, std::size_t neighbors,
                                           const Execution& execution) {
+  require_stars("sample_spacing", triangulation, stars);
+  require_neighbors("sample_spacing", neighbors);
   IdVector<VertexId, double> spacing(triangulation.num_vertices(), 0);
   const auto measure = [&](std::size_t begin, std::size_t end) {
     SpacingBuffer shortest;
@@ -106,6 +128,9 @@ IdVector<VertexId, double> sample_spacing(const Triangulation& triangulation,
 VertexSet outlier_samples(const Triangulation& triangulation, const VertexStars& stars,
                           const IdVector<VertexId, double>& spacing, double ratio,
                           const Execution& execution) {
+  require_stars("outlier_samples", triangulation, stars);
+  require_spacing("outlier_samples", triangulation, spacing);
+  require_amounts("outlier_samples", {{"ratio", ratio}});
   VertexSet outlier(triangulation.num_vertices(), 0);
   const auto judge = [&](std::size_t begin, std::size_t end) {
     std::vector<VertexId> around;
@@ -122,12 +147,15 @@ VertexSet outlier_samples(const Triangulation& triangulation, const VertexStars&
 
 OuterSkin outer_skin(const Triangulation& triangulation, const Dual& dual,
                      const IdVector<VertexId, double>& spacing, const NoiseOptions& options) {
+  require_inputs(triangulation, dual, spacing, options);
   return Flood(triangulation, dual, spacing, options).run([](CellId) { return true; });
 }
 
 OuterSkin outer_skin(const Triangulation& triangulation, const Dual& dual,
                      const IdVector<VertexId, double>& spacing, const NoiseOptions& options,
                      const IdVector<CellId, std::uint8_t>& outside) {
+  require_inputs(triangulation, dual, spacing, options);
+  require_size("outer_skin", "flags of cells", outside.size(), triangulation.num_cells());
   return Flood(triangulation, dual, spacing, options).run([&](CellId c) {
     return outside[c] != 0;
   });

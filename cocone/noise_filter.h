@@ -53,6 +53,10 @@ struct NoiseOptions {
   double max_leak = 0.5;
 };
 
+// The three below throw InputError for parts of another triangulation, by their sizes, for no
+// neighbors, and for a ratio or options out of range (NoiseOptions: ratios and links from 0 on,
+// shares from 0 to 1, a cosine).
+
 // Per vertex, in units of the coordinates. Complexity: O(cells), parallel. Deterministic: sums run
 // in increasing order.
 IdVector<VertexId, double> sample_spacing(const Triangulation& triangulation,

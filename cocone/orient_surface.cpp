@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cocone/facets/facet_size.h"
+#include "geom/require_size.h"
 
 namespace cocoon {
 namespace {
@@ -43,6 +44,8 @@ OrientationReport orient_surface(TriangleMesh& mesh) {
 }
 
 OrientationReport orient_surface(TriangleMesh& mesh, const EdgeComponents& found) {
+  require_size("orient_surface", "triangles in components", found.component_of.size(),
+               mesh.triangles.size());
   OrientationReport report;
   report.components = found.components.size();
   bool any_turned = false;

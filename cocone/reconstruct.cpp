@@ -12,6 +12,7 @@ ReconstructOptions effective_options(ReconstructOptions options) {
   require_options("reconstruct", options.boundary);
   require_options("reconstruct", options.prune);
   require_options("reconstruct", options.good_vertices);
+  require_options("reconstruct", options.clean_up);
   if (options.mode == Mode::paper) {
     options.boundary.radius_mode = RadiusMode::cocone;
     options.peel.deferred_seeding = false;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/facets/stage_inputs.h"
 #include "cocone/noise/floating_clumps.h"
 #include "cocone/noise/remaining_samples.h"
 #include "cocone/noise/rough_surface.h"
@@ -141,6 +142,7 @@ class Filter {
 
 RobustSamples robust_samples(Points points, const NoiseOptions& noise,
                              const ReconstructOptions& options, const Execution& execution) {
+  require_options("robust_samples", noise);
   return run_step(execution, "noise", [&](const Execution& nested) {
     return Filter(points, noise, options, nested).run();
   });

@@ -11,6 +11,7 @@
 
 #include "cocone/facets/stage_inputs.h"
 #include "geom/parallel_list.h"
+#include "geom/require_size.h"
 
 namespace cocoon {
 namespace {
@@ -125,11 +126,20 @@ struct Corners {
   Halfedge one = 0;
 };
 
+// Throws unless vertices of triangles are among so many.
+void require_vertex(const char* stage, VertexId v, std::size_t num_vertices) {
+  if (v.index() >= num_vertices)
+    require_size(stage, "flags of vertices", num_vertices, v.index() + 1);
+}
+
 IdVector<VertexId, Corners> corners_at(const LinkedFacets& triangles, std::size_t num_vertices) {
   IdVector<VertexId, Corners> corners(num_vertices);
   Halfedge halfedge = 0;
   for (const Triangle& triangle : triangles.corners) {
-    for (const VertexId v : triangle) corners[v] = {corners[v].count + 1, halfedge++};
+    for (const VertexId v : triangle) {
+      require_vertex("good_vertices", v, num_vertices);
+      corners[v] = {corners[v].count + 1, halfedge++};
+    }
   }
   return corners;
 }
@@ -221,13 +231,16 @@ VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::size_t num_
 VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::span<const Halfedge> steep,
                                  std::size_t num_vertices, double sharp_cosine,
                                  const Execution& execution) {
+  VertexSet flags(num_vertices, 0);
+  for (const Triangle& corners : triangles.corners) {
+    for (const VertexId v : corners) {
+      require_vertex("vertices_with_umbrella", v, num_vertices);
+      flags[v] = 1;
+    }
+  }
   VertexSet doubtful(num_vertices, 0);
   for (const Halfedge halfedge : steep) {
     for (const VertexId v : triangles.ends(halfedge)) doubtful[v] = 1;
-  }
-  VertexSet flags(num_vertices, 0);
-  for (const Triangle& corners : triangles.corners) {
-    for (const VertexId v : corners) flags[v] = 1;
   }
   const Fans fans = fans_at(triangles, doubtful);
   parallel_chunks(execution, num_vertices, vertices_per_chunk,
@@ -244,8 +257,8 @@ GoodVertices good_vertices(const LinkedFacets& triangles, const VertexSet& bound
                            const GoodVertexOptions& options, const Execution& execution) {
   require_options("good_vertices", options);
   const std::size_t count = boundary.size();
-  const Spokes spokes = spokes_at(triangles, boundary, options, execution);
   const IdVector<VertexId, Corners> corners = corners_at(triangles, count);
+  const Spokes spokes = spokes_at(triangles, boundary, options, execution);
   GoodVertices result{VertexSet(count, 0), IdVector<VertexId, Halfedge>(count), 0, {}};
   std::atomic<std::size_t> good = 0;
   const auto judge = [&](std::size_t begin, std::size_t end, std::vector<VertexId>& folded_here) {

@@ -18,6 +18,7 @@ namespace cocoon {
 // survives (a walk from partner to partner in a finite set closes), and a survivor never comes with
 // fewer than two others. Where each spoke has two triangles, flat enough, nothing would be dropped:
 // one look at every edge settles nearly all vertices.
+// Errors: InputError for a triangle with another vertex.
 // Greatest fixed point: independent of order. Complexity: O(triangles + vertices) for bounded
 // valence; parallel over edges.
 // Source: the safety check of the Tight Cocone program (Dey & Goswami 2003); to find umbrellas
@@ -49,7 +50,8 @@ struct GoodVertices {
 // them, and they make one cycle. All others are poor: rims, pinched vertices, spokes with three
 // triangles, isolated samples. Demotions look at the umbrellas only, not at other demotions, so
 // they do not depend on order.
-// Errors: InputError for options that are no numbers.
+// Errors: InputError for options that are no numbers, and if `boundary` has no flag for a vertex of
+// a triangle.
 // Complexity: O(triangles + vertices), parallel over vertices; edges are looked at only where they
 // are steep (linked_facets.h), unless the options ask for flatter ones.
 // Source: Dey & Goswami 2003 (Tight Cocone).

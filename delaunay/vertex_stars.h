@@ -16,6 +16,7 @@ class VertexStars {
   VertexStars(std::vector<std::uint32_t> offsets, std::vector<CellId> cells)
       : offsets_(std::move(offsets)), cells_(std::move(cells)) {}
 
+  std::size_t num_vertices() const { return offsets_.empty() ? 0 : offsets_.size() - 1; }
   // All cells, finite and infinite, that have v as a vertex, in increasing order. O(1).
   std::span<const CellId> star(VertexId v) const {
     return std::span(cells_).subspan(offsets_[v.index()],

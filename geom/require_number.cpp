@@ -1,6 +1,7 @@
 #include "geom/require_number.h"
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "geom/errors.h"
@@ -17,6 +18,19 @@ void require_number(const char* stage, const char* option, double value, double 
     line << " of at least " << low;
   }
   throw InputError(line.str());
+}
+
+void require_amounts(const char* stage, std::initializer_list<OptionValue> options) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const auto& [name, value] : options) require_number(stage, name, value, 0, infinity);
+}
+
+void require_shares(const char* stage, std::initializer_list<OptionValue> options) {
+  for (const auto& [name, value] : options) require_number(stage, name, value, 0, 1);
+}
+
+void require_cosines(const char* stage, std::initializer_list<OptionValue> options) {
+  for (const auto& [name, value] : options) require_number(stage, name, value, -1, 1);
 }
 
 }  // namespace cocoon

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <string>
 
 #include "geom/errors.h"
-#include "geom/require_number.h"
 #include "geom/require_size.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -85,12 +84,7 @@ void require_inputs(const ChoiceOptions& options,
     if (regions.empty()) continue;
     require_size("choose_regions", "decided regions", regions.size(), num_regions);
   }
-  const auto require = [](const char* option, double value, double high) {
-    require_number("choose_regions", option, value, 0, high);
-  };
-  require("min_edge_share", options.min_edge_share, 1);
-  require("ambiguous_margin", options.ambiguous_margin, std::numbers::pi);
-  require("narrow_margin", options.narrow_margin, std::numbers::pi);
+  require_options("choose_regions", options);
 }
 
 }  // namespace

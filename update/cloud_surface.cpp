@@ -12,6 +12,7 @@
 #include "geom/neighbor_distance.h"
 #include "geom/off_plane.h"
 #include "geom/thin_points.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -285,6 +286,7 @@ void look_at_few_of_dense(const SpacingRange& spacing, const CloudSurfaceOptions
 
 std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurfaceOptions& options,
                                                 const Execution& execution) {
+  require_options("cloud_surface", options);
   const std::vector<Point> off_plane = moved_off_plane(cloud);
   const Points working = off_plane.empty() ? cloud : Points(off_plane);
   KeptSamples samples{working, lay_foundation(working, options.reconstruct, execution), {}};

@@ -8,9 +8,11 @@
 #include "geom/closest_facet.h"
 #include "geom/id_vector.h"
 #include "geom/nearest_point.h"
+#include "geom/require_size.h"
 #include "geom/triangle_mesh.h"
 #include "update/model/near_facets.h"
 #include "update/model/sample_heights.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -182,6 +184,10 @@ void note_island(RegionId region, RegionId part, std::vector<RegionVerdict>& ver
 std::vector<ContradictedIsland> part_contradicted_islands(
     const ModelIndex& model, const RegionChoice& choice, std::span<const Scan> scans,
     Regions& regions, const IslandOptions& options, const OutwardNormals& outward) {
+  require_options("part_contradicted_islands", options);
+  require_size("part_contradicted_islands", "scans", scans.size(), choice.clouds.size());
+  require_size("part_contradicted_islands", "facets of the regions", regions.region_of_facet.size(),
+               model.mesh().triangles.size());
   std::vector<ContradictedIsland> found;
   const RegionId largest = largest_kept_region(regions, choice);
   const std::size_t before = regions.regions.size();

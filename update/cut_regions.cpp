@@ -7,9 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "geom/errors.h"
+#include "geom/require_size.h"
 #include "geom/sort_ids.h"
 #include "update/cloud/rim_index.h"
 #include "update/regions/facet_cut.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -211,6 +214,10 @@ double RegionCut::doubt() const {
 
 void certain_border(const ModelIndex& model, const CloudRim& rim, std::span<const LoopBorder> loops,
                     const CutOptions& options, TriangleSet& border) {
+  require_options("certain_border", options);
+  require_size("certain_border", "loops of the border", loops.size(), rim.loops.size());
+  require_size("certain_border", "flags of the border", border.size(),
+               model.mesh().triangles.size());
   for (std::size_t l = 0; l < loops.size(); ++l) {
     const RimLoop& loop = rim.loops[l];
     if (loops[l].begin.empty()) continue;
@@ -227,6 +234,10 @@ void certain_border(const ModelIndex& model, const CloudRim& rim, std::span<cons
 RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
                           std::span<const CloudRim> rims, std::span<const Scan> scans,
                           const CutOptions& options) {
+  require_options("cut_under_cloud", options);
+  require_size("cut_under_cloud", "flags of the border", border.size(),
+               model.mesh().triangles.size());
+  if (rims.empty()) throw InputError("cut_under_cloud: no rim to cut by; give that of the cloud");
   double median_edge = rims.front().median_edge;
   for (const CloudRim& rim : rims) median_edge = std::min(median_edge, rim.median_edge);
   RegionCut cut;
@@ -254,6 +265,7 @@ RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
 
 std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
                                         std::span<const std::size_t> joined) {
+  require_size("clouds_to_cut", "clouds that others are joined to", joined.size(), partial.size());
   std::vector<std::uint8_t> cut(partial.size(), 0);
   for (std::size_t c = 0; c < cut.size(); ++c) {
     if (partial[c] != 0) cut[joined[c]] = 1;
@@ -267,6 +279,10 @@ CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
                        std::span<const std::size_t> joined, std::span<const std::uint8_t> is_cut,
                        const CutOptions& options, const SegmentOptions& segment,
                        const Execution& execution) {
+  require_size("cut_regions", "borders", borders.size(), rims.size());
+  require_size("cut_regions", "scans", scans.size(), rims.size());
+  require_size("cut_regions", "clouds that others are joined to", joined.size(), rims.size());
+  require_size("cut_regions", "flags of clouds", is_cut.size(), rims.size());
   CutRegions result;
   result.cuts.resize(rims.size());
   result.under.resize(rims.size());

@@ -46,7 +46,8 @@ struct CutOptions {
 
 // Adds the facets under the rim edges that are known to `border`: those with both ends on the model
 // and no cloud beyond them, straight ways only. loops[l] belongs to rim.loops[l].
-// Complexity: O(facets of the border).
+// Errors: InputError for parts of another rim or model, by their sizes. Complexity: O(facets of the
+// border).
 void certain_border(const ModelIndex& model, const CloudRim& rim, std::span<const LoopBorder> loops,
                     const CutOptions& options, TriangleSet& border);
 
@@ -79,7 +80,8 @@ struct RegionCut {
 // of the cloud have a few facets say "outside" in the midst of it: the splinters. A facet of the
 // border is under no cloud.
 // `rims`: of one cloud, or of several that overlap each other and are cut as one. `scans`: their
-// samples; without them nothing is known of where they end.
+// samples; without them nothing is known of where they end. Errors: InputError for no rim, and for
+// the border of another model, by its size.
 // Why: a border that is closed by walks over its gaps leads astray where the gap is long, and one
 // region is then partly under the cloud and partly not; the mean angle along it decides for all.
 // Complexity: that of a minimum cut of n facets, near linear. Deterministic: lengths are compared
@@ -101,6 +103,7 @@ struct CutRegions {
 
 // For each cloud whether it is cut: its rim is partial (CloudRim::is_partial), or one of those it
 // is joined to. joined[c]: the first of the clouds that c is joined to (lowest_sharing_clouds()).
+// Errors: InputError unless there are as many of both.
 std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
                                         std::span<const std::size_t> joined);
 
@@ -108,8 +111,8 @@ std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
 // under each cloud that is cut, or outside: parts of regions under a cloud are new ones behind the
 // others. Of such clouds the border is certain_border() and splinters, of others all of it.
 // is_cut: as clouds_to_cut(), or more. rims[c], borders[c], scans[c], joined[c] and is_cut[c]
-// belong together; where a scan without samples ends is not known. Complexity: as cut_under_cloud()
-// for each group of joined clouds.
+// belong together; where a scan without samples ends is not known. Errors: InputError unless there
+// are as many of each. Complexity: as cut_under_cloud() for each group of joined clouds.
 CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
                        std::span<const Border> borders, std::span<const Scan> scans,
                        std::span<const std::size_t> joined, std::span<const std::uint8_t> is_cut,

@@ -11,6 +11,7 @@
 #include "geom/nearest_point.h"
 #include "geom/neighbor_distance.h"
 #include "geom/thin_points.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -92,6 +93,7 @@ bool overlap_each_other(Clouds& clouds, std::size_t a, std::size_t b, const Join
 
 std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
                                      const JoinOptions& options) {
+  require_options("join_clouds", options);
   Clouds samples(clouds);
   DisjointSets sets(clouds.size());
   for (std::uint32_t a = 0; a < clouds.size(); ++a) {
@@ -137,6 +139,7 @@ std::vector<Point> samples_of(const JoinedCloud& cloud,
 std::vector<CloudSurface> joined_cloud_surfaces(Points points, const JoinedCloud& cloud,
                                                 const CloudSurfaceOptions& options,
                                                 const Execution& execution) {
+  if (cloud.sheet.empty()) return ranked_cloud_surfaces(points, options, execution);
   std::vector<Point> samples;
   samples.reserve(cloud.sheet.size());
   for (const PointId p : cloud.sheet) samples.push_back(points[p.index()]);

@@ -42,9 +42,8 @@ std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
 // The points of its members, one after the other.
 std::vector<Point> samples_of(const JoinedCloud& cloud, std::span<const std::vector<Point>> clouds);
 
-// ranked_cloud_surfaces() of the samples chosen for it, told of all of them. `points`: samples_of()
-// the cloud. Errors: as cloud_surface() of what was chosen. Precondition: some were
-// chosen.
+// ranked_cloud_surfaces() of the samples chosen for it, or of all if none were, told of all of
+// them. `points`: samples_of() the cloud. Errors: as cloud_surface() of what was chosen.
 std::vector<CloudSurface> joined_cloud_surfaces(Points points, const JoinedCloud& cloud,
                                                 const CloudSurfaceOptions& options,
                                                 const Execution& execution = {});

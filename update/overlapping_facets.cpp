@@ -12,10 +12,11 @@
 #include "geom/disjoint_sets.h"
 #include "geom/median.h"
 #include "geom/nearest_point.h"
-#include "geom/require_number.h"
+#include "geom/require_size.h"
 #include "geom/sort_ids.h"
 #include "geom/triangle_projection.h"
 #include "update/model/near_facets.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -377,25 +378,11 @@ void locate_points(const ModelIndex& model, const Locator& locator,
                   });
 }
 
-void require_options(const OverlapOptions& options) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto require = [](const char* option, double value, double low, double high) {
-    require_number("overlapping_facets", option, value, low, high);
-  };
-  require("max_distance", options.max_distance, 0, infinity);
-  require("min_normal_cosine", options.min_normal_cosine, -1, 1);
-  require("facing_preference", options.facing_preference, 0, infinity);
-  require("max_unmatched_share", options.max_unmatched_share, 0, 1);
-  require("max_raised_share", options.max_raised_share, 0, 1);
-  require("raised_distance", options.raised_distance, 0, infinity);
-  require("step_distance", options.step_distance, 0, infinity);
-}
-
 }  // namespace
 
 Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
                            const OverlapOptions& options, const Execution& execution) {
-  require_options(options);
+  require_options("overlapping_facets", options);
   report_progress(execution, "overlapping_facets", 0);
   const std::vector<RimPoint> points = all_points(rim);
 
@@ -444,6 +431,13 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
 void excuse_covered_points(std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds, std::span<Overlap> overlaps,
                            const OverlapOptions& options) {
+  constexpr const char* stage = "excuse_covered_points";
+  require_size(stage, "clouds", clouds.size(), rims.size());
+  require_size(stage, "overlaps", overlaps.size(), rims.size());
+  for (std::size_t c = 0; c < rims.size(); ++c) {
+    require_size(stage, "loops of an overlap", overlaps[c].loops.size(), rims[c].loops.size());
+  }
+  require_options(stage, options);
   std::size_t unmatched = 0;
   for (const Overlap& overlap : overlaps) unmatched += overlap.unmatched;
   if (unmatched == 0 || clouds.size() < 2) return;

@@ -116,8 +116,9 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
 // spacings of a point of another cloud as covered, and judges the loops anew without them. If of
 // clouds that cover each other, also by way of others, none has a loop on the model, they all lie
 // off it (no_overlap).
-// clouds[i] belongs to rims[i] and overlaps[i]. Complexity: O(unmatched log(cloud)).
-// Source: ours; clouds that overlap each other do not occur in Woo & Dey 2005.
+// clouds[i] belongs to rims[i] and overlaps[i]. Errors: InputError unless there are as many of
+// each, and of loops; for options as above. Complexity: O(unmatched log(cloud)). Source: ours;
+// clouds that overlap each other do not occur in Woo & Dey 2005.
 void excuse_covered_points(std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds, std::span<Overlap> overlaps,
                            const OverlapOptions& options = {});

@@ -7,6 +7,7 @@
 #include "geom/box_tree.h"
 #include "geom/nearest_point.h"
 #include "update/model/near_facets.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -86,6 +87,7 @@ std::vector<std::uint8_t> model_goes_on(const ModelIndex& model, Points cloud,
 
 std::vector<RimLoop> open_pin_holes(const ModelIndex& model, Points cloud, const CloudRim& rim,
                                     const PinHoleOptions& options) {
+  require_options("open_pin_holes", options);
   if (rim.pin_hole_loops.empty() || !(options.max_distance > 0)) return {};
   std::vector<RimLoop> loops =
       loops_on_model(model, rim.pin_hole_loops, options.max_distance * rim.median_edge);

@@ -12,6 +12,7 @@
 #include "geom/require_size.h"
 #include "geom/sort_ids.h"
 #include "update/cloud/rim_index.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -188,7 +189,9 @@ void tell_positions(const ListEdit<VertexId>& edit, std::size_t num_vertices,
 }
 
 void require_inputs(const ModelIndex& index, const Regions& regions, const RegionChoice& choice,
-                    std::span<const CloudRim> rims, std::span<const std::vector<Point>> clouds) {
+                    std::span<const CloudRim> rims, std::span<const std::vector<Point>> clouds,
+                    const ReplaceOptions& options) {
+  require_options("replace_points", options);
   require_size("replace_points", "groups of vertices", regions.group_of_vertex.size(),
                index.mesh().points.size());
   require_size("replace_points", "flags of replaced regions", choice.replaced.size(),
@@ -204,7 +207,7 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
                            std::span<const std::vector<Point>> added,
                            const ReplaceOptions& options) {
   const TriangleMesh& model = index.mesh();
-  require_inputs(index, regions, choice, rims, clouds);
+  require_inputs(index, regions, choice, rims, clouds, options);
   Replacement result;
   const RimIndex rim_index(rims);
   const ThinningTest thinning(rims, clouds, options.thinning_distance);

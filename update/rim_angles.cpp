@@ -5,6 +5,7 @@
 
 #include "geom/angles.h"
 #include "geom/require_size.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -70,6 +71,7 @@ double relative_height(const Point& a, const Point& b, const Point& p) {
 
 RegionAngles mean_rim_angles(const ModelIndex& model, const Regions& regions, const RimLoop& loop,
                              const LoopBorder& band, const AngleOptions& options) {
+  require_options("mean_rim_angles", options);
   const TriangleMesh& mesh = model.mesh();
   require_size("mean_rim_angles", "groups of vertices", regions.group_of_vertex.size(),
                mesh.points.size());

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "geom/median.h"
+#include "geom/require_size.h"
 #include "geom/thin_points.h"
 #include "geom/triangles_at_vertices.h"
 
@@ -65,6 +66,8 @@ bool lies_in_rows(const TriangleMesh& surface, double min_ratio) {
 std::vector<PointId> thin_out_rows(Points cloud, const TriangleMesh& surface,
                                    const IdVector<VertexId, PointId>& point_of_vertex,
                                    double spread) {
+  require_size("thin_out_rows", "points of vertices", point_of_vertex.size(),
+               surface.points.size());
   const std::vector<double> distances =
       squared_row_distances(cloud.size(), surface, point_of_vertex);
   return thin_points(cloud, [&](PointId p) { return spread * spread * distances[p.index()]; });

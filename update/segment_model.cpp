@@ -129,6 +129,8 @@ Regions segment_model(const TriangleMesh& model, const TriangleSet& border,
 }
 
 void count_and_group(const ModelIndex& model, Regions& regions) {
+  require_size("count_and_group", "facets of the regions", regions.region_of_facet.size(),
+               model.mesh().triangles.size());
   count_facets(regions);
   complete(model, Neighbors::anywhere, regions);
 }

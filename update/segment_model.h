@@ -49,7 +49,8 @@ Regions segment_model(const TriangleMesh& model, const TriangleSet& border,
                       const SegmentOptions& options = {}, const Execution& execution = {});
 
 // Fills in all of `regions` but its islands from region_of_facet, for as many regions as there are.
-// For those who change region_of_facet. Complexity: O(triangles + vertices).
+// For those who change region_of_facet. Errors: InputError unless that has an entry for each facet.
+// Complexity: O(triangles + vertices).
 void count_and_group(const ModelIndex& model, Regions& regions);
 
 }  // namespace cocoon

@@ -5,11 +5,15 @@
 #include <cstdint>
 #include <limits>
 #include <queue>
+#include <string>
 #include <tuple>
 
 #include "geom/box.h"
+#include "geom/errors.h"
 #include "geom/nearest_point.h"
+#include "geom/require_size.h"
 #include "update/cloud/rim_index.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -116,11 +120,26 @@ class CloudReach {
   std::vector<Cloud> clouds_;
 };
 
+void require_inputs(const ModelIndex& model, const Regions& regions,
+                    std::span<const RegionId> divided, std::span<const CloudRim> rims,
+                    std::span<const std::vector<Point>> clouds) {
+  require_size("split_regions", "facets of the regions", regions.region_of_facet.size(),
+               model.mesh().triangles.size());
+  require_size("split_regions", "clouds", clouds.size(), rims.size());
+  for (const RegionId region : divided) {
+    if (region.index() < regions.regions.size()) continue;
+    throw InputError("split_regions: there is no region " + std::to_string(region.value) +
+                     "; split one of the " + std::to_string(regions.regions.size()));
+  }
+}
+
 }  // namespace
 
 RegionSplit split_regions(const ModelIndex& model, const Regions& regions,
                           std::span<const RegionId> divided, std::span<const CloudRim> rims,
                           std::span<const std::vector<Point>> clouds, const SplitOptions& options) {
+  require_options("split_regions", options);
+  require_inputs(model, regions, divided, rims, clouds);
   const RimIndex rim_index(rims);
   const CloudReach cloud_reach(clouds);
   std::vector<double> spacings;

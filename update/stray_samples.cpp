@@ -5,6 +5,7 @@
 
 #include "cocone/noise/remaining_samples.h"
 #include "cocone/noise/sample_parts.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -62,6 +63,7 @@ class Strays {
 
 StraySamples stray_samples(Points cloud, const StrayOptions& options,
                            const DelaunayOptions& delaunay_options, const Execution& execution) {
+  require_options("stray_samples", options);
   return run_step(execution, "noise", [&](const Execution& nested) {
     return Strays(cloud, options, delaunay_options, nested).run();
   });

@@ -9,6 +9,7 @@
 #include "update/joined_clouds.h"
 #include "update/model/hollows.h"
 #include "update/report/update_messages.h"
+#include "update/stage_options.h"
 #include "update/update_steps.h"
 
 namespace cocoon {
@@ -60,6 +61,7 @@ UpdateOptions paper_update_options() {
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateParts& parts, const UpdateOptions& options,
                           const Execution& execution) {
+  require_options("update", options);
   if (clouds.empty()) throw InputError("update: no cloud given; give at least one");
   require_ordinary_size(parts.ordinary_size ? Points() : model.points.span(), clouds);
   std::vector<JoinedCloud> joined = join_clouds(clouds, options.join);

@@ -11,6 +11,7 @@
 #include "geom/errors.h"
 #include "geom/sort_ids.h"
 #include "update/model/hollows.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 namespace {
@@ -73,9 +74,18 @@ void check_snapshot(const SessionSnapshot& snapshot, const Execution& execution)
           "the model is not the surface of its points");
 }
 
+namespace {
+
+const UpdateOptions& checked(const UpdateOptions& options) {
+  require_options("session", options);
+  return options;
+}
+
+}  // namespace
+
 UpdateSession::UpdateSession(Points points, const UpdateOptions& options,
                              const Execution& execution, const KnownLabelsSource& known)
-    : options_(options), surface_(options.reconstruct) {
+    : options_(checked(options)), surface_(options.reconstruct) {
   reconstruction_ = surface_.reconstruct(points, execution, known);
   model_ = std::move(reconstruction_.mesh);
   reconstruction_.mesh = {};
@@ -87,13 +97,13 @@ UpdateSession::UpdateSession(Points points, const UpdateOptions& options,
 }
 
 UpdateSession::UpdateSession(TriangleMesh model, const UpdateOptions& options)
-    : options_(options), model_(std::move(model)), surface_(options.reconstruct) {
+    : options_(checked(options)), model_(std::move(model)), surface_(options.reconstruct) {
   take_points_of_model();
 }
 
 UpdateSession::UpdateSession(SessionSnapshot snapshot, const UpdateOptions& options,
                              SnapshotCheck check, const Execution& execution)
-    : options_(options), surface_(options.reconstruct) {
+    : options_(checked(options)), surface_(options.reconstruct) {
   if (check == SnapshotCheck::to_be_done) check_snapshot(snapshot, execution);
   model_ = std::move(snapshot.model);
   points_ = std::move(snapshot.points);

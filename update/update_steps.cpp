@@ -140,10 +140,9 @@ void UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
                                        given_, options_.replace);
   result_.overlooked =
       overlooked_vertices(index, result_.replacement, rims, clouds_, options_.overlooked);
-  if (result_.overlooked.is_doubtful(options_.overlooked)) {
-    const Point& at = model_.points[result_.overlooked.farthest];
-    warn(warning_of_overlooked(result_.overlooked, at, options_.overlooked));
-  }
+  const OverlookedVertices& found = result_.overlooked;
+  if (found.is_doubtful(options_.overlooked))
+    warn(warning_of_overlooked(found, model_.points[found.farthest], options_.overlooked));
   const KeptSurface kept(index, result_.regions, result_.choice, result_.replacement);
   UpdatedSurface surface = parts.reconstruct(result_.replacement, kept.told(), execution);
   result_.reconstruction = std::move(surface.result);
@@ -240,9 +239,7 @@ std::vector<RegionAngles> UpdateSteps::measure_angles(const ModelIndex& index) c
 std::vector<CloudSurface> UpdateSteps::surfaces_of_cloud(std::size_t c,
                                                          const Execution& execution) const {
   try {
-    return joined_[c].sheet.empty()
-               ? ranked_cloud_surfaces(clouds_[c], options_.cloud, execution)
-               : joined_cloud_surfaces(clouds_[c], joined_[c], options_.cloud, execution);
+    return joined_cloud_surfaces(clouds_[c], joined_[c], options_.cloud, execution);
   } catch (const DegenerateInput& error) {
     throw DegenerateInput(name_of_cloud(c) + ": " + error.what());
   } catch (const InputError& error) {

@@ -15,6 +15,8 @@
 #include "geom/median.h"
 #include "geom/narrow_handles.h"
 #include "geom/nearest_point.h"
+#include "geom/require_number.h"
+#include "geom/require_size.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
@@ -353,6 +355,13 @@ void keep_largest(std::vector<DoubtfulSpot>& spots, std::size_t count) {
 
 SurfaceDoubts surface_doubts(const ReconstructResult& result, Points points,
                              const SurfaceDoubtOptions& options, const Execution& execution) {
+  require_amounts("surface_doubts", {{"gap_ratio", options.gap_ratio}});
+  require_shares("surface_doubts", {{"fragment_share", options.fragment_share}});
+  for (const PointId p : result.point_of_vertex) {
+    if (p.index() >= points.size()) {
+      require_size("surface_doubts", "points", points.size(), p.index() + 1);
+    }
+  }
   const double scale = working_scale(points, execution);
   if (scale != 1) return scaled_doubts(result, points, scale, options, execution);
   return Doubts(result, points, options, execution).run();

@@ -62,7 +62,8 @@ struct SurfaceDoubts {
 
 // What is doubtful about a reconstruction of `points`; empty meshes: zeros. Lists have the worst
 // first, ties by coordinates. Complexity: O(n log n), O(n) if all points are used, measures and
-// most checks parallel. Deterministic: a function of the point set and the surface. Source: ours,
+// most checks parallel. Deterministic: a function of the point set and the surface. Errors:
+// InputError for fewer points than the surface names, and options out of range. Source: ours,
 // docs/stages/surface_doubts.md.
 SurfaceDoubts surface_doubts(const ReconstructResult& result, Points points,
                              const SurfaceDoubtOptions& options = {},

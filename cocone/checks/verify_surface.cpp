@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geom/mesh_check.h"
+#include "geom/require_size.h"
 
 namespace cocoon {
 
@@ -108,6 +109,10 @@ std::string failure_of(const SurfaceVerification& v) {
 SurfaceVerification verify_surface(const Triangulation& triangulation, const SurfaceMesh& surface,
                                    Points points, const VerifyOptions& options,
                                    const Execution& execution) {
+  require_size("verify_surface", "points of the surface's vertices", surface.point_of_vertex.size(),
+               surface.mesh.points.size());
+  require_size("verify_surface", "vertices of the triangulation",
+               surface.triangulation_vertex.size(), surface.mesh.points.size());
   report_progress(execution, "verify", 0);
   SurfaceVerification result;
   result.done = true;

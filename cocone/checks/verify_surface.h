@@ -43,6 +43,7 @@ struct VerifyOptions {
 
 // Verifies the surface of `points` that `triangulation` gave. Everything may be wrong with either,
 // but ids that are out of range in point_of_vertex and triangulation_vertex are the caller's.
+// Errors: InputError unless these have an entry for each vertex.
 // Complexity: O(cells + triangles log triangles); measured figures: docs/stages/verify_surface.md.
 // Deterministic for any thread count. Progress: "verify". Source: ours.
 SurfaceVerification verify_surface(const Triangulation& triangulation, const SurfaceMesh& surface,

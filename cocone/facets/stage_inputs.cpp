@@ -3,6 +3,9 @@
 #include <limits>
 #include <string>
 
+#include "cocone/boundary_loops.h"
+#include "cocone/clean_up_cells.h"
+#include "cocone/noise_filter.h"
 #include "geom/errors.h"
 #include "geom/require_number.h"
 #include "geom/require_size.h"
@@ -61,6 +64,25 @@ void require_facets(const char* stage, const Triangulation& triangulation,
   if (facets.size() != 0) require_facets(stage, triangulation, facets.set);
 }
 
+void require_peeled(const char* stage, const Triangulation& triangulation, const CellMarks& marks) {
+  const std::size_t cells = triangulation.num_cells();
+  require_size(stage, "labels of cells", marks.labels.size(), cells);
+  require_size(stage, "flags of reached cells", marks.reached.size(), cells);
+  if (!marks.known.empty()) require_size(stage, "known labels of cells", marks.known.size(), cells);
+  require_vertex_flags(stage, triangulation, marks.good);
+  if (marks.conflicts != 0) require_vertex_flags(stage, triangulation, marks.contradicted);
+}
+
+void require_clean_up(const char* stage, const Triangulation& triangulation, const Poles& poles,
+                      const CellMarks& marks, const CleanUpOptions& options,
+                      const IdVector<VertexId, CellId>* cell_at) {
+  require_options(stage, options);
+  require_peeled(stage, triangulation, marks);
+  const std::size_t vertices = triangulation.num_vertices();
+  require_size(stage, "normals of the poles", poles.normals.size(), vertices);
+  if (cell_at != nullptr) require_size(stage, "cells at vertices", cell_at->size(), vertices);
+}
+
 void require_options(const char* stage, const CoconeOptions& options) {
   require_number(stage, "cocone.cosine", options.cosine, 0, 1);
 }
@@ -78,6 +100,53 @@ void require_options(const char* stage, const PruneOptions& options) {
 void require_options(const char* stage, const GoodVertexOptions& options) {
   require_number(stage, "good_vertices.fold_cosine", options.fold_cosine, -infinity, infinity);
   require_number(stage, "good_vertices.crease_cosine", options.crease_cosine, -infinity, infinity);
+}
+
+void require_options(const char* stage, const CleanUpOptions& options) {
+  const CleanUpOptions& o = options;
+  require_amounts(stage, {{"clean_up.stretch_cost", o.stretch_cost},
+                          {"clean_up.stretch_ratio", o.stretch_ratio},
+                          {"clean_up.evidence_weight", o.evidence_weight},
+                          {"clean_up.near_pole_ratio", o.near_pole_ratio},
+                          {"clean_up.full_pole_ratio", o.full_pole_ratio},
+                          {"clean_up.mark_weight", o.mark_weight},
+                          {"clean_up.mark_credit", o.mark_credit},
+                          {"clean_up.flat_ratio", o.flat_ratio},
+                          {"clean_up.defect_cost", o.defect_cost},
+                          {"clean_up.unused_cost", o.unused_cost},
+                          {"clean_up.outlier_ratio", o.outlier_ratio},
+                          {"clean_up.handle_cost", o.handle_cost},
+                          {"clean_up.idle_cost", o.idle_cost},
+                          {"clean_up.idle.ratio", o.idle.ratio},
+                          {"clean_up.max_rise", o.max_rise},
+                          {"clean_up.max_closing_rise", o.max_closing_rise},
+                          {"clean_up.component_cost", o.component_cost},
+                          // Of more than all: no clump is too large.
+                          {"clean_up.most_clump_share", o.most_clump_share}});
+  require_shares(stage, {{"clean_up.pole_good_share", o.pole_good_share}});
+  require_cosines(stage, {{"clean_up.idle.flat_cosine", o.idle.flat_cosine},
+                          {"clean_up.deep_cosine", o.deep_cosine},
+                          {"clean_up.deeper_cosine", o.deeper_cosine}});
+  require_number(stage, "clean_up.thin_support", o.thin_support, 0, 4);
+}
+
+void require_options(const char* stage, const NoiseOptions& options) {
+  require_neighbors(stage, options.neighbors);
+  require_amounts(stage, {{"noise.outlier_ratio", options.outlier_ratio},
+                          {"noise.clump_link_ratio", options.clump_link_ratio},
+                          {"noise.large_ratio", options.large_ratio}});
+  require_shares(
+      stage, {{"noise.clump_share", options.clump_share}, {"noise.max_leak", options.max_leak}});
+  require_cosines(stage, {{"noise.deep_cosine", options.deep_cosine}});
+}
+
+void require_options(const char* stage, const BoundaryLoopOptions& options) {
+  require_shares(stage, {{"loops.min_component_share", options.min_component_share}});
+  require_amounts(stage, {{"loops.min_perimeter_in_edges", options.min_perimeter_in_edges}});
+}
+
+void require_neighbors(const char* stage, std::size_t neighbors) {
+  require_number(stage, "neighbors", static_cast<double>(neighbors), 1, infinity);
 }
 
 }  // namespace cocoon

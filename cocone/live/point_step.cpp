@@ -3,12 +3,49 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+
+#include "geom/errors.h"
+#include "geom/require_size.h"
 
 namespace cocoon {
+
+namespace {
+
+// The vertex of a point that stays.
+VertexId vertex_at(const DynamicDelaunay& delaunay,
+                   const IdVector<PointId, VertexId>& vertex_of_point, PointId old_position,
+                   const Point& point) {
+  if (old_position.index() < vertex_of_point.size()) {
+    const VertexId v = vertex_of_point[old_position];
+    if (delaunay.point(v) == point) return v;
+  }
+  throw InputError("DynamicTightCocone: point " + std::to_string(old_position.value) +
+                   " is said to stay, but is not among the points so far, or elsewhere; give the "
+                   "position of an equal one, or none");
+}
+
+// What goes is among the points so far, what comes among the others.
+void require_edit(const ListEdit<PointId>& change, std::size_t before, std::size_t after) {
+  const auto is_in = [](const std::vector<PointId>& list, std::size_t size) {
+    return list.empty() || list.back().index() < size;
+  };
+  if (is_in(change.removed, before) && is_in(change.added, after) &&
+      change.size_after(before) == after) {
+    return;
+  }
+  throw InputError("DynamicTightCocone: " + std::to_string(change.removed.size()) +
+                   " points that go and " + std::to_string(change.added.size()) +
+                   " that come do not lead from " + std::to_string(before) + " points to " +
+                   std::to_string(after) + "; give the edit between these lists");
+}
+
+}  // namespace
 
 PointStep plan_step(const DynamicDelaunay& delaunay,
                     const IdVector<PointId, VertexId>& vertex_of_point, Points points,
                     std::span<const PointId> old_position) {
+  require_size("DynamicTightCocone", "old positions", old_position.size(), points.size());
   PointStep step;
   step.vertex_of_point.resize(points.size());
   std::vector<std::uint8_t> stays(delaunay.num_vertex_slots(), 0);
@@ -17,7 +54,7 @@ PointStep plan_step(const DynamicDelaunay& delaunay,
       step.inserted.push_back(PointId(i));
       step.inserted_points.push_back(points[i]);
     } else {
-      const VertexId v = vertex_of_point[old_position[i]];
+      const VertexId v = vertex_at(delaunay, vertex_of_point, old_position[i], points[i]);
       step.vertex_of_point[PointId(i)] = v;
       stays[v.index()] = 1;
     }
@@ -34,6 +71,7 @@ PointStep plan_step(const DynamicDelaunay& delaunay,
 PointStep plan_step(const DynamicDelaunay& delaunay,
                     const IdVector<PointId, VertexId>& vertex_of_point, Points points,
                     const ListEdit<PointId>& change) {
+  require_edit(change, vertex_of_point.size(), points.size());
   PointStep step;
   for (const PointId p : change.removed) {
     step.removed.push_back(vertex_of_point[p]);

@@ -26,12 +26,14 @@ struct PointStep {
 };
 
 // From the points that have these vertices to others; old_position[i]: where points[i] was, none if
-// it is new. Complexity: O(n), a look at each point.
+// it is new. Errors: InputError unless there is a position for each point, where an equal one was.
+// Complexity: O(n), a look at each point.
 PointStep plan_step(const DynamicDelaunay& delaunay,
                     const IdVector<PointId, VertexId>& vertex_of_point, Points points,
                     std::span<const PointId> old_position);
 // The same for points that stay in their order. Precondition: each vertex has one point.
-// Complexity: O(change), and a copy of vertex_of_point.
+// Errors: InputError for a change of lists of other lengths. Complexity: O(change), and a copy of
+// vertex_of_point.
 PointStep plan_step(const DynamicDelaunay& delaunay,
                     const IdVector<PointId, VertexId>& vertex_of_point, Points points,
                     const ListEdit<PointId>& change);

@@ -5,10 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/clean_up_cells.h"
 #include "cocone/dynamic_tight_cocone.h"
 #include "cocone/mark_cells.h"
 #include "cocone/peel_cells.h"
 #include "cocone/reconstruct.h"
+#include "cocone/robust_cocone.h"
 #include "cocone/surface_mesh.h"
 #include "geom/errors.h"
 #include "tests/cocone/sample_shapes.h"
@@ -24,12 +26,14 @@ struct AllStages : Stages {
         candidates(candidate_triangles(triangulation, cocones, boundary)),
         pruned(prune_sharp_edges(triangulation, candidates)),
         triangles(extract_manifold(triangulation, pruned.left, pruned.umbrella).triangles),
-        marks(mark_cells(triangulation, triangles, boundary)) {}
+        marks(mark_cells(triangulation, triangles, boundary)),
+        peeled(peel_cells(triangulation, triangles.set, marks)) {}
   VertexSet boundary;
   FacetSet candidates;
   PrunedCandidates pruned;
   LinkedFacets triangles;
   CellMarks marks;
+  CellMarks peeled;
 };
 
 // A large and a small one: what is mixed up would be read beyond its end, or not be read at all.
@@ -52,7 +56,10 @@ class MixedStageInputs : public testing::Test {
     prune_sharp_edges(t, other.candidates);
     extract_manifold(t, other.pruned.left, other.pruned.umbrella);
     mark_cells(t, other.triangles, other.boundary);
-    surface_between(t, peel_cells(t, other.triangles.set, other.marks));
+    CellMarks peeled = peel_cells(t, other.triangles.set, other.marks);
+    clean_up_cells(t, other.poles, peeled);
+    surface_between(t, peeled);
+    good_vertices(other.triangles, other.boundary);
   }
 
   static void expect_each_refused(const AllStages& own, const AllStages& other) {
@@ -75,6 +82,12 @@ class MixedStageInputs : public testing::Test {
     EXPECT_THROW(mark_cells(t, own.triangles, other.boundary), InputError);
     EXPECT_THROW(peel_cells(t, other.triangles.set, own.marks), InputError);
     EXPECT_THROW(peel_cells(t, own.triangles.set, other.marks), InputError);
+    CellMarks of_own = own.peeled;
+    CellMarks of_other = other.peeled;
+    EXPECT_THROW(clean_up_cells(t, other.poles, of_own), InputError);
+    EXPECT_THROW(clean_up_cells(t, own.poles, of_other), InputError);
+    CellMarks not_peeled;
+    EXPECT_THROW(clean_up_cells(t, own.poles, not_peeled), InputError);
   }
 
   const AllStages large_{shapes::noisy_sphere(600, 0.01, 1)};
@@ -82,6 +95,31 @@ class MixedStageInputs : public testing::Test {
 };
 
 TEST_F(MixedStageInputs, OfAnotherTriangulationAreRefused) { expect_refused_either_way(); }
+
+TEST(StageInputsLeftOut, VerticesOfTrianglesNeedFlags) {
+  const AllStages s(shapes::noisy_sphere(300, 0.01, 8));
+  EXPECT_THROW(good_vertices(s.triangles, VertexSet(s.boundary.size() / 2, 0)), InputError);
+  EXPECT_THROW(vertices_with_umbrella(s.triangles, s.boundary.size() / 2, 0), InputError);
+}
+
+// Positions that do not lead from the points before to those after.
+TEST(StageInputsLeftOut, PointsThatStayAreWhereTheyWere) {
+  const std::vector<Point> points = shapes::noisy_sphere(300, 0.01, 9);
+  std::vector<PointId> positions;
+  for (std::size_t i = 0; i < points.size(); ++i) positions.emplace_back(i);
+  DynamicTightCocone surface;
+  surface.reconstruct(points);
+  const std::vector<PointId> too_few(positions.begin(), positions.end() - 1);
+  EXPECT_THROW(surface.replace(points, too_few), InputError);
+  std::vector<PointId> beyond = positions;
+  beyond.back() = PointId(points.size());
+  EXPECT_THROW(surface.replace(points, beyond), InputError);
+  std::vector<PointId> mixed_up = positions;
+  std::swap(mixed_up[0], mixed_up[1]);
+  EXPECT_THROW(surface.replace(points, mixed_up), InputError);
+  EXPECT_EQ(surface.replace(points, positions).mesh.triangles,
+            reconstruct_tight(points).mesh.triangles);
+}
 
 TEST(StageInputsLeftOut, NormalsAloneAreEnoughForCoconesButNotForTheBoundary) {
   const AllStages s(shapes::noisy_sphere(300, 0.01, 3));
@@ -115,6 +153,23 @@ TEST(StageInputs, OptionsOutOfRangeAreRefused) {
   EXPECT_THROW(prune_sharp_edges(t, s.candidates, {.keep_cosine = nan}), InputError);
   EXPECT_THROW(good_vertices(s.triangles, s.boundary, {.fold_cosine = nan}), InputError);
   EXPECT_THROW(good_vertices(s.triangles, s.boundary, {.crease_cosine = nan}), InputError);
+  for (const CleanUpOptions& options :
+       {CleanUpOptions{.stretch_cost = -1}, CleanUpOptions{.evidence_weight = nan},
+        CleanUpOptions{.thin_support = 5}, CleanUpOptions{.deep_cosine = 60},
+        CleanUpOptions{.pole_good_share = 1.5}}) {
+    CellMarks marks = s.peeled;
+    EXPECT_THROW(clean_up_cells(t, s.poles, marks, options), InputError);
+  }
+}
+
+TEST(StageInputs, NoiseOptionsOutOfRangeAreRefused) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Point> points = shapes::noisy_sphere(300, 0.01, 10);
+  for (const NoiseOptions& options :
+       {NoiseOptions{.neighbors = 0}, NoiseOptions{.outlier_ratio = nan},
+        NoiseOptions{.clump_share = 2}, NoiseOptions{.deep_cosine = 60}}) {
+    EXPECT_THROW(reconstruct_robust(points, options), InputError);
+  }
 }
 
 TEST(StageInputs, WholeReconstructionsRefuseThemBeforeTheyBegin) {

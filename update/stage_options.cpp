@@ -1,0 +1,173 @@
+#include "update/stage_options.h"
+
+#include <numbers>
+
+#include "cocone/facets/stage_inputs.h"
+#include "geom/require_number.h"
+#include "update/stray_samples.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+
+void require_options(const char* stage, const AngleOptions& options) {
+  require_shares(stage, {{"angles.min_relative_height", options.min_relative_height}});
+}
+
+void require_options(const char* stage, const ChoiceOptions& options) {
+  require_shares(stage, {{"choice.min_edge_share", options.min_edge_share}});
+  require_number(stage, "choice.ambiguous_margin", options.ambiguous_margin, 0, std::numbers::pi);
+  require_number(stage, "choice.narrow_margin", options.narrow_margin, 0, std::numbers::pi);
+}
+
+namespace {
+
+void require_search(const char* stage, const RimSearch& search) {
+  require_amounts(stage, {{"rho of a rim search", search.rho}});
+  require_cosines(stage, {{"alpha_cosine of a rim search", search.alpha_cosine}});
+}
+
+}  // namespace
+
+void require_options(const char* stage, const CloudSurfaceOptions& options) {
+  require_amounts(stage, {{"cloud.stretch_weight", options.stretch_weight},
+                          {"cloud.rows.min_ratio", options.rows.min_ratio},
+                          {"cloud.rows.spread", options.rows.spread},
+                          {"cloud.density.min_ratio", options.density.min_ratio},
+                          {"cloud.density.spread", options.density.spread},
+                          {"cloud.density.max_stretch", options.density.max_stretch},
+                          {"cloud.layers.spread", options.layers.spread},
+                          {"cloud.trim.max_edge", options.trim.max_edge},
+                          {"cloud.rim.min_outline_share", options.rim.min_outline_share},
+                          {"cloud.seams.reach", options.seams.reach},
+                          {"cloud.seams.min_rim_length", options.seams.min_rim_length}});
+  require_shares(stage, {{"cloud.max_seam_share", options.max_seam_share},
+                         {"cloud.layers.max_seam_share", options.layers.max_seam_share},
+                         {"cloud.seams.max_seam_share", options.seams.max_seam_share}});
+  require_options(stage, options.rim.loops);
+  require_search(stage, options.start);
+  for (const RimSearch& search : options.finer) require_search(stage, search);
+  for (const RimSearch& search : options.coarser) require_search(stage, search);
+}
+
+void require_options(const char* stage, const ContradictedOptions& options) {
+  require_amounts(stage, {{"contradicted.reach", options.reach}});
+  require_shares(stage, {{"contradicted.min_share", options.min_share}});
+}
+
+void require_options(const char* stage, const CutOptions& options) {
+  require_amounts(stage, {{"cut.max_detour", options.max_detour},
+                          {"cut.seed_reach", options.seed_reach},
+                          {"cut.max_doubt", options.max_doubt},
+                          {"cut.clear_doubt", options.clear_doubt},
+                          {"cut.ends.scanned", options.ends.scanned},
+                          {"cut.ends.off_model", options.ends.off_model},
+                          {"cut.ends.change_reach", options.ends.change_reach}});
+  require_shares(stage, {{"cut.clear_seam_share", options.clear_seam_share}});
+}
+
+void require_options(const char* stage, const IslandOptions& options) {
+  require_amounts(stage, {{"islands.off_model", options.off_model},
+                          {"islands.min_share", options.min_share},
+                          {"islands.reach", options.reach},
+                          {"islands.facing_reach", options.facing_reach}});
+  require_cosines(stage, {{"islands.min_normal_cosine", options.min_normal_cosine}});
+}
+
+void require_options(const char* stage, const JoinOptions& options) {
+  require_amounts(stage, {{"join.reach", options.reach}, {"join.thinning", options.thinning}});
+  require_shares(stage, {{"join.min_share", options.min_share}});
+}
+
+void require_options(const char* stage, const OverlapOptions& options) {
+  require_amounts(stage, {{"overlap.max_distance", options.max_distance},
+                          {"overlap.facing_preference", options.facing_preference},
+                          {"overlap.raised_distance", options.raised_distance},
+                          {"overlap.step_distance", options.step_distance}});
+  require_shares(stage, {{"overlap.max_unmatched_share", options.max_unmatched_share},
+                         {"overlap.max_raised_share", options.max_raised_share}});
+  require_cosines(stage, {{"overlap.min_normal_cosine", options.min_normal_cosine}});
+}
+
+void require_options(const char* stage, const OverlookedOptions& options) {
+  require_amounts(stage, {{"overlooked.reach", options.reach},
+                          {"overlooked.min_rim_distance", options.min_rim_distance}});
+}
+
+void require_options(const char* stage, const PinHoleOptions& options) {
+  require_amounts(stage, {{"pin_holes.max_distance", options.max_distance},
+                          {"pin_holes.min_beyond", options.min_beyond}});
+}
+
+void require_options(const char* stage, const ReplaceOptions& options) {
+  require_amounts(stage, {{"replace.thinning_distance", options.thinning_distance},
+                          {"replace.scanned.rim_zone", options.scanned.rim_zone},
+                          {"replace.scanned.sample_reach", options.scanned.sample_reach},
+                          {"replace.scanned.cloud_reach", options.scanned.cloud_reach},
+                          {"replace.scanned.depth_weight", options.scanned.depth_weight}});
+}
+
+void require_options(const char* stage, const SharedEdgeOptions& options) {
+  require_amounts(stage, {{"shared.reach", options.reach}});
+}
+
+void require_options(const char* stage, const ShiftOptions& options) {
+  require_amounts(stage, {{"shift.max_residual", options.max_residual},
+                          {"shift.prior", options.prior},
+                          {"shift.max_shift", options.max_shift}});
+  require_shares(stage, {{"shift.min_share", options.min_share}});
+}
+
+void require_options(const char* stage, const SplitOptions& options) {
+  require_amounts(
+      stage, {{"split.seed_reach", options.seed_reach}, {"split.max_reach", options.max_reach}});
+}
+
+void require_options(const char* stage, const StrayOptions& options) {
+  require_amounts(stage, {{"stray.outlier_ratio", options.outlier_ratio},
+                          {"stray.link_ratio", options.link_ratio}});
+  require_neighbors(stage, options.neighbors);
+}
+
+void require_options(const char* stage, const TornEdgeOptions& options) {
+  require_amounts(stage, {{"torn.reach", options.reach},
+                          {"torn.min_outward", options.min_outward},
+                          {"torn.min_step", options.min_step}});
+  require_shares(stage, {{"torn.max_seam_share", options.max_seam_share},
+                         {"torn.min_torn_share", options.min_torn_share}});
+}
+
+void require_options(const char* stage, const UnscannedOptions& options) {
+  require_amounts(stage, {{"unscanned.reach", options.reach},
+                          {"unscanned.off_model", options.off_model},
+                          {"unscanned.change_reach", options.change_reach}});
+  require_shares(stage, {{"unscanned.explained", options.explained},
+                         {"unscanned.max_explained_share", options.max_explained_share}});
+}
+
+void require_options(const char* stage, const UnusedChangeOptions& options) {
+  require_amounts(stage, {{"unused_changes.off_model", options.off_model},
+                          {"unused_changes.reach", options.reach}});
+  require_shares(stage, {{"unused_changes.min_share", options.min_share}});
+}
+
+void require_options(const char* stage, const UpdateOptions& options) {
+  require_options(stage, options.join);
+  require_options(stage, options.cloud);
+  require_options(stage, options.pin_holes);
+  require_options(stage, options.torn);
+  require_options(stage, options.overlap);
+  require_options(stage, options.split);
+  require_options(stage, options.shared);
+  require_options(stage, options.cut);
+  require_options(stage, options.angles);
+  require_options(stage, options.choice);
+  require_options(stage, options.islands);
+  require_options(stage, options.replace);
+  require_options(stage, options.overlooked);
+  require_options(stage, options.unscanned);
+  require_options(stage, options.unused_changes);
+  require_options(stage, options.contradicted);
+  require_options(stage, options.shift);
+}
+
+}  // namespace cocoon

@@ -1,0 +1,50 @@
+// Whether the options of the update's stages are numbers that they can work with.
+#pragma once
+
+namespace cocoon {
+
+struct AngleOptions;
+struct ChoiceOptions;
+struct CloudSurfaceOptions;
+struct ContradictedOptions;
+struct CutOptions;
+struct IslandOptions;
+struct JoinOptions;
+struct OverlapOptions;
+struct OverlookedOptions;
+struct PinHoleOptions;
+struct ReplaceOptions;
+struct SharedEdgeOptions;
+struct ShiftOptions;
+struct SplitOptions;
+struct StrayOptions;
+struct TornEdgeOptions;
+struct UnscannedOptions;
+struct UnusedChangeOptions;
+struct UpdateOptions;
+
+// All throw InputError, with the name of the stage, unless distances, ratios and weights are 0 or
+// more (infinity, too), shares of a whole from 0 to 1, cosines from -1 to 1, and margins from 0 to
+// pi. Complexity: O(1).
+void require_options(const char* stage, const AngleOptions& options);
+void require_options(const char* stage, const ChoiceOptions& options);
+void require_options(const char* stage, const CloudSurfaceOptions& options);
+void require_options(const char* stage, const ContradictedOptions& options);
+void require_options(const char* stage, const CutOptions& options);
+void require_options(const char* stage, const IslandOptions& options);
+void require_options(const char* stage, const JoinOptions& options);
+void require_options(const char* stage, const OverlapOptions& options);
+void require_options(const char* stage, const OverlookedOptions& options);
+void require_options(const char* stage, const PinHoleOptions& options);
+void require_options(const char* stage, const ReplaceOptions& options);
+void require_options(const char* stage, const SharedEdgeOptions& options);
+void require_options(const char* stage, const ShiftOptions& options);
+void require_options(const char* stage, const SplitOptions& options);
+void require_options(const char* stage, const StrayOptions& options);
+void require_options(const char* stage, const TornEdgeOptions& options);
+void require_options(const char* stage, const UnscannedOptions& options);
+void require_options(const char* stage, const UnusedChangeOptions& options);
+// Of all stages of an update.
+void require_options(const char* stage, const UpdateOptions& options);
+
+}  // namespace cocoon
