@@ -1,4 +1,5 @@
 // The program `cocoon`: reads the command line, runs the command, turns errors into exit codes.
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -23,32 +24,38 @@ namespace {
 enum ExitCode { done = 0, cannot_be_done = 1, wrong_command_line = 2 };
 
 // Once: if several threads fail, the others wait for the end of the program.
-int report_error(const std::string& message, ExitCode code) {
+void be_the_first_to_tell() {
   static std::atomic_flag is_told;
   while (is_told.test_and_set()) ::pause();
-  std::string line = "cocoon: " + message;
-  for (char& c : line) {
-    if (c == '\n' || c == '\r') c = ' ';  // one line, whatever a file name contains
-  }
-  print_error(line + "\n");
+}
+
+int report_error(const std::string& message, ExitCode code) {
+  std::string line = "cocoon: " + message + "\n";
+  // One line, whatever a file name contains.
+  std::replace_if(
+      line.begin(), line.end() - 1, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  be_the_first_to_tell();  // not before there is a line: memory may be lacking for it
+  print_error(line);
   return code;
 }
 
-// Without the destructors of the libraries: threads of oneTBB may be on their way still.
-[[noreturn]] void end_with_error(const std::string& message) {
-  report_error(message, cannot_be_done);
+// Without memory, which may be what is lacking, and without the destructors of the libraries:
+// threads of oneTBB may be on their way still.
+[[noreturn]] void end_with_line(std::string_view line) {
+  be_the_first_to_tell();
+  print_error(line);
   std::fflush(stdout);
   ::_exit(cannot_be_done);
 }
 
 [[noreturn]] void end_for_lack_of_memory() {
-  end_with_error("not enough memory for this input; use fewer points or a larger machine");
+  end_with_line("cocoon: not enough memory for this input; use fewer points or a larger machine\n");
 }
 
 [[noreturn]] void end_for_lack_of_threads() {
-  end_with_error(
-      "no further thread can be started: the limit on memory or on threads is too low (ulimit -v, "
-      "ulimit -u); raise it, or use --threads 1");
+  end_with_line(
+      "cocoon: no further thread can be started: the limit on memory or on threads is too low "
+      "(ulimit -v, ulimit -u); raise it, or use --threads 1\n");
 }
 
 // oneTBB has no type of its own for what it throws when the system gives it no further thread.

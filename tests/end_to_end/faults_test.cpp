@@ -76,16 +76,16 @@ TEST(Faults, MemoryThatRunsOutIsSaid) {
 TEST(Faults, ThreadsThatCannotBeStartedAreSaid) {
   if (!address_space_can_be_limited) GTEST_SKIP() << "a sanitizer owns the address space";
   const OldOutput old(3000);
-  static std::size_t megabytes;
+  static std::size_t kilobytes;
   std::size_t enough = 0;
   std::size_t without_threads = 0;
-  for (megabytes = 12; megabytes < 64; megabytes += 2) {
+  for (kilobytes = 12'000; kilobytes < 64'000; kilobytes += 500) {
     const ProgramRun run =
         run_program({"reconstruct", old.cloud, "-o", old.target, "--threads", "8", "--quiet"},
-                    [] { limit_to(RLIMIT_AS, megabytes << 20); });
+                    [] { limit_to(RLIMIT_AS, kilobytes << 10); });
     enough += run.exit_code == 0 ? 1U : 0U;
     if (run.exit_code == 0) continue;
-    SCOPED_TRACE(megabytes);
+    SCOPED_TRACE(kilobytes);
     const bool threads = run.error.find("thread can be started") != std::string::npos;
     without_threads += threads ? 1U : 0U;
     expect_error(run, 1, threads ? "--threads 1" : "not enough memory");
