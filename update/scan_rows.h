@@ -30,8 +30,7 @@ bool lies_in_rows(const TriangleMesh& surface, double min_ratio);
 // quartile of the second longest edges of its triangles in `surface`, whose vertex v is the point
 // point_of_vertex[v], but no less than that of all. Precondition: the surface has a triangle with
 // three different corners. Errors: InputError unless each vertex has its point. Complexity: that of
-// thin_points, with neighbors as many as rows have
-// samples within reach. Source: ours.
+// thin_points, with neighbors as many as rows have samples within reach. Source: ours.
 std::vector<PointId> thin_out_rows(Points cloud, const TriangleMesh& surface,
                                    const IdVector<VertexId, PointId>& point_of_vertex,
                                    double spread);
