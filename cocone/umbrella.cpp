@@ -126,18 +126,12 @@ struct Corners {
   Halfedge one = 0;
 };
 
-// Throws unless vertices of triangles are among so many.
-void require_vertex(const char* stage, VertexId v, std::size_t num_vertices) {
-  if (v.index() >= num_vertices)
-    require_size(stage, "flags of vertices", num_vertices, v.index() + 1);
-}
-
 IdVector<VertexId, Corners> corners_at(const LinkedFacets& triangles, std::size_t num_vertices) {
   IdVector<VertexId, Corners> corners(num_vertices);
   Halfedge halfedge = 0;
   for (const Triangle& triangle : triangles.corners) {
     for (const VertexId v : triangle) {
-      require_vertex("good_vertices", v, num_vertices);
+      require_index("good_vertices", "vertex", v.index(), num_vertices);
       corners[v] = {corners[v].count + 1, halfedge++};
     }
   }
@@ -234,7 +228,7 @@ VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::span<const 
   VertexSet flags(num_vertices, 0);
   for (const Triangle& corners : triangles.corners) {
     for (const VertexId v : corners) {
-      require_vertex("vertices_with_umbrella", v, num_vertices);
+      require_index("vertices_with_umbrella", "vertex", v.index(), num_vertices);
       flags[v] = 1;
     }
   }

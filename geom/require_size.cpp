@@ -13,4 +13,10 @@ void require_size(const char* stage, const char* what, std::size_t size, std::si
                    "; give what belongs to the same input");
 }
 
+void refuse_index(const char* stage, const char* what, std::size_t index, std::size_t count) {
+  throw InputError(std::string(stage) + ": there is no " + what + " " + std::to_string(index) +
+                   " among " + std::to_string(count) +
+                   " (from 0 on); give what belongs to the same input");
+}
+
 }  // namespace cocoon

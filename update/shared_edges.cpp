@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
 
 #include "geom/box.h"
 #include "geom/disjoint_sets.h"
-#include "geom/errors.h"
 #include "geom/nearest_point.h"
+#include "geom/require_size.h"
 #include "update/cloud/rim_seams.h"
 #include "update/model/reached_cells.h"
 #include "update/stage_options.h"
@@ -47,10 +46,7 @@ std::vector<Point> samples_near(Points cloud, const std::vector<PlaceBeyond>& pl
 std::vector<std::size_t> mark_shared_edges(std::size_t c, std::span<const Scan> scans,
                                            CloudRim& rim, const SharedEdgeOptions& options) {
   require_options("mark_shared_edges", options);
-  if (c >= scans.size()) {
-    throw InputError("mark_shared_edges: there is no scan " + std::to_string(c) + " among " +
-                     std::to_string(scans.size()));
-  }
+  require_index("mark_shared_edges", "scan", c, scans.size());
   std::vector<std::size_t> others;
   for (std::size_t other = 0; other < scans.size(); ++other) {
     const Scan& scan = scans[other];

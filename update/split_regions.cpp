@@ -5,11 +5,9 @@
 #include <cstdint>
 #include <limits>
 #include <queue>
-#include <string>
 #include <tuple>
 
 #include "geom/box.h"
-#include "geom/errors.h"
 #include "geom/nearest_point.h"
 #include "geom/require_size.h"
 #include "update/cloud/rim_index.h"
@@ -127,9 +125,7 @@ void require_inputs(const ModelIndex& model, const Regions& regions,
                model.mesh().triangles.size());
   require_size("split_regions", "clouds", clouds.size(), rims.size());
   for (const RegionId region : divided) {
-    if (region.index() < regions.regions.size()) continue;
-    throw InputError("split_regions: there is no region " + std::to_string(region.value) +
-                     "; split one of the " + std::to_string(regions.regions.size()));
+    require_index("split_regions", "region", region.index(), regions.regions.size());
   }
 }
 

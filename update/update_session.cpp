@@ -21,6 +21,11 @@ void require(bool condition, const char* what) {
   throw InputError(std::string("session: ") + what + "; start from the points again");
 }
 
+const UpdateOptions& checked(const UpdateOptions& options) {
+  require_options("session", options);
+  return options;
+}
+
 // Zeros may differ in their signs.
 std::array<std::uint64_t, 3> bits_of(const Point& p) {
   return std::bit_cast<std::array<std::uint64_t, 3>>(p);
@@ -73,15 +78,6 @@ void check_snapshot(const SessionSnapshot& snapshot, const Execution& execution)
               surface.point_of_vertex == snapshot.point_of_vertex,
           "the model is not the surface of its points");
 }
-
-namespace {
-
-const UpdateOptions& checked(const UpdateOptions& options) {
-  require_options("session", options);
-  return options;
-}
-
-}  // namespace
 
 UpdateSession::UpdateSession(Points points, const UpdateOptions& options,
                              const Execution& execution, const KnownLabelsSource& known)

@@ -358,9 +358,7 @@ SurfaceDoubts surface_doubts(const ReconstructResult& result, Points points,
   require_amounts("surface_doubts", {{"gap_ratio", options.gap_ratio}});
   require_shares("surface_doubts", {{"fragment_share", options.fragment_share}});
   for (const PointId p : result.point_of_vertex) {
-    if (p.index() >= points.size()) {
-      require_size("surface_doubts", "points", points.size(), p.index() + 1);
-    }
+    require_index("surface_doubts", "point", p.index(), points.size());
   }
   const double scale = working_scale(points, execution);
   if (scale != 1) return scaled_doubts(result, points, scale, options, execution);
