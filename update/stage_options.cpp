@@ -8,6 +8,14 @@
 #include "update/update_model.h"
 
 namespace cocoon {
+namespace {
+
+void require_search(const char* stage, const RimSearch& search) {
+  require_amounts(stage, {{"rho of a rim search", search.rho}});
+  require_cosines(stage, {{"alpha_cosine of a rim search", search.alpha_cosine}});
+}
+
+}  // namespace
 
 void require_options(const char* stage, const AngleOptions& options) {
   require_shares(stage, {{"angles.min_relative_height", options.min_relative_height}});
@@ -18,15 +26,6 @@ void require_options(const char* stage, const ChoiceOptions& options) {
   require_number(stage, "choice.ambiguous_margin", options.ambiguous_margin, 0, std::numbers::pi);
   require_number(stage, "choice.narrow_margin", options.narrow_margin, 0, std::numbers::pi);
 }
-
-namespace {
-
-void require_search(const char* stage, const RimSearch& search) {
-  require_amounts(stage, {{"rho of a rim search", search.rho}});
-  require_cosines(stage, {{"alpha_cosine of a rim search", search.alpha_cosine}});
-}
-
-}  // namespace
 
 void require_options(const char* stage, const CloudSurfaceOptions& options) {
   require_amounts(stage, {{"cloud.stretch_weight", options.stretch_weight},
@@ -90,7 +89,8 @@ void require_options(const char* stage, const OverlapOptions& options) {
 
 void require_options(const char* stage, const OverlookedOptions& options) {
   require_amounts(stage, {{"overlooked.reach", options.reach},
-                          {"overlooked.min_rim_distance", options.min_rim_distance}});
+                          {"overlooked.min_rim_distance", options.min_rim_distance},
+                          {"overlooked.max_kept_share", options.max_kept_share}});
 }
 
 void require_options(const char* stage, const PinHoleOptions& options) {

@@ -37,6 +37,7 @@ const std::vector<Change> wrong = {
     [](UpdateOptions& o) { o.islands.min_normal_cosine = 60; },
     [](UpdateOptions& o) { o.replace.thinning_distance = -1; },
     [](UpdateOptions& o) { o.overlooked.reach = nan; },
+    [](UpdateOptions& o) { o.overlooked.max_kept_share = nan; },
     [](UpdateOptions& o) { o.unscanned.max_explained_share = 2; },
     [](UpdateOptions& o) { o.unused_changes.min_share = nan; },
     [](UpdateOptions& o) { o.contradicted.min_share = -1; },
@@ -67,6 +68,7 @@ TEST(StageOptions, DefaultsAndWhatSwitchesAStageOffAreTaken) {
   options.cloud.layers.spread = 0;
   options.overlap.max_distance = infinity;
   options.cut.max_doubt = infinity;
+  options.overlooked.max_kept_share = infinity;
   options.cloud.max_seam_share = 1;
   EXPECT_NO_THROW(require_options("stage", options));
 }
