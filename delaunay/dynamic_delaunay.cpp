@@ -45,6 +45,8 @@ struct DynamicDelaunay::State {
   void adopt(Triangulation triangulation);
   void require_vertices(std::span<const VertexId> vertices) const;
 
+  void note_corners(CellId c);
+
   void begin_journal();
   void touch(std::span<const CellId> gone, std::span<const CellId> fresh);
   void update_cells_at_vertices();
@@ -84,13 +86,16 @@ void DynamicDelaunay::State::adopt(Triangulation triangulation) {
   cell_at.clear();
   cell_at.reserve(with_room_to_grow(num_vertices));
   cell_at.resize(num_vertices);
-  for (const CellId c : pool.cells.ids()) {
-    for (const VertexId v : pool.cells[c].vertices) {
-      if (v != infinite_vertex) cell_at[v] = c;
-    }
-  }
+  for (const CellId c : pool.cells.ids()) note_corners(c);
   last_created = pool.cells.empty() ? CellId() : CellId(pool.cells.size() - 1);
   inserter.read_points_again();
+}
+
+// c is a cell at each of its vertices.
+void DynamicDelaunay::State::note_corners(CellId c) {
+  for (const VertexId v : pool.cells[c].vertices) {
+    if (v != infinite_vertex) cell_at[v] = c;
+  }
 }
 
 void DynamicDelaunay::State::require_vertices(std::span<const VertexId> vertices) const {
@@ -126,10 +131,7 @@ void DynamicDelaunay::State::touch(std::span<const CellId> gone, std::span<const
 // A vertex whose cell was deleted is in one of the cells that came in its place.
 void DynamicDelaunay::State::update_cells_at_vertices() {
   for (const CellId c : touched) {
-    if (pool.is_free(c)) continue;
-    for (const VertexId v : pool.cells[c].vertices) {
-      if (v != infinite_vertex) cell_at[v] = c;
-    }
+    if (!pool.is_free(c)) note_corners(c);
   }
 }
 
@@ -391,10 +393,7 @@ DynamicDelaunay::Elements DynamicDelaunay::release() && {
 
 void DynamicDelaunay::State::follow(const CellExchange& exchange) {
   for (const CellId c : {exchange.a, exchange.b}) {
-    if (c.index() >= pool.cells.size()) continue;
-    for (const VertexId v : pool.cells[c].vertices) {
-      if (v != infinite_vertex) cell_at[v] = c;
-    }
+    if (c.index() < pool.cells.size()) note_corners(c);
   }
 }
 

@@ -247,6 +247,30 @@ TEST(DynamicDelaunay, IsASet) {
   EXPECT_EQ(dynamic.num_vertices(), 4U);
 }
 
+// Some of them come twice.
+TEST_P(DynamicGallery, VerticesReplacedByThemselvesAreNewVertices) {
+  DynamicDelaunay dynamic;
+  dynamic.insert(GetParam().make());
+  const std::vector<VertexId> removed = patch(dynamic, live_points(dynamic)[0], 150);
+  std::vector<Point> points;
+  for (const VertexId v : removed) points.push_back(dynamic.point(v));
+  const std::size_t twice = points.size() / 3;
+  points.insert(points.end(), points.begin(), points.begin() + static_cast<std::ptrdiff_t>(twice));
+  const std::size_t vertices = dynamic.num_vertices();
+  const auto before = cells_by_slot(dynamic);
+  const DelaunayChange change = dynamic.replace(removed, points);
+  EXPECT_EQ(dynamic.num_vertices(), vertices);
+  EXPECT_EQ(change.removed.size(), removed.size());
+  EXPECT_EQ(change.inserted.size(), removed.size());
+  EXPECT_EQ(change.duplicates, twice);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ASSERT_EQ(dynamic.point(change.vertex_of_point[i]), points[i]);
+  }
+  expect_journal(before, dynamic, change);
+  expect_consistent(dynamic);
+  expect_fresh(dynamic);
+}
+
 TEST(DynamicDelaunay, FreezesWithTheMapOfItsVertices) {
   DynamicDelaunay dynamic(delaunay(gallery::uniform_cube(200)).triangulation);
   dynamic.remove(std::vector{VertexId(7), VertexId(0), VertexId(100)});
