@@ -1,4 +1,5 @@
-# Headers, libraries, the program, and a package that find_package(Cocoon) finds.
+# Headers, libraries, the program, a package that find_package(Cocoon) finds, and the documentation
+# with its examples, in the folders that its links expect.
 include(CMakePackageConfigHelpers)
 
 set(layers geom delaunay cocone update io)
@@ -22,3 +23,10 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/CocoonConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/CocoonConfig.cmake
               ${PROJECT_BINARY_DIR}/CocoonConfigVersion.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Cocoon)
+
+install(FILES LICENSE README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY bench DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md"
+        PATTERN "rivals" EXCLUDE)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.png" PATTERN "examples/*")
