@@ -9,6 +9,7 @@
 #include "geom/edge_components.h"
 #include "geom/median.h"
 #include "update/cloud/area_normals.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -77,6 +78,7 @@ CloudRim cloud_rim(const TriangleMesh& surface, const RimOptions& options) {
 
 CloudRim cloud_rim(const TriangleMesh& surface, const HalfedgeRings& rings,
                    const RimOptions& options) {
+  require_options("cloud_rim", options);
   TriangleMesh mesh = surface;
   // So that the normals around a loop agree.
   const EdgeComponents components = edge_components(mesh, rings);

@@ -88,7 +88,7 @@ struct RimOptions {
 // Result: no loop if the surface is closed, or empty, or if nothing but pin-holes is open.
 // Complexity: O(triangles + vertices + rim log rim). Deterministic: independent of the numbering
 // and orientation of the surface's triangles, up to the sign of normals.
-// Source: Woo & Dey 2005, section 3.2.
+// Errors: InputError for options out of range. Source: Woo & Dey 2005, section 3.2.
 CloudRim cloud_rim(const TriangleMesh& surface, const RimOptions& options = {});
 
 // The same for who has the linked halfedges of the surface.

@@ -10,6 +10,7 @@
 #include "update/cloud/scanned_places.h"
 #include "update/model/reached_cells.h"
 #include "update/model/sample_heights.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -65,6 +66,7 @@ void leave_out_changes(const ModelIndex& model, const Scan& scan, const ScanEndO
 
 bool reaches_beyond(const ModelIndex& model, std::span<const TriangleId> among,
                     std::span<const Scan> scans, const ScanEndOptions& options) {
+  require_options("reaches_beyond", options);
   if (scans.empty()) return false;
   Box box;
   for (const Scan& scan : scans) {
@@ -78,6 +80,7 @@ bool reaches_beyond(const ModelIndex& model, std::span<const TriangleId> among,
 
 std::vector<TriangleId> scan_ends(const ModelIndex& model, std::span<const TriangleId> among,
                                   std::span<const Scan> scans, const ScanEndOptions& options) {
+  require_options("scan_ends", options);
   if (scans.empty() || among.empty()) return {};
   std::vector<TriangleId> around(among.begin(), among.end());
   for (const TriangleId t : among) {

@@ -26,7 +26,8 @@ struct ScanEndOptions {
 // samples around on the model: there the scans end and the model goes on, as at a rim, whether or
 // not their surfaces show one. Where material went or came, the samples leave the model. In the
 // order of ids. Complexity: O(n log n) for the facets of `among` and the samples near them, and a
-// few operations for each sample. Deterministic. Source: ours.
+// few operations for each sample. Deterministic. Errors, of all here: InputError for options out of
+// range. Source: ours.
 std::vector<TriangleId> scan_ends(const ModelIndex& model, std::span<const TriangleId> among,
                                   std::span<const Scan> scans, const ScanEndOptions& options = {});
 

@@ -4,6 +4,7 @@
 
 #include "cocone/facets/stage_inputs.h"
 #include "geom/require_number.h"
+#include "update/report/lost_triangles.h"
 #include "update/stray_samples.h"
 #include "update/update_model.h"
 
@@ -21,6 +22,14 @@ void require_options(const char* stage, const AngleOptions& options) {
   require_shares(stage, {{"angles.min_relative_height", options.min_relative_height}});
 }
 
+void require_options(const char* stage, const AstrayOptions& options) {
+  require_amounts(stage, {{"astray.tolerance", options.tolerance},
+                          {"astray.reach", options.reach},
+                          {"astray.coarse_ratio", options.coarse_ratio}});
+  require_shares(stage, {{"astray.min_lost_share", options.min_lost_share},
+                         {"astray.min_area_share", options.min_area_share}});
+}
+
 void require_options(const char* stage, const ChoiceOptions& options) {
   require_shares(stage, {{"choice.min_edge_share", options.min_edge_share}});
   require_number(stage, "choice.ambiguous_margin", options.ambiguous_margin, 0, std::numbers::pi);
@@ -34,15 +43,12 @@ void require_options(const char* stage, const CloudSurfaceOptions& options) {
                           {"cloud.density.min_ratio", options.density.min_ratio},
                           {"cloud.density.spread", options.density.spread},
                           {"cloud.density.max_stretch", options.density.max_stretch},
-                          {"cloud.layers.spread", options.layers.spread},
-                          {"cloud.trim.max_edge", options.trim.max_edge},
-                          {"cloud.rim.min_outline_share", options.rim.min_outline_share},
-                          {"cloud.seams.reach", options.seams.reach},
-                          {"cloud.seams.min_rim_length", options.seams.min_rim_length}});
+                          {"cloud.layers.spread", options.layers.spread}});
   require_shares(stage, {{"cloud.max_seam_share", options.max_seam_share},
-                         {"cloud.layers.max_seam_share", options.layers.max_seam_share},
-                         {"cloud.seams.max_seam_share", options.seams.max_seam_share}});
-  require_options(stage, options.rim.loops);
+                         {"cloud.layers.max_seam_share", options.layers.max_seam_share}});
+  require_options(stage, options.trim);
+  require_options(stage, options.rim);
+  require_options(stage, options.seams);
   require_search(stage, options.start);
   for (const RimSearch& search : options.finer) require_search(stage, search);
   for (const RimSearch& search : options.coarser) require_search(stage, search);
@@ -57,11 +63,9 @@ void require_options(const char* stage, const CutOptions& options) {
   require_amounts(stage, {{"cut.max_detour", options.max_detour},
                           {"cut.seed_reach", options.seed_reach},
                           {"cut.max_doubt", options.max_doubt},
-                          {"cut.clear_doubt", options.clear_doubt},
-                          {"cut.ends.scanned", options.ends.scanned},
-                          {"cut.ends.off_model", options.ends.off_model},
-                          {"cut.ends.change_reach", options.ends.change_reach}});
+                          {"cut.clear_doubt", options.clear_doubt}});
   require_shares(stage, {{"cut.clear_seam_share", options.clear_seam_share}});
+  require_options(stage, options.ends);
 }
 
 void require_options(const char* stage, const IslandOptions& options) {
@@ -106,6 +110,23 @@ void require_options(const char* stage, const ReplaceOptions& options) {
                           {"replace.scanned.depth_weight", options.scanned.depth_weight}});
 }
 
+void require_options(const char* stage, const RimOptions& options) {
+  require_amounts(stage, {{"cloud.rim.min_outline_share", options.min_outline_share}});
+  require_options(stage, options.loops);
+}
+
+void require_options(const char* stage, const RimSeamOptions& options) {
+  require_amounts(stage, {{"cloud.seams.reach", options.reach},
+                          {"cloud.seams.min_rim_length", options.min_rim_length}});
+  require_shares(stage, {{"cloud.seams.max_seam_share", options.max_seam_share}});
+}
+
+void require_options(const char* stage, const ScanEndOptions& options) {
+  require_amounts(stage, {{"cut.ends.scanned", options.scanned},
+                          {"cut.ends.off_model", options.off_model},
+                          {"cut.ends.change_reach", options.change_reach}});
+}
+
 void require_options(const char* stage, const SharedEdgeOptions& options) {
   require_amounts(stage, {{"shared.reach", options.reach}});
 }
@@ -134,6 +155,10 @@ void require_options(const char* stage, const TornEdgeOptions& options) {
                           {"torn.min_step", options.min_step}});
   require_shares(stage, {{"torn.max_seam_share", options.max_seam_share},
                          {"torn.min_torn_share", options.min_torn_share}});
+}
+
+void require_options(const char* stage, const TrimOptions& options) {
+  require_amounts(stage, {{"cloud.trim.max_edge", options.max_edge}});
 }
 
 void require_options(const char* stage, const UnscannedOptions& options) {

@@ -4,6 +4,7 @@
 namespace cocoon {
 
 struct AngleOptions;
+struct AstrayOptions;
 struct ChoiceOptions;
 struct CloudSurfaceOptions;
 struct ContradictedOptions;
@@ -14,11 +15,15 @@ struct OverlapOptions;
 struct OverlookedOptions;
 struct PinHoleOptions;
 struct ReplaceOptions;
+struct RimOptions;
+struct RimSeamOptions;
+struct ScanEndOptions;
 struct SharedEdgeOptions;
 struct ShiftOptions;
 struct SplitOptions;
 struct StrayOptions;
 struct TornEdgeOptions;
+struct TrimOptions;
 struct UnscannedOptions;
 struct UnusedChangeOptions;
 struct UpdateOptions;
@@ -27,6 +32,7 @@ struct UpdateOptions;
 // more (infinity, too), shares of a whole from 0 to 1, cosines from -1 to 1, and margins from 0 to
 // pi. Complexity: O(1).
 void require_options(const char* stage, const AngleOptions& options);
+void require_options(const char* stage, const AstrayOptions& options);
 void require_options(const char* stage, const ChoiceOptions& options);
 void require_options(const char* stage, const CloudSurfaceOptions& options);
 void require_options(const char* stage, const ContradictedOptions& options);
@@ -37,11 +43,15 @@ void require_options(const char* stage, const OverlapOptions& options);
 void require_options(const char* stage, const OverlookedOptions& options);
 void require_options(const char* stage, const PinHoleOptions& options);
 void require_options(const char* stage, const ReplaceOptions& options);
+void require_options(const char* stage, const RimOptions& options);
+void require_options(const char* stage, const RimSeamOptions& options);
+void require_options(const char* stage, const ScanEndOptions& options);
 void require_options(const char* stage, const SharedEdgeOptions& options);
 void require_options(const char* stage, const ShiftOptions& options);
 void require_options(const char* stage, const SplitOptions& options);
 void require_options(const char* stage, const StrayOptions& options);
 void require_options(const char* stage, const TornEdgeOptions& options);
+void require_options(const char* stage, const TrimOptions& options);
 void require_options(const char* stage, const UnscannedOptions& options);
 void require_options(const char* stage, const UnusedChangeOptions& options);
 // Of all stages of an update.

@@ -1,11 +1,23 @@
 #include "update/stage_options.h"
 
+#include <functional>
 #include <gtest/gtest.h>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "geom/errors.h"
+#include "tests/mesh_gallery.h"
+#include "update/cloud/rim_seams.h"
+#include "update/cloud/torn_edges.h"
+#include "update/cloud/trim_long_edges.h"
+#include "update/report/contradicted_samples.h"
+#include "update/report/lost_triangles.h"
+#include "update/report/overlooked_vertices.h"
+#include "update/report/rim_shift.h"
+#include "update/report/unscanned_losses.h"
+#include "update/report/unused_changes.h"
+#include "update/scan_ends.h"
 #include "update/stray_samples.h"
 #include "update/update_model.h"
 #include "update/update_session.h"
@@ -25,13 +37,17 @@ const std::vector<Change> wrong = {
     [](UpdateOptions& o) { o.cloud.start.rho = nan; },
     [](UpdateOptions& o) { o.cloud.coarser.back().alpha_cosine = 30; },
     [](UpdateOptions& o) { o.cloud.layers.spread = nan; },
+    [](UpdateOptions& o) { o.cloud.trim.max_edge = nan; },
+    [](UpdateOptions& o) { o.cloud.rim.min_outline_share = -1; },
     [](UpdateOptions& o) { o.cloud.rim.loops.min_component_share = -0.1; },
+    [](UpdateOptions& o) { o.cloud.seams.max_seam_share = 2; },
     [](UpdateOptions& o) { o.pin_holes.max_distance = nan; },
     [](UpdateOptions& o) { o.torn.reach = -1; },
     [](UpdateOptions& o) { o.overlap.min_normal_cosine = 67.5; },
     [](UpdateOptions& o) { o.split.max_reach = nan; },
     [](UpdateOptions& o) { o.shared.reach = -1; },
     [](UpdateOptions& o) { o.cut.max_doubt = nan; },
+    [](UpdateOptions& o) { o.cut.ends.off_model = nan; },
     [](UpdateOptions& o) { o.angles.min_relative_height = 2; },
     [](UpdateOptions& o) { o.choice.ambiguous_margin = 10; },  // degrees
     [](UpdateOptions& o) { o.islands.min_normal_cosine = 60; },
@@ -58,6 +74,38 @@ TEST(StageOptions, OneNumberOutOfRangeIsRefusedBeforeAnythingBegins) {
     }
     EXPECT_THROW(UpdateSession(TriangleMesh(), options), InputError) << i;
   }
+}
+
+// What an experimenter calls alone says which stage it was.
+void expect_refused(const std::string& stage, const std::function<void()>& call) {
+  try {
+    call();
+    ADD_FAILURE() << stage;
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with(stage + ": ")) << error.what();
+  }
+}
+
+TEST(StageOptions, StagesCalledAloneRefuseThemToo) {
+  const TriangleMesh mesh = gallery::tetrahedron();
+  const ModelIndex model(mesh);
+  CloudRim rim;
+  const std::vector<Scan> scans(1);
+  expect_refused("cloud_rim", [&] { cloud_rim(mesh, {.loops = {}, .min_outline_share = -1}); });
+  expect_refused("mark_rim_seams", [&] { mark_rim_seams({}, rim, {.reach = nan}); });
+  expect_refused("mark_torn_edges", [&] { mark_torn_edges(model, {}, rim, {.reach = nan}); });
+  expect_refused("trim_long_edges", [&] { trim_long_edges(mesh, {.max_edge = nan}); });
+  expect_refused("scan_ends", [&] { scan_ends(model, {}, scans, {.scanned = nan}); });
+  expect_refused("reaches_beyond", [&] { reaches_beyond(model, {}, scans, {.scanned = nan}); });
+  expect_refused("rim_shift", [&] { rim_shift(model, rim, {}, {.max_residual = nan}); });
+  expect_refused("overlooked_vertices",
+                 [&] { overlooked_vertices(model, {}, {}, {}, {.reach = nan}); });
+  expect_refused("unused_changes", [&] { unused_changes(model, {}, {}, {.off_model = nan}); });
+  expect_refused("unscanned_losses",
+                 [&] { unscanned_losses(model, {}, scans, false, {.reach = nan}); });
+  expect_refused("contradicted_samples", [&] { contradicted_samples({}, {}, {.reach = nan}); });
+  expect_refused("astray_triangles",
+                 [&] { astray_triangles(mesh, {}, mesh, scans, {.tolerance = nan}); });
 }
 
 TEST(StageOptions, DefaultsAndWhatSwitchesAStageOffAreTaken) {

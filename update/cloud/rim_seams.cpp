@@ -8,6 +8,7 @@
 
 #include "geom/nearest_point.h"
 #include "update/model/reached_cells.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -89,6 +90,7 @@ Point place_beyond(const RimLoop& loop, std::size_t i, double spacing) {
 }
 
 void mark_rim_seams(Points cloud, CloudRim& rim, const RimSeamOptions& options) {
+  require_options("mark_rim_seams", options);
   const std::vector<Point> samples = samples_beyond(cloud, rim, options.reach);
   std::optional<NearestPointTree> tree;
   if (!samples.empty()) tree.emplace(samples);

@@ -31,7 +31,8 @@ struct RimSeamOptions {
 // edges: 0 to 30 % such edges on loops where the cloud ends, 55 to 100 % on seams. But a seam that
 // runs into the rim is one loop with it, and where the surface is torn from one side to the other,
 // that is the only rim there is. Complexity: O(cloud + rim log(rim)). Deterministic. Source: ours;
-// Woo & Dey 2005, section 3.2 takes every loop of boundary edges.
+// Woo & Dey 2005, section 3.2 takes every loop of boundary edges. Errors: InputError for options
+// out of range.
 void mark_rim_seams(Points cloud, CloudRim& rim, const RimSeamOptions& options = {});
 
 // Where cloud beyond edge i would lie: one spacing outward from its middle, in the plane of its

@@ -8,6 +8,7 @@
 #include "update/cloud/rim_seams.h"
 #include "update/model/reached_cells.h"
 #include "update/model/sample_heights.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -156,6 +157,7 @@ std::vector<std::size_t> count_torn(const ModelIndex& model,
 
 void mark_torn_edges(const ModelIndex& model, std::span<const std::vector<Point>> clouds,
                      CloudRim& rim, const TornEdgeOptions& options) {
+  require_options("mark_torn_edges", options);
   if (rim.loops.size() < 2) return;  // a rim has to be left
   const std::vector<std::size_t> torn = count_torn(model, clouds, rim, options);
   std::vector<std::size_t> seams;

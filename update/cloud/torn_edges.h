@@ -34,7 +34,8 @@ struct TornEdgeOptions {
 // on the model, as that around a hole in the scan does; but there all samples near by lie on the
 // model, too. The other side of the same tear is the upper edge of the wall: off the model, with
 // samples beyond it that lie on it. Complexity: O(n) for n samples, O(m log m) for the m of them
-// near the rim, and what NearFacets takes for those beyond it. Deterministic. Source: ours.
+// near the rim, and what NearFacets takes for those beyond it. Deterministic.
+// Errors: InputError for options out of range. Source: ours.
 void mark_torn_edges(const ModelIndex& model, std::span<const std::vector<Point>> clouds,
                      CloudRim& rim, const TornEdgeOptions& options = {});
 

@@ -11,6 +11,7 @@
 #include "geom/median.h"
 #include "geom/sort_ids.h"
 #include "geom/triangles_at_vertices.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -223,6 +224,7 @@ std::size_t mark_from_rim(const HalfedgeRings& rings, const HalfedgeFlags& is_lo
 }  // namespace
 
 TrimmedSurface trim_long_edges(TriangleMesh surface, const TrimOptions& options) {
+  require_options("trim_long_edges", options);
   TrimmedSurface result;
   HalfedgeRings rings = link_halfedges(surface);
   const HalfedgeFlags is_long =

@@ -31,7 +31,7 @@ struct TrimmedSurface {
 // cloud has no feature, so a slot or hole in it is bridged at any rho (longest edge 5 to 38 medians
 // at rho 0.83, 1 to 8 at 0.13). Complexity: O(triangles): the spacing is looked at only
 // where an edge is long beside the shortest one around.
-// Source: ours; not in Woo & Dey 2005.
+// Errors: InputError for options out of range. Source: ours; not in Woo & Dey 2005.
 TrimmedSurface trim_long_edges(TriangleMesh surface, const TrimOptions& options = {});
 
 }  // namespace cocoon

@@ -1,11 +1,13 @@
 #include "update/report/contradicted_samples.h"
 
 #include "geom/box_tree.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
 ContradictedSamples contradicted_samples(const Scan& scan, std::span<const Point> contradicted,
                                          const ContradictedOptions& options) {
+  require_options("contradicted_samples", options);
   ContradictedSamples found{contradicted.size(), scan.samples.size(), {}};
   if (!found.is_doubtful(options)) return found;
   const BoxTree tree = tree_of_points(contradicted);

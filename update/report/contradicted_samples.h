@@ -32,7 +32,8 @@ struct ContradictedSamples {
 // `contradicted`: those samples of the scan that are among ReconstructResult::contradicted. Why:
 // where walls are closer together than the samples are dense, good samples tell both inside and
 // outside of one place, and the surface is a guess there. Only the place costs time: O(n log n) for
-// n contradicted samples, and what lies within reach of each. Deterministic. Source: ours.
+// n contradicted samples, and what lies within reach of each. Deterministic. Errors: InputError
+// for options out of range. Source: ours.
 ContradictedSamples contradicted_samples(const Scan& scan, std::span<const Point> contradicted,
                                          const ContradictedOptions& options = {});
 

@@ -6,6 +6,7 @@
 #include "geom/median.h"
 #include "geom/triangles_by_area.h"
 #include "update/cloud/scanned_places.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -28,6 +29,7 @@ LostTriangles lost_triangles(const TriangleMesh& model,
 AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const TriangleId> triangles,
                                  const TriangleMesh& updated, std::span<const Scan> scans,
                                  const AstrayOptions& options) {
+  require_options("astray_triangles", options);
   const ClosestFacetTree tree(updated);
   ScannedPlaces scanned;
   for (const Scan& scan : scans) scanned.add(scan.samples, options.reach * scan.spacing);

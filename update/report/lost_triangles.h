@@ -54,7 +54,7 @@ struct AstrayTriangles {
 // Those of `triangles` whose middles are off the updated mesh although nothing was scanned there.
 // From the few vertices of a mesh with large triangles, as CAD programs give, another shape is
 // made. Complexity: O(t log t + t log n) for n samples. Precondition: `updated` has triangles.
-// Source: ours.
+// Errors: InputError for options out of range. Source: ours.
 AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const TriangleId> triangles,
                                  const TriangleMesh& updated, std::span<const Scan> scans,
                                  const AstrayOptions& options = {});

@@ -2,6 +2,7 @@
 
 #include "update/cloud/rim_index.h"
 #include "update/cloud/scanned_places.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -9,6 +10,7 @@ OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacemen
                                        std::span<const CloudRim> rims,
                                        std::span<const std::vector<Point>> clouds,
                                        const OverlookedOptions& options) {
+  require_options("overlooked_vertices", options);
   const RimIndex rim_index(rims);
   if (rim_index.empty()) return {};
   ScannedPlaces scanned;

@@ -52,7 +52,8 @@ struct OverlookedVertices {
 // thin plate's scan that is torn at the mouths of a hole, no vertex is far from it, but many of the
 // scanned ones stay.
 // rims[i] belongs to clouds[i]; those that formed the border.
-// Complexity: O(v + n log n) for v vertices and n samples. Deterministic. Source: ours.
+// Complexity: O(v + n log n) for v vertices and n samples. Deterministic. Errors: InputError for
+// options out of range. Source: ours.
 OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacement& replacement,
                                        std::span<const CloudRim> rims,
                                        std::span<const std::vector<Point>> clouds,

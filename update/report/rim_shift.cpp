@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "update/stage_options.h"
+
 namespace cocoon {
 namespace {
 
@@ -34,6 +36,7 @@ std::vector<Height> heights_of(const ModelIndex& model, const CloudRim& rim,
 
 double rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
                  const ShiftOptions& options) {
+  require_options("rim_shift", options);
   const std::vector<Height> heights = heights_of(model, rim, overlap);
   if (heights.size() < options.min_points) return 0;
   const auto all = static_cast<double>(heights.size());

@@ -29,7 +29,8 @@ struct ShiftOptions {
 // their facets, in units of the coordinates: least squares of dot(n, t) - height, in rounds. Where
 // a cloud was moved along the surface most of its rim still lies on the model; the places where the
 // surface turns tell. 0 if too few points are matched or agree.
-// Complexity: O(rim). Deterministic, but for roundings, whatever the order of the loops.
+// Complexity: O(rim). Deterministic, but for roundings, whatever the order of the loops. Errors:
+// InputError for options out of range.
 // Source: ours; point-to-plane registration (Chen & Medioni 1992) without rotation.
 double rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
                  const ShiftOptions& options = {});

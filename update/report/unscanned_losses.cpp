@@ -11,6 +11,7 @@
 #include "update/model/mean_at_vertex.h"
 #include "update/model/reached_cells.h"
 #include "update/model/sample_heights.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -151,6 +152,7 @@ std::vector<VertexId> lost_vertices(const ModelIndex& model, const Replacement& 
 UnscannedLosses unscanned_losses(const ModelIndex& model, std::span<const VertexId> lost,
                                  std::span<const Scan> scans, bool lost_handles,
                                  const UnscannedOptions& options) {
+  require_options("unscanned_losses", options);
   UnscannedLosses result;
   const std::vector<Loss> losses = far_from_samples(model, lost, scans, options.reach);
   result.far = losses.size();

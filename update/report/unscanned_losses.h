@@ -52,7 +52,8 @@ struct UnscannedLosses {
 // under the cloud, an island in a scan whose rim was not found, what was left over and no longer
 // makes a surface. Vertices that hang together by edges of the model went for one reason.
 // Complexity: O(n log n) for n samples, lost vertices and their triangles, if there are any; what
-// NearFacets takes if any is far. Deterministic. Source: ours.
+// NearFacets takes if any is far. Deterministic. Errors: InputError for options out of range.
+// Source: ours.
 UnscannedLosses unscanned_losses(const ModelIndex& model, std::span<const VertexId> lost,
                                  std::span<const Scan> scans, bool lost_handles,
                                  const UnscannedOptions& options = {});

@@ -4,6 +4,7 @@
 
 #include "geom/box_tree.h"
 #include "update/model/sample_heights.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -26,6 +27,7 @@ std::vector<Point> without_strays(const std::vector<Point>& samples, std::size_t
 UnusedChanges unused_changes(const ModelIndex& model, std::span<const Scan> scans,
                              std::span<const std::vector<Point>> unused,
                              const UnusedChangeOptions& options) {
+  require_options("unused_changes", options);
   UnusedChanges changes;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     if (unused[i].size() <= options.neighbors) continue;
