@@ -67,12 +67,6 @@ struct Worst {
   }
 };
 
-std::vector<Point> wrong_points(const SampleModel& sample) {
-  std::vector<Point> points;
-  for (const PointId p : sample.replaced) points.push_back(sample.initial[p.index()]);
-  return points;
-}
-
 double cloud_spacing(const std::vector<Point>& cloud) {
   const CloudSurface surface = cloud_surface(cloud);
   return mesh_measure(surface.mesh).edge_lengths.median;
@@ -89,8 +83,7 @@ void run(const SampleModel& sample, const TriangleMesh& model, std::uint64_t see
                                  .seed = ++cloud_seed});
   }
   const UpdateResult result = update_model(model, clouds);
-  const ref::UpdateScore score =
-      ref::score_update(model, result, wrong_points(sample), sample.truth, {.samples = 50000});
+  const ref::UpdateScore score = ref::score_update(model, result, sample, {.samples = 50000});
   if (result.status != UpdateStatus::ok) {
     std::printf("  seed %d: %s\n", static_cast<int>(seed), result.message.c_str());
   } else if (score.precision() < 0.995 || score.recall() < 0.995 || !score.right_topology() ||

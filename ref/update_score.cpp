@@ -57,4 +57,12 @@ UpdateScore score_update(const TriangleMesh& model, const UpdateResult& result, 
   return score;
 }
 
+UpdateScore score_update(const TriangleMesh& model, const UpdateResult& result,
+                         const SampleModel& sample, const SurfaceDistanceOptions& options,
+                         const Execution& execution) {
+  std::vector<Point> wrong;
+  for (const PointId p : sample.replaced) wrong.push_back(sample.initial[p.index()]);
+  return score_update(model, result, wrong, sample.truth, options, execution);
+}
+
 }  // namespace cocoon::ref

@@ -7,6 +7,7 @@
 #include "geom/execution.h"
 #include "geom/surface_distance.h"
 #include "geom/triangle_mesh.h"
+#include "io/sample_models.h"
 #include "update/update_model.h"
 
 namespace cocoon::ref {
@@ -42,6 +43,11 @@ struct UpdateScore {
 // Complexity: O((n + samples) log n). Deterministic.
 UpdateScore score_update(const TriangleMesh& model, const UpdateResult& result, Points wrong_points,
                          const TriangleMesh& truth, const SurfaceDistanceOptions& options = {},
+                         const Execution& execution = {});
+
+// The same for a model that is a mesh of sample.initial.
+UpdateScore score_update(const TriangleMesh& model, const UpdateResult& result,
+                         const SampleModel& sample, const SurfaceDistanceOptions& options = {},
                          const Execution& execution = {});
 
 }  // namespace cocoon::ref

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "geom/errors.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon::app {
 namespace {

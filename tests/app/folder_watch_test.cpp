@@ -8,7 +8,7 @@
 
 #include "geom/errors.h"
 #include "tests/file_permissions.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon::app {
 namespace {

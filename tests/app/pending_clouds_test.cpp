@@ -10,7 +10,7 @@
 #include "io/byte_order.h"
 #include "io/file_bytes.h"
 #include "io/summed_file.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon::app {
 namespace {

@@ -10,7 +10,7 @@
 #include "io/file_bytes.h"
 #include "io/summed_file.h"
 #include "tests/cocone/sample_shapes.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon::app {
 namespace {

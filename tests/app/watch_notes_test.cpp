@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geom/errors.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon::app {
 namespace {

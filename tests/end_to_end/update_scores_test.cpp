@@ -29,12 +29,6 @@ struct ScoredModel {
 };
 void PrintTo(const ScoredModel& model, std::ostream* out) { *out << model.name; }
 
-std::vector<Point> wrong_points(const SampleModel& sample) {
-  std::vector<Point> points;
-  for (const PointId p : sample.replaced) points.push_back(sample.initial[p.index()]);
-  return points;
-}
-
 // The clouds with registration and noise as shares of their own spacing.
 Clouds scanned_badly(Clouds clouds, double registration, double noise) {
   std::uint64_t seed = 77;
@@ -61,8 +55,7 @@ TEST_P(UpdateScores, ReplaceWhatIsWrongAndNothingElse) {
     EXPECT_EQ(result.regions.regions.size(), scored.groups);
     EXPECT_EQ(result.replaced_groups.size(), scored.groups - 1);
     for (const CloudReport& cloud : result.clouds) EXPECT_GT(cloud.margin_deg, 120);
-    const ref::UpdateScore score =
-        ref::score_update(model, result, wrong_points(sample), sample.truth, {.samples = 20000});
+    const ref::UpdateScore score = ref::score_update(model, result, sample, {.samples = 20000});
     EXPECT_GE(score.precision(), least);
     EXPECT_GE(score.recall(), least);
     EXPECT_EQ(score.moved, 0U);
@@ -102,8 +95,7 @@ TEST(UpdateScore, ATornFilletDoesNotLeadTheRimAstray) {
       sample_model("block", {.points = 1797, .cloud_points = 3446, .seed = 7});
   const TriangleMesh model = reconstruct_tight(sample.initial).mesh;
   const UpdateResult result = update_model(model, sample.clouds);
-  const ref::UpdateScore score =
-      ref::score_update(model, result, wrong_points(sample), sample.truth, {.samples = 10000});
+  const ref::UpdateScore score = ref::score_update(model, result, sample, {.samples = 10000});
   EXPECT_GE(score.precision(), 0.99);
   EXPECT_GE(score.recall(), 0.99);
   EXPECT_TRUE(score.right_topology());

@@ -18,7 +18,7 @@
 #include "io/stl.h"
 #include "io/xyz.h"
 #include "tests/fuzz/fuzz_target.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon::fuzz {
 

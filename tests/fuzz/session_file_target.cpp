@@ -11,7 +11,7 @@
 #include "io/byte_order.h"
 #include "io/summed_file.h"
 #include "tests/fuzz/fuzz_target.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "update/update_session.h"
 
 namespace cocoon::fuzz {

@@ -10,7 +10,7 @@
 #include "io/byte_order.h"
 #include "io/triangulation_file.h"
 #include "tests/fuzz/fuzz_target.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon::fuzz {
 

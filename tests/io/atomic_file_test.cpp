@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "geom/errors.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon {
 namespace {
@@ -43,7 +43,7 @@ TEST(AtomicFile, AppearsCompleteAndAlone) {
     file.commit();
   }
   EXPECT_EQ(content_of(folder / "a.txt"), content);
-  EXPECT_EQ(folder.num_files(), 1U);
+  EXPECT_EQ(folder.names().size(), 1U);
 }
 
 TEST(AtomicFile, AnExceptionInTheMiddleLeavesTheOldFileAndNothingElse) {
@@ -56,7 +56,7 @@ TEST(AtomicFile, AnExceptionInTheMiddleLeavesTheOldFileAndNothingElse) {
   };
   EXPECT_THROW(write_half(), std::runtime_error);
   EXPECT_EQ(content_of(folder / "a.txt"), "old");
-  EXPECT_EQ(folder.num_files(), 1U);
+  EXPECT_EQ(folder.names().size(), 1U);
 }
 
 // Where the file system has no files without a name, it does not hold.
@@ -78,7 +78,7 @@ TEST(AtomicFile, AKilledProcessLeavesTheOldFileAndNothingElse) {
   ::waitpid(child, &status, 0);
   EXPECT_TRUE(WIFSIGNALED(status));
   EXPECT_EQ(content_of(folder / "a.txt"), "old");
-  EXPECT_EQ(folder.num_files(), 1U);
+  EXPECT_EQ(folder.names().size(), 1U);
 }
 
 TEST(AtomicFile, NewFilesFollowTheUmaskAndReplacedOnesKeepTheirPermissions) {
@@ -184,7 +184,7 @@ TEST(FileBatch, FilesAppearTogether) {
   batch.commit();
   EXPECT_EQ(content_of(folder / "a.txt"), "new");
   EXPECT_EQ(content_of(folder / "b.txt"), "also new");
-  EXPECT_EQ(folder.num_files(), 2U);
+  EXPECT_EQ(folder.names().size(), 2U);
 }
 
 TEST(FileBatch, WithoutCommitNothingStays) {
@@ -196,7 +196,7 @@ TEST(FileBatch, WithoutCommitNothingStays) {
     EXPECT_EQ(content_of(folder / "a.txt"), "old");
   }
   EXPECT_EQ(content_of(folder / "a.txt"), "old");
-  EXPECT_EQ(folder.num_files(), 1U);
+  EXPECT_EQ(folder.names().size(), 1U);
 }
 
 TEST(FileBatch, ATargetThatCannotBeReplacedIsNamedAndLeavesNoTemporary) {
@@ -210,7 +210,7 @@ TEST(FileBatch, ATargetThatCannotBeReplacedIsNamedAndLeavesNoTemporary) {
               ": cannot be replaced (Is a directory); check the folder, its permissions and the "
               "free space");
   }
-  EXPECT_EQ(folder.num_files(), 1U);
+  EXPECT_EQ(folder.names().size(), 1U);
 }
 
 // The temporary's name is longer than the target's.
@@ -235,7 +235,7 @@ TEST(AtomicFile, ADiskThatFillsUpLeavesTheOldFile) {
   });
   EXPECT_EQ(code, 7);
   EXPECT_EQ(content_of(folder / "a.txt"), "old");
-  EXPECT_EQ(folder.num_files(), 1U);
+  EXPECT_EQ(folder.names().size(), 1U);
 }
 
 TEST(AtomicFile, PipesAreWrittenDirectly) {

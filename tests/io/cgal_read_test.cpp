@@ -6,7 +6,7 @@
 #include <string>
 
 #include "io/mesh_file.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "io/mesh_file.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon {
 namespace {

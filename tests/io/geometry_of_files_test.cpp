@@ -13,7 +13,7 @@
 #include "io/polyline_file.h"
 #include "io/triangulate_polygon.h"
 #include "io/weld_points.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon {
 namespace {
@@ -150,7 +150,7 @@ TEST(PolylineFile, LoopsAreClosedAndOnlyTheirPointsAreWritten) {
   EXPECT_THROW(write_polylines(folder / "a.ply", points, loops), FileError);
   const std::vector<std::vector<VertexId>> wrong = {{VertexId(5)}};
   EXPECT_THROW(write_polylines(folder / "b.obj", points, wrong), FileError);
-  EXPECT_EQ(folder.num_files(), 1U);
+  EXPECT_EQ(folder.names().size(), 1U);
 }
 
 TEST(Base64, VectorsOfRfc4648) {

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "geom/errors.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon {
 namespace {
@@ -45,7 +45,7 @@ TEST(LockFile, OfAKilledProcessIsTakenOver) {
   ::waitpid(child, nullptr, 0);
   EXPECT_TRUE(std::filesystem::exists(folder / "a.lock"));
   { const LockFile lock(folder / "a"); }
-  EXPECT_EQ(folder.num_files(), 0U);
+  EXPECT_EQ(folder.names().size(), 0U);
 }
 
 // Also if the file does not exist yet.
@@ -62,7 +62,7 @@ TEST(LockFile, IsOnTheFileBehindSymbolicLinks) {
       EXPECT_EQ(message_of<FileError>(other, [&] { const LockFile second(other); }), in_use);
     }
   }
-  EXPECT_EQ(elsewhere.num_files(), 1U);
+  EXPECT_EQ(elsewhere.names().size(), 1U);
 }
 
 TEST(LockFile, FoldersThatAreMissingAreNamed) {

@@ -5,7 +5,7 @@
 #include "io/byte_order.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon {
 namespace {

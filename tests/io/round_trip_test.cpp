@@ -9,7 +9,7 @@
 
 #include "io/mesh_file.h"
 #include "io/point_file.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon {
 namespace {
@@ -135,7 +135,7 @@ TEST(RoundTrip, WhatNoFloatHoldsIsRefusedAndTheOldFileStays) {
     EXPECT_THROW(write_mesh(folder / name, mesh, {.single_precision = true}), FileError) << name;
     EXPECT_EQ(content_of(folder / name), "old") << name;
   }
-  EXPECT_EQ(folder.num_files(), 2U);
+  EXPECT_EQ(folder.names().size(), 2U);
 }
 
 TEST(RoundTrip, EmptyMeshesWhereTheFormatCanSayIt) {
@@ -159,7 +159,7 @@ TEST(RoundTrip, NothingIsWrittenThatCouldNotBeRead) {
   mesh.triangles.push_back({VertexId(0), VertexId(1), VertexId(3)});
   EXPECT_EQ(message_of<FileError>(folder / "a.ply", [&] { write_mesh(folder / "a.ply", mesh); }),
             ": not written: triangle 0 has a corner that is no vertex");
-  EXPECT_EQ(folder.num_files(), 0U);
+  EXPECT_EQ(folder.names().size(), 0U);
 }
 
 TEST(RoundTrip, UnknownExtensionsAreRefusedBeforeAnythingHappens) {

@@ -11,7 +11,7 @@
 
 #include "geom/errors.h"
 #include "geom/random.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon {
 namespace {

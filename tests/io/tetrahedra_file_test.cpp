@@ -11,7 +11,7 @@
 #include "delaunay/delaunay.h"
 #include "geom/errors.h"
 #include "geom/orient3d.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon {
 namespace {
@@ -209,13 +209,13 @@ TEST(TetrahedraFile, RefusesValuesThatDoNotFit) {
   const std::span<const double> fit = std::span(all).first(triangulation.num_finite_cells());
   EXPECT_THROW(write_tetrahedra(folder / "a.vtu", triangulation, {{}, {{"a<b", fit}}}), InputError);
   EXPECT_THROW(write_tetrahedra(folder / "a.mesh", triangulation, {{}, {{"a", fit}}}), InputError);
-  EXPECT_EQ(folder.num_files(), 0U);
+  EXPECT_EQ(folder.names().size(), 0U);
 }
 
 TEST(TetrahedraFile, RefusesOtherExtensions) {
   const TemporaryFolder folder;
   EXPECT_THROW(write_tetrahedra(folder / "a.ply", Triangulation()), FileError);
-  EXPECT_EQ(folder.num_files(), 0U);
+  EXPECT_EQ(folder.names().size(), 0U);
 }
 
 }  // namespace

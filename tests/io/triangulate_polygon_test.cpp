@@ -11,7 +11,7 @@
 
 #include "geom/orient3d.h"
 #include "io/mesh_file.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon {
 namespace {

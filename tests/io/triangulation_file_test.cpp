@@ -17,7 +17,7 @@
 #include "geom/errors.h"
 #include "geom/random.h"
 #include "tests/gallery.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon {
 namespace {
@@ -49,7 +49,7 @@ TEST(TriangulationFile, ComesBackAsItWas) {
     save_triangulation(folder / "t.dt", original);
     expect_equal(load_triangulation(folder / "t.dt"), original);
     expect_equal(load_triangulation(folder / "t.dt", {.certify = true}), original);
-    EXPECT_EQ(folder.num_files(), 1U);
+    EXPECT_EQ(folder.names().size(), 1U);
   }
 }
 

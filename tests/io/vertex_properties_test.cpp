@@ -12,7 +12,7 @@
 #include "io/byte_order.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cocoon {
 namespace {
@@ -214,7 +214,7 @@ TEST(VertexProperties, AMeshIsNotWrittenWithRowsOfAnother) {
   const TriangleMesh mesh = {IdVector<VertexId, Point>(3), {}};
   const VertexProperties two = {2, {column("t", PlyType::uint8, "\1\2")}, {}};
   EXPECT_THROW(write_mesh(folder / "a.ply", mesh, two), FileError);
-  EXPECT_EQ(folder.num_files(), 0U);
+  EXPECT_EQ(folder.names().size(), 0U);
 }
 
 TEST(VertexProperties, OfTheCallersOwnComeBack) {
