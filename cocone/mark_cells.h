@@ -28,7 +28,7 @@ struct CellMarks {
   IdVector<CellId, CellLabel> labels;
   VertexSet good;                // vertices that may tell the sides of the surface apart
   VertexSet visited;             // good vertices that have done so
-  std::vector<VertexId> folded;  // closed umbrellas at folds (umbrella.h); increasing
+  std::vector<VertexId> folded;  // closed umbrellas at folds or creases (umbrella.h); increasing
   // Labels told beforehand (known_labels.h); empty if there are none, or if they were not asked
   // for.
   IdVector<CellId, CellLabel> known;

@@ -48,7 +48,8 @@ struct RegionVerdict {
 
 struct CloudChoice {
   std::vector<RegionVerdict> regions;  // those it saw, in the order of ids
-  // Smallest difference between the extreme means of a loop, radians; pi if no loop decided.
+  // Smallest difference between the extreme means of a loop, radians; pi if no loop decided. Of a
+  // cloud that `decided` tells about see choose_regions().
   double margin = std::numbers::pi;
 };
 
@@ -71,10 +72,10 @@ struct RegionChoice {
 // `loops`: one entry per loop of any cloud, with its cloud set; `num_clouds` sets the length of the
 // result's list. decided[c], where it is given and not empty, says which regions lie under cloud c
 // (cut_regions.h): then its loops decide nothing, and its margin is by how much the mean angle of
-// its regions outside is larger. Errors: InputError unless all entries have the same number of
-// regions, the share is one (0 to 1) and the margins are angles (0 to pi). Complexity: O(loops *
-// regions). Source: Woo & Dey 2005, section 3.4, angle condition; several loops: their airbag
-// example.
+// its regions outside is larger. Errors: InputError unless all entries, and those of `decided`,
+// have the same number of regions, their clouds are below num_clouds, the share is one (0 to 1) and
+// the margins are angles (0 to pi). Complexity: O(loops * regions). Source: Woo & Dey 2005, section
+// 3.4, angle condition; several loops: their airbag example.
 RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num_clouds,
                             const ChoiceOptions& options = {},
                             std::span<const IdVector<RegionId, std::uint8_t>> decided = {});

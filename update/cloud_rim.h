@@ -63,10 +63,10 @@ struct CloudRim {
   std::size_t seam_loops = 0;        // taken out by mark_rim_seams()
   std::size_t seamed_loops = 0;      // left in by it, though they are seams for the most part
   std::size_t rim_edges = 0;         // of all loops that it looked at
-  std::size_t seam_edges = 0;        // of these, edges with cloud beyond them
+  std::size_t seam_edges = 0;        // of these, edges with cloud beyond them; and torn_edges
   std::size_t non_orientable = 0;    // one-sided parts: their normals are not reliable
 
-  std::size_t torn_edges = 0;    // of them, those that mark_torn_edges() marked
+  std::size_t torn_edges = 0;    // that mark_torn_edges() found torn, on loops that are seams by it
   std::size_t shared_edges = 0;  // marked by mark_shared_edges()
 
   // Whether parts of it are no end of what was scanned: the surface of the cloud broke up somewhere

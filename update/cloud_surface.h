@@ -107,22 +107,27 @@ struct CloudSurface {
   }
 };
 
-// Reconstructs `cloud` alone. One triangulation and one set of poles and cocones serve all trials:
-// only the labels of samples and what follows from them differ. The first trial is taken if it
-// finds a rim with at most max_seam_share seams. If it finds none, the finer ones follow up to the
-// first that does; if it has too many seams or no surface, the coarser ones up to the first that
-// is good enough; if none is, the one whose rim is the least doubtful: with the smallest sum of its
-// share of seams and stretch_weight (stretch - 1).
-// If the samples lie in rows by the first surface, all trials look at those that thin_out_rows()
-// keeps: rows tear the surface, and whatever is measured in spacings would be in spacings along a
-// row. If they are much denser in some places than in others, the search is done again with few of
-// them (DensityOptions), whose rim may be better; the trials told are those of the search taken.
-// If the cloud is flat, exactly, the search goes on with its points just off their plane
-// (off_plane.h); the surface has them in it. If that finds no rim, or too many seams, the search
-// begins again with the samples that LayerOptions leave.
+// Reconstructs `cloud` alone, in trials. One triangulation and one set of poles and cocones serve
+// all trials on the same samples: only the labels of samples and what follows from them differ.
+//  1. A trial is good if it finds a rim and at most max_seam_share of the rim edges are seams. The
+//     first good one ends the search.
+//  2. `start` comes first. If its surface has neither rim nor more than max_seam_share seams, the
+//     finer trials follow, of which only good ones count; else the coarser ones.
+//  3. If none is good, the one whose rim is the least doubtful is taken: with the smallest sum of
+//     its share of seams and stretch_weight (stretch - 1).
+// The samples looked at are all, but for four cases:
+//  - The cloud is exactly flat: its points just off their plane (off_plane.h). The surface that is
+//    returned has the points as they are.
+//  - They lie in rows by the first surface: all trials look at those that thin_out_rows() keeps.
+//    Rows tear the surface, and spacings would be those along a row.
+//  - They are much denser in some places than in others: the search is done a second time with few
+//    of them (DensityOptions), and its rim, with its trials, taken if it is better.
+//  - After all that there is no rim, or one with too many seams: further trials look at the samples
+//    that LayerOptions leave, and the best of all trials is taken.
 // Why: a rim is found iff the gap beyond it is wider than rho times the local feature size. Small
 // rhos find rims of gently curved patches; large ones bear noise and sharp edges.
-// Errors: as delaunay(), but for flat clouds. Complexity: O(n log n) expected.
+// Errors: as delaunay(), but for flat clouds; InputError for options out of range. Complexity: O(n
+// log n) expected.
 // Deterministic as reconstruct_cocone(). Source: Woo & Dey 2005, section 3.2; ladder and trimming
 // are ours.
 CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options = {},

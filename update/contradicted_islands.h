@@ -53,9 +53,9 @@ struct ContradictedIsland {
 // floor or in the boss. Floor and top face as the region does. A sample that faces the region, as
 // on the lower side of an arch, shows that there is room between: it contradicts nothing, nor does
 // what lies behind it. Without `outward` nobody knows which way samples face. scans[c] belongs to
-// choice.clouds[c]. Errors: InputError for parts of another model, by their sizes. Complexity:
-// O(regions) if no such region stays; else O(samples log(samples)), what NearFacets takes and, for
-// the parts, O(triangles + vertices). Deterministic. Source: ours.
+// choice.clouds[c]. Errors: InputError for parts of another model, by their sizes, and for options
+// out of range. Complexity: O(regions) if no such region stays; else O(samples log(samples)), what
+// NearFacets takes and, for the parts, O(triangles + vertices). Deterministic. Source: ours.
 std::vector<ContradictedIsland> part_contradicted_islands(
     const ModelIndex& model, const RegionChoice& choice, std::span<const Scan> scans,
     Regions& regions, const IslandOptions& options = {}, const OutwardNormals& outward = {});

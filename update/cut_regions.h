@@ -22,8 +22,8 @@ namespace cocoon {
 
 struct CutOptions {
   // The way over the model under a rim edge is part of the border unless it is longer than this
-  // many times the edge and a spacing: then it leads around something that has nothing to do with
-  // it.
+  // many times the sum of the edge and a spacing: then it leads around something that has nothing
+  // to do with the edge.
   double max_detour = 2;
   // Facets beside the border say on which side of the rim they are if their centroids lie within
   // this many spacings of it (those of the rim, or the facet's shortest edge if that is longer), as
@@ -46,12 +46,13 @@ struct CutOptions {
 
 // Adds the facets under the rim edges that are known to `border`: those with both ends on the model
 // and no cloud beyond them, straight ways only. loops[l] belongs to rim.loops[l].
-// Errors: InputError for parts of another rim or model, by their sizes. Complexity: O(facets of the
-// border).
+// Errors: InputError for parts of another rim or model, by their sizes, and for options out of
+// range. Complexity: O(facets of the border).
 void certain_border(const ModelIndex& model, const CloudRim& rim, std::span<const LoopBorder> loops,
                     const CutOptions& options, TriangleSet& border);
 
-// All lengths are in median edges of the cloud's surface.
+// All lengths are in median edges of the cloud's surface, of several clouds the shortest of these.
+// Of a cloud that is not cut all is empty, and its doubt() says nothing.
 struct RegionCut {
   TriangleSet under;  // 1: the facet lies under the cloud
   std::size_t under_facets = 0;
@@ -80,8 +81,8 @@ struct RegionCut {
 // of the cloud have a few facets say "outside" in the midst of it: the splinters. A facet of the
 // border is under no cloud.
 // `rims`: of one cloud, or of several that overlap each other and are cut as one. `scans`: their
-// samples; without them nothing is known of where they end. Errors: InputError for no rim, and for
-// the border of another model, by its size.
+// samples; without them nothing is known of where they end. Errors: InputError for no rim, for the
+// border of another model, by its size, and for options out of range.
 // Why: a border that is closed by walks over its gaps leads astray where the gap is long, and one
 // region is then partly under the cloud and partly not; the mean angle along it decides for all.
 // Complexity: that of a minimum cut of n facets, near linear. Deterministic: lengths are compared

@@ -33,9 +33,10 @@ struct JoinedCloud {
 // The clouds, those joined that overlap each other, in the order of their first members; nothing if
 // no two do. Of the samples of joined ones those are chosen for the surface that keep their
 // distance: layers that lie over each other, a little out of register, are no surface. Clouds with
-// numbers that are not finite overlap none. Complexity: O(n log n) for the n samples of clouds
-// whose boxes overlap. Deterministic; what is joined and what is chosen does not depend on the
-// order of clouds or samples. Source: ours; Woo & Dey 2005 have a cloud for each change.
+// numbers that are not finite overlap none. Errors: InputError for options out of range.
+// Complexity: O(n log n) for each pair of clouds whose boxes overlap, of n samples, unless they are
+// known to be joined. Deterministic; what is joined and what is chosen does not depend on the order
+// of clouds or samples. Source: ours; Woo & Dey 2005 have a cloud for each change.
 std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
                                      const JoinOptions& options = {});
 

@@ -82,7 +82,8 @@ struct Overlap {
   // such a facet was taken.
   std::size_t facing_away = 0;
   std::size_t steep = 0;
-  std::size_t relocated = 0;  // rim points moved to the part of the model the others are on
+  // Rim points off the part of the model that the others are on: located there, or unmatched.
+  std::size_t relocated = 0;
   // Of matched rim points from their facets.
   double largest_distance = 0;
   double median_distance = 0;
@@ -117,8 +118,9 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
 // clouds that cover each other, also by way of others, none has a loop on the model, they all lie
 // off it (no_overlap).
 // clouds[i] belongs to rims[i] and overlaps[i]. Errors: InputError unless there are as many of
-// each, and of loops; for options as above. Complexity: O(unmatched log(cloud)). Source: ours;
-// clouds that overlap each other do not occur in Woo & Dey 2005.
+// each, and of loops; for options as above. Complexity: O(clouds) if no point is unmatched; else
+// O(n log n) for the n points of all clouds, and O(log n) for each unmatched point and cloud.
+// Source: ours; clouds that overlap each other do not occur in Woo & Dey 2005.
 void excuse_covered_points(std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds, std::span<Overlap> overlaps,
                            const OverlapOptions& options = {});

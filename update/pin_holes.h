@@ -26,7 +26,8 @@ struct PinHoleOptions {
 // cloud. A place where material is gone is no such hole: there the cloud's surface is closed, and a
 // hole in it is not on the model. Complexity: O(1) without pin-holes; else O(v + t) for a model of
 // v vertices and t triangles, a few operations for each, and, if one of them is on the model, O(n
-// log n) for the n samples. Deterministic. Source: ours; Woo & Dey 2005 takes every loop for a rim.
+// log n) for the n samples. Deterministic. Errors: InputError for options out of range.
+// Source: ours; Woo & Dey 2005 takes every loop for a rim.
 std::vector<RimLoop> open_pin_holes(const ModelIndex& model, Points cloud, const CloudRim& rim,
                                     const PinHoleOptions& options = {});
 

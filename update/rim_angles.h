@@ -16,6 +16,7 @@ namespace cocoon {
 struct AngleMean {
   double sum = 0;         // radians
   std::size_t edges = 0;  // rim edges that count for the region
+  // 0 without edges: ask for these first.
   double mean() const { return edges == 0 ? 0 : sum / static_cast<double>(edges); }
 };
 
@@ -43,8 +44,9 @@ struct AngleOptions {
 // near pi for the one beyond the rim. Eq. 4-5 as printed orient both triangles alike across the
 // edge, which gives pi - theta; the paper's text and figures (4.45 against 173.76 degrees, the
 // smaller one replaced) need the wedge.
-// Complexity: O(facets under the rim * facets at a vertex). Deterministic: summed in rim order,
-// ties of P_k by lexicographic coordinates.
+// Errors: InputError for regions of another model or the band of another loop, by their sizes, and
+// for options out of range. Complexity: O(facets under the rim * facets at a vertex).
+// Deterministic: summed in rim order, ties of P_k by lexicographic coordinates.
 // Source: Woo & Dey 2005, section 3.4, Eq. 4-5.
 RegionAngles mean_rim_angles(const ModelIndex& model, const Regions& regions, const RimLoop& loop,
                              const LoopBorder& band, const AngleOptions& options = {});

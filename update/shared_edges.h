@@ -20,11 +20,11 @@ struct SharedEdgeOptions {
 
 // Marks the edges of `rim`, that of scans[c], that are shared as inner ones (RimLoop::inner) and
 // counts those that were none (CloudRim::shared_edges). Returns the other clouds with such samples,
-// in increasing order. Errors: InputError if there is no scan c. Why: what several scans that
-// overlap each other show ends where all of them end. The rim of one in the midst of another tells
-// nothing about the model, whether it is near it or far away. Complexity: O(samples + clouds * rim
-// edges + m log m) for the m rim edges and samples near each other. Deterministic. Source: ours;
-// clouds that overlap each other do not occur in Woo & Dey 2005.
+// in increasing order. Errors: InputError if there is no scan c, and for options out of range. Why:
+// what several scans that overlap each other show ends where all of them end. The rim of one in the
+// midst of another tells nothing about the model, whether it is near it or far away. Complexity:
+// O(samples + clouds * rim edges + m log m) for the m rim edges and samples near each other.
+// Deterministic. Source: ours; clouds that overlap each other do not occur in Woo & Dey 2005.
 std::vector<std::size_t> mark_shared_edges(std::size_t c, std::span<const Scan> scans,
                                            CloudRim& rim, const SharedEdgeOptions& options = {});
 

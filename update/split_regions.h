@@ -52,7 +52,8 @@ struct RegionSplit {
 // centroids. A handle between both sides is so cut about halfway. At equal lengths "outside" wins.
 // The rims are those that formed the border, with their spacings; `clouds` as the rims. What it
 // cannot decide is reported, not guessed: see SplitStatus.
-// Errors: InputError for regions of another model, by their sizes, or that are not there.
+// Errors: InputError for regions of another model, by their sizes, or that are not there, and for
+// options out of range.
 // Complexity: O(n log n) for n facets. Deterministic: lengths decide, never numbers of facets.
 // Source: ours; Woo & Dey 2005, section 3.4 presumes rims that separate.
 RegionSplit split_regions(const ModelIndex& model, const Regions& regions,

@@ -36,9 +36,9 @@ struct StraySamples {
 
 // Leaves out small parts, then outliers in rounds (outlier_rounds.h), then the small parts of the
 // rest; the largest part stays, however small. What lies in a layer of noise stays, too: an open
-// patch has no inside, and an update of samples with noise below a third of the spacing does not
-// need it (docs/update.md). Progress: "noise/...". Errors: InputError as delaunay(), and if what is
-// left does not span space. Complexity: O(n log n) expected, besides the rounds. Deterministic: a
+// patch has no inside (docs/update.md, departure 18). Progress: "noise/...". Errors: InputError as
+// delaunay(), if what is left does not span space, and for options out of range.
+// Complexity: O(n log n) expected, besides the rounds. Deterministic: a
 // function of the set of points. Source: outliers as in cocone/noise_filter.h; small parts are
 // ours.
 StraySamples stray_samples(Points cloud, const StrayOptions& options = {},

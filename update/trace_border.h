@@ -27,8 +27,8 @@ struct TraceOptions {
 // The facets under one loop, edge by edge.
 struct LoopBorder {
   // facets_of(i): the facets under E_i in the order of the walk, from that of b_i to that of b_i+1
-  // included. Empty for an edge with an end that has no facet. A stretch of such points is bridged
-  // by one walk; its facets belong to the band but to no edge.
+  // included. Empty for an edge with an end that has no facet, or where no way was found. A stretch
+  // of points without a facet is bridged by one walk; its facets are of the band but of no edge.
   std::span<const TriangleId> facets_of(std::size_t i) const {
     return std::span(facets).subspan(begin[i], begin[i + 1] - begin[i]);
   }

@@ -82,7 +82,7 @@ inline std::ptrdiff_t euler_number(std::size_t vertices, std::size_t triangles) 
 struct UpdateResult {
   UpdateStatus status = UpdateStatus::ok;
   std::string message;  // why it is not ok: one line that says what, where and what to do
-  TriangleMesh mesh;    // the updated model: vertices are input points with their bits
+  TriangleMesh mesh;    // the updated model, of input points, bit for bit; empty unless ok
   std::vector<std::string> warnings;  // one line each
 
   std::vector<CloudReport> clouds;  // in the order given
@@ -115,11 +115,12 @@ struct UpdateResult {
 // "segmentation_and_selection" and "reconstruction"; stages report below them. The first three come
 // again where joined clouds have to be taken one by one.
 // Errors: InputError for no cloud, a cloud that cannot be triangulated (not finite; too few points
-// or all on one line, unless it overlaps another cloud), a model without triangles or with bad
-// indices, a model or cloud whose largest coordinate is not in [2^-200, 2^200]. Complexity: O(n log
-// n) expected for n points in all. Deterministic for any thread count; the order of model and
-// clouds matters for numbering only. Source: Woo & Dey 2005, section 3. What is decided otherwise
-// and why: docs/update.md.
+// or all on one line, unless it overlaps another cloud), a model without triangles, with bad
+// indices or a coordinate that is not finite, a model or cloud whose largest coordinate is not in
+// [2^-200, 2^200], options out of range (stage_options.h). Complexity: O(n log n) expected for n
+// points in all. Deterministic for any thread count; the order of model and clouds matters for
+// numbering only. Source: Woo & Dey 2005, section 3. What is decided otherwise and why:
+// docs/update.md.
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateOptions& options = {}, const Execution& execution = {});
 

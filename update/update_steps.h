@@ -17,8 +17,9 @@
 
 namespace cocoon {
 
-// Each step comes once, in this order, as long as the one before returned true; false: the result
-// is final. What is kept of clouds is kept of joined ones; take_result() tells it of those given.
+// Each step is called once, in this order, as long as the one before returned true; false: the
+// result is final, and take_result() comes next. Until then clouds are those that were joined;
+// take_result() tells of those given. Model, clouds and options must outlive the object.
 // Errors and complexity: those of update_model().
 class UpdateSteps {
  public:

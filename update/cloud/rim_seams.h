@@ -9,8 +9,8 @@
 namespace cocoon {
 
 struct RimSeamOptions {
-  // A rim edge has cloud beyond it if a sample other than its ends lies within `reach` spacings of
-  // the point one spacing outward from its midpoint, in the plane of its triangle.
+  // A rim edge has cloud beyond it if, of all samples, the nearest one to the point one spacing
+  // outward from its midpoint, in the plane of its triangle, is within `reach` spacings and no end.
   double reach = 0.85;
   // A loop with a larger share of such edges is a seam: it is taken out of the rim, unless the
   // cloud ends along some of it.

@@ -6,7 +6,7 @@
 namespace cocoon {
 
 struct Scan {
-  Points samples;
+  Points samples;      // a view: who owns them must outlive it
   double spacing = 0;  // of the samples: the median edge of their surface
 };
 

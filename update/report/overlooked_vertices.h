@@ -22,8 +22,8 @@ struct OverlookedOptions {
   // after updates that went right, 15 to 250 where a part of the cloud lay on a region that stayed.
   std::size_t min_count = 8;
   // Of all vertices that have been scanned anew, near the rims or not, a larger share that stays is
-  // a sign that the rims run through what was scanned, wherever they are. Measured on 506 updates
-  // that went right: one has more, 19 of 55. Infinity: any may.
+  // a sign that the rims run through what was scanned, wherever they are. Of 506 updates that went
+  // right one has a larger share: 19 of its 55 vertices. Infinity: any share may stay.
   double max_kept_share = 0.3;
   // Fewer of them mean nothing: small scans have as many beside their rims.
   std::size_t min_kept = 16;
@@ -33,7 +33,7 @@ struct OverlookedVertices {
   std::size_t count = 0;
   std::size_t scanned = 0;  // anew, near the rims or not, whether they stay or go
   std::size_t kept = 0;     // of these, all that stay
-  VertexId farthest = {};   // of these, from the rims, in median edges; of several the first
+  VertexId farthest = {};   // of those kept: the one farthest from the rims, of several the first
 
   bool are_many(const OverlookedOptions& options) const { return count >= options.min_count; }
   bool are_large_share(const OverlookedOptions& options) const {

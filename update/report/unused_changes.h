@@ -18,7 +18,7 @@ struct UnusedChangeOptions {
   std::size_t neighbors = 3;
   // within so many spacings.
   double reach = 2;
-  // A larger share of all samples off the model is worth a warning, or so many of them. Of 463
+  // A larger share of the samples off the model is worth a warning, or so many of them. Of 463
   // updates one of 247 right ones had such a share, and half of 216 wrong ones.
   double min_share = 0.02;
   std::size_t min_count = 50;
@@ -26,8 +26,8 @@ struct UnusedChangeOptions {
 
 struct UnusedChanges {
   std::size_t samples = 0;  // off the model, not on the surface, and no stray points
-  std::size_t of = 0;       // samples off the model; not counted if there are no unused ones
-  Point at = {};            // one of them
+  std::size_t of = 0;       // samples off the model, of the scans with such unused ones only
+  Point at = {};            // one of the unused
 
   bool is_doubtful(const UnusedChangeOptions& options) const {
     return samples >= options.min_count ||
