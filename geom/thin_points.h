@@ -18,8 +18,8 @@ namespace cocoon {
 std::vector<PointId> thin_points(Points points,
                                  const std::function<double(PointId)>& squared_distance_at);
 
-// The same with one distance > 0 for all, for coordinates of any size; of equal points the first
-// stays.
+// The same with one distance, 0 or more, for all, and for coordinates of any size; of equal points
+// the first stays, also with 0.
 std::vector<PointId> thin_points(Points points, double distance);
 
 }  // namespace cocoon

@@ -119,9 +119,8 @@ std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
     if (cloud.members.size() == 1) continue;
     double spacing = 0;
     for (const std::size_t c : cloud.members) spacing = std::max(spacing, samples[c].spacing);
-    const double distance = options.thinning * spacing;
     const std::vector<Point> all = samples_of(cloud, clouds);
-    cloud.sheet = thin_points(all, [&](PointId) { return distance * distance; });
+    cloud.sheet = thin_points(all, options.thinning * spacing);
     cloud.different = different(all).size();
   }
   return joined;

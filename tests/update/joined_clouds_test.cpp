@@ -71,6 +71,14 @@ TEST(JoinedClouds, AreThinnedByTheLargestSpacing) {
   }
 }
 
+// The sheet is without equal samples even where it takes all others.
+TEST(JoinedClouds, WithoutThinningTheSheetHasDifferentSamples) {
+  const Clouds clouds = {square({0, 0, 0}), square({5, 0, 0})};
+  const JoinedCloud joined = join_clouds(clouds, {.thinning = 0}).front();
+  EXPECT_EQ(joined.different, 150U);
+  EXPECT_EQ(joined.sheet.size(), joined.different);
+}
+
 // Two samples come twice; thinned out are the others that are not on the sheet.
 TEST(JoinedClouds, CountWhatIsSetAside) {
   Clouds clouds = {square({0, 0, 0}), square({5.1, 0.2, 0.1})};
