@@ -129,20 +129,13 @@ Trial find_rim(const KeptSamples& samples, Sheet&& found, const RimSearch& searc
   return trial;
 }
 
-// If samples lie in rows, few of them: those of the rows but not all along a row.
-std::vector<PointId> few_of_rows(const KeptSamples& samples, const Sheet& sheet,
-                                 const CloudSurfaceOptions& options) {
-  return thin_out_rows(samples.cloud, sheet.surface.mesh, sheet.surface.point_of_vertex,
-                       options.rows.spread);
-}
-
 // If layers lie over each other, one layer. Throws DegenerateInput if there are too few samples for
 // one.
 std::vector<PointId> few_of_layers(const KeptSamples& samples, const CloudSurfaceOptions& options) {
   constexpr std::size_t neighbor = 8;
   const double distance = options.layers.spread * median_neighbor_distance(samples.cloud, neighbor);
   if (distance == 0) throw DegenerateInput("too few different points");
-  return thin_points(samples.cloud, [&](PointId) { return distance * distance; });
+  return thin_points(samples.cloud, distance);
 }
 
 // With these samples alone. Throws DegenerateInput if they are too few, or lie in one plane.
@@ -294,7 +287,8 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   Sheet sheet = find_sheet(samples.foundation, options.start, options, execution);
   const SpacingRange spacing = spacing_range(sheet.surface.mesh);
   if (lies_in_rows(sheet.surface.mesh, options.rows.min_ratio)) {
-    std::vector<PointId> few = few_of_rows(samples, sheet, options);
+    std::vector<PointId> few = thin_out_rows(working, sheet.surface.mesh,
+                                             sheet.surface.point_of_vertex, options.rows.spread);
     samples = thinned(samples, std::move(few), options, execution);
     sheet = find_sheet(samples.foundation, options.start, options, execution);
   }

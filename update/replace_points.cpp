@@ -24,7 +24,7 @@ class ThinningTest {
   ThinningTest(std::span<const CloudRim> rims, std::span<const std::vector<Point>> clouds,
                double share) {
     if (!(share > 0)) return;
-    for (std::size_t c = 0; c < clouds.size() && c < rims.size(); ++c) {
+    for (std::size_t c = 0; c < clouds.size(); ++c) {
       if (clouds[c].empty()) continue;
       const double reach = share * rims[c].spacing;
       clouds_.push_back({NearestPointTree(clouds[c]), reach * reach});

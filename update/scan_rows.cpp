@@ -14,8 +14,8 @@ namespace {
 
 constexpr double upper_quartile = 0.75;
 
-// Squared: the shortest edge, the second longest, the longest.
-std::array<double, 3> squared_edges(const TriangleMesh& surface, const Triangle& t) {
+// Squared: the shortest edge, and the second longest.
+std::array<double, 2> squared_edges(const TriangleMesh& surface, const Triangle& t) {
   const Point& a = surface.points[t[0]];
   const Point& b = surface.points[t[1]];
   const Point& c = surface.points[t[2]];
@@ -25,7 +25,7 @@ std::array<double, 3> squared_edges(const TriangleMesh& surface, const Triangle&
   // Without a branch: which edge is longer cannot be foreseen.
   const double shorter = std::min(ab, bc);
   const double longer = std::max(ab, bc);
-  return {std::min(shorter, ca), std::max(shorter, std::min(longer, ca)), std::max(longer, ca)};
+  return {std::min(shorter, ca), std::max(shorter, std::min(longer, ca))};
 }
 
 // Squared, per point of the cloud.
@@ -33,7 +33,7 @@ std::vector<double> squared_row_distances(std::size_t points, const TriangleMesh
                                           const IdVector<VertexId, PointId>& point_of_vertex) {
   std::vector<double> numbers;
   const auto add = [&](const Triangle& t) {
-    const auto [shortest, middle, longest] = squared_edges(surface, t);
+    const auto [shortest, middle] = squared_edges(surface, t);
     if (shortest > 0) numbers.push_back(middle);
   };
   for (const Triangle& t : surface.triangles) add(t);
@@ -55,7 +55,7 @@ bool lies_in_rows(const TriangleMesh& surface, double min_ratio) {
   std::size_t counted = 0;
   std::size_t across = 0;
   for (const Triangle& t : surface.triangles) {
-    const auto [shortest, middle, longest] = squared_edges(surface, t);
+    const auto [shortest, middle] = squared_edges(surface, t);
     if (shortest == 0) continue;
     ++counted;
     across += middle >= min_ratio * min_ratio * shortest ? 1U : 0U;
