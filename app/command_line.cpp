@@ -69,7 +69,8 @@ void add_verify(CLI::App& app, bool& verify) {
 }
 
 const std::string rho_of_clouds =
-    "here for the rims of clouds; by default 0.3 and, where that finds no good rim, others";
+    "here for the rims of clouds; by default 0.3 and, where that finds no good rim, others, each "
+    "with its own --alpha";
 
 // "(30)", as the help shows defaults.
 std::string in_parentheses(double value) { return fmt::format(" ({:.6g})", value); }
@@ -100,8 +101,8 @@ void add_surface_options(CLI::App& app, SurfaceArguments& parameters, const std:
       ->type_name("DEGREES");
   app.add_option("--mode", parameters.mode,
                  "paper: the published reconstruction alone, and in updates the published way to "
-                 "locate a rim on the model, no long edges trimmed; robust (default): with our "
-                 "repairs, each counted in the report")
+                 "locate a rim on the model, no long edges trimmed, no samples set aside; robust "
+                 "(default): with our repairs, each counted in the report")
       ->check(CLI::IsMember({"paper", "robust"}));
   add_verify(app, parameters.verify);
 }
