@@ -57,8 +57,8 @@ struct NoiseOptions {
 // neighbors, and for a ratio or options out of range (NoiseOptions: ratios and links from 0 on,
 // shares from 0 to 1, a cosine).
 
-// Per vertex, in units of the coordinates. Complexity: O(cells), parallel. Deterministic: sums run
-// in increasing order.
+// Per vertex, in units of the coordinates: the root mean square of its shortest Delaunay edges, as
+// many as `neighbors`. Complexity: O(cells), parallel. Deterministic: sums run in increasing order.
 IdVector<VertexId, double> sample_spacing(const Triangulation& triangulation,
                                           const VertexStars& stars, std::size_t neighbors,
                                           const Execution& execution = {});
