@@ -52,9 +52,9 @@ struct BoundaryLoops {
   std::size_t rims() const { return loops.size() - pin_holes; }
 };
 
-// The loops of `open_surface`, whose triangles may be oriented in any way: they are first oriented
-// per component (orient_surface.h). At an edge with three or more triangles all but the flattest
-// pair are left out first, repeated until there is no such edge. Triangle ids are those of
+// The loops of `open_surface`, whose triangles may be oriented in any way. First, at an edge with
+// three or more triangles all but the flattest pair are left out, repeated until there is no such
+// edge; then the others are oriented per component (orient_surface.h). Triangle ids are those of
 // `open_surface`. Each loop begins at the edge with the lexicographically smallest starting point.
 // Result: no loop if the surface is closed or empty. Errors: InputError as link_halfedges(),
 // and unless the share is one (0 to 1) and the perimeter 0 or more.

@@ -41,26 +41,29 @@ struct ManifoldSurface {
 };
 
 // A walk goes in rounds: all facets kept in the last round turn about their edges at once; what is
-// kept or dropped stays so. A facet that the same round would both keep and drop is kept; one that
-// it would keep from both sides is taken from the side on which the cell reaches farther: by the
-// sum of squared distances from its fourth vertex to the corners, infinite cells farthest. Turns
-// are made about edges with an umbrella at one end (`umbrella` as from prune_sharp_edges), so that
-// a walk does not cross a rim. A walk begins at a hull candidate, seen from outside, with umbrellas
-// at its three vertices: the one with the smallest circle (facet_size.h) that has no vertex on the
-// surface so far. When there are no more, likewise at other candidates, from the side on which the
-// cell reaches farther; from the other one if all facets of that cell are candidates, which is the
-// inside of a flat tetrahedron; at none where both are. So the result is a function of the set of
-// candidates, and does not depend on where the axes lie but for exact ties, which lexicographic
-// order settles: of circles by the corners, of two sides for the positive one of the sorted
-// corners. Two candidates at an edge see each other without a turn; a turn through the cells is
-// made only at edges with more. The first walk, which is nearly always the only one, goes without
-// rounds if its result does not depend on them (walk_reach.h), on all threads. Errors: InputError
-// for parts of another triangulation, by their sizes (facets/stage_inputs.h). Complexity:
-// O(candidates + vertices), and one byte per cell. Source: Amenta, Choi, Dey & Leekha 2002
-// (manifold extraction); the walk about edges is that of the Tight Cocone program (Dey & Goswami
-// 2003), the rounds are ours (docs/stages/extract_manifold.md). Classes of half-facets would need
-// no rounds, but one tear that links the two sides makes them one class, and then both sheets of
-// every flat tetrahedron stay; in rounds a tear does harm only where it is.
+// kept or dropped stays so. A facet that one round would both keep and drop is kept. One that it
+// would keep from both sides is taken from the side on which the cell reaches farther: by the sum
+// of squared distances from its fourth vertex to the corners, infinite cells farthest. Turns are
+// made about edges with an umbrella at one end (`umbrella` as from prune_sharp_edges), so that a
+// walk does not cross a rim. Two candidates alone at an edge see each other without a turn; at
+// edges with more the turn goes through the cells.
+// Walks begin at candidates with umbrellas at their three vertices, none of which is on the surface
+// so far; of these at the one with the smallest circle (facet_size.h):
+//  1. of the hull candidates, seen from outside;
+//  2. when there are no more, of the others, seen from the side on which the cell reaches farther.
+//     If all facets of that cell are candidates, which is the inside of a flat tetrahedron, from
+//     the other side; at none where both sides are such.
+// So the result is a function of the set of candidates. Only in exact ties does it depend on where
+// the axes lie: lexicographic order settles them, of circles by the corners, of two sides for the
+// positive one of the sorted corners. The first walk, which is nearly always the only one, goes
+// without rounds, on all threads, if its result does not depend on them (walk_reach.h).
+// Errors: InputError for parts of another triangulation, by their sizes (facets/stage_inputs.h).
+// Complexity: O(candidates + vertices), and one byte per cell; s log s for s places where further
+// walks may begin. Source: Amenta, Choi, Dey & Leekha 2002 (manifold extraction); the walk about
+// edges is that of the Tight Cocone program (Dey & Goswami 2003), the rounds are ours
+// (docs/stages/extract_manifold.md). Classes of half-facets would need no rounds, but one tear that
+// links the two sides makes them one class, and then both sheets of every flat tetrahedron stay; in
+// rounds a tear does harm only where it is.
 ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
                                  const VertexSet& umbrella, const Execution& execution = {});
 
