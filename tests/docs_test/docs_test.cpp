@@ -1,11 +1,14 @@
 // What the documents name exists: files behind links, files and folders in code marks, commands and
-// options of the program in the README and the tutorial.
+// options of the program in the README and the tutorial, options of stages with their defaults.
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -129,6 +132,63 @@ TEST(Documents, BibliographyHasAllAuthors) {
       EXPECT_NE(bibliography.find(author), std::string::npos) << document << ": " << author;
     }
   }
+}
+
+// The values with which members of structs begin, by name: of one name in several structs all.
+std::multimap<std::string, double> defaults_in_headers() {
+  std::multimap<std::string, double> values;
+  for (const char* folder : {"geom", "cocone", "update"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (entry.path().extension() != ".h") continue;
+      std::ifstream stream(entry.path());
+      for (std::string line; std::getline(stream, line);) {
+        const std::size_t equals = line.find(" = ");
+        if (equals == line.npos || line.find(';', equals) == line.npos) continue;
+        const std::size_t name = line.find_last_of(' ', equals - 1) + 1;
+        const std::string value = line.substr(equals + 3);
+        values.emplace(line.substr(name, equals - name),
+                       value.starts_with("true") ? 1 : std::strtod(value.c_str(), nullptr));
+      }
+    }
+  }
+  return values;
+}
+
+// From each "Options" of a page to the next point of a list, bold word or empty line.
+std::string paragraphs_on_options(const std::string& page) {
+  std::istringstream stream(page);
+  std::string text;
+  bool inside = false;
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t first = line.find_first_not_of(' ');
+    if (first == line.npos || line[first] == '*' || line[first] == '|') inside = false;
+    const std::size_t begin = line.find("Options");
+    if (begin == line.npos && !inside) continue;
+    std::string rest = inside ? line : line.substr(begin);
+    const std::size_t end = rest.find("**", rest.starts_with("Options.**") ? 10 : 0);
+    inside = end == rest.npos;
+    text += rest.substr(0, end) + '\n';
+  }
+  return text;
+}
+
+TEST(Documents, DefaultsOfOptionsAreThoseOfTheHeaders) {
+  const std::multimap<std::string, double> defaults = defaults_in_headers();
+  const std::regex option("`(?:[a-z_.]+[.])?([a-z_]+)` (true|[0-9]+(?:[.][0-9]+)?(?:e-[0-9]+)?)");
+  std::size_t options = 0;
+  for (const fs::path& document : documents()) {
+    const std::string text = paragraphs_on_options(content_of(document.string()));
+    for (std::sregex_iterator it(text.begin(), text.end(), option), end; it != end; ++it) {
+      const std::string value = (*it)[2];
+      const double number = value == "true" ? 1 : std::strtod(value.c_str(), nullptr);
+      bool found = false;
+      const auto [first, last] = defaults.equal_range((*it)[1]);
+      for (auto entry = first; entry != last; ++entry) found |= entry->second == number;
+      EXPECT_TRUE(found) << document << ": " << (*it)[0];
+      ++options;
+    }
+  }
+  EXPECT_GT(options, 100U);
 }
 
 TEST(Documents, CommandsAndOptionsAreThoseOfTheProgram) {
