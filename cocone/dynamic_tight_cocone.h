@@ -72,12 +72,13 @@ class DynamicTightCocone {
     ReconstructResult result;
     std::optional<SurfaceEdit> edit;
   };
-  // As replace(), for a change that keeps the order of the points that stay. Where is_smooth()
-  // before, and the mesh is smooth after, only what the edit did is told as a rule; not of the
-  // first body after a certain surface, of a change of about half of the points, or where a point
-  // that went comes back as the vertex it was. Precondition: points that stay are equal before and
-  // after. Errors: InputError for a change of lists of other lengths. Complexity: where the surface
-  // stays certain, as the change of the triangulation, and a pass over the numbers of the points.
+  // As replace(), for a change that keeps the order of the points that stay. If is_smooth() before
+  // and the mesh is smooth after, the result has an edit instead of a mesh. It has a mesh all the
+  // same for the first body after a certain surface, after a change of about half of the points,
+  // and where a point that went comes back as the vertex it was. Precondition: points that stay are
+  // equal before and after. Errors: InputError for a change of lists of other lengths. Complexity:
+  // where the surface stays certain, as the change of the triangulation, and a pass over the
+  // numbers of the points.
   Edited edit(Points points, const ListEdit<PointId>& change, const Execution& execution = {},
               const OldSurface& old = {});
   // To be called if the caller's mesh is not what the last call found, as where labels were known
