@@ -56,7 +56,8 @@ TEST(Documents, AreThere) {
 TEST(Documents, LinksLeadToFiles) {
   std::size_t links = 0;
   for (const fs::path& document : documents()) {
-    for (std::string target : matches(content_of(document.string()), "\\]\\(([^)#]+)[^)]*\\)")) {
+    for (const std::string& target :
+         matches(content_of(document.string()), "\\]\\(([^)#]+)[^)]*\\)")) {
       if (target.find("://") != std::string::npos) continue;
       EXPECT_TRUE(fs::exists(document.parent_path() / target)) << document << " -> " << target;
       ++links;
