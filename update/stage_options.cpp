@@ -107,6 +107,7 @@ void require_options(const char* stage, const ReplaceOptions& options) {
                           {"replace.scanned.rim_zone", options.scanned.rim_zone},
                           {"replace.scanned.sample_reach", options.scanned.sample_reach},
                           {"replace.scanned.cloud_reach", options.scanned.cloud_reach},
+                          {"replace.scanned.outer_reach", options.scanned.outer_reach},
                           {"replace.scanned.depth_weight", options.scanned.depth_weight}});
 }
 

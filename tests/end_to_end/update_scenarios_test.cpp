@@ -322,6 +322,20 @@ TEST(UpdateScenarios, CloudWithinOneFacet) {
   EXPECT_FALSE(result.warnings.empty());
 }
 
+// So is one close to a corner of the facet: the corner stays.
+TEST(UpdateScenarios, CloudWithinOneFacetBesideACorner) {
+  const TriangleMesh model = sphere_model(200);
+  for (std::size_t t = 0; t < 100; t += 10) {
+    const Triangle& corners = model.triangles[TriangleId(t)];
+    const Point& corner = model.points[corners[0]];
+    const Point middle = (corner + model.points[corners[1]] + model.points[corners[2]]) / 3;
+    const Clouds clouds = {raised_cap(400000, unit(corner + 0.35 * (middle - corner)), 0.02, 0.002)};
+    const UpdateResult result = update_model(model, clouds);
+    ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+    EXPECT_EQ(result.replacement.replaced, 0U) << t;
+  }
+}
+
 // A cloud with a hole whose rim lies on the new shape, off the old model: the hole is no border.
 TEST(UpdateScenarios, CloudWithAHoleOnTheNewShape) {
   const TriangleMesh model = sphere_model(sphere_size);

@@ -67,14 +67,16 @@ struct Candidate {
 };
 
 // How close to each candidate a sample of a cloud must be, squared; negative: none is close enough.
-std::vector<double> squared_reaches(std::span<const Candidate> candidates, double cloud_spacing,
+std::vector<double> squared_reaches(std::span<const Candidate> candidates, const CloudRim& rim,
                                     const ScannedOptions& options) {
   std::vector<double> squared;
   squared.reserve(candidates.size());
+  const double most_before = options.outer_reach * rim.spacing;
   for (const Candidate& candidate : candidates) {
     const double at_rim =
-        std::max(options.sample_reach * candidate.spacing, options.cloud_reach * cloud_spacing);
-    const double reach = at_rim * (1 + options.depth_weight * candidate.depth);
+        std::max(options.sample_reach * candidate.spacing, options.cloud_reach * rim.median_edge);
+    const double any = at_rim * (1 + options.depth_weight * candidate.depth);
+    const double reach = candidate.depth < 0 ? std::min(any, most_before) : any;
     squared.push_back(reach > 0 ? reach * reach : -1);
   }
   return squared;
@@ -113,7 +115,7 @@ SparseVector<VertexId, Scanned> scanned_vertices(const ModelIndex& index, const 
   if (candidates.empty()) return result;
   const BoxTree tree(boxes);
   for (std::size_t c = 0; c < clouds.size(); ++c) {
-    const std::vector<double> reaches = squared_reaches(candidates, rims[c].median_edge, options);
+    const std::vector<double> reaches = squared_reaches(candidates, rims[c], options);
     const double largest = *std::max_element(reaches.begin(), reaches.end());
     if (largest < 0) continue;
     for (const Point& p : clouds[c]) {

@@ -27,6 +27,9 @@ struct ScannedOptions {
   // or of the median edge of the cloud's surface, if that is more: the samples of a coarse cloud
   // are far from most of what was scanned.
   double cloud_reach = 0.62;
+  // Before the rim at most so many spacings of it count: a vertex of a model with large triangles
+  // has none as close as its own, and would go for samples far away.
+  double outer_reach = 2;
   // On the cloud's side of the rim a sample may be farther away, before it it must be closer: by
   // this share of that for each spacing of the model between vertex and rim.
   double depth_weight = 1.3;

@@ -65,6 +65,20 @@ TEST(ScannedVertices, TheReachIsAShareOfTheEdgesOfACoarseCloud) {
   EXPECT_EQ(scene.at(near_rim), Scanned::yes);
 }
 
+// Where triangles are large no vertex has others close by: samples of a small cloud beside it, far
+// away for that cloud, do not replace it.
+TEST(ScannedVertices, BeforeTheRimTheReachIsThatOfTheCloud) {
+  Scene scene;
+  scene.clouds[0] = {near_rim + Vec3{0.3, 0, 0}};
+  EXPECT_EQ(scene.at(near_rim), Scanned::yes);
+  scene.rims[0].spacing = 0.1;
+  EXPECT_EQ(scene.at(near_rim), Scanned::no);
+  EXPECT_EQ(scene.at(near_rim, {.outer_reach = 3.1}), Scanned::yes);
+  constexpr Point inside = {16, 10, 0};  // by 0.3, where the side of the rim tells
+  scene.clouds[0] = {inside + Vec3{0, 0, 0.38}};
+  EXPECT_EQ(scene.at(inside), Scanned::yes);
+}
+
 // The rim of a coarse cloud is that far from what it samples: its zone is a share of its own edges.
 TEST(ScannedVertices, TheZoneOfACoarseRimIsWider) {
   Scene scene;
