@@ -118,9 +118,7 @@ void report_lost_triangles(Job& job, const UpdateInput& input, const MeshChange&
   job.report().set("update/staying_triangles", found.staying);
   job.report().set("update/lost_triangles", found.lost.size());
   const double least = options.min_lost_share * static_cast<double>(found.staying);
-  if (found.lost.size() < options.min_lost || static_cast<double>(found.lost.size()) < least) {
-    return;
-  }
+  if (found.lost.empty() || static_cast<double>(found.lost.size()) < least) return;
   const std::vector<Scan> scans = scans_of(input.clouds, result.clouds);
   const AstrayTriangles astray =
       astray_triangles(input.model, found.lost, result.mesh, scans, options);

@@ -96,6 +96,28 @@ TEST(Densify, MakesAPartFitForUpdates) {
   EXPECT_EQ(report["surface"]["genus"], 0);
 }
 
+// Of its 20 triangles 13 are lost: its inner corner is filled.
+TEST(Densify, IsSuggestedForABracketOfFewTriangles) {
+  const TemporaryFolder folder;
+  std::string vertices;
+  for (const char* z : {" 0\n", " 1.5\n"}) {
+    for (const char* xy : {"-1.5 -1.5", "6 -1.5", "6 1.5", "1.5 1.5", "1.5 6", "-1.5 6"}) {
+      vertices += std::string(xy) + z;
+    }
+  }
+  const std::string bracket = folder.write(
+      "bracket.off", "OFF\n12 8 0\n" + vertices +
+                         "6 0 5 4 3 2 1\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n"
+                         "4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n");
+  const std::string cloud = folder.write("knob.xyz", knob());
+  std::string error;
+  const Json report =
+      report_of({"update", bracket, cloud, "-o", folder.file("updated.ply")}, error);
+  EXPECT_LT(report["update"]["lost_triangles"].get<int>(), 20);
+  EXPECT_GT(report["update"].value("astray_area_share", 0.0), 0.05);
+  EXPECT_NE(report["warnings"].dump().find("--densify"), std::string::npos) << report["warnings"];
+}
+
 std::vector<int> new_places(const std::string& map) {
   std::ifstream file(map);
   return {std::istream_iterator<int>(file), {}};

@@ -329,7 +329,8 @@ TEST(UpdateScenarios, CloudWithinOneFacetBesideACorner) {
     const Triangle& corners = model.triangles[TriangleId(t)];
     const Point& corner = model.points[corners[0]];
     const Point middle = (corner + model.points[corners[1]] + model.points[corners[2]]) / 3;
-    const Clouds clouds = {raised_cap(400000, unit(corner + 0.35 * (middle - corner)), 0.02, 0.002)};
+    const Clouds clouds = {
+        raised_cap(400000, unit(corner + 0.35 * (middle - corner)), 0.02, 0.002)};
     const UpdateResult result = update_model(model, clouds);
     ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
     EXPECT_EQ(result.replacement.replaced, 0U) << t;

@@ -33,10 +33,9 @@ struct AstrayOptions {
   double tolerance = 0.05;
   // A place has been scanned if a sample lies within this many spacings of its cloud.
   double reach = 3;
-  // For whoever tells of them. Looked for only if so many triangles are lost, and this share of
-  // those that stay; worth a warning from this share of their area on. Of dense models at most
-  // 0.003 are lost.
-  std::size_t min_lost = 20;
+  // For whoever tells of them. Looked for only if this share of the triangles that stay is lost;
+  // worth a warning from this share of their area on. Of dense models at most 0.003 are lost, and
+  // a block of CAD programs has 12 in all.
   double min_lost_share = 0.1;
   double min_area_share = 0.02;
   // The model is too coarse for the scans if its astray triangles are longer than this many of
