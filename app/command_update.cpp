@@ -10,6 +10,7 @@
 #include "app/pending_clouds.h"
 #include "app/session_file.h"
 #include "app/updating.h"
+#include "geom/equal_points.h"
 #include "io/file_format.h"
 #include "io/lock_file.h"
 
@@ -72,6 +73,9 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
   IdVector<PointId, VertexId> vertex_of_point(input.model.points.size());
   for (const VertexId v : initial.point_of_vertex.ids()) {
     vertex_of_point[initial.point_of_vertex[v]] = v;
+  }
+  for (const RepeatedPoint& repeated : repeated_points(input.model.points.span())) {
+    vertex_of_point[PointId(repeated.point)] = vertex_of_point[PointId(repeated.first)];
   }
   if (arguments.densify) {
     for (const PointId p : dense.point_of_vertex)
