@@ -52,8 +52,8 @@ std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_poi
                           " rim points are farther from it than " + rounded(max_distance) +
                           " spacings (rim spacing " + rounded(rim_spacing) + "); ";
   if (unit_factor) {
-    return why + "it has other units: multiplied by " + rounded(*unit_factor) +
-           " it would lie there";
+    return why + "perhaps it has other units: multiplied by " + rounded(*unit_factor) +
+           " it would lie there; else register it to the model";
   }
   return why +
          "register it to the model, in the same units, and let it reach onto unchanged surface";
