@@ -53,6 +53,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("torn_edges", cloud.surface.rim.torn_edges);
   entry.set("seam_loops", cloud.surface.rim.seam_loops);
   entry.set("seamed_loops", cloud.surface.rim.seamed_loops);
+  entry.set("is_cut", !cloud.cut.is_empty());
   entry.set("cut_edges", cloud.cut.cut_edges);
   entry.set("cut_length", cloud.cut.cut_length);
   entry.set("cut_contradicted", cloud.cut.contradicted);

@@ -66,6 +66,8 @@ struct RegionCut {
   // Facets of tiny parts of the outside, as CutOptions::min_outside_facets, ascending.
   std::vector<TriangleId> splinters;
 
+  // Nothing was cut: no facet beside the border says anything.
+  bool is_empty() const { return seeds_under == 0 && seeds_outside == 0; }
   // What the cut costs as a share of what the weaker side says; 1 if it says nothing.
   double doubt() const;
 };

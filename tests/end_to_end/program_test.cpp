@@ -228,6 +228,7 @@ TEST(Program, UpdateReplacesWhatLiesUnderTheCloud) {
   const std::string replaced = update["clouds"][0]["replaced_groups"][0].dump();
   EXPECT_LT(angles[replaced].get<double>(), 30);
   EXPECT_GT(angles[replaced == "0" ? "1" : "0"].get<double>(), 150);
+  EXPECT_EQ(update["clouds"][0]["is_cut"], false);
   EXPECT_EQ(update["updated_points"].get<int>(),
             2000 - update["replaced_points"].get<int>() + report["input"]["clouds"][0].get<int>());
   for (const char* stage : {"boundary_detection", "overlapping_facets",
@@ -237,6 +238,14 @@ TEST(Program, UpdateReplacesWhatLiesUnderTheCloud) {
   const std::string lines = content_of(map);
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 2000);
   EXPECT_EQ(content_of(html).rfind("<!DOCTYPE html>", 0), 0U);
+}
+
+// Two edges of its rim are seams.
+TEST(Program, TheReportOfTheDemoSaysThatTheCutDecided) {
+  const TemporaryFolder folder;
+  const Json cloud = report_of({"demo", "-o", folder.file("demo")})["update"]["clouds"][0];
+  EXPECT_EQ(cloud["seam_edges"], 2);
+  EXPECT_EQ(cloud["is_cut"], true);
 }
 
 // The first point is inside the sphere, the second is given again, as the last.

@@ -64,6 +64,8 @@ TEST(CutRegions, AWholeRimIsAllOfTheCut) {
   const TriangleSet border = plane.certain();
   EXPECT_EQ(border, plane.border.facets);
   const RegionCut cut = plane.cut();
+  EXPECT_TRUE(RegionCut().is_empty());
+  EXPECT_FALSE(cut.is_empty());
   EXPECT_EQ(cut.cut_edges, 0U);
   EXPECT_EQ(cut.contradicted, 0);
   EXPECT_EQ(cut.doubt(), 0);
