@@ -71,12 +71,12 @@ std::vector<double> squared_reaches(std::span<const Candidate> candidates, const
                                     const ScannedOptions& options) {
   std::vector<double> squared;
   squared.reserve(candidates.size());
-  const double most_before = options.outer_reach * rim.spacing;
+  const double most_before_rim = options.outer_reach * rim.spacing;
   for (const Candidate& candidate : candidates) {
     const double at_rim =
         std::max(options.sample_reach * candidate.spacing, options.cloud_reach * rim.median_edge);
-    const double any = at_rim * (1 + options.depth_weight * candidate.depth);
-    const double reach = candidate.depth < 0 ? std::min(any, most_before) : any;
+    double reach = at_rim * (1 + options.depth_weight * candidate.depth);
+    if (candidate.depth < 0) reach = std::min(reach, most_before_rim);
     squared.push_back(reach > 0 ? reach * reach : -1);
   }
   return squared;
