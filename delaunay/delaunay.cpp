@@ -24,8 +24,8 @@ constexpr std::size_t progress_interval = std::size_t{1} << 15;
 
 // Threads do not pay for fewer points, and while there are so few for each they are in each
 // other's way.
-constexpr std::size_t min_points_for_threads = 10000;
-constexpr std::size_t points_before_threads = 500;
+constexpr std::size_t min_points_for_threads = 3000;
+constexpr std::size_t points_before_threads = 150;
 
 // The different points along the Hilbert curve, and which of them each input point is.
 struct Vertices {

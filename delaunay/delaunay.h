@@ -40,7 +40,7 @@ struct DelaunayResult {
 // one vertex. Vertices are numbered along a Hilbert curve (geom/spatial_order.h), the same for
 // every order of the input; so are the cells of a build on one thread. With more threads their
 // numbers depend on how the threads meet, and so do the counters: canonical_order numbers the cells
-// by the point set alone whatever the history. Fewer than 10 000 different points are inserted on
+// by the point set alone whatever the history. Fewer than 3 000 different points are inserted on
 // one thread (delaunay/parallel_insertion.h says how many do it). Progress is reported as
 // "delaunay".
 // Errors: InputError if a coordinate is not finite (names the first such point), if there are more
