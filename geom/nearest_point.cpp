@@ -17,6 +17,7 @@ NearestPointTree::NearestPointTree(Points points, const Execution& execution) {
                        " has a coordinate that is not finite; remove it");
     }
     boxes.push_back({p, p});
+    box_.include(p);
   }
   tree_ = BoxTree(boxes, execution);
   points_.reserve(points.size());
@@ -43,6 +44,14 @@ NearestPoint NearestPointTree::nearest(const Point& p) const {
     return best.squared_distance;
   });
   return best;
+}
+
+std::vector<NearestPointTree> nearest_point_trees(std::span<const std::vector<Point>> clouds,
+                                                  const Execution& execution) {
+  std::vector<NearestPointTree> trees;
+  trees.reserve(clouds.size());
+  for (const std::vector<Point>& cloud : clouds) trees.emplace_back(cloud, execution);
+  return trees;
 }
 
 }  // namespace cocoon

@@ -1,8 +1,11 @@
 // The point of a set closest to a given point.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
+#include "geom/box.h"
 #include "geom/box_tree.h"
 #include "geom/execution.h"
 #include "geom/ids.h"
@@ -29,9 +32,35 @@ class NearestPointTree {
   // Complexity: O(log n) on ordinary sets, O(n) at worst. Thread-safe.
   NearestPoint nearest(const Point& p) const;
 
+  // Whether holds(id) for some point at most `reach` from p, which is faster than to look for the
+  // nearest one. Asks in no order. Complexity: O(log n) on ordinary sets if one of the first that
+  // are near does, and one call for each that is near. Thread-safe.
+  template <class Holds>
+  bool any_near(const Point& p, double reach, const Holds& holds) const {
+    bool found = false;
+    const double bound = reach * reach;
+    tree_.visit_near(p, bound, [&](std::uint32_t slot) {
+      found = found ||
+              (squared_distance(p, points_[slot]) <= bound && holds(PointId(tree_.items()[slot])));
+      return found ? -1.0 : bound;
+    });
+    return found;
+  }
+  bool any_near(const Point& p, double reach) const {
+    return any_near(p, reach, [](PointId) { return true; });
+  }
+
+  // Of all points.
+  const Box& box() const { return box_; }
+
  private:
   BoxTree tree_;
   std::vector<Point> points_;  // by slot of the tree
+  Box box_;
 };
+
+// One tree for each cloud, none of which is empty. Errors, complexity: as NearestPointTree.
+std::vector<NearestPointTree> nearest_point_trees(std::span<const std::vector<Point>> clouds,
+                                                  const Execution& execution = {});
 
 }  // namespace cocoon

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <utility>
+#include <optional>
 
 #include "geom/closest_facet.h"
 #include "geom/id_vector.h"
@@ -102,11 +102,12 @@ std::vector<Over> without_sheltered(const std::vector<Over>& over, double min_co
     feet.push_back(o.foot);
     heights.push_back(o.squared_height());
   }
-  const SampleHeights facing(std::move(feet), std::move(heights));
+  std::optional<NearestPointTree> facing;
+  if (!feet.empty()) facing.emplace(feet);
   std::vector<Over> open;
   std::copy_if(over.begin(), over.end(), std::back_inserter(open), [&](const Over& o) {
-    const auto is_nearer = [&](const Point&, double height) { return height < o.squared_height(); };
-    return o.facing >= 0 && !facing.any_near(o.foot, reach, is_nearer);
+    const auto is_nearer = [&](PointId p) { return heights[p.index()] < o.squared_height(); };
+    return o.facing >= 0 && !(facing && facing->any_near(o.foot, reach, is_nearer));
   });
   return open;
 }
@@ -152,11 +153,11 @@ RegionId part_near(const ModelIndex& model, const std::vector<Point>& places, do
                    RegionId region, Regions& regions) {
   const NearestPointTree tree(places);
   std::vector<TriangleId> near;
-  regions.region_of_facet.visit_where(
-      [&](RegionId r) { return r == region; },
-      [&](TriangleId t) {
-        if (tree.nearest(model.centroid(t)).squared_distance <= reach * reach) near.push_back(t);
-      });
+  regions.region_of_facet.visit_where([&](RegionId r) { return r == region; },
+                                      [&](TriangleId t) {
+                                        if (tree.any_near(model.centroid(t), reach))
+                                          near.push_back(t);
+                                      });
   if (near.empty() || near.size() == regions.regions[region].facets) return region;
   const RegionId part(regions.regions.size());
   regions.regions.push_back({});

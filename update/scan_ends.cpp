@@ -57,9 +57,7 @@ void leave_out_changes(const ModelIndex& model, const Scan& scan, const ScanEndO
   const std::vector<Point> off = samples_off(model, asked, off_model);
   if (off.empty()) return;
   const NearestPointTree changed(off);
-  std::erase_if(ends, [&](TriangleId t) {
-    return changed.nearest(model.centroid(t)).squared_distance <= around * around;
-  });
+  std::erase_if(ends, [&](TriangleId t) { return changed.any_near(model.centroid(t), around); });
 }
 
 }  // namespace

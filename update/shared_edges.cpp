@@ -62,7 +62,7 @@ std::vector<std::size_t> mark_shared_edges(std::size_t c, std::span<const Scan> 
     const NearestPointTree tree(samples);
     bool shares = false;
     for (const PlaceBeyond& p : places) {
-      if (tree.nearest(p.place).squared_distance > reach * reach) continue;
+      if (!tree.any_near(p.place, reach)) continue;
       shares = true;
       RimLoop& loop = rim.loops[p.loop];
       if (loop.is_inner(p.edge)) continue;

@@ -138,8 +138,9 @@ void UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
   const std::vector<CloudRim> rims = border_rims_of(result_.clouds);
   result_.replacement = replace_points(index, result_.regions, result_.choice, rims, clouds_,
                                        given_, options_.replace);
+  trees_ = nearest_point_trees(clouds_, execution);
   result_.overlooked =
-      overlooked_vertices(index, result_.replacement, rims, clouds_, options_.overlooked);
+      overlooked_vertices(index, result_.replacement, rims, trees_, options_.overlooked);
   const OverlookedVertices& found = result_.overlooked;
   if (found.is_doubtful(options_.overlooked))
     warn(warning_of_overlooked(found, model_.points[found.farthest], options_.overlooked));
@@ -219,8 +220,8 @@ void UpdateSteps::look_for_losses(const ModelIndex& index) {
     const RegionId region = result_.regions.group_of_vertex[v];
     return std::binary_search(result_.islands.begin(), result_.islands.end(), region);
   });
-  result_.unscanned = unscanned_losses(index, lost, scans, result_.euler > result_.euler_before,
-                                       options_.unscanned);
+  result_.unscanned = unscanned_losses(index, lost, scans, trees_,
+                                       result_.euler > result_.euler_before, options_.unscanned);
   if (result_.unscanned.vertices == 0) return;
   warn(warning_of_unscanned(result_.unscanned, options_.unscanned.reach,
                             model_.points[result_.unscanned.farthest]));
@@ -412,8 +413,8 @@ bool UpdateSteps::cut_where_scans_end(const ModelIndex& index,
   const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
   bool found = false;
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
-    if (is_cut_[c] != 0) continue;
-    if (!scan_ends_under(index, result_.regions, choice.clouds[c], scans[c], options_.cut.ends)) {
+    if (is_cut_[c] != 0 ||
+        !scan_ends_under(index, result_.regions, choice.clouds[c], scans[c], options_.cut.ends)) {
       continue;
     }
     is_cut_[c] = 1;
@@ -478,9 +479,8 @@ bool UpdateSteps::report_choice() {
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     CloudReport& report = result_.clouds[c];
     enter_choice(choice.clouds[c], report);
-    for (const RegionId r : report.replaced_groups) {
+    for (const RegionId r : report.replaced_groups)
       if (++clouds_over[r.index()] == 2) ++seen_by_several;
-    }
     if (choice.clouds[c].margin < options_.choice.narrow_margin) {
       warn(name_of_cloud(c) + ": " + warning_of_narrow_margin(report.margin_deg));
     }

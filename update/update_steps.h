@@ -9,6 +9,7 @@
 
 #include "geom/execution.h"
 #include "geom/id_vector.h"
+#include "geom/nearest_point.h"
 #include "geom/triangle_mesh.h"
 #include "update/cloud/scan.h"
 #include "update/joined_clouds.h"
@@ -137,6 +138,7 @@ class UpdateSteps {
   TriangleSet border_facets_;
   std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under
   std::vector<DividedLoop> divided_loops_;
+  std::vector<NearestPointTree> trees_;  // of the samples of each of clouds_, once it has its place
   UpdateResult result_;
 };
 

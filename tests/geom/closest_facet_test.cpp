@@ -155,6 +155,45 @@ TEST(NearestPoint, AgreesWithLookingAtEveryPoint) {
   }
 }
 
+// On a grid many points are as far as the reach, or equal.
+TEST(NearestPoint, AnyNearAgreesWithLookingAtEveryPoint) {
+  Random random(24);
+  std::vector<Point> points;
+  const auto some = [&] { return static_cast<double>(random.below(8)); };
+  for (int k = 0; k < 200; ++k) points.push_back({some(), some(), some()});
+  const NearestPointTree tree(points);
+  EXPECT_EQ(tree.box(), box_of(points));
+  const auto is_asked_for = [](PointId p) { return p.index() % 16 == 3; };
+  std::size_t near = 0;
+  std::size_t held = 0;
+  for (int k = 0; k < 400; ++k) {
+    const Point p = {some(), some(), some()};
+    const double reach = 0.5 * static_cast<double>(random.below(6));
+    bool any = false;
+    bool any_held = false;
+    for (const PointId id : id_range<PointId>(points.size())) {
+      if (distance(p, points[id.index()]) > reach) continue;
+      any = true;
+      any_held = any_held || is_asked_for(id);
+    }
+    near += any ? 1U : 0U;
+    held += any_held ? 1U : 0U;
+    ASSERT_EQ(tree.any_near(p, reach), any);
+    ASSERT_EQ(tree.any_near(p, reach, is_asked_for), any_held);
+  }
+  EXPECT_GT(near, held);
+  EXPECT_GT(held, 40U);
+  EXPECT_LT(near, 360U);
+}
+
+TEST(NearestPoint, ATreeOfEachCloud) {
+  const std::vector<std::vector<Point>> clouds = {{{0, 0, 0}, {1, 0, 0}}, {{0, 5, 0}}};
+  const std::vector<NearestPointTree> trees = nearest_point_trees(clouds, {.threads = 2});
+  ASSERT_EQ(trees.size(), 2U);
+  EXPECT_EQ(trees[0].nearest({2, 0, 0}).point, PointId(1U));
+  EXPECT_EQ(trees[1].nearest({0, 0, 0}).squared_distance, 25);
+}
+
 TEST(NearestPoint, RefusesNoPointsAndNonFiniteOnes) {
   EXPECT_THROW(NearestPointTree({}), InputError);
   const std::vector<Point> bad = {{0, 0, std::numeric_limits<double>::quiet_NaN()}};

@@ -102,7 +102,7 @@ TEST(StageOptions, StagesCalledAloneRefuseThemToo) {
                  [&] { overlooked_vertices(model, {}, {}, {}, {.reach = nan}); });
   expect_refused("unused_changes", [&] { unused_changes(model, {}, {}, {.off_model = nan}); });
   expect_refused("unscanned_losses",
-                 [&] { unscanned_losses(model, {}, scans, false, {.reach = nan}); });
+                 [&] { unscanned_losses(model, {}, scans, {}, false, {.reach = nan}); });
   expect_refused("contradicted_samples", [&] { contradicted_samples({}, {}, {.reach = nan}); });
   expect_refused("astray_triangles",
                  [&] { astray_triangles(mesh, {}, mesh, scans, {.tolerance = nan}); });

@@ -6,15 +6,19 @@ namespace cocoon {
 
 void ScannedPlaces::add(Points samples, double reach) {
   if (samples.empty()) return;
-  Box box = box_of(samples);
+  own_.push_back(std::make_unique<const NearestPointTree>(samples));
+  add(*own_.back(), reach);
+}
+
+void ScannedPlaces::add(const NearestPointTree& samples, double reach) {
+  Box box = samples.box();
   box.enlarge(reach);
-  sets_.push_back({NearestPointTree(samples), reach, box});
+  sets_.push_back({&samples, reach, box});
 }
 
 bool ScannedPlaces::contain(const Point& place) const {
   return std::any_of(sets_.begin(), sets_.end(), [&](const Reached& set) {
-    return contains(set.box, place) &&
-           set.samples.nearest(place).squared_distance <= set.reach * set.reach;
+    return contains(set.box, place) && set.samples->any_near(place, set.reach);
   });
 }
 

@@ -1,6 +1,7 @@
 // Places near which samples lie.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "geom/box.h"
@@ -14,6 +15,8 @@ class ScannedPlaces {
   // Places at most this far from one of the samples, which are copied, are scanned, too; `samples`
   // may be empty. Complexity: O(n log n).
   void add(Points samples, double reach);
+  // The same for samples that have a tree, which must outlive this. Complexity: O(1).
+  void add(const NearestPointTree& samples, double reach);
   // Whether a sample lies near. Complexity: O(log n) for each set of samples, O(1) far from all.
   bool contain(const Point& place) const;
   // Around all that they contain; empty without samples.
@@ -21,11 +24,12 @@ class ScannedPlaces {
 
  private:
   struct Reached {
-    NearestPointTree samples;
+    const NearestPointTree* samples;
     double reach;
     Box box;  // of what is scanned
   };
   std::vector<Reached> sets_;
+  std::vector<std::unique_ptr<const NearestPointTree>> own_;  // those made here
 };
 
 }  // namespace cocoon

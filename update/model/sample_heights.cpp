@@ -2,21 +2,28 @@
 
 #include <cstddef>
 #include <limits>
-#include <utility>
 
-#include "update/model/near_facets.h"
+#include "update/model/reached_cells.h"
 
 namespace cocoon {
+
+namespace {
+
+// Infinity beyond the reach of the facets.
+double squared_height(const NearFacets& near, const Point& sample) {
+  const double bound = near.reach() * near.reach();
+  const ClosestFacet closest = near.closest(sample, bound, [](TriangleId) { return true; });
+  return closest.triangle.is_none() ? std::numeric_limits<double>::infinity()
+                                    : closest.squared_distance;
+}
+
+}  // namespace
 
 std::vector<double> squared_heights(const ModelIndex& model, Points places, double bound) {
   const NearFacets near(model, places, bound);
   std::vector<double> heights;
   heights.reserve(places.size());
-  for (const Point& p : places) {
-    const ClosestFacet closest = near.closest(p, bound * bound, [](TriangleId) { return true; });
-    heights.push_back(closest.triangle.is_none() ? std::numeric_limits<double>::infinity()
-                                                 : closest.squared_distance);
-  }
+  for (const Point& p : places) heights.push_back(squared_height(near, p));
   return heights;
 }
 
@@ -37,9 +44,14 @@ std::vector<Point> samples_off(const ModelIndex& model, Points samples, double d
   return off;
 }
 
-SampleHeights::SampleHeights(std::vector<Point> samples, std::vector<double> squared_heights)
-    : samples_(std::move(samples)), squared_heights_(std::move(squared_heights)) {
-  if (!samples_.empty()) tree_ = tree_of_points(samples_);
+SampleHeights::SampleHeights(const ModelIndex& model, Points samples, Points places, double reach,
+                             double bound)
+    : samples_(samples), near_(model, points_near(samples, places, reach), bound) {}
+
+double SampleHeights::squared(PointId sample) {
+  const auto [entry, is_new] = known_.try_emplace(sample.index());
+  if (is_new) entry->second = squared_height(near_, samples_[sample.index()]);
+  return entry->second;
 }
 
 }  // namespace cocoon

@@ -1,12 +1,14 @@
-// Samples, and how far they are from the model.
+// How far samples are from the model.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
+#include <unordered_map>
 #include <vector>
 
-#include "geom/box_tree.h"
+#include "geom/ids.h"
 #include "geom/point.h"
 #include "update/model/model_index.h"
+#include "update/model/near_facets.h"
 
 namespace cocoon {
 
@@ -19,30 +21,22 @@ std::vector<double> squared_heights(const ModelIndex& model, Points places, doub
 std::vector<PointId> which_are_off(const ModelIndex& model, Points samples, double distance);
 std::vector<Point> samples_off(const ModelIndex& model, Points samples, double distance);
 
-// Samples with their heights, found by place.
+// Measures samples when they are first asked for. Refers to them and to the model, which must
+// outlive it.
 class SampleHeights {
  public:
-  // One height for each sample. Complexity: O(n log n).
-  SampleHeights(std::vector<Point> samples, std::vector<double> squared_heights);
+  // Is asked only for samples at most `reach` from one of the places; does not tell distances above
+  // `bound`. Complexity: O(samples + places), and what NearFacets takes for those near.
+  SampleHeights(const ModelIndex& model, Points samples, Points places, double reach, double bound);
 
-  // Whether holds(sample, its squared height) for some sample at most `reach` from p.
-  template <class Holds>
-  bool any_near(const Point& p, double reach, const Holds& holds) const {
-    bool found = false;
-    if (samples_.empty()) return false;
-    tree_.visit_near(p, reach * reach, [&](std::uint32_t slot) {
-      const std::uint32_t k = tree_.items()[slot];
-      found = found || (squared_distance(p, samples_[k]) <= reach * reach &&
-                        holds(samples_[k], squared_heights_[k]));
-      return found ? -1.0 : reach * reach;
-    });
-    return found;
-  }
+  // The squared distance of the sample from the model; infinity beyond the bound. Complexity:
+  // O(log f) for the first time, O(1) from then on.
+  double squared(PointId sample);
 
  private:
-  std::vector<Point> samples_;
-  std::vector<double> squared_heights_;
-  BoxTree tree_;
+  Points samples_;
+  NearFacets near_;
+  std::unordered_map<std::size_t, double> known_;
 };
 
 }  // namespace cocoon

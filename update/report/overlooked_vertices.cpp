@@ -1,5 +1,6 @@
 #include "update/report/overlooked_vertices.h"
 
+#include "geom/require_size.h"
 #include "update/cloud/rim_index.h"
 #include "update/cloud/scanned_places.h"
 #include "update/stage_options.h"
@@ -8,9 +9,10 @@ namespace cocoon {
 
 OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacement& replacement,
                                        std::span<const CloudRim> rims,
-                                       std::span<const std::vector<Point>> clouds,
+                                       std::span<const NearestPointTree> clouds,
                                        const OverlookedOptions& options) {
   require_options("overlooked_vertices", options);
+  require_size("overlooked_vertices", "trees of samples", clouds.size(), rims.size());
   const RimIndex rim_index(rims);
   if (rim_index.empty()) return {};
   ScannedPlaces scanned;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geom/point.h"
+#include "geom/nearest_point.h"
 #include "update/cloud_rim.h"
 #include "update/model/model_index.h"
 #include "update/replace_points.h"
@@ -51,12 +51,12 @@ struct OverlookedVertices {
 // regions that stay wrongly, not those that go wrongly. Where all of a rim is wrong, as that of a
 // thin plate's scan that is torn at the mouths of a hole, no vertex is far from it, but many of the
 // scanned ones stay.
-// rims[i] belongs to clouds[i]; those that formed the border.
-// Complexity: O(v + n log n) for v vertices and n samples. Deterministic. Errors: InputError for
-// options out of range. Source: ours.
+// clouds[i]: the samples of the cloud of rims[i], those that formed the border.
+// Complexity: O(v log n) for v vertices and n samples. Deterministic. Errors: InputError for
+// options out of range, or if not every rim has a tree. Source: ours.
 OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacement& replacement,
                                        std::span<const CloudRim> rims,
-                                       std::span<const std::vector<Point>> clouds,
+                                       std::span<const NearestPointTree> clouds,
                                        const OverlookedOptions& options = {});
 
 }  // namespace cocoon

@@ -6,10 +6,9 @@
 #include <limits>
 
 #include "geom/disjoint_sets.h"
-#include "geom/nearest_point.h"
+#include "geom/require_size.h"
 #include "geom/visit_where.h"
 #include "update/model/mean_at_vertex.h"
-#include "update/model/reached_cells.h"
 #include "update/model/sample_heights.h"
 #include "update/stage_options.h"
 
@@ -27,27 +26,35 @@ double mean_edge_at(const ModelIndex& model, VertexId v) {
 // A vertex that went, with no sample near it.
 struct Loss {
   VertexId vertex;
-  double spacing;   // of the model
-  double distance;  // from the samples, in spacings
+  double spacing;  // of the model
 };
 
+double unit_at(const Loss& loss, const Scan& scan) { return std::max(scan.spacing, loss.spacing); }
+
 std::vector<Loss> far_from_samples(const ModelIndex& model, std::span<const VertexId> lost,
-                                   std::span<const Scan> scans, double reach) {
+                                   std::span<const Scan> scans,
+                                   std::span<const NearestPointTree> samples, double reach) {
   std::vector<Loss> far;
-  if (lost.empty()) return far;
-  std::vector<NearestPointTree> samples;
-  for (const Scan& scan : scans) samples.emplace_back(scan.samples);
   for (const VertexId v : lost) {
-    const Point& p = model.mesh().points[v];
-    const double spacing = mean_edge_at(model, v);
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t c = 0; c < scans.size() && nearest > reach; ++c) {
-      const double unit = std::max(scans[c].spacing, spacing);
-      nearest = std::min(nearest, std::sqrt(samples[c].nearest(p).squared_distance) / unit);
+    const Loss loss{v, mean_edge_at(model, v)};
+    bool is_near = false;
+    for (std::size_t c = 0; c < scans.size() && !is_near; ++c) {
+      is_near = samples[c].any_near(model.mesh().points[v], reach * unit_at(loss, scans[c]));
     }
-    if (nearest > reach) far.push_back({v, spacing, nearest});
+    if (!is_near) far.push_back(loss);
   }
   return far;
+}
+
+// From the samples, in spacings.
+double distance_of(const Loss& loss, const Point& place, std::span<const Scan> scans,
+                   std::span<const NearestPointTree> samples) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < scans.size(); ++c) {
+    const double nearest = std::sqrt(samples[c].nearest(place).squared_distance);
+    least = std::min(least, nearest / unit_at(loss, scans[c]));
+  }
+  return least;
 }
 
 // Those that hang together by edges of the model are a group, named by one of them.
@@ -81,19 +88,11 @@ class Groups {
   std::vector<std::uint8_t> begins_;
 };
 
-// Of the samples around given places; `unit`: at least that of any place.
-SampleHeights heights_around(const ModelIndex& model, const Scan& scan, Points places, double unit,
-                             const UnscannedOptions& options) {
-  std::vector<Point> samples = points_near(scan.samples, places, options.change_reach * unit);
-  if (samples.empty()) return {{}, {}};
-  std::vector<double> heights = squared_heights(model, samples, options.off_model * unit);
-  return {std::move(samples), std::move(heights)};
-}
-
 // Which losses a change of the surface explains, by their groups.
 std::vector<std::uint8_t> explained_by_changes(const ModelIndex& model,
                                                const std::vector<Loss>& losses,
                                                std::span<const Scan> scans,
+                                               std::span<const NearestPointTree> samples,
                                                const UnscannedOptions& options) {
   Groups groups(model, losses);
   std::vector<std::size_t> begins(losses.size(), 0);
@@ -108,14 +107,16 @@ std::vector<std::uint8_t> explained_by_changes(const ModelIndex& model,
     spacing = std::max(spacing, losses[i].spacing);
   }
   std::vector<std::uint8_t> is_changed(asked.size(), 0);
-  for (const Scan& scan : scans) {
-    const SampleHeights samples =
-        heights_around(model, scan, places, std::max(scan.spacing, spacing), options);
+  for (std::size_t c = 0; c < scans.size(); ++c) {
+    const Scan& scan = scans[c];
+    const double largest = std::max(scan.spacing, spacing);
+    SampleHeights heights(model, scan.samples, places, options.change_reach * largest,
+                          options.off_model * largest);
     for (std::size_t k = 0; k < asked.size(); ++k) {
-      const double unit = std::max(scan.spacing, losses[asked[k]].spacing);
+      const double unit = unit_at(losses[asked[k]], scan);
       const double off = options.off_model * unit;
-      const auto is_off = [&](const Point&, double height) { return height > off * off; };
-      if (samples.any_near(places[k], options.change_reach * unit, is_off)) is_changed[k] = 1;
+      const auto is_off = [&](PointId p) { return heights.squared(p) > off * off; };
+      if (samples[c].any_near(places[k], options.change_reach * unit, is_off)) is_changed[k] = 1;
     }
   }
   for (std::size_t k = 0; k < asked.size(); ++k) {
@@ -150,23 +151,27 @@ std::vector<VertexId> lost_vertices(const ModelIndex& model, const Replacement& 
 }
 
 UnscannedLosses unscanned_losses(const ModelIndex& model, std::span<const VertexId> lost,
-                                 std::span<const Scan> scans, bool lost_handles,
+                                 std::span<const Scan> scans,
+                                 std::span<const NearestPointTree> samples, bool lost_handles,
                                  const UnscannedOptions& options) {
   require_options("unscanned_losses", options);
+  require_size("unscanned_losses", "trees of samples", samples.size(), scans.size());
   UnscannedLosses result;
-  const std::vector<Loss> losses = far_from_samples(model, lost, scans, options.reach);
+  const std::vector<Loss> losses = far_from_samples(model, lost, scans, samples, options.reach);
   result.far = losses.size();
   std::vector<std::uint8_t> explained(losses.size(), 0);
   const double most = options.max_explained_share * static_cast<double>(model.mesh().points.size());
   if (!losses.empty() && !lost_handles && static_cast<double>(losses.size()) <= most) {
-    explained = explained_by_changes(model, losses, scans, options);
+    explained = explained_by_changes(model, losses, scans, samples, options);
   }
   for (std::size_t i = 0; i < losses.size(); ++i) {
     if (explained[i] != 0) continue;
     ++result.vertices;
-    if (losses[i].distance <= result.distance) continue;
-    result.farthest = losses[i].vertex;
-    result.distance = losses[i].distance;
+    const VertexId v = losses[i].vertex;
+    const double distance = distance_of(losses[i], model.mesh().points[v], scans, samples);
+    if (distance <= result.distance) continue;
+    result.farthest = v;
+    result.distance = distance;
   }
   return result;
 }

@@ -7,6 +7,7 @@
 
 #include "geom/id_vector.h"
 #include "geom/ids.h"
+#include "geom/nearest_point.h"
 #include "geom/point.h"
 #include "update/cloud/scan.h"
 #include "update/model/model_index.h"
@@ -51,11 +52,14 @@ struct UnscannedLosses {
 // all samples around lie on the model, something went that nobody scanned: a handle that begins
 // under the cloud, an island in a scan whose rim was not found, what was left over and no longer
 // makes a surface. Vertices that hang together by edges of the model went for one reason.
-// Complexity: O(n log n) for n samples, lost vertices and their triangles, if there are any; what
-// NearFacets takes if any is far. Deterministic. Errors: InputError for options out of range.
+// samples[i]: those of scans[i].
+// Complexity: O(log n) for n samples for each lost vertex and its triangles; O(n) and what
+// NearFacets takes if any is far. Deterministic. Errors: InputError for options out of range, or if
+// not every scan has a tree.
 // Source: ours.
 UnscannedLosses unscanned_losses(const ModelIndex& model, std::span<const VertexId> lost,
-                                 std::span<const Scan> scans, bool lost_handles,
+                                 std::span<const Scan> scans,
+                                 std::span<const NearestPointTree> samples, bool lost_handles,
                                  const UnscannedOptions& options = {});
 
 }  // namespace cocoon

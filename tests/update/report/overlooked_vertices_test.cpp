@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cocone/reconstruct.h"
+#include "geom/errors.h"
 #include "io/sample_models.h"
 #include "tests/update/hand_made_models.h"
 #include "update/update_model.h"
@@ -30,7 +31,7 @@ struct ScannedPlane {
   }
   std::size_t count(const OverlookedOptions& options = {}) const { return found(options).count; }
   OverlookedVertices found(const OverlookedOptions& options = {}) const {
-    return overlooked_vertices(index, replacement, rims, clouds, options);
+    return overlooked_vertices(index, replacement, rims, nearest_point_trees(clouds), options);
   }
 };
 
@@ -83,8 +84,14 @@ TEST(OverlookedVertices, AreDoubtfulIfALargeShareOfWhatWasScannedStays) {
 TEST(OverlookedVertices, AreLookedForAtAllClouds) {
   ScannedPlane scene;
   scene.rims.push_back(scene.rims[0]);
-  scene.clouds.emplace_back();
+  scene.clouds.push_back({{50, 50, 50}});
   EXPECT_EQ(scene.count(), 25U);
+}
+
+TEST(OverlookedVertices, EveryRimNeedsTheSamplesOfItsCloud) {
+  ScannedPlane scene;
+  scene.clouds.clear();
+  EXPECT_THROW(scene.found(), InputError);
 }
 
 TEST(OverlookedVertices, AreToldInEdgesOfTheCloud) {

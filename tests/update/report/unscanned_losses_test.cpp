@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cocone/reconstruct.h"
+#include "geom/errors.h"
 #include "geom/mesh_check.h"
 #include "io/sample_models.h"
 #include "tests/mesh_gallery.h"
@@ -22,6 +23,14 @@ bool warns(const UpdateResult& result) {
     if (warning.find("though nothing was scanned") != std::string::npos) return true;
   }
   return false;
+}
+
+UnscannedLosses losses_among(const ModelIndex& model, std::span<const VertexId> lost,
+                             std::span<const Scan> scans, bool lost_handles,
+                             const UnscannedOptions& options = {}) {
+  std::vector<NearestPointTree> trees;
+  for (const Scan& scan : scans) trees.emplace_back(scan.samples);
+  return unscanned_losses(model, lost, scans, trees, lost_handles, options);
 }
 
 // A plane of 20 x 20 unit squares, of which the vertices from x = 3 on went. Up to x = 5 it was
@@ -41,7 +50,7 @@ struct TornPlane {
   }
   UnscannedLosses losses(bool lost_handles = false, const UnscannedOptions& options = {}) const {
     const Scan scan{samples, 2};
-    return unscanned_losses(index, lost, {&scan, 1}, lost_handles, options);
+    return losses_among(index, lost, {&scan, 1}, lost_handles, options);
   }
 };
 
@@ -54,7 +63,13 @@ TEST(UnscannedLosses, ThoseFarFromAllSamples) {
   EXPECT_EQ(found.distance, 7.5);
   EXPECT_EQ(scene.losses(false, {.reach = 5}).far, 5 * 21U);
   EXPECT_EQ(scene.losses(false, {.reach = 7.5}).far, 0U);
-  EXPECT_EQ(unscanned_losses(scene.index, {}, {}, true).far, 0U);
+  EXPECT_EQ(losses_among(scene.index, {}, {}, true).far, 0U);
+}
+
+TEST(UnscannedLosses, EveryScanNeedsATree) {
+  const TornPlane scene;
+  const Scan scan{scene.samples, 2};
+  EXPECT_THROW(unscanned_losses(scene.index, scene.lost, {&scan, 1}, {}, false), InputError);
 }
 
 // Where the model is coarser than the scan its edges are what counts.
@@ -62,13 +77,13 @@ TEST(UnscannedLosses, InSpacingsOfTheModelIfItIsCoarser) {
   const TornPlane scene;
   const Scan scan{scene.samples, 0.01};
   const double edge = (4 + 2 * std::sqrt(2.0)) / 6;  // at an inner vertex
-  const UnscannedLosses found = unscanned_losses(scene.index, scene.lost, {&scan, 1}, false);
+  const UnscannedLosses found = losses_among(scene.index, scene.lost, {&scan, 1}, false);
   EXPECT_GT(found.far, 12 * 19U);  // from x = 9, at 4
   EXPECT_NEAR(found.distance, 15 / edge, 3);
   // Another scan saw the rest.
   const Scan other{scene.model.points.raw(), 0.01};
   const Scan both[] = {scan, other};
-  EXPECT_EQ(unscanned_losses(scene.index, scene.lost, both, false).far, 0U);
+  EXPECT_EQ(losses_among(scene.index, scene.lost, both, false).far, 0U);
 }
 
 // Samples off the model near where the loss begins show that something was taken off, unless
@@ -102,7 +117,7 @@ TEST(UnscannedLosses, NothingExplainsThatAPartGoes) {
   for (std::uint32_t v = 25; v < 34; ++v) lost.push_back(VertexId(v));
   const std::vector<Point> samples = {{1, 1, 1}, {2, 2, 1}};
   const Scan scan{samples, 1};
-  const UnscannedLosses found = unscanned_losses(index, lost, {&scan, 1}, false);
+  const UnscannedLosses found = losses_among(index, lost, {&scan, 1}, false);
   EXPECT_EQ(found.far, 9U);
   EXPECT_EQ(found.vertices, 9U);
 }
