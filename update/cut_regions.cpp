@@ -205,6 +205,27 @@ void split_by_cut(const TriangleSet& under, std::size_t cloud, CutRegions& resul
   }
 }
 
+// Whether the bands meet something, and all of it is of the border.
+bool covers(const TriangleSet& border, std::span<const LoopBorder> bands) {
+  bool any = false;
+  bool all = true;
+  for (const LoopBorder& band : bands) {
+    band.for_each_facet([&](TriangleId t) {
+      any = true;
+      all = all && border[t] != 0;
+    });
+  }
+  return any && all;
+}
+
+// Clouds that are cut as one.
+struct JoinedRims {
+  std::vector<std::size_t> clouds;
+  TriangleSet border;  // certain_border() of all
+  std::vector<CloudRim> rims;
+  std::vector<Scan> scans;
+};
+
 }  // namespace
 
 double RegionCut::doubt() const {
@@ -274,6 +295,26 @@ std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
   return cut;
 }
 
+namespace {
+
+JoinedRims joined_rims(const ModelIndex& model, std::size_t first,
+                       std::span<const std::size_t> joined, std::span<const CloudRim> rims,
+                       std::span<const Border> borders, std::span<const Scan> scans,
+                       const CutOptions& options) {
+  JoinedRims found;
+  found.border = TriangleSet(model.mesh().triangles.size(), 0);
+  for (std::size_t c = first; c < rims.size(); ++c) {
+    if (joined[c] != first) continue;
+    found.clouds.push_back(c);
+    certain_border(model, rims[c], borders[c].loops, options, found.border);
+    found.rims.push_back(rims[c]);
+    if (!scans[c].samples.empty()) found.scans.push_back(scans[c]);
+  }
+  return found;
+}
+
+}  // namespace
+
 CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
                        std::span<const Border> borders, std::span<const Scan> scans,
                        std::span<const std::size_t> joined, std::span<const std::uint8_t> is_cut,
@@ -284,6 +325,7 @@ CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
   require_size("cut_regions", "clouds that others are joined to", joined.size(), rims.size());
   require_size("cut_regions", "flags of clouds", is_cut.size(), rims.size());
   CutRegions result;
+  result.is_cut.assign(is_cut.begin(), is_cut.end());
   result.cuts.resize(rims.size());
   result.under.resize(rims.size());
   TriangleSet all(model.mesh().triangles.size(), 0);
@@ -294,26 +336,28 @@ CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
       }
     }
     if (is_cut[first] == 0 || joined[first] != first) continue;
-    TriangleSet border(all.size(), 0);
-    std::vector<CloudRim> cut_rims;
-    std::vector<Scan> cut_scans;
-    for (std::size_t c = first; c < rims.size(); ++c) {
-      if (joined[c] != first) continue;
-      certain_border(model, rims[c], borders[c].loops, options, border);
-      cut_rims.push_back(rims[c]);
-      if (!scans[c].samples.empty()) cut_scans.push_back(scans[c]);
-    }
-    result.cuts[first] = cut_under_cloud(model, border, cut_rims, cut_scans, options);
+    const JoinedRims cut_as_one = joined_rims(model, first, joined, rims, borders, scans, options);
+    const TriangleSet& border = cut_as_one.border;
     for (const TriangleId t : all.ids()) all[t] |= border[t];
-    for (const TriangleId t : result.cuts[first].splinters) all[t] = 1;
+    RegionCut cut = cut_under_cloud(model, border, cut_as_one.rims, cut_as_one.scans, options);
+    const std::vector<std::size_t>& clouds = cut_as_one.clouds;
+    const bool is_whole = std::all_of(clouds.begin(), clouds.end(), [&](std::size_t c) {
+      return covers(border, borders[c].loops);
+    });
+    if (is_whole && cut.doubt() > options.max_doubt) {
+      for (const std::size_t c : clouds) result.is_cut[c] = 0;
+      continue;
+    }
+    for (const TriangleId t : cut.splinters) all[t] = 1;
+    result.cuts[first] = std::move(cut);
   }
   result.regions = segment_model(model, all, segment, execution);
   const std::size_t whole = result.regions.regions.size();
   for (std::size_t c = 0; c < rims.size(); ++c) {
-    if (is_cut[c] != 0 && joined[c] == c) split_by_cut(result.cuts[c].under, c, result);
+    if (result.is_cut[c] != 0 && joined[c] == c) split_by_cut(result.cuts[c].under, c, result);
   }
   for (std::size_t c = 0; c < rims.size(); ++c) {
-    if (is_cut[c] != 0) result.under[c] = result.under[joined[c]];
+    if (result.is_cut[c] != 0) result.under[c] = result.under[joined[c]];
   }
   if (result.regions.regions.size() > whole) count_and_group(model, result.regions);
   return result;

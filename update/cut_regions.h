@@ -97,6 +97,8 @@ RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
 // The regions of an update with partial rims.
 struct CutRegions {
   Regions regions;
+  // Of each cloud, whether it is cut after all.
+  std::vector<std::uint8_t> is_cut;
   // One for each cloud that is cut, alone or as the first of joined ones.
   std::vector<RegionCut> cuts;
   // Of each cloud that is cut: 1 for the regions under it, or under those it is joined to. Empty
@@ -112,7 +114,9 @@ std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
 
 // The components of the model without the borders of all clouds, split so that each lies as a whole
 // under each cloud that is cut, or outside: parts of regions under a cloud are new ones behind the
-// others. Of such clouds the border is certain_border() and splinters, of others all of it.
+// others. Of such clouds the border is certain_border() and splinters, of others all of it. Where
+// triangles are so large that both are the same the rim is as good as whole: if the cut is doubtful
+// there, since no triangle lies under the cloud as a whole, the cloud is not cut.
 // is_cut: as clouds_to_cut(), or more. rims[c], borders[c], scans[c], joined[c] and is_cut[c]
 // belong together; where a scan without samples ends is not known. Errors: InputError unless there
 // are as many of each. Complexity: as cut_under_cloud() for each group of joined clouds.

@@ -215,6 +215,7 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
       scanned_vertices(index, regions, rim_index, rims, clouds, options.scanned);
 
   // 1. Who goes. Most vertices stay: those in the middle of the largest region that does.
+  const bool any_region_goes = std::count(choice.replaced.begin(), choice.replaced.end(), 1) > 0;
   ListEdit<VertexId> edit;
   const auto decide = [&](VertexId v) {
     const RegionId group = regions.group_of_vertex[v];
@@ -230,7 +231,9 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
         told ? ToldByRim() : told_by_rim(index, regions, choice, rim_index, v, options);
     bool replaced = told ? *told : by_rim.goes;
     result.enclosed_replaced += by_rim.is_enclosed ? 1U : 0U;
-    if (scanned[v] != Scanned::unclear && replaced != (scanned[v] == Scanned::yes)) {
+    const bool samples_differ =
+        scanned[v] != Scanned::unclear && replaced != (scanned[v] == Scanned::yes);
+    if (samples_differ && (replaced || any_region_goes)) {
       replaced = !replaced;
       ++(replaced ? result.scanned_replaced : result.unscanned_kept);
     }

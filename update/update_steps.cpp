@@ -392,6 +392,7 @@ bool UpdateSteps::segment(const ModelIndex& index, const std::vector<std::size_t
   CutRegions cut = cut_regions(index, border_rims_of(result_.clouds), borders_,
                                scans_of(clouds_, result_.clouds), joined, is_cut_, options_.cut,
                                options_.segment, execution);
+  is_cut_ = std::move(cut.is_cut);
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     if (is_cut_[c] == 0 || joined[c] != c) continue;
     cut.cuts[c].under = {};
@@ -434,9 +435,8 @@ bool UpdateSteps::split_divided_regions(const ModelIndex& index,
   if (split.status != SplitStatus::ok) {
     const RegionId failed = result_.split.back().outside;
     for (const DividedLoop& loop : divided_loops_) {
-      if (loop.region == failed) {
+      if (loop.region == failed)
         return fail_divided(loop, reason_of_failed_split(split.status, result_.split.back()));
-      }
     }
   }
   std::swap(result_.regions, split.regions);

@@ -15,6 +15,7 @@
 #include "io/sample_models.h"
 #include "tests/end_to_end/local_update.h"
 #include "tests/gallery.h"
+#include "tests/mesh_gallery.h"
 #include "tests/update/hand_made_models.h"
 #include "update/model/model_index.h"
 #include "update/update_model.h"
@@ -320,6 +321,31 @@ TEST(UpdateScenarios, CloudWithinOneFacet) {
   EXPECT_EQ(result.replacement.replaced, 0U);
   EXPECT_EQ(result.clouds[0].loops[0].separation, Separation::encloses_nothing);
   EXPECT_FALSE(result.warnings.empty());
+}
+
+// Of a regular grid the rim leaves out samples at two corners, so that it is not whole; on a facet
+// as large as this one nothing is missing for that.
+TEST(UpdateScenarios, GridWithinOneFacet) {
+  const TriangleMesh model = gallery::tetrahedron();
+  const auto [a, b, c] = corners_of(model, TriangleId(0));
+  const Vec3 along = unit(b - a);
+  const Vec3 across = unit((c - a) - dot(c - a, along) * along);
+  const Vec3 up = cross(along, across);
+  const double step = 0.01 * distance(a, b);
+  Clouds clouds(1);
+  for (int i = -8; i < 8; ++i) {
+    for (int k = -8; k < 8; ++k) {
+      const double height = std::max(0.0, 1 - (i * i + k * k) / 30.0);
+      clouds[0].push_back((a + b + c) / 3 + step * (i * along + k * across + 2 * height * up));
+    }
+  }
+  const UpdateResult result = update_model(model, clouds);
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_TRUE(result.clouds[0].surface.rim.is_partial());
+  EXPECT_EQ(result.replacement.replaced, 0U);
+  EXPECT_EQ(result.clouds[0].loops[0].separation, Separation::encloses_nothing);
+  EXPECT_EQ(result.mesh.points.size(), 4 + clouds[0].size());
+  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
 }
 
 // So is one close to a corner of the facet: the corner stays.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/mesh_gallery.h"
 #include "tests/update/hand_made_models.h"
 #include "update/choose_regions.h"
 #include "update/overlapping_facets.h"
@@ -417,6 +418,27 @@ TEST(CutRegions, RegionsLieAsAWholeUnderEachCloud) {
     }
   }
   for (const CloudChoice& cloud : choice.clouds) EXPECT_GT(cloud.margin, 1);
+}
+
+// Two triangles, a torn rim across both: the border is that of the whole rim. Beside a triangle
+// within the rim it is cut.
+TEST(CutRegions, NothingIsMissingInLargeFacets) {
+  const auto is_cut = [](const TriangleMesh& mesh) {
+    const ModelIndex model(mesh);
+    const std::vector<CloudRim> rims = {torn_rim(20, 24)};
+    const std::vector<Border> borders = {
+        trace_border(model, rims[0], overlapping_facets(model, rims[0]))};
+    const std::vector<std::uint8_t> all = {1};
+    const CutRegions found =
+        cut_regions(model, rims, borders, std::vector<Scan>(1), std::vector<std::size_t>{0}, all);
+    EXPECT_EQ(found.cuts[0].is_empty(), found.is_cut[0] == 0);
+    EXPECT_EQ(found.under[0].empty(), found.is_cut[0] == 0);
+    return found.is_cut[0] != 0;
+  };
+  const TriangleMesh square = gallery::make_mesh(
+      {{-50, -50, 0}, {80, -50, 0}, {80, 80, 0}, {-50, 80, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  EXPECT_FALSE(is_cut(square));
+  EXPECT_TRUE(is_cut(grid_plane(30)));
 }
 
 TEST(CutRegions, CloudsAreCutWithThoseTheyAreJoinedWith) {

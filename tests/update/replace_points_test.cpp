@@ -173,6 +173,19 @@ TEST(ReplacePoints, AtTheRimSamplesTell) {
   }
 }
 
+// Where no region goes there is nothing to replace: what lies before the rim stays for all samples.
+TEST(ReplacePoints, WhereNoRegionGoesNothingBeforeTheRimDoes) {
+  ReplacedDisk scene;
+  const VertexId outside(14 * 21 + 15);  // by 0.1
+  scene.clouds[0].push_back({15.1, 14.2, 0.1});
+  const ReplaceOptions options{.scanned = {.rim_zone = 0.31, .sample_reach = 0.36}};
+  EXPECT_TRUE(scene.replace(options).point_of_vertex[outside].is_none());
+  for (std::uint8_t& replaced : scene.choice.replaced) replaced = 0;
+  const Replacement result = scene.replace(options);
+  EXPECT_FALSE(result.point_of_vertex[outside].is_none());
+  EXPECT_EQ(result.scanned_replaced, 0U);
+}
+
 // Parts the region of the vertex nearest to p by a line that is no border, and adds a rim around p
 // that has got there by mistake.
 void part_at(const Point& p, bool cloud_inside, ReplacedDisk& scene) {
