@@ -118,6 +118,7 @@ void require_options(const char* stage, const RimOptions& options) {
 
 void require_options(const char* stage, const RimSeamOptions& options) {
   require_amounts(stage, {{"cloud.seams.reach", options.reach},
+                          {"cloud.seams.few_reach", options.few_reach},
                           {"cloud.seams.min_rim_length", options.min_rim_length}});
   require_shares(stage, {{"cloud.seams.max_seam_share", options.max_seam_share}});
 }

@@ -22,7 +22,8 @@ Vec3 outward(const RimLoop& loop, std::size_t i) {
 }
 
 // The samples near the places beyond the edges of all loops: few of the cloud.
-std::vector<Point> samples_beyond(Points cloud, const CloudRim& rim, double reach) {
+std::vector<Point> samples_beyond(Points cloud, const CloudRim& rim,
+                                  const RimSeamOptions& options) {
   std::vector<Point> places;
   const auto list = [&](const std::vector<RimLoop>& loops, double spacing) {
     for (const RimLoop& loop : loops) {
@@ -33,15 +34,26 @@ std::vector<Point> samples_beyond(Points cloud, const CloudRim& rim, double reac
   };
   list(rim.loops, rim.spacing);
   list(rim.pin_hole_loops, rim.median_edge);
+  const double reach = std::max(options.reach, options.few_reach);
   return points_near(cloud, places, reach * std::max(rim.spacing, rim.median_edge));
 }
 
 bool has_cloud_beyond(const NearestPointTree& tree, Points samples, const RimLoop& loop,
-                      std::size_t i, double spacing, double reach) {
-  const NearestPoint nearest = tree.nearest(place_beyond(loop, i, spacing));
-  const Point& sample = samples[nearest.point.index()];
-  if (sample == loop.points[i] || sample == loop.points[loop.next(i)]) return false;
-  return nearest.squared_distance <= reach * reach * spacing * spacing;
+                      std::size_t i, double spacing, const RimSeamOptions& options) {
+  const Point place = place_beyond(loop, i, spacing);
+  const auto is_end = [&](PointId p) {
+    const Point& sample = samples[p.index()];
+    return sample == loop.points[i] || sample == loop.points[loop.next(i)];
+  };
+  const NearestPoint nearest = tree.nearest(place);
+  const double reach = options.reach * spacing;
+  if (is_end(nearest.point) || nearest.squared_distance > reach * reach) return false;
+  std::size_t count = 0;
+  const auto are_enough = [&](PointId p) {
+    if (!is_end(p)) ++count;
+    return count >= options.min_samples;
+  };
+  return tree.any_near(place, options.few_reach * spacing, are_enough);
 }
 
 bool has_mostly_seams(const RimLoop& loop, const RimSeamOptions& options) {
@@ -91,13 +103,13 @@ Point place_beyond(const RimLoop& loop, std::size_t i, double spacing) {
 
 void mark_rim_seams(Points cloud, CloudRim& rim, const RimSeamOptions& options) {
   require_options("mark_rim_seams", options);
-  const std::vector<Point> samples = samples_beyond(cloud, rim, options.reach);
+  const std::vector<Point> samples = samples_beyond(cloud, rim, options);
   std::optional<NearestPointTree> tree;
   if (!samples.empty()) tree.emplace(samples);
   const auto mark = [&](RimLoop& loop, double spacing) {
     loop.inner.assign(loop.size(), 0);
     for (std::size_t i = 0; tree && i < loop.size(); ++i) {
-      if (has_cloud_beyond(*tree, samples, loop, i, spacing, options.reach)) loop.inner[i] = 1;
+      if (has_cloud_beyond(*tree, samples, loop, i, spacing, options)) loop.inner[i] = 1;
     }
   };
   for (RimLoop& loop : rim.loops) mark(loop, rim.spacing);

@@ -194,6 +194,30 @@ TEST(MarkRimSeams, PinHolesThatAreSeamsGo) {
   EXPECT_EQ(rim.seam_loops, 0U);
 }
 
+// The surface of a grid leaves out the sample at its corner: behind the edge there the cloud ends.
+TEST(MarkRimSeams, ALoneSampleIsNoCloudBeyondAnEdge) {
+  const TriangleMesh floor = testing::grid_plane(10);
+  constexpr VertexId corner(10U);  // of one triangle
+  TriangleMesh surface;
+  surface.points = floor.points;
+  for (const Triangle& t : floor.triangles) {
+    if (std::find(t.begin(), t.end(), corner) == t.end()) surface.triangles.push_back(t);
+  }
+  ASSERT_EQ(floor.points[corner], (Point{10, 0, 0}));
+  ASSERT_EQ(surface.triangles.size(), 199U);
+  const auto seam_edges = [&](const std::vector<Point>& cloud, const RimSeamOptions& options) {
+    CloudRim rim = cloud_rim(surface);
+    mark_rim_seams(cloud, rim, options);
+    return rim.seam_edges;
+  };
+  std::vector<Point> cloud = floor.points.raw();
+  EXPECT_EQ(seam_edges(cloud, {}), 0U);
+  EXPECT_EQ(seam_edges(cloud, {.min_samples = 1}), 1U);
+  cloud.push_back({10.6, 0.2, 0});
+  EXPECT_EQ(seam_edges(cloud, {}), 1U);
+  EXPECT_EQ(seam_edges(cloud, {.few_reach = 0.2}), 0U);
+}
+
 TEST(MarkRimSeams, AFreeRimHasNone) {
   const TriangleMesh floor = testing::grid_plane(10);
   CloudRim rim = cloud_rim(floor);
