@@ -256,6 +256,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   const SurfaceDoubts doubts = timed(job.execution(), "check", [&] {
     return surface_doubts(result, points, stages.doubts, job.execution());
   });
+  warn_of_handles(job, arguments.points, input, doubts.certificate);
   properties = properties_of_surface(job, properties, arguments.points, result);
   const MeshReport certificate = arguments.manifold
                                      ? part_sheets(job, arguments.mesh, result.mesh, properties)

@@ -11,6 +11,7 @@
 #include "app/session_file.h"
 #include "app/updating.h"
 #include "geom/equal_points.h"
+#include "geom/mesh_check.h"
 #include "io/file_format.h"
 #include "io/lock_file.h"
 
@@ -65,6 +66,9 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
 
   ReconstructResult initial = initial_model(job, arguments.model, input.model.points.raw(),
                                             dense.labels, options.reconstruct);
+  if (arguments.densify) {
+    warn_of_handles(job, arguments.model, dense, mesh_check(initial.mesh, {}, job.execution()));
+  }
   if (!input.properties.empty()) {
     std::vector<RowOrigin> origins;
     for (const PointId point : initial.point_of_vertex) origins.push_back({0, point.index()});

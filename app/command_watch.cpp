@@ -30,6 +30,7 @@
 #include "app/watch_notes.h"
 #include "geom/counted.h"
 #include "geom/errors.h"
+#include "geom/mesh_check.h"
 #include "io/file_bytes.h"
 #include "io/input_file.h"
 #include "io/lock_file.h"
@@ -193,6 +194,9 @@ class Watch {
       dense.points = std::move(mesh.points).raw();
     }
     begin_session(job_, arguments_.model, dense.points, dense.labels, options_, state_.session);
+    if (arguments_.densify) {
+      warn_of_handles(job_, arguments_.model, dense, mesh_check(model(), {}, job_.execution()));
+    }
     findings_are_due_ = true;
   }
 

@@ -1,5 +1,6 @@
 #include "app/densify.h"
 
+#include <fmt/format.h>
 #include <utility>
 
 #include "app/files.h"
@@ -35,7 +36,8 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
     for (const VertexId v : model.vertex_of) dense.point_of_vertex.push_back(PointId(v.value));
   }
   dense.points.insert(dense.points.end(), added.begin(), added.end());
-  if (mesh_check(mesh, {}, job.execution()).balanced) {
+  dense.certificate = mesh_check(mesh, {}, job.execution());
+  if (dense.certificate.balanced) {
     dense.labels = labels_told_by(std::move(mesh), dense.points);
   } else {
     job.warn(path +
@@ -44,6 +46,18 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
              "open)");
   }
   return dense;
+}
+
+void warn_of_handles(Job& job, const std::string& path, const DensifiedMesh& dense,
+                     const MeshReport& surface) {
+  const MeshReport& mesh = dense.certificate;
+  if (!mesh.genus || !surface.genus || mesh.components != surface.components) return;
+  if (*mesh.genus == *surface.genus) return;
+  job.warn(
+      fmt::format("{}: the surface of its samples has {}, the mesh {}; sharp edges and thin "
+                  "walls need another, mostly a smaller SPACING of --densify; look at the "
+                  "result",
+                  path, counted(*surface.genus, "handle"), *mesh.genus));
 }
 
 }  // namespace cocoon::app

@@ -8,6 +8,7 @@
 #include "cocone/known_labels.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
+#include "geom/mesh_check.h"
 #include "geom/point.h"
 
 namespace cocoon::app {
@@ -16,11 +17,17 @@ struct DensifiedMesh {
   std::vector<Point> points;                    // vertices of the mesh, then samples between them
   IdVector<VertexId, PointId> point_of_vertex;  // of each vertex of the file, which of them it is
   KnownLabelsSource labels;  // where the mesh has inside and outside; empty if it is not closed
+  MeshReport certificate;    // of the mesh
 };
 
 // Reads a mesh (read_model), as stage "read", and adds samples about `spacing` apart, as stage
 // "dense_samples"; their number goes to the report and the summary. Warns of a mesh that is not
 // closed. Throws InputError if the file has no triangles, or if the spacing is too small for it.
 DensifiedMesh read_densified(Job& job, const std::string& path, double spacing);
+
+// Warns if the surface of the samples has more or fewer handles than the mesh, both closed and of
+// as many parts. `surface`: its certificate. Says nothing of points that are of no mesh.
+void warn_of_handles(Job& job, const std::string& path, const DensifiedMesh& dense,
+                     const MeshReport& surface);
 
 }  // namespace cocoon::app

@@ -107,6 +107,13 @@ ToldByRim told_by_rim(const ModelIndex& model, const Regions& regions, const Reg
   return {enclosed, enclosed};
 }
 
+// Whether samples at the very rim tell that it is the other way round. Where no region goes there
+// is nothing to replace, and no sample takes a vertex away.
+bool samples_overrule(Scanned by_samples, bool replaced, bool any_region_goes) {
+  if (replaced) return by_samples == Scanned::no;
+  return by_samples == Scanned::yes && any_region_goes;
+}
+
 // Merges equal points, keeping the first of each in place; returns the new position of every old
 // one.
 std::vector<PointId> merge_equal(std::vector<Point>& points,
@@ -163,6 +170,19 @@ std::vector<RepeatedPoint> repeated_among(Points points, std::size_t kept, const
                                           const ListEdit<VertexId>& edit) {
   if (!model.has_distinct_points()) return repeated_points(points);
   return repeated_points(points, kept, kept_in(model, box_of(points.subspan(kept)), edit));
+}
+
+// Fills in the updated points: those that stay, then the clouds, equal ones once. Returns where
+// each came to lie; nothing if all are different.
+std::vector<PointId> add_clouds(const ModelIndex& model, const ListEdit<VertexId>& edit,
+                                std::span<const std::vector<Point>> clouds, Replacement& result) {
+  result.points = gather(model.mesh().points.span(), edit, clouds);
+  const std::vector<RepeatedPoint> repeated =
+      repeated_among(result.points, result.kept, model, edit);
+  result.duplicates = repeated.size();
+  result.kept_are_distinct = repeated.empty() || repeated.front().point >= result.kept;
+  if (repeated.empty()) return {};
+  return merge_equal(result.points, repeated);
 }
 
 // Where the model vertices went, and the points of the clouds behind them.
@@ -231,9 +251,7 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
         told ? ToldByRim() : told_by_rim(index, regions, choice, rim_index, v, options);
     bool replaced = told ? *told : by_rim.goes;
     result.enclosed_replaced += by_rim.is_enclosed ? 1U : 0U;
-    const bool samples_differ =
-        scanned[v] != Scanned::unclear && replaced != (scanned[v] == Scanned::yes);
-    if (samples_differ && (replaced || any_region_goes)) {
+    if (samples_overrule(scanned[v], replaced, any_region_goes)) {
       replaced = !replaced;
       ++(replaced ? result.scanned_replaced : result.unscanned_kept);
     }
@@ -251,13 +269,7 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
   result.kept = edit.size_after(model.points.size());
 
   // 2. Then the clouds; equal points once.
-  result.points = gather(model.points.span(), edit, added);
-  const std::vector<RepeatedPoint> repeated =
-      repeated_among(result.points, result.kept, index, edit);
-  std::vector<PointId> new_position;
-  if (!repeated.empty()) new_position = merge_equal(result.points, repeated);
-  result.duplicates = repeated.size();
-  result.kept_are_distinct = repeated.empty() || repeated.front().point >= result.kept;
+  const std::vector<PointId> new_position = add_clouds(index, edit, added, result);
 
   // 3. Where everything went.
   tell_positions(edit, model.points.size(), added, new_position, result);

@@ -209,6 +209,58 @@ TEST(Densify, KeepsThinWallsOfAClosedMesh) {
   EXPECT_NE(of_open["warnings"].dump().find("is not closed"), std::string::npos);
 }
 
+// A block of 4 by 4 by 1 with a square hole in the middle.
+std::string drilled_block(double width) {
+  std::string vertices;
+  for (const double z : {0.0, 1.0}) {
+    for (const double half : {2.0, 0.5 * width}) {
+      vertices += point_line(-half, -half, z) + point_line(half, -half, z) +
+                  point_line(half, half, z) + point_line(-half, half, z);
+    }
+  }
+  std::string faces;
+  const auto face = [&](int a, int b, int c, int d) {
+    faces += '4';
+    for (const int v : {a, b, c, d}) {
+      faces += ' ';
+      faces += std::to_string(v);
+    }
+    faces += '\n';
+  };
+  for (int k = 0; k < 4; ++k) {
+    const int next = (k + 1) % 4;
+    face(k, 4 + k, 4 + next, next);
+    face(8 + k, 8 + next, 12 + next, 12 + k);
+    face(k, next, 8 + next, 8 + k);
+    face(4 + k, 12 + k, 12 + next, 4 + next);
+  }
+  return "OFF\n16 16 0\n" + vertices + faces;
+}
+
+// No sample tells of a hole that is narrow against the spacing; the mesh does.
+TEST(Densify, ALostHoleIsToldBecauseTheMeshHasIt) {
+  const TemporaryFolder folder;
+  const std::string out = folder.file("dense.ply");
+  std::string cloud;  // a scan of a bump on the side
+  for (int y = -3; y <= 3; ++y) {
+    for (int z = -3; z <= 3; ++z) {
+      const double bump = std::max(0, 4 - y * y - z * z);
+      cloud += point_line(2 + 0.02 * bump, 0.1 * y, 0.5 + 0.1 * z);
+    }
+  }
+  const std::string scan = folder.write("scan.xyz", cloud);
+  std::string error;
+  for (const bool is_lost : {true, false}) {
+    const std::string part = folder.write("part.off", drilled_block(is_lost ? 0.05 : 0.6));
+    Json report = report_of({"reconstruct", part, "-o", out, "--densify", "0.3"}, error);
+    EXPECT_EQ(report["surface"]["genus"], is_lost ? 0 : 1);
+    const std::string told = "has 0 handles, the mesh 1";
+    EXPECT_EQ(report["warnings"].dump().find(told) != std::string::npos, is_lost) << error;
+    report = report_of({"update", part, scan, "-o", out, "--densify", "0.3"}, error);
+    EXPECT_EQ(report["warnings"].dump().find(told) != std::string::npos, is_lost) << error;
+  }
+}
+
 TEST(Densify, NeedsAMeshAndAPossibleSpacing) {
   const TemporaryFolder folder;
   const std::string part = folder.write("part.off", gear());

@@ -240,11 +240,11 @@ TEST(Program, UpdateReplacesWhatLiesUnderTheCloud) {
   EXPECT_EQ(content_of(html).rfind("<!DOCTYPE html>", 0), 0U);
 }
 
-// Two edges of its rim are seams.
+// An edge of its rim is a seam.
 TEST(Program, TheReportOfTheDemoSaysThatTheCutDecided) {
   const TemporaryFolder folder;
   const Json cloud = report_of({"demo", "-o", folder.file("demo")})["update"]["clouds"][0];
-  EXPECT_EQ(cloud["seam_edges"], 2);
+  EXPECT_EQ(cloud["seam_edges"], 1);
   EXPECT_EQ(cloud["is_cut"], true);
 }
 
