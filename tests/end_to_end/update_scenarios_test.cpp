@@ -323,8 +323,8 @@ TEST(UpdateScenarios, CloudWithinOneFacet) {
   EXPECT_FALSE(result.warnings.empty());
 }
 
-// Of a regular grid the rim leaves out samples at two corners, so that it is not whole; on a facet
-// as large as this one nothing is missing for that.
+// Of a regular grid the rim leaves out samples at two corners. Even if that counts as a seam,
+// nothing of the border is missing for it on a facet as large as this one.
 TEST(UpdateScenarios, GridWithinOneFacet) {
   const TriangleMesh model = gallery::tetrahedron();
   const auto [a, b, c] = corners_of(model, TriangleId(0));
@@ -339,13 +339,17 @@ TEST(UpdateScenarios, GridWithinOneFacet) {
       clouds[0].push_back((a + b + c) / 3 + step * (i * along + k * across + 2 * height * up));
     }
   }
-  const UpdateResult result = update_model(model, clouds);
-  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
-  EXPECT_TRUE(result.clouds[0].surface.rim.is_partial());
-  EXPECT_EQ(result.replacement.replaced, 0U);
-  EXPECT_EQ(result.clouds[0].loops[0].separation, Separation::encloses_nothing);
-  EXPECT_EQ(result.mesh.points.size(), 4 + clouds[0].size());
-  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+  for (const std::size_t min_samples : {std::size_t{1}, std::size_t{2}}) {
+    UpdateOptions options;
+    options.cloud.seams.min_samples = min_samples;
+    const UpdateResult result = update_model(model, clouds, options);
+    ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+    EXPECT_EQ(result.clouds[0].surface.rim.is_partial(), min_samples == 1);
+    EXPECT_EQ(result.replacement.replaced, 0U);
+    EXPECT_EQ(result.clouds[0].loops[0].separation, Separation::encloses_nothing);
+    EXPECT_EQ(result.mesh.points.size(), 4 + clouds[0].size());
+    EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+  }
 }
 
 // So is one close to a corner of the facet: the corner stays.
