@@ -49,6 +49,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("opened_pin_holes", opened_pin_holes(cloud));
   entry.set("rim_edges", cloud.surface.rim.rim_edges);
   entry.set("seam_edges", cloud.surface.rim.seam_edges);
+  entry.set("lone_edges", cloud.surface.rim.lone_edges);
   entry.set("shared_edges", cloud.surface.rim.shared_edges);
   entry.set("torn_edges", cloud.surface.rim.torn_edges);
   entry.set("seam_loops", cloud.surface.rim.seam_loops);

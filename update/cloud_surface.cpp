@@ -123,7 +123,7 @@ Trial find_rim(const KeptSamples& samples, Sheet&& found, const RimSearch& searc
                   .pin_holes = rim.pin_holes};
   if (rim.rim_edges > 0) {
     trial.report.seam_share =
-        static_cast<double>(rim.seam_edges) / static_cast<double>(rim.rim_edges);
+        static_cast<double>(rim.seam_edges + rim.lone_edges) / static_cast<double>(rim.rim_edges);
   }
   if (rim.median_edge > 0) trial.report.stretch = rim.spacing / rim.median_edge;
   return trial;

@@ -78,7 +78,7 @@ struct RimTrial {
   std::size_t seam_loops = 0;
   std::size_t seamed_loops = 0;
   std::size_t pin_holes = 0;
-  double seam_share = 0;  // of the rim edges of all loops
+  double seam_share = 0;  // of the rim edges of all loops, lone edges among them
   double stretch = 1;     // median edge of the rim, over that of the surface
 };
 

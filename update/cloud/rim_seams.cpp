@@ -38,7 +38,9 @@ std::vector<Point> samples_beyond(Points cloud, const CloudRim& rim,
   return points_near(cloud, places, reach * std::max(rim.spacing, rim.median_edge));
 }
 
-bool has_cloud_beyond(const NearestPointTree& tree, Points samples, const RimLoop& loop,
+enum class Beyond { nothing, few, cloud };
+
+Beyond what_is_beyond(const NearestPointTree& tree, Points samples, const RimLoop& loop,
                       std::size_t i, double spacing, const RimSeamOptions& options) {
   const Point place = place_beyond(loop, i, spacing);
   const auto is_end = [&](PointId p) {
@@ -47,13 +49,14 @@ bool has_cloud_beyond(const NearestPointTree& tree, Points samples, const RimLoo
   };
   const NearestPoint nearest = tree.nearest(place);
   const double reach = options.reach * spacing;
-  if (is_end(nearest.point) || nearest.squared_distance > reach * reach) return false;
+  if (is_end(nearest.point) || nearest.squared_distance > reach * reach) return Beyond::nothing;
   std::size_t count = 0;
   const auto are_enough = [&](PointId p) {
     if (!is_end(p)) ++count;
     return count >= options.min_samples;
   };
-  return tree.any_near(place, options.few_reach * spacing, are_enough);
+  const bool is_cloud = tree.any_near(place, options.few_reach * spacing, are_enough);
+  return is_cloud ? Beyond::cloud : Beyond::few;
 }
 
 bool has_mostly_seams(const RimLoop& loop, const RimSeamOptions& options) {
@@ -106,13 +109,19 @@ void mark_rim_seams(Points cloud, CloudRim& rim, const RimSeamOptions& options) 
   const std::vector<Point> samples = samples_beyond(cloud, rim, options);
   std::optional<NearestPointTree> tree;
   if (!samples.empty()) tree.emplace(samples);
+  // Returns how many edges have a few samples beyond them.
   const auto mark = [&](RimLoop& loop, double spacing) {
     loop.inner.assign(loop.size(), 0);
+    std::size_t few = 0;
     for (std::size_t i = 0; tree && i < loop.size(); ++i) {
-      if (has_cloud_beyond(*tree, samples, loop, i, spacing, options)) loop.inner[i] = 1;
+      const Beyond beyond = what_is_beyond(*tree, samples, loop, i, spacing, options);
+      loop.inner[i] = beyond == Beyond::cloud ? 1 : 0;
+      few += beyond == Beyond::few ? 1U : 0U;
     }
+    return few;
   };
-  for (RimLoop& loop : rim.loops) mark(loop, rim.spacing);
+  rim.lone_edges = 0;
+  for (RimLoop& loop : rim.loops) rim.lone_edges += mark(loop, rim.spacing);
   for (RimLoop& loop : rim.pin_hole_loops) mark(loop, rim.median_edge);
   rim.rim_edges = 0;
   rim.seam_edges = 0;

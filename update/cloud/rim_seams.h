@@ -13,7 +13,8 @@ struct RimSeamOptions {
   // outward from its midpoint, in the plane of its triangle, is within `reach` spacings and no end.
   double reach = 0.85;
   // And if so many samples, its ends left out, are within `few_reach` spacings of that point: the
-  // rim of a grid leaves out the sample at its corner, behind which there is nothing.
+  // rim of a grid leaves out the sample at its corner, behind which there is nothing. Such edges
+  // count as CloudRim::lone_edges.
   std::size_t min_samples = 2;
   double few_reach = 1.5;
   // A loop with a larger share of such edges is a seam: it is taken out of the rim, unless the

@@ -208,6 +208,7 @@ TEST(MarkRimSeams, ALoneSampleIsNoCloudBeyondAnEdge) {
   const auto seam_edges = [&](const std::vector<Point>& cloud, const RimSeamOptions& options) {
     CloudRim rim = cloud_rim(surface);
     mark_rim_seams(cloud, rim, options);
+    EXPECT_EQ(rim.seam_edges + rim.lone_edges, 1U);
     return rim.seam_edges;
   };
   std::vector<Point> cloud = floor.points.raw();
