@@ -82,8 +82,7 @@ bool is_at_samples(const Finding& finding, const std::vector<std::vector<Point>>
     constexpr double reach = 3;
     const NearestPointTree samples(cloud);
     return std::any_of(finding.spots.begin(), finding.spots.end(), [&](const DoubtfulSpot& spot) {
-      const double distance = reach * spot.size;
-      return samples.nearest(spot.at).squared_distance <= distance * distance;
+      return samples.any_near(spot.at, reach * spot.size);
     });
   });
 }

@@ -69,9 +69,7 @@ class Clouds {
     const NearestPointTree& others = (*this)[b].tree;
     const std::vector<Point>& points = (*this)[a].points;
     std::size_t near = 0;
-    for (const Point& p : points) {
-      near += others.nearest(p).squared_distance <= reach * reach ? 1U : 0U;
-    }
+    for (const Point& p : points) near += others.any_near(p, reach) ? 1U : 0U;
     return static_cast<double>(near) / static_cast<double>(points.size());
   }
 

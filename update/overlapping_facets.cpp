@@ -441,8 +441,7 @@ void excuse_covered_points(std::span<const CloudRim> rims,
   std::size_t unmatched = 0;
   for (const Overlap& overlap : overlaps) unmatched += overlap.unmatched;
   if (unmatched == 0 || clouds.size() < 2) return;
-  std::vector<NearestPointTree> trees;
-  for (const std::vector<Point>& cloud : clouds) trees.emplace_back(cloud);
+  const std::vector<NearestPointTree> trees = nearest_point_trees(clouds);
 
   DisjointSets sets(rims.size());  // of clouds that cover each other
   for (std::uint32_t c = 0; c < rims.size(); ++c) {
@@ -451,7 +450,7 @@ void excuse_covered_points(std::span<const CloudRim> rims,
       bool found = false;
       for (std::uint32_t other = 0; other < trees.size(); ++other) {
         if (other == c || (found && sets.root(other) == sets.root(c))) continue;
-        if (trees[other].nearest(p).squared_distance > reach * reach) continue;
+        if (!trees[other].any_near(p, reach)) continue;
         sets.join(c, other);
         found = true;
       }

@@ -73,7 +73,7 @@ std::vector<std::uint8_t> model_goes_on(const ModelIndex& model, Points cloud,
       const std::uint32_t k = tree.items()[slot];
       const double reach = views[k].reach;
       if (result[k] == 0 && squared_distance(p, views[k].middle) <= reach * reach) {
-        if (!asked) is_beyond = samples.nearest(p).squared_distance > beyond * beyond;
+        if (!asked) is_beyond = !samples.any_near(p, beyond);
         asked = true;
         result[k] = is_beyond ? 1 : 0;
       }
