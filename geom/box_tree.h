@@ -29,6 +29,9 @@ class BoxTree {
   // is read consecutively.
   const std::vector<std::uint32_t>& items() const { return items_; }
 
+  // Around all boxes; empty for no items. Complexity: O(1).
+  Box box() const { return nodes_.empty() ? Box() : nodes_[0].box; }
+
   // Calls visit(slot) -> double for all items, nearer nodes first, but for those in nodes whose
   // box is farther from p than `bound` (squared). Each call returns the new bound.
   template <class Visit>

@@ -17,7 +17,6 @@ NearestPointTree::NearestPointTree(Points points, const Execution& execution) {
                        " has a coordinate that is not finite; remove it");
     }
     boxes.push_back({p, p});
-    box_.include(p);
   }
   tree_ = BoxTree(boxes, execution);
   points_.reserve(points.size());

@@ -51,12 +51,11 @@ class NearestPointTree {
   }
 
   // Of all points.
-  const Box& box() const { return box_; }
+  Box box() const { return tree_.box(); }
 
  private:
   BoxTree tree_;
   std::vector<Point> points_;  // by slot of the tree
-  Box box_;
 };
 
 // One tree for each cloud, none of which is empty. Errors, complexity: as NearestPointTree.
