@@ -226,6 +226,22 @@ struct JoinedRims {
   std::vector<Scan> scans;
 };
 
+JoinedRims joined_rims(const ModelIndex& model, std::size_t first,
+                       std::span<const std::size_t> joined, std::span<const CloudRim> rims,
+                       std::span<const Border> borders, std::span<const Scan> scans,
+                       const CutOptions& options) {
+  JoinedRims found;
+  found.border = TriangleSet(model.mesh().triangles.size(), 0);
+  for (std::size_t c = first; c < rims.size(); ++c) {
+    if (joined[c] != first) continue;
+    found.clouds.push_back(c);
+    certain_border(model, rims[c], borders[c].loops, options, found.border);
+    found.rims.push_back(rims[c]);
+    if (!scans[c].samples.empty()) found.scans.push_back(scans[c]);
+  }
+  return found;
+}
+
 }  // namespace
 
 double RegionCut::doubt() const {
@@ -294,26 +310,6 @@ std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
   for (std::size_t c = 0; c < cut.size(); ++c) cut[c] = cut[joined[c]];
   return cut;
 }
-
-namespace {
-
-JoinedRims joined_rims(const ModelIndex& model, std::size_t first,
-                       std::span<const std::size_t> joined, std::span<const CloudRim> rims,
-                       std::span<const Border> borders, std::span<const Scan> scans,
-                       const CutOptions& options) {
-  JoinedRims found;
-  found.border = TriangleSet(model.mesh().triangles.size(), 0);
-  for (std::size_t c = first; c < rims.size(); ++c) {
-    if (joined[c] != first) continue;
-    found.clouds.push_back(c);
-    certain_border(model, rims[c], borders[c].loops, options, found.border);
-    found.rims.push_back(rims[c]);
-    if (!scans[c].samples.empty()) found.scans.push_back(scans[c]);
-  }
-  return found;
-}
-
-}  // namespace
 
 CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
                        std::span<const Border> borders, std::span<const Scan> scans,

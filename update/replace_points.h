@@ -62,11 +62,11 @@ struct Replacement {
 // covering a facet. But what is left of a partial loop may lead into the midst of what goes, as at
 // the mouth of a hole, with that on both sides: there vertices on the other side go, too. Of the
 // vertices at the very rim those go that have been scanned anew (scanned_vertices.h); where no
-// region goes there is nothing to replace, and none before the rim does. rims[c] belongs to
-// clouds[c]. `added`: what comes in, the same samples in the order wanted. Errors: InputError for
-// parts of another model, by their sizes, and for options out of range. Complexity: O(n) for n
-// points and triangles, and a search per border vertex. Deterministic. Source: Woo & Dey 2005,
-// section 3.4 ("the vertices in the region"; border vertices are open).
+// region goes there is nothing to replace, and none before the rim does.
+// rims[c] belongs to clouds[c]. `added`: what comes in, the same samples in the order wanted.
+// Errors: InputError for parts of another model, by their sizes, and for options out of range.
+// Complexity: O(n) for n points and triangles, and a search per border vertex. Deterministic.
+// Source: Woo & Dey 2005, section 3.4 ("the vertices in the region"; border vertices are open).
 Replacement replace_points(const ModelIndex& model, const Regions& regions,
                            const RegionChoice& choice, std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds,
