@@ -69,10 +69,11 @@ struct CloudRim {
 
   std::size_t torn_edges = 0;    // that mark_torn_edges() found torn, on loops that are seams by it
   std::size_t shared_edges = 0;  // marked by mark_shared_edges()
+  bool leaves_model = false;     // by its overlap: Overlap::leaves_model
 
   // Whether parts of it are no end of what was scanned: the surface of the cloud broke up somewhere
-  // inside it, or another cloud goes on beyond it.
-  bool is_partial() const { return seam_edges > 0 || shared_edges > 0; }
+  // inside it, another cloud goes on beyond it, or it runs over what has changed.
+  bool is_partial() const { return seam_edges > 0 || shared_edges > 0 || leaves_model; }
 };
 
 // The rim of a cloud that is `factor` times as large. Precondition: factor > 0. O(rim).

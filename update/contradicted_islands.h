@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "geom/ids.h"
 #include "update/choose_regions.h"
+#include "update/cloud/outward_normals.h"
 #include "update/cloud/scan.h"
 #include "update/model/model_index.h"
 #include "update/segment_model.h"
@@ -32,10 +32,6 @@ struct IslandOptions {
   // farther off contradicts what is within so many spacings of its foot. 0: it may.
   double facing_reach = 1.5;
 };
-
-// The outward normals of the samples of a cloud, by its number (cloud/outward_normals.h). Asked for
-// where a region may be contradicted: most updates have none.
-using OutwardNormals = std::function<std::vector<Vec3>(std::size_t cloud)>;
 
 struct ContradictedIsland {
   RegionId region;  // that stayed

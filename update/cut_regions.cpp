@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geom/box.h"
 #include "geom/errors.h"
 #include "geom/require_size.h"
 #include "geom/sort_ids.h"
@@ -47,26 +48,17 @@ class CutSeeds {
     }
   }
 
+  // By the samples: facets that the labels have outside although nothing is left of them. After
+  // pull_by_rims(); facets in the order of ids.
+  void pull_under(const std::vector<TriangleId>& disproved, RegionCut& cut) {
+    cut.seeds_under += length_of(pull(disproved, 1));
+    cut.disproved_facets = disproved.size();
+  }
+
   // By the samples: those that the labels have under the cloud although the scan ended before them.
-  // Half of their edges: more than a cut between them and the scanned ones costs, less than one
-  // around each. `ends`: in the order of ids; after pull_by_rims().
+  // After pull_under().
   void pull_outside(const std::vector<TriangleId>& ends, RegionCut& cut) {
-    const std::size_t by_rims = pulls_.size();
-    for (const TriangleId t : ends) {
-      std::int64_t half = 0;
-      for (std::size_t i = 0; i < 3; ++i) half += edge_in_steps(model_, t, i, steps_);
-      half /= 2;
-      cut.seeds_outside += length_of(half);
-      const auto end = pulls_.begin() + static_cast<std::ptrdiff_t>(by_rims);
-      const auto at =
-          std::lower_bound(pulls_.begin(), end, t,
-                           [](const FacetPull& p, TriangleId facet) { return p.facet < facet; });
-      if (at != end && at->facet == t) {
-        at->pull -= half;
-      } else {
-        pulls_.push_back({t, -half});
-      }
-    }
+    cut.seeds_outside += length_of(pull(ends, -1));
     ends_ = ends;
     cut.scan_ends = ends.size();
   }
@@ -111,6 +103,29 @@ class CutSeeds {
     std::int64_t at_border = 0;
     double shortest = 0;
   };
+
+  // By half of their edges: more than a cut between them and their likes costs, less than one
+  // around each. `way`: 1 or -1. Returns the sum.
+  std::int64_t pull(const std::vector<TriangleId>& facets, std::int64_t way) {
+    const auto before = [](const FacetPull& a, const FacetPull& b) { return a.facet < b.facet; };
+    const auto known = static_cast<std::ptrdiff_t>(pulls_.size());
+    std::int64_t sum = 0;
+    for (const TriangleId t : facets) {
+      std::int64_t edges = 0;
+      for (std::size_t i = 0; i < 3; ++i) edges += edge_in_steps(model_, t, i, steps_);
+      sum += edges / 2;
+      const FacetPull more{t, way * (edges / 2)};
+      const auto end = pulls_.begin() + known;
+      const auto at = std::lower_bound(pulls_.begin(), end, more, before);
+      if (at != end && at->facet == t) {
+        at->pull += more.pull;
+      } else {
+        pulls_.push_back(more);
+      }
+    }
+    std::inplace_merge(pulls_.begin(), pulls_.begin() + known, pulls_.end(), before);
+    return sum;
+  }
 
   bool is_end(TriangleId t) const { return std::binary_search(ends_.begin(), ends_.end(), t); }
 
@@ -162,7 +177,7 @@ class CutSeeds {
   std::span<const CloudRim> rims_;
   RimIndex rim_index_;
   double steps_;                  // of one unit of length
-  std::vector<FacetPull> pulls_;  // those by the rims first, in the order of ids
+  std::vector<FacetPull> pulls_;  // in the order of ids
   std::vector<TriangleId> ends_;  // in the order of ids
 };
 
@@ -205,6 +220,44 @@ void split_by_cut(const TriangleSet& under, std::size_t cloud, CutRegions& resul
   }
 }
 
+// Facets outside that samples disprove. They are asked only if rims alone leave a doubt: what is
+// whole and on the model has told all.
+std::vector<TriangleId> disproved_outside(const ModelIndex& model, const TriangleSet& border,
+                                          const RegionCut& cut, std::span<const CloudRim> rims,
+                                          std::span<const Scan> scans,
+                                          const DisprovedOptions& options,
+                                          const OutwardNormals& outward) {
+  const bool leaves_model =
+      std::any_of(rims.begin(), rims.end(), [](const CloudRim& rim) { return rim.leaves_model; });
+  const bool is_in_doubt = cut.cut_length > 0 || cut.contradicted > 0 || leaves_model;
+  if (!outward || !is_in_doubt) return {};
+  TriangleSet settled = cut.under;
+  for (const TriangleId t : settled.ids()) settled[t] |= border[t];
+  std::vector<TriangleId> disproved;
+  for (std::size_t k = 0; k < scans.size(); ++k) {
+    const std::vector<TriangleId> more =
+        disproved_facets(model, scans[k], outward(k), settled, options);
+    disproved.insert(disproved.end(), more.begin(), more.end());
+  }
+  make_set(disproved);
+  std::erase_if(disproved, [&](TriangleId t) { return border[t] != 0; });
+  return disproved;
+}
+
+// Where the labels would have the model go on under the cloud although the scans end on it.
+std::vector<TriangleId> ends_under(const ModelIndex& model, const RegionCut& cut,
+                                   std::span<const CloudRim> rims, std::span<const Scan> scans,
+                                   const CutOptions& options) {
+  const auto is_clear = [&](const CloudRim& rim) {
+    return static_cast<double>(rim.seam_edges) <=
+           options.clear_seam_share * static_cast<double>(rim.rim_edges);
+  };
+  const std::vector<TriangleId> under = members(cut.under);
+  const bool is_asked = !std::all_of(rims.begin(), rims.end(), is_clear) ||
+                        reaches_beyond(model, under, scans, options.ends);
+  return is_asked ? scan_ends(model, under, scans, options.ends) : std::vector<TriangleId>();
+}
+
 // Whether the bands meet something, and all of it is of the border.
 bool covers(const TriangleSet& border, std::span<const LoopBorder> bands) {
   bool any = false;
@@ -224,6 +277,7 @@ struct JoinedRims {
   TriangleSet border;  // certain_border() of all
   std::vector<CloudRim> rims;
   std::vector<Scan> scans;
+  std::vector<std::size_t> cloud_of_scan;
 };
 
 JoinedRims joined_rims(const ModelIndex& model, std::size_t first,
@@ -237,7 +291,9 @@ JoinedRims joined_rims(const ModelIndex& model, std::size_t first,
     found.clouds.push_back(c);
     certain_border(model, rims[c], borders[c].loops, options, found.border);
     found.rims.push_back(rims[c]);
-    if (!scans[c].samples.empty()) found.scans.push_back(scans[c]);
+    if (scans[c].samples.empty()) continue;
+    found.scans.push_back(scans[c]);
+    found.cloud_of_scan.push_back(c);
   }
   return found;
 }
@@ -270,7 +326,7 @@ void certain_border(const ModelIndex& model, const CloudRim& rim, std::span<cons
 
 RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
                           std::span<const CloudRim> rims, std::span<const Scan> scans,
-                          const CutOptions& options) {
+                          const CutOptions& options, const OutwardNormals& outward) {
   require_options("cut_under_cloud", options);
   require_size("cut_under_cloud", "flags of the border", border.size(),
                model.mesh().triangles.size());
@@ -281,16 +337,13 @@ RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
   CutSeeds seeds(model, border, rims, median_edge);
   seeds.pull_by_rims(options.seed_reach, cut);
   seeds.label(cut);
-  const auto is_clear = [&](const CloudRim& rim) {
-    return static_cast<double>(rim.seam_edges) <=
-           options.clear_seam_share * static_cast<double>(rim.rim_edges);
-  };
-  const std::vector<TriangleId> under = members(cut.under);
-  std::vector<TriangleId> ends;
-  if (!std::all_of(rims.begin(), rims.end(), is_clear) ||
-      reaches_beyond(model, under, scans, options.ends)) {
-    ends = scan_ends(model, under, scans, options.ends);
+  const std::vector<TriangleId> disproved =
+      disproved_outside(model, border, cut, rims, scans, options.disproved, outward);
+  if (!disproved.empty()) {
+    seeds.pull_under(disproved, cut);
+    seeds.label(cut);
   }
+  const std::vector<TriangleId> ends = ends_under(model, cut, rims, scans, options);
   if (!ends.empty()) {
     // Fewer facets are under the cloud then: none that was not looked at.
     seeds.pull_outside(ends, cut);
@@ -315,7 +368,7 @@ CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
                        std::span<const Border> borders, std::span<const Scan> scans,
                        std::span<const std::size_t> joined, std::span<const std::uint8_t> is_cut,
                        const CutOptions& options, const SegmentOptions& segment,
-                       const Execution& execution) {
+                       const Execution& execution, const OutwardNormals& outward) {
   require_size("cut_regions", "borders", borders.size(), rims.size());
   require_size("cut_regions", "scans", scans.size(), rims.size());
   require_size("cut_regions", "clouds that others are joined to", joined.size(), rims.size());
@@ -335,7 +388,11 @@ CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
     const JoinedRims cut_as_one = joined_rims(model, first, joined, rims, borders, scans, options);
     const TriangleSet& border = cut_as_one.border;
     for (const TriangleId t : all.ids()) all[t] |= border[t];
-    RegionCut cut = cut_under_cloud(model, border, cut_as_one.rims, cut_as_one.scans, options);
+    const auto outward_of_scan = [&](std::size_t scan) {
+      return outward(cut_as_one.cloud_of_scan[scan]);
+    };
+    RegionCut cut = cut_under_cloud(model, border, cut_as_one.rims, cut_as_one.scans, options,
+                                    outward ? OutwardNormals(outward_of_scan) : OutwardNormals());
     const std::vector<std::size_t>& clouds = cut_as_one.clouds;
     const bool is_whole = std::all_of(clouds.begin(), clouds.end(), [&](std::size_t c) {
       return covers(border, borders[c].loops);

@@ -10,8 +10,10 @@
 #include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
+#include "update/cloud/outward_normals.h"
 #include "update/cloud/scan.h"
 #include "update/cloud_rim.h"
+#include "update/disproved_facets.h"
 #include "update/model/model_index.h"
 #include "update/model/triangle_set.h"
 #include "update/scan_ends.h"
@@ -42,6 +44,7 @@ struct CutOptions {
   // partial loop, are none: their facets become border. 0: none is too small.
   std::size_t min_outside_facets = 8;
   ScanEndOptions ends = {};
+  DisprovedOptions disproved = {};
 };
 
 // Adds the facets under the rim edges that are known to `border`: those with both ends on the model
@@ -61,8 +64,9 @@ struct RegionCut {
   double cut_length = 0;   // of these
   double seeds_under = 0;  // the border's sides beside facets that say so
   double seeds_outside = 0;
-  double contradicted = 0;    // of both, with the other label
-  std::size_t scan_ends = 0;  // facets that say "outside" by ScanEndOptions
+  double contradicted = 0;           // of both, with the other label
+  std::size_t disproved_facets = 0;  // that say "under the cloud" by DisprovedOptions
+  std::size_t scan_ends = 0;         // that say "outside" by ScanEndOptions
   // Facets of tiny parts of the outside, as CutOptions::min_outside_facets, ascending.
   std::vector<TriangleId> splinters;
 
@@ -77,13 +81,15 @@ struct RegionCut {
 // edges at the border are long; a cut between two facets costs the length of their edge. The labels
 // are those that cost least in all, of several the ones with the fewest facets under the cloud. So
 // a whole rim is all of the cut; where a stretch of it is missing the shortest way over the model
-// replaces it, and where one is in a wrong place the others outvote it. Where the labels would have
-// the model go on under the cloud although the scans end on it (scan_ends.h), facets there say
-// "outside", too. Where the rim runs into a seam, as at the mouth of a hole, edges that are no end
-// of the cloud have a few facets say "outside" in the midst of it: the splinters. A facet of the
-// border is under no cloud.
-// `rims`: of one cloud, or of several that overlap each other and are cut as one. `scans`: their
-// samples; without them nothing is known of where they end. Errors: InputError for no rim, for the
+// replaces it, and where one is in a wrong place the others outvote it. If it then is not all of
+// the cut, is contradicted, or leaves the model, the samples have a say: facets outside that they
+// disprove (disproved_facets.h) say "under the cloud". And where the labels would have the model go
+// on under the cloud although the scans end on it (scan_ends.h), facets there say "outside". Where
+// the rim runs into a seam, as at the mouth of a hole, edges that are no end of the cloud have a
+// few facets say "outside" in the midst of it: the splinters. A facet of the border is under no
+// cloud. `rims`: of one cloud, or of several that overlap each other and are cut as one. `scans`:
+// their samples; without them nothing is known of where they end. `outward`: of the samples, by the
+// number of the scan; without it they disprove nothing. Errors: InputError for no rim, for the
 // border of another model, by its size, and for options out of range.
 // Why: a border that is closed by walks over its gaps leads astray where the gap is long, and one
 // region is then partly under the cloud and partly not; the mean angle along it decides for all.
@@ -92,7 +98,7 @@ struct RegionCut {
 // Source: ours; Woo & Dey 2005, section 3.4 presumes rims that are closed.
 RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
                           std::span<const CloudRim> rims, std::span<const Scan> scans = {},
-                          const CutOptions& options = {});
+                          const CutOptions& options = {}, const OutwardNormals& outward = {});
 
 // The regions of an update with partial rims.
 struct CutRegions {
@@ -118,12 +124,13 @@ std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
 // triangles are so large that both are the same the rim is as good as whole: if the cut is doubtful
 // there, since no triangle lies under the cloud as a whole, the cloud is not cut.
 // is_cut: as clouds_to_cut(), or more. rims[c], borders[c], scans[c], joined[c] and is_cut[c]
-// belong together; where a scan without samples ends is not known. Errors: InputError unless there
+// belong together; where a scan without samples ends is not known. `outward`: by the number of the
+// cloud. Errors: InputError unless there
 // are as many of each. Complexity: as cut_under_cloud() for each group of joined clouds.
 CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
                        std::span<const Border> borders, std::span<const Scan> scans,
                        std::span<const std::size_t> joined, std::span<const std::uint8_t> is_cut,
                        const CutOptions& options = {}, const SegmentOptions& segment = {},
-                       const Execution& execution = {});
+                       const Execution& execution = {}, const OutwardNormals& outward = {});
 
 }  // namespace cocoon

@@ -422,6 +422,7 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
   // 3. Gathered by loop, and judged.
   gather_by_loop(rim, points, located, overlap);
   measure_excess(model.mesh(), rim, overlap);
+  overlap.leaves_model = overlap.largest_excess > options.raised_distance;
   count_raised(model.mesh(), rim, options, overlap);
   match_loops(rim, options, overlap);
   report_progress(execution, "overlapping_facets", 1);

@@ -90,6 +90,8 @@ struct Overlap {
   // By how many spacings, as in max_distance, a matched point at most is farther from its facet
   // than the median.
   double largest_excess = 0;
+  // That is more than raised_distance: the scan ends on what has changed, as in a shadow.
+  bool leaves_model = false;
 
   // Whether a loop lies on the model, or on other clouds.
   bool is_border() const {

@@ -66,6 +66,17 @@ void require_options(const char* stage, const CutOptions& options) {
                           {"cut.clear_doubt", options.clear_doubt}});
   require_shares(stage, {{"cut.clear_seam_share", options.clear_seam_share}});
   require_options(stage, options.ends);
+  require_options(stage, options.disproved);
+}
+
+void require_options(const char* stage, const DisprovedOptions& options) {
+  require_amounts(stage, {{"cut.disproved.off_model", options.off_model},
+                          {"cut.disproved.reach", options.reach},
+                          {"cut.disproved.scanned", options.scanned},
+                          {"cut.disproved.shelter", options.shelter},
+                          {"cut.disproved.apart", options.apart}});
+  require_cosines(stage, {{"cut.disproved.min_side_cosine", options.min_side_cosine},
+                          {"cut.disproved.min_cosine", options.min_cosine}});
 }
 
 void require_options(const char* stage, const IslandOptions& options) {

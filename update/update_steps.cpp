@@ -117,14 +117,18 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
   return report_choice();
 }
 
+OutwardNormals UpdateSteps::outward(const ModelIndex& index) const {
+  return [this, &index](std::size_t c) {
+    return outward_normals(index, clouds_[c], result_.clouds[c].surface, overlaps_[c]);
+  };
+}
+
 void UpdateSteps::take_islands(const ModelIndex& index) {
   RegionChoice& choice = result_.choice;
   if (choice.status != ChoiceStatus::ok) return;
-  const auto outward = [&](std::size_t c) {
-    return outward_normals(index, clouds_[c], result_.clouds[c].surface, overlaps_[c]);
-  };
-  const std::vector<ContradictedIsland> islands = part_contradicted_islands(
-      index, choice, scans_of(clouds_, result_.clouds), result_.regions, options_.islands, outward);
+  const std::vector<ContradictedIsland> islands =
+      part_contradicted_islands(index, choice, scans_of(clouds_, result_.clouds), result_.regions,
+                                options_.islands, outward(index));
   choice.replaced.resize(result_.regions.regions.size(), 0);
   for (const ContradictedIsland& island : islands) {
     result_.islands.push_back(island.part);
@@ -171,12 +175,6 @@ std::string UpdateSteps::name_of_cloud(std::size_t c) const {
 
 std::string UpdateSteps::name_of_loop(std::size_t c, std::size_t l) const {
   return name_of_cloud(c) + ", " + cocoon::name_of_loop(result_.clouds[c].surface.rim.loops[l]);
-}
-
-bool UpdateSteps::fail(UpdateStatus status, std::string message) {
-  result_.status = status;
-  result_.message = std::move(message);
-  return false;
 }
 
 void UpdateSteps::warn_of_cloud(std::size_t c, const std::vector<std::string>& warnings) {
@@ -391,7 +389,7 @@ bool UpdateSteps::segment(const ModelIndex& index, const std::vector<std::size_t
   }
   CutRegions cut = cut_regions(index, border_rims_of(result_.clouds), borders_,
                                scans_of(clouds_, result_.clouds), joined, is_cut_, options_.cut,
-                               options_.segment, execution);
+                               options_.segment, execution, outward(index));
   is_cut_ = std::move(cut.is_cut);
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     if (is_cut_[c] == 0 || joined[c] != c) continue;

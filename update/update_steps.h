@@ -53,9 +53,16 @@ class UpdateSteps {
   void tell_members();
   std::string name_of_cloud(std::size_t c) const;
   std::string name_of_loop(std::size_t c, std::size_t l) const;
-  bool fail(UpdateStatus status, std::string message);
+  bool fail(UpdateStatus status, std::string message) {
+    result_.status = status;
+    result_.message = std::move(message);
+    return false;
+  }
   void warn(std::string message) { result_.warnings.push_back(std::move(message)); }
   void warn_of_cloud(std::size_t c, const std::vector<std::string>& warnings);
+
+  // Refers to what is known so far.
+  OutwardNormals outward(const ModelIndex& index) const;
 
   // Has contradicted islands go.
   void take_islands(const ModelIndex& index);

@@ -11,6 +11,7 @@
 
 #include "tests/mesh_gallery.h"
 #include "tests/update/hand_made_models.h"
+#include "tests/update/torn_rims.h"
 #include "update/choose_regions.h"
 #include "update/overlapping_facets.h"
 #include "update/rim_angles.h"
@@ -20,48 +21,14 @@ namespace {
 
 using testing::circle;
 using testing::grid_plane;
+using testing::middle;
+using testing::radius;
 using testing::rim_of;
-
-const Point middle = {15.1, 15.2, 0};
-constexpr double radius = 6;
-
-// A circle of 60 edges, of which those from `first` up to `last` have cloud beyond them.
-CloudRim torn_rim(std::size_t first, std::size_t last) {
-  CloudRim rim = rim_of({circle(60, middle, radius)});
-  rim.median_edge = rim.spacing;
-  RimLoop& loop = rim.loops[0];
-  loop.inner.assign(loop.size(), 0);
-  for (std::size_t i = first; i < last; ++i) loop.inner[i] = 1;
-  rim.rim_edges = loop.size();
-  rim.seam_edges = last - first;
-  return rim;
-}
-
-struct Case {
-  Case(TriangleMesh a_mesh, CloudRim a_rim)
-      : mesh(std::move(a_mesh)),
-        model(mesh),
-        rim(std::move(a_rim)),
-        border(trace_border(model, rim, overlapping_facets(model, rim))) {}
-  RegionCut cut(const CutOptions& options = {}) const {
-    return cut_under_cloud(model, certain(options), std::span(&rim, 1), scans, options);
-  }
-  TriangleSet certain(const CutOptions& options = {}) const {
-    TriangleSet facets(mesh.triangles.size(), 0);
-    certain_border(model, rim, border.loops, options, facets);
-    return facets;
-  }
-  double radius_of(TriangleId t) const { return distance(model.centroid(t), middle); }
-
-  TriangleMesh mesh;
-  ModelIndex model;
-  CloudRim rim;
-  Border border;
-  std::vector<Scan> scans;
-};
+using testing::RimOnAMesh;
+using testing::torn_rim;
 
 TEST(CutRegions, AWholeRimIsAllOfTheCut) {
-  const Case plane(grid_plane(30), torn_rim(0, 0));
+  const RimOnAMesh plane(grid_plane(30), torn_rim(0, 0));
   const TriangleSet border = plane.certain();
   EXPECT_EQ(border, plane.border.facets);
   const RegionCut cut = plane.cut();
@@ -79,7 +46,7 @@ TEST(CutRegions, AWholeRimIsAllOfTheCut) {
 
 // A sixth of the rim is missing: the cut is the chord, which is at most 0.8 from the arc.
 TEST(CutRegions, AMissingStretchIsCutTheShortestWay) {
-  const Case plane(grid_plane(30), torn_rim(20, 30));
+  const RimOnAMesh plane(grid_plane(30), torn_rim(20, 30));
   const TriangleSet border = plane.certain();
   const RegionCut cut = plane.cut();
   EXPECT_GE(cut.cut_edges, 4U);
@@ -110,7 +77,7 @@ TEST(CutRegions, AStretchInTheWrongPlaceIsOutvoted) {
     loop.apexes[i] = loop.points[i] + out;  // the cloud seems to be outside there
   }
   loop.inner[12] = loop.inner[15] = 1;
-  const Case plane(grid_plane(30), rim);
+  const RimOnAMesh plane(grid_plane(30), rim);
   const RegionCut cut = plane.cut();
   EXPECT_GT(cut.contradicted + cut.cut_length, 0);
   EXPECT_LT(cut.doubt(), 0.5);
@@ -125,7 +92,7 @@ TEST(CutRegions, AStretchInTheWrongPlaceIsOutvoted) {
 }
 
 TEST(CutRegions, ADetourIsNoPartOfTheBorder) {
-  Case plane(grid_plane(30), torn_rim(0, 0));
+  RimOnAMesh plane(grid_plane(30), torn_rim(0, 0));
   LoopBorder& band = plane.border.loops[0];
   // The first edge goes around the whole circle.
   std::vector<TriangleId> detour(band.facets.rbegin(), band.facets.rend());
@@ -145,11 +112,11 @@ TEST(CutRegions, ADetourIsNoPartOfTheBorder) {
 
 // The order of facets and scaling by a power of two change nothing.
 TEST(CutRegions, DependsOnTheShapeOnly) {
-  const Case plane(grid_plane(30), torn_rim(20, 34));
+  const RimOnAMesh plane(grid_plane(30), torn_rim(20, 34));
   auto [other, order] = testing::shuffled(plane.mesh);
   for (Point& p : other.points) p = 1024 * p;
   const RegionCut cut = plane.cut();
-  const RegionCut again = Case(other, scaled(plane.rim, 1024)).cut();
+  const RegionCut again = RimOnAMesh(other, scaled(plane.rim, 1024)).cut();
   for (std::size_t i = 0; i < order.size(); ++i) {
     EXPECT_EQ(again.under[TriangleId(i)], cut.under[order[i]]);
   }
@@ -170,88 +137,14 @@ TEST(CutRegions, ARimThatTellsNothingIsDoubtful) {
   for (const Point& p : points) normals.push_back(unit(p - testing::torus_point(0.31, 0, 0)));
   CloudRim rim = rim_of({testing::loop_towards(points, normals, testing::torus_point(0.61, 0, 0))});
   rim.median_edge = rim.spacing;
-  const Case torus(testing::torus(80, 30, tube), rim);
+  const RimOnAMesh torus(testing::torus(80, 30, tube), rim);
   EXPECT_GT(torus.cut().doubt(), CutOptions().max_doubt);
   EXPECT_EQ(torus.cut({.seed_reach = 0}).doubt(), 1);
   EXPECT_EQ(torus.cut({.seed_reach = 0}).under_facets, 0U);
 }
 
-// Of a belt around a ball one rim is known. Nothing keeps the other half of the ball from lying
-// under it, too, but the samples of the belt, which end on it.
-TEST(CutRegions, SamplesTellWhereARimIsMissing) {
-  const Vec3 south = {0, 0, -1};
-  CloudRim rim = rim_of({testing::cap_rim(100, south, std::numbers::pi - 1)});
-  rim.median_edge = rim.spacing;
-  Case ball(testing::sphere(5), rim);
-  std::vector<Point> belt;
-  for (double polar = 1; polar < 2.1; polar += 0.05) {
-    const double raised = 1 + std::max(0.0, 0.3 - std::abs(polar - 1.5));
-    for (int k = 0; k < 120; ++k) {
-      const double angle = 2 * std::numbers::pi * k / 120;
-      belt.push_back(raised * Point{std::sin(polar) * std::cos(angle),
-                                    std::sin(polar) * std::sin(angle), std::cos(polar)});
-    }
-  }
-  ball.scans = {{belt, 0.05}};
-  const RegionCut cut = ball.cut();
-  EXPECT_GT(cut.scan_ends, 50U);
-  EXPECT_LT(cut.doubt(), CutOptions().max_doubt);
-  const auto polar_of = [&](TriangleId t) { return std::acos(unit(ball.model.centroid(t)).z); };
-  for (const TriangleId t : ball.mesh.triangles.ids()) {
-    if (polar_of(t) > 1.1 && polar_of(t) < 2) {
-      EXPECT_EQ(cut.under[t], 1) << polar_of(t);
-    }
-    if (polar_of(t) < 0.9 || polar_of(t) > 2.3) {
-      EXPECT_EQ(cut.under[t], 0) << polar_of(t);
-    }
-  }
-  // What is cut where the rim is torn is counted once.
-  RimLoop& loop = ball.rim.loops[0];
-  loop.inner.assign(loop.size(), 0);
-  for (std::size_t i = 0; i < 10; ++i) loop.inner[i] = 1;
-  const RegionCut torn = ball.cut();
-  ball.scans.clear();
-  const RegionCut torn_alone = ball.cut();
-  EXPECT_GT(torn.scan_ends, 50U);
-  EXPECT_GT(torn_alone.cut_edges, 4U);
-  EXPECT_LT(torn.cut_edges, cut.cut_edges + 2 * torn_alone.cut_edges);
-  EXPECT_LT(torn.cut_length, cut.cut_length + 2 * torn_alone.cut_length);
-  loop.inner.clear();
-  const RegionCut without = ball.cut();
-  EXPECT_EQ(without.cut_edges, 0U);
-  EXPECT_GT(without.under_facets, cut.under_facets + 1000);
-}
-
-// Where one sample lies beyond all that would go, its box tells nothing. Then only a rim with more
-// seams than a clear one has makes that the ends of the scan are looked for, one of several, too.
-TEST(CutRegions, EndsAreLookedForUnlessAllRimsAreClear) {
-  CloudRim clear = rim_of({testing::cap_rim(60, {0, 0, -1}, std::numbers::pi - 1)});
-  clear.median_edge = clear.spacing;
-  clear.rim_edges = 60;
-  clear.seam_edges = 3;
-  CloudRim torn = clear;
-  torn.seam_edges = 4;
-  Case ball(testing::sphere(4), clear);
-  std::vector<Point> belt = {{1.1, 1.1, 1.1}, {-1.1, -1.1, -1.1}};
-  for (double polar = 1; polar < 2.1; polar += 0.05) {
-    for (int k = 0; k < 120; ++k) {
-      const double angle = 2 * std::numbers::pi * k / 120;
-      belt.push_back(
-          {std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar)});
-    }
-  }
-  ball.scans = {{belt, 0.05}};
-  const auto ends = [&](const std::vector<CloudRim>& rims) {
-    return cut_under_cloud(ball.model, ball.certain(), rims, ball.scans).scan_ends;
-  };
-  EXPECT_EQ(ends({clear}), 0U);
-  EXPECT_GT(ends({torn}), 20U);
-  EXPECT_EQ(ends({clear, clear}), 0U);
-  EXPECT_EQ(ends({clear, torn}), ends({torn}));
-}
-
 // The rim around what the scan shows, and another loop in its midst beyond which a few facets lie.
-Case with_inner_loop(std::size_t inner_edges) {
+RimOnAMesh with_inner_loop(std::size_t inner_edges) {
   constexpr std::size_t n = 16;
   CloudRim rim = torn_rim(0, 0);
   RimLoop loop = circle(n, middle, 1.4);
@@ -262,7 +155,7 @@ Case with_inner_loop(std::size_t inner_edges) {
   std::fill_n(loop.inner.begin(), inner_edges, std::uint8_t{1});
   rim.loops.push_back(loop);
   rim.seam_edges = inner_edges;
-  return Case(grid_plane(30), rim);
+  return RimOnAMesh(grid_plane(30), rim);
 }
 
 // A whole loop is that around a hole in the scan, and what lies beyond it stays, be it small. What
@@ -270,7 +163,7 @@ Case with_inner_loop(std::size_t inner_edges) {
 TEST(CutRegions, TinyPartsBesideAPartialLoopAreNotOutside) {
   const RegionCut whole = with_inner_loop(0).cut();
   EXPECT_TRUE(whole.splinters.empty());
-  const Case torn = with_inner_loop(2);
+  const RimOnAMesh torn = with_inner_loop(2);
   const RegionCut cut = torn.cut();
   ASSERT_FALSE(cut.splinters.empty());
   EXPECT_LT(cut.splinters.size(), CutOptions().min_outside_facets);
@@ -284,7 +177,7 @@ TEST(CutRegions, TinyPartsBesideAPartialLoopAreNotOutside) {
 }
 
 TEST(CutRegions, TinyPartsAreOfNoRegion) {
-  const Case torn = with_inner_loop(2);
+  const RimOnAMesh torn = with_inner_loop(2);
   const auto cut = [&](const CutOptions& options) {
     const std::vector<Scan> scans(1);
     return cut_regions(torn.model, std::span(&torn.rim, 1), std::span(&torn.border, 1), scans,
@@ -304,7 +197,7 @@ TEST(CutRegions, TinyPartsAreOfNoRegion) {
 
 // If that is all that is outside it is no splinter.
 TEST(CutRegions, TheLastPartOutsideStays) {
-  Case torn = with_inner_loop(2);
+  RimOnAMesh torn = with_inner_loop(2);
   torn.rim.loops.erase(torn.rim.loops.begin());
   torn.border.loops.erase(torn.border.loops.begin());
   const RegionCut cut = torn.cut();
@@ -314,7 +207,7 @@ TEST(CutRegions, TheLastPartOutsideStays) {
 
 // Of joined clouds lengths are in the shorter median edges.
 TEST(CutRegions, LengthsAreInTheShortestMedianEdges) {
-  const Case scene(grid_plane(30), torn_rim(0, 0));
+  const RimOnAMesh scene(grid_plane(30), torn_rim(0, 0));
   CloudRim fine = scene.rim;
   fine.median_edge = 0.5;
   CloudRim coarse = scene.rim;

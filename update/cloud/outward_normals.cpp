@@ -1,12 +1,15 @@
 #include "update/cloud/outward_normals.h"
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "cocone/orient_surface.h"
+#include "geom/closest_facet.h"
 #include "geom/edge_components.h"
 #include "geom/id_vector.h"
 #include "update/cloud/area_normals.h"
+#include "update/model/near_facets.h"
 
 namespace cocoon {
 
@@ -43,12 +46,41 @@ std::vector<int> ways_of_parts(const ModelIndex& model, const TriangleMesh& mesh
   return ways;
 }
 
+// Parts of which nothing is known so far, and that hang outside of the model.
+void turn_away(const ModelIndex& model, const TriangleMesh& mesh, const EdgeComponents& parts,
+               double reach, std::vector<int>& ways) {
+  constexpr double clear = 0.5;  // mean cosine of a part
+  std::vector<Point> centers;
+  std::vector<TriangleId> triangles;
+  for (const TriangleId t : mesh.triangles.ids()) {
+    const std::uint32_t part = parts.component_of[t.index()];
+    if (ways[part] != 0 || parts.components[part].is_contradictory) continue;
+    const auto& [a, b, c] = corners_of(mesh, t);
+    centers.push_back((1.0 / 3) * (a + b + c));
+    triangles.push_back(t);
+  }
+  if (centers.empty()) return;
+  const std::vector<ClosestFacet> feet = closest_facets(model, centers, reach);
+  std::vector<double> cosines(ways.size(), 0);
+  for (std::size_t k = 0; k < centers.size(); ++k) {
+    const Vec3 away = unit(centers[k] - feet[k].point);
+    if (dot(away, model.normal(feet[k].triangle)) <= 0) continue;  // inside
+    const auto& [a, b, c] = corners_of(mesh, triangles[k]);
+    cosines[parts.component_of[triangles[k].index()]] += dot(away, unit(cross(b - a, c - a)));
+  }
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const double limit = clear * static_cast<double>(parts.components[k].triangles);
+    if (std::abs(cosines[k]) > limit) ways[k] = cosines[k] > 0 ? 1 : -1;
+  }
+}
+
 // The triangles of which it is known which way they face, facing outward.
 TriangleMesh turned_outward(const ModelIndex& model, TriangleMesh mesh, const CloudRim& rim,
                             const Overlap& overlap) {
   const EdgeComponents parts = edge_components(mesh, link_halfedges(mesh));
   orient_surface(mesh, parts);
-  const std::vector<int> ways = ways_of_parts(model, mesh, parts, rim, overlap);
+  std::vector<int> ways = ways_of_parts(model, mesh, parts, rim, overlap);
+  turn_away(model, mesh, parts, rim.median_edge, ways);
   IdVector<TriangleId, Triangle> outward;
   for (const TriangleId t : mesh.triangles.ids()) {
     const int way = ways[parts.component_of[t.index()]];

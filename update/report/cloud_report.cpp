@@ -88,6 +88,7 @@ void enter_overlap(const Overlap& overlap, CloudReport& report) {
   report.largest_distance = overlap.largest_distance;
   report.median_distance = overlap.median_distance;
   report.largest_excess = overlap.largest_excess;
+  report.surface.rim.leaves_model = overlap.leaves_model;
   for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
     report.loops[l].match = overlap.loops[l].match;
     report.loops[l].unmatched = overlap.loops[l].unmatched;

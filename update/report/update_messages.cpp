@@ -211,7 +211,7 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
     warnings.push_back("its rim lies as if the cloud were moved by " +
                        rounded(cloud.shift / rim.spacing) + " spacings; register it better");
   }
-  if (cloud.largest_excess > options.raised_distance) {
+  if (rim.leaves_model) {
     warnings.push_back("its rim leaves the model here and there, by up to " +
                        rounded(cloud.largest_excess) +
                        " spacings: the scan ends on what has changed, as in a shadow of the "

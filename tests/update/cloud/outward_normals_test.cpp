@@ -11,10 +11,10 @@
 namespace cocoon {
 namespace {
 
-// A block, and a scan of its top, which is at z = 6, with a hill; what is below z = 0 is the end of
-// another thing beside it.
+// A block, and a scan of its top, which is at z = 12, with a hill, and the same again some way
+// apart.
 struct ScannedTop {
-  TriangleMesh block = testing::block(20, 20, 6);
+  TriangleMesh block = testing::block(26, 26, 12);
   ModelIndex model{block};
   std::vector<Point> cloud;
   CloudSurface surface;
@@ -24,10 +24,10 @@ struct ScannedTop {
     Random random(5);
     for (int i = 0; i < 29; ++i) {
       for (int j = 0; j < 29; ++j) {
-        const double x = 3 + 0.5 * i + random.uniform(-0.1, 0.1);
-        const double y = 3 + 0.5 * j + random.uniform(-0.1, 0.1);
-        const double r = std::hypot(x - 10, y - 10);
-        cloud.push_back({x, y, 6 + 3 * std::exp(-r * r / 6)});
+        const double x = 6 + 0.5 * i + random.uniform(-0.1, 0.1);
+        const double y = 6 + 0.5 * j + random.uniform(-0.1, 0.1);
+        const double r = std::hypot(x - 13, y - 13);
+        cloud.push_back({x, y, 12 + 3 * std::exp(-r * r / 6)});
       }
     }
     const std::size_t count = cloud.size();
@@ -56,14 +56,28 @@ TEST(OutwardNormals, FaceAsTheModelDoes) {
   }
 }
 
-TEST(OutwardNormals, AreNotKnownOfPartsWithoutALoopOnTheModel) {
-  const ScannedTop scene({0, 0, 20});
-  const std::vector<Vec3> normals =
-      outward_normals(scene.model, scene.cloud, scene.surface, scene.overlap);
-  const auto is_known = [](const Vec3& n) { return n != Vec3{}; };
-  const auto half = normals.begin() + static_cast<std::ptrdiff_t>(normals.size() / 2);
-  EXPECT_GT(std::count_if(normals.begin(), half, is_known), 800);
-  EXPECT_EQ(std::count_if(half, normals.end(), is_known), 0);
+// A part without a loop on the model faces away from it where it hangs outside. Inside, as the
+// floor of a pocket may, it does not tell: the nearest side of the body may be the other one.
+TEST(OutwardNormals, PartsWithoutALoopOnTheModelFaceAwayIfTheyAreOutside) {
+  for (const double apart : {20.0, -25.0, -6.0}) {
+    const ScannedTop scene({0, 0, apart});
+    const std::vector<Vec3> normals =
+        outward_normals(scene.model, scene.cloud, scene.surface, scene.overlap);
+    const auto is_known = [](const Vec3& n) { return n != Vec3{}; };
+    const auto half = normals.begin() + static_cast<std::ptrdiff_t>(normals.size() / 2);
+    EXPECT_GT(std::count_if(normals.begin(), half, is_known), 800) << apart;
+    const auto others = std::count_if(half, normals.end(), is_known);
+    if (apart == -6) {
+      EXPECT_EQ(others, 0);
+    } else {
+      EXPECT_GT(others, 800) << apart;
+    }
+    for (auto n = half; n != normals.end(); ++n) {
+      if (is_known(*n)) {
+        EXPECT_GT(apart * n->z, 0) << apart;
+      }
+    }
+  }
 }
 
 }  // namespace

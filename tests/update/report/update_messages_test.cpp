@@ -42,11 +42,10 @@ TEST(UpdateMessages, ACutThatHardlyCostsAnythingIsNotSaid) {
 TEST(UpdateMessages, ARimThatLeavesTheModelPartOfTheWayIsSaid) {
   CloudReport cloud;
   cloud.surface.rim.spacing = 2;
-  cloud.largest_excess = 0.95;
-  EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
   cloud.largest_excess = 1.5;
+  EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
+  cloud.surface.rim.leaves_model = true;
   EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "by up to 1.5 spacings"));
-  EXPECT_TRUE(warnings_of_cloud(cloud, {.raised_distance = 2}, {}).empty());
 }
 
 TEST(UpdateMessages, ADoubtfulCutSaysWhatIsMissing) {

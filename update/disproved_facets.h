@@ -1,0 +1,48 @@
+// Facets of the model that samples disprove: they are gone, or inside the body now.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geom/ids.h"
+#include "geom/point.h"
+#include "update/cloud/scan.h"
+#include "update/model/model_index.h"
+#include "update/model/triangle_set.h"
+
+namespace cocoon {
+
+// Distances in spacings of the scan.
+struct DisprovedOptions {
+  // A sample farther from the model than this shows a change.
+  double off_model = 1.2;
+  // Whether it is inside or outside tells the normal of the closest facet, if its cosine with the
+  // way there is at least this.
+  double min_side_cosine = 0.3;
+  // It looks along its own normal: at facets by whose centroids it is at least this cosine.
+  double min_cosine = 0.7;
+  // Facets farther away are not looked at.
+  double reach = 20;
+  // A facet with a sample this near to its centroid was scanned, and is no fallacy.
+  double scanned = 1;
+  // A sample this near to the way between, and at least as far above or below the one that looks,
+  // is another surface before the facet.
+  double shelter = 0.75;
+  // The samples asked at first keep this distance. 0: all are asked.
+  double apart = 2;
+};
+
+// The facets that samples off the model disprove, ascending, but those whose flag in `settled`
+// is 1. From a sample inside the model outward, and from one outside of it inward, nothing of the
+// old surface can follow: there is air in front of the new surface, and body behind it. So the
+// closest facet there is gone, or inside the body, if it was not scanned and no other surface of
+// the scan lies between. Only samples whose normal is known are asked (others: the zero vector),
+// few at first, and all if these disprove anything. Errors: InputError for normals or flags of
+// another scan or model, by their sizes, and for options out of range. Complexity: O(n log n) for n
+// samples, and what NearFacets takes. Deterministic, whatever the order of the samples. Source:
+// ours.
+std::vector<TriangleId> disproved_facets(const ModelIndex& model, const Scan& scan,
+                                         std::span<const Vec3> outward, const TriangleSet& settled,
+                                         const DisprovedOptions& options = {});
+
+}  // namespace cocoon
