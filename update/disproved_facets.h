@@ -22,7 +22,7 @@ struct DisprovedOptions {
   // It looks along its own normal: at facets by whose centroids it is at least this cosine.
   double min_cosine = 0.7;
   // Facets farther away are not looked at.
-  double reach = 20;
+  double reach = 10;
   // A facet with a sample this near to its centroid was scanned, and is no fallacy.
   double scanned = 1;
   // A sample this near to the way between, and at least as far above or below the one that looks,
