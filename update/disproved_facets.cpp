@@ -22,10 +22,15 @@ struct Witness {
   Vec3 outward;
 };
 
-void keep_off_model(const ModelIndex& model, double distance, std::vector<Witness>& witnesses) {
+std::vector<Point> places_of(const std::vector<Witness>& witnesses) {
   std::vector<Point> places;
+  places.reserve(witnesses.size());
   for (const Witness& w : witnesses) places.push_back(w.place);
-  const std::vector<double> heights = squared_heights(model, places, distance);
+  return places;
+}
+
+void keep_off_model(const ModelIndex& model, double distance, std::vector<Witness>& witnesses) {
+  const std::vector<double> heights = squared_heights(model, places_of(witnesses), distance);
   std::size_t kept = 0;
   for (std::size_t k = 0; k < heights.size(); ++k) {
     if (heights[k] > distance * distance) witnesses[kept++] = witnesses[k];
@@ -53,12 +58,6 @@ class Gaze {
   }
 
  private:
-  static std::vector<Point> places_of(const std::vector<Witness>& witnesses) {
-    std::vector<Point> places;
-    for (const Witness& w : witnesses) places.push_back(w.place);
-    return places;
-  }
-
   TriangleId first_facet(const Witness& w) const {
     const double bound = near_.reach() * near_.reach();
     const ClosestFacet closest = near_.closest(w.place, bound, [](TriangleId) { return true; });
