@@ -55,6 +55,9 @@ class CutSeeds {
     cut.disproved_facets = disproved.size();
   }
 
+  // Takes the same facets back.
+  void release(const std::vector<TriangleId>& disproved) { pull(disproved, -1); }
+
   // By the samples: those that the labels have under the cloud although the scan ended before them.
   // After pull_under().
   void pull_outside(const std::vector<TriangleId>& ends, RegionCut& cut) {
@@ -220,13 +223,13 @@ void split_by_cut(const TriangleSet& under, std::size_t cloud, CutRegions& resul
   }
 }
 
-// Facets outside that samples disprove. They are asked only if rims alone leave a doubt: what is
-// whole and on the model has told all.
-std::vector<TriangleId> disproved_outside(const ModelIndex& model, const TriangleSet& border,
-                                          const RegionCut& cut, std::span<const CloudRim> rims,
-                                          std::span<const Scan> scans,
-                                          const DisprovedOptions& options,
-                                          const OutwardNormals& outward) {
+// Facets off the border that samples disprove; none if all of them are under the cloud anyway. The
+// samples are asked only if rims alone leave a doubt: what is whole and on the model has told all.
+std::vector<TriangleId> disproved_off_border(const ModelIndex& model, const TriangleSet& border,
+                                             const RegionCut& cut, std::span<const CloudRim> rims,
+                                             std::span<const Scan> scans,
+                                             const DisprovedOptions& options,
+                                             const OutwardNormals& outward) {
   const bool leaves_model =
       std::any_of(rims.begin(), rims.end(), [](const CloudRim& rim) { return rim.leaves_model; });
   const bool is_in_doubt = cut.cut_length > 0 || cut.contradicted > 0 || leaves_model;
@@ -242,6 +245,22 @@ std::vector<TriangleId> disproved_outside(const ModelIndex& model, const Triangl
   make_set(disproved);
   std::erase_if(disproved, [&](TriangleId t) { return border[t] != 0; });
   return disproved;
+}
+
+// Whether a facet that is under the cloud now and was not before lies farther from the box of each
+// scan than its samples look.
+bool reaches_too_far(const ModelIndex& model, const TriangleSet& before, const TriangleSet& now,
+                     std::span<const Scan> scans, const DisprovedOptions& options) {
+  Box box;
+  for (const Scan& scan : scans) {
+    Box seen = box_of(scan.samples);
+    seen.enlarge(options.reach * scan.spacing);
+    box.include(seen);
+  }
+  const std::vector<TriangleId> under = members(now);
+  return std::any_of(under.begin(), under.end(), [&](TriangleId t) {
+    return before[t] == 0 && !contains(box, model.centroid(t));
+  });
 }
 
 // Where the labels would have the model go on under the cloud although the scans end on it.
@@ -338,10 +357,15 @@ RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
   seeds.pull_by_rims(options.seed_reach, cut);
   seeds.label(cut);
   const std::vector<TriangleId> disproved =
-      disproved_outside(model, border, cut, rims, scans, options.disproved, outward);
+      disproved_off_border(model, border, cut, rims, scans, options.disproved, outward);
   if (!disproved.empty()) {
+    const RegionCut by_rims = cut;
     seeds.pull_under(disproved, cut);
     seeds.label(cut);
+    if (reaches_too_far(model, by_rims.under, cut.under, scans, options.disproved)) {
+      seeds.release(disproved);
+      cut = by_rims;
+    }
   }
   const std::vector<TriangleId> ends = ends_under(model, cut, rims, scans, options);
   if (!ends.empty()) {

@@ -120,6 +120,32 @@ TEST(CutRegions, SamplesHaveASayWhereTheRimIsInDoubt) {
   EXPECT_EQ(asked_of_whole(), 1U);
 }
 
+// The sheet reaches far beyond the rim: to have all of the model go would contradict less than to
+// have what lies under it stay.
+TEST(CutRegions, SamplesAreNotBelievedIfTooMuchWouldGo) {
+  RimOnAMesh plane(grid_plane(30), torn_rim(10, 30));
+  std::vector<Point> sheet;
+  for (double x = 5; x < 25; x += 0.6) {
+    for (double y = 5; y < 25; y += 0.6) sheet.push_back({x, y, 3});
+  }
+  plane.scans = {{sheet, 0.6}};
+  const auto cut = [&](const CutOptions& options) {
+    return cut_under_cloud(plane.model, plane.certain(), std::span(&plane.rim, 1), plane.scans,
+                           options, [&](std::size_t) {
+                             return std::vector<Vec3>(sheet.size(), Vec3{0, 0, 1});
+                           });
+  };
+  CutOptions options;
+  const RegionCut far = cut(options);
+  EXPECT_GT(far.disproved_facets, 300U);
+  EXPECT_GT(far.under_facets, 1500U);
+  options.disproved.reach = 5.5;
+  const RegionCut near = cut(options);
+  EXPECT_EQ(near.disproved_facets, 0U);
+  EXPECT_EQ(near.under, plane.cut().under);
+  EXPECT_EQ(near.doubt(), plane.cut().doubt());
+}
+
 // Where one sample lies beyond all that would go, its box tells nothing. Then only a rim with more
 // seams than a clear one has makes that the ends of the scan are looked for, one of several, too.
 TEST(CutRegions, EndsAreLookedForUnlessAllRimsAreClear) {

@@ -1,0 +1,71 @@
+// A boss is put on a block and scanned from one side. In its shadow neither its wall nor its foot
+// was seen, so a piece of the rim runs over the top of the boss, or is missing.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <vector>
+
+#include "geom/mesh_check.h"
+#include "geom/random.h"
+#include "tests/end_to_end/local_update.h"
+#include "tests/update/hand_made_models.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+namespace {
+
+constexpr double top = 8;  // of the block, which is 20 wide and deep, vertices 1 apart
+const Point center = {10, 10, top};
+constexpr double radius = 4;
+constexpr double height = 4;
+constexpr double apart = 0.7;
+
+double from_axis(const Point& p) { return std::hypot(p.x - center.x, p.y - center.y); }
+
+// The shadow reaches this angle to both sides.
+testing::Clouds scan(double shadow, std::uint64_t seed) {
+  Random random(seed);
+  testing::Clouds clouds(1);
+  for (double x = 2; x < 18; x += apart) {
+    for (double y = 2; y < 18; y += apart) {
+      Point p{x + random.uniform(-0.15, 0.15), y + random.uniform(-0.15, 0.15), top};
+      const bool is_lit = std::abs(std::atan2(p.y - center.y, p.x - center.x)) >= shadow;
+      if (from_axis(p) < radius) {
+        p.z += height;
+        clouds[0].push_back(p);
+      } else if (from_axis(p) < 7.5 && is_lit) {
+        clouds[0].push_back(p);
+      }
+    }
+  }
+  for (double z = apart / 2; z < height; z += apart) {
+    for (double angle = shadow; angle < 2 * std::numbers::pi - shadow; angle += apart / radius) {
+      clouds[0].push_back(center + Vec3{radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+  }
+  return clouds;
+}
+
+TEST(UpdateInAShadow, TheFootOfABossGoes) {
+  const TriangleMesh model = testing::block(20, 20, 8);
+  const auto is_foot = [](const Point& p) { return p.z == top && from_axis(p) < radius - 0.8; };
+  for (const double shadow : {1.2, 1.6}) {
+    SCOPED_TRACE(shadow);
+    const testing::Clouds clouds = scan(shadow, 2);
+    const UpdateResult result = update_model(model, clouds);
+    testing::expect_local_update(model, clouds, result, is_foot,
+                                 [](const Point& p) { return p.z < top || from_axis(p) > 7.9; });
+    EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+    EXPECT_GT(result.clouds[0].cut.disproved_facets, 20U);
+
+    UpdateOptions by_rims;
+    by_rims.cut.disproved.off_model = 1e9;
+    const UpdateResult without = update_model(model, clouds, by_rims);
+    EXPECT_GT(std::count_if(without.mesh.points.begin(), without.mesh.points.end(), is_foot), 5);
+  }
+}
+
+}  // namespace
+}  // namespace cocoon
