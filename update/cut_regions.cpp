@@ -55,9 +55,6 @@ class CutSeeds {
     cut.disproved_facets = disproved.size();
   }
 
-  // Takes the same facets back.
-  void release(const std::vector<TriangleId>& disproved) { pull(disproved, -1); }
-
   // By the samples: those that the labels have under the cloud although the scan ended before them.
   // After pull_under().
   void pull_outside(const std::vector<TriangleId>& ends, RegionCut& cut) {
@@ -263,18 +260,28 @@ bool reaches_too_far(const ModelIndex& model, const TriangleSet& before, const T
   });
 }
 
-// Where the labels would have the model go on under the cloud although the scans end on it.
-std::vector<TriangleId> ends_under(const ModelIndex& model, const RegionCut& cut,
-                                   std::span<const CloudRim> rims, std::span<const Scan> scans,
-                                   const CutOptions& options) {
+// The cut where the labels no longer have the model go on under the cloud although the scans end on
+// it.
+RegionCut without_ends(const ModelIndex& model, CutSeeds seeds, RegionCut cut,
+                       std::span<const CloudRim> rims, std::span<const Scan> scans,
+                       const CutOptions& options) {
   const auto is_clear = [&](const CloudRim& rim) {
     return static_cast<double>(rim.seam_edges) <=
            options.clear_seam_share * static_cast<double>(rim.rim_edges);
   };
   const std::vector<TriangleId> under = members(cut.under);
-  const bool is_asked = !std::all_of(rims.begin(), rims.end(), is_clear) ||
-                        reaches_beyond(model, under, scans, options.ends);
-  return is_asked ? scan_ends(model, under, scans, options.ends) : std::vector<TriangleId>();
+  std::vector<TriangleId> ends;
+  if (!std::all_of(rims.begin(), rims.end(), is_clear) ||
+      reaches_beyond(model, under, scans, options.ends)) {
+    ends = scan_ends(model, under, scans, options.ends);
+  }
+  if (!ends.empty()) {
+    // Fewer facets are under the cloud then: none that was not looked at.
+    seeds.pull_outside(ends, cut);
+    seeds.label(cut);
+  }
+  seeds.find_splinters(options.min_outside_facets, cut);
+  return cut;
 }
 
 // Whether the bands meet something, and all of it is of the border.
@@ -359,22 +366,14 @@ RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
   const std::vector<TriangleId> disproved =
       disproved_off_border(model, border, cut, rims, scans, options.disproved, outward);
   if (!disproved.empty()) {
-    const RegionCut by_rims = cut;
-    seeds.pull_under(disproved, cut);
-    seeds.label(cut);
-    if (reaches_too_far(model, by_rims.under, cut.under, scans, options.disproved)) {
-      seeds.release(disproved);
-      cut = by_rims;
-    }
+    CutSeeds more = seeds;
+    RegionCut larger = cut;
+    more.pull_under(disproved, larger);
+    more.label(larger);
+    larger = without_ends(model, std::move(more), std::move(larger), rims, scans, options);
+    if (!reaches_too_far(model, cut.under, larger.under, scans, options.disproved)) return larger;
   }
-  const std::vector<TriangleId> ends = ends_under(model, cut, rims, scans, options);
-  if (!ends.empty()) {
-    // Fewer facets are under the cloud then: none that was not looked at.
-    seeds.pull_outside(ends, cut);
-    seeds.label(cut);
-  }
-  seeds.find_splinters(options.min_outside_facets, cut);
-  return cut;
+  return without_ends(model, std::move(seeds), std::move(cut), rims, scans, options);
 }
 
 std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
