@@ -10,8 +10,8 @@
 #include "geom/nearest_point.h"
 #include "geom/require_size.h"
 #include "geom/triangle_mesh.h"
+#include "update/cloud/off_samples.h"
 #include "update/model/near_facets.h"
-#include "update/model/sample_heights.h"
 #include "update/stage_options.h"
 
 namespace cocoon {
@@ -48,22 +48,6 @@ struct IslandFacets {
     });
   }
 };
-
-// A sample off the model, and which way its surface faces; the zero vector if that is not known.
-struct OffSample {
-  Point place;
-  Vec3 outward;
-};
-
-// `outward`: of all samples; empty if nothing is known.
-std::vector<OffSample> off_samples(const ModelIndex& model, const Scan& scan, double distance,
-                                   const std::vector<Vec3>& outward) {
-  std::vector<OffSample> off;
-  for (const PointId p : which_are_off(model, scan.samples, distance)) {
-    off.push_back({scan.samples[p.index()], outward.empty() ? Vec3{} : outward[p.index()]});
-  }
-  return off;
-}
 
 // A sample, and the place of an island that it lies over or under.
 struct Over {
@@ -122,7 +106,7 @@ IdVector<RegionId, std::vector<Point>> contradicted_places(const ModelIndex& mod
                                                            const IslandOptions& options) {
   IdVector<RegionId, std::vector<Point>> places(regions.regions.size());
   const std::vector<OffSample> off =
-      off_samples(model, scan, options.off_model * scan.spacing, outward);
+      off_samples(model, scan.samples, outward, options.off_model * scan.spacing);
   if (off.size() < options.min_samples) return places;
   const std::vector<Over> over =
       without_sheltered(samples_over(model, regions, islands, off, options.min_normal_cosine),

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "geom/box.h"
 #include "geom/errors.h"
 #include "geom/require_size.h"
 #include "geom/sort_ids.h"
@@ -244,22 +243,6 @@ std::vector<TriangleId> disproved_off_border(const ModelIndex& model, const Tria
   return disproved;
 }
 
-// Whether a facet that is under the cloud now and was not before lies farther from the box of each
-// scan than its samples look.
-bool reaches_too_far(const ModelIndex& model, const TriangleSet& before, const TriangleSet& now,
-                     std::span<const Scan> scans, const DisprovedOptions& options) {
-  Box box;
-  for (const Scan& scan : scans) {
-    Box seen = box_of(scan.samples);
-    seen.enlarge(options.reach * scan.spacing);
-    box.include(seen);
-  }
-  const std::vector<TriangleId> under = members(now);
-  return std::any_of(under.begin(), under.end(), [&](TriangleId t) {
-    return before[t] == 0 && !contains(box, model.centroid(t));
-  });
-}
-
 // The cut where the labels no longer have the model go on under the cloud although the scans end on
 // it.
 RegionCut without_ends(const ModelIndex& model, CutSeeds seeds, RegionCut cut,
@@ -371,7 +354,9 @@ RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
     more.pull_under(disproved, larger);
     more.label(larger);
     larger = without_ends(model, std::move(more), std::move(larger), rims, scans, options);
-    if (!reaches_too_far(model, cut.under, larger.under, scans, options.disproved)) return larger;
+    std::vector<TriangleId> more_under = members(larger.under);
+    std::erase_if(more_under, [&](TriangleId t) { return cut.under[t] != 0; });
+    if (!reaches_beyond(model, more_under, scans, options.disproved.reach)) return larger;
   }
   return without_ends(model, std::move(seeds), std::move(cut), rims, scans, options);
 }

@@ -23,7 +23,7 @@ struct DisprovedOptions {
   double min_cosine = 0.7;
   // Facets farther away are not looked at.
   double reach = 10;
-  // A facet with a sample this near to its centroid was scanned, and is no fallacy.
+  // A facet with a sample this near to its centroid was scanned, and is still there.
   double scanned = 1;
   // A sample this near to the way between, and at least as far above or below the one that looks,
   // is another surface before the facet.
@@ -32,15 +32,15 @@ struct DisprovedOptions {
   double apart = 2;
 };
 
-// The facets that samples off the model disprove, ascending, but those whose flag in `settled`
-// is 1. From a sample inside the model outward, and from one outside of it inward, nothing of the
-// old surface can follow: there is air in front of the new surface, and body behind it. So the
-// closest facet there is gone, or inside the body, if it was not scanned and no other surface of
-// the scan lies between. Only samples whose normal is known are asked (others: the zero vector),
-// few at first, and all if these disprove anything. Errors: InputError for normals or flags of
-// another scan or model, by their sizes, and for options out of range. Complexity: O(n log n) for n
-// samples, and what NearFacets takes. Deterministic, whatever the order of the samples. Source:
-// ours.
+// The facets that samples off the model disprove, ascending. From a sample inside the model
+// outward, and from one outside of it inward, nothing of the old surface can follow: there is air
+// in front of the new surface, and body behind it. So the closest facet there is gone, or inside
+// the body, if it was not scanned and no other surface of the scan lies between. Only samples whose
+// normal is known are asked (others: the zero vector). At first few are; if all that these disprove
+// is settled anyway (1 in `settled`), nothing is found, else all are asked. Errors: InputError for
+// normals or flags of another scan or model, by their sizes, and for options out of range.
+// Complexity: O(n log n) for n samples, and what NearFacets takes. Deterministic, whatever the
+// order of the samples. Source: ours.
 std::vector<TriangleId> disproved_facets(const ModelIndex& model, const Scan& scan,
                                          std::span<const Vec3> outward, const TriangleSet& settled,
                                          const DisprovedOptions& options = {});

@@ -65,11 +65,16 @@ void leave_out_changes(const ModelIndex& model, const Scan& scan, const ScanEndO
 bool reaches_beyond(const ModelIndex& model, std::span<const TriangleId> among,
                     std::span<const Scan> scans, const ScanEndOptions& options) {
   require_options("reaches_beyond", options);
+  return reaches_beyond(model, among, scans, options.scanned);
+}
+
+bool reaches_beyond(const ModelIndex& model, std::span<const TriangleId> among,
+                    std::span<const Scan> scans, double reach) {
   if (scans.empty()) return false;
   Box box;
   for (const Scan& scan : scans) {
     Box around = box_of(scan.samples);
-    around.enlarge(options.scanned * scan.spacing);
+    around.enlarge(reach * scan.spacing);
     box.include(around);
   }
   return std::any_of(among.begin(), among.end(),

@@ -35,6 +35,9 @@ std::vector<TriangleId> scan_ends(const ModelIndex& model, std::span<const Trian
 // between a scanned facet and the nearest sample. Complexity: O(samples + facets of `among`).
 bool reaches_beyond(const ModelIndex& model, std::span<const TriangleId> among,
                     std::span<const Scan> scans, const ScanEndOptions& options = {});
+// The same for a box enlarged by this many spacings of each scan.
+bool reaches_beyond(const ModelIndex& model, std::span<const TriangleId> among,
+                    std::span<const Scan> scans, double reach);
 
 // Whether the scan ends on the model in the regions that are to go under it, if these reach beyond
 // the box of its samples. (Else nothing is lost that was not scanned around, and nothing is looked

@@ -1,8 +1,6 @@
 #include "update/cut_regions.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <span>

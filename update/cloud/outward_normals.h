@@ -23,8 +23,8 @@ using OutwardNormals = std::function<std::vector<Vec3>(std::size_t cloud)>;
 // them, and seldom the room below. The zero vector where nothing is known: for samples that are no
 // vertices of the surface, on other parts without such a loop, and on one-sided ones. The overlap
 // is that of the surface's rim. Complexity: O(samples), and what closest_facets() takes for parts
-// without a loop. Deterministic: independent of the
-// numbering and orientation of the surface's triangles up to rounding. Source: ours.
+// without a loop. Deterministic: independent of the numbering and orientation of the surface's
+// triangles up to rounding. Source: ours.
 std::vector<Vec3> outward_normals(const ModelIndex& model, Points cloud,
                                   const CloudSurface& surface, const Overlap& overlap);
 
