@@ -379,17 +379,6 @@ PageTable rim_table(const UpdateRecord& record) {
   return table;
 }
 
-PageTable split_table(const UpdateRecord& record) {
-  PageTable table{"Groups split by labels",
-                  {"group", "new group", "facets under the cloud", "edges cut", "reach"},
-                  {}};
-  for (const SplitRegion& part : record.result.split) {
-    table.rows.push_back({number(part.outside.index()), number(part.under.index()),
-                          number(part.under_facets), number(part.cut_edges), part.reach});
-  }
-  return table;
-}
-
 PageTable surface_table(const UpdateRecord& record) {
   const MeshReport& surface = record.certificate;
   PageTable table{"Updated surface", {"", ""}, {}};
@@ -436,10 +425,8 @@ ReportPage update_page(const UpdateRecord& record, const std::vector<StageTime>&
       fmt::format("{} updated by {}", record.model_name, counted(record.clouds.size(), "cloud"));
   page.verdicts = verdicts_of(record.certificate);
   SceneBuilder(record, page).build();
-  page.tables = {point_table(record), angle_table(record), rim_table(record)};
-  if (!record.result.split.empty()) page.tables.push_back(split_table(record));
-  page.tables.push_back(surface_table(record));
-  page.tables.push_back(time_table(timings));
+  page.tables = {point_table(record), angle_table(record), rim_table(record), surface_table(record),
+                 time_table(timings)};
   page.warnings = record.result.warnings;
   page.papers.assign(std::begin(papers), std::end(papers));
   return page;

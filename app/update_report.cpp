@@ -91,18 +91,6 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   return entry;
 }
 
-JsonReport split_entry(const SplitRegion& split) {
-  JsonReport entry;
-  entry.set("outside", split.outside.index());
-  entry.set("under", split.under.index());
-  entry.set("outside_seeds", split.outside_seeds);
-  entry.set("under_seeds", split.under_seeds);
-  entry.set("under_facets", split.under_facets);
-  entry.set("cut_edges", split.cut_edges);
-  entry.set("reach", split.reach);
-  return entry;
-}
-
 void add_update_section(JsonReport& report, const UpdateResult& result) {
   std::vector<std::size_t> loops;
   std::size_t boundary_points = 0;
@@ -117,10 +105,6 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/overlapping_facets", overlapping_facets);
   report.set("update/border_facets", result.regions.border_facets);
   report.set("update/groups", result.regions.regions.size());
-  report.set_empty_array("update/split_groups");
-  for (const SplitRegion& split : result.split) {
-    report.append("update/split_groups", split_entry(split));
-  }
   report.set_empty_array("update/clouds");
   for (const CloudReport& cloud : result.clouds) report.append("update/clouds", cloud_entry(cloud));
   report.set("update/replaced_groups", numbers_of(result.replaced_groups));

@@ -38,9 +38,6 @@ LoopRange loop_range(const RegionAngles& loop, double min_edge_share) {
   return range;
 }
 
-// Share of the edges of the best seen region that a region needs to be a side of the loop.
-constexpr double side_share = 0.5;
-
 // Sums over the loops of one cloud, per region.
 struct RegionSum {
   double angle = 0;       // all loops
@@ -88,19 +85,6 @@ void require_inputs(const ChoiceOptions& options,
 }
 
 }  // namespace
-
-bool tells_sides_apart(const RegionAngles& loop, const ChoiceOptions& options) {
-  const LoopRange range = loop_range(loop, side_share);
-  return range.decides && range.margin() > options.narrow_margin;
-}
-
-bool sees_under(const RegionAngles& loop, RegionId under, RegionId outside,
-                const ChoiceOptions& options) {
-  const AngleMean& below = loop.regions[under];
-  const AngleMean& beyond = loop.regions[outside];
-  return below.edges > 0 && beyond.edges > 0 &&
-         beyond.mean() - below.mean() > options.narrow_margin;
-}
 
 RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num_clouds,
                             const ChoiceOptions& options,

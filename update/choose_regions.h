@@ -24,15 +24,6 @@ struct ChoiceOptions {
   double narrow_margin = 30.0 * std::numbers::pi / 180;
 };
 
-// Whether the loop has a region on each side of it: two that at least half as many edges see as see
-// any region, with means farther apart than narrow_margin. Complexity: O(regions).
-bool tells_sides_apart(const RegionAngles& loop, const ChoiceOptions& options = {});
-
-// Whether the loop sees the region `under` it at a smaller mean angle than `outside`, by more than
-// narrow_margin, with edges at both. Complexity: O(1).
-bool sees_under(const RegionAngles& loop, RegionId under, RegionId outside,
-                const ChoiceOptions& options = {});
-
 enum class ChoiceStatus {
   ok,
   ambiguous,  // a loop's regions have equal angles: nothing is replaced

@@ -28,8 +28,8 @@ struct CutOptions {
   // to do with the edge.
   double max_detour = 2;
   // Facets beside the border say on which side of the rim they are if their centroids lie within
-  // this many spacings of it (those of the rim, or the facet's shortest edge if that is longer), as
-  // in SplitOptions.
+  // this many spacings of it (those of the rim, or the facet's shortest edge if that is longer).
+  // Farther away the rim says little: the other wall of a thin slot is near, too.
   double seed_reach = 1.5;
   // The rim does not tell its sides apart if the cut costs more than this share of what the facets
   // on its weaker side say.

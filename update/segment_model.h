@@ -25,7 +25,7 @@ struct Region {
 };
 
 struct Regions {
-  IdVector<RegionId, Region> regions;  // by lowest facets; split_regions() appends
+  IdVector<RegionId, Region> regions;  // by lowest facets; cut_regions() appends
   // Most facets and vertices are of one region: that of the model's rest.
   SparseVector<TriangleId, RegionId> region_of_facet;  // none: a facet of the border
   // none: a border vertex, at facets of several regions or of the border only; or a vertex that no

@@ -151,11 +151,6 @@ void require_options(const char* stage, const ShiftOptions& options) {
   require_shares(stage, {{"shift.min_share", options.min_share}});
 }
 
-void require_options(const char* stage, const SplitOptions& options) {
-  require_amounts(
-      stage, {{"split.seed_reach", options.seed_reach}, {"split.max_reach", options.max_reach}});
-}
-
 void require_options(const char* stage, const StrayOptions& options) {
   require_amounts(stage, {{"stray.outlier_ratio", options.outlier_ratio},
                           {"stray.link_ratio", options.link_ratio}});
@@ -194,7 +189,6 @@ void require_options(const char* stage, const UpdateOptions& options) {
   require_options(stage, options.pin_holes);
   require_options(stage, options.torn);
   require_options(stage, options.overlap);
-  require_options(stage, options.split);
   require_options(stage, options.shared);
   require_options(stage, options.cut);
   require_options(stage, options.angles);

@@ -40,7 +40,6 @@
 #include "update/rim_angles.h"
 #include "update/segment_model.h"
 #include "update/shared_edges.h"
-#include "update/split_regions.h"
 #include "update/trace_border.h"
 
 namespace cocoon {
@@ -53,9 +52,8 @@ struct UpdateOptions {
   OverlapOptions overlap;
   TraceOptions trace;
   SegmentOptions segment;
-  SplitOptions split;
   SharedEdgeOptions shared;
-  CutOptions cut;  // of partial rims
+  CutOptions cut;  // of partial rims, and across handles
   AngleOptions angles;
   ChoiceOptions choice;
   IslandOptions islands;
@@ -87,7 +85,6 @@ struct UpdateResult {
 
   std::vector<CloudReport> clouds;  // in the order given
   Regions regions;                  // of the initial model
-  std::vector<SplitRegion> split;   // those that rims did not separate, split by labels
   RegionChoice choice;
   std::vector<RegionId> replaced_groups;  // under any cloud
   std::vector<RegionId> islands;          // of these, those that go by part_contradicted_islands()

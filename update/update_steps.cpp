@@ -95,21 +95,17 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
   const std::vector<std::size_t> joined = lowest_sharing_clouds(shared_with_);
   is_cut_ = clouds_to_cut(partial_rims(result_.clouds), joined);
   if (!segment(index, joined, execution)) return false;
+  find_separations(index);
   std::vector<RegionAngles> angles = measure_angles(index);
-  if (cut_where_scans_end(index, angles)) {
+  const bool runs_around_handles = cut_across_handles();
+  if (cut_where_scans_end(index, angles) || runs_around_handles) {
     if (!segment(index, joined, execution)) return false;
     angles = measure_angles(index);
   }
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     warn_of_cloud(c, warnings_of_cut(result_.clouds[c].cut));
   }
-  if (!check_separation(index, angles)) return false;
-  if (!divided_loops_.empty() && !split_divided_regions(index, angles)) return false;
-  for (const SplitRegion& part : result_.split) {
-    for (auto& verdicts : decided_) {
-      if (!verdicts.empty()) verdicts.push_back(verdicts[part.outside]);
-    }
-  }
+  if (!check_separation()) return false;
   result_.choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
   // Regions may be without any loop (all rims covered): then there is nothing to replace.
   result_.choice.replaced.resize(result_.regions.regions.size(), 0);
@@ -356,26 +352,38 @@ bool UpdateSteps::fail_no_overlap(std::size_t c, const ModelIndex& index,
                                unit_factor(index, rim, overlaps_[c], options_.overlap, execution)));
 }
 
-bool UpdateSteps::check_separation(const ModelIndex& index, std::span<const RegionAngles> angles) {
-  bool ok = true;
-  std::size_t entry = 0;
+void UpdateSteps::find_separations(const ModelIndex& index) {
   for_each_border_loop([&](std::size_t c, std::size_t l) {
-    const std::size_t e = entry++;
-    const LoopSides sides =
-        loop_sides(model_, index.neighbors(), borders_[c].loops[l], result_.regions);
-    result_.clouds[c].loops[l].separation = sides.separation;
-    if (is_cut_[c] != 0) return;  // what is left of it is enough: segment()
-    if (sides.separation == Separation::encloses_nothing) {
-      warn(name_of_loop(c, l) + ": " + warning_of_nothing_inside());
-    } else if (sides.separation == Separation::open_band && ok) {
-      ok = fail(UpdateStatus::non_separating,
-                name_of_loop(c, l) + ": " + reason_of_open_band(options_.trace.max_search_facets));
-    } else if (sides.separation == Separation::non_separating && ok) {
-      if (tells_sides_apart(angles[e], options_.choice)) {
-        warn(name_of_loop(c, l) + ": has a handle of the model across it; look at the result");
-      } else {
-        divided_loops_.push_back({c, l, e, region_at(sides)});
-      }
+    result_.clouds[c].loops[l].separation =
+        loop_sides(model_, index.neighbors(), borders_[c].loops[l], result_.regions).separation;
+  });
+}
+
+bool UpdateSteps::cut_across_handles() {
+  const std::vector<std::uint8_t> before = is_cut_;
+  for_each_border_loop([&](std::size_t c, std::size_t l) {
+    if (separation_of(c, l) == Separation::non_separating) is_cut_[c] = 1;
+  });
+  return is_cut_ != before;
+}
+
+bool UpdateSteps::check_separation() {
+  bool ok = true;
+  const auto fail_loop = [&](const std::string& loop, const std::string& reason) {
+    if (ok) ok = fail(UpdateStatus::non_separating, loop + ": " + reason);
+  };
+  for_each_border_loop([&](std::size_t c, std::size_t l) {
+    const std::string loop = name_of_loop(c, l);
+    const Separation separation = separation_of(c, l);
+    if (is_cut_[c] != 0) {  // what is known of the rim was enough: segment()
+      if (separation == Separation::non_separating && runs_around_handle(result_.clouds[c]))
+        warn(loop + ": " + warning_of_handle_across_rim());
+    } else if (separation == Separation::encloses_nothing) {
+      warn(loop + ": " + warning_of_nothing_inside());
+    } else if (separation == Separation::open_band) {
+      fail_loop(loop, reason_of_open_band(options_.trace.max_search_facets));
+    } else if (separation == Separation::non_separating) {
+      fail_loop(loop, reason_of_wide_handle());
     }
   });
   return ok;
@@ -398,7 +406,9 @@ bool UpdateSteps::segment(const ModelIndex& index, const std::vector<std::size_t
     if (of_cloud.doubt() > options_.cut.max_doubt) {
       result_.regions = segment_model(index, border_facets_, options_.segment, execution);
       return fail(UpdateStatus::non_separating,
-                  name_of_cloud(c) + ": " + reason_of_doubtful_cut(of_cloud));
+                  name_of_cloud(c) + ": " +
+                      (runs_around_handle(result_.clouds[c]) ? reason_of_wide_handle()
+                                                             : reason_of_doubtful_cut(of_cloud)));
     }
   }
   result_.regions = std::move(cut.regions);
@@ -420,54 +430,6 @@ bool UpdateSteps::cut_where_scans_end(const ModelIndex& index,
     found = true;
   }
   return found;
-}
-
-bool UpdateSteps::split_divided_regions(const ModelIndex& index,
-                                        std::vector<RegionAngles>& angles) {
-  std::vector<RegionId> divided;
-  for (const DividedLoop& loop : divided_loops_) divided.push_back(loop.region);
-  make_set(divided);
-  RegionSplit split = split_regions(index, result_.regions, divided, border_rims_of(result_.clouds),
-                                    clouds_, options_.split);
-  result_.split = std::move(split.split);
-  if (split.status != SplitStatus::ok) {
-    const RegionId failed = result_.split.back().outside;
-    for (const DividedLoop& loop : divided_loops_) {
-      if (loop.region == failed)
-        return fail_divided(loop, reason_of_failed_split(split.status, result_.split.back()));
-    }
-  }
-  std::swap(result_.regions, split.regions);
-  angles = measure_angles(index);
-  for (const DividedLoop& loop : divided_loops_) {
-    if (labels_agree(loop, angles[loop.entry])) continue;
-    std::swap(result_.regions, split.regions);
-    return fail_divided(loop, "the angles at the rim do not tell its sides apart");
-  }
-  for (const SplitRegion& part : result_.split) warn_about_split(part);
-  return true;
-}
-
-bool UpdateSteps::labels_agree(const DividedLoop& loop, const RegionAngles& angles) const {
-  if (!tells_sides_apart(angles, options_.choice)) return false;
-  return std::any_of(result_.split.begin(), result_.split.end(), [&](const SplitRegion& part) {
-    return part.outside == loop.region &&
-           sees_under(angles, part.under, part.outside, options_.choice);
-  });
-}
-
-bool UpdateSteps::fail_divided(const DividedLoop& loop, const std::string& why) {
-  return fail(UpdateStatus::non_separating,
-              name_of_loop(loop.cloud, loop.loop) +
-                  ": runs around a handle and does not cut the model in two, and " + why +
-                  "; add a cloud that closes the cut");
-}
-
-void UpdateSteps::warn_about_split(const SplitRegion& part) {
-  for (const DividedLoop& loop : divided_loops_) {
-    if (loop.region != part.outside) continue;
-    warn(name_of_loop(loop.cloud, loop.loop) + ": " + warning_of_split(part));
-  }
 }
 
 bool UpdateSteps::report_choice() {

@@ -42,14 +42,6 @@ class UpdateSteps {
   UpdateResult take_result();
 
  private:
-  // A loop with one region on both sides.
-  struct DividedLoop {
-    std::size_t cloud;
-    std::size_t loop;
-    std::size_t entry;  // its position among the loops of the border
-    RegionId region;
-  };
-
   void tell_members();
   std::string name_of_cloud(std::size_t c) const;
   std::string name_of_loop(std::size_t c, std::size_t l) const;
@@ -107,27 +99,25 @@ class UpdateSteps {
 
   bool fail_no_overlap(std::size_t c, const ModelIndex& index, const Execution& execution);
 
-  // Collects the loops with one and the same region on both sides in divided_loops_.
-  bool check_separation(const ModelIndex& index, std::span<const RegionAngles> angles);
+  // Whether each border loop cuts the model in two.
+  void find_separations(const ModelIndex& index);
+  Separation separation_of(std::size_t c, std::size_t l) const {
+    return result_.clouds[c].loops[l].separation;
+  }
 
-  // Where rims are partial: takes regions that lie as a whole under each such cloud, or outside.
+  // Whether a rim, though whole, runs around a handle: then the cloud is to be cut, too.
+  bool cut_across_handles();
+
+  // False if a loop has not cut the model in two.
+  bool check_separation();
+
+  // Where clouds are cut: takes regions that lie as a whole under each such cloud, or outside.
   bool segment(const ModelIndex& index, const std::vector<std::size_t>& joined,
                const Execution& execution);
 
   // Whether a scan ends on the model in regions that would go: then its rim is not all there, and
   // the cloud is to be cut.
   bool cut_where_scans_end(const ModelIndex& index, std::span<const RegionAngles> angles);
-
-  // Splits the regions on both sides of divided loops, and measures the angles again. The split
-  // holds if each of these loops then tells its sides apart.
-  bool split_divided_regions(const ModelIndex& index, std::vector<RegionAngles>& angles);
-
-  // Whether the loop sees the part under the cloud at a clearly smaller angle than the other one.
-  bool labels_agree(const DividedLoop& loop, const RegionAngles& angles) const;
-
-  bool fail_divided(const DividedLoop& loop, const std::string& why);
-
-  void warn_about_split(const SplitRegion& part);
 
   bool report_choice();
 
@@ -144,7 +134,6 @@ class UpdateSteps {
   std::vector<Border> borders_;
   TriangleSet border_facets_;
   std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under
-  std::vector<DividedLoop> divided_loops_;
   std::vector<NearestPointTree> trees_;  // of the samples of each of clouds_, once it has its place
   UpdateResult result_;
 };

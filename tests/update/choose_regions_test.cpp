@@ -117,27 +117,6 @@ TEST(ChooseRegions, RejectsLoopsOfDifferentSegmentations) {
   EXPECT_THROW(choose_regions(wrong_cloud, 1), InputError);
 }
 
-TEST(ChooseRegions, SidesAreToldByTwoRegionsThatManyEdgesSee) {
-  const double narrow = ChoiceOptions{}.narrow_margin / degree;
-  EXPECT_TRUE(tells_sides_apart(loop(0, {10, 11 + narrow})));
-  EXPECT_FALSE(tells_sides_apart(loop(0, {10, 9 + narrow})));
-  EXPECT_FALSE(tells_sides_apart(loop(0, {10, -1})));
-  RegionAngles few = loop(0, {10, 170});
-  few.regions[RegionId(1U)] = {170 * degree * 49, 49};  // of 100
-  EXPECT_FALSE(tells_sides_apart(few));
-  few.regions[RegionId(1U)] = {170 * degree * 50, 50};
-  EXPECT_TRUE(tells_sides_apart(few));
-}
-
-TEST(ChooseRegions, ALoopSeesARegionUnderItAtASmallerAngle) {
-  const double narrow = ChoiceOptions().narrow_margin * 180 / std::numbers::pi;
-  EXPECT_TRUE(sees_under(loop(0, {10, 11 + narrow}), RegionId(0U), RegionId(1U)));
-  EXPECT_FALSE(sees_under(loop(0, {10, 9 + narrow}), RegionId(0U), RegionId(1U)));
-  EXPECT_FALSE(sees_under(loop(0, {10, 11 + narrow}), RegionId(1U), RegionId(0U)));
-  EXPECT_FALSE(sees_under(loop(0, {-1, 90}), RegionId(0U), RegionId(1U)));
-  EXPECT_FALSE(sees_under(loop(0, {10, -1}), RegionId(0U), RegionId(1U)));
-}
-
 // Where the sides were decided otherwise the angles may speak against it: no margin is below zero.
 TEST(ChooseRegions, DecidedRegionsAreTaken) {
   const std::vector<RegionAngles> loops = {loop(0, {10, 170, 20})};

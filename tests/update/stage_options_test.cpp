@@ -44,7 +44,6 @@ const std::vector<Change> wrong = {
     [](UpdateOptions& o) { o.pin_holes.max_distance = nan; },
     [](UpdateOptions& o) { o.torn.reach = -1; },
     [](UpdateOptions& o) { o.overlap.min_normal_cosine = 67.5; },
-    [](UpdateOptions& o) { o.split.max_reach = nan; },
     [](UpdateOptions& o) { o.shared.reach = -1; },
     [](UpdateOptions& o) { o.cut.max_doubt = nan; },
     [](UpdateOptions& o) { o.cut.ends.off_model = nan; },

@@ -108,11 +108,4 @@ LoopSides loop_sides(const TriangleMesh& model, const TriangleNeighbors& neighbo
   return result;
 }
 
-RegionId region_at(const LoopSides& sides) {
-  for (const LoopSide& side : sides.sides) {
-    if (!side.region.is_none()) return side.region;
-  }
-  return {};
-}
-
 }  // namespace cocoon

@@ -39,7 +39,4 @@ struct LoopSides {
 LoopSides loop_sides(const TriangleMesh& model, const TriangleNeighbors& neighbors,
                      const LoopBorder& band, const Regions& regions);
 
-// The region at the longest side that borders on one; none if none does.
-RegionId region_at(const LoopSides& sides);
-
 }  // namespace cocoon

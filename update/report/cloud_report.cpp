@@ -19,6 +19,14 @@ std::vector<std::uint8_t> partial_rims(std::span<const CloudReport> clouds) {
   return partial;
 }
 
+bool runs_around_handle(const CloudReport& cloud) {
+  return !cloud.surface.rim.is_partial() &&
+         std::any_of(cloud.loops.begin(), cloud.loops.end(), [](const LoopReport& loop) {
+           return loop.match == LoopMatch::on_model &&
+                  loop.separation == Separation::non_separating;
+         });
+}
+
 std::vector<Scan> scans_of(std::span<const std::vector<Point>> clouds,
                            std::span<const CloudReport> reports) {
   std::vector<Scan> scans;

@@ -30,7 +30,7 @@ struct LoopReport {
   LoopMatch match = LoopMatch::off_model;
   std::size_t unmatched = 0;  // rim points too far from the model
   std::size_t covered = 0;    // of these, points on another cloud
-  // Of its band alone, without split_regions(); meaningful if on_model.
+  // By the regions before it is told that the cloud is to be cut, too; meaningful if on_model.
   Separation separation = Separation::separates;
 };
 
@@ -66,14 +66,15 @@ struct CloudReport {
   std::vector<RegionId> replaced_groups;  // those under this cloud
   double margin_deg = 180;                // of its least clear loop; of all if it was cut
   ContradictedSamples contradicted;       // its samples, on the updated model
-  // If its rim was partial and it was cut, alone or as the first of joined ones; without the
-  // labels.
+  // If it was cut, alone or as the first of joined ones; without the labels.
   RegionCut cut;
 };
 
 std::vector<CloudRim> rims_of(std::span<const CloudReport> clouds);
 // Of each cloud whether its rim is partial.
 std::vector<std::uint8_t> partial_rims(std::span<const CloudReport> clouds);
+// Whether its rim is whole, but a loop of it has the same region of the model on both sides.
+bool runs_around_handle(const CloudReport& cloud);
 // clouds[c] belongs to reports[c].
 std::vector<Scan> scans_of(std::span<const std::vector<Point>> clouds,
                            std::span<const CloudReport> reports);

@@ -65,12 +65,6 @@ std::string reason_of_open_band(std::size_t max_search_facets) {
          std::to_string(max_search_facets) + " facets; update each part by a cloud of its own";
 }
 
-std::string reason_of_failed_split(SplitStatus status, const SplitRegion& split) {
-  if (status == SplitStatus::one_sided) return "the model near the rim lies on one side of it";
-  return "what is nearest to its inner side reaches " + rounded(split.reach) +
-         " cloud extents away from the cloud";
-}
-
 std::string reason_of_doubtful_cut(const RegionCut& cut) {
   if (cut.seeds_under == 0 || cut.seeds_outside == 0) {
     return "parts of its rim are missing, and none is left that tells where it ends on the model; "
@@ -82,6 +76,11 @@ std::string reason_of_doubtful_cut(const RegionCut& cut) {
          rounded(cut.contradicted) + " in contradiction, beside " +
          rounded(std::min(cut.seeds_under, cut.seeds_outside)) +
          "; sample more densely at sharp edges and thin walls, or add a cloud that closes the rim";
+}
+
+std::string reason_of_wide_handle() {
+  return "runs around a handle and does not cut the model in two, and to cut the handle takes too "
+         "much beside what the rim says; add a cloud that closes the cut";
 }
 
 std::string reason_of_ambiguity(double margin) {
@@ -96,11 +95,9 @@ std::string reason_of_empty_surface(std::size_t updated_points) {
          "surface at one scale";
 }
 
-std::string warning_of_split(const SplitRegion& split) {
-  return "does not cut the model in two; facets are taken to lie under the cloud if nearer to its "
-         "inner side than to its outer one (" +
-         counted(split.under_facets, "facet") + ", cut along " + counted(split.cut_edges, "edge") +
-         "); look at the result";
+std::string warning_of_handle_across_rim() {
+  return "runs around a handle and does not cut the model in two; the handle is cut by the "
+         "shortest way; look at the result";
 }
 
 std::vector<std::string> warnings_of_cut(const RegionCut& cut) {
@@ -111,7 +108,7 @@ std::vector<std::string> warnings_of_cut(const RegionCut& cut) {
 
 std::vector<std::string> notes_of_cut(const RegionCut& cut, const CutOptions& options) {
   if (cut.cut_edges == 0 || cut.doubt() <= options.clear_doubt) return {};
-  return {"parts of its rim are missing; the model is cut there by the shortest way (" +
+  return {"where its rim does not tell the border, the model is cut by the shortest way (" +
           counted(cut.cut_edges, "edge") + ")"};
 }
 

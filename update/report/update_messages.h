@@ -16,7 +16,6 @@
 #include "update/report/rim_shift.h"
 #include "update/report/unscanned_losses.h"
 #include "update/report/unused_changes.h"
-#include "update/split_regions.h"
 
 namespace cocoon {
 
@@ -40,17 +39,17 @@ std::string reason_of_no_overlap(std::size_t unmatched, std::size_t boundary_poi
                                  std::optional<double> unit_factor = {});
 // Why a loop does not lie on one part of the model.
 std::string reason_of_open_band(std::size_t max_search_facets);
-// Why labels do not split a region; `split`: the last part that was tried.
-std::string reason_of_failed_split(SplitStatus status, const SplitRegion& split);
-
 // Why what is left of a partial rim does not tell its sides apart.
 std::string reason_of_doubtful_cut(const RegionCut& cut);
+// Why a handle across a whole rim is not cut.
+std::string reason_of_wide_handle();
 // Why the angles do not decide; `margin`: in degrees.
 std::string reason_of_ambiguity(double margin);
 // Why nothing is left of the updated points.
 std::string reason_of_empty_surface(std::size_t updated_points);
 
-std::string warning_of_split(const SplitRegion& split);
+// Of a loop.
+std::string warning_of_handle_across_rim();
 std::vector<std::string> warnings_of_cut(const RegionCut& cut);
 // Only if its doubt is more than options.clear_doubt. No warning: of right updates one in five has
 // such a cut, of wrong ones one in two.

@@ -133,15 +133,6 @@ TEST(UpdateMessages, OtherUnitsAreSaid) {
   EXPECT_TRUE(says({reason_of_no_overlap(3, 4, 3, 0.5, {})}, "register it to the model"));
 }
 
-TEST(UpdateMessages, AFailedSplitSaysWhy) {
-  SplitRegion split;
-  split.reach = 0.5;
-  EXPECT_TRUE(
-      says({reason_of_failed_split(SplitStatus::one_sided, split)}, "lies on one side of it"));
-  EXPECT_TRUE(
-      says({reason_of_failed_split(SplitStatus::too_far, split)}, "reaches 0.5 cloud extents"));
-}
-
 TEST(UpdateMessages, OneHandleAndSeveral) {
   EXPECT_TRUE(says({warning_of_handles(1)}, "has 1 handle more than"));
   EXPECT_TRUE(says({warning_of_handles(1)}, "if the scans have it,"));
