@@ -43,6 +43,9 @@ struct CutOptions {
   // Parts of the model outside the cloud with fewer facets, cut off from the rest beside a
   // partial loop, are none: their facets become border. 0: none is too small.
   std::size_t min_outside_facets = 8;
+  // Where a whole rim runs around a handle and that is cut, what goes lies no farther from the box
+  // of the samples than so many spacings.
+  double handle_reach = 10;
   ScanEndOptions ends = {};
   DisprovedOptions disproved = {};
 };

@@ -63,7 +63,8 @@ void require_options(const char* stage, const CutOptions& options) {
   require_amounts(stage, {{"cut.max_detour", options.max_detour},
                           {"cut.seed_reach", options.seed_reach},
                           {"cut.max_doubt", options.max_doubt},
-                          {"cut.clear_doubt", options.clear_doubt}});
+                          {"cut.clear_doubt", options.clear_doubt},
+                          {"cut.handle_reach", options.handle_reach}});
   require_shares(stage, {{"cut.clear_seam_share", options.clear_seam_share}});
   require_options(stage, options.ends);
   require_options(stage, options.disproved);

@@ -369,8 +369,8 @@ bool UpdateSteps::cut_across_handles() {
 
 bool UpdateSteps::check_separation() {
   bool ok = true;
-  const auto fail_loop = [&](const std::string& loop, const std::string& reason) {
-    if (ok) ok = fail(UpdateStatus::non_separating, loop + ": " + reason);
+  const auto refuse = [&](const std::string& name, const std::string& reason) {
+    if (ok) ok = fail(UpdateStatus::non_separating, name + ": " + reason);
   };
   for_each_border_loop([&](std::size_t c, std::size_t l) {
     const std::string loop = name_of_loop(c, l);
@@ -381,9 +381,9 @@ bool UpdateSteps::check_separation() {
     } else if (separation == Separation::encloses_nothing) {
       warn(loop + ": " + warning_of_nothing_inside());
     } else if (separation == Separation::open_band) {
-      fail_loop(loop, reason_of_open_band(options_.trace.max_search_facets));
+      refuse(loop, reason_of_open_band(options_.trace.max_search_facets));
     } else if (separation == Separation::non_separating) {
-      fail_loop(loop, reason_of_wide_handle());
+      refuse(name_of_cloud(c), reason_of_wide_handle());
     }
   });
   return ok;
@@ -401,19 +401,30 @@ bool UpdateSteps::segment(const ModelIndex& index, const std::vector<std::size_t
   is_cut_ = std::move(cut.is_cut);
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     if (is_cut_[c] == 0 || joined[c] != c) continue;
+    const std::optional<std::string> why = why_not_cut(c, cut.cuts[c], index);
     cut.cuts[c].under = {};
-    const RegionCut& of_cloud = result_.clouds[c].cut = std::move(cut.cuts[c]);
-    if (of_cloud.doubt() > options_.cut.max_doubt) {
+    result_.clouds[c].cut = std::move(cut.cuts[c]);
+    if (why) {
       result_.regions = segment_model(index, border_facets_, options_.segment, execution);
-      return fail(UpdateStatus::non_separating,
-                  name_of_cloud(c) + ": " +
-                      (runs_around_handle(result_.clouds[c]) ? reason_of_wide_handle()
-                                                             : reason_of_doubtful_cut(of_cloud)));
+      return fail(UpdateStatus::non_separating, name_of_cloud(c) + ": " + *why);
     }
   }
   result_.regions = std::move(cut.regions);
   decided_ = std::move(cut.under);
   return true;
+}
+
+std::optional<std::string> UpdateSteps::why_not_cut(std::size_t c, const RegionCut& cut,
+                                                    const ModelIndex& index) const {
+  if (runs_around_handle(result_.clouds[c])) {
+    const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
+    const bool is_far = reaches_beyond(index, members(cut.under), std::span(&scans[c], 1),
+                                       options_.cut.handle_reach);
+    if (is_far || cut.doubt() > options_.cut.max_doubt) return reason_of_wide_handle();
+  } else if (cut.doubt() > options_.cut.max_doubt) {
+    return reason_of_doubtful_cut(cut);
+  }
+  return {};
 }
 
 bool UpdateSteps::cut_where_scans_end(const ModelIndex& index,

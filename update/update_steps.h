@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -114,6 +115,10 @@ class UpdateSteps {
   // Where clouds are cut: takes regions that lie as a whole under each such cloud, or outside.
   bool segment(const ModelIndex& index, const std::vector<std::size_t>& joined,
                const Execution& execution);
+
+  // Why the cut of this cloud, and of those joined to it, is not to be believed.
+  std::optional<std::string> why_not_cut(std::size_t c, const RegionCut& cut,
+                                         const ModelIndex& index) const;
 
   // Whether a scan ends on the model in regions that would go: then its rim is not all there, and
   // the cloud is to be cut.

@@ -92,6 +92,13 @@ TEST(UpdateWithHandles, BlockWithAHoleByACap) {
   const MeshReport check = mesh_check(result.mesh);
   EXPECT_TRUE(check.is_closed_manifold());
   EXPECT_EQ(check.euler, 2);
+
+  UpdateOptions near;
+  near.cut.handle_reach = 0;
+  const UpdateResult refused = update_model(model, Clouds{cap_with_hill({12, 10, 8}, 3)}, near);
+  EXPECT_EQ(refused.status, UpdateStatus::non_separating);
+  EXPECT_NE(refused.message.find("no short cut across"), std::string::npos) << refused.message;
+  EXPECT_TRUE(refused.mesh.triangles.empty());
 }
 
 // A slot in the top of a block that is closed in its middle, under the rim: a tunnel from inside

@@ -46,6 +46,7 @@ const std::vector<Change> wrong = {
     [](UpdateOptions& o) { o.overlap.min_normal_cosine = 67.5; },
     [](UpdateOptions& o) { o.shared.reach = -1; },
     [](UpdateOptions& o) { o.cut.max_doubt = nan; },
+    [](UpdateOptions& o) { o.cut.handle_reach = nan; },
     [](UpdateOptions& o) { o.cut.ends.off_model = nan; },
     [](UpdateOptions& o) { o.cut.disproved.apart = -1; },
     [](UpdateOptions& o) { o.cut.disproved.min_side_cosine = nan; },

@@ -79,8 +79,8 @@ std::string reason_of_doubtful_cut(const RegionCut& cut) {
 }
 
 std::string reason_of_wide_handle() {
-  return "runs around a handle and does not cut the model in two, and to cut the handle takes too "
-         "much beside what the rim says; add a cloud that closes the cut";
+  return "its rim runs around a handle and does not cut the model in two, and no short cut across "
+         "the handle parts what is near the samples from the rest; add a cloud that closes the cut";
 }
 
 std::string reason_of_ambiguity(double margin) {
