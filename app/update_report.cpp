@@ -68,6 +68,8 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("is_layered", cloud.surface.is_layered);
   entry.set("rho", cloud.surface.rho);
   entry.set("rho_trials", cloud.surface.trials.size());
+  entry.set("compared_rims", cloud.compared_rims);
+  entry.set("taken_rim", cloud.taken_rim);
   entry.set("trimmed_triangles", cloud.surface.trimmed);
   entry.set("rim_spacing", cloud.surface.rim.spacing);
   const SpacingRange& spacing = cloud.surface.spacing;
@@ -173,8 +175,9 @@ void say_update(Job& job, const UpdateRecord& record) {
             counted(cloud.boundary_points, "point"),
             counted(cloud.overlapping_facets.size(), "facet"));
     if (cloud.surface.trials.size() > 1) {
-      job.say("  rim found with rho {:.4g} after {} trials", cloud.surface.rho,
-              cloud.surface.trials.size());
+      job.say("  rim found with rho {:.4g} after {} trials{}", cloud.surface.rho,
+              cloud.surface.trials.size(),
+              cloud.taken_rim > 0 ? ", as the one that leaves the least doubt on the model" : "");
     }
     for (const std::string& note : notes_of_surface(cloud.surface)) job.say("  {}", note);
     for (const std::string& note : notes_of_cut(cloud.cut)) job.say("  {}", note);

@@ -37,6 +37,11 @@ struct CutOptions {
   // And it is as good as whole up to this one, so that nobody need look at the result: most right
   // updates with a cut have less than half of it, wrong ones more than twice as much.
   double clear_doubt = 0.05;
+  // If the rim of a cloud leaves more doubt (rim_doubt.h), the rims of its other trials are looked
+  // at, and the clearest is taken if its doubt is less than this share of that. 0: none is.
+  double clearer_rim = 0.6;
+  // But none that tells less than this share of what that one tells (RimDoubt::told).
+  double min_told = 0.7;
   // Of rims with no larger share of seams no loop is lost (as CloudSurfaceOptions::max_seam_share):
   // where scans end is looked for only if what would go reaches beyond the box of the samples.
   double clear_seam_share = 0.05;

@@ -64,6 +64,8 @@ void require_options(const char* stage, const CutOptions& options) {
                           {"cut.seed_reach", options.seed_reach},
                           {"cut.max_doubt", options.max_doubt},
                           {"cut.clear_doubt", options.clear_doubt},
+                          {"cut.clearer_rim", options.clearer_rim},
+                          {"cut.min_told", options.min_told},
                           {"cut.handle_reach", options.handle_reach}});
   require_shares(stage, {{"cut.clear_seam_share", options.clear_seam_share}});
   require_options(stage, options.ends);

@@ -56,7 +56,7 @@ bool UpdateSteps::detect_boundaries(const Execution& execution) {
       if (joined_[c].sheet.empty()) throw;
       return fail(UpdateStatus::no_cloud_surface, error.what());  // of a choice of the samples
     }
-    take_surface(c, std::move(other_surfaces_[c].front()));
+    result_.clouds[c] = report_of_surface(std::move(other_surfaces_[c].front()));
     other_surfaces_[c].erase(other_surfaces_[c].begin());
     if (!result_.clouds[c].surface.has_loops()) return fail_surface(c);
   }
@@ -64,20 +64,14 @@ bool UpdateSteps::detect_boundaries(const Execution& execution) {
 }
 
 bool UpdateSteps::find_overlapping_facets(const ModelIndex& index, const Execution& execution) {
-  overlaps_.resize(clouds_.size());
-  shared_with_.resize(clouds_.size());
-  for (std::size_t c = 0; c < clouds_.size(); ++c) locate_rim(c, index, execution);
-  excuse_covered_points(rims_of(result_.clouds), clouds_, overlaps_, options_.overlap);
-  for (std::size_t c = 0; c < clouds_.size(); ++c) {
-    if (overlaps_[c].status == OverlapStatus::no_overlap) try_others(c, index, execution);
-  }
+  rims_ = locate_rims(index, clouds_, other_surfaces_, options_, result_.clouds, execution);
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     CloudReport& report = result_.clouds[c];
     if (report.surface.rim.loops.empty()) return fail_surface(c);
     report_overlap(c);
-    report.shift = rim_shift(index, report.surface.rim, overlaps_[c], options_.shift);
+    report.shift = rim_shift(index, report.surface.rim, rims_.overlaps[c], options_.shift);
     warn_of_cloud(c, warnings_of_cloud(report, options_.overlap, options_.shift));
-    if (overlaps_[c].status == OverlapStatus::no_overlap)
+    if (rims_.overlaps[c].status == OverlapStatus::no_overlap)
       return fail_no_overlap(c, index, execution);
   }
   trace_borders(index, execution);
@@ -88,11 +82,11 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
   if (close_pin_holes(index, execution)) {
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       const bool has_rim = result_.clouds[c].surface.status == CloudStatus::ok;
-      if (!has_rim && !overlaps_[c].is_border()) return fail_surface(c);
+      if (!has_rim && !rims_.overlaps[c].is_border()) return fail_surface(c);
     }
     trace_borders(index, execution);
   }
-  const std::vector<std::size_t> joined = lowest_sharing_clouds(shared_with_);
+  const std::vector<std::size_t> joined = lowest_sharing_clouds(rims_.shared_with);
   is_cut_ = clouds_to_cut(partial_rims(result_.clouds), joined);
   if (!segment(index, joined, execution)) return false;
   find_separations(index);
@@ -115,7 +109,7 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
 
 OutwardNormals UpdateSteps::outward(const ModelIndex& index) const {
   return [this, &index](std::size_t c) {
-    return outward_normals(index, clouds_[c], result_.clouds[c].surface, overlaps_[c]);
+    return outward_normals(index, clouds_[c], result_.clouds[c].surface, rims_.overlaps[c]);
   };
 }
 
@@ -242,48 +236,6 @@ std::vector<CloudSurface> UpdateSteps::surfaces_of_cloud(std::size_t c,
   }
 }
 
-void UpdateSteps::take_surface(std::size_t c, CloudSurface surface) {
-  result_.clouds[c] = {};
-  result_.clouds[c].surface = std::move(surface);
-  for (const RimLoop& loop : result_.clouds[c].surface.rim.loops) report_loop(c, loop, false);
-}
-
-void UpdateSteps::report_loop(std::size_t c, const RimLoop& loop, bool opened) {
-  CloudReport& report = result_.clouds[c];
-  report.loops.push_back({.edges = loop.size(), .perimeter = loop.perimeter, .pin_hole = opened});
-  report.boundary_points += loop.size();
-}
-
-void UpdateSteps::locate_rim(std::size_t c, const ModelIndex& index, const Execution& execution) {
-  CloudRim& rim = result_.clouds[c].surface.rim;
-  for (RimLoop& loop : open_pin_holes(index, clouds_[c], rim, options_.pin_holes)) {
-    report_loop(c, loop, true);
-    rim.loops.push_back(std::move(loop));
-  }
-  if (clouds_.size() > 1) {
-    const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
-    shared_with_[c] = mark_shared_edges(c, scans, rim, options_.shared);
-  }
-  mark_torn_edges(index, clouds_, rim, options_.torn);
-  overlaps_[c] = overlapping_facets(index, rim, options_.overlap, execution);
-}
-
-void UpdateSteps::try_others(std::size_t c, const ModelIndex& index, const Execution& execution) {
-  const CloudReport report = result_.clouds[c];
-  const Overlap overlap = overlaps_[c];
-  const std::vector<std::size_t> shared_with = shared_with_[c];
-  for (CloudSurface& other : other_surfaces_[c]) {
-    if (other.status != report.surface.status || !other.has_loops()) continue;
-    take_surface(c, std::move(other));
-    locate_rim(c, index, execution);
-    excuse_covered_points(rims_of(result_.clouds), clouds_, overlaps_, options_.overlap);
-    if (overlaps_[c].status == OverlapStatus::ok) return;
-  }
-  result_.clouds[c] = report;
-  overlaps_[c] = overlap;
-  shared_with_[c] = shared_with;
-}
-
 bool UpdateSteps::close_pin_holes(const ModelIndex& index, const Execution& execution) {
   std::optional<Regions> regions;
   bool closed = false;
@@ -295,7 +247,7 @@ bool UpdateSteps::close_pin_holes(const ModelIndex& index, const Execution& exec
       return warn(name_of_loop(c, l) +
                   ": the model goes on through this small hole of the scan; what is beyond stays");
     }
-    overlaps_[c].loops[l].match = result_.clouds[c].loops[l].match = LoopMatch::off_model;
+    rims_.overlaps[c].loops[l].match = result_.clouds[c].loops[l].match = LoopMatch::off_model;
     closed = true;
   });
   return closed;
@@ -306,7 +258,7 @@ void UpdateSteps::trace_borders(const ModelIndex& index, const Execution& execut
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     CloudReport& report = result_.clouds[c];
     borders_.push_back(
-        trace_border(index, report.surface.rim, overlaps_[c], options_.trace, execution));
+        trace_border(index, report.surface.rim, rims_.overlaps[c], options_.trace, execution));
     Border& border = borders_[c];
     TriangleSet facets = std::exchange(border.facets, {});
     if (c == 0) {
@@ -319,7 +271,7 @@ void UpdateSteps::trace_borders(const ModelIndex& index, const Execution& execut
 }
 
 void UpdateSteps::report_overlap(std::size_t c) {
-  const Overlap& overlap = overlaps_[c];
+  const Overlap& overlap = rims_.overlaps[c];
   enter_overlap(overlap, result_.clouds[c]);
   for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
     if (overlap.loops[l].match == LoopMatch::on_model) continue;
@@ -344,12 +296,12 @@ bool UpdateSteps::fail_no_overlap(std::size_t c, const ModelIndex& index,
                                   const Execution& execution) {
   const CloudReport& report = result_.clouds[c];
   const CloudRim& rim = report.surface.rim;
-  return fail(
-      UpdateStatus::no_overlap,
-      name_of_cloud(c) + " " +
-          reason_of_no_overlap(overlaps_[c].unmatched, report.boundary_points,
-                               options_.overlap.max_distance, rim.spacing,
-                               unit_factor(index, rim, overlaps_[c], options_.overlap, execution)));
+  return fail(UpdateStatus::no_overlap,
+              name_of_cloud(c) + " " +
+                  reason_of_no_overlap(
+                      rims_.overlaps[c].unmatched, report.boundary_points,
+                      options_.overlap.max_distance, rim.spacing,
+                      unit_factor(index, rim, rims_.overlaps[c], options_.overlap, execution)));
 }
 
 void UpdateSteps::find_separations(const ModelIndex& index) {

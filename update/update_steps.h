@@ -14,6 +14,7 @@
 #include "geom/triangle_mesh.h"
 #include "update/cloud/scan.h"
 #include "update/joined_clouds.h"
+#include "update/located_rims.h"
 #include "update/model/model_index.h"
 #include "update/update_model.h"
 
@@ -65,9 +66,9 @@ class UpdateSteps {
   // Calls visit(cloud, loop) for the loops that take part in the border.
   template <class Visit>
   void for_each_border_loop(Visit visit) const {
-    for (std::size_t c = 0; c < overlaps_.size(); ++c) {
-      for (std::size_t l = 0; l < overlaps_[c].loops.size(); ++l) {
-        if (overlaps_[c].loops[l].match == LoopMatch::on_model) visit(c, l);
+    for (std::size_t c = 0; c < rims_.overlaps.size(); ++c) {
+      for (std::size_t l = 0; l < rims_.overlaps[c].loops.size(); ++l) {
+        if (rims_.overlaps[c].loops[l].match == LoopMatch::on_model) visit(c, l);
       }
     }
   }
@@ -76,16 +77,6 @@ class UpdateSteps {
   std::vector<RegionAngles> measure_angles(const ModelIndex& index) const;
 
   std::vector<CloudSurface> surfaces_of_cloud(std::size_t c, const Execution& execution) const;
-
-  void take_surface(std::size_t c, CloudSurface surface);
-
-  void report_loop(std::size_t c, const RimLoop& loop, bool opened);
-
-  // Where the rim lies on the model, with pin-holes through which the model goes on.
-  void locate_rim(std::size_t c, const ModelIndex& index, const Execution& execution);
-
-  // The rim that looked best is not on the model: takes the best one that is, if there is one.
-  void try_others(std::size_t c, const ModelIndex& index, const Execution& execution);
 
   // A pin-hole that does not cut the model in two, by itself or with other loops, is none of the
   // border. Returns whether there was one.
@@ -133,9 +124,8 @@ class UpdateSteps {
   std::span<const std::vector<Point>> clouds_;  // what the steps work on: given_ or samples_
   const UpdateOptions& options_;
   std::vector<std::vector<CloudSurface>> other_surfaces_;  // of each cloud, those not taken
-  std::vector<Overlap> overlaps_;
-  std::vector<std::vector<std::size_t>> shared_with_;  // of each cloud, by mark_shared_edges()
-  std::vector<std::uint8_t> is_cut_;                   // clouds_to_cut()
+  LocatedRims rims_;
+  std::vector<std::uint8_t> is_cut_;  // clouds_to_cut()
   std::vector<Border> borders_;
   TriangleSet border_facets_;
   std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under

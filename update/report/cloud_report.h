@@ -66,6 +66,8 @@ struct CloudReport {
   std::vector<RegionId> replaced_groups;  // those under this cloud
   double margin_deg = 180;                // of its least clear loop; of all if it was cut
   ContradictedSamples contradicted;       // its samples, on the updated model
+  std::size_t compared_rims = 0;  // of its trials, by the doubt that they leave; 0: not asked
+  std::size_t taken_rim = 0;      // of these; 0: the one that looked best by itself
   // If it was cut, alone or as the first of joined ones; without the labels.
   RegionCut cut;
 };

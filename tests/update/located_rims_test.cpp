@@ -1,0 +1,126 @@
+#include "update/located_rims.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <utility>
+#include <vector>
+
+#include "geom/errors.h"
+#include "tests/update/hand_made_models.h"
+#include "tests/update/torn_rims.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+namespace {
+
+using testing::circle;
+using testing::grid_plane;
+using testing::middle;
+using testing::radius;
+using testing::rim_of;
+using testing::torn_rim;
+
+CloudSurface surface_with(CloudRim rim, double rho) {
+  CloudSurface surface;
+  surface.rim = std::move(rim);
+  surface.rho = rho;
+  return surface;
+}
+
+CloudRim small_rim() {
+  CloudRim rim = rim_of({circle(15, middle, 1.5)});
+  rim.median_edge = rim.spacing;
+  rim.rim_edges = rim.loops[0].size();
+  return rim;
+}
+
+// A disk on the plane, and two trials of its surface: that with rho 1 looked better.
+class TwoTrials {
+ public:
+  TwoTrials(CloudRim first, CloudRim second)
+      : mesh_(grid_plane(30)), model_(mesh_), others_{{surface_with(std::move(second), 2)}} {
+    reports.push_back(report_of_surface(surface_with(std::move(first), 1)));
+    for (double x = -radius; x <= radius; x += 0.5) {
+      for (double y = -radius; y <= radius; y += 0.5) {
+        if (std::hypot(x, y) <= radius) clouds_[0].push_back(middle + Vec3{x, y, 0});
+      }
+    }
+  }
+  // The rho of the one that is taken.
+  double taken(const UpdateOptions& options = {}) {
+    rims = locate_rims(model_, clouds_, others_, options, reports);
+    return reports[0].surface.rho;
+  }
+  LocatedRims rims;
+  std::vector<CloudReport> reports;
+
+ private:
+  TriangleMesh mesh_;
+  ModelIndex model_;
+  std::vector<std::vector<Point>> clouds_ = std::vector<std::vector<Point>>(1);
+  std::vector<std::vector<CloudSurface>> others_;
+};
+
+TEST(LocatedRims, AFarClearerRimIsTaken) {
+  TwoTrials trials(torn_rim(20, 40), torn_rim(0, 0));
+  EXPECT_EQ(trials.taken(), 2);
+  EXPECT_EQ(trials.reports[0].compared_rims, 2U);
+  EXPECT_EQ(trials.reports[0].taken_rim, 1U);
+  // And it is that one that is located and reported.
+  ASSERT_EQ(trials.rims.overlaps.size(), 1U);
+  EXPECT_EQ(trials.rims.overlaps[0].status, OverlapStatus::ok);
+  EXPECT_EQ(trials.rims.overlaps[0].loops[0].inner_points, 0U);
+  EXPECT_EQ(trials.reports[0].boundary_points, 60U);
+}
+
+TEST(LocatedRims, OneThatIsHardlyClearerIsNot) {
+  TwoTrials trials(torn_rim(20, 40), torn_rim(20, 38));
+  EXPECT_EQ(trials.taken(), 1);
+  EXPECT_EQ(trials.reports[0].compared_rims, 2U);
+  EXPECT_EQ(trials.reports[0].taken_rim, 0U);
+  EXPECT_GT(trials.rims.overlaps[0].loops[0].inner_points, 0U);
+  UpdateOptions any;
+  any.cut.clearer_rim = 1;
+  EXPECT_EQ(TwoTrials(torn_rim(20, 40), torn_rim(20, 38)).taken(any), 2);
+}
+
+TEST(LocatedRims, OneThatTellsLittleIsNot) {
+  EXPECT_EQ(TwoTrials(torn_rim(20, 40), small_rim()).taken(), 1);
+  UpdateOptions any;
+  any.cut.min_told = 0.1;
+  EXPECT_EQ(TwoTrials(torn_rim(20, 40), small_rim()).taken(any), 2);
+}
+
+TEST(LocatedRims, WhereNothingIsInDoubtNoneIsComparedNorIfItIsSwitchedOff) {
+  TwoTrials whole(torn_rim(0, 0), torn_rim(20, 40));
+  EXPECT_EQ(whole.taken(), 1);
+  EXPECT_EQ(whole.reports[0].compared_rims, 0U);
+  UpdateOptions off;
+  off.cut.clearer_rim = 0;
+  EXPECT_EQ(TwoTrials(torn_rim(20, 40), torn_rim(0, 0)).taken(off), 1);
+}
+
+TEST(LocatedRims, ARimOnTheModelComesBeforeOneThatIsNot) {
+  CloudRim off = torn_rim(0, 0);
+  for (Point& p : off.loops[0].points) p.z += 100;
+  TwoTrials trials(off, torn_rim(20, 40));
+  EXPECT_EQ(trials.taken(), 2);
+  EXPECT_EQ(trials.rims.overlaps[0].status, OverlapStatus::ok);
+  TwoTrials neither(off, off);
+  EXPECT_EQ(neither.taken(), 1);
+  EXPECT_EQ(neither.rims.overlaps[0].status, OverlapStatus::no_overlap);
+}
+
+TEST(LocatedRims, RefusesListsThatDoNotFit) {
+  const TriangleMesh mesh = grid_plane(30);
+  const ModelIndex model(mesh);
+  const std::vector<std::vector<Point>> clouds(2);
+  std::vector<CloudReport> reports(2);
+  EXPECT_THROW(locate_rims(model, clouds, {}, {}, reports), InputError);
+  const std::vector<std::vector<CloudSurface>> others(2);
+  reports.pop_back();
+  EXPECT_THROW(locate_rims(model, clouds, others, {}, reports), InputError);
+}
+
+}  // namespace
+}  // namespace cocoon

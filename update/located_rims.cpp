@@ -1,0 +1,152 @@
+#include "update/located_rims.h"
+
+#include <utility>
+
+#include "geom/require_size.h"
+#include "update/cloud/torn_edges.h"
+#include "update/pin_holes.h"
+#include "update/rim_doubt.h"
+#include "update/shared_edges.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+namespace {
+
+void report_loop(const RimLoop& loop, bool opened, CloudReport& report) {
+  report.loops.push_back({.edges = loop.size(), .perimeter = loop.perimeter, .pin_hole = opened});
+  report.boundary_points += loop.size();
+}
+
+class Locating {
+ public:
+  Locating(const ModelIndex& model, std::span<const std::vector<Point>> clouds,
+           std::span<const std::vector<CloudSurface>> others, const UpdateOptions& options,
+           std::span<CloudReport> reports, const Execution& execution)
+      : model_(model),
+        clouds_(clouds),
+        others_(others),
+        options_(options),
+        reports_(reports),
+        execution_(execution),
+        found_{std::vector<Overlap>(clouds.size()),
+               std::vector<std::vector<std::size_t>>(clouds.size())} {}
+
+  LocatedRims run() {
+    for (std::size_t c = 0; c < clouds_.size(); ++c) locate(c);
+    excuse_covered();
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      if (found_.overlaps[c].status == OverlapStatus::no_overlap) try_others(c);
+    }
+    for (std::size_t c = 0; c < clouds_.size(); ++c) prefer_clearer(c);
+    return std::move(found_);
+  }
+
+ private:
+  // One rim in its place.
+  struct Located {
+    CloudReport report;
+    Overlap overlap;
+    std::vector<std::size_t> shared_with;
+  };
+
+  void locate(std::size_t c) {
+    CloudRim& rim = reports_[c].surface.rim;
+    for (RimLoop& loop : open_pin_holes(model_, clouds_[c], rim, options_.pin_holes)) {
+      report_loop(loop, true, reports_[c]);
+      rim.loops.push_back(std::move(loop));
+    }
+    if (clouds_.size() > 1) {
+      const std::vector<Scan> scans = scans_of(clouds_, reports_);
+      found_.shared_with[c] = mark_shared_edges(c, scans, rim, options_.shared);
+    }
+    mark_torn_edges(model_, clouds_, rim, options_.torn);
+    found_.overlaps[c] = overlapping_facets(model_, rim, options_.overlap, execution_);
+  }
+
+  void excuse_covered() {
+    excuse_covered_points(rims_of(reports_), clouds_, found_.overlaps, options_.overlap);
+  }
+
+  // Goes over to another surface. Returns what was there.
+  Located exchange(std::size_t c, const CloudSurface& surface) {
+    Located before{std::exchange(reports_[c], report_of_surface(surface)),
+                   std::move(found_.overlaps[c]), std::move(found_.shared_with[c])};
+    locate(c);
+    excuse_covered();
+    return before;
+  }
+
+  void put_back(std::size_t c, Located rim) {
+    reports_[c] = std::move(rim.report);
+    found_.overlaps[c] = std::move(rim.overlap);
+    found_.shared_with[c] = std::move(rim.shared_with);
+  }
+
+  bool is_on_model(std::size_t c) const { return found_.overlaps[c].status == OverlapStatus::ok; }
+
+  void try_others(std::size_t c) {
+    const CloudStatus status = reports_[c].surface.status;
+    for (const CloudSurface& other : others_[c]) {
+      if (other.status != status || !other.has_loops()) continue;
+      Located before = exchange(c, other);
+      if (is_on_model(c)) return;
+      put_back(c, std::move(before));
+    }
+  }
+
+  RimDoubt doubt_of(std::size_t c) const {
+    return rim_doubt(model_, reports_[c].surface.rim, found_.overlaps[c], options_.trace,
+                     options_.cut, execution_);
+  }
+
+  void prefer_clearer(std::size_t c) {
+    if (others_[c].empty() || !is_on_model(c) || !found_.shared_with[c].empty()) return;
+    const RimDoubt first = doubt_of(c);
+    if (first.share <= options_.cut.clear_doubt) return;
+    double least = options_.cut.clearer_rim * first.share;
+    std::size_t compared = 1;
+    std::size_t taken = 0;
+    for (const CloudSurface& other : others_[c]) {
+      if (other.status != CloudStatus::ok) continue;
+      Located before = exchange(c, other);
+      const RimDoubt theirs = is_on_model(c) ? doubt_of(c) : RimDoubt();
+      if (theirs.share < least && theirs.told >= options_.cut.min_told * first.told) {
+        least = theirs.share;
+        taken = compared;
+      } else {
+        put_back(c, std::move(before));
+      }
+      ++compared;
+    }
+    reports_[c].compared_rims = compared;
+    reports_[c].taken_rim = taken;
+  }
+
+  const ModelIndex& model_;
+  std::span<const std::vector<Point>> clouds_;
+  std::span<const std::vector<CloudSurface>> others_;
+  const UpdateOptions& options_;
+  std::span<CloudReport> reports_;
+  const Execution& execution_;
+  LocatedRims found_;
+};
+
+}  // namespace
+
+CloudReport report_of_surface(CloudSurface surface) {
+  CloudReport report;
+  for (const RimLoop& loop : surface.rim.loops) report_loop(loop, false, report);
+  report.surface = std::move(surface);
+  return report;
+}
+
+LocatedRims locate_rims(const ModelIndex& model, std::span<const std::vector<Point>> clouds,
+                        std::span<const std::vector<CloudSurface>> others,
+                        const UpdateOptions& options, std::span<CloudReport> reports,
+                        const Execution& execution) {
+  require_size("locate_rims", "lists of other surfaces", others.size(), clouds.size());
+  require_size("locate_rims", "reports", reports.size(), clouds.size());
+  return Locating(model, clouds, others, options, reports, execution).run();
+}
+
+}  // namespace cocoon

@@ -1,0 +1,21 @@
+#include "update/rim_doubt.h"
+
+#include <algorithm>
+#include <span>
+
+namespace cocoon {
+
+RimDoubt rim_doubt(const ModelIndex& model, CloudRim rim, const Overlap& overlap,
+                   const TraceOptions& trace, const CutOptions& options,
+                   const Execution& execution) {
+  const Border border = trace_border(model, rim, overlap, trace, execution);
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    if (overlap.loops[l].match != LoopMatch::on_model) rim.loops[l] = {};
+  }
+  TriangleSet certain(model.mesh().triangles.size(), 0);
+  certain_border(model, rim, border.loops, options, certain);
+  const RegionCut cut = cut_under_cloud(model, certain, std::span(&rim, 1), {}, options);
+  return {cut.doubt(), rim.median_edge * std::min(cut.seeds_under, cut.seeds_outside)};
+}
+
+}  // namespace cocoon
