@@ -18,6 +18,18 @@
 #include "update/report/updated_vertices.h"
 
 namespace cocoon {
+namespace {
+
+// Few samples of layers look smoother by themselves. They stand for all only if these have no rim,
+// or if locate_rims() finds theirs far clearer.
+std::vector<CloudSurface> layers_behind(std::vector<CloudSurface> surfaces) {
+  std::stable_partition(surfaces.begin(), surfaces.end(), [](const CloudSurface& surface) {
+    return surface.status == CloudStatus::ok && !surface.is_layered;
+  });
+  return surfaces;
+}
+
+}  // namespace
 
 UpdateSteps::UpdateSteps(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                          const UpdateOptions& options)
@@ -51,7 +63,7 @@ void UpdateSteps::tell_members() {
 bool UpdateSteps::detect_boundaries(const Execution& execution) {
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     try {
-      other_surfaces_.push_back(surfaces_of_cloud(c, execution));
+      other_surfaces_.push_back(layers_behind(surfaces_of_cloud(c, execution)));
     } catch (const DegenerateInput& error) {
       if (joined_[c].sheet.empty()) throw;
       return fail(UpdateStatus::no_cloud_surface, error.what());  // of a choice of the samples

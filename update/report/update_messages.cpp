@@ -183,6 +183,11 @@ std::vector<std::string> notes_of_surface(const CloudSurface& surface) {
        "small parts of its surface are not looked at");
   tell(surface.rim.non_orientable, "part of its surface is one-sided",
        "parts of its surface are one-sided");
+  if (surface.is_layered) {
+    notes.push_back(counted(surface.set_aside, "sample was", "samples were") +
+                    " set aside to find its rim: layers out of register, noise, or edges and walls "
+                    "too sparsely sampled");
+  }
   return notes;
 }
 
@@ -193,12 +198,6 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
   if (rim.seamed_loops > 0) {
     warnings.push_back(counted(rim.seamed_loops, "loop of its rim runs", "loops of its rim run") +
                        " along seams inside the cloud for the most part; look at the result");
-  }
-  if (cloud.surface.is_layered) {
-    warnings.push_back(counted(cloud.surface.set_aside, "sample was", "samples were") +
-                       " set aside to find its rim, since all together are no surface: layers out "
-                       "of register, noise, or edges and walls too sparsely sampled; look at the "
-                       "result, and register or scan it better if its rim is wrong");
   }
   if (cloud.median_distance > options.step_distance * rim.spacing) {
     warnings.push_back("its rim lies " + rounded(cloud.median_distance / rim.spacing) +

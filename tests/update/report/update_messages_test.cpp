@@ -144,6 +144,9 @@ TEST(UpdateMessages, SmallPartsAreNotes) {
   EXPECT_TRUE(notes_of_surface(surface).empty());
   surface.rim.small_components = 2;
   EXPECT_TRUE(says(notes_of_surface(surface), "2 small parts"));
+  surface.is_layered = true;
+  surface.set_aside = 7;
+  EXPECT_TRUE(says(notes_of_surface(surface), "7 samples were set aside to find its rim"));
 }
 
 }  // namespace
