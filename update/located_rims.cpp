@@ -42,10 +42,10 @@ class Locating {
   }
 
  private:
-  // One rim in its place.
-  struct Located {
+  // What was known with another rim of one cloud.
+  struct Before {
     CloudReport report;
-    Overlap overlap;
+    std::vector<Overlap> overlaps;  // of all: which clouds are covered depends on each rim
     std::vector<std::size_t> shared_with;
   };
 
@@ -68,18 +68,18 @@ class Locating {
   }
 
   // Goes over to another surface. Returns what was there.
-  Located exchange(std::size_t c, const CloudSurface& surface) {
-    Located before{std::exchange(reports_[c], report_of_surface(surface)),
-                   std::move(found_.overlaps[c]), std::move(found_.shared_with[c])};
+  Before exchange(std::size_t c, const CloudSurface& surface) {
+    Before before{std::exchange(reports_[c], report_of_surface(surface)), found_.overlaps,
+                  std::move(found_.shared_with[c])};
     locate(c);
     excuse_covered();
     return before;
   }
 
-  void put_back(std::size_t c, Located rim) {
-    reports_[c] = std::move(rim.report);
-    found_.overlaps[c] = std::move(rim.overlap);
-    found_.shared_with[c] = std::move(rim.shared_with);
+  void put_back(std::size_t c, Before before) {
+    reports_[c] = std::move(before.report);
+    found_.overlaps = std::move(before.overlaps);
+    found_.shared_with[c] = std::move(before.shared_with);
   }
 
   bool is_on_model(std::size_t c) const { return found_.overlaps[c].status == OverlapStatus::ok; }
@@ -88,7 +88,7 @@ class Locating {
     const CloudStatus status = reports_[c].surface.status;
     for (const CloudSurface& other : others_[c]) {
       if (other.status != status || !other.has_loops()) continue;
-      Located before = exchange(c, other);
+      Before before = exchange(c, other);
       if (is_on_model(c)) return;
       put_back(c, std::move(before));
     }
@@ -108,7 +108,7 @@ class Locating {
     std::size_t taken = 0;
     for (const CloudSurface& other : others_[c]) {
       if (other.status != CloudStatus::ok) continue;
-      Located before = exchange(c, other);
+      Before before = exchange(c, other);
       const RimDoubt theirs = is_on_model(c) ? doubt_of(c) : RimDoubt();
       if (theirs.share < least && theirs.told >= options_.cut.min_told * first.told) {
         least = theirs.share;

@@ -111,6 +111,32 @@ TEST(LocatedRims, ARimOnTheModelComesBeforeOneThatIsNot) {
   EXPECT_EQ(neither.rims.overlaps[0].status, OverlapStatus::no_overlap);
 }
 
+// A second cloud lies on the first one, five above the model: without that it would be off it.
+TEST(LocatedRims, WhatOtherCloudsCoverIsAsBeforeWhereNoOtherRimIsTaken) {
+  const TriangleMesh mesh = grid_plane(30);
+  const ModelIndex model(mesh);
+  std::vector<std::vector<Point>> clouds(2);
+  for (double x = -3; x <= 3; x += 0.5) {
+    for (double y = -3; y <= 3; y += 0.5) {
+      clouds[0].push_back(middle + Vec3{x, y, 5});
+      if (std::hypot(x, y) <= 1.5) clouds[1].push_back(middle + Vec3{x, y, 5.1});
+    }
+  }
+  CloudRim on_first = small_rim();
+  for (Point& p : on_first.loops[0].points) p.z += 5;
+  for (Point& p : on_first.loops[0].apexes) p.z += 5;
+  CloudRim off = torn_rim(0, 0);
+  for (Point& p : off.loops[0].points) p.z += 100;
+  std::vector<CloudReport> reports = {report_of_surface(surface_with(torn_rim(20, 40), 1)),
+                                      report_of_surface(surface_with(on_first, 1))};
+  const std::vector<std::vector<CloudSurface>> others = {{surface_with(off, 2)}, {}};
+  const LocatedRims rims = locate_rims(model, clouds, others, {}, reports);
+  EXPECT_EQ(reports[0].compared_rims, 2U);
+  EXPECT_EQ(reports[0].taken_rim, 0U);
+  EXPECT_EQ(rims.overlaps[1].status, OverlapStatus::ok);
+  EXPECT_EQ(rims.overlaps[1].loops[0].match, LoopMatch::covered);
+}
+
 TEST(LocatedRims, RefusesListsThatDoNotFit) {
   const TriangleMesh mesh = grid_plane(30);
   const ModelIndex model(mesh);
