@@ -88,6 +88,9 @@ struct ReconstructCounters {
   std::size_t marking_rounds = 0;
   std::size_t marking_conflicts = 0;
   std::size_t known_cells = 0;       // labeled beforehand, see mark_cells.h
+  // Told by a mesh of another program, but left to good vertices, since the surface would touch
+  // itself.
+  std::size_t yielded_cells = 0;
   std::size_t refuted_vertices = 0;  // no good ones, since known cells contradict them
   std::size_t poor_cells = 0;
   std::size_t deferred_seeds = 0;

@@ -15,12 +15,25 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/first_cells.h"
 #include "geom/errors.h"
+#include "geom/mesh_check.h"
 #include "geom/parallel_reduce.h"
 #include "geom/require_size.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
+
+// Forgets the labels of cells with a good vertex. Returns how many had one.
+std::size_t leave_to_good_vertices(const Triangulation& triangulation, const VertexSet& good,
+                                   IdVector<CellId, CellLabel>& labels) {
+  std::size_t count = 0;
+  for (const CellId c : triangulation.finite_cells()) {
+    if (labels[c] == CellLabel::unmarked || is_poor(triangulation, good, c)) continue;
+    labels[c] = CellLabel::unmarked;
+    ++count;
+  }
+  return count;
+}
 
 // Whether the clean-up has seen the boundary of the body be no closed umbrella at some vertex.
 bool is_flawed(const CleanUpCounters& clean_up) {
@@ -226,12 +239,15 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
   marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, execution);
   // The marking has asked already if good vertices disagreed.
   const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
-  if (in_doubt && known && marks.known.empty()) {
-    marks.known = known(*triangulation_, surface, execution).labels;
+  KnownLabels told;
+  if (in_doubt && known && marks.known.empty()) told = known(*triangulation_, surface, execution);
+  if (!told.undisturbed.empty()) {
+    clean_up_foreign(std::move(told), marks, execution);
+  } else {
+    if (!told.labels.empty()) marks.known = std::move(told.labels);
+    clean_up(marks, execution);
   }
   ReconstructCounters& counters = result_.counters;
-  counters.clean_up = clean_up_cells(*triangulation_, poles_, marks, options_.clean_up,
-                                     live_ != nullptr ? &live_->cell_at : nullptr, execution);
   if (options_.keep_cavities) {
     counters.cavities = open_cavities(*triangulation_, surface, marks);
   }
@@ -253,6 +269,42 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
   counters.deferred_seeds = marks.deferred_seeds;
   good_ = std::move(marks.good);
   if (stages_ != nullptr) stages_->out = std::move(marks.reached);
+}
+
+void ReconstructSteps::clean_up(CellMarks& marks, const Execution& execution) {
+  result_.counters.clean_up =
+      clean_up_cells(*triangulation_, poles_, marks, options_.clean_up,
+                     live_ != nullptr ? &live_->cell_at : nullptr, execution);
+}
+
+void ReconstructSteps::clean_up_foreign(KnownLabels told, CellMarks& marks,
+                                        const Execution& execution) {
+  struct Outcome {
+    std::size_t flaws = 0;
+    std::size_t samples = 0;
+  };
+  const auto outcome = [&](const CellMarks& cleaned) {
+    const TriangleMesh mesh = surface_between(*triangulation_, cleaned, execution).mesh;
+    const MeshReport check = mesh_check(mesh, {}, execution);
+    return Outcome{check.overfull_edges + check.pinched_vertices, mesh.points.size()};
+  };
+  CellMarks by_all = marks;
+  by_all.known = told.labels;
+  clean_up(by_all, execution);
+  const Outcome all = outcome(by_all);
+  if (all.flaws > 0) {
+    const CleanUpCounters counters = result_.counters.clean_up;
+    const std::size_t yielded = leave_to_good_vertices(*triangulation_, marks.good, told.labels);
+    marks.known = std::move(told.labels);
+    clean_up(marks, execution);
+    const Outcome poor = outcome(marks);
+    if (poor.flaws < all.flaws && poor.samples >= all.samples) {
+      result_.counters.yielded_cells = yielded;
+      return;
+    }
+    result_.counters.clean_up = counters;
+  }
+  marks = std::move(by_all);
 }
 
 std::vector<PointId> ReconstructSteps::points_at(VertexSet vertices) const {
