@@ -25,6 +25,7 @@ struct KnownLabels {
   std::size_t contradictions = 0;  // cells told both: they stay unmarked
   // Cells that are told nothing, though all around their corners is old. Not those of a mesh whose
   // triangles were facets of a triangulation of its vertices: sheets closer than its vertices are.
+  // So if there are any the mesh is none of ours, and what it tells need not fit the samples.
   std::vector<CellId> undisturbed;
 };
 

@@ -87,7 +87,7 @@ struct ReconstructCounters {
   std::size_t unvisited_vertices = 0;  // good ones that no mark reached
   std::size_t marking_rounds = 0;
   std::size_t marking_conflicts = 0;
-  std::size_t known_cells = 0;       // labeled beforehand, see mark_cells.h
+  std::size_t known_cells = 0;  // labeled beforehand, see mark_cells.h
   // Told by a mesh of another program, but left to good vertices, since the surface would touch
   // itself.
   std::size_t yielded_cells = 0;
@@ -145,7 +145,10 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
 // nothing has changed (known_labels.h), of samples of a solid from its mesh (labels_of_solid.h).
 // Where cells have no good vertex, or marks contradict each other as at walls thinner than the
 // spacing, `known` is asked for the labels of cells, which neither the marking nor the clean-up
-// decides otherwise. Where nothing is in doubt it is not asked; nor is it in paper mode.
+// decides otherwise; but for a mesh of another program (KnownLabels::undisturbed) that is asked
+// after the marking: its labels of cells with good vertices yield if the surface would touch itself
+// and does less so without them (yielded_cells). Where nothing is in doubt `known` is not asked;
+// nor is it in paper mode.
 ReconstructResult reconstruct_tight_with_labels(Points points, const KnownLabelsSource& known,
                                                 const ReconstructOptions& options = {},
                                                 const Execution& execution = {});

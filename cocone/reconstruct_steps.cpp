@@ -241,13 +241,13 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
   const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
   KnownLabels told;
   if (in_doubt && known && marks.known.empty()) told = known(*triangulation_, surface, execution);
-  if (!told.undisturbed.empty()) {
-    clean_up_foreign(std::move(told), marks, execution);
-  } else {
-    if (!told.labels.empty()) marks.known = std::move(told.labels);
-    clean_up(marks, execution);
-  }
   ReconstructCounters& counters = result_.counters;
+  if (told.undisturbed.empty()) {
+    if (!told.labels.empty()) marks.known = std::move(told.labels);
+    counters.clean_up = clean_up(marks, execution);
+  } else {
+    counters.clean_up = clean_up_foreign(std::move(told.labels), marks, execution);
+  }
   if (options_.keep_cavities) {
     counters.cavities = open_cavities(*triangulation_, surface, marks);
   }
@@ -271,14 +271,13 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
   if (stages_ != nullptr) stages_->out = std::move(marks.reached);
 }
 
-void ReconstructSteps::clean_up(CellMarks& marks, const Execution& execution) {
-  result_.counters.clean_up =
-      clean_up_cells(*triangulation_, poles_, marks, options_.clean_up,
-                     live_ != nullptr ? &live_->cell_at : nullptr, execution);
+CleanUpCounters ReconstructSteps::clean_up(CellMarks& marks, const Execution& execution) const {
+  return clean_up_cells(*triangulation_, poles_, marks, options_.clean_up,
+                        live_ != nullptr ? &live_->cell_at : nullptr, execution);
 }
 
-void ReconstructSteps::clean_up_foreign(KnownLabels told, CellMarks& marks,
-                                        const Execution& execution) {
+CleanUpCounters ReconstructSteps::clean_up_foreign(IdVector<CellId, CellLabel> told,
+                                                   CellMarks& marks, const Execution& execution) {
   struct Outcome {
     std::size_t flaws = 0;
     std::size_t samples = 0;
@@ -289,22 +288,21 @@ void ReconstructSteps::clean_up_foreign(KnownLabels told, CellMarks& marks,
     return Outcome{check.overfull_edges + check.pinched_vertices, mesh.points.size()};
   };
   CellMarks by_all = marks;
-  by_all.known = told.labels;
-  clean_up(by_all, execution);
+  by_all.known = told;
+  const CleanUpCounters counters = clean_up(by_all, execution);
   const Outcome all = outcome(by_all);
   if (all.flaws > 0) {
-    const CleanUpCounters counters = result_.counters.clean_up;
-    const std::size_t yielded = leave_to_good_vertices(*triangulation_, marks.good, told.labels);
-    marks.known = std::move(told.labels);
-    clean_up(marks, execution);
+    const std::size_t yielded = leave_to_good_vertices(*triangulation_, marks.good, told);
+    marks.known = std::move(told);
+    const CleanUpCounters of_poor = clean_up(marks, execution);
     const Outcome poor = outcome(marks);
     if (poor.flaws < all.flaws && poor.samples >= all.samples) {
       result_.counters.yielded_cells = yielded;
-      return;
+      return of_poor;
     }
-    result_.counters.clean_up = counters;
   }
   marks = std::move(by_all);
+  return counters;
 }
 
 std::vector<PointId> ReconstructSteps::points_at(VertexSet vertices) const {

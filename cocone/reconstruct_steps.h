@@ -78,11 +78,12 @@ class ReconstructSteps {
 
   // All that follows the marking.
   void close_by(CellMarks marks, const KnownLabelsSource& known, const Execution& execution);
-  void clean_up(CellMarks& marks, const Execution& execution);
+  CleanUpCounters clean_up(CellMarks& marks, const Execution& execution) const;
   // What is told by a mesh that is none of ours (KnownLabels::undisturbed) need not fit what good
   // vertices tell, and then the surface touches itself. If it does, and less so with no more
   // samples left out where good vertices decide alone, they do.
-  void clean_up_foreign(KnownLabels told, CellMarks& marks, const Execution& execution);
+  CleanUpCounters clean_up_foreign(IdVector<CellId, CellLabel> told, CellMarks& marks,
+                                   const Execution& execution);
 
   // What close_by() would: nothing is left to be decided.
   void deliver_certain(GoodVertices good, const Execution& execution);

@@ -95,7 +95,7 @@ struct CloudSurface {
   std::size_t duplicates = 0;  // cloud points equal to an earlier one
   // Different samples in rows, dense places or layers that are not looked at.
   std::size_t set_aside = 0;
-  // Found among the samples that LayerOptions leave, since all together are no surface with a rim.
+  // Found among the samples that LayerOptions leave.
   bool is_layered = false;
   SpacingRange spacing;  // of all, by the surface of the first trial
 

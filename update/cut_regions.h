@@ -1,5 +1,5 @@
-// Where the rim of a cloud is partial, torn or shared with other clouds: the model is cut by what
-// is left of it, and by the shortest lines between its stretches.
+// Where the rim of a cloud is partial, torn or shared with other clouds, or runs around a handle:
+// the model is cut by what is known of it, and by the shortest lines where that does not part it.
 #pragma once
 
 #include <cstddef>
@@ -109,7 +109,7 @@ RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
                           std::span<const CloudRim> rims, std::span<const Scan> scans = {},
                           const CutOptions& options = {}, const OutwardNormals& outward = {});
 
-// The regions of an update with partial rims.
+// The regions of an update with clouds that are cut.
 struct CutRegions {
   Regions regions;
   // Of each cloud, whether it is cut after all.

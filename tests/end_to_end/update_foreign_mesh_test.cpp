@@ -13,6 +13,7 @@
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
 #include "geom/random.h"
+#include "geom/triangle_normal.h"
 #include "io/point_file.h"
 #include "update/update_model.h"
 
@@ -22,8 +23,7 @@ namespace {
 using Edge = std::pair<VertexId, VertexId>;
 
 Vec3 normal_of(const TriangleMesh& mesh, const Triangle& t) {
-  const Point& a = mesh.points[t[0]];
-  return unit(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a));
+  return triangle_normal(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]).direction;
 }
 
 // Random edges have the other diagonal, as long as triangles do not turn over.

@@ -67,7 +67,7 @@ struct CloudReport {
   double margin_deg = 180;                // of its least clear loop; of all if it was cut
   ContradictedSamples contradicted;       // its samples, on the updated model
   std::size_t compared_rims = 0;  // of its trials, by the doubt that they leave; 0: not asked
-  std::size_t taken_rim = 0;      // of these; 0: the one that looked best by itself
+  std::size_t taken_rim = 0;      // of these; 0: the first, that was preferred before
   // If it was cut, alone or as the first of joined ones; without the labels.
   RegionCut cut;
 };
