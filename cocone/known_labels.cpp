@@ -36,7 +36,13 @@ class Telling {
   }
 
  private:
-  enum AtVertex : std::uint8_t { corner = 1, intact = 2, missing = 4, undisturbed = 8 };
+  enum AtVertex : std::uint8_t {
+    corner = 1,
+    intact = 2,
+    missing = 4,
+    closed = 8,
+    undisturbed = 16
+  };
   using Found = OldTriangles::Found;
 
   // The old triangles that are facets: most of them are likely ones.
@@ -104,8 +110,9 @@ class Telling {
       for (const VertexId v : cell.vertices) beside_new[v] = 1;
     }
     for (const VertexId v : triangulation_.vertices()) {
-      if ((at_[v] & intact) != 0 || beside_new[v] != 0 || !old_.is_closed(v)) continue;
-      at_[v] = static_cast<std::uint8_t>(at_[v] | undisturbed);
+      if ((at_[v] & intact) != 0 || !old_.is_closed(v)) continue;
+      const unsigned flags = beside_new[v] == 0 ? closed | undisturbed : closed;
+      at_[v] = static_cast<std::uint8_t>(at_[v] | flags);
     }
   }
 
@@ -117,6 +124,10 @@ class Telling {
       if (v != infinite_vertex && (at_[v] & flag) != 0) found |= 1U << i;
     }
     return found;
+  }
+
+  bool is_undisturbed(const Cell& cell) const {
+    return vertices_with(undisturbed, cell) != 0 && vertices_with(closed, cell) == 15;
   }
 
   // If no cell is told both. Then two cells at an intact vertex, with a facet there between them
@@ -194,7 +205,7 @@ class Telling {
       if (told_[c] == told_both) ++known.contradictions;
       const CellLabel label = label_told(told_[c]);
       const Cell& cell = triangulation_.cell(c);
-      if (told_[c] == 0 && vertices_with(undisturbed, cell) == 15) known.undisturbed.push_back(c);
+      if (told_[c] == 0 && is_undisturbed(cell)) known.undisturbed.push_back(c);
       if (label == CellLabel::unmarked) continue;
       if (!is_believed(vertices_with(corner, cell), vertices_with(intact, cell))) continue;
       known.labels[c] = label;

@@ -23,9 +23,10 @@ struct KnownLabels {
   IdVector<CellId, CellLabel> labels;
   std::size_t cells = 0;           // that have a label
   std::size_t contradictions = 0;  // cells told both: they stay unmarked
-  // Cells that are told nothing, though all around their corners is old. Not those of a mesh whose
-  // triangles were facets of a triangulation of its vertices: sheets closer than its vertices are.
-  // So if there are any the mesh is none of ours, and what it tells need not fit the samples.
+  // Cells that are told nothing, though all that was around their corners is kept. Not those of a
+  // mesh whose triangles were facets of a triangulation of its vertices: sheets closer than its
+  // vertices are, other diagonals of a grid. So if there are any the mesh is none of ours, and what
+  // it tells need not fit the samples.
   std::vector<CellId> undisturbed;
 };
 
@@ -61,8 +62,9 @@ struct OldSurface {
 // its triangles the surface has not changed. Infinite cells are not labeled (they are OUT anyway).
 // If the triangles bound a union of cells, no cell is told both. Without triangles nothing is
 // known. A vertex is undisturbed if its triangles leave no gap and all its neighbors are corners of
-// triangles, though not all triangles at it are facets; a cell is if all its vertices are. (In a
-// mesh of facets none is: what takes a triangle away is a new neighbor of each of its corners.)
+// triangles, though not all triangles at it are facets. (In a mesh of facets none is: what takes a
+// triangle away is a new neighbor of each of its corners.) A cell is undisturbed if one of its
+// vertices is, and the triangles at the others leave no gap.
 // Triangles are looked for in `likely` first, which changes nothing else. Errors: InputError for
 // one of another triangulation, by its size. Complexity: O(cells + t) for t triangles, for bounded
 // valence; in part parallel. Deterministic: independent of their order and of the threads. Source:

@@ -50,6 +50,9 @@ struct ReconstructOptions {
   // reconstruct_tight, robust mode only: whether closed surfaces inside the body bound hollows of
   // it (open_cavities, after the clean-up). False, as in the paper: they are left out.
   bool keep_cavities = false;
+  // reconstruct_tight_with_labels, where a mesh of another program tells: so often the clean-up is
+  // done again where what it tells makes the surface touch itself. 0: it never yields.
+  unsigned yield_rounds = 4;
   // Verify triangulation and surface (verify_surface.h) before they are believed. What is refuted
   // is not delivered: the mesh is left empty.
   bool verify = false;
@@ -144,11 +147,11 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
 // Both where labels are known beforehand: after a change from triangles of the old mesh where
 // nothing has changed (known_labels.h), of samples of a solid from its mesh (labels_of_solid.h).
 // Where cells have no good vertex, or marks contradict each other as at walls thinner than the
-// spacing, `known` is asked for the labels of cells, which neither the marking nor the clean-up
-// decides otherwise; but for a mesh of another program (KnownLabels::undisturbed) that is asked
-// after the marking: its labels of cells with good vertices yield if the surface would touch itself
-// and does less so without them (yielded_cells). Where nothing is in doubt `known` is not asked;
-// nor is it in paper mode.
+// spacing, neither the marking nor the clean-up decides labels that are known otherwise. Those of a
+// mesh of another program (KnownLabels::undisturbed) need not fit: the marking heeds them only if
+// fewer samples are unused then, or fewer vertices contradicted, and where the surface would touch
+// itself they yield to good vertices (yielded_cells). `known` is not asked where the surface alone
+// tells the side of each cell (marking/certain_surface.h), nor in paper mode.
 ReconstructResult reconstruct_tight_with_labels(Points points, const KnownLabelsSource& known,
                                                 const ReconstructOptions& options = {},
                                                 const Execution& execution = {});

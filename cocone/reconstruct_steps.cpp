@@ -1,6 +1,7 @@
 #include "cocone/reconstruct_steps.h"
 
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -9,31 +10,19 @@
 #include "cocone/clean_up_cells.h"
 #include "cocone/cocones.h"
 #include "cocone/marking/certain_surface.h"
+#include "cocone/marking/yielding_labels.h"
 #include "cocone/orient_surface.h"
 #include "cocone/peel_cells.h"
 #include "cocone/prune_sharp_edges.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/first_cells.h"
 #include "geom/errors.h"
-#include "geom/mesh_check.h"
 #include "geom/parallel_reduce.h"
 #include "geom/require_size.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
-
-// Forgets the labels of cells with a good vertex. Returns how many had one.
-std::size_t leave_to_good_vertices(const Triangulation& triangulation, const VertexSet& good,
-                                   IdVector<CellId, CellLabel>& labels) {
-  std::size_t count = 0;
-  for (const CellId c : triangulation.finite_cells()) {
-    if (labels[c] == CellLabel::unmarked || is_poor(triangulation, good, c)) continue;
-    labels[c] = CellLabel::unmarked;
-    ++count;
-  }
-  return count;
-}
 
 // Whether the clean-up has seen the boundary of the body be no closed umbrella at some vertex.
 bool is_flawed(const CleanUpCounters& clean_up) {
@@ -144,11 +133,17 @@ void ReconstructSteps::close_surface(const KnownLabelsSource& known) {
     if (is_certain(*triangulation_, surface_, good, nested)) {
       return deliver_certain(std::move(good), nested);
     }
+    KnownLabels told;
+    if (source) told = source(*triangulation_, surface_.triangles.set, nested);
+    if (!told.undisturbed.empty()) {
+      return close_foreign(std::move(good), std::move(told), nested);
+    }
+    const auto as_told = [&](const auto&...) { return told; };
     CellMarks marks =
-        mark_cells(*triangulation_, surface_.triangles, std::move(good), source, nested);
+        mark_cells(*triangulation_, surface_.triangles, std::move(good), as_told, nested);
     forget_links();
     if (stages_ != nullptr) stages_->marks = marks;
-    close_by(std::move(marks), source, nested);
+    close_by(std::move(marks), as_told, nested);
   });
 }
 
@@ -239,25 +234,87 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
   marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, execution);
   // The marking has asked already if good vertices disagreed.
   const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
-  KnownLabels told;
-  if (in_doubt && known && marks.known.empty()) told = known(*triangulation_, surface, execution);
-  ReconstructCounters& counters = result_.counters;
-  if (told.undisturbed.empty()) {
-    if (!told.labels.empty()) marks.known = std::move(told.labels);
-    counters.clean_up = clean_up(marks, execution);
-  } else {
-    counters.clean_up = clean_up_foreign(std::move(told.labels), marks, execution);
+  if (in_doubt && known && marks.known.empty()) {
+    marks.known = known(*triangulation_, surface, execution).labels;
   }
+  deliver(clean_up(std::move(marks), execution), execution);
+}
+
+void ReconstructSteps::close_foreign(GoodVertices good, KnownLabels told,
+                                     const Execution& execution) {
+  const auto attempt = [&](GoodVertices vertices, const KnownLabelsSource& known) {
+    CellMarks marks =
+        mark_cells(*triangulation_, surface_.triangles, std::move(vertices), known, execution);
+    return clean_up_yielding(std::move(marks), told.labels, execution);
+  };
+  Attempt best = attempt(good, {});
+  if (best.body.marks.conflicts != 0) {
+    Attempt asked = attempt(std::move(good), [&](const auto&...) { return told; });
+    const auto rank = [](const Attempt& a) { return std::pair(a.unused, a.contradicted); };
+    if (rank(asked) < rank(best)) best = std::move(asked);
+  }
+  forget_links();
+  result_.counters.yielded_cells = best.yielded_cells;
+  if (stages_ != nullptr) stages_->marks = std::move(best.marks);
+  deliver(std::move(best.body), execution);
+}
+
+ReconstructSteps::Attempt ReconstructSteps::clean_up_yielding(CellMarks marks,
+                                                              IdVector<CellId, CellLabel> told,
+                                                              const Execution& execution) const {
+  Attempt best;
+  best.marks = marks;
+  marks = peel_cells(*triangulation_, surface_.triangles.set, std::move(marks), options_.peel,
+                     execution);
+  best.contradicted =
+      std::accumulate(marks.contradicted.begin(), marks.contradicted.end(), std::size_t{0});
+  std::size_t yielded = 0;
+  std::size_t fewest = 0;
+  for (unsigned round = 0; round <= options_.yield_rounds; ++round) {
+    CellMarks known = marks;
+    known.known = told;
+    Body body = clean_up(std::move(known), execution);
+    const SurfaceMesh surface = surface_between(*triangulation_, body.marks, execution);
+    const std::vector<VertexId> touching = touching_vertices(surface, execution);
+    const std::size_t unused = result_.vertices - surface.mesh.points.size();
+    if (round == 0 || touching.size() + unused < fewest) {
+      best.body = std::move(body);
+      best.unused = unused;
+      best.yielded_cells = yielded;
+      fewest = touching.size() + unused;
+    }
+    if (touching.empty()) break;
+    const std::size_t more = yield_labels(*triangulation_, touching, round, marks.good, told);
+    if (more == 0) break;
+    yielded += more;
+  }
+  return best;
+}
+
+ReconstructSteps::Body ReconstructSteps::clean_up(CellMarks marks,
+                                                  const Execution& execution) const {
+  Body body;
+  body.clean_up = clean_up_cells(*triangulation_, poles_, marks, options_.clean_up,
+                                 live_ != nullptr ? &live_->cell_at : nullptr, execution);
   if (options_.keep_cavities) {
-    counters.cavities = open_cavities(*triangulation_, surface, marks);
+    body.cavities = open_cavities(*triangulation_, surface_.triangles.set, marks);
   }
+  body.marks = std::move(marks);
+  return body;
+}
+
+void ReconstructSteps::deliver(Body body, const Execution& execution) {
+  CellMarks& marks = body.marks;
   if (live_ != nullptr &&
-      live_->take_body(*triangulation_, marks.reached, is_flawed(counters.clean_up))) {
+      live_->take_body(*triangulation_, marks.reached, is_flawed(body.clean_up))) {
     result_.status = SurfaceStatus::ok;
   } else {
     deliver(surface_between(*triangulation_, marks, execution));
   }
   result_.contradicted = points_at(std::move(marks.contradicted));
+  ReconstructCounters& counters = result_.counters;
+  counters.clean_up = body.clean_up;
+  counters.cavities = body.cavities;
   counters.good_vertices = marks.good_vertices;
   counters.demoted_vertices = marks.folded.size();
   counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;
@@ -269,40 +326,6 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
   counters.deferred_seeds = marks.deferred_seeds;
   good_ = std::move(marks.good);
   if (stages_ != nullptr) stages_->out = std::move(marks.reached);
-}
-
-CleanUpCounters ReconstructSteps::clean_up(CellMarks& marks, const Execution& execution) const {
-  return clean_up_cells(*triangulation_, poles_, marks, options_.clean_up,
-                        live_ != nullptr ? &live_->cell_at : nullptr, execution);
-}
-
-CleanUpCounters ReconstructSteps::clean_up_foreign(IdVector<CellId, CellLabel> told,
-                                                   CellMarks& marks, const Execution& execution) {
-  struct Outcome {
-    std::size_t flaws = 0;
-    std::size_t samples = 0;
-  };
-  const auto outcome = [&](const CellMarks& cleaned) {
-    const TriangleMesh mesh = surface_between(*triangulation_, cleaned, execution).mesh;
-    const MeshReport check = mesh_check(mesh, {}, execution);
-    return Outcome{check.overfull_edges + check.pinched_vertices, mesh.points.size()};
-  };
-  CellMarks by_all = marks;
-  by_all.known = told;
-  const CleanUpCounters counters = clean_up(by_all, execution);
-  const Outcome all = outcome(by_all);
-  if (all.flaws > 0) {
-    const std::size_t yielded = leave_to_good_vertices(*triangulation_, marks.good, told);
-    marks.known = std::move(told);
-    const CleanUpCounters of_poor = clean_up(marks, execution);
-    const Outcome poor = outcome(marks);
-    if (poor.flaws < all.flaws && poor.samples >= all.samples) {
-      result_.counters.yielded_cells = yielded;
-      return of_poor;
-    }
-  }
-  marks = std::move(by_all);
-  return counters;
 }
 
 std::vector<PointId> ReconstructSteps::points_at(VertexSet vertices) const {

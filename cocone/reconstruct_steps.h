@@ -76,14 +76,33 @@ class ReconstructSteps {
   // facets.
   void forget_links();
 
+  // What is inside in the end.
+  struct Body {
+    CellMarks marks;
+    CleanUpCounters clean_up;
+    CavityCounters cavities;
+  };
+  struct Attempt {
+    CellMarks marks;  // before the peel
+    Body body;
+    std::size_t unused = 0;        // samples that are not on the surface
+    std::size_t contradicted = 0;  // good vertices, by the marks
+    std::size_t yielded_cells = 0;
+  };
   // All that follows the marking.
   void close_by(CellMarks marks, const KnownLabelsSource& known, const Execution& execution);
-  CleanUpCounters clean_up(CellMarks& marks, const Execution& execution) const;
-  // What is told by a mesh that is none of ours (KnownLabels::undisturbed) need not fit what good
-  // vertices tell, and then the surface touches itself. If it does, and less so with no more
-  // samples left out where good vertices decide alone, they do.
-  CleanUpCounters clean_up_foreign(IdVector<CellId, CellLabel> told, CellMarks& marks,
-                                   const Execution& execution);
+  // The marking, too, where a mesh that is none of ours (KnownLabels::undisturbed) tells. It cuts
+  // sharp edges otherwise than the facets do, and would refute many good vertices. So the marking
+  // is done without it, and with it only if marks contradict each other: this is taken if then
+  // fewer samples are unused or, of as many, fewer vertices contradicted.
+  void close_foreign(GoodVertices good, KnownLabels told, const Execution& execution);
+  // Peel and clean-up. Where the surface touches itself `told` yields to good vertices, in each
+  // round a cell farther off, until it touches itself nowhere or nothing is left to yield. The
+  // round with the fewest vertices at which it does, or that are not on it, is taken.
+  Attempt clean_up_yielding(CellMarks marks, IdVector<CellId, CellLabel> told,
+                            const Execution& execution) const;
+  Body clean_up(CellMarks marks, const Execution& execution) const;
+  void deliver(Body body, const Execution& execution);
 
   // What close_by() would: nothing is left to be decided.
   void deliver_certain(GoodVertices good, const Execution& execution);

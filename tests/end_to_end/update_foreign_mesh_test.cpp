@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
@@ -87,6 +88,89 @@ TEST(UpdateForeignMesh, ARescanLeavesItAManifold) {
     EXPECT_TRUE(after.is_closed_manifold()) << "seed " << seed;
     EXPECT_EQ(after.euler, before.euler);
     EXPECT_GT(result.reconstruction.counters.yielded_cells, 0U);
+  }
+}
+
+// Unit cubes.
+using Cubes = std::function<bool(const std::array<int, 3>&)>;
+
+// The squares between the cubes of a body and others, counterclockwise seen from outside. All of it
+// is within 0..size.
+std::vector<std::array<Point, 4>> squares_of(const Cubes& body, int size) {
+  std::vector<std::array<Point, 4>> squares;
+  for (int i = 0; i < size * size * size; ++i) {
+    const std::array<int, 3> cube = {i % size, i / size % size, i / size / size};
+    if (!body(cube)) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const int step : {-1, 1}) {
+        std::array<int, 3> next = cube;
+        next[axis] += step;
+        if (body(next)) continue;
+        const auto corner = [&](int u, int v) {
+          std::array<int, 3> p = cube;
+          p[axis] += step > 0 ? 1 : 0;
+          p[(axis + 1) % 3] += step > 0 ? u : v;
+          p[(axis + 2) % 3] += step > 0 ? v : u;
+          return Point(p[0], p[1], p[2]);
+        };
+        squares.push_back({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
+      }
+    }
+  }
+  return squares;
+}
+
+// Two triangles for each square, with any of its diagonals.
+TriangleMesh any_diagonals(const std::vector<std::array<Point, 4>>& squares, std::uint64_t seed) {
+  TriangleMesh mesh;
+  std::map<std::array<double, 3>, VertexId> ids;
+  Random random(seed);
+  for (const std::array<Point, 4>& square : squares) {
+    std::array<VertexId, 4> v;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Point& p = square[i];
+      const auto [at, is_new] = ids.try_emplace({p.x, p.y, p.z}, VertexId(mesh.points.size()));
+      if (is_new) mesh.points.push_back(p);
+      v[i] = at->second;
+    }
+    const std::size_t first = random.uniform() < 0.5 ? 0 : 1;
+    mesh.triangles.push_back({v[first], v[first + 1], v[first + 2]});
+    mesh.triangles.push_back({v[first], v[first + 2], v[(first + 3) % 4]});
+  }
+  return mesh;
+}
+
+// A bar with a pocket two cubes wide, too narrow for its spacing, and a boss put on far from it.
+TEST(UpdateForeignMesh, AGridKeepsItsNarrowPocket) {
+  const auto in = [](int x, int low, int high) { return low <= x && x < high; };
+  const Cubes before = [&](const std::array<int, 3>& p) {
+    const bool in_pocket = in(p[0], 8, 10) && in(p[1], 8, 10) && p[2] >= 10;
+    return in(p[0], 4, 28) && in(p[1], 4, 16) && in(p[2], 4, 16) && !in_pocket;
+  };
+  const Cubes after = [&](const std::array<int, 3>& p) {
+    return before(p) || (in(p[0], 20, 25) && in(p[1], 7, 12) && in(p[2], 16, 19));
+  };
+  constexpr int size = 32;
+  std::vector<std::vector<Point>> clouds(1);
+  for (const auto& [a, b, c, d] : squares_of(after, size)) {
+    const Point center = 0.5 * (a + c);
+    const bool scanned = center.x > 17 && center.x < 28 && center.y > 4 && center.y < 15 &&
+                         center.z > 13 && center.z < 22;
+    if (!scanned) continue;
+    for (const double u : {0.25, 0.75}) {
+      for (const double v : {0.25, 0.75}) clouds[0].push_back(a + u * (b - a) + v * (d - a));
+    }
+  }
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    const TriangleMesh model = any_diagonals(squares_of(before, size), seed);
+    ASSERT_TRUE(mesh_check(model).is_closed_manifold());
+    const UpdateResult result = update_model(model, clouds);
+    ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+    EXPECT_TRUE(mesh_check(result.mesh).is_closed_manifold()) << "seed " << seed;
+    EXPECT_EQ(mesh_check(result.mesh).euler, 2) << "seed " << seed;
+    const auto in_pocket = [](const Point& p) { return p.x < 17; };
+    EXPECT_EQ(std::count_if(result.mesh.points.begin(), result.mesh.points.end(), in_pocket),
+              std::count_if(model.points.begin(), model.points.end(), in_pocket));
   }
 }
 

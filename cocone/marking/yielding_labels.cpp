@@ -1,0 +1,61 @@
+#include "cocone/marking/yielding_labels.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "cocone/facets/stage_inputs.h"
+#include "cocone/mark_cells.h"
+#include "geom/mesh_check.h"
+#include "geom/require_size.h"
+#include "geom/sort_ids.h"
+
+namespace cocoon {
+namespace {
+
+bool has_flagged_corner(const VertexSet& flags, const Cell& cell) {
+  const auto& [v0, v1, v2, v3] = cell.vertices;
+  return (flags[v0] | flags[v1] | flags[v2] | flags[v3]) != 0;
+}
+
+VertexSet widened(const Triangulation& triangulation, const VertexSet& flags) {
+  VertexSet wide = flags;
+  for (const CellId c : triangulation.finite_cells()) {
+    const Cell& cell = triangulation.cell(c);
+    if (!has_flagged_corner(flags, cell)) continue;
+    for (const VertexId v : cell.vertices) wide[v] = 1;
+  }
+  return wide;
+}
+
+}  // namespace
+
+std::vector<VertexId> touching_vertices(const SurfaceMesh& surface, const Execution& execution) {
+  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+  const MeshExamples found = mesh_check(surface.mesh, {.max_examples = all}, execution).examples;
+  std::vector<VertexId> vertices;
+  const auto take = [&](VertexId v) { vertices.push_back(surface.triangulation_vertex[v]); };
+  for (const VertexPair& edge : found.overfull_edges) std::for_each(edge.begin(), edge.end(), take);
+  std::for_each(found.pinched_vertices.begin(), found.pinched_vertices.end(), take);
+  make_set(vertices);
+  return vertices;
+}
+
+std::size_t yield_labels(const Triangulation& triangulation, std::span<const VertexId> at,
+                         unsigned rings, const VertexSet& good,
+                         IdVector<CellId, CellLabel>& labels) {
+  require_vertex_flags("yield_labels", triangulation, good);
+  require_size("yield_labels", "labels of cells", labels.size(), triangulation.num_cells());
+  VertexSet flags(triangulation.num_vertices(), 0);
+  for (const VertexId v : at) flags[v] = 1;
+  for (unsigned r = 0; r < rings; ++r) flags = widened(triangulation, flags);
+  std::size_t count = 0;
+  for (const CellId c : triangulation.finite_cells()) {
+    if (labels[c] == CellLabel::unmarked || is_poor(triangulation, good, c)) continue;
+    if (!has_flagged_corner(flags, triangulation.cell(c))) continue;
+    labels[c] = CellLabel::unmarked;
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace cocoon
