@@ -38,7 +38,8 @@ TriangleMesh with_other_diagonals(TriangleMesh mesh, std::uint64_t seed) {
   std::set<TriangleId> used;
   std::set<Edge> made;
   for (const auto& [edge, t] : left_of) {
-    const auto [a, b] = edge;
+    const VertexId a = edge.first;
+    const VertexId b = edge.second;
     const TriangleId other = left_of.at({b, a});
     if (b < a || random.uniform() > 0.6 || used.contains(t) || used.contains(other)) continue;
     const auto apex = [&](TriangleId of) {
@@ -71,7 +72,7 @@ TEST(UpdateForeignMesh, ARescanLeavesItAManifold) {
   double size = 0;
   for (const Point& p : points) size = std::max(size, distance(p, points[0]));
   const double radius = 0.15 * size;
-  for (const std::uint64_t seed : {2, 3, 4, 5}) {
+  for (const std::uint64_t seed : {2U, 3U, 4U, 5U}) {
     const TriangleMesh model = with_other_diagonals(ours, seed);
     const MeshReport before = mesh_check(model);
     ASSERT_TRUE(before.is_closed_manifold());
@@ -111,7 +112,7 @@ std::vector<std::array<Point, 4>> squares_of(const Cubes& body, int size) {
           p[axis] += step > 0 ? 1 : 0;
           p[(axis + 1) % 3] += step > 0 ? u : v;
           p[(axis + 2) % 3] += step > 0 ? v : u;
-          return Point(p[0], p[1], p[2]);
+          return Point{1.0 * p[0], 1.0 * p[1], 1.0 * p[2]};
         };
         squares.push_back({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
       }
@@ -161,7 +162,7 @@ TEST(UpdateForeignMesh, AGridKeepsItsNarrowPocket) {
       for (const double v : {0.25, 0.75}) clouds[0].push_back(a + u * (b - a) + v * (d - a));
     }
   }
-  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     const TriangleMesh model = any_diagonals(squares_of(before, size), seed);
     ASSERT_TRUE(mesh_check(model).is_closed_manifold());
     const UpdateResult result = update_model(model, clouds);

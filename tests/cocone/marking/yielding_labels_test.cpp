@@ -19,7 +19,7 @@ SurfaceMesh two_tetrahedra(std::size_t common) {
   SurfaceMesh surface;
   const std::size_t count = 8 - common;
   for (std::size_t i = 0; i < count; ++i) {
-    surface.mesh.points.push_back(Point(0, 0, static_cast<double>(i)));
+    surface.mesh.points.push_back(Point{0, 0, static_cast<double>(i)});
     surface.triangulation_vertex.push_back(VertexId(100 - i));
   }
   for (const std::size_t first : {std::size_t{0}, 4 - common}) {
@@ -44,6 +44,7 @@ class YieldLabels : public ::testing::Test {
  protected:
   YieldLabels() {
     std::vector<Point> points;
+    points.reserve(300);
     Random random(7);
     for (int i = 0; i < 300; ++i) points.push_back(random.in_unit_cube());
     triangulation = delaunay(points).triangulation;
