@@ -26,7 +26,7 @@ struct KnownLabels {
   // Cells that are told nothing, though all that was around their corners is kept. Not those of a
   // mesh whose triangles were facets of a triangulation of its vertices: sheets closer than its
   // vertices are, other diagonals of a grid. So if there are any the mesh is none of ours, and what
-  // it tells need not fit the samples.
+  // it tells need not fit the samples. Then `labels` has all cells.
   std::vector<CellId> undisturbed;
 };
 
@@ -64,7 +64,8 @@ struct OldSurface {
 // known. A vertex is undisturbed if its triangles leave no gap and all its neighbors are corners of
 // triangles, though not all triangles at it are facets. (In a mesh of facets none is: what takes a
 // triangle away is a new neighbor of each of its corners.) A cell is undisturbed if one of its
-// vertices is, and the triangles at the others leave no gap.
+// vertices is, and the triangles at the others leave no gap; none of them is intact, or it would
+// have told something.
 // Triangles are looked for in `likely` first, which changes nothing else. Errors: InputError for
 // one of another triangulation, by its size. Complexity: O(cells + t) for t triangles, for bounded
 // valence; in part parallel. Deterministic: independent of their order and of the threads. Source:

@@ -50,8 +50,8 @@ struct ReconstructOptions {
   // reconstruct_tight, robust mode only: whether closed surfaces inside the body bound hollows of
   // it (open_cavities, after the clean-up). False, as in the paper: they are left out.
   bool keep_cavities = false;
-  // reconstruct_tight_with_labels, where a mesh of another program tells: so often the clean-up is
-  // done again where what it tells makes the surface touch itself. 0: it never yields.
+  // reconstruct_tight_with_labels, where a mesh of another program tells: at most so often the
+  // clean-up is done again where what it tells makes the surface touch itself. 0: it never yields.
   unsigned yield_rounds = 4;
   // Verify triangulation and surface (verify_surface.h) before they are believed. What is refuted
   // is not delivered: the mesh is left empty.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -124,26 +125,25 @@ void ReconstructSteps::extract_from(KnownCandidates candidates) {
 
 void ReconstructSteps::close_surface(const KnownLabelsSource& known) {
   if (boundary_.interior() == 0) return deliver({});
-  const KnownLabelsSource nothing;
-  const KnownLabelsSource& source = options_.mode == Mode::paper ? nothing : known;
+  std::optional<KnownLabels> told;
+  KnownLabelsSource source;
+  if (known && options_.mode != Mode::paper) {
+    source = [&](const auto&... asked) {
+      if (!told) told = known(asked...);
+      return *told;
+    };
+  }
   run_step(execution_, "tight", [&](const Execution& nested) {
     if (live_ != nullptr) return close_by(mark_by_caller(source, nested), source, nested);
-    GoodVertices good =
-        good_vertices(surface_.triangles, boundary_.boundary, options_.good_vertices, nested);
+    GoodVertices good = find_good_vertices(nested);
     if (is_certain(*triangulation_, surface_, good, nested)) {
       return deliver_certain(std::move(good), nested);
     }
-    KnownLabels told;
-    if (source) told = source(*triangulation_, surface_.triangles.set, nested);
-    if (!told.undisturbed.empty()) {
-      return close_foreign(std::move(good), std::move(told), nested);
-    }
-    const auto as_told = [&](const auto&...) { return told; };
     CellMarks marks =
-        mark_cells(*triangulation_, surface_.triangles, std::move(good), as_told, nested);
-    forget_links();
+        mark_cells(*triangulation_, surface_.triangles, std::move(good), source, nested);
+    if (!source) forget_links();
     if (stages_ != nullptr) stages_->marks = marks;
-    close_by(std::move(marks), as_told, nested);
+    close_by(std::move(marks), source, nested);
   });
 }
 
@@ -222,7 +222,12 @@ CellMarks ReconstructSteps::mark_by_caller(const KnownLabelsSource& known,
                      options_.good_vertices, execution);
 }
 
+GoodVertices ReconstructSteps::find_good_vertices(const Execution& execution) const {
+  return good_vertices(surface_.triangles, boundary_.boundary, options_.good_vertices, execution);
+}
+
 void ReconstructSteps::forget_links() {
+  if (live_ != nullptr) return;  // take_surface() gives them
   FacetSet set = std::move(surface_.triangles.set);
   surface_.triangles = {};
   surface_.triangles.set = std::move(set);
@@ -232,30 +237,32 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
                                 const Execution& execution) {
   const FacetSet& surface = surface_.triangles.set;
   marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, execution);
-  // The marking has asked already if good vertices disagreed.
   const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
-  if (in_doubt && known && marks.known.empty()) {
-    marks.known = known(*triangulation_, surface, execution).labels;
-  }
+  KnownLabels told;
+  if (in_doubt && known) told = known(*triangulation_, surface, execution);
+  if (!told.undisturbed.empty()) return close_foreign(std::move(told), execution);
+  forget_links();
+  // The marking has asked already if good vertices disagreed.
+  if (marks.known.empty()) marks.known = std::move(told.labels);
   deliver(clean_up(std::move(marks), execution), execution);
 }
 
-void ReconstructSteps::close_foreign(GoodVertices good, KnownLabels told,
-                                     const Execution& execution) {
-  const auto attempt = [&](GoodVertices vertices, const KnownLabelsSource& known) {
-    CellMarks marks =
-        mark_cells(*triangulation_, surface_.triangles, std::move(vertices), known, execution);
+void ReconstructSteps::close_foreign(KnownLabels told, const Execution& execution) {
+  require_size("reconstruct_tight_with_labels", "labels of cells that are known beforehand",
+               told.labels.size(), triangulation_->num_cells());
+  const GoodVertices good = find_good_vertices(execution);
+  const auto attempt = [&](const KnownLabelsSource& known) {
+    CellMarks marks = mark_cells(*triangulation_, surface_.triangles, good, known, execution);
     return clean_up_yielding(std::move(marks), told.labels, execution);
   };
-  Attempt best = attempt(good, {});
-  if (best.body.marks.conflicts != 0) {
-    Attempt asked = attempt(std::move(good), [&](const auto&...) { return told; });
+  Attempt best = attempt({});
+  if (best.disputed) {
+    Attempt asked = attempt([&](const auto&...) { return told; });
     const auto rank = [](const Attempt& a) { return std::pair(a.unused, a.contradicted); };
     if (rank(asked) < rank(best)) best = std::move(asked);
   }
   forget_links();
   result_.counters.yielded_cells = best.yielded_cells;
-  if (stages_ != nullptr) stages_->marks = std::move(best.marks);
   deliver(std::move(best.body), execution);
 }
 
@@ -263,14 +270,15 @@ ReconstructSteps::Attempt ReconstructSteps::clean_up_yielding(CellMarks marks,
                                                               IdVector<CellId, CellLabel> told,
                                                               const Execution& execution) const {
   Attempt best;
-  best.marks = marks;
+  best.disputed = marks.conflicts != 0;
   marks = peel_cells(*triangulation_, surface_.triangles.set, std::move(marks), options_.peel,
                      execution);
   best.contradicted =
       std::accumulate(marks.contradicted.begin(), marks.contradicted.end(), std::size_t{0});
+  const unsigned rounds = options_.clean_up.enabled ? options_.yield_rounds : 0;
   std::size_t yielded = 0;
   std::size_t fewest = 0;
-  for (unsigned round = 0; round <= options_.yield_rounds; ++round) {
+  for (unsigned round = 0; round <= rounds; ++round) {
     CellMarks known = marks;
     known.known = told;
     Body body = clean_up(std::move(known), execution);
@@ -283,7 +291,7 @@ ReconstructSteps::Attempt ReconstructSteps::clean_up_yielding(CellMarks marks,
       best.yielded_cells = yielded;
       fewest = touching.size() + unused;
     }
-    if (touching.empty()) break;
+    if (touching.empty() || round == rounds) break;
     const std::size_t more = yield_labels(*triangulation_, touching, round, marks.good, told);
     if (more == 0) break;
     yielded += more;

@@ -72,6 +72,8 @@ class ReconstructSteps {
 
   CellMarks mark_by_caller(const KnownLabelsSource& known, const Execution& execution) const;
 
+  GoodVertices find_good_vertices(const Execution& execution) const;
+
   // A third as much memory as the triangulation has. What is left of the links is the set of
   // facets.
   void forget_links();
@@ -83,19 +85,19 @@ class ReconstructSteps {
     CavityCounters cavities;
   };
   struct Attempt {
-    CellMarks marks;  // before the peel
     Body body;
+    bool disputed = false;         // marks contradicted each other before the peel
     std::size_t unused = 0;        // samples that are not on the surface
     std::size_t contradicted = 0;  // good vertices, by the marks
     std::size_t yielded_cells = 0;
   };
   // All that follows the marking.
   void close_by(CellMarks marks, const KnownLabelsSource& known, const Execution& execution);
-  // The marking, too, where a mesh that is none of ours (KnownLabels::undisturbed) tells. It cuts
-  // sharp edges otherwise than the facets do, and would refute many good vertices. So the marking
-  // is done without it, and with it only if marks contradict each other: this is taken if then
-  // fewer samples are unused or, of as many, fewer vertices contradicted.
-  void close_foreign(GoodVertices good, KnownLabels told, const Execution& execution);
+  // The marking anew, too, where a mesh that is none of ours (KnownLabels::undisturbed) tells. It
+  // cuts sharp edges otherwise than the facets do, and would refute many good vertices. So the
+  // marking is done without it, and with it only if marks contradict each other: this is taken if
+  // then fewer samples are unused or, of as many, fewer vertices contradicted.
+  void close_foreign(KnownLabels told, const Execution& execution);
   // Peel and clean-up. Where the surface touches itself `told` yields to good vertices, in each
   // round a cell farther off, until it touches itself nowhere or nothing is left to yield. The
   // round with the fewest vertices at which it does, or that are not on it, is taken.

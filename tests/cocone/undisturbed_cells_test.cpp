@@ -14,8 +14,8 @@
 namespace cocoon {
 namespace {
 
-// The surface of a cube, of unit squares, each with the diagonal that is not at its smallest
-// corner.
+// The surface of a cube, of unit squares, each with the diagonal from its smallest corner. The
+// facets have the other one: ties of their corners are broken by coordinates.
 std::vector<KnownTriangle> cube_of_squares(int size, std::vector<Point>& points) {
   std::map<std::array<int, 3>, PointId> ids;
   std::vector<KnownTriangle> triangles;

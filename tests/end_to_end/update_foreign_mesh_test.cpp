@@ -17,6 +17,7 @@
 #include "geom/triangle_normal.h"
 #include "io/point_file.h"
 #include "update/update_model.h"
+#include "update/update_session.h"
 
 namespace cocoon {
 namespace {
@@ -63,26 +64,40 @@ TriangleMesh with_other_diagonals(TriangleMesh mesh, std::uint64_t seed) {
   return mesh;
 }
 
+TriangleMesh anchor() {
+  return reconstruct_tight(
+             read_points(std::string(COCOON_TEST_DATA) + "/models/anchor_dense.off").points)
+      .mesh;
+}
+
+// Of the model as it is, around one of its vertices.
+std::vector<std::vector<Point>> rescan_of(const TriangleMesh& model, std::uint64_t seed) {
+  double size = 0;
+  for (const Point& p : model.points) {
+    size = std::max(size, distance(p, model.points[VertexId(0U)]));
+  }
+  const double radius = 0.15 * size;
+  std::vector<std::vector<Point>> clouds(1);
+  Random random(seed);
+  for (const Point& p : model.points) {
+    if (distance(p, model.points[VertexId(1000)]) > radius) continue;
+    clouds[0].push_back(p + 0.01 * radius * random.on_unit_sphere());
+  }
+  return clouds;
+}
+
 // Nothing has changed, and far from the scan nothing does. What the mesh tells does not fit what
 // good vertices do.
 TEST(UpdateForeignMesh, ARescanLeavesItAManifold) {
-  const std::vector<Point> points =
-      read_points(std::string(COCOON_TEST_DATA) + "/models/anchor_dense.off").points;
-  const TriangleMesh ours = reconstruct_tight(points).mesh;
-  double size = 0;
-  for (const Point& p : points) size = std::max(size, distance(p, points[0]));
-  const double radius = 0.15 * size;
+  const TriangleMesh ours = anchor();
   for (const std::uint64_t seed : {2U, 3U, 4U, 5U}) {
     const TriangleMesh model = with_other_diagonals(ours, seed);
     const MeshReport before = mesh_check(model);
     ASSERT_TRUE(before.is_closed_manifold());
-    const Point center = model.points[VertexId(1000)];
-    std::vector<std::vector<Point>> clouds(1);
-    Random random(seed);
-    for (const Point& p : model.points) {
-      if (distance(p, center) > radius) continue;
-      clouds[0].push_back(p + 0.01 * radius * random.on_unit_sphere());
-    }
+    const std::vector<std::vector<Point>> clouds = rescan_of(model, seed);
+    UpdateOptions obstinate;
+    obstinate.reconstruct.yield_rounds = 0;
+    EXPECT_FALSE(mesh_check(update_model(model, clouds, obstinate).mesh).is_closed_manifold());
     const UpdateResult result = update_model(model, clouds);
     ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
     const MeshReport after = mesh_check(result.mesh);
@@ -141,29 +156,39 @@ TriangleMesh any_diagonals(const std::vector<std::array<Point, 4>>& squares, std
   return mesh;
 }
 
-// A bar with a pocket two cubes wide, too narrow for its spacing, and a boss put on far from it.
-TEST(UpdateForeignMesh, AGridKeepsItsNarrowPocket) {
-  const auto in = [](int x, int low, int high) { return low <= x && x < high; };
-  const Cubes before = [&](const std::array<int, 3>& p) {
-    const bool in_pocket = in(p[0], 8, 10) && in(p[1], 8, 10) && p[2] >= 10;
-    return in(p[0], 4, 28) && in(p[1], 4, 16) && in(p[2], 4, 16) && !in_pocket;
-  };
-  const Cubes after = [&](const std::array<int, 3>& p) {
-    return before(p) || (in(p[0], 20, 25) && in(p[1], 7, 12) && in(p[2], 16, 19));
-  };
-  constexpr int size = 32;
+bool is_between(double x, double low, double high) { return low <= x && x < high; }
+
+// A bar with a pocket two cubes wide, too narrow for its spacing.
+bool is_in_bar(const std::array<int, 3>& p) {
+  const bool in_pocket = is_between(p[0], 8, 10) && is_between(p[1], 8, 10) && p[2] >= 10;
+  return is_between(p[0], 4, 28) && is_between(p[1], 4, 16) && is_between(p[2], 4, 16) &&
+         !in_pocket;
+}
+
+// And a boss put on far from it.
+bool is_in_changed_bar(const std::array<int, 3>& p) {
+  return is_in_bar(p) ||
+         (is_between(p[0], 20, 25) && is_between(p[1], 7, 12) && is_between(p[2], 16, 19));
+}
+
+TriangleMesh bar(std::uint64_t seed) { return any_diagonals(squares_of(is_in_bar, 32), seed); }
+
+std::vector<std::vector<Point>> scan_of_boss() {
   std::vector<std::vector<Point>> clouds(1);
-  for (const auto& [a, b, c, d] : squares_of(after, size)) {
+  for (const auto& [a, b, c, d] : squares_of(is_in_changed_bar, 32)) {
     const Point center = 0.5 * (a + c);
-    const bool scanned = center.x > 17 && center.x < 28 && center.y > 4 && center.y < 15 &&
-                         center.z > 13 && center.z < 22;
-    if (!scanned) continue;
+    if (center.x < 17 || center.z < 13) continue;
     for (const double u : {0.25, 0.75}) {
       for (const double v : {0.25, 0.75}) clouds[0].push_back(a + u * (b - a) + v * (d - a));
     }
   }
+  return clouds;
+}
+
+TEST(UpdateForeignMesh, AGridKeepsItsNarrowPocket) {
+  const std::vector<std::vector<Point>> clouds = scan_of_boss();
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
-    const TriangleMesh model = any_diagonals(squares_of(before, size), seed);
+    const TriangleMesh model = bar(seed);
     ASSERT_TRUE(mesh_check(model).is_closed_manifold());
     const UpdateResult result = update_model(model, clouds);
     ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
@@ -172,6 +197,26 @@ TEST(UpdateForeignMesh, AGridKeepsItsNarrowPocket) {
     const auto in_pocket = [](const Point& p) { return p.x < 17; };
     EXPECT_EQ(std::count_if(result.mesh.points.begin(), result.mesh.points.end(), in_pocket),
               std::count_if(model.points.begin(), model.points.end(), in_pocket));
+  }
+}
+
+// What was taken back leads to the same again, though by local steps.
+TEST(UpdateForeignMesh, ASessionGivesTheSame) {
+  const TriangleMesh other = with_other_diagonals(anchor(), 2);
+  const std::pair<TriangleMesh, std::vector<std::vector<Point>>> cases[] = {
+      {bar(1), scan_of_boss()}, {other, rescan_of(other, 2)}};
+  for (const auto& [model, clouds] : cases) {
+    const UpdateResult expected = update_model(model, clouds);
+    ASSERT_EQ(expected.status, UpdateStatus::ok) << expected.message;
+    UpdateSession session(model);
+    for (int i = 0; i < 3; ++i) {
+      const UpdateResult result = session.apply(clouds).result;
+      EXPECT_EQ(result.status, UpdateStatus::ok);
+      EXPECT_EQ(result.warnings, expected.warnings);
+      EXPECT_TRUE(session.model() == expected.mesh) << "step " << i;
+      session.undo();
+      EXPECT_TRUE(session.model() == model);
+    }
   }
 }
 
