@@ -41,7 +41,6 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("marking_rounds", c.marking_rounds);
   set("marking_conflicts", c.marking_conflicts);
   set("known_cells", c.known_cells);
-  set("yielded_cells", c.yielded_cells);
   set("refuted_vertices", c.refuted_vertices);
   set("poor_cells", c.poor_cells);
   set("deferred_seeds", c.deferred_seeds);

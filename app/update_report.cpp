@@ -128,6 +128,7 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/unused_changes", result.unused_changes.samples);
   report.set("update/far_losses", result.unscanned.far);
   report.set("update/unscanned_losses", result.unscanned.vertices);
+  report.set("update/yielded_cells", result.reconstruction.counters.yielded_cells);
   report.set("update/thinned_points", replacement.thinned);
   report.set("update/duplicate_points", replacement.duplicates);
   report.set("update/updated_points", replacement.points.size());
