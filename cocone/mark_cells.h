@@ -48,10 +48,15 @@ struct CellMarks {
   std::size_t poor_cells = 0;        // of peel_cells: cells without a good vertex
 };
 
+// Whether a vertex of a finite cell is in the set. O(1).
+inline bool has_vertex_in(const VertexSet& set, const Cell& cell) {
+  const auto& [v0, v1, v2, v3] = cell.vertices;
+  return (set[v0] | set[v1] | set[v2] | set[v3]) != 0;
+}
+
 // Whether no vertex of a finite cell is good: none can tell on which side the cell is. O(1).
 inline bool is_poor(const Triangulation& triangulation, const VertexSet& good, CellId c) {
-  const auto& [v0, v1, v2, v3] = triangulation.cell(c).vertices;
-  return (good[v0] | good[v1] | good[v2] | good[v3]) == 0;
+  return !has_vertex_in(good, triangulation.cell(c));
 }
 
 // Whether it is told beforehand on which side a finite cell is: nothing else is to decide that.

@@ -12,16 +12,11 @@
 namespace cocoon {
 namespace {
 
-bool has_flagged_corner(const VertexSet& flags, const Cell& cell) {
-  const auto& [v0, v1, v2, v3] = cell.vertices;
-  return (flags[v0] | flags[v1] | flags[v2] | flags[v3]) != 0;
-}
-
 VertexSet widened(const Triangulation& triangulation, const VertexSet& flags) {
   VertexSet wide = flags;
   for (const CellId c : triangulation.finite_cells()) {
     const Cell& cell = triangulation.cell(c);
-    if (!has_flagged_corner(flags, cell)) continue;
+    if (!has_vertex_in(flags, cell)) continue;
     for (const VertexId v : cell.vertices) wide[v] = 1;
   }
   return wide;
@@ -51,7 +46,7 @@ std::size_t yield_labels(const Triangulation& triangulation, std::span<const Ver
   std::size_t count = 0;
   for (const CellId c : triangulation.finite_cells()) {
     if (labels[c] == CellLabel::unmarked || is_poor(triangulation, good, c)) continue;
-    if (!has_flagged_corner(flags, triangulation.cell(c))) continue;
+    if (!has_vertex_in(flags, triangulation.cell(c))) continue;
     labels[c] = CellLabel::unmarked;
     ++count;
   }

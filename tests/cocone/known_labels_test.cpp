@@ -18,21 +18,13 @@
 #include "geom/mesh_check.h"
 #include "geom/random.h"
 #include "ref/mark_in_rounds.h"
+#include "tests/cocone/known_triangles.h"
 #include "tests/cocone/plain_labels.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 
 namespace cocoon {
 namespace {
-
-std::vector<KnownTriangle> triangles_of(const ReconstructResult& result) {
-  std::vector<KnownTriangle> known;
-  for (const auto& [a, b, c] : result.mesh.triangles) {
-    known.push_back(
-        {result.point_of_vertex[a], result.point_of_vertex[b], result.point_of_vertex[c]});
-  }
-  return known;
-}
 
 FacetSet no_facets(const Triangulation& triangulation) {
   return FacetSet(triangulation.num_cells());

@@ -10,6 +10,7 @@
 #include "cocone/reconstruct.h"
 #include "delaunay/circulate.h"
 #include "delaunay/delaunay.h"
+#include "tests/cocone/known_triangles.h"
 
 namespace cocoon {
 namespace {
@@ -42,16 +43,6 @@ std::vector<KnownTriangle> cube_of_squares(int size, std::vector<Point>& points)
     }
   }
   return triangles;
-}
-
-std::vector<KnownTriangle> triangles_of(const ReconstructResult& result) {
-  std::vector<KnownTriangle> known;
-  for (const Triangle& t : result.mesh.triangles) {
-    KnownTriangle& corners = known.emplace_back();
-    std::transform(t.begin(), t.end(), corners.begin(),
-                   [&](VertexId v) { return result.point_of_vertex[v]; });
-  }
-  return known;
 }
 
 TEST(UndisturbedCells, AGridWithOtherDiagonalsIsNoMeshOfOurs) {

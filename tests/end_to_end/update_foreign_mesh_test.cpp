@@ -156,7 +156,7 @@ TriangleMesh any_diagonals(const std::vector<std::array<Point, 4>>& squares, std
   return mesh;
 }
 
-bool is_between(double x, double low, double high) { return low <= x && x < high; }
+bool is_between(int x, int low, int high) { return low <= x && x < high; }
 
 // A bar with a pocket two cubes wide, too narrow for its spacing.
 bool is_in_bar(const std::array<int, 3>& p) {
