@@ -150,8 +150,8 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
 // spacing, neither the marking nor the clean-up decides labels that are known otherwise. Those of a
 // mesh of another program (KnownLabels::undisturbed) need not fit: the marking heeds them only if
 // fewer samples are unused then, or fewer vertices contradicted, and where the surface would touch
-// itself they yield to good vertices (yielded_cells). `known` is not asked where the surface alone
-// tells the side of each cell (marking/certain_surface.h), nor in paper mode.
+// itself they yield to good vertices (yielded_cells). Where nothing is in doubt `known` is not
+// asked; nor is it in paper mode. It is asked once at most.
 ReconstructResult reconstruct_tight_with_labels(Points points, const KnownLabelsSource& known,
                                                 const ReconstructOptions& options = {},
                                                 const Execution& execution = {});

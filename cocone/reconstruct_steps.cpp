@@ -1,7 +1,7 @@
 #include "cocone/reconstruct_steps.h"
 
+#include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -233,48 +233,58 @@ void ReconstructSteps::forget_links() {
   surface_.triangles.set = std::move(set);
 }
 
+CellMarks ReconstructSteps::peel(CellMarks marks, const Execution& execution) const {
+  return peel_cells(*triangulation_, surface_.triangles.set, std::move(marks), options_.peel,
+                    execution);
+}
+
 void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
                                 const Execution& execution) {
-  const FacetSet& surface = surface_.triangles.set;
-  marks = peel_cells(*triangulation_, surface, std::move(marks), options_.peel, execution);
+  marks = peel(std::move(marks), execution);
   const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
   KnownLabels told;
-  if (in_doubt && known) told = known(*triangulation_, surface, execution);
-  if (!told.undisturbed.empty()) return close_foreign(std::move(told), execution);
+  if (in_doubt && known) told = known(*triangulation_, surface_.triangles.set, execution);
+  if (!told.undisturbed.empty()) {
+    return close_foreign(marks, told.labels, execution);
+  }
   forget_links();
   // The marking has asked already if good vertices disagreed.
   if (marks.known.empty()) marks.known = std::move(told.labels);
   deliver(clean_up(std::move(marks), execution), execution);
 }
 
-void ReconstructSteps::close_foreign(KnownLabels told, const Execution& execution) {
+void ReconstructSteps::close_foreign(const CellMarks& marks,
+                                     const IdVector<CellId, CellLabel>& told,
+                                     const Execution& execution) {
   require_size("reconstruct_tight_with_labels", "labels of cells that are known beforehand",
-               told.labels.size(), triangulation_->num_cells());
-  const GoodVertices good = find_good_vertices(execution);
-  const auto attempt = [&](const KnownLabelsSource& known) {
-    CellMarks marks = mark_cells(*triangulation_, surface_.triangles, good, known, execution);
-    return clean_up_yielding(std::move(marks), told.labels, execution);
-  };
-  Attempt best = attempt({});
-  if (best.disputed) {
-    Attempt asked = attempt([&](const auto&...) { return told; });
-    const auto rank = [](const Attempt& a) { return std::pair(a.unused, a.contradicted); };
-    if (rank(asked) < rank(best)) best = std::move(asked);
-  }
+               told.size(), triangulation_->num_cells());
+  Attempt best = marks.known.empty() ? clean_up_yielding(marks, told, execution)
+                                     : with_or_without(marks, told, execution);
   forget_links();
   result_.counters.yielded_cells = best.yielded_cells;
   deliver(std::move(best.body), execution);
 }
 
-ReconstructSteps::Attempt ReconstructSteps::clean_up_yielding(CellMarks marks,
+ReconstructSteps::Attempt ReconstructSteps::with_or_without(const CellMarks& asked,
+                                                            const IdVector<CellId, CellLabel>& told,
+                                                            const Execution& execution) const {
+  CellMarks unasked = mark_cells(*triangulation_, surface_.triangles, find_good_vertices(execution),
+                                 KnownLabelsSource(), execution);
+  const bool contradict = unasked.conflicts != 0;
+  Attempt without = clean_up_yielding(peel(std::move(unasked), execution), told, execution);
+  if (!contradict) return without;
+  Attempt with = clean_up_yielding(asked, told, execution);
+  const auto rank = [](const Attempt& attempt) {
+    const VertexSet& contradicted = attempt.body.marks.contradicted;
+    return std::pair(attempt.unused, std::count(contradicted.begin(), contradicted.end(), 1));
+  };
+  return rank(with) < rank(without) ? std::move(with) : std::move(without);
+}
+
+ReconstructSteps::Attempt ReconstructSteps::clean_up_yielding(const CellMarks& marks,
                                                               IdVector<CellId, CellLabel> told,
                                                               const Execution& execution) const {
   Attempt best;
-  best.disputed = marks.conflicts != 0;
-  marks = peel_cells(*triangulation_, surface_.triangles.set, std::move(marks), options_.peel,
-                     execution);
-  best.contradicted =
-      std::accumulate(marks.contradicted.begin(), marks.contradicted.end(), std::size_t{0});
   const unsigned rounds = options_.clean_up.enabled ? options_.yield_rounds : 0;
   std::size_t yielded = 0;
   std::size_t fewest = 0;

@@ -86,22 +86,25 @@ class ReconstructSteps {
   };
   struct Attempt {
     Body body;
-    bool disputed = false;         // marks contradicted each other before the peel
-    std::size_t unused = 0;        // samples that are not on the surface
-    std::size_t contradicted = 0;  // good vertices, by the marks
+    std::size_t unused = 0;  // samples that are not on the surface
     std::size_t yielded_cells = 0;
   };
+  CellMarks peel(CellMarks marks, const Execution& execution) const;
   // All that follows the marking.
   void close_by(CellMarks marks, const KnownLabelsSource& known, const Execution& execution);
-  // The marking anew, too, where a mesh that is none of ours (KnownLabels::undisturbed) tells. It
-  // cuts sharp edges otherwise than the facets do, and would refute many good vertices. So the
-  // marking is done without it, and with it only if marks contradict each other: this is taken if
-  // then fewer samples are unused or, of as many, fewer vertices contradicted.
-  void close_foreign(KnownLabels told, const Execution& execution);
-  // Peel and clean-up. Where the surface touches itself `told` yields to good vertices, in each
-  // round a cell farther off, until it touches itself nowhere or nothing is left to yield. The
-  // round with the fewest vertices at which it does, or that are not on it, is taken.
-  Attempt clean_up_yielding(CellMarks marks, IdVector<CellId, CellLabel> told,
+  // All that follows the peel, where a mesh that is none of ours (KnownLabels::undisturbed) tells.
+  void close_foreign(const CellMarks& marks, const IdVector<CellId, CellLabel>& told,
+                     const Execution& execution);
+  // Where the marking has asked it: such a mesh cuts sharp edges otherwise than the facets do, and
+  // refutes many good vertices. So the marking is done once more without. What it told is taken
+  // only if those marks contradict each other, and if fewer samples are unused then or, of as many,
+  // fewer vertices contradicted.
+  Attempt with_or_without(const CellMarks& asked, const IdVector<CellId, CellLabel>& told,
+                          const Execution& execution) const;
+  // The clean-up of what is peeled. Where the surface touches itself `told` yields to good
+  // vertices, in each round a cell farther off, until it touches itself nowhere or nothing is left
+  // to yield. The round with the fewest vertices at which it does, or that are not on it, is taken.
+  Attempt clean_up_yielding(const CellMarks& marks, IdVector<CellId, CellLabel> told,
                             const Execution& execution) const;
   Body clean_up(CellMarks marks, const Execution& execution) const;
   void deliver(Body body, const Execution& execution);
