@@ -9,10 +9,11 @@ namespace cocoon {
 
 namespace {
 
-bool has_loop_on_model(const CloudReport& cloud) {
-  return std::any_of(cloud.loops.begin(), cloud.loops.end(), [](const LoopReport& loop) {
-    return loop.match == LoopMatch::on_model && !loop.pin_hole;
-  });
+std::size_t loops_on_model(const CloudReport& cloud) {
+  const auto found = std::count_if(
+      cloud.loops.begin(), cloud.loops.end(),
+      [](const LoopReport& loop) { return loop.match == LoopMatch::on_model && !loop.pin_hole; });
+  return static_cast<std::size_t>(found);
 }
 
 }  // namespace
@@ -22,9 +23,10 @@ std::size_t unexplained_handles(std::span<const CloudReport> clouds, std::size_t
   std::size_t parts = empty_loops;
   std::size_t patches = 0;  // in their place
   for (const CloudReport& cloud : clouds) {
-    if (!has_loop_on_model(cloud)) continue;
+    const std::size_t loops = loops_on_model(cloud);
+    if (loops == 0) continue;
     ++patches;
-    parts += cloud.replaced_groups.size();
+    parts += std::min(cloud.replaced_groups.size(), loops);
   }
   const std::ptrdiff_t handles = (before - after) / 2;
   const auto explained = static_cast<std::ptrdiff_t>(parts - std::min(parts, patches));

@@ -39,6 +39,13 @@ TEST(UnexplainedHandles, TwoRimsOfOnePartMakeNone) {
   EXPECT_EQ(unexplained_handles(tube, 0, 2, 0), 1U);
 }
 
+// A border that touches itself parts slivers from what it encloses.
+TEST(UnexplainedHandles, MorePartsThanRimsMakeNone) {
+  const std::vector<CloudReport> patch = {cloud_with(1, 3)};
+  EXPECT_EQ(unexplained_handles(patch, 0, 2, 2), 0U);
+  EXPECT_EQ(unexplained_handles(patch, 0, 2, 0), 1U);
+}
+
 TEST(UnexplainedHandles, AMouthMayHaveNoGroupInside) {
   const std::vector<CloudReport> drill = {cloud_with(2, 1)};
   EXPECT_EQ(unexplained_handles(drill, 1, 2, 0), 0U);
