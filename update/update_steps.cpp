@@ -81,7 +81,8 @@ bool UpdateSteps::find_overlapping_facets(const ModelIndex& index, const Executi
     CloudReport& report = result_.clouds[c];
     if (report.surface.rim.loops.empty()) return fail_surface(c);
     report_overlap(c);
-    report.shift = rim_shift(index, report.surface.rim, rims_.overlaps[c], options_.shift);
+    enter_shift(rim_shift(index, report.surface.rim, rims_.overlaps[c], options_.shift),
+                options_.shift, report);
     warn_of_cloud(c, warnings_of_cloud(report, options_.overlap, options_.shift));
     if (rims_.overlaps[c].status == OverlapStatus::no_overlap)
       return fail_no_overlap(c, index, execution);

@@ -88,5 +88,21 @@ TEST(UpdateBesideAHorn, ItStaysBesideADentThoughNoRimIsThere) {
   EXPECT_EQ(lost_beyond(1.45, model, result), 0U);
 }
 
+// Half a spacing out of register all samples seem to be of a change, unless the shift is known.
+TEST(UpdateBesideAHorn, ItStaysThoughTheScanIsOutOfRegister) {
+  const TriangleMesh model = reconstruct_tight(horned_sphere(1)).mesh;
+  Clouds clouds = scan_beside_horn(-0.2);
+  for (Point& p : clouds[0]) p = p + 0.04 * Vec3{std::cos(0.5), 0, -std::sin(0.5)};
+  UpdateOptions options;
+  options.pin_holes.max_distance = 0;
+  const UpdateResult result = update_model(model, clouds, options);
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_NEAR(result.clouds[0].shift, 0.04, 0.01);
+  EXPECT_EQ(lost_beyond(1.45, model, result), 0U);
+
+  options.shift.max_shift = 0;
+  EXPECT_GT(lost_beyond(1.45, model, update_model(model, clouds, options)), 5U);
+}
+
 }  // namespace
 }  // namespace cocoon

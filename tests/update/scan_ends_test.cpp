@@ -40,8 +40,8 @@ struct Plane {
   ModelIndex model{mesh};
   TriangleSet all = TriangleSet(mesh.triangles.size(), 1);
 
-  std::vector<TriangleId> ends(const std::vector<Point>& samples) const {
-    const std::vector<Scan> scans = {{samples, 1}};
+  std::vector<TriangleId> ends(const std::vector<Point>& samples, const Vec3& shift = {}) const {
+    const std::vector<Scan> scans = {{samples, 1, shift}};
     return scan_ends(model, members(all), scans);
   }
 };
@@ -71,6 +71,17 @@ TEST(ScanEnds, AreNotWhereTheScannedSurfaceLeavesTheModel) {
   samples = disk();
   add_wall(samples, 0.4);
   EXPECT_FALSE(plane.ends(samples).empty());
+}
+
+// A scan out of register lies on the model as much as it would in its place.
+TEST(ScanEnds, AreFoundOfAScanOutOfRegister) {
+  const Plane plane;
+  std::vector<Point> samples = disk();
+  for (Point& p : samples) p.z = 0.6;
+  EXPECT_TRUE(plane.ends(samples).empty());
+  EXPECT_GT(plane.ends(samples, {0, 0, 0.6}).size(), 40U);
+  // What is thought of it may be wrong: samples that lie on the model do so.
+  EXPECT_EQ(plane.ends(disk(), {0, 0, 0.6}), plane.ends(disk()));
 }
 
 TEST(ScanEnds, AreLookedForAmongTheGivenFacets) {

@@ -32,7 +32,7 @@ std::vector<Scan> scans_of(std::span<const std::vector<Point>> clouds,
   std::vector<Scan> scans;
   scans.reserve(clouds.size());
   for (std::size_t c = 0; c < clouds.size(); ++c) {
-    scans.push_back({clouds[c], reports[c].surface.rim.median_edge});
+    scans.push_back({clouds[c], reports[c].surface.rim.median_edge, reports[c].believed_shift});
   }
   return scans;
 }
@@ -102,6 +102,12 @@ void enter_overlap(const Overlap& overlap, CloudReport& report) {
     report.loops[l].unmatched = overlap.loops[l].unmatched;
     report.loops[l].covered = overlap.loops[l].covered;
   }
+}
+
+void enter_shift(const Vec3& shift, const ShiftOptions& options, CloudReport& report) {
+  report.shift = norm(shift);
+  const bool is_believed = report.shift <= options.max_shift * report.surface.rim.spacing;
+  report.believed_shift = is_believed ? shift : Vec3{};
 }
 
 void enter_border(const Border& border, CloudReport& report) {

@@ -17,6 +17,7 @@
 #include "update/overlapping_facets.h"
 #include "update/regions/loop_sides.h"
 #include "update/report/contradicted_samples.h"
+#include "update/report/rim_shift.h"
 #include "update/segment_model.h"
 #include "update/trace_border.h"
 
@@ -58,6 +59,7 @@ struct CloudReport {
   double median_distance = 0;
   double largest_excess = 0;      // see Overlap
   double shift = 0;               // see rim_shift()
+  Vec3 believed_shift;            // the same; 0 if longer than ShiftOptions::max_shift
   std::size_t border_facets = 0;  // with those traced between rim points
   std::size_t walks = 0;          // see Border
   std::size_t searches = 0;
@@ -106,6 +108,7 @@ CloudPoint point_told(std::span<const CloudReport> reports,
 
 // Enters what the stages found of a cloud. Complexity: O(what is entered).
 void enter_overlap(const Overlap& overlap, CloudReport& report);
+void enter_shift(const Vec3& shift, const ShiftOptions& options, CloudReport& report);
 void enter_border(const Border& border, CloudReport& report);
 void enter_choice(const CloudChoice& choice, CloudReport& report);
 

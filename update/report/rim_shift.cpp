@@ -34,11 +34,11 @@ std::vector<Height> heights_of(const ModelIndex& model, const CloudRim& rim,
 
 }  // namespace
 
-double rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
-                 const ShiftOptions& options) {
+Vec3 rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
+               const ShiftOptions& options) {
   require_options("rim_shift", options);
   const std::vector<Height> heights = heights_of(model, rim, overlap);
-  if (heights.size() < options.min_points) return 0;
+  if (heights.size() < options.min_points) return {};
   const auto all = static_cast<double>(heights.size());
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   for (std::size_t round = 0; round < options.rounds; ++round) {
@@ -52,11 +52,11 @@ double rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& ov
       moments += h.height * h.normal;
       ++used;
     }
-    if (used < options.min_share * all) return 0;
+    if (used < options.min_share * all) return {};
     normals += options.prior * used * Eigen::Matrix3d::Identity();
     shift = normals.ldlt().solve(moments);
   }
-  return shift.norm();
+  return {shift.x(), shift.y(), shift.z()};
 }
 
 }  // namespace cocoon

@@ -21,7 +21,7 @@ struct ShiftOptions {
   // Directions in which the rim tells nothing, as along a plane: a shift there costs this share of
   // what it would if all normals lay in it.
   double prior = 0.02;
-  // A shift of more rim spacings than this is worth a warning.
+  // A shift of more rim spacings than this is worth a warning; nothing is measured by it.
   double max_shift = 0.75;
 };
 
@@ -32,7 +32,7 @@ struct ShiftOptions {
 // Complexity: O(rim). Deterministic, but for roundings, whatever the order of the loops. Errors:
 // InputError for options out of range.
 // Source: ours; point-to-plane registration (Chen & Medioni 1992) without rotation.
-double rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
-                 const ShiftOptions& options = {});
+Vec3 rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
+               const ShiftOptions& options = {});
 
 }  // namespace cocoon

@@ -111,7 +111,7 @@ std::vector<std::uint8_t> explained_by_changes(const ModelIndex& model,
     const Scan& scan = scans[c];
     const double largest = std::max(scan.spacing, spacing);
     SampleHeights heights(model, scan.samples, places, options.change_reach * largest,
-                          options.off_model * largest);
+                          options.off_model * largest, scan.shift);
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const double unit = unit_at(losses[asked[k]], scan);
       const double off = options.off_model * unit;

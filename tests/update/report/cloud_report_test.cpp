@@ -48,6 +48,18 @@ TEST(CloudReport, MembersHaveTheSpacingAndTheRegionsOfTheirFirst) {
   EXPECT_EQ(told[1].replaced_groups, std::vector{RegionId(0U)});
 }
 
+// What is longer than a shift that is worth a warning may be of the change.
+TEST(CloudReport, ALongShiftIsToldButNotBelieved) {
+  CloudReport report;
+  report.surface.rim.spacing = 2;
+  enter_shift({0, 3, 0}, {.max_shift = 1.5}, report);
+  EXPECT_EQ(report.shift, 3);
+  EXPECT_EQ(report.believed_shift, (Vec3{0, 3, 0}));
+  enter_shift({0, 3.1, 0}, {.max_shift = 1.5}, report);
+  EXPECT_EQ(report.shift, 3.1);
+  EXPECT_EQ(report.believed_shift, Vec3());
+}
+
 TEST(CloudReport, HasWhatTheStagesFound) {
   CloudReport report;
   report.loops.resize(1);

@@ -48,8 +48,9 @@ struct TornPlane {
       if (p.x < 5.5) samples.push_back(p);
     }
   }
-  UnscannedLosses losses(bool lost_handles = false, const UnscannedOptions& options = {}) const {
-    const Scan scan{samples, 2};
+  UnscannedLosses losses(bool lost_handles = false, const UnscannedOptions& options = {},
+                         const Vec3& shift = {}) const {
+    const Scan scan{samples, 2, shift};
     return losses_among(index, lost, {&scan, 1}, lost_handles, options);
   }
 };
@@ -106,6 +107,14 @@ TEST(UnscannedLosses, AChangeExplainsThem) {
   }
   EXPECT_EQ(scene.losses().vertices, 9 * 21U);
   EXPECT_EQ(scene.losses(false, {.explained = 0.1}).vertices, 0U);
+}
+
+// Nor does a scan that is out of register.
+TEST(UnscannedLosses, AShiftExplainsNone) {
+  TornPlane scene;
+  for (Point& p : scene.samples) p.z = 1.1;
+  EXPECT_EQ(scene.losses().vertices, 0U);
+  EXPECT_EQ(scene.losses(false, {}, {0, 0, 1.1}).vertices, 10 * 21U);
 }
 
 // A part of the model that went as a whole begins nowhere.
