@@ -15,7 +15,8 @@ namespace cocoon {
 struct ScanEndOptions {
   // A facet was scanned if its centroid is no farther from a sample than this many spacings.
   double scanned = 2;
-  // A sample farther from the model than this many spacings shows that it was changed there.
+  // A sample farther from the model than this many spacings, as it lies and moved back by the shift
+  // of its scan, shows that it was changed there.
   double off_model = 0.5;
   // Facets with such a sample within this many spacings of its scan are where the scanned surface
   // leaves the model, not where the scan ends.
