@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <fmt/format.h>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/carried_properties.h"
 #include "app/cloud_filter.h"
@@ -11,6 +14,7 @@
 #include "app/session_file.h"
 #include "app/updating.h"
 #include "geom/equal_points.h"
+#include "geom/errors.h"
 #include "geom/mesh_check.h"
 #include "io/file_format.h"
 #include "io/lock_file.h"
@@ -25,6 +29,28 @@ void require_numbered_vertices(const UpdateArguments& arguments) {
   throw UsageError(arguments.mesh +
                    ": STL does not keep the numbers of vertices that --map writes; use .ply, .obj "
                    "or .off, or leave out --map");
+}
+
+bool are_same_places(std::vector<Point> a, std::vector<Point> b) {
+  for (std::vector<Point>* places : {&a, &b}) {
+    std::sort(places->begin(), places->end());
+    places->erase(std::unique(places->begin(), places->end()), places->end());
+  }
+  return a == b;
+}
+
+// As where somebody gives it beside the session that has it. Noise may give it a rim, and then it
+// would replace itself.
+void refuse_model_as_cloud(const UpdateInput& input) {
+  const std::vector<Point>& vertices = input.model.points.raw();
+  for (std::size_t c = 0; c < input.clouds.size(); ++c) {
+    if (input.clouds[c].size() < vertices.size()) continue;
+    if (!are_same_places(input.clouds[c], vertices)) continue;
+    throw InputError(fmt::format(
+        "cannot update {0}: {1} is no cloud but the model itself, all of its vertices; give "
+        "only scans of what changed (a session has its model already)",
+        input.model_name, input.cloud_names[c]));
+  }
 }
 
 // From which point of a cloud each of its file is (empty: they are the same) to its vertex.
@@ -108,6 +134,7 @@ void update_session(const UpdateArguments& arguments, const CloudFilter& filter,
     input.cloud_names.push_back(cloud);
     input.clouds.push_back(read_cloud(job, cloud, "input"));
   }
+  refuse_model_as_cloud(input);
   filter_clouds(job, filter, input);
   update_and_write(
       job, input, session.options(),
@@ -140,6 +167,7 @@ void run_update(const UpdateArguments& arguments, Job& job) {
   }
   const UpdateOptions options = update_options(arguments.parameters);
   UpdateInput input = read_input(arguments, options, job);
+  refuse_model_as_cloud(input);
   filter_clouds(job, filter, input);
   update_and_write(
       job, input, options,

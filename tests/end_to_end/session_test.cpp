@@ -122,6 +122,10 @@ TEST(Session, RefusesWhatDoesNotFit) {
   expect_error(run_program({"update", "--session", session, cloud, "-o", session}), 2, "output");
   // A refused cloud leaves the session as it was.
   const std::string before = content_of(session);
+  const std::string updated = folder.file("updated.ply");
+  expect_error(run_program({"update", "--session", session, mesh, cloud, "-o", updated}), 1,
+               mesh + " is no cloud but the model itself");
+  expect_error(run_program({"update", mesh, points, "-o", updated}), 1, "the model itself");
   const std::string far = folder.write("far.xyz", "9 9 9\n9 9 8\n9 8 9\n8 9 9\n8 8 8\n");
   expect_error(run_program({"update", "--session", session, far, "-o", mesh}), 1, "cannot update");
   EXPECT_EQ(content_of(session), before);
