@@ -98,10 +98,13 @@ TEST(UpdateBesideAHorn, ItStaysThoughTheScanIsOutOfRegister) {
   const UpdateResult result = update_model(model, clouds, options);
   ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
   EXPECT_NEAR(result.clouds[0].shift, 0.04, 0.01);
+  EXPECT_GT(result.clouds[0].cut.scan_ends, 0U);
   EXPECT_EQ(lost_beyond(1.45, model, result), 0U);
 
   options.shift.max_shift = 0;
-  EXPECT_GT(lost_beyond(1.45, model, update_model(model, clouds, options)), 5U);
+  const UpdateResult unaware = update_model(model, clouds, options);
+  ASSERT_EQ(unaware.status, UpdateStatus::ok) << unaware.message;
+  EXPECT_GT(lost_beyond(1.45, model, unaware), 5U);
 }
 
 }  // namespace

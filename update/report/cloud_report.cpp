@@ -59,6 +59,7 @@ std::vector<CloudReport> reports_of_members(std::vector<CloudReport> reports,
       report.joined_with = first;
       report.surface.rim.spacing = reports[j].surface.rim.spacing;
       report.surface.rim.median_edge = reports[j].surface.rim.median_edge;
+      report.believed_shift = reports[j].believed_shift;
       report.groups = reports[j].groups;
       report.replaced_groups = reports[j].replaced_groups;
       report.margin_deg = reports[j].margin_deg;
@@ -106,8 +107,8 @@ void enter_overlap(const Overlap& overlap, CloudReport& report) {
 
 void enter_shift(const Vec3& shift, const ShiftOptions& options, CloudReport& report) {
   report.shift = norm(shift);
-  const bool is_believed = report.shift <= options.max_shift * report.surface.rim.spacing;
-  report.believed_shift = is_believed ? shift : Vec3{};
+  const bool is_too_long = options.is_too_long(report.shift, report.surface.rim.spacing);
+  report.believed_shift = is_too_long ? Vec3{} : shift;
 }
 
 void enter_border(const Border& border, CloudReport& report) {

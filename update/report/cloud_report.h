@@ -45,7 +45,8 @@ struct GroupAngle {
 
 struct CloudReport {
   // The cloud that tells of the surface and the rim of this one, too, since they overlap each
-  // other (join_clouds). Then only regions and spacing are told here, and those are of both.
+  // other (join_clouds). Then only regions, spacing and believed shift are told here, and those
+  // are of both.
   std::optional<std::size_t> joined_with;
   CloudSurface surface;                        // with rim, rho and trials
   std::vector<LoopReport> loops;               // as in surface.rim
@@ -58,8 +59,8 @@ struct CloudReport {
   double largest_distance = 0;
   double median_distance = 0;
   double largest_excess = 0;      // see Overlap
-  double shift = 0;               // see rim_shift()
-  Vec3 believed_shift;            // the same; 0 if longer than ShiftOptions::max_shift
+  double shift = 0;               // length of rim_shift()
+  Vec3 believed_shift;            // rim_shift(); zero if ShiftOptions::is_too_long()
   std::size_t border_facets = 0;  // with those traced between rim points
   std::size_t walks = 0;          // see Border
   std::size_t searches = 0;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "geom/point.h"
 #include "update/cloud_rim.h"
 #include "update/model/model_index.h"
 #include "update/overlapping_facets.h"
@@ -21,14 +22,21 @@ struct ShiftOptions {
   // Directions in which the rim tells nothing, as along a plane: a shift there costs this share of
   // what it would if all normals lay in it.
   double prior = 0.02;
-  // A shift of more rim spacings than this is worth a warning; nothing is measured by it.
+  // A shift of more rim spacings than this is worth a warning, and is not believed
+  // (CloudReport::believed_shift): it may be of the change.
   double max_shift = 0.75;
+
+  bool is_too_long(double shift, double rim_spacing) const {
+    return shift > max_shift * rim_spacing;
+  }
 };
 
-// The length of the translation t that explains best how high the rim points lie over the planes of
-// their facets, in units of the coordinates: least squares of dot(n, t) - height, in rounds. Where
+// The translation t of the cloud off its place (p - t is back there) that explains best how high
+// the rim points lie over the planes of their facets: least squares of dot(n, t) - height, in
+// rounds. Where
 // a cloud was moved along the surface most of its rim still lies on the model; the places where the
-// surface turns tell. 0 if too few points are matched or agree.
+// surface turns tell. The zero vector if too few points are matched or
+// agree.
 // Complexity: O(rim). Deterministic, but for roundings, whatever the order of the loops. Errors:
 // InputError for options out of range.
 // Source: ours; point-to-plane registration (Chen & Medioni 1992) without rotation.

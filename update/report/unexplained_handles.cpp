@@ -21,14 +21,17 @@ std::size_t loops_on_model(const CloudReport& cloud) {
 std::size_t unexplained_handles(std::span<const CloudReport> clouds, std::size_t empty_loops,
                                 std::ptrdiff_t before, std::ptrdiff_t after) {
   std::size_t parts = empty_loops;
+  std::size_t loops = 0;
   std::size_t patches = 0;  // in their place
   for (const CloudReport& cloud : clouds) {
-    const std::size_t loops = loops_on_model(cloud);
-    if (loops == 0) continue;
+    const std::size_t of_cloud = loops_on_model(cloud);
+    if (of_cloud == 0) continue;
     ++patches;
-    parts += std::min(cloud.replaced_groups.size(), loops);
+    loops += of_cloud;
+    parts += std::min(cloud.replaced_groups.size(), of_cloud);
   }
   const std::ptrdiff_t handles = (before - after) / 2;
+  parts = std::min(parts, loops);
   const auto explained = static_cast<std::ptrdiff_t>(parts - std::min(parts, patches));
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(handles - explained, 0));
 }

@@ -203,7 +203,7 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
     warnings.push_back("its rim lies " + rounded(cloud.median_distance / rim.spacing) +
                        " spacings off the model (median): there will be a step; register it "
                        "better, or let it reach onto unchanged surface");
-  } else if (cloud.shift > shift.max_shift * rim.spacing) {
+  } else if (shift.is_too_long(cloud.shift, rim.spacing)) {
     warnings.push_back("its rim lies as if the cloud were moved by " +
                        rounded(cloud.shift / rim.spacing) + " spacings; register it better");
   }

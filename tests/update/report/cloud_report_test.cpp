@@ -39,11 +39,13 @@ TEST(CloudReport, APointOfJoinedCloudsIsToldByItsOwn) {
 TEST(CloudReport, MembersHaveTheSpacingAndTheRegionsOfTheirFirst) {
   std::vector<CloudReport> reports(1);
   reports[0].surface.rim.spacing = 2;
+  reports[0].believed_shift = {1, 0, 0};
   reports[0].groups = {{RegionId(0U), 10, 5, true}};
   reports[0].replaced_groups = {RegionId(0U)};
   const std::vector<JoinedCloud> joined = {{.members = {0, 1}, .sheet = {}}};
   const std::vector<CloudReport> told = reports_of_members(reports, joined, 2);
   EXPECT_EQ(told[1].surface.rim.spacing, 2);
+  EXPECT_EQ(told[1].believed_shift, (Vec3{1, 0, 0}));
   EXPECT_EQ(told[1].groups.size(), 1U);
   EXPECT_EQ(told[1].replaced_groups, std::vector{RegionId(0U)});
 }

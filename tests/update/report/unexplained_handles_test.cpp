@@ -44,6 +44,10 @@ TEST(UnexplainedHandles, MorePartsThanRimsMakeNone) {
   const std::vector<CloudReport> patch = {cloud_with(1, 3)};
   EXPECT_EQ(unexplained_handles(patch, 0, 2, 2), 0U);
   EXPECT_EQ(unexplained_handles(patch, 0, 2, 0), 1U);
+  // A part and a sliver at one rim, nothing inside the other.
+  const std::vector<CloudReport> drill = {cloud_with(2, 2)};
+  EXPECT_EQ(unexplained_handles(drill, 1, 2, 0), 0U);
+  EXPECT_EQ(unexplained_handles(drill, 1, 2, -2), 1U);
 }
 
 TEST(UnexplainedHandles, AMouthMayHaveNoGroupInside) {
