@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <fmt/format.h>
 #include <optional>
 #include <utility>
@@ -31,21 +30,13 @@ void require_numbered_vertices(const UpdateArguments& arguments) {
                    "or .off, or leave out --map");
 }
 
-bool are_same_places(std::vector<Point> a, std::vector<Point> b) {
-  for (std::vector<Point>* places : {&a, &b}) {
-    std::sort(places->begin(), places->end());
-    places->erase(std::unique(places->begin(), places->end()), places->end());
-  }
-  return a == b;
-}
-
 // As where somebody gives it beside the session that has it. Noise may give it a rim, and then it
 // would replace itself.
 void refuse_model_as_cloud(const UpdateInput& input) {
   const std::vector<Point>& vertices = input.model.points.raw();
   for (std::size_t c = 0; c < input.clouds.size(); ++c) {
     if (input.clouds[c].size() < vertices.size()) continue;
-    if (!are_same_places(input.clouds[c], vertices)) continue;
+    if (distinct_points(input.clouds[c]) != distinct_points(vertices)) continue;
     throw InputError(fmt::format(
         "cannot update {0}: {1} is no cloud but the model itself, all of its vertices; give "
         "only scans of what changed (a session has its model already)",

@@ -86,4 +86,11 @@ std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct,
   return repeated;
 }
 
+std::vector<Point> distinct_points(Points points) {
+  std::vector<Point> distinct(points.begin(), points.end());
+  std::sort(distinct.begin(), distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  return distinct;
+}
+
 }  // namespace cocoon

@@ -1,4 +1,4 @@
-// Which of a list of points are equal.
+// Which of a list of points are equal, and the list without these.
 #pragma once
 
 #include <cstddef>
@@ -28,5 +28,8 @@ std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct =
 // ascending. Complexity: O(m + k log k) for m points that are others or near.
 std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct,
                                            std::span<const std::uint32_t> near);
+
+// The points without equal ones, in lexicographic order. Complexity: O(n log n).
+std::vector<Point> distinct_points(Points points);
 
 }  // namespace cocoon

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geom/box_tree.h"
+#include "geom/equal_points.h"
 #include "geom/errors.h"
 #include "geom/median.h"
 
@@ -16,9 +17,7 @@ namespace cocoon {
 double median_neighbor_distance(Points points, std::size_t k) {
   constexpr std::size_t asked = 500;
   if (k == 0) throw InputError("the distance of neighbor 0 is asked for; count from 1");
-  std::vector<Point> different(points.begin(), points.end());
-  std::sort(different.begin(), different.end());
-  different.erase(std::unique(different.begin(), different.end()), different.end());
+  const std::vector<Point> different = distinct_points(points);
   if (different.size() <= k) return 0;
   const BoxTree tree = tree_of_points(different);
   std::vector<double> distances;

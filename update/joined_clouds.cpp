@@ -8,6 +8,7 @@
 
 #include "geom/box.h"
 #include "geom/disjoint_sets.h"
+#include "geom/equal_points.h"
 #include "geom/nearest_point.h"
 #include "geom/neighbor_distance.h"
 #include "geom/thin_points.h"
@@ -33,13 +34,6 @@ struct Samples {
   double spacing;  // between a sample and its nearest one, the median of some
 };
 
-std::vector<Point> different(Points cloud) {
-  std::vector<Point> points(cloud.begin(), cloud.end());
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
-}
-
 // The clouds, each made searchable when it is asked for.
 class Clouds {
  public:
@@ -56,7 +50,7 @@ class Clouds {
 
   const Samples& operator[](std::size_t c) {
     if (!samples_[c]) {
-      std::vector<Point> points = different(clouds_[c]);
+      std::vector<Point> points = distinct_points(clouds_[c]);
       NearestPointTree tree(points);
       const double spacing = median_neighbor_distance(points, 1);
       samples_[c] = {std::move(points), std::move(tree), spacing};
@@ -119,7 +113,7 @@ std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
     for (const std::size_t c : cloud.members) spacing = std::max(spacing, samples[c].spacing);
     const std::vector<Point> all = samples_of(cloud, clouds);
     cloud.sheet = thin_points(all, options.thinning * spacing);
-    cloud.different = different(all).size();
+    cloud.different = distinct_points(all).size();
   }
   return joined;
 }

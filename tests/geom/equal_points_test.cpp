@@ -43,6 +43,12 @@ TEST(EqualPoints, AsAMapTellsIt) {
   }
 }
 
+TEST(EqualPoints, DistinctOnesInOrder) {
+  const std::vector<Point> points{{1, 2, 0}, {1, 0, 3}, {1, 2, 0}, {0, 9, 9}, {1, 2, -0.0}};
+  EXPECT_EQ(distinct_points(points), (std::vector<Point>{{0, 9, 9}, {1, 0, 3}, {1, 2, 0}}));
+  EXPECT_TRUE(distinct_points({}).empty());
+}
+
 // Of the points that are known to differ only those near the others are looked at.
 TEST(EqualPoints, AmongThoseNear) {
   const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}, {2, 0, 0}};
