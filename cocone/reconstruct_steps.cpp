@@ -244,9 +244,7 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
   const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
   KnownLabels told;
   if (in_doubt && known) told = known(*triangulation_, surface_.triangles.set, execution);
-  if (!told.undisturbed.empty()) {
-    return close_foreign(marks, told.labels, execution);
-  }
+  if (!told.undisturbed.empty()) return close_foreign(marks, told.labels, execution);
   forget_links();
   // The marking has asked already if good vertices disagreed.
   if (marks.known.empty()) marks.known = std::move(told.labels);

@@ -1,4 +1,4 @@
-// The samples of a cloud, and how far apart they lie.
+// The samples of a cloud, how far apart they lie, and how far off their place.
 #pragma once
 
 #include "geom/point.h"
@@ -8,7 +8,7 @@ namespace cocoon {
 struct Scan {
   Points samples;      // a view: who owns them must outlive it
   double spacing = 0;  // of the samples: the median edge of their surface
-  Vec3 shift = {};     // how far they are out of register, if that is known (rim_shift())
+  Vec3 shift = {};     // of all, off their place, as far as is known (CloudReport::believed_shift)
 };
 
 }  // namespace cocoon

@@ -37,9 +37,7 @@ double squared_height(const NearFacets& near, const Point& sample, const Vec3& s
 
 std::vector<double> squared_heights(const ModelIndex& model, Points places, double bound,
                                     const Vec3& shift) {
-  std::vector<Point> moved;
-  if (shift != Vec3{}) moved = with_moved_back({places.begin(), places.end()}, shift);
-  const NearFacets near(model, moved.empty() ? places : Points(moved), bound);
+  const NearFacets near(model, with_moved_back({places.begin(), places.end()}, shift), bound);
   std::vector<double> heights;
   heights.reserve(places.size());
   for (const Point& p : places) heights.push_back(squared_height(near, p, shift));

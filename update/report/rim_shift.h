@@ -31,12 +31,11 @@ struct ShiftOptions {
   }
 };
 
-// The translation t of the cloud off its place (p - t is back there) that explains best how high
-// the rim points lie over the planes of their facets: least squares of dot(n, t) - height, in
-// rounds. Where
-// a cloud was moved along the surface most of its rim still lies on the model; the places where the
-// surface turns tell. The zero vector if too few points are matched or
-// agree.
+// The translation t of the cloud off its place (p - t is back there), in units of the coordinates,
+// that explains best how high the rim points lie over the planes of their facets: least squares of
+// dot(n, t) - height, in rounds. Where a cloud was moved along the surface most of its rim still
+// lies on the model; the places where the surface turns tell. The zero vector if too few points are
+// matched or agree.
 // Complexity: O(rim). Deterministic, but for roundings, whatever the order of the loops. Errors:
 // InputError for options out of range.
 // Source: ours; point-to-plane registration (Chen & Medioni 1992) without rotation.

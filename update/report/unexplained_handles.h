@@ -15,9 +15,9 @@ namespace cocoon {
 // the place of a tube is none. So what an update adds beyond that are handles of the scans
 // themselves, or wrong ones; or a part is there whose rim was not found, as where a scan is torn at
 // a sharp edge. Parts are the replaced groups under each cloud and mouths with no group inside
-// (`empty_loops`, of all clouds: RegionChoice::undecided_loops), but no more than there are loops:
-// a border that touches itself encloses slivers of the model. `before` and `after`: Euler
-// numbers of the models. Complexity: O(loops). Source: ours.
+// (`empty_loops`, of all clouds: RegionChoice::undecided_loops), but of no cloud, nor of all, more
+// than there are loops: a border that touches itself encloses slivers of the model. `before` and
+// `after`: Euler numbers of the models. Complexity: O(loops). Source: ours.
 std::size_t unexplained_handles(std::span<const CloudReport> clouds, std::size_t empty_loops,
                                 std::ptrdiff_t before, std::ptrdiff_t after);
 

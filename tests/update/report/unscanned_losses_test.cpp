@@ -109,7 +109,7 @@ TEST(UnscannedLosses, AChangeExplainsThem) {
   EXPECT_EQ(scene.losses(false, {.explained = 0.1}).vertices, 0U);
 }
 
-// Nor does a scan that is out of register.
+// A scan out of register seems to lie off the model everywhere; that is no change.
 TEST(UnscannedLosses, AShiftExplainsNone) {
   TornPlane scene;
   for (Point& p : scene.samples) p.z = 1.1;
