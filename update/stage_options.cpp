@@ -150,7 +150,8 @@ void require_options(const char* stage, const SharedEdgeOptions& options) {
 void require_options(const char* stage, const ShiftOptions& options) {
   require_amounts(stage, {{"shift.max_residual", options.max_residual},
                           {"shift.prior", options.prior},
-                          {"shift.max_shift", options.max_shift}});
+                          {"shift.max_shift", options.max_shift},
+                          {"shift.fit_distance", options.fit_distance}});
   require_shares(stage, {{"shift.min_share", options.min_share}});
 }
 

@@ -81,8 +81,9 @@ bool UpdateSteps::find_overlapping_facets(const ModelIndex& index, const Executi
     CloudReport& report = result_.clouds[c];
     if (report.surface.rim.loops.empty()) return fail_surface(c);
     report_overlap(c);
-    enter_shift(rim_shift(index, report.surface.rim, rims_.overlaps[c], options_.shift),
-                options_.shift, report);
+    enter_shift(
+        cloud_shift(index, clouds_[c], report.surface.rim, rims_.overlaps[c], options_.shift),
+        options_.shift, report);
     warn_of_cloud(c, warnings_of_cloud(report, options_.overlap, options_.shift));
     if (rims_.overlaps[c].status == OverlapStatus::no_overlap)
       return fail_no_overlap(c, index, execution);

@@ -62,6 +62,7 @@ const std::vector<Change> wrong = {
     [](UpdateOptions& o) { o.unused_changes.min_share = nan; },
     [](UpdateOptions& o) { o.contradicted.min_share = -1; },
     [](UpdateOptions& o) { o.shift.max_shift = nan; },
+    [](UpdateOptions& o) { o.shift.fit_distance = nan; },
 };
 
 TEST(StageOptions, OneNumberOutOfRangeIsRefusedBeforeAnythingBegins) {

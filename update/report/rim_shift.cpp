@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "update/model/sample_heights.h"
 #include "update/stage_options.h"
 
 namespace cocoon {
@@ -32,6 +33,10 @@ std::vector<Height> heights_of(const ModelIndex& model, const CloudRim& rim,
   return heights;
 }
 
+std::size_t num_on_model(const ModelIndex& model, Points samples, double distance) {
+  return samples.size() - which_are_off(model, samples, distance).size();
+}
+
 }  // namespace
 
 Vec3 rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
@@ -57,6 +62,18 @@ Vec3 rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& over
     shift = normals.ldlt().solve(moments);
   }
   return {shift.x(), shift.y(), shift.z()};
+}
+
+Vec3 cloud_shift(const ModelIndex& model, Points samples, const CloudRim& rim,
+                 const Overlap& overlap, const ShiftOptions& options) {
+  const Vec3 shift = rim_shift(model, rim, overlap, options);
+  if (!options.is_too_long(norm(shift), rim.spacing)) return shift;
+  std::vector<Point> moved_back(samples.begin(), samples.end());
+  for (Point& p : moved_back) p = p - shift;
+  const double fit = options.fit_distance * rim.spacing;
+  const bool is_of_change =
+      num_on_model(model, samples, fit) > num_on_model(model, moved_back, fit);
+  return is_of_change ? Vec3{} : shift;
 }
 
 }  // namespace cocoon

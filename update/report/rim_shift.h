@@ -22,9 +22,11 @@ struct ShiftOptions {
   // Directions in which the rim tells nothing, as along a plane: a shift there costs this share of
   // what it would if all normals lay in it.
   double prior = 0.02;
-  // A shift of more rim spacings than this is worth a warning, and is not believed
-  // (CloudReport::believed_shift): it may be of the change.
+  // A shift of more rim spacings than this is worth a warning, unless the samples contradict it
+  // (cloud_shift), and is not believed (CloudReport::believed_shift): it may be of the change.
   double max_shift = 0.75;
+  // Samples at most this many rim spacings from the model lie on it (cloud_shift).
+  double fit_distance = 0.3;
 
   bool is_too_long(double shift, double rim_spacing) const {
     return shift > max_shift * rim_spacing;
@@ -41,5 +43,12 @@ struct ShiftOptions {
 // Source: ours; point-to-plane registration (Chen & Medioni 1992) without rotation.
 Vec3 rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
                const ShiftOptions& options = {});
+
+// The same, asked of all samples of the cloud if it is too long to be believed: where more of them
+// lie on the model as they are than moved back, the rim is of the change, and the shift zero.
+// Complexity: O(rim), and for a long shift what squared_heights() takes for all samples. Errors: as
+// rim_shift(). Source: ours.
+Vec3 cloud_shift(const ModelIndex& model, Points samples, const CloudRim& rim,
+                 const Overlap& overlap, const ShiftOptions& options = {});
 
 }  // namespace cocoon

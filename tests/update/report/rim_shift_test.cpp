@@ -86,5 +86,30 @@ TEST(RimShift, IsZeroIfMostPointsDisagree) {
   EXPECT_LT(distance(rim_shift(model, rim, overlap, {.min_share = 0}), {0, 0, 0.3}), 0.02);
 }
 
+// A scan that ends on the top of a boss, all around: only its samples on the model tell that it is
+// not out of register.
+TEST(CloudShift, IsZeroIfMoreSamplesLieOnTheModelAsTheyAre) {
+  const TriangleMesh mesh = testing::grid_plane(20);
+  const ModelIndex model(mesh);
+  const CloudRim rim = rim_of({circle(40, {10, 10, 1.5}, 6)});
+  const Overlap overlap = overlapping_facets(model, rim);
+  std::vector<Point> samples;
+  for (int k = 0; k < 30; ++k) samples.push_back({5 + 0.3 * k, 9, k < 16 ? 0.0 : 1.5});
+  EXPECT_NEAR(norm(rim_shift(model, rim, overlap)), 1.5, 0.05);
+  EXPECT_EQ(cloud_shift(model, samples, rim, overlap), Vec3());
+  for (Point& p : samples) p.z = 1.5 - p.z;
+  EXPECT_EQ(cloud_shift(model, samples, rim, overlap), rim_shift(model, rim, overlap));
+}
+
+// Nothing is asked of samples if the shift is short.
+TEST(CloudShift, IsThatOfTheRimIfItIsShort) {
+  const TriangleMesh mesh = testing::grid_plane(20);
+  const ModelIndex model(mesh);
+  const CloudRim rim = rim_of({circle(40, {10, 10, 0.6}, 6)});
+  const Overlap overlap = overlapping_facets(model, rim);
+  const std::vector<Point> samples = {{9, 9, 0}, {10, 9, 0}, {11, 9, 0}};
+  EXPECT_EQ(cloud_shift(model, samples, rim, overlap), rim_shift(model, rim, overlap));
+}
+
 }  // namespace
 }  // namespace cocoon
