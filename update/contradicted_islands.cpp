@@ -70,7 +70,7 @@ std::vector<Over> samples_over(const ModelIndex& model, const Regions& regions,
     const TriangleId facet = facets.of_model[foot.triangle.index()];
     const Vec3 normal = model.normal(facet);
     if (std::abs(dot(unit(p.place - foot.point), normal)) < min_cosine) continue;
-    found.push_back({p.place, facet, foot.point, dot(p.outward, normal)});
+    found.push_back({p.place, facet, foot.point, dot(p.outward.normal, normal)});
   }
   return found;
 }
@@ -101,7 +101,7 @@ std::vector<Over> without_sheltered(const std::vector<Over>& over, double min_co
 // than its mouth is, faces the other way.
 IdVector<RegionId, std::vector<Point>> contradicted_places(const ModelIndex& model,
                                                            const Regions& regions, const Scan& scan,
-                                                           const std::vector<Vec3>& outward,
+                                                           const std::vector<Outward>& outward,
                                                            const std::vector<RegionId>& islands,
                                                            const IslandOptions& options) {
   IdVector<RegionId, std::vector<Point>> places(regions.regions.size());
@@ -184,7 +184,7 @@ std::vector<ContradictedIsland> part_contradicted_islands(
     });
     if (islands.empty()) continue;
     const IdVector<RegionId, std::vector<Point>> places = contradicted_places(
-        model, regions, scans[c], outward ? outward(c) : std::vector<Vec3>(), islands, options);
+        model, regions, scans[c], outward ? outward(c) : std::vector<Outward>(), islands, options);
     for (const RegionId r : islands) {
       const auto count = static_cast<double>(places[r].size());
       const double limit = options.min_share * static_cast<double>(regions.regions[r].facets);

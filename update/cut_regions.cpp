@@ -12,6 +12,7 @@
 #include "geom/sort_ids.h"
 #include "update/cloud/rim_index.h"
 #include "update/regions/facet_cut.h"
+#include "update/regions/island_spread.h"
 #include "update/stage_options.h"
 
 namespace cocoon {
@@ -51,7 +52,7 @@ class CutSeeds {
   // pull_by_rims(); facets in the order of ids.
   void pull_under(const std::vector<TriangleId>& disproved, RegionCut& cut) {
     cut.seeds_under += length_of(pull(disproved, 1));
-    cut.disproved_facets = disproved.size();
+    cut.disproved = disproved;
   }
 
   // By the samples: those that the labels have under the cloud although the scan ended before them.
@@ -234,8 +235,9 @@ std::vector<TriangleId> disproved_off_border(const ModelIndex& model, const Tria
   for (const TriangleId t : settled.ids()) settled[t] |= border[t];
   std::vector<TriangleId> disproved;
   for (std::size_t k = 0; k < scans.size(); ++k) {
-    const std::vector<TriangleId> more =
-        disproved_facets(model, scans[k], outward(k), settled, options);
+    std::vector<TriangleId> more = disproved_facets(model, scans[k], outward(k), settled, options);
+    spread_on_islands(model, border, cut.under, options.island_reach * scans[k].spacing,
+                      options.island_share, more);
     disproved.insert(disproved.end(), more.begin(), more.end());
   }
   make_set(disproved);
@@ -257,6 +259,10 @@ RegionCut without_ends(const ModelIndex& model, CutSeeds seeds, RegionCut cut,
   if (!std::all_of(rims.begin(), rims.end(), is_clear) ||
       reaches_beyond(model, under, scans, options.ends)) {
     ends = scan_ends(model, under, scans, options.ends);
+    // Through these something farther away was scanned.
+    std::erase_if(ends, [&](TriangleId t) {
+      return std::binary_search(cut.disproved.begin(), cut.disproved.end(), t);
+    });
   }
   if (!ends.empty()) {
     // Fewer facets are under the cloud then: none that was not looked at.

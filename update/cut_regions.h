@@ -72,9 +72,10 @@ struct RegionCut {
   double cut_length = 0;   // of these
   double seeds_under = 0;  // the border's sides beside facets that say so
   double seeds_outside = 0;
-  double contradicted = 0;           // of both, with the other label
-  std::size_t disproved_facets = 0;  // that say "under the cloud" by DisprovedOptions
-  std::size_t scan_ends = 0;         // that say "outside" by ScanEndOptions
+  double contradicted = 0;    // of both, with the other label
+  std::size_t scan_ends = 0;  // facets that say "outside" by ScanEndOptions
+  // Facets that say "under the cloud" by DisprovedOptions, ascending.
+  std::vector<TriangleId> disproved;
   // Facets of tiny parts of the outside, as CutOptions::min_outside_facets, ascending.
   std::vector<TriangleId> splinters;
 

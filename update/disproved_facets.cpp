@@ -24,7 +24,7 @@ class Gaze {
       : model_(model), scan_(scan), options_(options) {}
 
   // Of those that are off the model, with a normal each.
-  std::vector<TriangleId> disproved_by(Points samples, std::span<const Vec3> outward) {
+  std::vector<TriangleId> disproved_by(Points samples, std::span<const Outward> outward) {
     const std::vector<OffSample> off =
         off_samples(model_, samples, outward, options_.off_model * scan_.spacing);
     if (off.empty()) return {};
@@ -50,13 +50,18 @@ class Gaze {
     const double side = dot(model_.normal(closest.triangle), closest.point - w.place);
     if (std::abs(side) < options_.min_side_cosine * std::sqrt(closest.squared_distance)) return {};
     const bool is_inside = side > 0;
-    const Vec3 gaze = is_inside ? w.outward : -1.0 * w.outward;
+    const Vec3 gaze = (is_inside ? 1.0 : -1.0) * w.outward.normal;
     const auto is_seen = [&](TriangleId t) {
       const Vec3 way = model_.centroid(t) - w.place;
       return (dot(model_.normal(t), way) > 0) == is_inside &&
-             dot(way, gaze) >= options_.min_cosine * norm(way);
+             is_ahead(way, gaze, w.outward.is_presumed);
     };
     return near.closest(w.place, bound, is_seen).triangle;
+  }
+
+  bool is_ahead(const Vec3& way, const Vec3& gaze, bool is_presumed) const {
+    const double least = is_presumed ? options_.min_presumed_cosine : options_.min_cosine;
+    return dot(way, gaze) >= least * norm(way);
   }
 
   bool is_disproved(const OffSample& w, TriangleId facet) const {
@@ -68,7 +73,7 @@ class Gaze {
   bool is_sheltered(const OffSample& w, const Point& facet) const {
     const double shelter = options_.shelter * scan_.spacing;
     const auto is_other_surface = [&](PointId p) {
-      return std::abs(dot(scan_.samples[p.index()] - w.place, w.outward)) > shelter;
+      return std::abs(dot(scan_.samples[p.index()] - w.place, w.outward.normal)) > shelter;
     };
     const Vec3 way = facet - w.place;
     const double length = norm(way);
@@ -90,23 +95,24 @@ class Gaze {
 }  // namespace
 
 std::vector<TriangleId> disproved_facets(const ModelIndex& model, const Scan& scan,
-                                         std::span<const Vec3> outward, const TriangleSet& settled,
+                                         std::span<const Outward> outward,
+                                         const TriangleSet& settled,
                                          const DisprovedOptions& options) {
   require_options("disproved_facets", options);
   require_size("disproved_facets", "normals of the samples", outward.size(), scan.samples.size());
   require_size("disproved_facets", "flags of facets", settled.size(),
                model.mesh().triangles.size());
   std::vector<Point> samples;
-  std::vector<Vec3> normals;
+  std::vector<Outward> normals;
   for (std::size_t k = 0; k < outward.size(); ++k) {
-    if (outward[k] == Vec3{}) continue;
+    if (outward[k].normal == Vec3{}) continue;
     samples.push_back(scan.samples[k]);
     normals.push_back(outward[k]);
   }
   Gaze gaze(model, scan, options);
   if (options.apart > 0) {
     std::vector<Point> few;
-    std::vector<Vec3> of_few;
+    std::vector<Outward> of_few;
     for (const PointId p : thin_points(samples, options.apart * scan.spacing)) {
       few.push_back(samples[p.index()]);
       of_few.push_back(normals[p.index()]);

@@ -6,6 +6,7 @@
 
 #include "geom/ids.h"
 #include "geom/point.h"
+#include "update/cloud/outward_normals.h"
 #include "update/cloud/scan.h"
 #include "update/model/model_index.h"
 #include "update/model/triangle_set.h"
@@ -21,6 +22,9 @@ struct DisprovedOptions {
   double min_side_cosine = 0.3;
   // It looks along its own normal: at facets by whose centroids it is at least this cosine.
   double min_cosine = 0.7;
+  // The same if its normal is presumed: for the floor of a pocket the outer side of a wall that was
+  // not seen is no mouth.
+  double min_presumed_cosine = 0.95;
   // Facets farther away are not looked at.
   double reach = 10;
   // A facet with a sample this near to its centroid was scanned, and is still there.
@@ -30,6 +34,10 @@ struct DisprovedOptions {
   double shelter = 0.75;
   // The samples asked at first keep this distance. 0: all are asked.
   double apart = 2;
+  // Of an island of the outside (island_spread.h) goes what is this near to disproved facets,
+  double island_reach = 2.5;
+  // if they are more than this share of it.
+  double island_share = 0.15;
 };
 
 // The facets that samples off the model disprove, ascending. From a sample inside the model
@@ -42,7 +50,8 @@ struct DisprovedOptions {
 // Complexity: O(n log n) for n samples, and what NearFacets takes. Deterministic, whatever the
 // order of the samples. Source: ours.
 std::vector<TriangleId> disproved_facets(const ModelIndex& model, const Scan& scan,
-                                         std::span<const Vec3> outward, const TriangleSet& settled,
+                                         std::span<const Outward> outward,
+                                         const TriangleSet& settled,
                                          const DisprovedOptions& options = {});
 
 }  // namespace cocoon

@@ -77,9 +77,12 @@ void require_options(const char* stage, const DisprovedOptions& options) {
                           {"cut.disproved.reach", options.reach},
                           {"cut.disproved.scanned", options.scanned},
                           {"cut.disproved.shelter", options.shelter},
-                          {"cut.disproved.apart", options.apart}});
+                          {"cut.disproved.apart", options.apart},
+                          {"cut.disproved.island_reach", options.island_reach}});
+  require_shares(stage, {{"cut.disproved.island_share", options.island_share}});
   require_cosines(stage, {{"cut.disproved.min_side_cosine", options.min_side_cosine},
-                          {"cut.disproved.min_cosine", options.min_cosine}});
+                          {"cut.disproved.min_cosine", options.min_cosine},
+                          {"cut.disproved.min_presumed_cosine", options.min_presumed_cosine}});
 }
 
 void require_options(const char* stage, const IslandOptions& options) {
@@ -93,6 +96,12 @@ void require_options(const char* stage, const IslandOptions& options) {
 void require_options(const char* stage, const JoinOptions& options) {
   require_amounts(stage, {{"join.reach", options.reach}, {"join.thinning", options.thinning}});
   require_shares(stage, {{"join.min_share", options.min_share}});
+}
+
+void require_options(const char* stage, const OutwardOptions& options) {
+  require_amounts(stage, {{"outward.min_agreement", options.min_agreement}});
+  require_cosines(stage, {{"outward.min_part_cosine", options.min_part_cosine},
+                          {"outward.min_view_cosine", options.min_view_cosine}});
 }
 
 void require_options(const char* stage, const OverlapOptions& options) {
@@ -194,6 +203,7 @@ void require_options(const char* stage, const UpdateOptions& options) {
   require_options(stage, options.torn);
   require_options(stage, options.overlap);
   require_options(stage, options.shared);
+  require_options(stage, options.outward);
   require_options(stage, options.cut);
   require_options(stage, options.angles);
   require_options(stage, options.choice);

@@ -19,6 +19,7 @@
 #include "geom/id_vector.h"
 #include "geom/triangle_mesh.h"
 #include "update/choose_regions.h"
+#include "update/cloud/outward_normals.h"
 #include "update/cloud/torn_edges.h"
 #include "update/cloud_surface.h"
 #include "update/contradicted_islands.h"
@@ -53,6 +54,7 @@ struct UpdateOptions {
   TraceOptions trace;
   SegmentOptions segment;
   SharedEdgeOptions shared;
+  OutwardOptions outward;
   CutOptions cut;  // of partial rims, and across handles
   AngleOptions angles;
   ChoiceOptions choice;

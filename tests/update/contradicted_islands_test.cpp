@@ -73,15 +73,15 @@ TEST(ContradictedIslands, UnderTheTopOfABoss) {
 
 // The samples inside the ring, and others there at a second height, with the ways they face.
 struct TwoSheetsOverTheRing : RingOnABlock {
-  std::vector<Vec3> normals;
+  std::vector<Outward> normals;
 
   TwoSheetsOverTheRing(double height, double up, double second, double second_up)
-      : RingOnABlock(height), normals(samples.size(), Vec3{0, 0, up}) {
+      : RingOnABlock(height), normals(samples.size(), Outward{{0, 0, up}}) {
     const std::vector<Point> first = samples;
     for (const Point& p : first) {
       if (p.z != height) continue;
       samples.push_back({p.x, p.y, second});
-      normals.push_back({0, 0, second_up});
+      normals.push_back({{0, 0, second_up}});
     }
   }
   bool is_island_found(const IslandOptions& options = {}) {

@@ -16,14 +16,14 @@ struct Scene {
   TriangleMesh block = testing::block(20, 20, 6);
   ModelIndex model{block};
   std::vector<Point> samples;
-  std::vector<Vec3> outward;
+  std::vector<Outward> outward;
   TriangleSet settled = TriangleSet(block.triangles.size(), 0);
 
-  void add_sheet(double low, double high, double z, double up) {
+  void add_sheet(double low, double high, double z, double up, bool is_presumed = false) {
     for (double x = low; x <= high; ++x) {
       for (double y = low; y <= high; ++y) {
         samples.push_back({x, y, z});
-        outward.push_back({0, 0, up});
+        outward.push_back({{0, 0, up}, is_presumed});
       }
     }
   }
@@ -53,6 +53,23 @@ TEST(DisprovedFacets, OverTheFloorOfAPocket) {
     scene.add_sheet(6.3, 13.5, floor, 1);
     EXPECT_GE(scene.found_on_top(6, 14), 50U) << floor;
   }
+}
+
+// A floor deep below looks at the place of its mouth, not through the wall beside it.
+TEST(DisprovedFacets, NotBehindTheWallBesideAFloor) {
+  const auto at_sides = [](const Scene& scene, const DisprovedOptions& options) {
+    const std::vector<TriangleId> found = scene.found(options);
+    return std::count_if(found.begin(), found.end(),
+                         [&](TriangleId t) { return scene.model.centroid(t).z < 5.9; });
+  };
+  Scene pocket;
+  pocket.add_sheet(2.3, 17.5, 1.3, 1, true);
+  EXPECT_EQ(at_sides(pocket, {}), 0);
+  EXPECT_GT(at_sides(pocket, {.min_presumed_cosine = 0.7}), 50);
+  EXPECT_GE(pocket.found_on_top(2, 18), 200U);
+  Scene seen;  // the walls would be known, too
+  seen.add_sheet(2.3, 17.5, 1.3, 1);
+  EXPECT_GT(at_sides(seen, {}), 50);
 }
 
 TEST(DisprovedFacets, UnderTheTopOfABoss) {
@@ -120,6 +137,7 @@ TEST(DisprovedFacets, RefusesWhatDoesNotBelongTogether) {
   scene.add_sheet(6.3, 13.5, 10, 1);
   EXPECT_THROW(scene.found({.reach = -1}), InputError);
   EXPECT_THROW(scene.found({.min_cosine = 2}), InputError);
+  EXPECT_THROW(scene.found({.min_presumed_cosine = 2}), InputError);
   scene.settled = TriangleSet(3, 0);
   EXPECT_THROW(scene.found(), InputError);
   scene.settled = TriangleSet(scene.block.triangles.size(), 0);

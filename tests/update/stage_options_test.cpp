@@ -63,6 +63,11 @@ const std::vector<Change> wrong = {
     [](UpdateOptions& o) { o.contradicted.min_share = -1; },
     [](UpdateOptions& o) { o.shift.max_shift = nan; },
     [](UpdateOptions& o) { o.shift.fit_distance = nan; },
+    [](UpdateOptions& o) { o.outward.min_part_cosine = 2; },
+    [](UpdateOptions& o) { o.outward.min_agreement = nan; },
+    [](UpdateOptions& o) { o.outward.min_view_cosine = nan; },
+    [](UpdateOptions& o) { o.cut.disproved.island_reach = nan; },
+    [](UpdateOptions& o) { o.cut.disproved.island_share = 2; },
 };
 
 TEST(StageOptions, OneNumberOutOfRangeIsRefusedBeforeAnythingBegins) {
@@ -103,6 +108,8 @@ TEST(StageOptions, StagesCalledAloneRefuseThemToo) {
   expect_refused("scan_ends", [&] { scan_ends(model, {}, scans, {.scanned = nan}); });
   expect_refused("reaches_beyond", [&] { reaches_beyond(model, {}, scans, {.scanned = nan}); });
   expect_refused("rim_shift", [&] { rim_shift(model, rim, {}, {.max_residual = nan}); });
+  expect_refused("outward_normals",
+                 [&] { outward_normals(model, {}, {}, {}, {.min_agreement = nan}); });
   expect_refused("overlooked_vertices",
                  [&] { overlooked_vertices(model, {}, {}, {}, {.reach = nan}); });
   expect_refused("unused_changes", [&] { unused_changes(model, {}, {}, {.off_model = nan}); });

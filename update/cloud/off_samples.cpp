@@ -6,13 +6,13 @@
 namespace cocoon {
 
 std::vector<OffSample> off_samples(const ModelIndex& model, Points samples,
-                                   std::span<const Vec3> outward, double distance) {
+                                   std::span<const Outward> outward, double distance) {
   if (!outward.empty()) {
     require_size("off_samples", "normals of the samples", outward.size(), samples.size());
   }
   std::vector<OffSample> off;
   for (const PointId p : which_are_off(model, samples, distance)) {
-    off.push_back({samples[p.index()], outward.empty() ? Vec3{} : outward[p.index()]});
+    off.push_back({samples[p.index()], outward.empty() ? Outward{} : outward[p.index()]});
   }
   return off;
 }

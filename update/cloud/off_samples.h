@@ -5,21 +5,21 @@
 #include <vector>
 
 #include "geom/point.h"
+#include "update/cloud/outward_normals.h"
 #include "update/model/model_index.h"
 
 namespace cocoon {
 
-// A sample off the model, and which way its surface faces: out of the body; the zero vector if that
-// is not known.
+// A sample off the model, and which way its surface faces.
 struct OffSample {
   Point place;
-  Vec3 outward;
+  Outward outward;
 };
 
 // Those farther from the model than this, in their order. `outward`: of each sample; none: nothing
 // is known. Complexity: as which_are_off(). Errors: InputError for normals of other samples, by
 // their number.
 std::vector<OffSample> off_samples(const ModelIndex& model, Points samples,
-                                   std::span<const Vec3> outward, double distance);
+                                   std::span<const Outward> outward, double distance);
 
 }  // namespace cocoon

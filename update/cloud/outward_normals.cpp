@@ -10,6 +10,7 @@
 #include "geom/id_vector.h"
 #include "update/cloud/area_normals.h"
 #include "update/model/near_facets.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -48,8 +49,7 @@ std::vector<int> ways_of_parts(const ModelIndex& model, const TriangleMesh& mesh
 
 // Parts of which nothing is known so far, and that hang outside of the model.
 void turn_away(const ModelIndex& model, const TriangleMesh& mesh, const EdgeComponents& parts,
-               double reach, std::vector<int>& ways) {
-  constexpr double clear = 0.5;  // mean cosine of a part
+               double reach, double min_cosine, std::vector<int>& ways) {
   std::vector<Point> centers;
   std::vector<TriangleId> triangles;
   for (const TriangleId t : mesh.triangles.ids()) {
@@ -69,37 +69,74 @@ void turn_away(const ModelIndex& model, const TriangleMesh& mesh, const EdgeComp
     cosines[parts.component_of[triangles[k].index()]] += dot(away, unit(cross(b - a, c - a)));
   }
   for (std::size_t k = 0; k < ways.size(); ++k) {
-    const double limit = clear * static_cast<double>(parts.components[k].triangles);
+    const double limit = min_cosine * static_cast<double>(parts.components[k].triangles);
     if (std::abs(cosines[k]) > limit) ways[k] = cosines[k] > 0 ? 1 : -1;
   }
 }
 
+// From where the scan was seen: the mean normal of the model at the rim, as long as these agree.
+Vec3 mean_normal_at_rim(const ModelIndex& model, const Overlap& overlap) {
+  Vec3 sum;
+  double count = 0;
+  for (const LoopOverlap& loop : overlap.loops) {
+    if (loop.match != LoopMatch::on_model) continue;
+    for (const TriangleId facet : loop.facets) {
+      if (facet.is_none()) continue;
+      sum = sum + model.normal(facet);
+      ++count;
+    }
+  }
+  return count > 0 ? (1 / count) * sum : sum;
+}
+
+// 1 if the triangle faces this direction, -1 if it does when turned over, 0 if it is too steep.
+int way_to(const Vec3& view, const TriangleMesh& mesh, TriangleId t, double min_cosine) {
+  const auto& [a, b, c] = corners_of(mesh, t);
+  const double cosine = dot(unit(cross(b - a, c - a)), view);
+  return cosine > min_cosine ? 1 : cosine < -min_cosine ? -1 : 0;
+}
+
 // The triangles of which it is known which way they face, facing outward.
-TriangleMesh turned_outward(const ModelIndex& model, TriangleMesh mesh, const CloudRim& rim,
-                            const Overlap& overlap) {
+struct TurnedSurface {
+  TriangleMesh mesh;
+  IdVector<VertexId, std::uint8_t> is_presumed;  // as Outward::is_presumed
+};
+
+TurnedSurface turned_outward(const ModelIndex& model, TriangleMesh mesh, const CloudRim& rim,
+                             const Overlap& overlap, const OutwardOptions& options) {
   const EdgeComponents parts = edge_components(mesh, link_halfedges(mesh));
   orient_surface(mesh, parts);
   std::vector<int> ways = ways_of_parts(model, mesh, parts, rim, overlap);
-  turn_away(model, mesh, parts, rim.median_edge, ways);
-  IdVector<TriangleId, Triangle> outward;
+  turn_away(model, mesh, parts, rim.median_edge, options.min_part_cosine, ways);
+  const Vec3 mean = mean_normal_at_rim(model, overlap);
+  const bool was_seen_from_there = norm(mean) >= options.min_agreement;
+  TurnedSurface turned{{}, IdVector<VertexId, std::uint8_t>(mesh.points.size(), 0)};
   for (const TriangleId t : mesh.triangles.ids()) {
-    const int way = ways[parts.component_of[t.index()]];
+    int way = ways[parts.component_of[t.index()]];
     const auto& [a, b, c] = mesh.triangles[t];
-    if (way != 0) outward.push_back(way > 0 ? Triangle{a, b, c} : Triangle{a, c, b});
+    if (way == 0 && was_seen_from_there) {
+      way = way_to(unit(mean), mesh, t, options.min_view_cosine);
+      for (const VertexId v : {a, b, c}) turned.is_presumed[v] = 1;
+    }
+    if (way != 0) turned.mesh.triangles.push_back(way > 0 ? Triangle{a, b, c} : Triangle{a, c, b});
   }
-  mesh.triangles = std::move(outward);
-  return mesh;
+  turned.mesh.points = std::move(mesh.points);
+  return turned;
 }
 
 }  // namespace
 
-std::vector<Vec3> outward_normals(const ModelIndex& model, Points cloud,
-                                  const CloudSurface& surface, const Overlap& overlap) {
-  const TriangleMesh mesh = turned_outward(model, surface.mesh, surface.rim, overlap);
+std::vector<Outward> outward_normals(const ModelIndex& model, Points cloud,
+                                     const CloudSurface& surface, const Overlap& overlap,
+                                     const OutwardOptions& options) {
+  require_options("outward_normals", options);
+  const TurnedSurface turned = turned_outward(model, surface.mesh, surface.rim, overlap, options);
   const IdVector<VertexId, Vec3> normals =
-      area_normals(mesh, IdVector<VertexId, std::uint8_t>(mesh.points.size(), 1));
-  std::vector<Vec3> outward(cloud.size());
-  for (const VertexId v : normals.ids()) outward[surface.point_of_vertex[v].index()] = normals[v];
+      area_normals(turned.mesh, IdVector<VertexId, std::uint8_t>(turned.mesh.points.size(), 1));
+  std::vector<Outward> outward(cloud.size());
+  for (const VertexId v : normals.ids()) {
+    outward[surface.point_of_vertex[v].index()] = {normals[v], turned.is_presumed[v] != 0};
+  }
   return outward;
 }
 

@@ -13,7 +13,7 @@ TEST(OffSamples, AreThoseFartherAwayInTheirOrder) {
   const TriangleMesh block = testing::block(4, 4, 4);
   const ModelIndex model(block);
   const std::vector<Point> samples = {{2, 2, 7}, {2, 2, 4.5}, {2, 2, 2}, {-3, 2, 2}};
-  const std::vector<Vec3> outward = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 0}};
+  const std::vector<Outward> outward = {{{0, 0, 1}}, {{0, 1, 0}}, {{1, 0, 0}}, {{-1, 0, 0}}};
   const std::vector<OffSample> off = off_samples(model, samples, outward, 1);
   ASSERT_EQ(off.size(), 3U);
   for (std::size_t k = 0; k < off.size(); ++k) {
@@ -24,8 +24,8 @@ TEST(OffSamples, AreThoseFartherAwayInTheirOrder) {
   const std::vector<OffSample> unknown = off_samples(model, samples, {}, 2.5);
   ASSERT_EQ(unknown.size(), 2U);
   EXPECT_EQ(unknown[1].place, samples[3]);
-  EXPECT_EQ(unknown[1].outward, Vec3{});
-  const std::vector<Vec3> few(2);
+  EXPECT_EQ(unknown[1].outward, Outward{});
+  const std::vector<Outward> few(2);
   EXPECT_THROW(off_samples(model, samples, few, 1), InputError);
 }
 

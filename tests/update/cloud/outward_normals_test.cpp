@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <vector>
 
 #include "geom/random.h"
@@ -40,13 +42,14 @@ struct ScannedTop {
 TEST(OutwardNormals, FaceAsTheModelDoes) {
   ScannedTop scene({0, 0, 0});  // each sample twice
   for (int turned = 0; turned < 2; ++turned) {
-    const std::vector<Vec3> normals =
+    const std::vector<Outward> normals =
         outward_normals(scene.model, scene.cloud, scene.surface, scene.overlap);
     ASSERT_EQ(normals.size(), scene.cloud.size());
     std::size_t known = 0;
-    for (const Vec3& n : normals) {
+    for (const auto& [n, is_presumed] : normals) {
       if (n == Vec3{}) continue;
       ++known;
+      EXPECT_FALSE(is_presumed);
       EXPECT_GT(n.z, 0.3);
       EXPECT_NEAR(norm(n), 1, 1e-12);
     }
@@ -57,27 +60,71 @@ TEST(OutwardNormals, FaceAsTheModelDoes) {
 }
 
 // A part without a loop on the model faces away from it where it hangs outside. Inside, as the
-// floor of a pocket may, it does not tell: the nearest side of the body may be the other one.
-TEST(OutwardNormals, PartsWithoutALoopOnTheModelFaceAwayIfTheyAreOutside) {
+// floor of a pocket, it faces as the rim does: that is where the scan was seen from.
+TEST(OutwardNormals, PartsWithoutALoopOnTheModelFaceAwayOrAsTheRimDoes) {
   for (const double apart : {20.0, -25.0, -6.0}) {
     const ScannedTop scene({0, 0, apart});
-    const std::vector<Vec3> normals =
+    const std::vector<Outward> normals =
         outward_normals(scene.model, scene.cloud, scene.surface, scene.overlap);
-    const auto is_known = [](const Vec3& n) { return n != Vec3{}; };
+    const auto is_known = [](const Outward& n) { return n.normal != Vec3{}; };
     const auto half = normals.begin() + static_cast<std::ptrdiff_t>(normals.size() / 2);
     EXPECT_GT(std::count_if(normals.begin(), half, is_known), 800) << apart;
-    const auto others = std::count_if(half, normals.end(), is_known);
-    if (apart == -6) {
-      EXPECT_EQ(others, 0);
-    } else {
-      EXPECT_GT(others, 800) << apart;
-    }
+    EXPECT_GT(std::count_if(half, normals.end(), is_known), 800) << apart;
     for (auto n = half; n != normals.end(); ++n) {
       if (is_known(*n)) {
-        EXPECT_GT(apart * n->z, 0) << apart;
+        EXPECT_GT((apart == -25 ? -1 : 1) * n->normal.z, 0) << apart;
+        EXPECT_EQ(n->is_presumed, apart == -6) << apart;
       }
     }
   }
+}
+
+// Where nobody knows from where the scan was seen the floor may face either way: the nearest side
+// of the body may be the other one.
+TEST(OutwardNormals, InsideNothingIsKnownIfTheRimDoesNotAgree) {
+  const ScannedTop scene({0, 0, -6});
+  const std::vector<Outward> normals = outward_normals(scene.model, scene.cloud, scene.surface,
+                                                       scene.overlap, {.min_agreement = 1.001});
+  const auto half = normals.begin() + static_cast<std::ptrdiff_t>(normals.size() / 2);
+  EXPECT_EQ(std::count(half, normals.end(), Outward{}), normals.end() - half);
+}
+
+// Triangle by triangle, where they are not too steep.
+TEST(OutwardNormals, AOneSidedPartFacesAsTheRimDoes) {
+  ScannedTop scene({0, 0, 0});
+  constexpr std::uint32_t steps = 60;
+  const std::size_t of_band = scene.cloud.size();
+  const auto first = static_cast<std::uint32_t>(scene.surface.mesh.points.size());
+  for (std::uint32_t k = 0; k < steps; ++k) {
+    const double angle = 2 * std::numbers::pi * k / steps;
+    const Vec3 out = {std::cos(angle), std::sin(angle), 0};
+    for (const double side : {-0.5, 0.5}) {  // turns over once
+      const Vec3 across = std::cos(angle / 2) * out + Vec3{0, 0, std::sin(angle / 2)};
+      scene.surface.point_of_vertex.push_back(PointId(scene.cloud.size()));
+      scene.cloud.push_back(Point{13, 13, 20} + 5.0 * out + side * across);
+      scene.surface.mesh.points.push_back(scene.cloud.back());
+    }
+  }
+  for (std::uint32_t k = 0; k < steps; ++k) {
+    const bool last = k + 1 == steps;
+    const VertexId a(first + 2 * k);
+    const VertexId b(first + 2 * k + 1);
+    const VertexId c(first + (last ? 1 : 2 * k + 2));
+    const VertexId d(first + (last ? 0 : 2 * k + 3));
+    scene.surface.mesh.triangles.push_back({a, b, c});
+    scene.surface.mesh.triangles.push_back({b, d, c});
+  }
+  const std::vector<Outward> normals =
+      outward_normals(scene.model, scene.cloud, scene.surface, scene.overlap);
+  std::size_t known = 0;
+  for (std::size_t k = of_band; k < normals.size(); ++k) {
+    if (normals[k].normal == Vec3{}) continue;
+    ++known;
+    EXPECT_GT(normals[k].normal.z, 0.2);
+    EXPECT_TRUE(normals[k].is_presumed);
+  }
+  EXPECT_GT(known, steps);
+  EXPECT_LT(known, 2 * steps);
 }
 
 }  // namespace
