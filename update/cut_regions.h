@@ -92,20 +92,20 @@ struct RegionCut {
 // a whole rim is all of the cut; where a stretch of it is missing the shortest way over the model
 // replaces it, and where one is in a wrong place the others outvote it. If it then is not all of
 // the cut, is contradicted, or leaves the model, the samples have a say: facets outside that they
-// disprove (disproved_facets.h) say "under the cloud", unless that has something go that is farther
-// from the samples than they look: then the samples are wrong, or their normals. And where the
-// labels would have the model go on under the cloud although the scans end on it (scan_ends.h),
-// facets there say "outside". Where the rim runs into a seam, as at the mouth of a hole, edges that
-// are no end of the cloud have a few facets say "outside" in the midst of it: the splinters. A
-// facet of the border is under no cloud. `rims`: of one cloud, or of several that overlap each
-// other and are cut as one. `scans`: their samples; without them nothing is known of where they
-// end. `outward`: of the samples, by the number of the scan; without it they disprove nothing.
-// Errors: InputError for no rim, for the border of another model, by its size, and for options out
-// of range. Why: a border that is closed by walks over its gaps leads astray where the gap is long,
-// and one region is then partly under the cloud and partly not; the mean angle along it decides for
-// all. Complexity: that of a minimum cut of n facets, near linear. Deterministic: lengths are
-// compared as integers, and the labels are unique. Source: ours; Woo & Dey 2005, section 3.4
-// presumes rims that are closed.
+// disprove (disproved_facets.h), and those near them on an island (island_spread.h), say "under the
+// cloud", unless that has something go that is farther from the samples than they look: then the
+// samples are wrong, or their normals. And where the labels would have the model go on under the
+// cloud although the scans end on it (scan_ends.h), facets there say "outside". Where the rim runs
+// into a seam, as at the mouth of a hole, edges that are no end of the cloud have a few facets say
+// "outside" in the midst of it: the splinters. A facet of the border is under no cloud. `rims`: of
+// one cloud, or of several that overlap each other and are cut as one. `scans`: their samples;
+// without them nothing is known of where they end. `outward`: of the samples, by the number of the
+// scan; without it they disprove nothing. Errors: InputError for no rim, for the border of another
+// model, by its size, and for options out of range. Why: a border that is closed by walks over its
+// gaps leads astray where the gap is long, and one region is then partly under the cloud and partly
+// not; the mean angle along it decides for all. Complexity: that of a minimum cut of n facets, near
+// linear. Deterministic: lengths are compared as integers, and the labels are unique. Source: ours;
+// Woo & Dey 2005, section 3.4 presumes rims that are closed.
 RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
                           std::span<const CloudRim> rims, std::span<const Scan> scans = {},
                           const CutOptions& options = {}, const OutwardNormals& outward = {});

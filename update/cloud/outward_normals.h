@@ -37,18 +37,18 @@ struct OutwardOptions {
   double min_view_cosine = 0.3;
 };
 
-// Of the samples of `cloud`. What is outside the model tells: each
-// part of the surface that hangs together by edges faces as the model does at the loops that lie on
-// it, by the sign of the sum of cosines there. Parts without such a loop that hang outside of the
-// model face away from it, if they do so clearly one way or the other: scanners see what faces
-// them, and seldom the room below. For the same reason triangles of other parts, as of the floor of
-// a pocket, and of one-sided ones face the direction from which the scan was seen: that of the sum
-// of the model's normals at the rim, if these agree; that is presumed. The zero vector where
-// nothing is known: for samples that are no vertices of the surface, and where the surface is steep
-// or the normals at the rim disagree. The overlap is that of the surface's rim. Errors: InputError
-// for options out of range. Complexity: O(samples), and what closest_facets() takes for parts
-// without a loop. Deterministic: independent of the numbering and orientation of the surface's
-// triangles up to rounding. Source: ours.
+// Of the samples of `cloud`. What is outside the model tells: each part of the surface that hangs
+// together by edges faces as the model does at the loops that lie on it, by the sign of the sum of
+// cosines there. Parts without such a loop that hang outside of the model face away from it, if
+// they do so clearly one way or the other: scanners see what faces them, and seldom the room below.
+// For the same reason triangles of one-sided parts and of others, as the floor of a pocket, are
+// presumed to face the direction from which the scan was seen: that of the sum of the model's
+// normals at the rim, if these agree. The zero vector where nothing is known: for samples that are
+// no vertices of the surface, and where the surface is steep or the normals at the rim disagree.
+// The overlap is that of the surface's rim. Errors: InputError for options out of range.
+// Complexity: O(samples), and what closest_facets() takes for parts without a loop. Deterministic:
+// independent of the numbering and orientation of the surface's triangles up to rounding. Source:
+// ours.
 std::vector<Outward> outward_normals(const ModelIndex& model, Points cloud,
                                      const CloudSurface& surface, const Overlap& overlap,
                                      const OutwardOptions& options = {});

@@ -35,6 +35,7 @@ void spread_on_islands(const ModelIndex& model, const TriangleSet& border, const
   const std::size_t triangles = model.mesh().triangles.size();
   require_size("spread_on_islands", "flags of the border", border.size(), triangles);
   require_size("spread_on_islands", "flags of facets", under.size(), triangles);
+  if (facets.empty()) return;
   TriangleSet blocked = border;
   for (const TriangleId t : blocked.ids()) blocked[t] |= under[t];
   const std::size_t outside = triangles - members(blocked).size();
