@@ -58,7 +58,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("cut_edges", cloud.cut.cut_edges);
   entry.set("cut_length", cloud.cut.cut_length);
   entry.set("cut_contradicted", cloud.cut.contradicted);
-  entry.set("disproved_facets", cloud.cut.disproved.size());
+  entry.set("disproved_facets", cloud.cut.said_under.size());
   entry.set("scan_ends", cloud.cut.scan_ends);
   entry.set("cut_splinters", cloud.cut.splinters.size());
   entry.set("contradicted_samples", cloud.contradicted.count);

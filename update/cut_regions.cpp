@@ -50,9 +50,9 @@ class CutSeeds {
 
   // By the samples: facets that the labels have outside although nothing is left of them. After
   // pull_by_rims(); facets in the order of ids.
-  void pull_under(const std::vector<TriangleId>& disproved, RegionCut& cut) {
-    cut.seeds_under += length_of(pull(disproved, 1));
-    cut.disproved = disproved;
+  void pull_under(const std::vector<TriangleId>& facets, RegionCut& cut) {
+    cut.seeds_under += length_of(pull(facets, 1));
+    cut.said_under = facets;
   }
 
   // By the samples: those that the labels have under the cloud although the scan ended before them.
@@ -220,8 +220,9 @@ void split_by_cut(const TriangleSet& under, std::size_t cloud, CutRegions& resul
   }
 }
 
-// Facets off the border that samples disprove; none if all of them are under the cloud anyway. The
-// samples are asked only if rims alone leave a doubt: what is whole and on the model has told all.
+// Facets off the border that samples disprove, and those near them on islands; none if all of them
+// are under the cloud anyway. The samples are asked only if rims alone leave a doubt: what is whole
+// and on the model has told all.
 std::vector<TriangleId> disproved_off_border(const ModelIndex& model, const TriangleSet& border,
                                              const RegionCut& cut, std::span<const CloudRim> rims,
                                              std::span<const Scan> scans,
@@ -234,13 +235,16 @@ std::vector<TriangleId> disproved_off_border(const ModelIndex& model, const Tria
   TriangleSet settled = cut.under;
   for (const TriangleId t : settled.ids()) settled[t] |= border[t];
   std::vector<TriangleId> disproved;
+  double spacing = 0;  // the largest
   for (std::size_t k = 0; k < scans.size(); ++k) {
-    std::vector<TriangleId> more = disproved_facets(model, scans[k], outward(k), settled, options);
-    spread_on_islands(model, border, cut.under, options.island_reach * scans[k].spacing,
-                      options.island_share, more);
+    const std::vector<TriangleId> more =
+        disproved_facets(model, scans[k], outward(k), settled, options);
     disproved.insert(disproved.end(), more.begin(), more.end());
+    spacing = std::max(spacing, scans[k].spacing);
   }
   make_set(disproved);
+  spread_on_islands(model, border, cut.under, options.island_reach * spacing, options.island_share,
+                    disproved);
   std::erase_if(disproved, [&](TriangleId t) { return border[t] != 0; });
   return disproved;
 }
@@ -259,9 +263,9 @@ RegionCut without_ends(const ModelIndex& model, CutSeeds seeds, RegionCut cut,
   if (!std::all_of(rims.begin(), rims.end(), is_clear) ||
       reaches_beyond(model, under, scans, options.ends)) {
     ends = scan_ends(model, under, scans, options.ends);
-    // Through these something farther away was scanned.
+    // Nothing of the model is left where samples say so: no scan ends on it.
     std::erase_if(ends, [&](TriangleId t) {
-      return std::binary_search(cut.disproved.begin(), cut.disproved.end(), t);
+      return std::binary_search(cut.said_under.begin(), cut.said_under.end(), t);
     });
   }
   if (!ends.empty()) {

@@ -74,8 +74,9 @@ struct RegionCut {
   double seeds_outside = 0;
   double contradicted = 0;    // of both, with the other label
   std::size_t scan_ends = 0;  // facets that say "outside" by ScanEndOptions
-  // Facets that say "under the cloud" by DisprovedOptions, ascending.
-  std::vector<TriangleId> disproved;
+  // Facets that samples say are under the cloud: disproved ones, and those near them on islands
+  // (DisprovedOptions); ascending.
+  std::vector<TriangleId> said_under;
   // Facets of tiny parts of the outside, as CutOptions::min_outside_facets, ascending.
   std::vector<TriangleId> splinters;
 

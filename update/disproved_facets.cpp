@@ -50,18 +50,14 @@ class Gaze {
     const double side = dot(model_.normal(closest.triangle), closest.point - w.place);
     if (std::abs(side) < options_.min_side_cosine * std::sqrt(closest.squared_distance)) return {};
     const bool is_inside = side > 0;
-    const Vec3 gaze = (is_inside ? 1.0 : -1.0) * w.outward.normal;
+    const bool is_presumed = w.outward.is_presumed();
+    const Vec3 gaze = (is_inside ? 1.0 : -1.0) * (is_presumed ? w.outward.view : w.outward.normal);
+    const double least = is_presumed ? options_.min_presumed_cosine : options_.min_cosine;
     const auto is_seen = [&](TriangleId t) {
       const Vec3 way = model_.centroid(t) - w.place;
-      return (dot(model_.normal(t), way) > 0) == is_inside &&
-             is_ahead(way, gaze, w.outward.is_presumed);
+      return (dot(model_.normal(t), way) > 0) == is_inside && dot(way, gaze) >= least * norm(way);
     };
     return near.closest(w.place, bound, is_seen).triangle;
-  }
-
-  bool is_ahead(const Vec3& way, const Vec3& gaze, bool is_presumed) const {
-    const double least = is_presumed ? options_.min_presumed_cosine : options_.min_cosine;
-    return dot(way, gaze) >= least * norm(way);
   }
 
   bool is_disproved(const OffSample& w, TriangleId facet) const {

@@ -22,8 +22,8 @@ struct DisprovedOptions {
   double min_side_cosine = 0.3;
   // It looks along its own normal: at facets by whose centroids it is at least this cosine.
   double min_cosine = 0.7;
-  // The same if its normal is presumed: for the floor of a pocket the outer side of a wall that was
-  // not seen is no mouth.
+  // If its normal is presumed it looks along the direction from which it was seen, by this cosine:
+  // for the floor of a pocket the outer side of a wall that was not seen is no mouth.
   double min_presumed_cosine = 0.95;
   // Facets farther away are not looked at.
   double reach = 10;

@@ -100,8 +100,8 @@ void require_options(const char* stage, const JoinOptions& options) {
 
 void require_options(const char* stage, const OutwardOptions& options) {
   require_amounts(stage, {{"outward.min_agreement", options.min_agreement}});
-  require_cosines(stage, {{"outward.min_part_cosine", options.min_part_cosine},
-                          {"outward.min_view_cosine", options.min_view_cosine}});
+  require_shares(stage, {{"outward.min_part_cosine", options.min_part_cosine},
+                         {"outward.min_view_cosine", options.min_view_cosine}});
 }
 
 void require_options(const char* stage, const OverlapOptions& options) {

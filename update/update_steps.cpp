@@ -200,18 +200,6 @@ void UpdateSteps::look_for_contradictions(std::span<const Scan> scans) {
   }
 }
 
-std::vector<VertexId> UpdateSteps::disproved_vertices() const {
-  std::vector<VertexId> vertices;
-  for (const CloudReport& cloud : result_.clouds) {
-    for (const TriangleId t : cloud.cut.disproved) {
-      const Triangle& corners = model_.triangles[t];
-      vertices.insert(vertices.end(), corners.begin(), corners.end());
-    }
-  }
-  make_set(vertices);
-  return vertices;
-}
-
 void UpdateSteps::look_for_losses(const ModelIndex& index) {
   const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
   look_for_contradictions(scans);
@@ -231,11 +219,9 @@ void UpdateSteps::look_for_losses(const ModelIndex& index) {
   std::vector<VertexId> lost = lost_vertices(index, result_.replacement, result_.vertex_map,
                                              result_.reconstruction.unused_points == 0);
   // What samples lie over or under was scanned through, however far away they are.
-  const std::vector<VertexId> disproved = disproved_vertices();
   std::erase_if(lost, [&](VertexId v) {
     const RegionId region = result_.regions.group_of_vertex[v];
-    return std::binary_search(result_.islands.begin(), result_.islands.end(), region) ||
-           std::binary_search(disproved.begin(), disproved.end(), v);
+    return std::binary_search(result_.islands.begin(), result_.islands.end(), region);
   });
   result_.unscanned = unscanned_losses(index, lost, scans, trees_,
                                        result_.euler > result_.euler_before, options_.unscanned);

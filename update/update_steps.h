@@ -61,7 +61,6 @@ class UpdateSteps {
   // Has contradicted islands go.
   void take_islands(const ModelIndex& index);
   void look_for_contradictions(std::span<const Scan> scans);
-  std::vector<VertexId> disproved_vertices() const;  // ascending
   void look_for_losses(const ModelIndex& index);
 
   // Calls visit(cloud, loop) for the loops that take part in the border.

@@ -58,7 +58,7 @@ TEST(UpdateInAShadow, TheFootOfABossGoes) {
     testing::expect_local_update(model, clouds, result, is_foot,
                                  [](const Point& p) { return p.z < top || from_axis(p) > 7.9; });
     EXPECT_EQ(mesh_check(result.mesh).euler, 2);
-    EXPECT_GT(result.clouds[0].cut.disproved.size(), 20U);
+    EXPECT_GT(result.clouds[0].cut.said_under.size(), 20U);
 
     UpdateOptions by_rims;
     by_rims.cut.disproved.off_model = 1e9;

@@ -101,11 +101,11 @@ TEST(CutRegions, SamplesHaveASayWhereTheRimIsInDoubt) {
     return count;
   };
   const RegionCut without = cut({});
-  EXPECT_EQ(without.disproved.size(), 0U);
+  EXPECT_EQ(without.said_under.size(), 0U);
   EXPECT_GT(left(without), 15U);
   const RegionCut with = cut(outward);
   EXPECT_EQ(asked, 1U);
-  EXPECT_GT(with.disproved.size(), 30U);
+  EXPECT_GT(with.said_under.size(), 30U);
   EXPECT_EQ(left(with), 0U);
 
   RimOnAMesh whole(grid_plane(30), torn_rim(0, 0));
@@ -118,6 +118,40 @@ TEST(CutRegions, SamplesHaveASayWhereTheRimIsInDoubt) {
   EXPECT_EQ(asked_of_whole(), 0U);
   whole.rim.leaves_model = true;
   EXPECT_EQ(asked_of_whole(), 1U);
+}
+
+// The floor of a pocket is smaller than its mouth, around which the loop says "outside".
+TEST(CutRegions, WhatIsNearADisprovedFacetOfAnIslandGoes) {
+  RimLoop mouth = testing::circle(40, middle, 6);
+  for (std::size_t i = 0; i < mouth.size(); ++i) {
+    mouth.apexes[i] = mouth.points[i] + (mouth.points[i] - mouth.apexes[i]);
+  }
+  CloudRim rim = rim_of({testing::circle(80, middle, 12), mouth});
+  rim.leaves_model = true;
+  RimOnAMesh plane(grid_plane(30), rim);
+  std::vector<Point> floor;
+  for (double x = 11; x <= 19; x += 0.6) {
+    for (double y = 11; y <= 19; y += 0.6) {
+      if (distance({x, y, 0}, middle) < 4) floor.push_back({x, y, -4});
+    }
+  }
+  plane.scans = {{floor, 0.6}};
+  const auto num_left = [&](double island_reach) {
+    CutOptions options;
+    options.disproved.island_reach = island_reach;
+    const TriangleSet border = plane.certain();
+    const RegionCut cut = cut_under_cloud(plane.model, border, std::span(&plane.rim, 1),
+                                          plane.scans, options, [&](std::size_t) {
+                                            return std::vector<Outward>(floor.size(), {{0, 0, 1}});
+                                          });
+    std::size_t count = 0;
+    for (const TriangleId t : plane.mesh.triangles.ids()) {
+      count += border[t] == 0 && cut.under[t] == 0 && plane.radius_of(t) < 5 ? 1U : 0U;
+    }
+    return count;
+  };
+  EXPECT_GT(num_left(0), 20U);
+  EXPECT_EQ(num_left(2.5), 0U);
 }
 
 // The sheet reaches far beyond the rim: to have all of the model go would contradict less than to
@@ -137,11 +171,11 @@ TEST(CutRegions, SamplesAreNotBelievedIfTooMuchWouldGo) {
   };
   CutOptions options;
   const RegionCut far = cut(options);
-  EXPECT_GT(far.disproved.size(), 300U);
+  EXPECT_GT(far.said_under.size(), 300U);
   EXPECT_GT(far.under_facets, 1500U);
   options.disproved.reach = 5.5;
   const RegionCut near = cut(options);
-  EXPECT_EQ(near.disproved.size(), 0U);
+  EXPECT_EQ(near.said_under.size(), 0U);
   EXPECT_EQ(near.under, plane.cut().under);
   EXPECT_EQ(near.doubt(), plane.cut().doubt());
 }

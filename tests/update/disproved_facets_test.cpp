@@ -23,7 +23,7 @@ struct Scene {
     for (double x = low; x <= high; ++x) {
       for (double y = low; y <= high; ++y) {
         samples.push_back({x, y, z});
-        outward.push_back({{0, 0, up}, is_presumed});
+        outward.push_back({{0, 0, up}, {0, 0, is_presumed ? up : 0}});
       }
     }
   }
@@ -66,6 +66,10 @@ TEST(DisprovedFacets, NotBehindTheWallBesideAFloor) {
   pocket.add_sheet(2.3, 17.5, 1.3, 1, true);
   EXPECT_EQ(at_sides(pocket, {}), 0);
   EXPECT_GT(at_sides(pocket, {.min_presumed_cosine = 0.7}), 50);
+  EXPECT_GE(pocket.found_on_top(2, 18), 200U);
+  // A slanted one looks to where it was seen from, not along its normal.
+  for (Outward& o : pocket.outward) o.normal = unit(Vec3{1, 0, 1});
+  EXPECT_EQ(at_sides(pocket, {}), 0);
   EXPECT_GE(pocket.found_on_top(2, 18), 200U);
   Scene seen;  // the walls would be known, too
   seen.add_sheet(2.3, 17.5, 1.3, 1);

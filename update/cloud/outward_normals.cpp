@@ -74,7 +74,7 @@ void turn_away(const ModelIndex& model, const TriangleMesh& mesh, const EdgeComp
   }
 }
 
-// From where the scan was seen: the mean normal of the model at the rim, as long as these agree.
+// The mean normal of the model at the points of the rim. Its length tells how much they agree.
 Vec3 mean_normal_at_rim(const ModelIndex& model, const Overlap& overlap) {
   Vec3 sum;
   double count = 0;
@@ -99,7 +99,8 @@ int way_to(const Vec3& view, const TriangleMesh& mesh, TriangleId t, double min_
 // The triangles of which it is known which way they face, facing outward.
 struct TurnedSurface {
   TriangleMesh mesh;
-  IdVector<VertexId, std::uint8_t> is_presumed;  // as Outward::is_presumed
+  IdVector<VertexId, std::uint8_t> is_presumed;
+  Vec3 view;
 };
 
 TurnedSurface turned_outward(const ModelIndex& model, TriangleMesh mesh, const CloudRim& rim,
@@ -109,16 +110,16 @@ TurnedSurface turned_outward(const ModelIndex& model, TriangleMesh mesh, const C
   std::vector<int> ways = ways_of_parts(model, mesh, parts, rim, overlap);
   turn_away(model, mesh, parts, rim.median_edge, options.min_part_cosine, ways);
   const Vec3 mean = mean_normal_at_rim(model, overlap);
-  const bool was_seen_from_there = norm(mean) >= options.min_agreement;
-  TurnedSurface turned{{}, IdVector<VertexId, std::uint8_t>(mesh.points.size(), 0)};
+  const Vec3 view = norm(mean) >= options.min_agreement ? unit(mean) : Vec3{};
+  TurnedSurface turned{{}, IdVector<VertexId, std::uint8_t>(mesh.points.size(), 0), view};
   for (const TriangleId t : mesh.triangles.ids()) {
     int way = ways[parts.component_of[t.index()]];
+    const bool is_presumed = way == 0 && view != Vec3{};
+    if (is_presumed) way = way_to(view, mesh, t, options.min_view_cosine);
+    if (way == 0) continue;
     const auto& [a, b, c] = mesh.triangles[t];
-    if (way == 0 && was_seen_from_there) {
-      way = way_to(unit(mean), mesh, t, options.min_view_cosine);
-      for (const VertexId v : {a, b, c}) turned.is_presumed[v] = 1;
-    }
-    if (way != 0) turned.mesh.triangles.push_back(way > 0 ? Triangle{a, b, c} : Triangle{a, c, b});
+    turned.mesh.triangles.push_back(way > 0 ? Triangle{a, b, c} : Triangle{a, c, b});
+    for (const VertexId v : {a, b, c}) turned.is_presumed[v] |= is_presumed ? 1 : 0;
   }
   turned.mesh.points = std::move(mesh.points);
   return turned;
@@ -135,7 +136,8 @@ std::vector<Outward> outward_normals(const ModelIndex& model, Points cloud,
       area_normals(turned.mesh, IdVector<VertexId, std::uint8_t>(turned.mesh.points.size(), 1));
   std::vector<Outward> outward(cloud.size());
   for (const VertexId v : normals.ids()) {
-    outward[surface.point_of_vertex[v].index()] = {normals[v], turned.is_presumed[v] != 0};
+    const Vec3 view = turned.is_presumed[v] != 0 ? turned.view : Vec3{};
+    outward[surface.point_of_vertex[v].index()] = {normals[v], view};
   }
   return outward;
 }

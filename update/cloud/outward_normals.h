@@ -15,8 +15,11 @@ namespace cocoon {
 // Out of the body, at a sample.
 struct Outward {
   Vec3 normal;  // unit; the zero vector if it is not known
-  // Only the direction from which the scan was seen tells: then the walls around were not seen.
-  bool is_presumed = false;
+  // Of a normal that is presumed the direction from which it was seen, unit: there is nothing but
+  // air that way, while walls around, which may not have been seen, need not be known. Else zero.
+  Vec3 view = {};
+
+  bool is_presumed() const { return view != Vec3{}; }
 
   friend bool operator==(const Outward&, const Outward&) = default;
 };
@@ -27,10 +30,10 @@ using OutwardNormals = std::function<std::vector<Outward>(std::size_t cloud)>;
 
 struct OutwardOptions {
   // A part of the surface that hangs outside of the model faces away from it, or toward it, if its
-  // mean cosine with the way there is at least this.
+  // mean cosine with the way there, which counts as 0 where it is inside, is more than this.
   double min_part_cosine = 0.5;
-  // There is a direction from which the scan was seen if the normals of the model at the rim add up
-  // to this share of their number. More than 1: there is none.
+  // There is a direction from which the scan was seen if the normals of the model at the points of
+  // the rim add up to this share of their number. More than 1: there is none.
   double min_agreement = 0.5;
   // A triangle of which nothing else is known faces that direction, or turned over does, if the
   // cosine is more than this.

@@ -59,7 +59,7 @@ struct CloudReport {
   double largest_distance = 0;
   double median_distance = 0;
   double largest_excess = 0;      // see Overlap
-  double shift = 0;               // length of cloud_shift()
+  double shift = 0;               // length of cloud_shift(); 0 if samples contradict it
   Vec3 believed_shift;            // cloud_shift(); zero if ShiftOptions::is_too_long()
   std::size_t border_facets = 0;  // with those traced between rim points
   std::size_t walks = 0;          // see Border
