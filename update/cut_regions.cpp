@@ -243,7 +243,7 @@ std::vector<TriangleId> disproved_off_border(const ModelIndex& model, const Tria
     spacing = std::max(spacing, scans[k].spacing);
   }
   make_set(disproved);
-  spread_on_islands(model, border, cut.under, options.island_reach * spacing, options.island_share,
+  spread_on_islands(model, std::move(settled), options.island_reach * spacing, options.island_share,
                     disproved);
   std::erase_if(disproved, [&](TriangleId t) { return border[t] != 0; });
   return disproved;

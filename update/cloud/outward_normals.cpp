@@ -47,6 +47,11 @@ std::vector<int> ways_of_parts(const ModelIndex& model, const TriangleMesh& mesh
   return ways;
 }
 
+Vec3 normal_of(const TriangleMesh& mesh, TriangleId t) {
+  const auto& [a, b, c] = corners_of(mesh, t);
+  return unit(cross(b - a, c - a));
+}
+
 // Parts of which nothing is known so far, and that hang outside of the model.
 void turn_away(const ModelIndex& model, const TriangleMesh& mesh, const EdgeComponents& parts,
                double reach, double min_cosine, std::vector<int>& ways) {
@@ -65,8 +70,7 @@ void turn_away(const ModelIndex& model, const TriangleMesh& mesh, const EdgeComp
   for (std::size_t k = 0; k < centers.size(); ++k) {
     const Vec3 away = unit(centers[k] - feet[k].point);
     if (dot(away, model.normal(feet[k].triangle)) <= 0) continue;  // inside
-    const auto& [a, b, c] = corners_of(mesh, triangles[k]);
-    cosines[parts.component_of[triangles[k].index()]] += dot(away, unit(cross(b - a, c - a)));
+    cosines[parts.component_of[triangles[k].index()]] += dot(away, normal_of(mesh, triangles[k]));
   }
   for (std::size_t k = 0; k < ways.size(); ++k) {
     const double limit = min_cosine * static_cast<double>(parts.components[k].triangles);
@@ -91,16 +95,14 @@ Vec3 mean_normal_at_rim(const ModelIndex& model, const Overlap& overlap) {
 
 // 1 if the triangle faces this direction, -1 if it does when turned over, 0 if it is too steep.
 int way_to(const Vec3& view, const TriangleMesh& mesh, TriangleId t, double min_cosine) {
-  const auto& [a, b, c] = corners_of(mesh, t);
-  const double cosine = dot(unit(cross(b - a, c - a)), view);
+  const double cosine = dot(normal_of(mesh, t), view);
   return cosine > min_cosine ? 1 : cosine < -min_cosine ? -1 : 0;
 }
 
 // The triangles of which it is known which way they face, facing outward.
 struct TurnedSurface {
   TriangleMesh mesh;
-  IdVector<VertexId, std::uint8_t> is_presumed;
-  Vec3 view;
+  IdVector<VertexId, Vec3> views;  // as Outward::view
 };
 
 TurnedSurface turned_outward(const ModelIndex& model, TriangleMesh mesh, const CloudRim& rim,
@@ -111,7 +113,7 @@ TurnedSurface turned_outward(const ModelIndex& model, TriangleMesh mesh, const C
   turn_away(model, mesh, parts, rim.median_edge, options.min_part_cosine, ways);
   const Vec3 mean = mean_normal_at_rim(model, overlap);
   const Vec3 view = norm(mean) >= options.min_agreement ? unit(mean) : Vec3{};
-  TurnedSurface turned{{}, IdVector<VertexId, std::uint8_t>(mesh.points.size(), 0), view};
+  TurnedSurface turned{{}, IdVector<VertexId, Vec3>(mesh.points.size(), Vec3{})};
   for (const TriangleId t : mesh.triangles.ids()) {
     int way = ways[parts.component_of[t.index()]];
     const bool is_presumed = way == 0 && view != Vec3{};
@@ -119,7 +121,8 @@ TurnedSurface turned_outward(const ModelIndex& model, TriangleMesh mesh, const C
     if (way == 0) continue;
     const auto& [a, b, c] = mesh.triangles[t];
     turned.mesh.triangles.push_back(way > 0 ? Triangle{a, b, c} : Triangle{a, c, b});
-    for (const VertexId v : {a, b, c}) turned.is_presumed[v] |= is_presumed ? 1 : 0;
+    if (!is_presumed) continue;
+    for (const VertexId v : {a, b, c}) turned.views[v] = view;
   }
   turned.mesh.points = std::move(mesh.points);
   return turned;
@@ -136,8 +139,7 @@ std::vector<Outward> outward_normals(const ModelIndex& model, Points cloud,
       area_normals(turned.mesh, IdVector<VertexId, std::uint8_t>(turned.mesh.points.size(), 1));
   std::vector<Outward> outward(cloud.size());
   for (const VertexId v : normals.ids()) {
-    const Vec3 view = turned.is_presumed[v] != 0 ? turned.view : Vec3{};
-    outward[surface.point_of_vertex[v].index()] = {normals[v], view};
+    outward[surface.point_of_vertex[v].index()] = {normals[v], turned.views[v]};
   }
   return outward;
 }

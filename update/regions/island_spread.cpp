@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "geom/nearest_point.h"
@@ -13,15 +15,15 @@ namespace cocoon {
 
 namespace {
 
-// All that hang together with a facet by edges, without blocked ones. Blocks them.
+// All that hang together with a facet by edges, without settled ones. Settles them.
 std::vector<TriangleId> part_around(const ModelIndex& model, TriangleId facet,
-                                    TriangleSet& blocked) {
+                                    TriangleSet& settled) {
   std::vector<TriangleId> part = {facet};
-  blocked[facet] = 1;
+  settled[facet] = 1;
   for (std::size_t k = 0; k < part.size(); ++k) {
     for (const TriangleId next : model.neighbors()[part[k]]) {
-      if (next.is_none() || blocked[next] != 0) continue;
-      blocked[next] = 1;
+      if (next.is_none() || settled[next] != 0) continue;
+      settled[next] = 1;
       part.push_back(next);
     }
   }
@@ -30,19 +32,17 @@ std::vector<TriangleId> part_around(const ModelIndex& model, TriangleId facet,
 
 }  // namespace
 
-void spread_on_islands(const ModelIndex& model, const TriangleSet& border, const TriangleSet& under,
-                       double reach, double min_share, std::vector<TriangleId>& facets) {
-  const std::size_t triangles = model.mesh().triangles.size();
-  require_size("spread_on_islands", "flags of the border", border.size(), triangles);
-  require_size("spread_on_islands", "flags of facets", under.size(), triangles);
+void spread_on_islands(const ModelIndex& model, TriangleSet settled, double reach, double min_share,
+                       std::vector<TriangleId>& facets) {
+  require_size("spread_on_islands", "flags of facets", settled.size(),
+               model.mesh().triangles.size());
   if (facets.empty()) return;
-  TriangleSet blocked = border;
-  for (const TriangleId t : blocked.ids()) blocked[t] |= under[t];
-  const std::size_t outside = triangles - members(blocked).size();
+  const std::span<const std::uint8_t> flags = std::as_const(settled).span();
+  const auto outside = static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 0));
   std::vector<TriangleId> found = facets;
   for (const TriangleId first : facets) {
-    if (blocked[first] != 0) continue;
-    const std::vector<TriangleId> part = part_around(model, first, blocked);
+    if (settled[first] != 0) continue;
+    const std::vector<TriangleId> part = part_around(model, first, settled);
     if (2 * part.size() > outside) continue;
     std::vector<Point> places;
     for (const TriangleId t : part) {

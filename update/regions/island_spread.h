@@ -10,13 +10,13 @@
 namespace cocoon {
 
 // Adds to `facets`, ascending, those at most `reach` from one of them (centroids) that hang
-// together with it by edges, off the border and not under the cloud, if all these together are an
-// island: no more than half of what is neither of the border nor under the cloud; and if more than
-// `min_share` of the island is among `facets`. Why: around the floor of a pocket whose walls were
-// not seen a strip is left between the floor and the loop around the mouth; without it there would
-// be a wall of old facets. Errors: InputError for flags of another model, by their sizes.
-// Complexity: O(triangles), and O(log n) for each facet of an island. Source: ours.
-void spread_on_islands(const ModelIndex& model, const TriangleSet& border, const TriangleSet& under,
-                       double reach, double min_share, std::vector<TriangleId>& facets);
+// together with it by edges without settled ones (of the border, or under the cloud: 1), if all
+// these together are an island: no more than half of the facets that are not settled; and if more
+// than `min_share` of the island's facets are among `facets`. Why: around the floor of a pocket
+// whose walls were not seen a strip is left between the floor and the loop around the mouth;
+// without it there would be a wall of old facets. Errors: InputError for flags of another model, by
+// their sizes. Complexity: O(triangles), and O(log n) for each facet of an island. Source: ours.
+void spread_on_islands(const ModelIndex& model, TriangleSet settled, double reach, double min_share,
+                       std::vector<TriangleId>& facets);
 
 }  // namespace cocoon

@@ -34,7 +34,9 @@ struct Island {
   }
   std::vector<TriangleId> spread(std::vector<TriangleId> facets, double reach,
                                  double min_share) const {
-    spread_on_islands(model, border, under, reach, min_share, facets);
+    TriangleSet settled = border;
+    for (const TriangleId t : settled.ids()) settled[t] |= under[t];
+    spread_on_islands(model, settled, reach, min_share, facets);
     return facets;
   }
 };
@@ -68,9 +70,9 @@ TEST(SpreadOnIslands, NotToAnythingElse) {
 }
 
 TEST(SpreadOnIslands, RefusesFlagsOfAnotherModel) {
-  Island island;
-  island.under = TriangleSet(3, 0);
-  EXPECT_THROW(island.spread({}, 1, 0), InputError);
+  const Island island;
+  std::vector<TriangleId> none;
+  EXPECT_THROW(spread_on_islands(island.model, TriangleSet(3, 0), 1, 0, none), InputError);
 }
 
 }  // namespace
