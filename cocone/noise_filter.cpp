@@ -59,8 +59,10 @@ class Flood {
       largest = std::max(largest, spacing_[v]);
     }
     const Point& sample = first_of(triangulation_.cell(c).vertices);
-    return distance(dual_.centers[c], sample) > options_.large_ratio * largest;
+    return distance(center(c), sample) > options_.large_ratio * largest;
   }
+
+  Point center(CellId c) const { return center_of(triangulation_, dual_, c); }
 
   // Lexicographically, of a cell or a facet. By addresses: no branch depends on which it is.
   template <std::size_t n>
@@ -78,9 +80,8 @@ class Flood {
   bool intersect_deeply(FacetId f, CellId behind) const {
     const CellId c = cell_of(f);
     const Point& sample = first_of(triangulation_.facet_vertices(f));
-    const Vec3 here =
-        triangulation_.is_infinite(c) ? dual_.centers[c] : unit(dual_.centers[c] - sample);
-    return dot(here, unit(dual_.centers[behind] - sample)) >= options_.deep_cosine;
+    const Vec3 here = triangulation_.is_infinite(c) ? center(c) : unit(center(c) - sample);
+    return dot(here, unit(center(behind) - sample)) >= options_.deep_cosine;
   }
 
   const Triangulation& triangulation_;

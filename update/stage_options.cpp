@@ -4,6 +4,7 @@
 
 #include "cocone/facets/stage_inputs.h"
 #include "geom/require_number.h"
+#include "update/model/orient_outward.h"
 #include "update/report/lost_triangles.h"
 #include "update/stray_samples.h"
 #include "update/update_model.h"
@@ -96,6 +97,10 @@ void require_options(const char* stage, const IslandOptions& options) {
 void require_options(const char* stage, const JoinOptions& options) {
   require_amounts(stage, {{"join.reach", options.reach}, {"join.thinning", options.thinning}});
   require_shares(stage, {{"join.min_share", options.min_share}});
+}
+
+void require_options(const char* stage, const OrientOutwardOptions& options) {
+  require_amounts(stage, {{"max_opening", options.max_opening}});
 }
 
 void require_options(const char* stage, const OutwardOptions& options) {

@@ -11,6 +11,7 @@
 #include "geom/mesh_measure.h"
 #include "geom/mixed_bits.h"
 #include "geom/triangles_by_area.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 namespace {
@@ -70,7 +71,7 @@ void measure_openings(const TriangleMesh& mesh, const HalfedgeRings& rings,
 }
 
 std::vector<Part> measure(const TriangleMesh& mesh, const HalfedgeRings& rings,
-                          const EdgeComponents& found, const OutwardOptions& options) {
+                          const EdgeComponents& found, const OrientOutwardOptions& options) {
   std::vector<Part> parts(found.components.size());
   measure_openings(mesh, rings, found, parts);
   for (const TriangleId t : mesh.triangles.ids()) {
@@ -103,7 +104,8 @@ std::vector<std::uint8_t> parts_to_turn(const EdgeComponents& found,
 
 }  // namespace
 
-OutwardReport orient_outward(TriangleMesh& mesh, const OutwardOptions& options) {
+OutwardReport orient_outward(TriangleMesh& mesh, const OrientOutwardOptions& options) {
+  require_options("orient_outward", options);
   require_valid_triangles(mesh);
   if (mesh.triangles.empty() || (halfedges_cancel(mesh) && volume_of(mesh) >= 0)) return {};
   const HalfedgeRings rings = link_halfedges(mesh);

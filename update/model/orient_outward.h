@@ -7,7 +7,7 @@
 
 namespace cocoon {
 
-struct OutwardOptions {
+struct OrientOutwardOptions {
   // A part with open edges counts as a body if the square of their length is below this share of
   // its area: then what is missing hardly matters for its volume. A sphere with a hole may lack a
   // seventh of its area at 1.
@@ -27,9 +27,9 @@ struct OutwardReport {
 //      turned as a whole. So hollows within a body stay what they are.
 // Open sheets have no outside: their triangles agree, but which side they show stays. The volume of
 // an open body is that of the cone from the mean of its open edges.
-// Errors: InputError as link_halfedges(). Complexity: O(triangles + vertices). A mesh that faces
-// outward stays as it is, to the bit.
+// Errors: InputError as link_halfedges(), and unless max_opening is 0 or more. Complexity:
+// O(triangles + vertices). A mesh that faces outward stays as it is, to the bit.
 // Source: ours; Woo & Dey 2005 start with meshes of their own.
-OutwardReport orient_outward(TriangleMesh& mesh, const OutwardOptions& options = {});
+OutwardReport orient_outward(TriangleMesh& mesh, const OrientOutwardOptions& options = {});
 
 }  // namespace cocoon
