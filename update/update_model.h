@@ -74,11 +74,6 @@ struct UpdateOptions {
 // "With --mode paper").
 UpdateOptions paper_update_options();
 
-// V - E + F of a mesh with two triangles at each edge: 2 for each part, less 2 for each handle.
-inline std::ptrdiff_t euler_number(std::size_t vertices, std::size_t triangles) {
-  return static_cast<std::ptrdiff_t>(vertices) - static_cast<std::ptrdiff_t>(triangles / 2);
-}
-
 struct UpdateResult {
   UpdateStatus status = UpdateStatus::ok;
   std::string message;  // why it is not ok: one line that says what, where and what to do
@@ -97,7 +92,7 @@ struct UpdateResult {
   OverlookedVertices overlooked;
   UnscannedLosses unscanned;
   UnusedChanges unused_changes;
-  // Euler numbers, from the numbers of triangles and of vertices in use, those at one place once.
+  // Euler numbers (update/model/euler_number.h).
   std::ptrdiff_t euler_before = 0;
   std::ptrdiff_t euler = 0;
   std::size_t unexplained_handles = 0;  // of a model with open edges always 0

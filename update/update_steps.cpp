@@ -9,6 +9,7 @@
 #include "geom/errors.h"
 #include "geom/sort_ids.h"
 #include "update/cloud/outward_normals.h"
+#include "update/model/euler_number.h"
 #include "update/model/model_index.h"
 #include "update/regions/kept_surface.h"
 #include "update/report/contradicted_samples.h"
@@ -168,8 +169,7 @@ void UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
   result_.vertex_map = updated_vertices(result_.replacement, result_.reconstruction);
   const std::size_t points = result_.replacement.points.size();
   const std::size_t unused = result_.reconstruction.unused_points;
-  const std::size_t no_places = result_.replacement.unused_vertices + repeated_vertices(index);
-  result_.euler_before = euler_number(model_.points.size() - no_places, model_.triangles.size());
+  result_.euler_before = euler_number(index);
   result_.euler = euler_number(points - unused, surface.triangles);
   look_for_losses(index);
 }
@@ -209,10 +209,11 @@ void UpdateSteps::look_for_losses(const ModelIndex& index) {
   if (result_.unused_changes.is_doubtful(options_.unused_changes)) {
     warn(warning_of_unused_changes(result_.unused_changes));
   }
+  // To close the holes of an open model changes its Euler number, too.
+  const bool is_closed = !index.has_irregular_edges();
   const std::size_t handles = unexplained_handles(result_.clouds, result_.choice.undecided_loops,
                                                   result_.euler_before, result_.euler);
-  // To close the holes of an open model changes its Euler number, too.
-  if (handles > 0 && !index.has_irregular_edges()) {
+  if (is_closed && handles > 0) {
     result_.unexplained_handles = handles;
     warn(warning_of_handles(handles));
   }
@@ -223,8 +224,9 @@ void UpdateSteps::look_for_losses(const ModelIndex& index) {
     const RegionId region = result_.regions.group_of_vertex[v];
     return std::binary_search(result_.islands.begin(), result_.islands.end(), region);
   });
-  result_.unscanned = unscanned_losses(index, lost, scans, trees_,
-                                       result_.euler > result_.euler_before, options_.unscanned);
+  const bool lost_handles = is_closed && result_.euler > result_.euler_before;
+  result_.unscanned =
+      unscanned_losses(index, lost, scans, trees_, lost_handles, options_.unscanned);
   if (result_.unscanned.vertices == 0) return;
   warn(warning_of_unscanned(result_.unscanned, options_.unscanned.reach,
                             model_.points[result_.unscanned.farthest]));

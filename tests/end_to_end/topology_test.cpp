@@ -1,4 +1,5 @@
 // What `update` and `watch` say where the topology of the model changes.
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include "io/point_file.h"
 #include "tests/gallery.h"
 #include "tests/run_program.h"
+#include "tests/test_clouds.h"
 #include "tests/update/ball_with_handle.h"
 
 namespace cocoon {
@@ -124,6 +126,35 @@ TEST(Topology, ACavityThatIsFilledIsSaid) {
   const std::string unused = line_from(of_mesh, "not on the surface");
   EXPECT_TRUE(says(unused, "the farthest is ")) << of_mesh;
   EXPECT_EQ(of_mesh.find("not on the surface"), of_mesh.rfind("not on the surface")) << of_mesh;
+}
+
+// An open model is a disk before it is closed.
+TEST(Topology, OfAnOpenModelIsThatOfItsCheck) {
+  const TemporaryFolder folder;
+  std::string sheet = "OFF\n441 800 0\n";
+  for (int y = -10; y <= 10; ++y) {
+    for (int x = -10; x <= 10; ++x) sheet += test::point_line(0.1 * x, 0.1 * y, 0);
+  }
+  for (int y = 0; y < 20; ++y) {
+    for (int x = 0; x < 20; ++x) {
+      const int at = 21 * y + x;
+      sheet += "3 " + std::to_string(at) + ' ' + std::to_string(at + 1) + ' ' +
+               std::to_string(at + 22) + '\n';
+      sheet += "3 " + std::to_string(at) + ' ' + std::to_string(at + 22) + ' ' +
+               std::to_string(at + 21) + '\n';
+    }
+  }
+  std::string cloud;
+  for (int y = -5; y <= 5; ++y) {
+    for (int x = -5; x <= 5; ++x) {
+      cloud +=
+          test::point_line(0.1 * x + 0.03, 0.1 * y + 0.03, 0.01 * std::max(0, 9 - x * x - y * y));
+    }
+  }
+  const Json report =
+      HandleOff::report_of({"update", folder.write("sheet.off", sheet),
+                            folder.write("cloud.xyz", cloud), "-o", folder.file("out.ply")});
+  EXPECT_EQ(report["update"]["model_euler"], 1) << report.dump();
 }
 
 }  // namespace

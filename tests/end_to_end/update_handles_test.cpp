@@ -15,7 +15,7 @@
 #include "tests/end_to_end/local_update.h"
 #include "tests/gallery.h"
 #include "tests/update/hand_made_models.h"
-#include "update/report/unexplained_handles.h"
+#include "update/model/euler_number.h"
 #include "update/update_model.h"
 
 namespace cocoon {

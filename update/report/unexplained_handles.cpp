@@ -1,9 +1,6 @@
 #include "update/report/unexplained_handles.h"
 
 #include <algorithm>
-#include <vector>
-
-#include "geom/equal_points.h"
 
 namespace cocoon {
 
@@ -34,16 +31,6 @@ std::size_t unexplained_handles(std::span<const CloudReport> clouds, std::size_t
   parts = std::min(parts, loops);
   const auto explained = static_cast<std::ptrdiff_t>(parts - std::min(parts, patches));
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(handles - explained, 0));
-}
-
-std::size_t repeated_vertices(const ModelIndex& model) {
-  if (model.has_distinct_points()) return 0;
-  std::vector<Point> places;
-  places.reserve(model.mesh().points.size());
-  for (const VertexId v : model.mesh().points.ids()) {
-    if (model.is_used(v)) places.push_back(model.mesh().points[v]);
-  }
-  return repeated_points(places).size();
 }
 
 }  // namespace cocoon

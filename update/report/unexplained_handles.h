@@ -21,9 +21,4 @@ namespace cocoon {
 std::size_t unexplained_handles(std::span<const CloudReport> clouds, std::size_t empty_loops,
                                 std::ptrdiff_t before, std::ptrdiff_t after);
 
-// How many vertices of the model's triangles lie at the place of an earlier one, as where contacts
-// were split: they are one vertex of the updated model. Complexity: O(v), O(1) if it is known that
-// there are none.
-std::size_t repeated_vertices(const ModelIndex& model);
-
 }  // namespace cocoon

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "tests/mesh_gallery.h"
-
 namespace cocoon {
 namespace {
 
@@ -65,16 +63,6 @@ TEST(UnexplainedHandles, ATornSurfaceExplainsNone) {
   std::vector<CloudReport> drill = {cloud_with(1, 1)};
   drill[0].surface.rim.seam_edges = 3;
   EXPECT_EQ(unexplained_handles(drill, 0, 2, 0), 1U);
-}
-
-// Twelve triangles with corners of their own have 36 for the 8 of a cube; what no triangle uses is
-// no vertex.
-TEST(RepeatedVertices, AreThoseOfTrianglesAtOnePlace) {
-  TriangleMesh mesh = gallery::unshared(gallery::cube());
-  mesh.points.push_back(mesh.points[VertexId(0U)]);
-  EXPECT_EQ(repeated_vertices(ModelIndex(mesh)), 36U - 8U);
-  const TriangleMesh cube = gallery::cube();
-  EXPECT_EQ(repeated_vertices(ModelIndex(cube)), 0U);
 }
 
 }  // namespace
