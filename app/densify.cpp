@@ -5,6 +5,7 @@
 
 #include "app/files.h"
 #include "app/model_file.h"
+#include "cocone/conforming_samples.h"
 #include "cocone/labels_of_solid.h"
 #include "geom/counted.h"
 #include "geom/dense_samples.h"
@@ -12,6 +13,26 @@
 #include "geom/mesh_check.h"
 
 namespace cocoon::app {
+namespace {
+
+// Of a closed mesh, where samples so far apart do not tell inside from outside.
+void add_conforming_samples(Job& job, const std::string& path, const TriangleMesh& mesh,
+                            double spacing, std::vector<Point>& samples) {
+  const ConformingSamples more = timed(job.execution(), "conforming_samples", [&] {
+    return naming_input(path, [&] {
+      return conforming_samples(mesh, samples, {.spacing = spacing}, job.execution());
+    });
+  });
+  job.report().set("input/conforming_samples", more.added.size());
+  job.report().set("input/conforming_rounds", more.rounds);
+  if (!more.added.empty()) {
+    job.say("{}: {} more where walls, gaps or edges are closer than {}", path,
+            counted(more.added.size(), "sample"), spacing);
+  }
+  samples.insert(samples.end(), more.added.begin(), more.added.end());
+}
+
+}  // namespace
 
 DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) {
   ModelFile model = read_model(job, path, "input");
@@ -38,6 +59,7 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
   dense.points.insert(dense.points.end(), added.begin(), added.end());
   dense.certificate = mesh_check(mesh, {}, job.execution());
   if (dense.certificate.balanced) {
+    add_conforming_samples(job, path, mesh, spacing, dense.points);
     dense.labels = labels_told_by(std::move(mesh), dense.points);
   } else {
     job.warn(path +

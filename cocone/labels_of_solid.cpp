@@ -1,43 +1,17 @@
 #include "cocone/labels_of_solid.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "cocone/cell_heights.h"
 #include "geom/mesh_check.h"
 #include "geom/require_number.h"
 #include "geom/require_size.h"
-#include "geom/signed_distance.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
-namespace {
-
-using Corners = std::array<Point, 4>;
-
-Corners corners_of_cell(const Triangulation& triangulation, CellId c) {
-  Corners corners;
-  for (int i = 0; i < 4; ++i) {
-    corners[static_cast<std::size_t>(i)] = triangulation.point(triangulation.vertex(c, i));
-  }
-  return corners;
-}
-
-Point centroid(const Corners& p) { return 0.25 * ((p[0] + p[1]) + (p[2] + p[3])); }
-
-double longest_edge(const Corners& p) {
-  double longest = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t k = 0; k < i; ++k) longest = std::max(longest, norm(p[i] - p[k]));
-  }
-  return longest;
-}
-
-}  // namespace
-
 KnownLabels labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
                             const LabelsOfSolidOptions& options, const Execution& execution) {
   std::vector<CellId> cells;
@@ -57,15 +31,13 @@ void add_labels_of_solid(const Triangulation& triangulation, const TriangleMesh&
   }
   require_amounts("add_labels_of_solid", {{"min_depth", options.min_depth}});
   if (!mesh_check(solid).balanced) return;
-  std::vector<Point> centroids;
-  centroids.reserve(cells.size());
-  for (const CellId c : cells) centroids.push_back(centroid(corners_of_cell(triangulation, c)));
-  const std::vector<double> heights = signed_distances(solid, centroids, execution);
+  const std::vector<CellHeights> heights =
+      cell_heights(triangulation, cells, solid, options.places, execution);
   known.labels.resize(triangulation.num_cells(), CellLabel::unmarked);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const double length = longest_edge(corners_of_cell(triangulation, cells[i]));
-    if (!(std::abs(heights[i]) > options.min_depth * length)) continue;
-    known.labels[cells[i]] = heights[i] > 0 ? CellLabel::out : CellLabel::in;
+    const double height = heights[i].deepest();
+    if (!(std::abs(height) > options.min_depth * heights[i].longest_edge)) continue;
+    known.labels[cells[i]] = height > 0 ? CellLabel::out : CellLabel::in;
     ++known.cells;
   }
 }

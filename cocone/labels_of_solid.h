@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "cocone/cell_heights.h"
 #include "cocone/known_labels.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
@@ -13,15 +14,20 @@
 namespace cocoon {
 
 struct LabelsOfSolidOptions {
-  // A cell is told if its centroid is farther from the mesh than this part of its longest edge:
-  // nearer ones are slivers on the surface, which may as well lie on either side of it. The surface
-  // of parts comes closer to the mesh the smaller this is, but with 0.02 twice as many edges have
-  // four triangles; from 0.15 on thin walls get holes.
-  double min_depth = 0.05;
+  CellPlaces places = CellPlaces::centroid_and_edges;
+  // A cell is told if it reaches farther from the mesh than this part of its longest edge
+  // (cell_heights.h): others are slivers on the surface, which may as well lie on either side of
+  // it.
+  double min_depth = 0.03;
 };
 
-// Finite cells whose centroid is inside the mesh are labeled IN, those with the centroid outside
-// OUT. Right where cells do not cross the surface, as those of a sampling dense enough do not.
+// For cells that may cross the mesh, as those of its vertices alone: most of such a cell is where
+// its centroid is.
+inline constexpr LabelsOfSolidOptions labels_of_crossing_cells = {CellPlaces::centroid, 0.05};
+
+// Finite cells that reach farther into the mesh than out of it are labeled IN, others OUT. Right
+// where cells do not cross the surface, as those of conforming samples do not
+// (conforming_samples.h).
 // `solid` is in the coordinates of the triangulation's vertices. Nothing is known if it is not
 // closed (balanced: mesh_check.h).
 // Throws InputError as signed_distances() and for a depth that is negative or no number; Cancelled.

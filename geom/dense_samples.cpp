@@ -11,6 +11,7 @@
 #include "geom/mixed_bits.h"
 #include "geom/random.h"
 #include "geom/random_point.h"
+#include "geom/sharp_edges.h"
 #include "geom/triangles_by_area.h"
 #include "geom/working_scale.h"
 
@@ -75,16 +76,6 @@ class SampleGrid {
   std::vector<Sample> samples_;
 };
 
-bool is_sharp(const LinkedMesh& mesh, Halfedge halfedge, double sharp_cosine) {
-  if (!mesh.has_two_triangles(halfedge)) return true;
-  const Halfedge across = mesh.links[halfedge];
-  const Point& a = mesh.points[mesh.from(halfedge)];
-  const Point& b = mesh.points[mesh.to(halfedge)];
-  const Vec3 here = normal_of(a, b, mesh.points[mesh.apex(halfedge)]);
-  const Vec3 there = normal_of(b, a, mesh.points[mesh.apex(across)]);
-  return !(dot(here, there) >= sharp_cosine * norm(here) * norm(there));
-}
-
 // A message for who wants more samples than there can be.
 [[noreturn]] void refuse(double spacing, const std::string& count, double possible) {
   std::ostringstream text;
@@ -108,11 +99,9 @@ std::vector<Point> samples_of_sharp_edges(const TriangleMesh& mesh,
                                           const DenseSampleOptions& options, double scale,
                                           const Execution& execution) {
   const LinkedMesh linked = link_mesh(mesh, execution);
-  std::vector<Halfedge> sharp;
-  double length = 0;  // of sharp edges
-  for (Halfedge halfedge = 0; halfedge < linked.links.size(); ++halfedge) {
-    if (!linked.is_first(halfedge) || !is_sharp(linked, halfedge, options.sharp_cosine)) continue;
-    sharp.push_back(halfedge);
+  const std::vector<Halfedge> sharp = sharp_edges(linked, options.sharp_cosine);
+  double length = 0;
+  for (const Halfedge halfedge : sharp) {
     length += distance(linked.points[linked.from(halfedge)], linked.points[linked.to(halfedge)]);
   }
   if (length / options.spacing > most_dense_samples) {

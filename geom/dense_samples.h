@@ -8,15 +8,15 @@
 
 #include "geom/execution.h"
 #include "geom/point.h"
+#include "geom/sharp_edges.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
 
 struct DenseSampleOptions {
   double spacing = 0;  // wanted distance between neighbors, in units of the coordinates; above 0
-  // An edge is sharp if the normals of its triangles differ by more than this (cos 15 degrees), or
-  // if it does not have two triangles. Sharp edges are sampled along.
-  double sharp_cosine = 0.96592582628906829;
+  // Sharp edges (sharp_edges.h) are sampled along.
+  double sharp_cosine = default_sharp_cosine;
   // Samples on one side of the surface are no closer than so many spacings. Of eleven parts Tight
   // Cocone comes as close with 0.7, from a third more samples; with 0.9 and 40 trials it is up to
   // three times farther from those with thin walls.

@@ -35,7 +35,7 @@ Point centroid(const Triangulation& triangulation, CellId c) {
 }
 
 // Of two plates, one above the other: cells between them are outside.
-TEST(LabelsOfSolid, AreThoseOfTheCentroidsAwayFromTheSurface) {
+TEST(LabelsOfSolid, TellTheSideAwayFromTheSurface) {
   const TriangleMesh solid = gallery::join(plate(1), gallery::translated(plate(1), {0, 0, 3}));
   const Triangulation triangulation = delaunay(samples_of(solid, 0.5)).triangulation;
   const KnownLabels known = labels_of_solid(triangulation, solid);

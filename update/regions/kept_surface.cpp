@@ -28,11 +28,13 @@ void KeptSurface::tell_by_model(const Triangulation& triangulation, KnownLabels&
                                 const Execution& execution) const {
   const double scale = working_scale(replacement_.points);
   if (scale == 1) {
-    add_labels_of_solid(triangulation, model_.mesh(), known.undisturbed, known, {}, execution);
+    add_labels_of_solid(triangulation, model_.mesh(), known.undisturbed, known,
+                        labels_of_crossing_cells, execution);
     return;
   }
   const TriangleMesh solid = scaled(model_.mesh(), scale);
-  add_labels_of_solid(triangulation, solid, known.undisturbed, known, {}, execution);
+  add_labels_of_solid(triangulation, solid, known.undisturbed, known, labels_of_crossing_cells,
+                      execution);
 }
 
 std::vector<KnownTriangle> KeptSurface::triangles() const {

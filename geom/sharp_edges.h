@@ -1,0 +1,20 @@
+// Edges of a mesh at which it is not smooth.
+#pragma once
+
+#include <vector>
+
+#include "geom/halfedges.h"
+#include "geom/linked_mesh.h"
+
+namespace cocoon {
+
+// The cosine of 15 degrees: CAD programs approximate round faces by facets that differ by less.
+inline constexpr double default_sharp_cosine = 0.96592582628906829;
+
+// The first halfedge of each edge whose two triangles have normals with a smaller cosine than this,
+// or which does not have two triangles; increasing. An edge at a triangle without area is not
+// sharp. Precondition: coordinates of working size (working_scale.h). Complexity: O(triangles).
+std::vector<Halfedge> sharp_edges(const LinkedMesh& mesh,
+                                  double sharp_cosine = default_sharp_cosine);
+
+}  // namespace cocoon

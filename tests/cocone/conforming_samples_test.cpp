@@ -1,0 +1,169 @@
+#include "cocone/conforming_samples.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "cocone/cell_heights.h"
+#include "cocone/labels_of_solid.h"
+#include "cocone/reconstruct.h"
+#include "delaunay/delaunay.h"
+#include "geom/closest_facet.h"
+#include "geom/dense_samples.h"
+#include "geom/errors.h"
+#include "geom/mesh_check.h"
+#include "geom/surface_distance.h"
+#include "tests/mesh_gallery.h"
+
+namespace cocoon {
+namespace {
+
+TriangleMesh box(double x, double y, double z) {
+  TriangleMesh mesh = gallery::cube();
+  for (Point& p : mesh.points) p = {x * p.x, y * p.y, z * p.z};
+  return mesh;
+}
+
+// Two plates of 4 by 4 by 1, a gap of a third of the spacing between them.
+constexpr double spacing = 0.3;
+TriangleMesh two_plates() {
+  return gallery::join(box(4, 4, 1), gallery::translated(box(4, 4, 1), {0, 0, 1.1}));
+}
+
+std::vector<Point> samples_of(const TriangleMesh& mesh) {
+  std::vector<Point> points = mesh.points.raw();
+  const std::vector<Point> added = dense_samples(mesh, {.spacing = spacing});
+  points.insert(points.end(), added.begin(), added.end());
+  return points;
+}
+
+std::vector<Point> joined(std::vector<Point> points, const std::vector<Point>& more) {
+  points.insert(points.end(), more.begin(), more.end());
+  return points;
+}
+
+std::size_t crossing_cells(const TriangleMesh& solid, const std::vector<Point>& points) {
+  const Triangulation triangulation = delaunay(points).triangulation;
+  std::vector<CellId> cells;
+  for (const CellId c : triangulation.finite_cells()) cells.push_back(c);
+  const std::vector<CellHeights> heights =
+      cell_heights(triangulation, cells, solid, CellPlaces::centroid_and_edges);
+  return static_cast<std::size_t>(std::count_if(
+      heights.begin(), heights.end(), [](const CellHeights& h) { return h.crosses(0.02); }));
+}
+
+TEST(ConformingSamples, LeaveNoCellThatCrossesTheMesh) {
+  const TriangleMesh solid = two_plates();
+  const std::vector<Point> samples = samples_of(solid);
+  ASSERT_GT(crossing_cells(solid, samples), 20U);
+  const ConformingSamples more = conforming_samples(solid, samples, {.spacing = spacing});
+  const std::vector<Point> all = joined(samples, more.added);
+  EXPECT_EQ(crossing_cells(solid, all), 0U);
+  EXPECT_EQ(more.without_room, 0U);
+  EXPECT_GT(more.rounds, 1U);
+  EXPECT_LT(more.added.size(), samples.size());
+
+  // All are on the mesh, and not close to each other.
+  const ClosestFacetTree tree(solid);
+  for (const Point& p : more.added) EXPECT_LT(tree.closest(p).squared_distance, 1e-24);
+  for (std::size_t k = samples.size(); k < all.size(); ++k) {
+    for (std::size_t i = 0; i < k; ++i) EXPECT_GE(distance(all[i], all[k]), spacing / 16);
+  }
+}
+
+TEST(ConformingSamples, KeepBodiesApartThatSamplesJoin) {
+  const TriangleMesh solid = two_plates();
+  const auto surface_of = [&](const std::vector<Point>& points) {
+    return reconstruct_tight_with_labels(points, labels_told_by(solid, points)).mesh;
+  };
+  const std::vector<Point> samples = samples_of(solid);
+  EXPECT_NE(mesh_check(surface_of(samples)).components, 2U);
+  const ConformingSamples more = conforming_samples(solid, samples, {.spacing = spacing});
+  const TriangleMesh surface = surface_of(joined(samples, more.added));
+  const MeshReport report = mesh_check(surface);
+  EXPECT_EQ(report.components, 2U);
+  EXPECT_EQ(report.genus, 0U);
+  EXPECT_LT(surface_distance(surface, solid, {.samples = 20000}).rms, 1e-3 * spacing);
+}
+
+TEST(ConformingSamples, AreNoneWhereTheSpacingIsFine) {
+  const TriangleMesh solid = box(4, 4, 4);
+  const ConformingSamples more = conforming_samples(solid, samples_of(solid), {.spacing = spacing});
+  EXPECT_TRUE(more.added.empty());
+  EXPECT_EQ(more.rounds, 0U);
+}
+
+TEST(ConformingSamples, StopAtTheClosestDistanceAndTheLastRound) {
+  const TriangleMesh solid = two_plates();
+  const std::vector<Point> samples = samples_of(solid);
+  const ConformingSamples far = conforming_samples(solid, samples, {.spacing = 1, .closest = 1});
+  EXPECT_GT(far.without_room, 0U);
+  const ConformingSamples one =
+      conforming_samples(solid, samples, {.spacing = spacing, .max_rounds = 1});
+  EXPECT_EQ(one.rounds, 1U);
+  EXPECT_GT(crossing_cells(solid, joined(samples, one.added)), 0U);
+}
+
+// Not of the order of cells, which depends on threads, nor of the unit of length.
+TEST(ConformingSamples, AreAFunctionOfMeshAndSamples) {
+  const TriangleMesh solid = two_plates();
+  const std::vector<Point> samples = samples_of(solid);
+  const std::vector<Point> added =
+      conforming_samples(solid, samples, {.spacing = spacing}, {.threads = 1}).added;
+  ASSERT_FALSE(added.empty());
+  for (int run = 0; run < 5; ++run) {
+    EXPECT_EQ(conforming_samples(solid, samples, {.spacing = spacing}, {.threads = 3}).added,
+              added);
+  }
+  for (const double factor : {0x1p-200, 0x1p200}) {
+    const TriangleMesh other = gallery::scaled(solid, factor);
+    std::vector<Point> points = samples;
+    for (Point& p : points) p = factor * p;
+    std::vector<Point> more =
+        conforming_samples(other, points, {.spacing = factor * spacing}).added;
+    for (Point& p : more) p = p / factor;
+    EXPECT_EQ(more, added) << factor;
+  }
+}
+
+TEST(ConformingSamples, NeedAClosedMeshAndPossibleOptions) {
+  TriangleMesh open = two_plates();
+  const std::vector<Point> samples = samples_of(open);
+  EXPECT_THROW(conforming_samples(open, samples, {}), InputError);
+  EXPECT_THROW(conforming_samples(open, samples, {.spacing = 1, .closest = -1}), InputError);
+  EXPECT_THROW(conforming_samples(open, samples, {.spacing = 1, .min_depth = -1}), InputError);
+  open.triangles.resize(open.triangles.size() - 1);
+  EXPECT_TRUE(conforming_samples(open, samples, {.spacing = spacing}).added.empty());
+}
+
+// A tetrahedron with its centroid 1 below the upper side of a box, and one corner above it.
+TEST(CellHeights, AreThoseOfCentroidAndMiddlesOfEdges) {
+  const TriangleMesh solid = gallery::translated(box(20, 20, 10), {-10, -10, -10});
+  const std::vector<Point> corners = {{0, 0, 2}, {3, 0, -2}, {-3, 3, -2}, {-3, -3, -2}};
+  const Triangulation triangulation = delaunay(corners).triangulation;
+  const std::vector<CellId> cells(1, *triangulation.finite_cells().begin());
+  const CellHeights heights =
+      cell_heights(triangulation, cells, solid, CellPlaces::centroid_and_edges).front();
+  EXPECT_DOUBLE_EQ(heights.lowest, -2);  // of an edge below
+  EXPECT_DOUBLE_EQ(heights.highest, 0);  // of the edges to the upper corner
+  EXPECT_DOUBLE_EQ(heights.deepest(), -2);
+  EXPECT_DOUBLE_EQ(heights.longest_edge, std::sqrt(45.0));
+  EXPECT_FALSE(heights.crosses(0));
+  const std::vector<Point> raised = {{0, 0, 4}, {3, 0, -2}, {-3, 3, -2}, {-3, -3, -2}};
+  const Triangulation higher = delaunay(raised).triangulation;
+  const std::vector<CellId> cell(1, *higher.finite_cells().begin());
+  const CellHeights crossing =
+      cell_heights(higher, cell, solid, CellPlaces::centroid_and_edges).front();
+  EXPECT_DOUBLE_EQ(crossing.highest, 1);
+  EXPECT_TRUE(crossing.crosses(0.1));
+  EXPECT_FALSE(crossing.crosses(0.2));
+  EXPECT_EQ(crossing.at_highest.z, 1);
+  EXPECT_EQ(crossing.at_lowest.z, -2);
+  const CellHeights middle = cell_heights(higher, cell, solid, CellPlaces::centroid).front();
+  EXPECT_DOUBLE_EQ(middle.lowest, -0.5);
+  EXPECT_DOUBLE_EQ(middle.highest, 0);
+  EXPECT_DOUBLE_EQ(middle.longest_edge, crossing.longest_edge);
+}
+
+}  // namespace
+}  // namespace cocoon
