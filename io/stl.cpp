@@ -76,10 +76,10 @@ class StlTextReader {
       if (is("solid")) {
         if (in_solid_) fail("a solid begins before the last one ended");
         in_solid_ = true;
-        fields_ = Fields("");  // the rest of the line is its name
+        skip_name();
       } else if (is_end_of_solid() && in_solid_) {
         in_solid_ = false;
-        fields_ = Fields("");
+        skip_name_after_end();
       } else if (is("facet") && in_solid_) {
         read_facet();
       } else {
@@ -110,6 +110,36 @@ class StlTextReader {
     word_ = fields_.word();
     if (is("end")) join_end();
     return true;
+  }
+
+  // The rest of the line, up to where facets begin, or the end of the solid.
+  void skip_name() {
+    while (!fields_.done()) {
+      const Fields here = fields_;
+      const std::string_view word = fields_.word();
+      if (begins_facet(word, fields_) || equals_ignoring_case(word, "endsolid")) {
+        fields_ = here;
+        return;
+      }
+    }
+  }
+
+  // The same, up to the next solid if it has facets on this line: "solid" may be part of a name.
+  void skip_name_after_end() {
+    Fields next_solid("");
+    while (!fields_.done()) {
+      const Fields here = fields_;
+      const std::string_view word = fields_.word();
+      if (equals_ignoring_case(word, "solid")) next_solid = here;
+      if (!begins_facet(word, fields_)) continue;
+      fields_ = next_solid.done() ? here : next_solid;
+      return;
+    }
+  }
+
+  static bool begins_facet(std::string_view word, Fields behind) {
+    return equals_ignoring_case(word, "facet") && !behind.done() &&
+           equals_ignoring_case(behind.word(), "normal");
   }
 
   // Some write "end solid", "end facet" and "end loop".

@@ -139,6 +139,26 @@ TEST_F(TextFormats, StlTextMayWriteItsEndsInOtherWays) {
             ":8: the file ends within a facet; it is cut off");
 }
 
+// A name ends where facets begin, or the solid ends.
+TEST_F(TextFormats, StlTextMayGoOnBehindANameInItsLine) {
+  const std::string facet =
+      " facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 "
+      "endloop endfacet";
+  const std::string other =
+      " facet normal 0 0 1 outer loop vertex 0 0 0 vertex 0 1 0 vertex 0 0 1 "
+      "endloop endfacet";
+  for (const std::string& text :
+       {"solid one facet" + facet + other + " endsolid one",
+        "solid" + facet + "\n" + other + "\nendsolid",
+        "solid x" + facet + " endsolid a solid part solid y" + other + " endsolid y\n",
+        "solid x" + facet + "\nendsolid x solid y" + other + "\nendsolid y",
+        "solid x endsolid x\nsolid y" + facet + other + "\nendsolid y"}) {
+    EXPECT_EQ(read("a.stl", text).triangles.raw(), triangles({{0, 1, 2}, {0, 2, 3}})) << text;
+  }
+  EXPECT_EQ(message("a.stl", "solid x" + facet + "\nendsolid x solid y\n" + other + "\nendsolid\n"),
+            ":3: expected solid, found 'facet'");
+}
+
 TEST_F(TextFormats, StlTextThatEndsEarlyIsRefused) {
   const std::string facet =
       "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
