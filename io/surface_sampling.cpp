@@ -107,16 +107,18 @@ std::vector<Point> sample_surface(const ImplicitSolid& solid, const TriangleMesh
                                   const SurfaceRegion& region, std::size_t count, Random& random,
                                   const Execution& execution) {
   constexpr std::size_t candidates_per_sample = 5;
-  constexpr std::size_t tries_per_candidate = 4;
+  constexpr std::size_t tries_per_candidate = 100;
+  constexpr std::size_t fewest_tries = 10000;  // of few candidates none may fall into the region
   const TrianglesByArea triangles(mesh);
   const std::size_t wanted = candidates_per_sample * count;
+  const std::size_t most_tries = std::max(tries_per_candidate * wanted, fewest_tries);
   std::vector<Point> candidates;
   std::size_t tries = 0;
   const double area = triangles.area();
   const double step = finite_difference_step * norm(solid.box.size());
   while (candidates.size() < wanted) {
     report_now_and_then(execution, 0, 0.5, candidates.size(), wanted);
-    if (area == 0 || ++tries > tries_per_candidate * wanted) {
+    if (area == 0 || ++tries > most_tries) {
       throw InputError("sampled region holds too little of the surface; give a larger one");
     }
     const TriangleId triangle = triangles.at(random.uniform(0, area));

@@ -265,6 +265,22 @@ TEST(SampleJoysticks, AreTwoChangesOfOnePart) {
             sample_model("joystick-2", options).initial);
 }
 
+// However few, if only one is where the change is.
+TEST(SampleModels, FewPointsAreSampledOrSaidToBeTooFew) {
+  for (const std::string name : {"block", "golf-club"}) {
+    for (const std::size_t count : {4, 16, 256}) {
+      SCOPED_TRACE(name + " " + std::to_string(count));
+      try {
+        const SampleOptions options = {.points = count, .cloud_points = 4 * count, .seed = count};
+        EXPECT_EQ(sample_model(name, options).initial.size(), count);
+      } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("ask for more points"), std::string::npos)
+            << error.what();
+      }
+    }
+  }
+}
+
 TEST(SampleModels, SizesAndSeedAreOptions) {
   const SampleOptions options = {.points = 500, .cloud_points = 700, .seed = 9};
   const SampleModel a = sample_model("block", options);
