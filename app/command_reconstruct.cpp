@@ -222,7 +222,8 @@ void require_possible_options(const ReconstructArguments& arguments) {
 }  // namespace
 
 void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
-  require_outputs(job, {{arguments.mesh, mesh_extensions, arguments.points}, {arguments.session}},
+  const OutputFile session_file = {.path = arguments.session, .is_session = true};
+  require_outputs(job, {{arguments.mesh, mesh_extensions, arguments.points}, session_file},
                   {arguments.points});
   require_possible_options(arguments);
   std::optional<LockFile> lock;

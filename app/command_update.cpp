@@ -149,7 +149,7 @@ void run_update(const UpdateArguments& arguments, Job& job) {
                   {{arguments.mesh, mesh_extensions, arguments.model},
                    {arguments.map},
                    {arguments.html},
-                   {arguments.session}},
+                   {.path = arguments.session, .is_session = true}},
                   inputs);
   const CloudFilter filter = cloud_filter(arguments.filter);
   if (!arguments.session.empty()) {

@@ -79,7 +79,9 @@ class Watch {
         folder_(arguments.folder, to_milliseconds(arguments.settle), own_files()),
         options_(update_options(arguments.parameters)),
         filter_(cloud_filter(arguments.filter)) {
-    require_outputs(job, {{arguments.mesh, mesh_extensions}, {session_file_}}, {arguments.model});
+    require_outputs(
+        job, {{arguments.mesh, mesh_extensions}, {.path = session_file_, .is_session = true}},
+        {arguments.model});
     require_folder(arguments.folder);
     constexpr std::size_t most_notes = std::numeric_limits<std::uint32_t>::max();
     require_possible_name(pending_cloud_file(session_file_, most_notes));

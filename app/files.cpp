@@ -136,6 +136,22 @@ void require_writable(const std::string& path) {
   }
 }
 
+// Where the report goes with "--json -"; not if what is written there is lost anyway.
+void add_standard_output(std::vector<fs::path>& targets) {
+  const fs::path target = place_of("/dev/stdout");
+  if (target != "/dev/null") targets.push_back(target);
+}
+
+// A session takes these away when it is saved or let go.
+void require_not_of_session(const std::string& path, const std::string& session) {
+  const std::string own = place_of(session).string();
+  const std::string place = place_of(path).string();
+  if (place == own + ".lock" || place.starts_with(own + ".cloud-")) {
+    throw UsageError(path + ": this name is kept for a file of the session " + session +
+                     "; name another one");
+  }
+}
+
 }  // namespace
 
 void require_outputs(const Job& job, std::vector<OutputFile> outputs,
@@ -143,6 +159,7 @@ void require_outputs(const Job& job, std::vector<OutputFile> outputs,
   if (job.shared().json != "-") outputs.push_back({job.shared().json});
   std::erase_if(outputs, [](const OutputFile& output) { return output.path.empty(); });
   std::vector<fs::path> targets;
+  if (job.shared().json == "-") add_standard_output(targets);
   for (const OutputFile& output : outputs) {
     require_extension(output);
     require_writable(output.path);
@@ -155,6 +172,11 @@ void require_outputs(const Job& job, std::vector<OutputFile> outputs,
       throw UsageError(output.path + ": is an input and would be overwritten; name another file");
     }
     targets.push_back(target);
+  }
+  for (const OutputFile& session : outputs) {
+    if (!session.is_session) continue;
+    for (const OutputFile& output : outputs) require_not_of_session(output.path, session.path);
+    for (const std::string& input : inputs) require_not_of_session(input, session.path);
   }
 }
 

@@ -20,12 +20,14 @@ struct OutputFile {
   std::string path;                          // empty: not wanted
   std::vector<std::string> extensions = {};  // that its format can have; empty: any
   std::string may_replace = {};              // the one input that it may be; empty: none
+  bool is_session = false;                   // files beside it are its own: FILE.lock, FILE.cloud-K
 };
 
 // Checks what a command is going to write, so that nobody waits an hour for "no such folder".
 // Throws UsageError if two of the files, or one of them and an input, are the same, by whatever
-// names and links, or if an extension is none of those listed, and FileError if a file cannot be
-// made there. The report file of the job is one of them.
+// names and links, or one is what a session keeps beside itself, or if an extension is none of
+// those listed, and FileError if a file cannot be made there. The report file of the job is one of
+// them.
 void require_outputs(const Job& job, std::vector<OutputFile> outputs,
                      const std::vector<std::string>& inputs = {});
 

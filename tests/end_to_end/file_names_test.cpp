@@ -59,6 +59,27 @@ TEST_F(TwoNames, OfOneOutputAreRefusedBeforeItExists) {
   EXPECT_EQ(folder.names(), (Names{"cap.xyz", "here", "link", "points.xyz"}));
 }
 
+// A session takes the files beside it away when it is done.
+TEST_F(TwoNames, WhatASessionKeepsBesideItselfIsNoOutput) {
+  for (const std::string name : {"./s.session.lock", "s.session.cloud-1"}) {
+    SCOPED_TRACE(name);
+    expect_error(run_program({"reconstruct", "points.xyz", "-o", "w.ply", "--session", "s.session",
+                              "--json", name}),
+                 2, name + ": this name is kept for a file of the session s.session");
+    expect_error(
+        run_program({"update", "--session", "s.session", "cap.xyz", "-o", "w.ply", "--map", name}),
+        2, "name another one");
+  }
+  EXPECT_EQ(folder.names(), (Names{"cap.xyz", "points.xyz"}));
+}
+
+// The report goes there.
+TEST_F(TwoNames, StandardOutputIsNoOutputBesideTheReport) {
+  fs::create_symlink("/dev/stdout", "w.ply");
+  expect_error(run_program({"reconstruct", "points.xyz", "-o", "w.ply", "--json", "-"}), 2,
+               "w.ply: two outputs cannot be the same file");
+}
+
 TEST_F(InputsAsOutputs, AreRefused) {
   ASSERT_EQ(run_program({"reconstruct", "points.xyz", "-o", "m.ply"}).exit_code, 0);
   fs::create_symlink("cap.xyz", "link");
