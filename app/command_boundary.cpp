@@ -1,8 +1,12 @@
+#include <algorithm>
+#include <cstdint>
 #include <fmt/format.h>
+#include <vector>
 
 #include "app/carried_properties.h"
 #include "app/commands.h"
 #include "app/files.h"
+#include "app/open_surface.h"
 #include "app/reconstruct_report.h"
 #include "app/surface_options.h"
 #include "app/surface_report.h"
@@ -14,6 +18,7 @@
 #include "geom/mesh_check.h"
 #include "io/mesh_file.h"
 #include "io/polyline_file.h"
+#include "update/cloud/trim_long_edges.h"
 
 namespace cocoon::app {
 
@@ -44,12 +49,40 @@ void add_boundary(JsonReport& report, const ReconstructResult& surface,
   }
 }
 
+// Which vertices are boundary samples, beside what the file of points says of them.
+void add_boundary_samples(const ReconstructResult& surface, VertexProperties& properties) {
+  constexpr const char* name = "boundary_sample";
+  std::vector<std::uint8_t> flags;
+  flags.reserve(surface.boundary_sample.size());
+  for (const std::uint8_t flag : surface.boundary_sample) flags.push_back(flag != 0 ? 1 : 0);
+  std::erase_if(properties.columns,
+                [&](const VertexProperty& column) { return column.declaration.name == name; });
+  properties.rows = flags.size();
+  properties.columns.push_back(property_of(name, flags));
+}
+
+// As an update would take them out.
+void tell_bridges(Job& job, const TriangleMesh& surface) {
+  const TrimOptions options;
+  const TrimmedSurface trimmed = trim_long_edges(surface, options);
+  const std::size_t triangles = trimmed.at_rim + trimmed.in_clusters;
+  if (triangles == 0) return;
+  job.report().set("boundary/bridging_triangles", triangles);
+  job.say(
+      "note: {} with edges longer than {} spacings may bridge slots or holes; --trim {} leaves "
+      "them out, as an update does",
+      counted(triangles, "triangle"), options.max_edge, options.max_edge);
+}
+
 }  // namespace
 
 void run_boundary(const BoundaryArguments& arguments, Job& job) {
   require_outputs(
       job, {{arguments.mesh, mesh_extensions, arguments.points}, {arguments.loops, {".obj"}}},
       {arguments.points});
+  if (arguments.label_samples && !holds_properties(arguments.mesh)) {
+    throw UsageError("--label-samples: only PLY keeps what is said of vertices; name a .ply file");
+  }
   StageOptions stages;
   stages.surface = surface_options(arguments.parameters, open_cloud_defaults());
   set_radius(stages.surface, arguments.radius);
@@ -61,14 +94,20 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
   std::vector<Point> points = read_cloud(job, arguments.points, "input", carried);
   add_thinning(job.report(), arguments.thin,
                thin_input(job, arguments.points, arguments.thin, points, carried));
-  const ReconstructResult surface = naming_input(
+  ReconstructResult surface = naming_input(
       arguments.points, [&] { return reconstruct_cocone(points, options, job.execution()); });
   require_surface(job, arguments.points, surface, points, options);
+  if (arguments.trim) {
+    open_surface(job, *arguments.trim, surface);
+  } else {
+    tell_bridges(job, surface.mesh);
+  }
   const BoundaryLoops boundary =
       timed(job.execution(), "loops", [&] { return boundary_loops(surface.mesh, stages.loops); });
   const MeshReport certificate = timed(
       job.execution(), "check", [&] { return mesh_check(surface.mesh, {}, job.execution()); });
   properties = properties_of_surface(job, properties, arguments.points, surface);
+  if (arguments.label_samples) add_boundary_samples(surface, properties);
   timed(job.execution(), "write", [&] {
     write_mesh(arguments.mesh, surface.mesh, properties, {.ascii = arguments.ascii}, job.outputs());
     if (!arguments.loops.empty()) {
@@ -78,6 +117,7 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
   });
 
   add_parameters(job.report(), options);
+  if (arguments.trim) job.report().set("parameters/trim", *arguments.trim);
   for (const ThresholdUse use : {ThresholdUse::cocone, ThresholdUse::loops}) {
     add_thresholds(job.report(), use, stages);
   }
@@ -89,6 +129,9 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
   for (const BoundaryLoop& loop : boundary.loops) {
     job.say("  {} edges, length {:.6g}{}", loop.edges.size(), loop.perimeter,
             loop.pin_hole ? " (pin-hole)" : "");
+  }
+  if (arguments.parameters.mode == "paper" && arguments.radius == "tangent-plane") {
+    job.warn("--radius tangent-plane does nothing with --mode paper");
   }
   job.finish();
 }

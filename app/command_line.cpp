@@ -9,6 +9,7 @@
 
 #include "app/check_requirements.h"
 #include "app/cloud_filter.h"
+#include "app/option_values.h"
 #include "app/surface_options.h"
 #include "app/thresholds.h"
 #include "io/number_text.h"
@@ -24,34 +25,9 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
-// Like CLI::Range, which lets "nan" pass.
-CLI::Validator between(double low, double high) {
-  const std::string range = fmt::format("in [{}, {}]", low, high);
-  return {[=](const std::string& text) {
-            double value = 0;
-            const bool read = CLI::detail::lexical_cast(text, value);
-            return read && value >= low && value <= high ? std::string()
-                                                         : fmt::format("{} is not {}", text, range);
-          },
-          range};
-}
-
-// CLI11 takes "", negative numbers and those that are too large for some whole number.
-CLI::Validator whole_number() {
-  return {[](const std::string& text) {
-            std::uint64_t value = 0;
-            const char* at = text.data();
-            const char* end = at + text.size();
-            const bool has_sign = text.starts_with('-') || text.starts_with('+');
-            return !has_sign && parse_integer(at, end, value) && at == end
-                       ? std::string()
-                       : fmt::format("'{}' is no whole number from 0 to below 2^64", text);
-          },
-          "0 to below 2^64"};
-}
-
 void add_shared_options(CLI::App& app, SharedArguments& shared) {
   app.add_option("--threads", shared.threads, "Number of threads; 0 = all cores (default)")
+      ->transform(without_leading_zeros())
       ->check(CLI::Range(0, 1024));
   app.add_option("--json", shared.json, "Write the JSON report to FILE; - = standard output")
       ->type_name("FILE");
@@ -238,11 +214,14 @@ void add_demo_and_sample(CLI::App& app, Command& chosen, SharedArguments& shared
   sub->add_option("-o,--output", sample.folder, "Folder to write to (the model's name)")
       ->type_name("DIR");
   sub->add_option("--points", sample.points, "Points of the initial model (the paper's number)")
+      ->transform(without_leading_zeros())
       ->check(CLI::Range(std::size_t{4}, most_sample_points));
   sub->add_option("--cloud-points", sample.cloud_points,
                   "Points of all clouds together (the paper's number)")
+      ->transform(without_leading_zeros())
       ->check(CLI::Range(std::size_t{4}, most_sample_points));
   sub->add_option("--seed", sample.seed, "Seed of the random placement (1)")
+      ->transform(without_leading_zeros())
       ->check(whole_number())
       ->type_name("N");
 }
@@ -256,17 +235,13 @@ void add_densify(CLI::App& sub, const std::string& mesh, std::optional<double>& 
       ->check(between(1e-300, 1e300));
 }
 
-void add_trim(CLI::App& sub, std::optional<double>& max_edge) {
-  sub.add_option("--trim", max_edge,
-                 "Open the watertight surface where nothing was scanned: leave out triangles with "
-                 "an edge longer than so many local spacings (8 suits most open scans)")
-      ->type_name("TIMES")
-      ->check(between(1, 1e300));
+void add_trim(CLI::App& sub, std::optional<double>& max_edge, const std::string& what_for) {
+  sub.add_option("--trim", max_edge, what_for)->type_name("TIMES")->check(between(1, 1e300));
 }
 
 const std::string keeps_properties = "; PLY also keeps the vertices' properties";
 
-void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& shared) {
+void add_reconstruct_command(CLI::App& app, Command& chosen, SharedArguments& shared) {
   CLI::App* sub = nullptr;
   auto& reconstruct = add_command<ReconstructArguments>(app, "reconstruct", "Point cloud to mesh",
                                                         chosen, shared, sub);
@@ -279,7 +254,10 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
                   "tight: watertight (default); cocone: the open surface")
       ->check(CLI::IsMember({"tight", "cocone"}));
   add_manifold_option(*sub, reconstruct.manifold);
-  add_trim(*sub, reconstruct.trim);
+  add_trim(
+      *sub, reconstruct.trim,
+      "Open the watertight surface where nothing was scanned: leave out triangles with an edge "
+      "longer than so many local spacings (8 suits most open scans)");
   sub->add_option("--session", reconstruct.session,
                   "Also write a session, from which 'update --session' goes on without this work")
       ->type_name("FILE");
@@ -290,17 +268,28 @@ void add_surface_commands(CLI::App& app, Command& chosen, SharedArguments& share
       ->check(CLI::IsMember({"none", "robust"}));
   add_surface_options(*sub, reconstruct.parameters, "1 / 1.2 if --surface is tight, else 0.3");
   add_stages_of_reconstruct(*sub, reconstruct);
+}
 
+void add_boundary_command(CLI::App& app, Command& chosen, SharedArguments& shared) {
+  CLI::App* sub = nullptr;
   auto& boundary = add_command<BoundaryArguments>(
       app, "boundary", "The surface of an open cloud and its boundary loops", chosen, shared, sub);
   sub->add_option("POINTS", boundary.points, "Point cloud")->required();
   add_mesh_output(*sub, boundary.mesh, boundary.ascii, keeps_properties);
   sub->add_option("--loops", boundary.loops, "Write the boundary loops as polylines")
       ->type_name("FILE.obj");
+  sub->add_flag("--label-samples", boundary.label_samples,
+                "Also write which vertices are boundary samples, as property boundary_sample");
   add_thin(*sub, boundary.thin, "");
+  add_trim(*sub, boundary.trim,
+           "Leave out triangles with an edge longer than so many local spacings, with which the "
+           "surface bridges slots and holes (update takes 5)");
   add_surface_options(*sub, boundary.parameters, "0.3 by default");
   add_stages_of_boundary(*sub, boundary);
+}
 
+void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared) {
+  CLI::App* sub = nullptr;
   auto& update = add_command<UpdateArguments>(
       app, "update", "Replace the parts of a mesh that new clouds show changed", chosen, shared,
       sub);
@@ -350,6 +339,7 @@ void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) 
                   "Clouds until the whole session is written again; till then each is kept in a "
                   "small file beside it (32)")
       ->type_name("N")
+      ->transform(without_leading_zeros())
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
   sub->add_flag("--together", watch.together,
                 "Take files that come together, each before those before it have settled, as views "
@@ -403,6 +393,7 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
                 "Also look for triangles that cross");
   sub->add_option("--handles", check.handles,
                   "Also tell where so many of the narrowest handles are")
+      ->transform(without_leading_zeros())
       ->check(CLI::Range(std::size_t{0}, std::size_t{1000000}))
       ->type_name("COUNT");
 
@@ -411,6 +402,7 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
   sub->add_option("A", compare.a, "Mesh or point cloud")->required();
   sub->add_option("B", compare.b, "Mesh or point cloud")->required();
   sub->add_option("--samples", compare.samples, "Sample points on each mesh (100000)")
+      ->transform(without_leading_zeros())
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
 }
 
@@ -437,6 +429,16 @@ void require_no_empty_values(const CLI::App& command) {
   }
 }
 
+// The options that may be given before the command, too: of two places one would be ignored.
+void require_in_one_place(const CLI::App& app, const CLI::App& command) {
+  for (const char* name : {"--json", "--threads"}) {
+    if (app.count(name) > 0 && command.count(name) > 0) {
+      throw UsageError(fmt::format("{} is given before {} and behind it; leave out one", name,
+                                   command.get_name()));
+    }
+  }
+}
+
 std::string problem_told(const CLI::App& app, const CLI::ParseError& error) {
   std::string problem = in_one_line(error.what());
   // With a session the first of the arguments without a name is a cloud (settle_model).
@@ -457,7 +459,9 @@ Request parse_command_line(int argc, const char* const* argv) {
   app.require_subcommand(1);
   add_shared_options(app, line.shared);
   add_demo_and_sample(app, line.command, line.shared);
-  add_surface_commands(app, line.command, line.shared);
+  add_reconstruct_command(app, line.command, line.shared);
+  add_boundary_command(app, line.command, line.shared);
+  add_update_command(app, line.command, line.shared);
   add_watch_command(app, line.command, line.shared);
   add_other_commands(app, line.command, line.shared);
   app.footer("Options of a command: cocoon COMMAND --help");  // commands would take it over
@@ -465,7 +469,10 @@ Request parse_command_line(int argc, const char* const* argv) {
     require_known_command(app, argc, argv);
     app.parse(argc, argv);
     require_no_empty_values(app);
-    for (const CLI::App* command : app.get_subcommands()) require_no_empty_values(*command);
+    for (const CLI::App* command : app.get_subcommands()) {
+      require_no_empty_values(*command);
+      require_in_one_place(app, *command);
+    }
     if (const auto* check = std::get_if<CheckArguments>(&line.command)) {
       require_known_words(check->required);
     }

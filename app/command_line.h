@@ -77,9 +77,11 @@ struct ReconstructArguments {
 struct BoundaryArguments {
   std::string points;
   std::string mesh;
-  std::string loops;  // empty: not written
+  std::string loops;           // empty: not written
+  bool label_samples = false;  // write which vertices are boundary samples
   bool ascii = false;
   std::optional<double> thin;  // least distance of points that are used
+  std::optional<double> trim;  // longest edge of a triangle that stays, in local spacings
   SurfaceArguments parameters;
   std::string radius;  // "cocone" or "tangent-plane"; empty: as the kind of surface has it
   std::map<std::string, double> thresholds;  // those given, by name (thresholds.h)

@@ -1,4 +1,4 @@
-// --trim: a closed surface without the triangles that span what was not scanned.
+// --trim: a surface without the triangles that span what was not scanned.
 #pragma once
 
 #include "app/job.h"
@@ -6,9 +6,9 @@
 
 namespace cocoon::app {
 
-// Takes triangles with an edge longer than so many local spacings out of a closed surface, where
-// they hang together (trim_long_edges), and vertices that are then in none. Told in the summary and
-// in section "trim" of the report. Throws InputError if no triangle is left.
+// Takes triangles with an edge longer than so many local spacings out of a surface, at its rim and
+// where they hang together (trim_long_edges), and vertices that are then in none. Told in the
+// summary and in section "trim" of the report. Throws InputError if no triangle is left.
 void open_surface(Job& job, double max_edge, ReconstructResult& surface);
 
 }  // namespace cocoon::app

@@ -123,6 +123,17 @@ TEST(CommandLine, SampleAndDemo) {
   EXPECT_EQ(parsed<DemoArguments>({"demo", "-o", "there"}).folder, "there");
 }
 
+// As `seq -w` counts; not octal, as in C.
+TEST(CommandLine, LeadingZerosMeanNothing) {
+  const auto sample = parsed<SampleArguments>(
+      {"sample", "block", "--points", "0400", "--cloud-points", "010000", "--seed", "08"});
+  EXPECT_EQ(sample.points, 400U);
+  EXPECT_EQ(sample.cloud_points, 10000U);
+  EXPECT_EQ(sample.seed, 8U);
+  EXPECT_EQ(parsed<SampleArguments>({"sample", "block", "--seed", "000"}).seed, 0U);
+  EXPECT_EQ(parsed<CompareArguments>({"compare", "a", "b", "--samples", "010"}).samples, 10U);
+}
+
 TEST(CommandLine, RequirementsAreAListOfWords) {
   const auto check = parsed<CheckArguments>(
       {"check", "m.ply", "--require", "closed,manifold,oriented", "--self-intersections"});
@@ -284,6 +295,8 @@ TEST(CommandLine, WrongOnesAreUsageErrorsOfOneLine) {
       {"sample", "block", "--points", "18446744073709551626"},
       {"sample", "block", "--cloud-points", "-5"},
       {"sample", "block", "--cloud-points", ""},
+      {"--json", "a.json", "check", "m.ply", "--json", "b.json"},
+      {"--threads", "1", "check", "m.ply", "--threads", "2"},
       {"sample", "block", "--seed", "-1"},
       {"sample", "block", "--seed", ""},
       {"sample", "block", "--seed", " 7"},

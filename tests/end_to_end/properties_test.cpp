@@ -74,8 +74,8 @@ TEST(Properties, ReconstructCarriesTheRowOfTheFirstOfEqualPoints) {
     const ProgramRun run =
         run_program({command, cloud, "-o", folder.file("out.ply"), "--json", "-"});
     ASSERT_EQ(run.exit_code, 0) << run.error;
-    EXPECT_EQ(Json::parse(run.out)["properties"],
-              Json::parse(R"([{"name":"red","type":"uchar","missing":0},
+    const Json report = Json::parse(run.out);
+    EXPECT_EQ(report["properties"], Json::parse(R"([{"name":"red","type":"uchar","missing":0},
                               {"name":"number","type":"int","missing":0}])"));
     const NumberedMesh out = read_numbered(folder.file("out.ply"));
     ASSERT_GT(out.numbers.size(), distinct / 2);
@@ -85,6 +85,30 @@ TEST(Properties, ReconstructCarriesTheRowOfTheFirstOfEqualPoints) {
       EXPECT_EQ(out.mesh.points[v], points[number]);
       EXPECT_EQ(out.reds[v.index()], static_cast<int>(number % 256));
     }
+  }
+}
+
+// In the place of a property of that name.
+TEST(Properties, BoundaryLabelsTheBoundarySamples) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cap.xyz", sphere_cap(800, 0.6));
+  const std::string out = folder.file("out.ply");
+  for (const std::string& input : {cloud, out}) {
+    const ProgramRun run =
+        run_program({"boundary", input, "-o", out, "--label-samples", "--json", "-"});
+    ASSERT_EQ(run.exit_code, 0) << run.error;
+    MeshReadReport report;
+    VertexProperties properties;
+    const TriangleMesh mesh = read_mesh(out, report, properties);
+    ASSERT_EQ(properties.columns.size(), 1U);
+    EXPECT_EQ(properties.columns[0].declaration.name, "boundary_sample");
+    const std::string& flags = properties.columns[0].values;
+    ASSERT_EQ(flags.size(), mesh.points.size());
+    const auto count = std::count(flags.begin(), flags.end(), '\1');
+    EXPECT_GT(count, 10);
+    EXPECT_EQ(count + std::count(flags.begin(), flags.end(), '\0'),
+              static_cast<std::ptrdiff_t>(flags.size()));
+    EXPECT_LE(count, Json::parse(run.out)["boundary"]["samples"].get<int>());
   }
 }
 

@@ -1,5 +1,7 @@
 // The option --trim: surfaces of open scans that stay open.
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -111,6 +113,38 @@ TEST(Trim, OpensTightSurfacesThatNobodyGoesOnWith) {
   EXPECT_NE(refused("--session", cap.folder.file("s.cocoon")).find("leave out --trim"),
             std::string::npos);
   EXPECT_EQ(cap.reconstruct("--trim", "0.5").exit_code, 2);
+}
+
+// A sheet of 41 by 41 samples with a slot from one side to its middle, 8 wide: at any rho its
+// surface bridges it.
+TEST(Trim, OpensTheSlotsOfAnOpenCloud) {
+  const TemporaryFolder folder;
+  std::string points;
+  for (int y = -20; y <= 20; ++y) {
+    for (int x = -20; x <= 20; ++x) {
+      if (std::abs(x) < 4 && y >= 0) continue;
+      points += point_line(x + 0.2 * std::sin(7.0 * x + 3 * y), y + 0.2 * std::sin(5.0 * x - 4 * y),
+                           0.004 * x * x);
+    }
+  }
+  const std::string cloud = folder.write("sheet.xyz", points);
+  const auto perimeter_of = [&](const std::vector<std::string>& more, nlohmann::json& report) {
+    std::vector<std::string> arguments = {"boundary", cloud, "-o", folder.file("out.ply")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramRun said = run_program(arguments);
+    EXPECT_EQ(said.out.find("--trim 5 leaves") == std::string::npos, !more.empty()) << said.out;
+    arguments.insert(arguments.end(), {"--json", "-"});
+    report = nlohmann::json::parse(run_program(arguments).out);
+    EXPECT_EQ(report["boundary"]["loops"].size(), 1U);
+    return report["boundary"]["loops"][0]["perimeter"].get<double>();
+  };
+  nlohmann::json report;
+  EXPECT_LT(perimeter_of({}, report), 180);
+  EXPECT_GT(report["boundary"]["bridging_triangles"], 10);
+  EXPECT_NEAR(perimeter_of({"--trim", "5"}, report), 200, 12);
+  EXPECT_FALSE(report["boundary"].contains("bridging_triangles"));
+  EXPECT_EQ(report["parameters"]["trim"], 5);
+  EXPECT_GT(report["trim"]["triangles"], 10);
 }
 
 }  // namespace
