@@ -75,15 +75,17 @@ std::vector<double> facing_signs(const ModelIndex& model, const CloudRim& rim,
   return signs;
 }
 
-// The paper's choice: of the facets at the nearest vertex, that which contains the projection of b
-// (Eq. 1-3); of several the one with the least distance |D| from its plane, ties by lexicographic
-// corners.
+// The paper's choice: of the admitted facets at the nearest vertex, that which contains the
+// projection of b (Eq. 1-3); of several the one with the least distance |D| from its plane, ties by
+// lexicographic corners.
+template <class Admits>
 ClosestFacet star_facet(const ModelIndex& model, VertexId nearest, const Point& b,
-                        double max_distance) {
+                        double max_distance, Admits admits) {
   ClosestFacet best;
   best.squared_distance = max_distance * max_distance;
   std::array<Point, 3> corners_of_best{};
   for (const TriangleId t : model.triangles_at(nearest)) {
+    if (!admits(t)) continue;
     const std::array<Point, 3> corners = sorted_corners(corners_of(model.mesh(), t));
     const PlaneProjection projection = project_to_triangle_plane(b, corners);
     if (!projection.is_inside()) continue;
@@ -155,7 +157,9 @@ class Locator {
   // The location of most points: the closest facet of all is fine or too far away, and there is no
   // need to look for another one.
   std::optional<Location> locate_at_once(const Query& query) const {
-    if (nearest_vertex_ || !faces_at_least(query, query.closest.triangle, good())) return {};
+    const TriangleId closest = query.closest.triangle;
+    if (nearest_vertex_ || !is_on_part(query, closest)) return {};
+    if (!faces_at_least(query, closest, good())) return {};
     const double max = max_distance(query);
     if (query.closest.squared_distance > max * max) return Location{};
     return Location{.facet = query.closest};
@@ -164,13 +168,16 @@ class Locator {
   // `near` reaches max_distance() at least.
   Location locate(const NearFacets& near, const Query& query) const {
     const auto facing = [&](double cosine) {
-      return [&, cosine](TriangleId t) { return faces_at_least(query, t, cosine); };
+      return [&, cosine](TriangleId t) {
+        return is_on_part(query, t) && faces_at_least(query, t, cosine);
+      };
     };
     Location location;
     const double max = max_distance(query);
     location.facing_away = !faces_at_least(query, query.closest.triangle, good());
     if (nearest_vertex_) {
-      location.facet = star_facet(model_, (*nearest_vertex_)(query.point), query.point, max);
+      location.facet = star_facet(model_, (*nearest_vertex_)(query.point), query.point, max,
+                                  [&](TriangleId t) { return is_on_part(query, t); });
       if (!location.facet.triangle.is_none()) return location;
       location.star_miss = true;
     }
@@ -190,9 +197,12 @@ class Locator {
  private:
   double good() const { return options_.min_normal_cosine; }
 
+  bool is_on_part(const Query& query, TriangleId t) const {
+    return query.component == any_component || model_.component(t) == query.component;
+  }
+
   // A point without a normal, or a facet without area, has no side to be on.
   bool faces_at_least(const Query& query, TriangleId t, double cosine) const {
-    if (query.component != any_component && model_.component(t) != query.component) return false;
     const Vec3 normal = model_.normal(t);
     if (query.facing == Vec3{} || normal == Vec3{}) return true;
     return dot(normal, query.facing) >= cosine;

@@ -219,6 +219,25 @@ TEST(OverlappingFacets, ATenthOfTheRimMayBeNearestToAnotherPart) {
   EXPECT_EQ(on_speck(5, 0), 5);
 }
 
+// By either rule; it does not count as a point above a facet that faces away.
+TEST(OverlappingFacets, APointNearestToAnotherPartIsLocatedOnThatOfTheOthers) {
+  TriangleMesh model = testing::grid_plane(20);
+  for (Point& p : model.points) p = 2 * p;
+  const std::uint32_t first = static_cast<std::uint32_t>(model.points.size());
+  for (const Point& p : {Point{17.6, 11.7, 1}, Point{18.5, 11.8, 1}, Point{18, 12.6, 1}}) {
+    model.points.push_back(p);
+  }
+  model.triangles.push_back({VertexId(first), VertexId(first + 1), VertexId(first + 2)});
+  RimLoop loop = circle(40, {12, 12, 0}, 6);
+  loop.points[0].z = 1;
+  for (const LocationRule rule : {LocationRule::closest_facet, LocationRule::nearest_vertex_star}) {
+    const Overlap overlap = overlapping_facets(model, rim_of({loop}), {.rule = rule});
+    EXPECT_EQ(overlap.relocated, 1U);
+    EXPECT_EQ(overlap.facing_away, 0U);
+    EXPECT_EQ(overlap.loops[0].feet[0].z, 0);
+  }
+}
+
 // Between edges with cloud beyond them a point is not looked for, so that the border passes it by.
 TEST(OverlappingFacets, InnerPointsHaveNoFacet) {
   const TriangleMesh model = testing::grid_plane(20);
