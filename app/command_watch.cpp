@@ -392,7 +392,8 @@ class Watch {
     if (filter_.strays) {
       line += fmt::format("; {} left out as noise", told_strays(total_of(drop.strays)));
     }
-    for (const std::string& note : notes_of_uneven_clouds(update.result, drop.names)) {
+    for (const std::string& note :
+         notes_of_uneven_clouds(update.result, drop.names, options_.cloud.density)) {
       line += "; note: " + note;
     }
     for (const std::string& warning : update.result.warnings) {

@@ -34,13 +34,17 @@ double told_in_degrees(double radians) {
   return std::round(radians / radians_per_degree * steps) / steps;
 }
 
+const char* name_of(RadiusMode mode) {
+  return mode == RadiusMode::cocone ? "cocone" : "tangent-plane";
+}
+
 void add_parameters(JsonReport& report, const ReconstructOptions& options,
                     const std::string& part) {
   const std::string section = part.empty() ? "parameters/" : "parameters/" + part + "/";
   const RadiusMode radius = effective_options(options).boundary.radius_mode;
   report.set(section + "mode", options.mode == Mode::paper ? "paper" : "robust");
   report.set(section + "rho", options.boundary.rho);
-  report.set(section + "radius", radius == RadiusMode::cocone ? "cocone" : "tangent-plane");
+  report.set(section + "radius", name_of(radius));
   report.set(section + "alpha_deg", told_in_degrees(std::acos(options.boundary.alpha_cosine)));
   report.set(section + "cocone_angle_deg", told_in_degrees(std::asin(options.cocone.cosine)));
   report.set(section + "sharp_angle_deg", told_in_degrees(std::acos(options.prune.sharp_cosine)));

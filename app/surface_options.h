@@ -15,6 +15,9 @@ ReconstructOptions surface_options(const SurfaceArguments& arguments, Reconstruc
 // What the ratio condition measures: "cocone" or "tangent-plane"; empty: as it is.
 void set_radius(ReconstructOptions& options, const std::string& radius);
 
+// As the option --radius has it.
+const char* name_of(RadiusMode mode);
+
 // The section "parameters" of the report: what was used, given or not. `part`: a section in it
 // ("model"); empty: itself.
 void add_parameters(JsonReport& report, const ReconstructOptions& options,

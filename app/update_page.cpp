@@ -374,7 +374,7 @@ PageTable rim_table(const UpdateRecord& record) {
     if (cloud.joined_with) continue;
     table.rows.push_back({word(numbers_told(record, c)), number(cloud.loops.size()),
                           number(cloud.boundary_points), number(cloud.overlapping_facets.size()),
-                          number(cloud.border_facets), cloud.surface.rho});
+                          number(cloud.border_facets), cloud.surface.search.rho});
   }
   return table;
 }

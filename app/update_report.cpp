@@ -1,8 +1,10 @@
 #include "app/update_report.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/surface_options.h"
 #include "app/surface_report.h"
 #include "geom/counted.h"
 #include "update/report/update_messages.h"
@@ -32,6 +34,13 @@ std::size_t opened_pin_holes(const CloudReport& cloud) {
     count += loop.pin_hole && loop.match == LoopMatch::on_model ? 1U : 0U;
   }
   return count;
+}
+
+void add_search(JsonReport& entry, const CloudSurface& surface) {
+  entry.set("rho", surface.search.rho);
+  entry.set("alpha_deg", told_in_degrees(std::acos(surface.search.alpha_cosine)));
+  entry.set("radius", name_of(surface.search.radius_mode));
+  entry.set("rho_trials", surface.trials.size());
 }
 
 JsonReport cloud_entry(const CloudReport& cloud) {
@@ -66,8 +75,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("boundary_samples", cloud.surface.boundary_samples);
   entry.set("set_aside", cloud.surface.set_aside);
   entry.set("is_layered", cloud.surface.is_layered);
-  entry.set("rho", cloud.surface.rho);
-  entry.set("rho_trials", cloud.surface.trials.size());
+  add_search(entry, cloud.surface);
   entry.set("compared_rims", cloud.compared_rims);
   entry.set("taken_rim", cloud.taken_rim);
   entry.set("trimmed_triangles", cloud.surface.trimmed);
@@ -176,7 +184,7 @@ void say_update(Job& job, const UpdateRecord& record) {
             counted(cloud.boundary_points, "point"),
             counted(cloud.overlapping_facets.size(), "facet"));
     if (cloud.surface.trials.size() > 1) {
-      job.say("  rim found with rho {:.4g} after {} trials{}", cloud.surface.rho,
+      job.say("  rim found with rho {:.4g} after {} trials{}", cloud.surface.search.rho,
               cloud.surface.trials.size(),
               cloud.taken_rim > 0 ? ", as the one that leaves the least doubt on the model" : "");
     }

@@ -125,7 +125,7 @@ void report_lost_triangles(Job& job, const UpdateInput& input, const MeshChange&
   job.report().set("update/astray_area_share", share);
   if (!(share > options.min_area_share)) return;
   const bool is_coarse = std::all_of(scans.begin(), scans.end(), [&](const Scan& scan) {
-    return astray.longest_edge > options.coarse_ratio * scan.spacing;
+    return astray.median_longest_edge > options.coarse_ratio * scan.spacing;
   });
   std::string warning =
       fmt::format("{:.0f} % of the surface of {} is not kept though nothing was scanned there",
@@ -240,12 +240,13 @@ void filter_clouds(Job& job, const CloudFilter& filter, UpdateInput& input) {
 }
 
 std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
-                                                const std::vector<std::string>& names) {
+                                                const std::vector<std::string>& names,
+                                                const DensityOptions& options) {
   std::vector<std::string> notes;
   for (std::size_t c = 0; c < result.clouds.size(); ++c) {
     const CloudSurface& surface = result.clouds[c].surface;
     const SpacingRange& range = surface.spacing;
-    if (!range.is_uneven(DensityOptions{}.min_ratio)) continue;
+    if (!range.is_uneven(options.min_ratio)) continue;
     const char* what = surface.set_aside > 0
                            ? "few of the dense ones were looked at to find its rim"
                            : "one limit of distance does not fit both";
@@ -313,7 +314,8 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
     warning = with_cloud_names(warning, input.cloud_names);
   }
   const NoiseFilter filter = noise_filter_of_update(!input.strays.empty());
-  std::vector<std::string> notes = notes_of_uneven_clouds(result, input.cloud_names);
+  std::vector<std::string> notes =
+      notes_of_uneven_clouds(result, input.cloud_names, options.cloud.density);
   MeshReport certificate = timed(job.execution(), "check", [&] {
     if (session == nullptr) change = mesh_change(input.model, result.mesh, result.vertex_map);
     report_lost_triangles(job, input, change, result);

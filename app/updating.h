@@ -22,8 +22,8 @@
 namespace cocoon::app {
 
 // The library's options with what the user has set. --rho is that of the clouds' boundaries, and
-// then the only one that is tried; the other parameters hold for clouds and updated model. Mode
-// "paper": paper_update_options().
+// then the only one that is tried; the other parameters hold for the updated model and the clouds,
+// --alpha for the first trial of each. Mode "paper": paper_update_options().
 UpdateOptions update_options(const SurfaceArguments& arguments);
 
 // What goes in: the model and the clouds, with names for people.
@@ -61,7 +61,8 @@ NoiseFilter noise_filter_of_update(bool filtered);
 
 // Of clouds whose samples lie much farther apart in some places than in others (spacing_range).
 std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
-                                                const std::vector<std::string>& names);
+                                                const std::vector<std::string>& names,
+                                                const DensityOptions& options);
 
 // Messages of the library number the clouds ("cloud 1 of 2"); people know them by their files.
 std::string with_cloud_names(std::string message, const std::vector<std::string>& names);

@@ -45,12 +45,12 @@ struct Cocones {
   unsigned row(FacetId f) const;
 };
 
-// Tests all dual edges, segments by their two ends, rays by their origin and direction (exact: see
-// double_cone.h). A zero-length edge meets the cocone iff its one point lies in it.
-// Errors: InputError for parts of another triangulation, by their sizes, and for options out of
-// range (facets/stage_inputs.h).
-// Complexity: O(cells), parallel. Deterministic: each bit is a function of the facet's two cells.
-// Source: Amenta, Choi, Dey & Leekha 2002; Woo & Dey 2005, section 2.1 (cocone).
+// Tests all dual edges, segments by their two ends, rays by their origin and direction: no case is
+// missed (double_cone.h), but the side of an end is told in floating point. A zero-length edge
+// meets the cocone iff its one point lies in it. Errors: InputError for parts of another
+// triangulation, by their sizes, and for options out of range (facets/stage_inputs.h). Complexity:
+// O(cells), parallel. Deterministic: each bit is a function of the facet's two cells. Source:
+// Amenta, Choi, Dey & Leekha 2002; Woo & Dey 2005, section 2.1 (cocone).
 Cocones intersect_cocones(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
                           const CoconeOptions& options = {}, const Execution& execution = {});
 

@@ -342,12 +342,12 @@ CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface
 }
 
 CavityCounters open_cavities(const Triangulation& triangulation, const FacetSet& surface,
-                             CellMarks& marks) {
+                             CellMarks& marks, const Execution& execution) {
   require_facets("open_cavities", triangulation, surface);
   require_size("open_cavities", "flags of reached cells", marks.reached.size(),
                triangulation.num_cells());
   const IdVector<CellId, std::uint8_t> before = marks.reached;
-  Peeling(triangulation, surface, marks, {}).open_cavities();
+  Peeling(triangulation, surface, marks, execution).open_cavities();
   IdVector<CellId, std::uint8_t> hollow(before.size(), 0);
   for (const CellId c : hollow.ids()) hollow[c] = marks.reached[c] != 0 && before[c] == 0;
   return count_parts(triangulation, std::move(hollow));

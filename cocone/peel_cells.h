@@ -46,9 +46,9 @@ CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface
 // surface, the peel goes on, and so it does with what is found behind them: bodies within cavities.
 // Repeated until nothing changes. Where `marks.reached` differs from the labels (clean_up_cells)
 // the labels follow. Complexity: O(cells) for each depth of nesting. Independent of order.
-// Errors: InputError if the marks do not come from peel_cells. Source: ours,
+// Errors: InputError if the marks do not come from peel_cells; Cancelled. Source: ours,
 // docs/stages/peel_cells.md.
 CavityCounters open_cavities(const Triangulation& triangulation, const FacetSet& surface,
-                             CellMarks& marks);
+                             CellMarks& marks, const Execution& execution = {});
 
 }  // namespace cocoon

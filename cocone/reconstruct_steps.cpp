@@ -313,7 +313,7 @@ ReconstructSteps::Body ReconstructSteps::clean_up(CellMarks marks,
   body.clean_up = clean_up_cells(*triangulation_, poles_, marks, options_.clean_up,
                                  live_ != nullptr ? &live_->cell_at : nullptr, execution);
   if (options_.keep_cavities) {
-    body.cavities = open_cavities(*triangulation_, surface_.triangles.set, marks);
+    body.cavities = open_cavities(*triangulation_, surface_.triangles.set, marks, execution);
   }
   body.marks = std::move(marks);
   return body;

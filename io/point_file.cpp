@@ -16,13 +16,27 @@
 
 namespace cocoon {
 
+namespace {
+
+// What scanners write and other programs turn into these.
+std::string way_out_of(const std::filesystem::path& path) {
+  for (const char* extension : {".las", ".laz", ".e57", ".pcd"}) {
+    if (extension_of(path) == extension)
+      return " (PDAL and CloudCompare convert such scans to PLY)";
+  }
+  return {};
+}
+
+}  // namespace
+
 PointCloud read_points(const std::filesystem::path& path, const PointReadOptions& options) {
   const FileFormat format = format_of(path);
   if (format == FileFormat::other) {
     require_input(path);  // else its name is wrong in another way
     throw file_error(path,
                      "extension " + in_quotes(extension_of(path)) +
-                         " is not known; use .xyz, .pts, .txt, .csv, .ply, .obj, .off or .stl");
+                         " is not known; use .xyz, .pts, .txt, .csv, .ply, .obj, .off or .stl" +
+                         way_out_of(path));
   }
   PointCloud cloud;
   NonFinitePoints non_finite;

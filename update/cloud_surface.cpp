@@ -104,7 +104,7 @@ Trial find_rim(const KeptSamples& samples, Sheet&& found, const RimSearch& searc
   }
   surface.rim = cloud_rim(surface.mesh, trimmed.rings, options.rim);
   mark_rim_seams(samples.cloud, surface.rim, options.seams);
-  surface.rho = search.rho;
+  surface.search = effective(search, options);
   surface.set_aside = samples.set_aside();
   surface.is_layered = samples.are_of_layers;
   surface.boundary_samples = boundary.count;
@@ -113,7 +113,7 @@ Trial find_rim(const KeptSamples& samples, Sheet&& found, const RimSearch& searc
                    : surface.rim.loops.empty()    ? CloudStatus::cloud_closed
                                                   : CloudStatus::ok;
   const CloudRim& rim = surface.rim;
-  trial.report = {.search = effective(search, options),
+  trial.report = {.search = surface.search,
                   .boundary_samples = boundary.count,
                   .triangles = surface.mesh.triangles.size(),
                   .trimmed = surface.trimmed,

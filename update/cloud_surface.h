@@ -88,7 +88,7 @@ struct CloudSurface {
   IdVector<VertexId, PointId> point_of_vertex;  // first cloud point at each mesh vertex
   IdVector<VertexId, std::uint8_t> boundary_sample;
   CloudRim rim;
-  double rho = 0;                // of the trial that was taken
+  RimSearch search;              // of the trial that was taken
   std::vector<RimTrial> trials;  // in the order tried
   std::size_t boundary_samples = 0;
   std::size_t trimmed = 0;     // triangles

@@ -116,7 +116,7 @@ struct CutRegions {
   Regions regions;
   // Of each cloud, whether it is cut after all.
   std::vector<std::uint8_t> is_cut;
-  // One for each cloud that is cut, alone or as the first of joined ones.
+  // One for each cloud; empty but for those that are cut, alone or as the first of joined ones.
   std::vector<RegionCut> cuts;
   // Of each cloud that is cut: 1 for the regions under it, or under those it is joined to. Empty
   // for the others.

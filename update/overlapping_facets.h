@@ -16,7 +16,8 @@
 namespace cocoon {
 
 enum class LocationRule {
-  // The facet with the least distance among those that face the way the cloud does. Default.
+  // The closest facet that does not face away from the cloud; one that faces as the cloud does if
+  // there is one hardly farther away (facing_preference). Default.
   closest_facet,
   // The paper's: of the facets at the nearest model vertex, the one that contains the projection;
   // where there is none, closest_facet. Goes wrong where facets are long (see docs/update.md).

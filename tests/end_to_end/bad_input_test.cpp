@@ -385,5 +385,20 @@ TEST(BadInput, DamagedModel) {
   EXPECT_EQ(folder.names(), (Names{"cap.xyz", "model.ply"}));
 }
 
+// Of scanners' formats the way out is named.
+TEST(BadInput, FormatsThatAreNotReadAreNamed) {
+  const TemporaryFolder folder;
+  const auto told = [&](const std::string& name) {
+    const ProgramRun run =
+        run_program({"reconstruct", folder.write(name, "LASF"), "-o", folder.file("m.ply")});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.error.find("is not known; use .xyz"), std::string::npos) << run.error;
+    return run.error.find("CloudCompare") != std::string::npos;
+  };
+  EXPECT_TRUE(told("scan.las"));
+  EXPECT_TRUE(told("scan.E57"));
+  EXPECT_FALSE(told("scan.docx"));
+}
+
 }  // namespace
 }  // namespace cocoon::test

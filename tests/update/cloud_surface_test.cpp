@@ -34,7 +34,7 @@ TEST(CloudSurface, APatchHasOneRim) {
   const CloudSurface surface = cloud_surface(sheet(30, 0.02, 0.2, 0, everywhere));
   ASSERT_EQ(surface.status, CloudStatus::ok);
   EXPECT_EQ(surface.trials.size(), 1U);
-  EXPECT_EQ(surface.rho, 0.3);
+  EXPECT_EQ(surface.search.rho, 0.3);
   ASSERT_EQ(surface.rim.loops.size(), 1U);
   EXPECT_NEAR(surface.rim.loops[0].perimeter, 120, 12);
   EXPECT_EQ(surface.rim.pin_holes, 0U);

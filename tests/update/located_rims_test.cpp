@@ -23,7 +23,7 @@ using testing::torn_rim;
 CloudSurface surface_with(CloudRim rim, double rho) {
   CloudSurface surface;
   surface.rim = std::move(rim);
-  surface.rho = rho;
+  surface.search.rho = rho;
   return surface;
 }
 
@@ -49,7 +49,7 @@ class TwoTrials {
   // The rho of the one that is taken.
   double taken(const UpdateOptions& options = {}) {
     rims = locate_rims(model_, clouds_, others_, options, reports);
-    return reports[0].surface.rho;
+    return reports[0].surface.search.rho;
   }
   LocatedRims rims;
   std::vector<CloudReport> reports;

@@ -52,7 +52,7 @@ AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const Tria
       result.largest = t;
     }
   }
-  result.longest_edge = median(std::move(longest_edges));
+  result.median_longest_edge = median(std::move(longest_edges));
   return result;
 }
 

@@ -45,9 +45,9 @@ struct AstrayOptions {
 
 struct AstrayTriangles {
   std::size_t count = 0;
-  double area = 0;          // in squares of the coordinates' unit
-  double longest_edge = 0;  // of each triangle; the median of these
-  TriangleId largest = {};  // by area; of several the first
+  double area = 0;                 // in squares of the coordinates' unit
+  double median_longest_edge = 0;  // of each triangle its longest one; the median of these
+  TriangleId largest = {};         // by area; of several the first
 };
 
 // Those of `triangles` whose middles are off the updated mesh although nothing was scanned there.

@@ -12,7 +12,7 @@ enum class UpdateStatus {
   no_cloud_surface,  // a cloud gives no surface: too few or too noisy samples
   cloud_closed,      // a cloud has no rim: it is a body of its own, not a patch
   no_overlap,        // a cloud's rim does not lie on the model
-  non_separating,    // a cloud's rim does not cut the model in two, nor do labels or a cut
+  non_separating,    // a cloud's rim does not cut the model in two, nor does a cut
   ambiguous,         // the angles do not tell which region lies under a cloud
   empty_surface,     // nothing is left of the updated points' reconstruction
   refuted,           // its verification failed (ReconstructOptions::verify)
