@@ -262,6 +262,22 @@ TEST(ReconstructTight, RubbishIsBalancedToo) {
   EXPECT_GT(not_empty, 40U);
 }
 
+// No surface is an outcome, not an error: the peel may take everything.
+TEST(ReconstructTight, NothingMayBeLeft) {
+  std::size_t empty = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    ReconstructOptions options = {.mode = Mode::paper};
+    options.boundary.rho = 1;
+    options.boundary.alpha_cosine = 0;
+    const ReconstructResult result = reconstruct_tight(shapes::random_cube(6, seed), options);
+    if (result.status != SurfaceStatus::empty) continue;
+    ++empty;
+    EXPECT_TRUE(result.mesh.triangles.empty() && result.mesh.points.empty()) << seed;
+    EXPECT_GT(result.counters.candidates, 0U) << seed;
+  }
+  EXPECT_GT(empty, 0U);
+}
+
 // The mesh in terms of the points of the original order.
 TriangleMesh with_original_order(const ReconstructResult& result,
                                  const std::vector<Point>& points) {
