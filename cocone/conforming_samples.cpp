@@ -121,8 +121,9 @@ class Refinement {
   }
 
   bool has_room(const Place& place) const {
-    return place.gap >= options_.closest * options_.spacing && place.gap > 0;
+    return place.gap >= least_gap() && place.gap > 0;
   }
+  double least_gap() const { return options_.closest * options_.spacing; }
 
   // Those that keep half of their gap from each other, in lexicographic order: cells come in any.
   // Returns the points at which there are new cells, or ones that still cross the mesh.
@@ -131,7 +132,7 @@ class Refinement {
     points.reserve(places.size());
     for (const Place& place : places) points.push_back(place.point);
     const auto squared_distance_at = [&](PointId k) {
-      const double distance = 0.5 * places[k.index()].gap;
+      const double distance = std::max(0.5 * places[k.index()].gap, least_gap());
       return distance * distance;
     };
     std::vector<Point> kept;
