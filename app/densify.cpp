@@ -7,6 +7,7 @@
 #include "app/model_file.h"
 #include "cocone/conforming_samples.h"
 #include "cocone/labels_of_solid.h"
+#include "cocone/reconstruct.h"
 #include "geom/counted.h"
 #include "geom/dense_samples.h"
 #include "geom/errors.h"
@@ -15,21 +16,30 @@
 namespace cocoon::app {
 namespace {
 
-// Of a closed mesh, where samples so far apart do not tell inside from outside.
-void add_conforming_samples(Job& job, const std::string& path, const TriangleMesh& mesh,
-                            double spacing, std::vector<Point>& samples) {
-  const ConformingSamples more = timed(job.execution(), "conforming_samples", [&] {
-    return naming_input(path, [&] {
-      return conforming_samples(mesh, samples, {.spacing = spacing}, job.execution());
-    });
-  });
+// Whether their surface hangs together as the mesh does, with as many handles and contacts.
+bool have_topology_of(const MeshReport& mesh, const std::vector<Point>& samples,
+                      const KnownLabelsSource& labels, const Execution& execution) {
+  const ReconstructResult result = reconstruct_tight_with_labels(samples, labels, {}, execution);
+  const MeshReport surface = mesh_check(result.mesh, {}, execution);
+  return surface.euler == mesh.euler && surface.components == mesh.components &&
+         surface.overfull_edges == mesh.overfull_edges &&
+         surface.pinched_vertices == mesh.pinched_vertices;
+}
+
+// Adds samples of a closed mesh if those that there are do not suffice. Returns the labels that it
+// tells of the cells between them.
+KnownLabelsSource conform(Job& job, TriangleMesh mesh, const MeshReport& certificate,
+                          double spacing, std::vector<Point>& samples) {
+  const Execution& execution = job.execution();
+  const KnownLabelsSource labels = labels_told_by(mesh, samples, labels_of_crossing_cells);
+  if (have_topology_of(certificate, samples, labels, execution)) return labels;
+  const ConformingSamples more = conforming_samples(mesh, samples, {.spacing = spacing}, execution);
   job.report().set("input/conforming_samples", more.added.size());
   job.report().set("input/conforming_rounds", more.rounds);
-  if (!more.added.empty()) {
-    job.say("{}: {} more where walls, gaps or edges are closer than {}", path,
-            counted(more.added.size(), "sample"), spacing);
-  }
+  job.say("{} more where walls, gaps or edges are closer than {}",
+          counted(more.added.size(), "sample"), spacing);
   samples.insert(samples.end(), more.added.begin(), more.added.end());
+  return labels_told_by(std::move(mesh), samples);
 }
 
 }  // namespace
@@ -59,8 +69,11 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
   dense.points.insert(dense.points.end(), added.begin(), added.end());
   dense.certificate = mesh_check(mesh, {}, job.execution());
   if (dense.certificate.balanced) {
-    add_conforming_samples(job, path, mesh, spacing, dense.points);
-    dense.labels = labels_told_by(std::move(mesh), dense.points);
+    dense.labels = timed(job.execution(), "conforming_samples", [&] {
+      return naming_input(path, [&] {
+        return conform(job, std::move(mesh), dense.certificate, spacing, dense.points);
+      });
+    });
   } else {
     job.warn(path +
              ": is not closed, so that only the samples tell its inside from its outside; where "

@@ -84,6 +84,7 @@ TEST(Densify, MakesAPartFitForUpdates) {
   report = report_of({"reconstruct", part, "-o", dense, "--densify", "0.12"}, error);
   EXPECT_EQ(report["input"]["vertices"], 42);
   EXPECT_GT(report["input"]["added_samples"].get<int>(), 4000);
+  EXPECT_FALSE(report["input"].contains("conforming_samples"));  // these suffice
   EXPECT_EQ(report["surface"]["unused_points"], 0);
   EXPECT_EQ(report["surface"]["genus"], 0);
   const TriangleMesh truth = read_mesh(part);
@@ -256,6 +257,7 @@ TEST(Densify, ANarrowHoleIsKeptAndALostOneTold) {
     const std::string part = folder.write("part.off", drilled_block(width));
     Json report = report_of({"reconstruct", part, "-o", out, "--densify", "0.3"}, error);
     EXPECT_EQ(report["surface"]["genus"], is_lost ? 0 : 1);
+    EXPECT_EQ(report["input"].contains("conforming_samples"), width < 0.3);
     const std::string told = "has 0 handles, the mesh 1";
     EXPECT_EQ(report["warnings"].dump().find(told) != std::string::npos, is_lost) << error;
     report = report_of({"update", part, scan, "-o", out, "--densify", "0.3"}, error);
