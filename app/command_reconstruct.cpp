@@ -219,6 +219,18 @@ void require_possible_options(const ReconstructArguments& arguments) {
   require_possible_session(arguments);
 }
 
+// Contacts that --manifold has parted are none any more, and handles that the mesh of the samples
+// (--densify) has, too, are meant.
+void drop_settled(const MeshReport& surface, const MeshReport& mesh,
+                  std::vector<Finding>& findings) {
+  const bool parted = surface.edge_manifold && surface.vertex_manifold;
+  const bool meant =
+      mesh.genus && mesh.genus == surface.genus && mesh.components == surface.components;
+  std::erase_if(findings, [&](const Finding& f) {
+    return (parted && f.kind == "contacts") || (meant && f.kind == "handles");
+  });
+}
+
 }  // namespace
 
 void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
@@ -275,8 +287,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   const std::vector<Finding> of_surface =
       findings_of_surface(doubts, result.points - result.duplicates, arguments, faces);
   findings.insert(findings.end(), of_surface.begin(), of_surface.end());
-  const bool parted = certificate.edge_manifold && certificate.vertex_manifold;
-  std::erase_if(findings, [&](const Finding& f) { return parted && f.kind == "contacts"; });
+  drop_settled(certificate, input.certificate, findings);
   report_findings(job, findings);
   warn_of_idle_options(job, arguments);
   job.finish();
