@@ -36,8 +36,10 @@ KnownLabelsSource conform(Job& job, TriangleMesh mesh, const MeshReport& certifi
   const ConformingSamples more = conforming_samples(mesh, samples, {.spacing = spacing}, execution);
   job.report().set("input/conforming_samples", more.added.size());
   job.report().set("input/conforming_rounds", more.rounds);
-  job.say("{} more where walls, gaps or edges are closer than {}",
-          counted(more.added.size(), "sample"), spacing);
+  if (!more.added.empty()) {
+    job.say("{} more where walls, gaps or edges are closer than {}",
+            counted(more.added.size(), "sample"), spacing);
+  }
   samples.insert(samples.end(), more.added.begin(), more.added.end());
   return labels_told_by(std::move(mesh), samples);
 }
