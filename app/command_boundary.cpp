@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdint>
 #include <fmt/format.h>
 #include <vector>
 
@@ -52,13 +51,10 @@ void add_boundary(JsonReport& report, const ReconstructResult& surface,
 // Which vertices are boundary samples, beside what the file of points says of them.
 void add_boundary_samples(const ReconstructResult& surface, VertexProperties& properties) {
   constexpr const char* name = "boundary_sample";
-  std::vector<std::uint8_t> flags;
-  flags.reserve(surface.boundary_sample.size());
-  for (const std::uint8_t flag : surface.boundary_sample) flags.push_back(flag != 0 ? 1 : 0);
   std::erase_if(properties.columns,
                 [&](const VertexProperty& column) { return column.declaration.name == name; });
-  properties.rows = flags.size();
-  properties.columns.push_back(property_of(name, flags));
+  properties.rows = surface.boundary_sample.size();
+  properties.columns.push_back(property_of(name, surface.boundary_sample.span()));
 }
 
 // As an update would take them out.

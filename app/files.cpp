@@ -7,11 +7,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "app/pending_clouds.h"
 #include "app/replaceable_file.h"
 #include "geom/counted.h"
 #include "geom/errors.h"
 #include "io/atomic_file.h"
 #include "io/file_format.h"
+#include "io/lock_file.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"
 
@@ -144,9 +146,9 @@ void add_standard_output(std::vector<fs::path>& targets) {
 
 // A session takes these away when it is saved or let go.
 void require_not_of_session(const std::string& path, const std::string& session) {
-  const std::string own = place_of(session).string();
-  const std::string place = place_of(path).string();
-  if (place == own + ".lock" || place.starts_with(own + ".cloud-")) {
+  const fs::path place = place_of(path);
+  const std::string clouds = place_of(pending_cloud_prefix(session)).string();
+  if (place == place_of(lock_of(session)) || place.string().starts_with(clouds)) {
     throw UsageError(path + ": this name is kept for a file of the session " + session +
                      "; name another one");
   }

@@ -98,8 +98,12 @@ PendingUpdate load_update(const fs::path& path, std::span<const std::string> not
 
 }  // namespace
 
+std::string pending_cloud_prefix(const std::string& session) {
+  return follow_links(session).string() + ".cloud-";
+}
+
 std::string pending_cloud_file(const std::string& session, std::size_t notes) {
-  return fmt::format("{}.cloud-{}", follow_links(session).string(), notes);
+  return fmt::format("{}{}", pending_cloud_prefix(session), notes);
 }
 
 void save_pending_clouds(const std::string& session, std::span<const std::string> notes,
@@ -140,8 +144,8 @@ std::vector<PendingUpdate> load_pending_clouds(const std::string& session,
 }
 
 void remove_pending_clouds(const std::string& session) {
-  const fs::path path = follow_links(session);
-  const std::string prefix = path.filename().string() + ".cloud-";
+  const fs::path path = pending_cloud_prefix(session);
+  const std::string prefix = path.filename().string();
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::error_code error;
   std::vector<fs::path> found;

@@ -43,7 +43,8 @@ struct PendingUpdate {
 };
 
 // Its name: SESSION.cloud-K, where SESSION is the file behind all symbolic links: who takes it up
-// by another name must find the clouds.
+// by another name must find the clouds. The prefix is all but K.
+std::string pending_cloud_prefix(const std::string& session);
 std::string pending_cloud_file(const std::string& session, std::size_t notes);
 
 // `notes`: those before it. The file waits for the batch to be put in place. Precondition: at least

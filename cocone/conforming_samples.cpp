@@ -120,9 +120,7 @@ class Refinement {
     return has_room(moved) ? moved : place;
   }
 
-  bool has_room(const Place& place) const {
-    return place.gap >= least_gap() && place.gap > 0;
-  }
+  bool has_room(const Place& place) const { return place.gap >= least_gap() && place.gap > 0; }
   double least_gap() const { return options_.closest * options_.spacing; }
 
   // Those that keep half of their gap from each other, in lexicographic order: cells come in any.
@@ -183,11 +181,8 @@ ConformingSamples conforming_samples(const TriangleMesh& solid, Points samples,
   if (scale == 1) return Refinement(solid, samples, options, execution).run();
   ConformingOptions scaled_options = options;
   scaled_options.spacing *= scale;
-  std::vector<Point> scaled_samples;
-  scaled_samples.reserve(samples.size());
-  for (const Point& p : samples) scaled_samples.push_back(scale * p);
   ConformingSamples result =
-      Refinement(scaled(solid, scale), scaled_samples, scaled_options, execution).run();
+      Refinement(scaled(solid, scale), scaled(samples, scale), scaled_options, execution).run();
   for (Point& p : result.added) p = p / scale;
   return result;
 }

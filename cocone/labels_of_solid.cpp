@@ -12,6 +12,7 @@
 #include "geom/working_scale.h"
 
 namespace cocoon {
+
 KnownLabels labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
                             const LabelsOfSolidOptions& options, const Execution& execution) {
   std::vector<CellId> cells;

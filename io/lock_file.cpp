@@ -25,8 +25,13 @@ bool is_still_there(int descriptor, const std::filesystem::path& path) {
 
 }  // namespace
 
-LockFile::LockFile(const std::filesystem::path& file) : lock_(follow_links(file)) {
-  lock_ += ".lock";
+std::filesystem::path lock_of(const std::filesystem::path& file) {
+  std::filesystem::path lock = follow_links(file);
+  lock += ".lock";
+  return lock;
+}
+
+LockFile::LockFile(const std::filesystem::path& file) : lock_(lock_of(file)) {
   const auto fail = [&](const std::string& why) {
     if (descriptor_ >= 0) ::close(descriptor_);
     throw file_error(file, why);

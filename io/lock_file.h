@@ -12,6 +12,9 @@
 
 namespace cocoon {
 
+// "FILE.lock", beside the file that the links lead to.
+std::filesystem::path lock_of(const std::filesystem::path& file);
+
 class LockFile {
  public:
   // Throws FileError, one line, if another process (or object) holds it, or if there can be no

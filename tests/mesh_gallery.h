@@ -50,6 +50,13 @@ inline TriangleMesh cube(double size = 1) {
   return mesh;
 }
 
+// From the origin, so long along the axes.
+inline TriangleMesh box(double x, double y, double z) {
+  TriangleMesh mesh = cube();
+  for (Point& p : mesh.points) p = {x * p.x, y * p.y, z * p.z};
+  return mesh;
+}
+
 // The same surface, but each triangle has corners of its own.
 inline TriangleMesh unshared(const TriangleMesh& mesh) {
   TriangleMesh soup;

@@ -18,16 +18,11 @@
 namespace cocoon {
 namespace {
 
-TriangleMesh box(double x, double y, double z) {
-  TriangleMesh mesh = gallery::cube();
-  for (Point& p : mesh.points) p = {x * p.x, y * p.y, z * p.z};
-  return mesh;
-}
-
 // Two plates of 4 by 4 by 1, a gap of a third of the spacing between them.
 constexpr double spacing = 0.3;
 TriangleMesh two_plates() {
-  return gallery::join(box(4, 4, 1), gallery::translated(box(4, 4, 1), {0, 0, 1.1}));
+  return gallery::join(gallery::box(4, 4, 1),
+                       gallery::translated(gallery::box(4, 4, 1), {0, 0, 1.1}));
 }
 
 std::vector<Point> samples_of(const TriangleMesh& mesh) {
@@ -87,7 +82,7 @@ TEST(ConformingSamples, KeepBodiesApartThatSamplesJoin) {
 }
 
 TEST(ConformingSamples, AreNoneWhereTheSpacingIsFine) {
-  const TriangleMesh solid = box(4, 4, 4);
+  const TriangleMesh solid = gallery::box(4, 4, 4);
   const ConformingSamples more = conforming_samples(solid, samples_of(solid), {.spacing = spacing});
   EXPECT_TRUE(more.added.empty());
   EXPECT_EQ(more.rounds, 0U);
@@ -134,35 +129,6 @@ TEST(ConformingSamples, NeedAClosedMeshAndPossibleOptions) {
   EXPECT_THROW(conforming_samples(open, samples, {.spacing = 1, .min_depth = -1}), InputError);
   open.triangles.resize(open.triangles.size() - 1);
   EXPECT_TRUE(conforming_samples(open, samples, {.spacing = spacing}).added.empty());
-}
-
-// A tetrahedron with its centroid 1 below the upper side of a box, and one corner above it.
-TEST(CellHeights, AreThoseOfCentroidAndMiddlesOfEdges) {
-  const TriangleMesh solid = gallery::translated(box(20, 20, 10), {-10, -10, -10});
-  const std::vector<Point> corners = {{0, 0, 2}, {3, 0, -2}, {-3, 3, -2}, {-3, -3, -2}};
-  const Triangulation triangulation = delaunay(corners).triangulation;
-  const std::vector<CellId> cells(1, *triangulation.finite_cells().begin());
-  const CellHeights heights =
-      cell_heights(triangulation, cells, solid, CellPlaces::centroid_and_edges).front();
-  EXPECT_DOUBLE_EQ(heights.lowest, -2);  // of an edge below
-  EXPECT_DOUBLE_EQ(heights.highest, 0);  // of the edges to the upper corner
-  EXPECT_DOUBLE_EQ(heights.deepest(), -2);
-  EXPECT_DOUBLE_EQ(heights.longest_edge, std::sqrt(45.0));
-  EXPECT_FALSE(heights.crosses(0));
-  const std::vector<Point> raised = {{0, 0, 4}, {3, 0, -2}, {-3, 3, -2}, {-3, -3, -2}};
-  const Triangulation higher = delaunay(raised).triangulation;
-  const std::vector<CellId> cell(1, *higher.finite_cells().begin());
-  const CellHeights crossing =
-      cell_heights(higher, cell, solid, CellPlaces::centroid_and_edges).front();
-  EXPECT_DOUBLE_EQ(crossing.highest, 1);
-  EXPECT_TRUE(crossing.crosses(0.1));
-  EXPECT_FALSE(crossing.crosses(0.2));
-  EXPECT_EQ(crossing.at_highest.z, 1);
-  EXPECT_EQ(crossing.at_lowest.z, -2);
-  const CellHeights middle = cell_heights(higher, cell, solid, CellPlaces::centroid).front();
-  EXPECT_DOUBLE_EQ(middle.lowest, -0.5);
-  EXPECT_DOUBLE_EQ(middle.highest, 0);
-  EXPECT_DOUBLE_EQ(middle.longest_edge, crossing.longest_edge);
 }
 
 }  // namespace

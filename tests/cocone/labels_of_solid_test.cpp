@@ -15,11 +15,7 @@ namespace cocoon {
 namespace {
 
 // [0, 4] x [0, 4] x [0, height].
-TriangleMesh plate(double height) {
-  TriangleMesh mesh = gallery::cube();
-  for (Point& p : mesh.points) p = {4 * p.x, 4 * p.y, height * p.z};
-  return mesh;
-}
+TriangleMesh plate(double height) { return gallery::box(4, 4, height); }
 
 std::vector<Point> samples_of(const TriangleMesh& mesh, double spacing) {
   std::vector<Point> points = mesh.points.raw();

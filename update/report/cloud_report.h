@@ -48,7 +48,7 @@ struct CloudReport {
   // other (join_clouds). Then only regions, spacing and believed shift are told here, and those
   // are of both.
   std::optional<std::size_t> joined_with;
-  CloudSurface surface;                        // with rim, rho and trials
+  CloudSurface surface;                        // with rim and trials
   std::vector<LoopReport> loops;               // as in surface.rim
   std::size_t boundary_points = 0;             // rim points
   std::vector<TriangleId> overlapping_facets;  // facets of the model with a rim point on them
