@@ -12,6 +12,7 @@
 #include "app/thin_cloud.h"
 #include "app/thresholds.h"
 #include "cocone/boundary_loops.h"
+#include "cocone/literal_boundary.h"
 #include "cocone/reconstruct.h"
 #include "geom/counted.h"
 #include "geom/mesh_check.h"
@@ -36,6 +37,10 @@ std::vector<std::vector<VertexId>> vertices_of(const BoundaryLoops& boundary) {
 void add_boundary(JsonReport& report, const ReconstructResult& surface,
                   const BoundaryLoops& boundary) {
   report.set("boundary/samples", surface.counters.boundary_samples);
+  const LiteralBoundary literal =
+      literal_boundary(surface.mesh, link_halfedges(surface.mesh), surface.boundary_sample);
+  report.set("boundary/chords", literal.chords);
+  report.set("boundary/missed_edges", literal.missed_edges);
   report.set("boundary/pin_holes", boundary.pin_holes);
   report.set("boundary/small_components", boundary.small_components);
   report.set_empty_array("boundary/loops");

@@ -36,6 +36,26 @@ std::size_t opened_pin_holes(const CloudReport& cloud) {
   return count;
 }
 
+const char* word_for(LoopMatch match) {
+  return match == LoopMatch::on_model  ? "on_model"
+         : match == LoopMatch::covered ? "covered"
+                                       : "off_model";
+}
+
+// Each loop of its rim.
+void add_rims(JsonReport& entry, const CloudReport& cloud) {
+  entry.set_empty_array("rims");
+  for (const LoopReport& loop : cloud.loops) {
+    JsonReport rim;
+    rim.set("edges", loop.edges);
+    rim.set("perimeter", loop.perimeter);
+    rim.set("pin_hole", loop.pin_hole);
+    rim.set("match", word_for(loop.match));
+    rim.set("unmatched_points", loop.unmatched);
+    entry.append("rims", rim);
+  }
+}
+
 void add_search(JsonReport& entry, const CloudSurface& surface) {
   entry.set("rho", surface.search.rho);
   entry.set("alpha_deg", told_in_degrees(std::acos(surface.search.alpha_cosine)));
@@ -53,6 +73,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("margin_deg", cloud.margin_deg);
   if (cloud.joined_with) return entry;
   entry.set("loops", cloud.loops.size());
+  add_rims(entry, cloud);
   entry.set("border_loops", border_loops(cloud));
   entry.set("pin_holes", cloud.surface.rim.pin_holes);
   entry.set("opened_pin_holes", opened_pin_holes(cloud));
@@ -73,6 +94,8 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("contradicted_samples", cloud.contradicted.count);
   entry.set("boundary_points", cloud.boundary_points);
   entry.set("boundary_samples", cloud.surface.boundary_samples);
+  entry.set("chords", cloud.surface.literal.chords);
+  entry.set("missed_edges", cloud.surface.literal.missed_edges);
   entry.set("set_aside", cloud.surface.set_aside);
   entry.set("is_layered", cloud.surface.is_layered);
   add_search(entry, cloud.surface);
@@ -101,6 +124,20 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   return entry;
 }
 
+// Each group of the model, in the order of their numbers.
+void add_regions(JsonReport& report, const UpdateResult& result) {
+  report.set_empty_array("update/regions");
+  for (const RegionId r : result.regions.regions.ids()) {
+    const Region& region = result.regions.regions[r];
+    JsonReport entry;
+    entry.set("facets", region.facets);
+    entry.set("vertices", region.vertices);
+    entry.set("replaced",
+              std::binary_search(result.replaced_groups.begin(), result.replaced_groups.end(), r));
+    report.append("update/regions", entry);
+  }
+}
+
 void add_update_section(JsonReport& report, const UpdateResult& result) {
   std::vector<std::size_t> loops;
   std::size_t boundary_points = 0;
@@ -115,6 +152,7 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/overlapping_facets", overlapping_facets);
   report.set("update/border_facets", result.regions.border_facets);
   report.set("update/groups", result.regions.regions.size());
+  add_regions(report, result);
   report.set_empty_array("update/clouds");
   for (const CloudReport& cloud : result.clouds) report.append("update/clouds", cloud_entry(cloud));
   report.set("update/replaced_groups", numbers_of(result.replaced_groups));

@@ -103,6 +103,7 @@ Trial find_rim(const KeptSamples& samples, Sheet&& found, const RimSearch& searc
     surface.boundary_sample[v] = boundary.boundary[sheet.triangulation_vertex[v]];
   }
   surface.rim = cloud_rim(surface.mesh, trimmed.rings, options.rim);
+  surface.literal = literal_boundary(surface.mesh, trimmed.rings, surface.boundary_sample);
   mark_rim_seams(samples.cloud, surface.rim, options.seams);
   surface.search = effective(search, options);
   surface.set_aside = samples.set_aside();

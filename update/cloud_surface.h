@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cocone/literal_boundary.h"
 #include "cocone/reconstruct.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
@@ -88,6 +89,7 @@ struct CloudSurface {
   IdVector<VertexId, PointId> point_of_vertex;  // first cloud point at each mesh vertex
   IdVector<VertexId, std::uint8_t> boundary_sample;
   CloudRim rim;
+  LiteralBoundary literal;       // of the mesh
   RimSearch search;              // of the trial that was taken
   std::vector<RimTrial> trials;  // in the order tried
   std::size_t boundary_samples = 0;
