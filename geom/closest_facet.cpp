@@ -1,6 +1,7 @@
 #include "geom/closest_facet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "geom/errors.h"
@@ -10,9 +11,13 @@ namespace cocoon {
 namespace {
 
 // A computed closest point may lie outside its triangle by rounding, so that the computed distance
-// is less than that of the triangle's box. Boxes are enlarged by this fraction of the largest
-// coordinate: a few hundred times the rounding of one addition.
+// is less than that of the triangle's box. Boxes are enlarged by this fraction of their own largest
+// coordinate: a few hundred times the rounding of one addition. Not of the mesh's, since one corner
+// far out would enlarge all of them beyond their distances.
 constexpr double slack_per_coordinate = 0x1p-44;
+
+// The same of the distance itself, squared, where ties count.
+constexpr double slack_of_bound = 1 + 0x1p-48;
 
 }  // namespace
 
@@ -22,13 +27,11 @@ ClosestFacetTree::ClosestFacetTree(const TriangleMesh& mesh) {
   }
   std::vector<Box> boxes;
   boxes.reserve(mesh.triangles.size());
-  Box whole;
   for (const TriangleId t : mesh.triangles.ids()) {
-    boxes.push_back(box_of(finite_corners_of(mesh, t)));
-    whole.include(boxes.back());
+    Box box = box_of(finite_corners_of(mesh, t));
+    box.enlarge(slack_per_coordinate * std::max(max_norm(box.low), max_norm(box.high)));
+    boxes.push_back(box);
   }
-  const double slack = slack_per_coordinate * std::max(max_norm(whole.low), max_norm(whole.high));
-  for (Box& box : boxes) box.enlarge(slack);
   tree_ = BoxTree(boxes);
   corners_.reserve(boxes.size());
   for (const std::uint32_t item : tree_.items()) {
@@ -54,7 +57,21 @@ ClosestFacet ClosestFacetTree::closest(const Point& p) const {
       best = {corners.triangle, candidate.point, squared};
       best_corners = &corners;
     }
-    return best.squared_distance;
+    return slack_of_bound * best.squared_distance;
+  });
+  return best;
+}
+
+double ClosestFacetTree::squared_distance(const Point& p) const {
+  double best = std::numeric_limits<double>::infinity();
+  double bound = best;
+  tree_.visit_near(p, bound, [&](std::uint32_t slot) {
+    const double squared = closest_point_on_triangle(p, corners_[slot].points).squared_distance;
+    if (squared < best) {
+      best = squared;
+      bound = std::nextafter(best, -1.0);  // what is as far does not count
+    }
+    return bound;
   });
   return best;
 }

@@ -35,6 +35,10 @@ class ClosestFacetTree {
   // Thread-safe.
   ClosestFacet closest(const Point& p) const;
 
+  // The squared distance alone, up to its rounding, and from far away in less time: O(log t) also
+  // where rounding makes the distances to all triangles equal. Otherwise as above.
+  double squared_distance(const Point& p) const;
+
  private:
   struct Corners {
     std::array<Point, 3> points;  // sorted: the distance is the same bits in every rotation

@@ -25,7 +25,7 @@ SquaredDistanceTo search_in(const TriangleMesh& target) {
     return [tree](const Point& p) { return tree->nearest(p).squared_distance; };
   }
   const auto tree = std::make_shared<const ClosestFacetTree>(target);
-  return [tree](const Point& p) { return tree->closest(p).squared_distance; };
+  return [tree](const Point& p) { return tree->squared_distance(p); };
 }
 
 // The points of `mesh` that are measured for the maximum alone.
@@ -100,14 +100,36 @@ Tally tally(Points points, const SquaredDistanceTo& squared_distance_to,
   return total;
 }
 
-DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to,
+// What of a surface is measured, each point multiplied by `scale`.
+struct MeasuredPoints {
+  std::vector<Point> samples;  // for all figures
+  std::vector<Point> corners;  // for the maximum alone
+};
+
+// Samples are taken at the mesh's own size: beside a much larger one its areas would vanish.
+MeasuredPoints measured_points(const TriangleMesh& mesh, double scale,
+                               const SurfaceDistanceOptions& options, const Execution& execution) {
+  MeasuredPoints measured;
+  if (mesh.triangles.empty()) {
+    measured.samples = mesh.points.raw();
+  } else {
+    measured.corners = corners_of_triangles(mesh);
+    const double own_scale = working_scale(measured.corners);
+    measured.samples = stratified_samples(own_scale == 1 ? mesh : scaled(mesh, own_scale),
+                                          options.samples, options.seed, execution);
+    if (own_scale != 1) measured.samples = scaled(measured.samples, 1 / own_scale);
+  }
+  if (scale != 1) {
+    measured.samples = scaled(measured.samples, scale);
+    measured.corners = scaled(measured.corners, scale);
+  }
+  return measured;
+}
+
+DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to, double scale,
                          const SurfaceDistanceOptions& options, const Execution& execution) {
-  const SquaredDistanceTo squared_distance_to = search_in(to);
-  const bool is_cloud = from.triangles.empty();
-  const std::vector<Point> samples =
-      is_cloud ? from.points.raw()
-               : stratified_samples(from, options.samples, options.seed, execution);
-  const std::vector<Point> corners = corners_of_triangles(from);
+  const SquaredDistanceTo squared_distance_to = search_in(scale == 1 ? to : scaled(to, scale));
+  const auto [samples, corners] = measured_points(from, scale, options, execution);
   const Tally spread = tally(samples, squared_distance_to, execution);
   Tally farthest = tally(corners, squared_distance_to, execution);
   farthest.keep_farther(spread.farthest, spread.max_squared);
@@ -120,20 +142,32 @@ DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to,
           .farthest = farthest.farthest};
 }
 
-DirectedDistance unscaled(DirectedDistance distance, double scale) {
+// Of points of triangles alone, if there are any: no others are measured.
+double scale_of(const TriangleMesh& mesh) {
+  return working_scale(mesh.triangles.empty() ? mesh.points.raw() : corners_of_triangles(mesh));
+}
+
+// Large meshes are not brought to 1 but to as much as squares of areas admit
+// (triangle_projection.h), so that those of what is much smaller do not vanish.
+double common_scale(const TriangleMesh& a, const TriangleMesh& b) {
+  constexpr double large = 0x1p+200;
+  const double scale = std::min(scale_of(a), scale_of(b));
+  return scale < 1 ? large * scale : scale;
+}
+
+template <class Distance>
+void unscale(Distance& distance, double scale) {
   distance.max /= scale;
   distance.mean /= scale;
   distance.rms /= scale;
-  distance.farthest = distance.farthest / scale;
-  return distance;
 }
 
-SurfaceDistance measure_both(const TriangleMesh& a, const TriangleMesh& b,
+SurfaceDistance measure_both(const TriangleMesh& a, const TriangleMesh& b, double scale,
                              const SurfaceDistanceOptions& options, const Execution& execution) {
   SurfaceDistance distance;
-  distance.a_to_b = measure(a, b, options, execution);
+  distance.a_to_b = measure(a, b, scale, options, execution);
   report_progress(execution, "surface_distance", 0.5);
-  distance.b_to_a = measure(b, a, options, execution);
+  distance.b_to_a = measure(b, a, scale, options, execution);
   distance.max = std::max(distance.a_to_b.max, distance.b_to_a.max);
   distance.mean = (distance.a_to_b.mean + distance.b_to_a.mean) / 2;
   distance.rms = std::sqrt(
@@ -159,17 +193,14 @@ SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b,
   require_finite(a);
   require_finite(b);
   // Areas take fourth powers of lengths: beyond working sizes they would overflow or vanish.
-  const double scale = std::min(working_scale(a.points.raw()), working_scale(b.points.raw()));
-  SurfaceDistance distance;
-  if (scale == 1) {
-    distance = measure_both(a, b, options, execution);
-  } else {
-    distance = measure_both(scaled(a, scale), scaled(b, scale), options, execution);
-    distance.a_to_b = unscaled(distance.a_to_b, scale);
-    distance.b_to_a = unscaled(distance.b_to_a, scale);
-    distance.max /= scale;
-    distance.mean /= scale;
-    distance.rms /= scale;
+  const double scale = common_scale(a, b);
+  SurfaceDistance distance = measure_both(a, b, scale, options, execution);
+  if (scale != 1) {
+    for (DirectedDistance* directed : {&distance.a_to_b, &distance.b_to_a}) {
+      unscale(*directed, scale);
+      directed->farthest = directed->farthest / scale;
+    }
+    unscale(distance, scale);
   }
   report_progress(execution, "surface_distance", 1);
   return distance;

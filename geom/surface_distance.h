@@ -40,7 +40,7 @@ struct SurfaceDistance {
 // measured and measured to. Of a mesh with triangles the corners of triangles are measured for the
 // maximum, and `samples` points for all figures: the area is cut into that many equal pieces in
 // the order of triangles, with one random point in each (stratified).
-// Coordinates may have any size: figures are relative to that of the larger mesh.
+// Coordinates may have any size, and differ in it: figures are relative to that of the larger mesh.
 // Throws InputError for a side without points, with a coordinate that is not finite, or whose
 // triangles have no area while samples are wanted. Reports progress as "surface_distance".
 // Complexity: O((samples + v) log t). Deterministic: one random number generator for each sample,

@@ -7,9 +7,14 @@
 
 namespace cocoon {
 
+// Beside a corner far out, the square of an area may be too small for a double, the area not.
 double area_of(const TriangleMesh& mesh, TriangleId triangle) {
+  constexpr double smallest_square = 0x1p-960;  // relative to which subnormal numbers are nothing
   const auto [a, b, c] = corners_of(mesh, triangle);
-  return norm(cross(b - a, c - a)) / 2;
+  const Vec3 across = cross(b - a, c - a);
+  if (squared_norm(across) >= smallest_square) return norm(across) / 2;
+  const double largest = max_norm(across);
+  return largest > 0 ? largest * norm(across / largest) / 2 : 0;
 }
 
 TrianglesByArea::TrianglesByArea(const TriangleMesh& mesh) {

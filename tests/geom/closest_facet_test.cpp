@@ -41,6 +41,7 @@ TEST(ClosestFacet, AgreesWithLookingAtEveryTriangle) {
       ASSERT_NEAR(std::sqrt(actual.squared_distance), std::sqrt(expected.squared_distance), 1e-14)
           << p.x << " " << p.y << " " << p.z;
       ASSERT_EQ(actual.squared_distance, squared_distance(p, actual.point));
+      ASSERT_EQ(actual.squared_distance, tree.squared_distance(p));
       ASSERT_LE(distance(actual.point, expected.point), 1e-7);
     }
   }

@@ -1,5 +1,7 @@
 #include "geom/surface_distance.h"
 
+#include <chrono>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -106,6 +108,61 @@ TEST(SurfaceDistance, VerticesThatNoTriangleUsesDoNotCount) {
   TriangleMesh mesh = gallery::cube();
   mesh.points.push_back({100, 0, 0});
   EXPECT_LE(surface_distance(mesh, gallery::cube(), {.samples = 100}).max, 1e-15);
+}
+
+TriangleMesh tent(double top) {
+  return gallery::make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, top}, {2, 2, 2}, {4, 2, 2}},
+                            {{0, 1, 2}, {0, 1, 3}, {4, 5, 0}});
+}
+
+// Squares of areas of the one vanish beside those of the other.
+TEST(SurfaceDistance, MeshesMayDifferInSizeAsMuchAsNumbersDo) {
+  const TriangleMesh cube = gallery::translated(gallery::cube(), {3, 0, 0});
+  for (const double factor : {1e-300, 1e-100, 1e-80, 1e80, 1e100, 1e150, 1e300}) {
+    const TriangleMesh other = gallery::scaled(cube, factor);
+    const SurfaceDistance d = surface_distance(cube, other, {.samples = 1000});
+    const double size = std::max(1.0, factor);
+    EXPECT_NEAR(d.max / size, std::sqrt(18), 1e-12) << factor;
+    const DirectedDistance& of_larger = factor > 1 ? d.b_to_a : d.a_to_b;
+    const DirectedDistance& of_smaller = factor > 1 ? d.a_to_b : d.b_to_a;
+    EXPECT_NEAR(of_smaller.mean / size, 3, 1e-12) << factor;
+    EXPECT_NEAR(of_larger.mean / size, 3.62, 0.01) << factor;
+  }
+}
+
+// What is near is measured as if the corner far out were not there.
+TEST(SurfaceDistance, OneCornerMayBeFarOut) {
+  const TriangleMesh near = tent(2);
+  const auto moved = [](double top) { return gallery::translated(tent(top), {0, 0.25, 0}); };
+  const DirectedDistance expected = surface_distance(near, moved(1e9), {.samples = 1000}).a_to_b;
+  EXPECT_GT(expected.mean, 0);
+  for (const double top : {1e16, 1e30, 1e60, 1e80, 1e100}) {
+    const SurfaceDistance d = surface_distance(near, moved(top), {.samples = 1000});
+    EXPECT_NEAR(d.a_to_b.mean, expected.mean, 1e-6) << top;
+    EXPECT_NEAR(d.a_to_b.max, expected.max, 1e-6) << top;
+    EXPECT_NEAR(d.b_to_a.max / top, 1, 1e-12) << top;
+    EXPECT_NEAR(d.b_to_a.mean / top, 1.0 / 3, 0.01) << top;
+  }
+}
+
+TEST(SurfaceDistance, AVertexThatNoTriangleUsesMayBeFarOut) {
+  const SurfaceDistance expected =
+      surface_distance(gallery::cube(), gallery::torus(9, 6), {.samples = 100});
+  TriangleMesh mesh = gallery::cube();
+  mesh.points.push_back({1e200, 0, 0});
+  EXPECT_EQ(surface_distance(mesh, gallery::torus(9, 6), {.samples = 100}), expected);
+}
+
+// Rounding makes all triangles equally far from what is far out, and one corner far out must not
+// make all boxes of the search as large. Of each sample against each triangle this takes minutes.
+TEST(SurfaceDistance, FarCornersTakeNoMoreTime) {
+  const TriangleMesh near = gallery::sphere(6);
+  TriangleMesh far = near;
+  far.points[VertexId(0)] = {1e16, 0, 0};
+  const auto start = std::chrono::steady_clock::now();
+  const SurfaceDistance d = surface_distance(near, far, {.samples = 100000});
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+  EXPECT_EQ(d.b_to_a.max, 1e16);
 }
 
 TEST(SurfaceDistance, RefusesWhatItCannotMeasure) {
