@@ -414,6 +414,7 @@ ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution
     state_->clear(points.size());
     return result;
   }
+  require_comparable_sizes(points, execution);
   DelaunayResult built = delaunay(points, state_->options.delaunay, execution);
   ReconstructStages stages;
   ReconstructResult result = reconstruct_tight_with_labels(

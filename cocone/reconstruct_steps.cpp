@@ -37,6 +37,7 @@ ReconstructSteps::ReconstructSteps(Points points, const ReconstructOptions& opti
     : points_(points), options_(effective_options(options)), execution_(execution) {}
 
 void ReconstructSteps::triangulate() {
+  require_comparable_sizes(points_, execution_);
   std::vector<Point> scaled;
   Points working = points_;
   if (const double scale = working_scale(points_); scale != 1) {

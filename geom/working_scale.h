@@ -16,6 +16,11 @@ namespace cocoon {
 // Precondition: finite coordinates. Complexity: O(n).
 double working_scale(Points points, const Execution& execution = {});
 
+// Throws InputError, which names the point that is farthest out, if the coordinates of most of the
+// points, those at the origin left aside, are smaller than 2^-200 times the largest one: then no
+// scale holds both the squares of areas among these and those of the others. Complexity: O(n).
+void require_comparable_sizes(Points points, const Execution& execution = {});
+
 // True iff every coordinate times `scale`, a power of two, is representable: nothing is lost to
 // underflow. Complexity: O(n).
 bool scales_exactly(Points points, double scale);

@@ -88,6 +88,23 @@ TEST(NumericRange, SizesThatNoScaleHoldsAreRefusedWithTheReason) {
       << message_of_reconstruct(points);
 }
 
+TEST(NumericRange, OnePointFarOutGivesTheSameSurfaceOrIsNamed) {
+  std::vector<Point> points = gallery::displaced_torus(1500);
+  const std::size_t triangles = reconstruct_tight(points).mesh.triangles.size();
+  points.push_back({});
+  for (const double far : {1e20, 1e40, 1e59}) {
+    points.back() = {0, far, -far};
+    EXPECT_EQ(reconstruct_tight(points).mesh.triangles.size(), triangles) << far;
+    EXPECT_GT(reconstruct_cocone(points).mesh.triangles.size(), triangles / 2) << far;
+  }
+  for (const double far : {1e61, 1e80, 1e90, 1e150}) {
+    points.back() = {0, far, -far};
+    const std::string named = "point " + std::to_string(points.size() - 1) + " at (0, ";
+    EXPECT_EQ(message_of_reconstruct(points).find(named), 0U) << message_of_reconstruct(points);
+    EXPECT_THROW(reconstruct_cocone(points), InputError) << far;
+  }
+}
+
 // The same samples at every size.
 TEST(NumericRange, DistancesScaleWithTheMeshes) {
   const TriangleMesh torus = reconstruct_tight(lattice_torus(500)).mesh;

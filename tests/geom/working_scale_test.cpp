@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <limits>
+#include <string>
 #include <vector>
+
+#include "geom/errors.h"
 
 namespace cocoon {
 namespace {
@@ -29,6 +32,24 @@ TEST(WorkingScale, SaysWhenItWouldLoseBits) {
   EXPECT_FALSE(scales_exactly(far, working_scale(far)));
   const std::vector<Point> subnormal = {{std::numeric_limits<double>::denorm_min(), 0, 0}};
   EXPECT_TRUE(scales_exactly(subnormal, 0x1p1022));
+}
+
+TEST(WorkingScale, NamesAPointBesideWhichTheOthersVanish) {
+  std::vector<Point> points = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0x1p-10, 0}, {1e60, 2, 3}};
+  EXPECT_NO_THROW(require_comparable_sizes(points));
+  EXPECT_NO_THROW(require_comparable_sizes({}));
+  EXPECT_NO_THROW(require_comparable_sizes(std::vector<Point>{{}, {}, {1, 0, 0}}));
+  points.insert(points.begin() + 2, {0, -1e90, 0});
+  std::string message;
+  try {
+    require_comparable_sizes(points);  // of as many far ones as near ones nothing is said
+    points.push_back({0, 3, 0});
+    require_comparable_sizes(points);
+  } catch (const InputError& error) {
+    message = error.what();
+  }
+  EXPECT_EQ(points.size(), 7U);
+  EXPECT_EQ(message.find("point 2 at (0, -1e+90, 0) is more than 2^200"), 0U) << message;
 }
 
 }  // namespace
