@@ -433,8 +433,11 @@ bool UpdateSteps::report_choice() {
     warn("all regions lie under clouds; the one with the largest angle is kept");
   }
   if (choice.status == ChoiceStatus::ok) return true;
+  const double least = options_.choice.ambiguous_margin;
+  std::size_t c = 0;
+  while (c + 1 < clouds_.size() && (is_cut_[c] != 0 || choice.clouds[c].margin >= least)) ++c;
   return fail(UpdateStatus::ambiguous,
-              reason_of_ambiguity(options_.choice.ambiguous_margin * degrees_per_radian));
+              name_of_cloud(c) + ": " + reason_of_ambiguity(least * degrees_per_radian));
 }
 
 }  // namespace cocoon

@@ -84,9 +84,11 @@ std::string reason_of_wide_handle() {
 }
 
 std::string reason_of_ambiguity(double margin) {
+  const std::string degrees = rounded(margin);
   return "the regions inside and outside a rim make angles with the cloud that differ by less "
          "than " +
-         rounded(margin) + " degrees; let the cloud reach farther onto unchanged surface";
+         degrees + (degrees == "1" ? " degree" : " degrees") +
+         "; let the cloud reach farther onto unchanged surface";
 }
 
 std::string reason_of_empty_surface(std::size_t updated_points) {

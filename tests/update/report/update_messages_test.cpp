@@ -118,6 +118,23 @@ TEST(UpdateMessages, JoinedCloudsAreNamedAfterTheFirst) {
   EXPECT_EQ(name({2, 4, 6, 7}), "cloud 3 of 9 (with cloud 5 of 9, cloud 7 of 9 and cloud 8 of 9)");
 }
 
+TEST(UpdateMessages, AnglesAreInDegrees) {
+  EXPECT_TRUE(says({reason_of_ambiguity(1)}, "differ by less than 1 degree; let the cloud reach"));
+  EXPECT_TRUE(says({reason_of_ambiguity(0.5)}, "differ by less than 0.5 degrees; "));
+  EXPECT_EQ(warning_of_narrow_margin(12.3456),
+            "its regions differ by only 12.35 degrees; look at the result");
+}
+
+TEST(UpdateMessages, CloudsThatOverlapEachOther) {
+  EXPECT_EQ(warning_of_clouds_apart("cloud 1 of 2 is closed"),
+            "clouds overlap each other, but do not make one surface (cloud 1 of 2 is closed); each "
+            "is taken by itself");
+  EXPECT_EQ(warning_of_shared_regions(1),
+            "clouds overlap each other: 1 region lies under more than one");
+  EXPECT_EQ(warning_of_shared_regions(2),
+            "clouds overlap each other: 2 regions lie under more than one");
+}
+
 TEST(UpdateMessages, OneTrialAloneIsSaid) {
   CloudSurfaceOptions options;
   EXPECT_EQ(hint_of_only_trial(options), "");
