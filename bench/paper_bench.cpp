@@ -146,10 +146,10 @@ bool agree(const Ours& ours, const TriangleMesh& threaded, const ref::CgalUpdate
   std::printf(
       "%-12s %zu points; ours / CGAL: %zu / %zu rim points, %zu / %zu replaced, %zu / %zu "
       "triangles, %zu in common\n",
-      "", points, rim, cgal.rim_points, replaced, cgal.replaced, mesh.triangles.size(),
+      "", points, rim, cgal.rim_points, replaced, cgal.replaced.size(), mesh.triangles.size(),
       cgal.mesh.triangles.size(), common);
   const double difference =
-      std::abs(static_cast<double>(replaced) - static_cast<double>(cgal.replaced));
+      std::abs(static_cast<double>(replaced) - static_cast<double>(cgal.replaced.size()));
   const auto require = [](bool holds, const char* what) {
     if (!holds) std::fprintf(stderr, "paper_bench: %s\n", what);
     return holds;

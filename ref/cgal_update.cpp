@@ -153,7 +153,7 @@ class PlainUpdate {
         border_.insert(facets_of_edge_.back().back().begin(), facets_of_edge_.back().back().end());
       }
     }
-    result_.overlapping_facets = overlapping_.size();
+    result_.overlapping_facets.assign(overlapping_.begin(), overlapping_.end());
   }
 
   void grow_regions() {
@@ -239,7 +239,7 @@ class PlainUpdate {
     for (const VertexId v : model_.points.ids()) {
       const std::set<std::uint32_t>& regions = regions_of_vertex_[v.index()];
       if (regions.size() == 1 && replaced_.count(*regions.begin()) != 0) {
-        ++result_.replaced;
+        result_.replaced.push_back(v);
       } else {
         points.insert(model_.points[v]);
       }

@@ -18,10 +18,10 @@ struct CgalUpdate {
   double cloud_delaunay_seconds = 0;  // within boundary detection
   double model_delaunay_seconds = 0;  // within the reconstruction
   std::size_t rim_points = 0;
-  std::size_t overlapping_facets = 0;
+  std::vector<TriangleId> overlapping_facets;  // ascending, as are
+  std::vector<VertexId> replaced;              // vertices of the model
   std::size_t regions = 0;
-  std::size_t replaced = 0;  // points of the model
-  TriangleMesh mesh;         // the updated surface; points on no triangle are among its points
+  TriangleMesh mesh;  // the updated surface; points on no triangle are among its points
 };
 
 // One thread, plain data structures, no indexes but CGAL's triangulation and AABB tree: Cocone
