@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "geom/errors.h"
+#include "geom/mesh_check.h"
 #include "geom/random.h"
+#include "tests/end_to_end/local_update.h"
 #include "update/update_model.h"
 
 namespace cocoon {
@@ -56,10 +58,74 @@ TEST(CloudSurface, AFlatPatchHasOneRim) {
   }
 }
 
+// The sheet of 30 spacings, heights with so much noise.
+CloudSurface of_noisy_sheet(double noise) {
+  return cloud_surface(sheet(30, 0.02, 0.2, noise, everywhere));
+}
+
+// How far the rim point closest to the middle of that sheet is from it; the outline is at 15.
+double innermost(const CloudSurface& surface) {
+  double least = 15;
+  for (const RimLoop& loop : surface.rim.loops) {
+    for (const Point& p : loop.points) {
+      least = std::min(least, std::max(std::abs(p.x), std::abs(p.y)));
+    }
+  }
+  return least;
+}
+
+// As good as without: the first trial finds the outline, and the surface is a disk.
 TEST(CloudSurface, NoiseOfFivePercent) {
-  const CloudSurface surface = cloud_surface(sheet(30, 0.02, 0.2, 0.05, everywhere));
+  const CloudSurface surface = of_noisy_sheet(0.05);
   ASSERT_EQ(surface.status, CloudStatus::ok);
+  EXPECT_EQ(surface.trials.size(), 1U);
+  EXPECT_EQ(surface.search.rho, 0.3);
   ASSERT_EQ(surface.rim.loops.size(), 1U);
+  EXPECT_NEAR(surface.rim.loops[0].perimeter, of_noisy_sheet(0).rim.loops.at(0).perimeter, 6);
+  EXPECT_GT(innermost(surface), 14);
+  const MeshReport check = mesh_check(surface.mesh);
+  EXPECT_EQ(check.components, 1U);
+  EXPECT_EQ(check.euler, 1);
+  EXPECT_TRUE(check.edge_manifold && check.vertex_manifold);
+  EXPECT_GT(surface.mesh.triangles.size(), 1780U);
+}
+
+// The first trial takes most samples for a boundary: its loops are seams. A larger rho bears it,
+// though not without pin-holes.
+TEST(CloudSurface, NoiseOfThirtyPercentNeedsACoarserTrial) {
+  const CloudSurface surface = of_noisy_sheet(0.3);
+  ASSERT_EQ(surface.status, CloudStatus::ok);
+  EXPECT_GT(surface.trials[0].seam_share, 0.5);
+  EXPECT_GT(surface.trials[0].boundary_samples, 500U);
+  EXPECT_GT(surface.search.rho, 0.3);
+  ASSERT_EQ(surface.rim.loops.size(), 1U);
+  EXPECT_GT(innermost(surface), 12);
+}
+
+// A hole in a sphere is found iff it is larger than rho times the distance to the medial axis, 1:
+// each trial finds smaller ones. The smallest is no wider than two spacings.
+TEST(CloudSurface, FinerTrialsFindSmallerHoles) {
+  struct Hole {
+    double polar;
+    std::size_t trials;
+    double rho;
+  };
+  for (const auto& [polar, trials, rho] :
+       {Hole{0.32, 1, 0.3}, Hole{0.25, 2, 0.2}, Hole{0.19, 3, 0.13}, Hole{0.145, 4, 0.1}}) {
+    std::vector<Point> cloud = testing::sphere_points(2000, 3);
+    std::erase_if(cloud, [edge = polar](const Point& p) { return p.z > std::cos(edge); });
+    const CloudSurface surface = cloud_surface(cloud);
+    ASSERT_EQ(surface.status, CloudStatus::ok) << polar;
+    EXPECT_EQ(surface.trials.size(), trials) << polar;
+    EXPECT_EQ(surface.search.rho, rho) << polar;
+    ASSERT_EQ(surface.rim.loops.size(), 1U) << polar;
+    for (const Point& p : surface.rim.loops[0].points) {
+      EXPECT_LT(std::acos(p.z), polar + 0.09) << polar;
+    }
+  }
+  std::vector<Point> cloud = testing::sphere_points(2000, 3);
+  std::erase_if(cloud, [](const Point& p) { return p.z > std::cos(0.08); });
+  EXPECT_EQ(cloud_surface(cloud).status, CloudStatus::cloud_closed);
 }
 
 TEST(CloudSurface, AHoleIsARim) {
@@ -96,7 +162,10 @@ TEST(CloudSurface, ASharpFoldIsNoRim) {
   ASSERT_EQ(surface.status, CloudStatus::ok);
   ASSERT_EQ(surface.rim.loops.size(), 1U);
   EXPECT_GT(surface.rim.loops[0].perimeter, 120);
-  EXPECT_LE(surface.trials.back().seam_share, 0.3);
+  ASSERT_EQ(surface.trials.size(), 3U);
+  EXPECT_EQ(surface.search.rho, 0.83);
+  EXPECT_GT(surface.trials[0].seam_share, 0.3);
+  EXPECT_LE(surface.trials[2].seam_share, 0.05);
 }
 
 TEST(CloudSurface, AClosedCloudHasNoRim) {
