@@ -110,7 +110,7 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
   properties = properties_of_surface(job, properties, arguments.points, surface);
   if (arguments.label_samples) add_boundary_samples(surface, properties);
   timed(job.execution(), "write", [&] {
-    write_mesh(arguments.mesh, surface.mesh, properties, {.ascii = arguments.ascii}, job.outputs());
+    write_mesh(arguments.mesh, surface.mesh, properties, arguments.writing, job.outputs());
     if (!arguments.loops.empty()) {
       write_polylines(arguments.loops, surface.mesh.points.span(), vertices_of(boundary),
                       job.outputs());

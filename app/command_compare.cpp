@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "app/deviation_map.h"
 #include "app/files.h"
 #include "geom/errors.h"
 #include "geom/surface_distance.h"
@@ -9,10 +10,12 @@ namespace cocoon::app {
 
 namespace {
 
-void add_distances(JsonReport& report, const std::string& path, const DirectedDistance& distance) {
+void add_distances(JsonReport& report, const std::string& path, const DirectedDistance& distance,
+                   bool with_tolerance) {
   report.set(path + "/max", distance.max);
   report.set(path + "/mean", distance.mean);
   report.set(path + "/rms", distance.rms);
+  if (with_tolerance) report.set(path + "/within", distance.within);
   report.set(path + "/samples", distance.samples);
   const Point& p = distance.farthest;
   report.set(path + "/farthest", std::vector<double>{p.x, p.y, p.z});
@@ -27,7 +30,7 @@ void say_distances(Job& job, const std::string& name, const DirectedDistance& di
 }  // namespace
 
 void run_compare(const CompareArguments& arguments, Job& job) {
-  require_outputs(job, {}, {arguments.a, arguments.b});
+  require_outputs(job, {{arguments.mesh, {".ply"}}}, {arguments.a, arguments.b});
   const TriangleMesh a = read_shape(job, arguments.a, "input/a");
   const TriangleMesh b = read_shape(job, arguments.b, "input/b");
   for (const auto& [name, shape] : {std::pair(&arguments.a, &a), std::pair(&arguments.b, &b)}) {
@@ -36,6 +39,7 @@ void run_compare(const CompareArguments& arguments, Job& job) {
   }
   SurfaceDistanceOptions options;
   options.samples = arguments.samples;
+  options.tolerance = arguments.tolerance;
   const SurfaceDistance distance = naming_input(arguments.a + " and " + arguments.b, [&] {
     return surface_distance(a, b, options, job.execution());
   });
@@ -45,8 +49,9 @@ void run_compare(const CompareArguments& arguments, Job& job) {
   report.set("input/a/triangles", a.triangles.size());
   report.set("input/b/points", b.points.size());
   report.set("input/b/triangles", b.triangles.size());
-  add_distances(report, "distance/a_to_b", distance.a_to_b);
-  add_distances(report, "distance/b_to_a", distance.b_to_a);
+  const bool with_tolerance = arguments.tolerance.has_value();
+  add_distances(report, "distance/a_to_b", distance.a_to_b, with_tolerance);
+  add_distances(report, "distance/b_to_a", distance.b_to_a, with_tolerance);
   report.set("distance/max", distance.max);
   report.set("distance/mean", distance.mean);
   report.set("distance/rms", distance.rms);
@@ -54,6 +59,15 @@ void run_compare(const CompareArguments& arguments, Job& job) {
   say_distances(job, "B to A:", distance.b_to_a);
   job.say("both:    max {:.6g} (Hausdorff), mean {:.6g}, RMS {:.6g}", distance.max, distance.mean,
           distance.rms);
+  if (with_tolerance) {
+    report.set("parameters/tolerance", *arguments.tolerance);
+    report.set("distance/f_score", distance.f_score);
+    job.say("within {:.6g}: {:.2f} % of A, {:.2f} % of B, F-score {:.4f}", *arguments.tolerance,
+            100 * distance.a_to_b.within, 100 * distance.b_to_a.within, distance.f_score);
+  }
+  if (!arguments.mesh.empty()) {
+    write_deviation(job, a, b, {arguments.mesh, arguments.writing, arguments.tolerance});
+  }
   job.finish();
 }
 

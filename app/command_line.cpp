@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 #include <memory>
 
+#include "app/carried_properties.h"
 #include "app/check_requirements.h"
 #include "app/cloud_filter.h"
+#include "app/command_options.h"
 #include "app/option_values.h"
 #include "app/surface_options.h"
 #include "app/thresholds.h"
@@ -25,113 +27,9 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
-void add_shared_options(CLI::App& app, SharedArguments& shared) {
-  app.add_option("--threads", shared.threads, "Number of threads; 0 = all cores (default)")
-      ->transform(without_leading_zeros())
-      ->check(CLI::Range(0, 1024));
-  app.add_option("--json", shared.json, "Write the JSON report to FILE; - = standard output")
-      ->type_name("FILE");
-  app.add_flag("--quiet", shared.quiet, "Print no summary");
-  app.add_flag("--verbose", shared.verbose, "Print the time of every stage");
-  app.add_flag("--progress", shared.progress, "Show progress even if stderr is no terminal");
-  app.add_flag("--skip-non-finite", shared.skip_non_finite,
-               "Leave out points with nan or inf, and count them, instead of refusing the file");
-  app.set_version_flag("--version", std::string("cocoon ") + COCOON_VERSION);
-}
-
-void add_verify(CLI::App& app, bool& verify) {
-  app.add_flag("--verify", verify,
-               "Check the result exactly before it is written, and write nothing if that fails");
-}
-
 const std::string rho_of_clouds =
     "here for the rims of clouds; by default 0.3 and, where that finds no good rim, others, each "
     "with its own --alpha";
-
-// "(30)", as the help shows defaults.
-std::string in_parentheses(double value) { return fmt::format(" ({:.6g})", value); }
-
-// `of_rho`: what else there is to be said of it.
-void add_surface_options(CLI::App& app, SurfaceArguments& parameters, const std::string& of_rho) {
-  const ReconstructOptions defaults;
-  app.add_option("-r,--rho", parameters.rho,
-                 "Ratio condition: a sample is well sampled only if the radius of its cocone is at "
-                 "most RHO times its height, the distance to its negative pole; " +
-                     of_rho)
-      ->check(between(1e-6, 1))
-      ->type_name("RHO");
-  app.add_option("-f,--alpha", parameters.alpha_deg,
-                 "Normal condition: largest angle between the normals of cocone neighbors" +
-                     in_parentheses(told_in_degrees(std::acos(defaults.boundary.alpha_cosine))))
-      ->check(between(0, 90))
-      ->type_name("DEGREES");
-  app.add_option("-c,--cocone-angle", parameters.cocone_angle_deg,
-                 "Half opening of the cocone about the tangent plane" +
-                     in_parentheses(told_in_degrees(std::asin(defaults.cocone.cosine))))
-      ->check(between(0.1, 89.9))
-      ->type_name("DEGREES");
-  app.add_option("-s,--sharp-angle", parameters.sharp_angle_deg,
-                 "Dihedral angle below which a surface edge is sharp and its triangles are pruned" +
-                     in_parentheses(told_in_degrees(std::acos(defaults.prune.sharp_cosine))))
-      ->check(between(0, 180))
-      ->type_name("DEGREES");
-  app.add_option("--mode", parameters.mode,
-                 "paper: the published reconstruction alone, and in updates the published way to "
-                 "locate a rim on the model, no long edges trimmed, no samples set aside; robust "
-                 "(default): with our repairs, each counted in the report")
-      ->check(CLI::IsMember({"paper", "robust"}));
-  add_verify(app, parameters.verify);
-}
-
-// Of what is on by default: CLI11's own negative flags ("!--no-...") stand with "{false}" in
-// --help.
-CLI::Option* add_switch_off(CLI::App& app, const std::string& name, bool& is_on,
-                            const std::string& meaning) {
-  return app.add_flag_callback(
-      name, [&is_on] { is_on = false; }, meaning);
-}
-
-// `of_ply`: what else there is to be said of that format.
-CLI::Option* add_mesh_output(CLI::App& app, std::string& mesh, bool& ascii,
-                             const std::string& of_ply = "") {
-  app.add_flag("--ascii", ascii, "Write text where the format has a binary and a text form");
-  return app
-      .add_option("-o,--output", mesh, "The mesh to write: .ply, .obj, .off or .stl" + of_ply)
-      ->required()
-      ->type_name("MESH");
-}
-
-void add_manifold_option(CLI::App& app, bool& manifold) {
-  app.add_flag(
-      "--manifold", manifold,
-      "Split edges with more than two triangles and pinched vertices: the sheets that meet "
-      "there get vertices of their own");
-}
-
-void add_radius(CLI::App& app, std::string& radius, const std::string& group) {
-  app.add_option("--radius", radius,
-                 "Ratio condition: what is measured of a sample's cell, its cocone (of open clouds "
-                 "the default) or its tangent plane (of closed surfaces; not in paper mode)")
-      ->check(CLI::IsMember({"cocone", "tangent-plane"}))
-      ->group(group);
-}
-
-void add_thresholds_of(CLI::App& app, ThresholdUse use, std::map<std::string, double>& given,
-                       const std::string& group, const StageOptions& defaults = {}) {
-  for (const Threshold& t : thresholds()) {
-    if (t.use != use) continue;
-    const bool whole = t.kind == ThresholdKind::whole;
-    CLI::Option* option = app.add_option_function<double>(
-        std::string("--") + t.name, [&given, &t](double value) { given[t.name] = value; },
-        t.meaning + in_parentheses(told_value(t, defaults)));
-    if (whole) option->check(CLI::TypeValidator<std::uint64_t>("WHOLE NUMBER"));
-    option->check(between(t.low, t.high))
-        ->type_name(t.kind == ThresholdKind::angle ? "DEGREES"
-                    : whole                        ? "COUNT"
-                                                   : "NUMBER")
-        ->group(group);
-  }
-}
 
 void add_stages_of_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
   app.add_flag("--cavities", arguments.cavities,
@@ -160,25 +58,6 @@ void add_stages_of_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
     add_thresholds_of(app, use, arguments.thresholds, noise);
   }
   add_thresholds_of(app, ThresholdUse::findings, arguments.thresholds, "Findings");
-}
-
-void add_thin(CLI::App& app, std::optional<double>& distance, const std::string& of_what) {
-  app.add_option("--thin", distance,
-                 "Leave out points" + of_what +
-                     " closer than this to one that is used: of scans that are denser than their "
-                     "noise, or overlap")
-      ->type_name("DISTANCE")
-      ->check(between(1e-300, 1e300));
-}
-
-void add_cloud_filter(CLI::App& app, CloudFilterArguments& arguments) {
-  add_thin(app, arguments.thin, " of each new scan");
-  app.add_option("--noise", arguments.noise,
-                 "robust: leave stray points and small clumps of them out of each new scan first; "
-                 "none (default): every sample counts")
-      ->check(CLI::IsMember({"none", "robust"}));
-  add_thresholds_of(app, ThresholdUse::outliers, arguments.thresholds,
-                    "Noise filter (with --noise robust)", cloud_filter_defaults());
 }
 
 void add_stages_of_boundary(CLI::App& app, BoundaryArguments& arguments) {
@@ -226,19 +105,6 @@ void add_demo_and_sample(CLI::App& app, Command& chosen, SharedArguments& shared
       ->type_name("N");
 }
 
-void add_densify(CLI::App& sub, const std::string& mesh, std::optional<double>& spacing) {
-  sub.add_option("--densify", spacing,
-                 mesh +
-                     " is a mesh with large triangles (CAD): add samples on them, about so far "
-                     "apart, so that its surface can be updated")
-      ->type_name("SPACING")
-      ->check(between(1e-300, 1e300));
-}
-
-void add_trim(CLI::App& sub, std::optional<double>& max_edge, const std::string& what_for) {
-  sub.add_option("--trim", max_edge, what_for)->type_name("TIMES")->check(between(1, 1e300));
-}
-
 const std::string keeps_properties = "; PLY also keeps the vertices' properties";
 
 void add_reconstruct_command(CLI::App& app, Command& chosen, SharedArguments& shared) {
@@ -246,7 +112,7 @@ void add_reconstruct_command(CLI::App& app, Command& chosen, SharedArguments& sh
   auto& reconstruct = add_command<ReconstructArguments>(app, "reconstruct", "Point cloud to mesh",
                                                         chosen, shared, sub);
   sub->add_option("POINTS", reconstruct.points, "Point cloud")->required();
-  add_mesh_output(*sub, reconstruct.mesh, reconstruct.ascii,
+  add_mesh_output(*sub, reconstruct.mesh, reconstruct.writing,
                   keeps_properties + " (but for --densify)");
   add_densify(*sub, "POINTS", reconstruct.densify);
   add_thin(*sub, reconstruct.thin, "");
@@ -275,7 +141,7 @@ void add_boundary_command(CLI::App& app, Command& chosen, SharedArguments& share
   auto& boundary = add_command<BoundaryArguments>(
       app, "boundary", "The surface of an open cloud and its boundary loops", chosen, shared, sub);
   sub->add_option("POINTS", boundary.points, "Point cloud")->required();
-  add_mesh_output(*sub, boundary.mesh, boundary.ascii, keeps_properties);
+  add_mesh_output(*sub, boundary.mesh, boundary.writing, keeps_properties);
   sub->add_option("--loops", boundary.loops, "Write the boundary loops as polylines")
       ->type_name("FILE.obj");
   sub->add_flag("--label-samples", boundary.label_samples,
@@ -301,7 +167,7 @@ void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared)
                   "Go on from this session instead of a MODEL, and write it back; its parameters "
                   "hold, but for --rho")
       ->type_name("FILE");
-  add_mesh_output(*sub, update.mesh, update.ascii,
+  add_mesh_output(*sub, update.mesh, update.writing,
                   keeps_properties + " (but for --session and, of MODEL, --densify)");
   add_densify(*sub, "MODEL", update.densify);
   sub->add_option("--map", update.map,
@@ -325,7 +191,7 @@ void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) 
                   "Folder into which scanners drop their clouds; MODEL and what is written are no "
                   "clouds if they lie there")
       ->required();
-  add_mesh_output(*sub, watch.mesh, watch.ascii);
+  add_mesh_output(*sub, watch.mesh, watch.writing);
   add_densify(*sub, "MODEL", watch.densify);
   sub->add_option("--session", watch.session,
                   "Where the state is kept, to resume from after any end (MESH.session)")
@@ -404,6 +270,15 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
   sub->add_option("--samples", compare.samples, "Sample points on each mesh (100000)")
       ->transform(without_leading_zeros())
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
+  sub->add_option("--tolerance", compare.tolerance,
+                  "Also tell which share of either surface is at most so far from the other")
+      ->check(between(0, 1e300))
+      ->type_name("DISTANCE");
+  sub->add_option("-o,--output", compare.mesh,
+                  "Write A with the distances of its vertices from B, as property and as colors "
+                  "(full at --tolerance, or at three times the RMS): .ply")
+      ->type_name("MESH");
+  add_writing(*sub, compare.writing);
 }
 
 // CLI11 alone would answer to a misspelled command that one is missing.
@@ -437,6 +312,23 @@ void require_in_one_place(const CLI::App& app, const CLI::App& command) {
                                    command.get_name()));
     }
   }
+}
+
+// Where the format leaves no choice, --float would do nothing.
+void require_choice_of_float(const Command& command) {
+  std::visit(
+      [](const auto& arguments) {
+        if constexpr (requires { arguments.writing; }) {
+          const bool is_written = !arguments.mesh.empty();
+          if (is_written && arguments.writing.single_precision &&
+              !holds_properties(arguments.mesh)) {
+            throw UsageError(
+                "--float: only PLY has floats or doubles as one likes; name a .ply file, or leave "
+                "it out");
+          }
+        }
+      },
+      command);
 }
 
 std::string problem_told(const CLI::App& app, const CLI::ParseError& error) {
@@ -477,6 +369,7 @@ Request parse_command_line(int argc, const char* const* argv) {
       require_known_words(check->required);
     }
     if (auto* update = std::get_if<UpdateArguments>(&line.command)) settle_model(*update);
+    require_choice_of_float(line.command);
     if (const auto* reconstruct = std::get_if<ReconstructArguments>(&line.command);
         reconstruct != nullptr && !reconstruct->session.empty() &&
         reconstruct->surface != "tight") {

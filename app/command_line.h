@@ -1,4 +1,5 @@
-// What the user asked for, as plain data. The only code that knows CLI11 is command_line.cpp.
+// What the user asked for, as plain data. The only code that knows CLI11 is command_line.cpp,
+// command_options.h and option_values.h.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +10,8 @@
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "io/mesh_file_options.h"
 
 namespace cocoon::app {
 
@@ -58,7 +61,7 @@ struct ReconstructArguments {
   std::string mesh;
   std::string surface = "tight";  // "tight" or "cocone"
   std::string session;            // empty: not written
-  bool ascii = false;
+  MeshWriteOptions writing;
   bool manifold = false;
   std::string noise = "none";     // "none" or "robust"
   std::optional<double> densify;  // spacing of samples added to a mesh
@@ -79,7 +82,7 @@ struct BoundaryArguments {
   std::string mesh;
   std::string loops;           // empty: not written
   bool label_samples = false;  // write which vertices are boundary samples
-  bool ascii = false;
+  MeshWriteOptions writing;
   std::optional<double> thin;  // least distance of points that are used
   std::optional<double> trim;  // longest edge of a triangle that stays, in local spacings
   SurfaceArguments parameters;
@@ -94,7 +97,7 @@ struct UpdateArguments {
   std::string mesh;
   std::string map;   // empty: not written
   std::string html;  // empty: not written
-  bool ascii = false;
+  MeshWriteOptions writing;
   bool manifold = false;
   std::optional<double> densify;  // spacing of samples added to the model, a mesh
   SurfaceArguments parameters;
@@ -111,7 +114,7 @@ struct WatchArguments {
   bool once = false;            // stop when everything there has been looked at
   bool together = false;        // files that come together are views of one change
   std::size_t save_every = 32;  // clouds, until the whole session is written again
-  bool ascii = false;
+  MeshWriteOptions writing;
   std::optional<double> densify;  // spacing of samples added to the model, a mesh
   SurfaceArguments parameters;
   CloudFilterArguments filter;
@@ -134,6 +137,9 @@ struct CompareArguments {
   std::string a;
   std::string b;
   std::size_t samples = 100000;
+  std::optional<double> tolerance;  // how far samples may be off to count as within
+  std::string mesh;                 // A with its distances from B; empty: not written
+  MeshWriteOptions writing;
 };
 
 using Command = std::variant<DemoArguments, SampleArguments, ReconstructArguments,

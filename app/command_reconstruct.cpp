@@ -275,7 +275,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
                                      ? part_sheets(job, arguments.mesh, result.mesh, properties)
                                      : doubts.certificate;
   timed(job.execution(), "write", [&] {
-    write_mesh(arguments.mesh, result.mesh, properties, {.ascii = arguments.ascii}, job.outputs());
+    write_mesh(arguments.mesh, result.mesh, properties, arguments.writing, job.outputs());
   });
   if (session) write_session(job, arguments, std::move(*session));
 

@@ -129,7 +129,7 @@ void update_session(const UpdateArguments& arguments, const CloudFilter& filter,
   filter_clouds(job, filter, input);
   update_and_write(
       job, input, session.options(),
-      {arguments.mesh, arguments.map, arguments.html, arguments.ascii, arguments.manifold},
+      {arguments.mesh, arguments.map, arguments.html, arguments.writing, arguments.manifold},
       &session);
   timed(job.execution(), "write", [&] {
     save_session(arguments.session,
@@ -162,7 +162,7 @@ void run_update(const UpdateArguments& arguments, Job& job) {
   filter_clouds(job, filter, input);
   update_and_write(
       job, input, options,
-      {arguments.mesh, arguments.map, arguments.html, arguments.ascii, arguments.manifold});
+      {arguments.mesh, arguments.map, arguments.html, arguments.writing, arguments.manifold});
   job.finish();
 }
 

@@ -164,7 +164,7 @@ class Watch {
       }
       resume_session(session_file_, std::move(saved), arguments_.parameters,
                      {job_.execution().threads}, state_);
-      write_mesh(arguments_.mesh, model(), {.ascii = arguments_.ascii});
+      write_mesh(arguments_.mesh, model(), arguments_.writing);
       const NoteCounts noted = count_notes(state_.notes);
       std::string line = fmt::format("{}: resumed with {} applied", session_file_,
                                      counted(noted.applied, "cloud"));
@@ -210,7 +210,7 @@ class Watch {
     FileBatch outputs;
     save_session(session_file_, {state_.session->snapshot(), arguments_.parameters, state_.notes},
                  &outputs);
-    write_mesh(arguments_.mesh, model(), {.ascii = arguments_.ascii}, &outputs);
+    write_mesh(arguments_.mesh, model(), arguments_.writing, &outputs);
     job_.warn_of_rounding(outputs);
     outputs.commit();
     remove_pending_clouds(session_file_);
@@ -251,7 +251,7 @@ class Watch {
     FileBatch outputs;
     save_pending_clouds(session_file_, state_.notes, update, outputs);
     if (!update.refused) {
-      write_mesh(arguments_.mesh, model(), {.ascii = arguments_.ascii}, &outputs);
+      write_mesh(arguments_.mesh, model(), arguments_.writing, &outputs);
     }
     job_.warn_of_rounding(outputs);
     outputs.commit();

@@ -5,6 +5,7 @@
 
 #include "app/standard_streams.h"
 #include "geom/counted.h"
+#include "io/file_format.h"
 
 namespace cocoon::app {
 
@@ -32,7 +33,7 @@ void Job::warn(const std::string& warning) {
   say("warning: {}", warning);
 }
 
-// The program writes floats to binary STL only.
+// Floats are written to binary STL, and to PLY with --float.
 void Job::warn_of_rounding(FileBatch& batch) {
   for (const RoundedFile& file : batch.take_rounded()) {
     if (!rounded_.insert(file.target.string()).second) continue;
@@ -40,12 +41,14 @@ void Job::warn_of_rounding(FileBatch& batch) {
     report_.set("rounding/merged_vertices", rounding.merged_vertices);
     report_.set("rounding/largest_move", rounding.largest_move);
     report_.set("rounding/median_edge", rounding.median_edge);
+    const bool is_chosen = format_of(file.target) == FileFormat::ply;
     warn(fmt::format(
-        "{}: in the floats of binary STL vertices move by up to {:.3g} (median edge {:.3g}), and "
-        "{} with others: it may be closed or manifold no longer; add --ascii, or write PLY, OBJ "
-        "or OFF",
-        file.target.string(), rounding.largest_move, rounding.median_edge,
-        counted(rounding.merged_vertices, "falls together", "fall together")));
+        "{}: in {} vertices move by up to {:.3g} (median edge {:.3g}), and {} with others: it may "
+        "be closed or manifold no longer; {}",
+        file.target.string(), is_chosen ? "floats" : "the floats of binary STL",
+        rounding.largest_move, rounding.median_edge,
+        counted(rounding.merged_vertices, "falls together", "fall together"),
+        is_chosen ? "leave --float out" : "add --ascii, or write PLY, OBJ or OFF"));
   }
 }
 

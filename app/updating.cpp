@@ -341,7 +341,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
     timed(job.execution(), "deviation", [&] { record.deviation = deviation(job, input, result); });
   }
   timed(job.execution(), "write", [&] {
-    write_mesh(output.mesh, result.mesh, properties, {.ascii = output.ascii}, job.outputs());
+    write_mesh(output.mesh, result.mesh, properties, output.writing, job.outputs());
     if (!output.map.empty()) {
       write_file(output.map, map_text(map_of_file(input, result.vertex_map)), job.outputs());
     }

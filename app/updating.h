@@ -72,7 +72,7 @@ struct UpdateOutput {
   std::string mesh;
   std::string map;  // one line per vertex of the model's file: its new index, or -1
   std::string html;
-  bool ascii = false;
+  MeshWriteOptions writing;
   bool manifold = false;
 };
 

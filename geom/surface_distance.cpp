@@ -65,12 +65,15 @@ std::vector<Point> stratified_samples(const TriangleMesh& mesh, std::size_t coun
 struct Tally {
   double sum = 0;
   double sum_of_squares = 0;
+  std::size_t within = 0;  // the tolerance
   double max_squared = -1;
   Point farthest;
 
-  void add(const Point& p, double squared) {
-    sum += std::sqrt(squared);
+  void add(const Point& p, double squared, double tolerance) {
+    const double distance = std::sqrt(squared);
+    sum += distance;
     sum_of_squares += squared;
+    within += distance <= tolerance ? 1U : 0U;
     keep_farther(p, squared);
   }
   void keep_farther(const Point& p, double squared) {
@@ -82,17 +85,18 @@ struct Tally {
   void add(const Tally& other) {
     sum += other.sum;
     sum_of_squares += other.sum_of_squares;
+    within += other.within;
     keep_farther(other.farthest, other.max_squared);
   }
 };
 
-Tally tally(Points points, const SquaredDistanceTo& squared_distance_to,
+Tally tally(Points points, const SquaredDistanceTo& squared_distance_to, double tolerance,
             const Execution& execution) {
   constexpr std::size_t grain = 1024;
   std::vector<Tally> chunks((points.size() + grain - 1) / grain);
   parallel_chunks(execution, points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      chunks[begin / grain].add(points[k], squared_distance_to(points[k]));
+      chunks[begin / grain].add(points[k], squared_distance_to(points[k]), tolerance);
     }
   });
   Tally total;
@@ -130,8 +134,10 @@ DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to, doubl
                          const SurfaceDistanceOptions& options, const Execution& execution) {
   const SquaredDistanceTo squared_distance_to = search_in(scale == 1 ? to : scaled(to, scale));
   const auto [samples, corners] = measured_points(from, scale, options, execution);
-  const Tally spread = tally(samples, squared_distance_to, execution);
-  Tally farthest = tally(corners, squared_distance_to, execution);
+  constexpr double none = -1;  // nothing is within it
+  const double tolerance = options.tolerance ? *options.tolerance * scale : none;
+  const Tally spread = tally(samples, squared_distance_to, tolerance, execution);
+  Tally farthest = tally(corners, squared_distance_to, none, execution);
   farthest.keep_farther(spread.farthest, spread.max_squared);
 
   const double count = std::max<double>(1, static_cast<double>(samples.size()));
@@ -139,7 +145,8 @@ DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to, doubl
           .max = std::sqrt(std::max(farthest.max_squared, 0.0)),
           .mean = spread.sum / count,
           .rms = std::sqrt(spread.sum_of_squares / count),
-          .farthest = farthest.farthest};
+          .farthest = farthest.farthest,
+          .within = static_cast<double>(spread.within) / count};
 }
 
 // Of points of triangles alone, if there are any: no others are measured.
@@ -172,6 +179,9 @@ SurfaceDistance measure_both(const TriangleMesh& a, const TriangleMesh& b, doubl
   distance.mean = (distance.a_to_b.mean + distance.b_to_a.mean) / 2;
   distance.rms = std::sqrt(
       (distance.a_to_b.rms * distance.a_to_b.rms + distance.b_to_a.rms * distance.b_to_a.rms) / 2);
+  const double precision = distance.a_to_b.within;
+  const double recall = distance.b_to_a.within;
+  if (precision + recall > 0) distance.f_score = 2 * precision * recall / (precision + recall);
   return distance;
 }
 
@@ -190,6 +200,9 @@ SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b,
                                  const SurfaceDistanceOptions& options,
                                  const Execution& execution) {
   report_progress(execution, "surface_distance", 0);
+  if (options.tolerance && !(*options.tolerance >= 0)) {
+    throw InputError("surface_distance: the tolerance is no number from 0 on");
+  }
   require_finite(a);
   require_finite(b);
   // Areas take fourth powers of lengths: beyond working sizes they would overflow or vanish.

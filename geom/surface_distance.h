@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "geom/execution.h"
 #include "geom/point.h"
@@ -13,6 +14,8 @@ namespace cocoon {
 struct SurfaceDistanceOptions {
   std::size_t samples = 100000;  // on each mesh, besides its vertices
   std::uint64_t seed = 1;
+  // How far samples may be off to count as within; in units of the coordinates.
+  std::optional<double> tolerance = {};
 };
 
 // From one surface to the other.
@@ -22,6 +25,8 @@ struct DirectedDistance {
   double mean = 0;  // over samples spread evenly by area; for a cloud over its points
   double rms = 0;   // likewise
   Point farthest;   // the point at distance max (of several the lexicographically smallest)
+  // The share of the samples of `mean` that are at most the tolerance away; 0 if there is none.
+  double within = 0;
 
   friend bool operator==(const DirectedDistance&, const DirectedDistance&) = default;
 };
@@ -32,6 +37,8 @@ struct SurfaceDistance {
   double max = 0;   // the larger of both
   double mean = 0;  // the mean of both
   double rms = 0;   // root of the mean of both squares
+  // Harmonic mean of both shares within the tolerance, precision and recall if b is the truth.
+  double f_score = 0;
 
   friend bool operator==(const SurfaceDistance&, const SurfaceDistance&) = default;
 };
@@ -41,11 +48,12 @@ struct SurfaceDistance {
 // maximum, and `samples` points for all figures: the area is cut into that many equal pieces in
 // the order of triangles, with one random point in each (stratified).
 // Coordinates may have any size, and differ in it: figures are relative to that of the larger mesh.
-// Throws InputError for a side without points, with a coordinate that is not finite, or whose
-// triangles have no area while samples are wanted. Reports progress as "surface_distance".
-// Complexity: O((samples + v) log t). Deterministic: one random number generator for each sample,
-// sums in a fixed order: the same for every number of threads.
-// Source: Cignoni, Rocchini & Scopigno, Metro: measuring error on simplified surfaces (CGF 1998).
+// Throws InputError for a tolerance that is not a number from 0 on, for a side without points, with
+// a coordinate that is not finite, or whose triangles have no area while samples are wanted.
+// Reports progress as "surface_distance". Complexity: O((samples + v) log t). Deterministic: one
+// random number generator for each sample, sums in a fixed order: the same for every number of
+// threads. Source: Cignoni, Rocchini & Scopigno, Metro: measuring error on simplified surfaces (CGF
+// 1998); F-score: Knapitsch, Park, Zhou & Koltun, Tanks and temples (ACM TOG 36, 2017).
 SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b,
                                  const SurfaceDistanceOptions& options = {},
                                  const Execution& execution = {});

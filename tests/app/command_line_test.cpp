@@ -27,7 +27,8 @@ TEST(CommandLine, ReconstructHasDocumentedDefaults) {
   EXPECT_EQ(arguments.surface, "tight");
   EXPECT_EQ(arguments.parameters.mode, "robust");
   EXPECT_FALSE(arguments.parameters.rho.has_value());
-  EXPECT_FALSE(arguments.ascii);
+  EXPECT_FALSE(arguments.writing.ascii);
+  EXPECT_FALSE(arguments.writing.single_precision);
 }
 
 TEST(CommandLine, OldNamesOfTheParametersAreAliases) {
@@ -315,6 +316,9 @@ TEST(CommandLine, WrongOnesAreUsageErrorsOfOneLine) {
       {"demo", "--threads", "many"},
       {"check", "m.ply", "--require", "beautiful"},
       {"compare", "a.ply"},
+      {"compare", "a.ply", "b.ply", "--tolerance", "-1"},
+      {"reconstruct", "a.xyz", "-o", "a.obj", "--float"},
+      {"update", "m.ply", "c.xyz", "-o", "u.stl", "--float"},
   };
   for (const auto& arguments : wrong) {
     std::string line;

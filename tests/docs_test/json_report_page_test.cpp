@@ -110,7 +110,7 @@ TEST_F(JsonReportPage, HasWhatOtherCommandsReport) {
   const std::string mesh = file("m.ply");
   ASSERT_EQ(run_program({"reconstruct", cloud_, "-o", mesh}).exit_code, 0);
   expect_documented({"check", mesh, "--handles", "3", "--self-intersections"});
-  expect_documented({"compare", mesh, cloud_});
+  expect_documented({"compare", mesh, cloud_, "--tolerance", "0.1", "-o", file("deviation.ply")});
   expect_documented({"delaunay", cloud_, "-o", file("d.tet"), "--threads", "1", "--verify"});
 }
 

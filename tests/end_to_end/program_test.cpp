@@ -200,6 +200,18 @@ TEST(Program, CompareMeasuresBothDirections) {
   EXPECT_EQ(report["distance"]["max"], 2);
 }
 
+TEST(Program, CompareTellsTheShareWithinATolerance) {
+  const TemporaryFolder folder;
+  const std::string a = folder.write("a.xyz", "0 0 0\n1 0 0\n");
+  const std::string b = folder.write("b.xyz", "0 0 0\n1 0 0\n1 0 2\n3 0 0\n");
+  EXPECT_FALSE(report_of({"compare", a, b})["distance"].contains("f_score"));
+  const Json report = report_of({"compare", a, b, "--tolerance", "0.5"});
+  EXPECT_EQ(report["distance"]["a_to_b"]["within"], 1);
+  EXPECT_EQ(report["distance"]["b_to_a"]["within"], 0.5);
+  EXPECT_NEAR(report["distance"]["f_score"].get<double>(), 2.0 / 3, 1e-15);
+  EXPECT_EQ(report["parameters"]["tolerance"], 0.5);
+}
+
 TEST(Program, UpdateReplacesWhatLiesUnderTheCloud) {
   const TemporaryFolder folder;
   const std::string model = folder.write("model.xyz", whole_sphere(2000));

@@ -112,6 +112,58 @@ TEST(Properties, BoundaryLabelsTheBoundarySamples) {
   }
 }
 
+double coordinate_of(const VertexProperty& column, std::size_t row) {
+  return load_number<double>(column.values.data() + sizeof(double) * row, std::endian::little);
+}
+
+// Points outside, on and inside a tetrahedron, and the same beside the points alone.
+TEST(Properties, CompareWritesDistancesAndTheirColors) {
+  const TemporaryFolder folder;
+  const std::string a = folder.write("a.xyz", "-2 1 1\n0 1 1\n1 1 1\n");
+  const std::string b = folder.write(
+      "b.off", "OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const std::string out = folder.file("out.ply");
+  const ProgramRun run =
+      run_program({"compare", a, b, "-o", out, "--tolerance", "2", "--json", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_EQ(Json::parse(run.out)["deviation"], Json::parse(R"({"signed":true,"full_color":2.0})"));
+  MeshReadReport report;
+  VertexProperties properties;
+  read_mesh(out, report, properties);
+  ASSERT_EQ(properties.columns.size(), 4U);
+  EXPECT_EQ(properties.columns[0].declaration.name, "distance");
+  EXPECT_EQ(coordinate_of(properties.columns[0], 0), 2);
+  EXPECT_EQ(coordinate_of(properties.columns[0], 1), 0);
+  EXPECT_EQ(coordinate_of(properties.columns[0], 2), -1);
+  const auto channel = [&](std::size_t column) { return properties.columns[column].values; };
+  EXPECT_EQ(channel(1), "\xff\xff\x80");  // red
+  EXPECT_EQ(channel(2), std::string("\0\xff\x80", 3));
+  EXPECT_EQ(channel(3), std::string("\0\xff\xff", 3));
+
+  const ProgramRun unsigned_run = run_program({"compare", a, a, "-o", out, "--json", "-"});
+  ASSERT_EQ(unsigned_run.exit_code, 0) << unsigned_run.error;
+  EXPECT_EQ(Json::parse(unsigned_run.out)["deviation"],
+            Json::parse(R"({"signed":false,"full_color":0.0})"));
+}
+
+TEST(Properties, FloatsAreWrittenOnDemand) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(500));
+  const std::string out = folder.file("out.ply");
+  for (const bool is_float : {false, true}) {
+    std::vector<std::string> arguments = {"reconstruct", cloud, "-o", out};
+    if (is_float) arguments.push_back("--float");
+    ASSERT_EQ(run_program(arguments).exit_code, 0);
+    const std::string header = content_of(out).substr(0, 200);
+    EXPECT_EQ(header.find("property float x\n") != std::string::npos, is_float);
+    const TriangleMesh mesh = read_mesh(out);
+    const bool are_floats = std::all_of(mesh.points.begin(), mesh.points.end(), [](const Point& p) {
+      return static_cast<double>(static_cast<float>(p.x)) == p.x;
+    });
+    EXPECT_EQ(are_floats, is_float);
+  }
+}
+
 TEST(Properties, OtherFormatsAreWrittenWithout) {
   const TemporaryFolder folder;
   const std::string cloud = folder.write("cloud.ply", numbered_ply(sphere_points(), 0));

@@ -51,6 +51,27 @@ TEST(SurfaceDistance, LargerPatchIsFarFromSmallerOnlyOneWay) {
   EXPECT_NEAR(d.rms, std::sqrt(1.0 / 12), 2e-3);
 }
 
+TEST(SurfaceDistance, TellsTheShareWithinATolerance) {
+  const TriangleMesh large = gallery::open_patch(1, 2);
+  const TriangleMesh small = gallery::open_patch(1, 1);
+  for (const double scale : {1.0, 0x1p+400, 0x1p-400}) {
+    const SurfaceDistance d =
+        surface_distance(gallery::scaled(large, scale), gallery::scaled(small, scale),
+                         {.samples = 40000, .tolerance = 0.5 * scale});
+    EXPECT_NEAR(d.a_to_b.within, 0.75, 3e-3) << scale;
+    EXPECT_EQ(d.b_to_a.within, 1) << scale;
+    EXPECT_NEAR(d.f_score, 2 * 0.75 / 1.75, 3e-3) << scale;
+  }
+  EXPECT_EQ(surface_distance(large, small, {.samples = 100}).f_score, 0);
+  // On it counts as within, also where nothing may be off.
+  EXPECT_EQ(surface_distance(cloud({{0, 0, 0}, {1, 0, 0}}), cloud({{0, 0, 0}}), {.tolerance = 0})
+                .a_to_b.within,
+            0.5);
+  for (const double wrong : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(surface_distance(large, small, {.tolerance = wrong}), InputError);
+  }
+}
+
 TEST(SurfaceDistance, SpheresOfTwoRadii) {
   const TriangleMesh inner = gallery::sphere(4);
   const SurfaceDistance d = surface_distance(inner, gallery::scaled(inner, 1.5), {.samples = 5000});
