@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
+#include <limits>
 #include <memory>
 
 #include "app/carried_properties.h"
@@ -154,6 +155,16 @@ void add_boundary_command(CLI::App& app, Command& chosen, SharedArguments& share
   add_stages_of_boundary(*sub, boundary);
 }
 
+void add_groups(CLI::App& app, const std::string& name, std::vector<std::uint32_t>& groups,
+                const std::string& meaning) {
+  app.add_option(name, groups, meaning)
+      ->delimiter(',')
+      ->type_name("N,...")
+      ->allow_extra_args(false)
+      ->transform(without_leading_zeros())
+      ->check(CLI::Range(0, std::numeric_limits<std::int32_t>::max()));
+}
+
 void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared) {
   CLI::App* sub = nullptr;
   auto& update = add_command<UpdateArguments>(
@@ -177,6 +188,10 @@ void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared)
   sub->add_option("--html", update.html, "Write a report that a browser opens offline")
       ->type_name("FILE");
   add_manifold_option(*sub, update.manifold);
+  add_groups(*sub, "--replace-groups", update.replaced_groups,
+             "Replace these groups of the model, whatever the angles say: the numbers are those "
+             "that the same update without it tells");
+  add_groups(*sub, "--keep-groups", update.kept_groups, "Keep these groups of the model, likewise");
   add_surface_options(*sub, update.parameters, rho_of_clouds);
   add_cloud_filter(*sub, update.filter);
 }

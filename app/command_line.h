@@ -100,6 +100,8 @@ struct UpdateArguments {
   MeshWriteOptions writing;
   bool manifold = false;
   std::optional<double> densify;  // spacing of samples added to the model, a mesh
+  std::vector<std::uint32_t> replaced_groups;  // whatever their angles
+  std::vector<std::uint32_t> kept_groups;      // likewise
   SurfaceArguments parameters;
   CloudFilterArguments filter;
 };

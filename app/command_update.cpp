@@ -127,8 +127,10 @@ void update_session(const UpdateArguments& arguments, const CloudFilter& filter,
   }
   refuse_model_as_cloud(input);
   filter_clouds(job, filter, input);
+  UpdateOptions options = session.options();
+  options.overrides = region_overrides(arguments);
   update_and_write(
-      job, input, session.options(),
+      job, input, options,
       {arguments.mesh, arguments.map, arguments.html, arguments.writing, arguments.manifold},
       &session);
   timed(job.execution(), "write", [&] {
@@ -156,7 +158,8 @@ void run_update(const UpdateArguments& arguments, Job& job) {
     update_session(arguments, filter, job);
     return;
   }
-  const UpdateOptions options = update_options(arguments.parameters);
+  UpdateOptions options = update_options(arguments.parameters);
+  options.overrides = region_overrides(arguments);
   UpdateInput input = read_input(arguments, options, job);
   refuse_model_as_cloud(input);
   filter_clouds(job, filter, input);

@@ -13,13 +13,6 @@ namespace cocoon::app {
 
 namespace {
 
-std::vector<std::size_t> numbers_of(const std::vector<RegionId>& regions) {
-  std::vector<std::size_t> numbers;
-  numbers.reserve(regions.size());
-  for (const RegionId region : regions) numbers.push_back(region.index());
-  return numbers;
-}
-
 // Loops that take part in the border: not the holes inside a cloud.
 std::size_t border_loops(const CloudReport& cloud) {
   std::size_t count = 0;
@@ -181,6 +174,13 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> numbers_of(const std::vector<RegionId>& regions) {
+  std::vector<std::size_t> numbers;
+  numbers.reserve(regions.size());
+  for (const RegionId region : regions) numbers.push_back(region.index());
+  return numbers;
+}
 
 const char* verdict_on(const GroupAngle& group, std::span<const RegionId> islands) {
   if (!group.under_cloud) return "kept";

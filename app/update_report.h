@@ -34,6 +34,9 @@ struct UpdateRecord {
 // "topology: Euler characteristic 0 -> 2": a handle went, or a part came; empty: it is as before.
 std::string topology_change(const UpdateResult& result);
 
+// As the report numbers them.
+std::vector<std::size_t> numbers_of(const std::vector<RegionId>& regions);
+
 // "kept" or "replaced", and why if not for its angle.
 const char* verdict_on(const GroupAngle& group, std::span<const RegionId> islands);
 

@@ -168,7 +168,27 @@ UpdateOptions update_options(const SurfaceArguments& arguments) {
   return options;
 }
 
+RegionOverrides region_overrides(const UpdateArguments& arguments) {
+  RegionOverrides overrides;
+  for (const std::uint32_t r : arguments.replaced_groups) overrides.replaced.emplace_back(r);
+  for (const std::uint32_t r : arguments.kept_groups) overrides.kept.emplace_back(r);
+  return overrides;
+}
+
 namespace {
+
+// What tells the user which numbers --replace-groups can have.
+std::string told_angles(const UpdateResult& result) {
+  std::string told;
+  for (const CloudReport& cloud : result.clouds) {
+    for (const GroupAngle& group : cloud.groups) {
+      told += fmt::format("{}group {}: {:.2f} degrees, {} vertices", told.empty() ? "" : "; ",
+                          group.group.value, group.mean_angle_deg,
+                          result.regions.regions[group.group].vertices);
+    }
+  }
+  return told;
+}
 
 // Points that the model leaves out are no part of what is updated: nobody else would tell.
 void warn_of_unused(Job& job, const std::string& name, const ReconstructResult& model,
@@ -281,6 +301,14 @@ void begin_session(Job& job, const std::string& name, const std::vector<Point>& 
 
 namespace {
 
+void add_overrides(JsonReport& report, const RegionOverrides& overrides) {
+  const auto add = [&](const char* path, const std::vector<RegionId>& regions) {
+    if (!regions.empty()) report.set(path, numbers_of(regions));
+  };
+  add("parameters/replace_groups", overrides.replaced);
+  add("parameters/keep_groups", overrides.kept);
+}
+
 // Without a session the change is empty.
 SessionUpdate update_or_throw(Job& job, const UpdateInput& input, const UpdateOptions& options,
                               UpdateSession* session) {
@@ -288,7 +316,7 @@ SessionUpdate update_or_throw(Job& job, const UpdateInput& input, const UpdateOp
     if (session == nullptr) {
       return {update_model(input.model, input.clouds, options, job.execution()), {}};
     }
-    SessionUpdate update = session->apply(input.clouds, job.execution());
+    SessionUpdate update = session->apply(input.clouds, options.overrides, job.execution());
     if (update.result.status == UpdateStatus::ok) add_surface_of(*session, update.result);
     return update;
   } catch (const InputError& error) {
@@ -306,9 +334,12 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   MeshChange& change = update.change;
   report_verification(job.report(), input.model_name, result.reconstruction.verification);
   if (result.status != UpdateStatus::ok) {
-    throw InputError(fmt::format("cannot update {} ({}): {}", input.model_name,
-                                 name_of(result.status),
-                                 with_cloud_names(result.message, input.cloud_names)));
+    const bool is_ambiguous = result.status == UpdateStatus::ambiguous;
+    throw InputError(fmt::format(
+        "cannot update {} ({}): {}{}", input.model_name, name_of(result.status),
+        with_cloud_names(result.message, input.cloud_names),
+        is_ambiguous ? ", or say which goes by --replace-groups (" + told_angles(result) + ")"
+                     : ""));
   }
   for (std::string& warning : result.warnings) {
     warning = with_cloud_names(warning, input.cloud_names);
@@ -333,6 +364,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   add_update(job.report(), record);
   add_parameters(job.report(), options.cloud.reconstruct);
   add_parameters(job.report(), options.reconstruct, "model");
+  add_overrides(job.report(), options.overrides);
   say_update(job, record);
   for (const std::string& note : notes) job.say("note: {}", note);
   for (const std::string& warning : result.warnings) job.warn(warning);

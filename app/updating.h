@@ -26,6 +26,9 @@ namespace cocoon::app {
 // --alpha for the first trial of each. Mode "paper": paper_update_options().
 UpdateOptions update_options(const SurfaceArguments& arguments);
 
+// What the user says of groups of the model.
+RegionOverrides region_overrides(const UpdateArguments& arguments);
+
 // What goes in: the model and the clouds, with names for people.
 struct UpdateInput {
   std::string model_name;

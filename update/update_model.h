@@ -27,6 +27,7 @@
 #include "update/joined_clouds.h"
 #include "update/model/model_index.h"
 #include "update/overlapping_facets.h"
+#include "update/override_choice.h"
 #include "update/pin_holes.h"
 #include "update/regions/loop_sides.h"
 #include "update/replace_points.h"
@@ -59,6 +60,7 @@ struct UpdateOptions {
   AngleOptions angles;
   ChoiceOptions choice;
   IslandOptions islands;
+  RegionOverrides overrides;  // of one update alone: a session's are given with its clouds
   ReplaceOptions replace;
   OverlookedOptions overlooked;
   UnscannedOptions unscanned;

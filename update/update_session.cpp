@@ -240,6 +240,11 @@ void UpdateSession::take_back(const Pending& pending) {
 
 SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
                                    const Execution& execution) {
+  return apply(clouds, {}, execution);
+}
+
+SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
+                                   const RegionOverrides& overrides, const Execution& execution) {
   if (model_is_surface_ && points_are_vertices_) surface_.look_if_smooth(execution);
   Pending pending;
   const UpdateParts parts{
@@ -252,7 +257,9 @@ SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
       is_smooth()};
   SessionUpdate update;
   try {
-    update.result = update_model(model_, clouds, parts, options_, execution);
+    UpdateOptions options = options_;
+    options.overrides = overrides;
+    update.result = update_model(model_, clouds, parts, options, execution);
   } catch (...) {
     take_back(pending);
     throw;

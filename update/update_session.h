@@ -87,6 +87,10 @@ class UpdateSession {
   // Updates the model by clouds registered to it (update_model.h). Unless the status is ok, and if
   // it throws, the model stays as it is. Errors: as update_model.
   SessionUpdate apply(std::span<const std::vector<Point>> clouds, const Execution& execution = {});
+  // With regions that go or stay whatever their angles, in this update alone. Those of options()
+  // are left aside, here and above.
+  SessionUpdate apply(std::span<const std::vector<Point>> clouds, const RegionOverrides& overrides,
+                      const Execution& execution = {});
 
   std::size_t undo_levels() const { return history_.size(); }
   // Takes the last update back: the model is the one from before, in all its bits. Returns what

@@ -119,6 +119,8 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
   // Regions may be without any loop (all rims covered): then there is nothing to replace.
   result_.choice.replaced.resize(result_.regions.regions.size(), 0);
   take_islands(index);
+  override_choice(options_.overrides, result_.choice);
+  std::erase_if(result_.islands, [&](RegionId r) { return result_.choice.replaced[r] == 0; });
   return report_choice();
 }
 
