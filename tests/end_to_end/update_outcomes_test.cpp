@@ -169,5 +169,28 @@ TEST(UpdateOutcomes, NotAllOfTheModelGoes) {
   EXPECT_NE(report["warnings"].dump().find("all regions lie under clouds; "), std::string::npos);
 }
 
+// If the two scans overlap each other they are a closed surface together, and the rim of each by
+// itself lies on the other one.
+TEST(UpdateOutcomes, TwoScansThatCloseEachOtherAreRefused) {
+  const TriangleMesh model = testing::sphere(3);
+  Clouds clouds(2);
+  for (const Point& p : sphere_points(6000, 7)) {
+    if (p.z > -0.3) clouds[0].push_back(p);
+    if (p.z < 0.3) clouds[1].push_back(p);
+  }
+  const UpdateResult result = update_model(model, clouds);
+  EXPECT_NE(result.status, UpdateStatus::ok);
+  EXPECT_TRUE(result.mesh.triangles.empty());
+  ASSERT_FALSE(result.warnings.empty());
+  const std::string& first = result.warnings.front();
+  EXPECT_TRUE(
+      first.starts_with("clouds overlap each other, but do not make one surface (cloud 1 of 2 "
+                        "(with cloud 2 of 2) has no open rim (0 pin-holes, 0 seams): "))
+      << first;
+  EXPECT_TRUE(first.ends_with("; each is taken by itself")) << first;
+  EXPECT_TRUE(warns(result, ": lies on other clouds and is no border"));
+  Files(model, clouds).expect_refused({}, result.message.substr(result.message.find(": ")));
+}
+
 }  // namespace
 }  // namespace cocoon
