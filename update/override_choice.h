@@ -11,8 +11,8 @@ namespace cocoon {
 // Numbers are those of the regions of the same update without it (UpdateResult::regions): equal
 // models, clouds and options give equal ones.
 struct RegionOverrides {
-  std::vector<RegionId> replaced;
-  std::vector<RegionId> kept;
+  std::vector<RegionId> replaced = {};
+  std::vector<RegionId> kept = {};
 
   bool is_empty() const { return replaced.empty() && kept.empty(); }
 };

@@ -5,6 +5,7 @@
 
 #include "geom/angles.h"
 #include "geom/require_size.h"
+#include "geom/sort_ids.h"
 #include "update/stage_options.h"
 
 namespace cocoon {
@@ -96,12 +97,11 @@ RegionAngles mean_rim_angles(const ModelIndex& model, const Regions& regions, co
     for (const TriangleId t : facets) nearest.enter(t, false);
     corners.clear();
     for (const TriangleId t : facets) {
-      for (const VertexId v : mesh.triangles[t]) {
-        // Facets on the way share corners.
-        if (std::find(corners.begin(), corners.end(), v) != corners.end()) continue;
-        corners.push_back(v);
-        model.for_each_triangle_at(v, [&](TriangleId around) { nearest.enter(around, true); });
-      }
+      corners.insert(corners.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+    }
+    make_set(corners);  // facets on the way share some
+    for (const VertexId v : corners) {
+      model.for_each_triangle_at(v, [&](TriangleId around) { nearest.enter(around, true); });
     }
     for (const NearestOfGroup& entry : nearest.found()) {
       const Point& p = mesh.points[entry.vertex];

@@ -1,6 +1,7 @@
 // How the regions lie to the cloud: the mean angle at the rim between the cloud and each region.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -27,6 +28,12 @@ struct RegionAngles {
   std::size_t widened = 0;  // pairs (edge, region) served by the facets around those of the edge
   // Left out: pairs whose vertex lies on the line of the edge, and edges whose apex does.
   std::size_t degenerate = 0;
+
+  // Regions that some edge counts for. O(regions).
+  std::size_t seen() const {
+    return static_cast<std::size_t>(std::count_if(
+        regions.begin(), regions.end(), [](const AngleMean& mean) { return mean.edges > 0; }));
+  }
 };
 
 struct AngleOptions {

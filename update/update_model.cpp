@@ -76,6 +76,8 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
   UpdateSteps apart(model, clouds, options);
   UpdateResult result = take_steps(apart, parts, execution);
   result.warnings.insert(result.warnings.begin(), warning_of_clouds_apart(why));
+  // Who does not get a result looks at no warnings.
+  if (result.status != UpdateStatus::ok) result.message += "; " + result.warnings.front();
   return result;
 }
 

@@ -114,7 +114,7 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     warn_of_cloud(c, warnings_of_cut(result_.clouds[c].cut));
   }
-  if (!check_separation()) return false;
+  if (!check_separation(angles)) return false;
   result_.choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
   // Regions may be without any loop (all rims covered): then there is nothing to replace.
   result_.choice.replaced.resize(result_.regions.regions.size(), 0);
@@ -338,18 +338,20 @@ bool UpdateSteps::cut_across_handles() {
   return is_cut_ != before;
 }
 
-bool UpdateSteps::check_separation() {
+bool UpdateSteps::check_separation(std::span<const RegionAngles> angles) {
   bool ok = true;
+  auto of_loop = angles.begin();
   const auto refuse = [&](const std::string& name, const std::string& reason) {
     if (ok) ok = fail(UpdateStatus::non_separating, name + ": " + reason);
   };
   for_each_border_loop([&](std::size_t c, std::size_t l) {
     const std::string loop = name_of_loop(c, l);
     const Separation separation = separation_of(c, l);
+    const std::size_t seen = of_loop++->seen();
     if (is_cut_[c] != 0) {  // what is known of the rim was enough: segment()
       if (separation == Separation::non_separating && runs_around_handle(result_.clouds[c]))
         warn(loop + ": " + warning_of_handle_across_rim());
-    } else if (separation == Separation::encloses_nothing) {
+    } else if (separation == Separation::encloses_nothing && seen < 2) {
       warn(loop + ": " + warning_of_nothing_inside());
     } else if (separation == Separation::open_band) {
       refuse(loop, reason_of_open_band(options_.trace.max_search_facets));

@@ -101,7 +101,9 @@ class UpdateSteps {
   bool cut_across_handles();
 
   // False if a loop has not cut the model in two.
-  bool check_separation();
+  // `angles`: of each border loop. One whose band has no region inside may see that of another
+  // band, which begins where it ends.
+  bool check_separation(std::span<const RegionAngles> angles);
 
   // Where clouds are cut: takes regions that lie as a whole under each such cloud, or outside.
   bool segment(const ModelIndex& index, const std::vector<std::size_t>& joined,

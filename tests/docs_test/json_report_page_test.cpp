@@ -101,6 +101,8 @@ TEST_F(JsonReportPage, HasWhatUpdatesReport) {
   const std::string updated = file("u.ply");
   const std::string headed = folder_.write("headed.txt", "x y z\n" + sphere_cap(12000, 0.9, 0.2));
   expect_documented({"update", cloud_, headed, "-o", updated, "--noise", "robust"});
+  expect_documented(
+      {"update", cloud_, headed, "-o", updated, "--keep-groups", "0", "--replace-groups", "1"});
   expect_documented({"update", cloud_, cap_, headed, "-o", updated, "--thin", "0.01"});
   fs::create_directory(file("scans"));
   expect_documented({"watch", cloud_, file("scans"), "-o", file("w.ply"), "--once"});

@@ -126,6 +126,38 @@ TEST(UpdateOutcomes, AThimbleThatStandsUprightIsAmbiguous) {
   files.expect_refused({}, "(ambiguous): ");
 }
 
+// The person knows: of the two groups at the rim of the thimble one goes. Nothing is refused then,
+// and the other cloud replaces what is named for it.
+TEST(UpdateOutcomes, WhoSaysWhichGroupGoesIsNotRefused) {
+  const Files files(testing::block(24, 20, 8), {thimble({12, 10, 8}, 0.6)});
+  files.expect_refused({}, ", or say which goes by --replace-groups (group 0: 9");
+  files.expect_refused({"--replace-groups", "7"}, "there is no group 7; they are 0 to 1");
+  const test::ProgramRun inside = files.run({"--replace-groups", "1", "--json", "-"});
+  ASSERT_EQ(inside.exit_code, 0) << inside.error;
+  const auto report = nlohmann::json::parse(inside.out);
+  EXPECT_EQ(report["update"]["replaced_groups"].dump(), "[1]");
+  EXPECT_EQ(report["update"]["regions"][1]["replaced"], true);
+  EXPECT_EQ(report["update"]["clouds"][0]["replaced_groups"].dump(), "[1]");
+  EXPECT_EQ(report["parameters"]["replace_groups"].dump(), "[1]");
+  EXPECT_TRUE(mesh_check(read_mesh(files.out)).is_closed_manifold());
+}
+
+// The hill stays away, and all of the model stays.
+TEST(UpdateOutcomes, WhatIsSaidToBeKeptStays) {
+  const TriangleMesh model = testing::block(24, 20, 8);
+  const Files files(model, {cap_with_hill({12, 10, 8}, 1)});
+  const auto replaced_by = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"--json", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const test::ProgramRun run = files.run(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    return nlohmann::json::parse(run.out)["update"]["replaced_points"].get<int>();
+  };
+  EXPECT_GT(replaced_by({}), 50);
+  EXPECT_EQ(replaced_by({"--replace-groups", "1"}), replaced_by({}));
+  EXPECT_LT(replaced_by({"--keep-groups", "1"}), replaced_by({}) / 4);
+}
+
 // Inside is 12 degrees less than a right angle, outside as much more. It is done, and told.
 TEST(UpdateOutcomes, AThimbleThatLeansInwardHasANarrowMargin) {
   const TriangleMesh model = testing::block(24, 20, 8);
@@ -163,6 +195,7 @@ TEST(UpdateOutcomes, NotAllOfTheModelGoes) {
   EXPECT_EQ(result.replaced_groups.size(), 1U);
   EXPECT_TRUE(
       warns(result, "all regions lie under clouds; the one with the largest angle is kept"));
+  EXPECT_FALSE(warns(result, "no region of the model lies inside"));
 
   const Files files(model, clouds);
   const auto report = nlohmann::json::parse(files.run({"--json", "-"}).out);
@@ -188,8 +221,10 @@ TEST(UpdateOutcomes, TwoScansThatCloseEachOtherAreRefused) {
                         "(with cloud 2 of 2) has no open rim (0 pin-holes, 0 seams): "))
       << first;
   EXPECT_TRUE(first.ends_with("; each is taken by itself")) << first;
+  EXPECT_TRUE(result.message.ends_with("; " + first)) << result.message;
   EXPECT_TRUE(warns(result, ": lies on other clouds and is no border"));
-  Files(model, clouds).expect_refused({}, result.message.substr(result.message.find(": ")));
+  const std::string words = result.message.substr(result.message.find(": "));
+  Files(model, clouds).expect_refused({}, words.substr(0, words.find(" (cloud 1")));
 }
 
 }  // namespace

@@ -163,6 +163,24 @@ TEST(UpdateSession, GoesOnFromASnapshotOfAMeshThatCameBack) {
   }
 }
 
+// What is said of a region holds for one update, and gives what an update of the mesh gives.
+TEST(UpdateSession, TakesOverridesOfOneUpdate) {
+  Random random(9);
+  const TriangleMesh mesh = reconstruct_tight(gallery::even_sphere(700)).mesh;
+  const double edge = mean_edge(mesh);
+  const Clouds clouds{scan_of(mesh, VertexId(50), 6 * edge, 0.1 * edge, 0.15 * edge, random)};
+  UpdateSession session(mesh);
+  const std::vector<RegionId> usual = session.apply(clouds).result.replaced_groups;
+  ASSERT_EQ(usual.size(), 1U);
+  session.undo();
+  UpdateOptions options;
+  options.overrides.kept = usual;
+  EXPECT_TRUE(session.apply(clouds, options.overrides).result.replaced_groups.empty());
+  EXPECT_TRUE(session.model() == update_model(mesh, clouds, options).mesh);
+  session.undo();
+  EXPECT_EQ(session.apply(clouds).result.replaced_groups, usual);
+}
+
 TEST(UpdateSession, GoesOnFromASnapshot) {
   Random random(6);
   UpdateSession session(gallery::even_sphere(600));

@@ -1,0 +1,66 @@
+#include "update/override_choice.h"
+
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "geom/errors.h"
+
+namespace cocoon {
+namespace {
+
+// Two clouds, three regions: the second goes by the first cloud, the third by the second.
+RegionChoice choice_of_three() {
+  RegionChoice choice;
+  choice.replaced = IdVector<RegionId, std::uint8_t>(std::vector<std::uint8_t>{0, 1, 1});
+  choice.clouds = {{{{RegionId(0), 3, 10, false}, {RegionId(1), 0.1, 10, true}}},
+                   {{{RegionId(0), 3, 10, false}, {RegionId(2), 0.1, 10, true}}}};
+  return choice;
+}
+
+std::vector<int> replaced(const RegionChoice& choice) {
+  return {choice.replaced.begin(), choice.replaced.end()};
+}
+
+TEST(OverrideChoice, EntersWhatIsSaidForEveryCloudThatSawIt) {
+  RegionChoice choice = choice_of_three();
+  override_choice({.replaced = {RegionId(0)}, .kept = {RegionId(2)}}, choice);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{1, 1, 0}));
+  EXPECT_TRUE(choice.clouds[0].regions[0].under_cloud);
+  EXPECT_TRUE(choice.clouds[1].regions[0].under_cloud);
+  EXPECT_TRUE(choice.clouds[0].regions[1].under_cloud);
+  EXPECT_FALSE(choice.clouds[1].regions[1].under_cloud);
+}
+
+TEST(OverrideChoice, WithoutAnythingSaidNothingChanges) {
+  RegionChoice choice = choice_of_three();
+  choice.status = ChoiceStatus::ambiguous;
+  override_choice({}, choice);
+  EXPECT_EQ(choice.status, ChoiceStatus::ambiguous);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{0, 1, 1}));
+}
+
+TEST(OverrideChoice, OfAnAmbiguousOneOnlyThoseGoThatAreNamed) {
+  RegionChoice choice = choice_of_three();
+  choice.status = ChoiceStatus::ambiguous;
+  choice.replaced = IdVector<RegionId, std::uint8_t>(3, 0);
+  override_choice({.replaced = {RegionId(2)}}, choice);
+  EXPECT_EQ(choice.status, ChoiceStatus::ok);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{0, 0, 1}));
+  EXPECT_FALSE(choice.clouds[0].regions[1].under_cloud);
+  EXPECT_TRUE(choice.clouds[1].regions[1].under_cloud);
+}
+
+TEST(OverrideChoice, RefusesWhatCannotBe) {
+  RegionChoice choice = choice_of_three();
+  EXPECT_THROW(override_choice({.replaced = {RegionId(3)}}, choice), InputError);
+  EXPECT_THROW(override_choice({.kept = {RegionId()}}, choice), InputError);
+  EXPECT_THROW(override_choice({.replaced = {RegionId(1)}, .kept = {RegionId(1)}}, choice),
+               InputError);
+  EXPECT_THROW(override_choice({.replaced = {RegionId(0)}}, choice), InputError);
+  RegionChoice none;
+  EXPECT_THROW(override_choice({.kept = {RegionId(0)}}, none), InputError);
+}
+
+}  // namespace
+}  // namespace cocoon
