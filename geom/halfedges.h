@@ -81,11 +81,16 @@ inline Halfedge first_at_edge(const HalfedgeLinks& links, Halfedge halfedge) {
   }
   return first;
 }
-// Whether it is this one. Precondition: the ring ascends.
+// Whether it is this one. Precondition: the ring ascends. Complexity: O(halfedges of the edge).
 inline bool is_first_at_edge(const HalfedgeLinks& links, Halfedge halfedge) {
   Halfedge other = links[halfedge];
   while (other > halfedge) other = links[other];
   return other == halfedge;
+}
+// Whether it is the largest one. Precondition: the ring ascends. Complexity: O(1), so that a pass
+// over all edges takes no more where many triangles share one.
+inline bool is_last_at_edge(const HalfedgeLinks& links, Halfedge halfedge) {
+  return links[halfedge] <= halfedge;
 }
 // Calls visit(other) for all halfedges on the edge, beginning with this one.
 template <class Visit>
@@ -103,13 +108,15 @@ struct HalfedgeRings {
   HalfedgeLinks links;
 
   bool has_edge(Halfedge halfedge) const { return links[halfedge] != no_halfedge; }
-  // One triangle at the edge; the precondition of this and of is_first is has_edge().
+  // One triangle at the edge; the precondition of this, is_first and is_last is has_edge().
   bool is_open(Halfedge halfedge) const { return links[halfedge] == halfedge; }
   bool has_two_triangles(Halfedge halfedge) const {
     return has_edge(halfedge) && cocoon::has_two_triangles(links, halfedge);
   }
   // The smallest on its edge: each edge has one.
   bool is_first(Halfedge halfedge) const { return is_first_at_edge(links, halfedge); }
+  // The largest; in less time, see is_last_at_edge.
+  bool is_last(Halfedge halfedge) const { return is_last_at_edge(links, halfedge); }
 };
 
 // Throws InputError as require_valid_triangles(). Complexity: O(triangles + vertices), parallel.

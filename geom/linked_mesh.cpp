@@ -88,6 +88,21 @@ void list_corners(LinkedMesh& linked, const Execution& execution) {
       });
 }
 
+// Of edges with more than two triangles, all halfedges but the last are in the list: only the first
+// stays. One ring after the other, since to ask each halfedge whether it is the first takes a walk.
+void keep_first_of_edges(const LinkedMesh& mesh, std::vector<Halfedge>& irregular) {
+  const auto has_others_behind = [&](Halfedge halfedge) {
+    return mesh.links[halfedge] > halfedge && mesh.links[mesh.links[halfedge]] != halfedge;
+  };
+  if (std::none_of(irregular.begin(), irregular.end(), has_others_behind)) return;
+  std::vector<bool> is_met(mesh.links.size(), false);
+  std::erase_if(irregular, [&](Halfedge halfedge) {
+    if (is_met[halfedge]) return true;
+    for_each_at_edge(mesh.links, halfedge, [&](Halfedge other) { is_met[other] = true; });
+    return false;
+  });
+}
+
 // A regular edge is looked at from its first halfedge, without a branch on which that is.
 std::vector<Halfedge> irregular_edges(const LinkedMesh& mesh, const Execution& execution) {
   constexpr std::size_t halfedges_per_chunk = std::size_t{1} << 14;
@@ -110,11 +125,14 @@ std::vector<Halfedge> irregular_edges(const LinkedMesh& mesh, const Execution& e
         const bool regular = across != halfedge && mesh.links[across] == halfedge &&
                              mesh.from(halfedge) == mesh.to(across) &&
                              mesh.apex(halfedge) != mesh.apex(across);
-        if (!regular && mesh.is_first(halfedge)) found.push_back(halfedge);
+        if (!regular) found.push_back(halfedge);
       }
     }
   };
-  return parallel_list<Halfedge>(execution, mesh.links.size(), halfedges_per_chunk, find);
+  std::vector<Halfedge> irregular =
+      parallel_list<Halfedge>(execution, mesh.links.size(), halfedges_per_chunk, find);
+  keep_first_of_edges(mesh, irregular);
+  return irregular;
 }
 
 }  // namespace

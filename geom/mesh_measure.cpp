@@ -30,7 +30,7 @@ EdgeLengths measure_edges(const TriangleMesh& mesh) {
   std::vector<double> lengths;
   const HalfedgeRings rings = link_halfedges(mesh);
   for (Halfedge halfedge = 0; halfedge < rings.links.size(); ++halfedge) {
-    if (!rings.has_edge(halfedge) || !rings.is_first(halfedge)) continue;
+    if (!rings.has_edge(halfedge) || !rings.is_last(halfedge)) continue;
     const auto [a, b] = ends_of_halfedge(mesh, halfedge);
     lengths.push_back(distance(mesh.points[a], mesh.points[b]));
   }

@@ -1,6 +1,7 @@
 #include "geom/mesh_check.h"
 
 #include <algorithm>
+#include <chrono>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -259,6 +260,25 @@ TEST(MeshCheck, RefusesATriangleThatNamesAMissingVertex) {
   TriangleMesh mesh = gallery::tetrahedron();
   mesh.triangles[TriangleId(2)][1] = VertexId(4);
   EXPECT_THROW(mesh_check(mesh), InputError);
+}
+
+// With a walk around the edge for each of its triangles this takes a minute.
+TEST(MeshCheck, AnEdgeOfManyTrianglesTakesNoMoreThanThese) {
+  constexpr std::size_t pages = 200000;
+  TriangleMesh book;
+  book.points.push_back({0, 0, 0});
+  book.points.push_back({0, 0, 1});
+  for (std::size_t k = 0; k < pages; ++k) {
+    book.points.push_back({1, static_cast<double>(k), 0.5});
+    book.triangles.push_back({VertexId(0U), VertexId(1U), VertexId(k + 2)});
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const MeshReport report = mesh_check(book);
+  EXPECT_EQ(mesh_measure(book).edge_lengths.count, report.edges);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(15));
+  EXPECT_EQ(report.edges, 2 * pages + 1);
+  EXPECT_EQ(report.overfull_edges, 1U);
+  EXPECT_EQ(report.open_edges, 2 * pages);
 }
 
 }  // namespace
