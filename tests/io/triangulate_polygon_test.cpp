@@ -2,6 +2,7 @@
 #include "io/triangulate_polygon.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
@@ -127,6 +128,30 @@ TEST(TriangulatePolygon, RepeatedVerticesOfAFaceAreLeftOut) {
     sum += 0.5 * std::abs(twice_area({mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]}));
   }
   EXPECT_EQ(sum, 2.5);
+}
+
+// With a look at all corners for each triangle, each of these takes a minute or more.
+TEST(TriangulatePolygon, ManyCornersTakeNoMoreThanSorting) {
+  constexpr std::size_t count = 100000;
+  const auto start = std::chrono::steady_clock::now();
+  Ring gear;
+  Ring comb;
+  Ring spiral;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / count;
+    const double radius = i % 2 == 0 ? 1e7 : 1.5e7;
+    gear.push_back({std::round(radius * std::cos(angle)), std::round(radius * std::sin(angle)), 0});
+    const bool back = i >= count / 2;
+    const auto along = static_cast<double>(back ? count - 1 - i : i);
+    comb.push_back({along, ((i % 2 == 0) != back ? 10.0 : 0.0) + (back ? 2.0 : 0.0), 0});
+    const double turned = 80 * std::numbers::pi * along / count;
+    const double wide = 1e5 * (turned + (back ? 1 : 3));
+    spiral.push_back({std::round(wide * std::cos(turned)), std::round(wide * std::sin(turned)), 0});
+  }
+  expect_tiling(gear);
+  expect_tiling(comb);
+  expect_tiling(spiral);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
 }
 
 // ---- random outlines with holes ----
