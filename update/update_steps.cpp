@@ -164,7 +164,11 @@ void UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
     return;
   }
   if (result_.reconstruction.status != SurfaceStatus::ok) {
-    fail(UpdateStatus::empty_surface, reason_of_empty_surface(result_.replacement.points.size()));
+    const ReconstructResult& updated = result_.reconstruction;
+    const bool is_all_boundary = updated.counters.boundary_samples >= updated.vertices;
+    fail(UpdateStatus::empty_surface,
+         reason_of_empty_surface(result_.replacement.points.size()) +
+             (is_all_boundary ? hint_of_limits(options_.reconstruct.boundary) : ""));
     return;
   }
   result_.mesh = std::exchange(result_.reconstruction.mesh, {});

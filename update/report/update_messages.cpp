@@ -1,7 +1,9 @@
 #include "update/report/update_messages.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "geom/counted.h"
 #include "geom/place_name.h"
@@ -27,9 +29,15 @@ std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clo
   return name + ")";
 }
 
+std::string name_of_limits(double rho, double alpha_cosine) {
+  return "rho " + rounded(rho) + " and alpha " +
+         rounded(std::acos(alpha_cosine) * 180 / std::numbers::pi) + " degrees";
+}
+
 std::string hint_of_only_trial(const CloudSurfaceOptions& options) {
   if (!options.finer.empty() || !options.coarser.empty()) return "";
-  return "; only rho " + rounded(options.start.rho) + " was tried, and others may do";
+  return "; only " + name_of_limits(options.start.rho, options.start.alpha_cosine) +
+         " were tried, and others may do";
 }
 
 std::string name_of_loop(const RimLoop& loop) {
@@ -95,6 +103,11 @@ std::string reason_of_empty_surface(std::size_t updated_points) {
   return "the " + std::to_string(updated_points) +
          " updated points give no closed surface; check that model and clouds are samples of one "
          "surface at one scale";
+}
+
+std::string hint_of_limits(const BoundaryOptions& limits) {
+  return "; none of them meets " + name_of_limits(limits.rho, limits.alpha_cosine) +
+         ", and larger ones may do";
 }
 
 std::string warning_of_handle_across_rim() {

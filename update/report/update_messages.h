@@ -26,6 +26,9 @@ std::string rounded(double value);
 // ascending, from 0.
 std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clouds);
 // Behind why a cloud has no surface or no rim: "; only rho 0.3 was tried, ...", if it was so.
+// "rho 0.3 and alpha 30 degrees"
+std::string name_of_limits(double rho, double alpha_cosine);
+
 std::string hint_of_only_trial(const CloudSurfaceOptions& options);
 // "loop of 31 edges at (0, 1, 2)".
 std::string name_of_loop(const RimLoop& loop);
@@ -47,6 +50,8 @@ std::string reason_of_wide_handle();
 std::string reason_of_ambiguity(double margin);
 // Why nothing is left of the updated points.
 std::string reason_of_empty_surface(std::size_t updated_points);
+// If all of them are boundary samples.
+std::string hint_of_limits(const BoundaryOptions& limits);
 
 // Of a loop.
 std::string warning_of_handle_across_rim();

@@ -142,7 +142,13 @@ TEST(UpdateMessages, OneTrialAloneIsSaid) {
   options.finer.clear();
   EXPECT_EQ(hint_of_only_trial(options), "");
   options.coarser.clear();
-  EXPECT_EQ(hint_of_only_trial(options), "; only rho 0.001 was tried, and others may do");
+  EXPECT_EQ(hint_of_only_trial(options),
+            "; only rho 0.001 and alpha 30 degrees were tried, and others may do");
+}
+
+TEST(UpdateMessages, LimitsThatNoSampleMeetsAreSaid) {
+  EXPECT_EQ(hint_of_limits({.rho = 1, .alpha_cosine = 1}),
+            "; none of them meets rho 1 and alpha 0 degrees, and larger ones may do");
 }
 
 TEST(UpdateMessages, OtherUnitsAreSaid) {
