@@ -44,6 +44,15 @@ void add_cloud_filter(JsonReport& report, const StrayOptions& options) {
   add_thresholds(report, ThresholdUse::outliers, stages_of(options));
 }
 
+void append_strays(JsonReport& report, const StraySamples& strays, std::size_t kept_points) {
+  JsonReport entry;
+  entry.set("outliers", strays.outliers);
+  entry.set("small_parts", strays.small_parts);
+  entry.set("small_part_samples", strays.in_small_parts);
+  entry.set("kept_points", kept_points);
+  report.append("noise/clouds", entry);
+}
+
 std::string told_strays(const StraySamples& strays) {
   std::string told;
   if (strays.outliers > 0) told = counted(strays.outliers, "outlier");

@@ -2,6 +2,7 @@
 // others, and without stray ones.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,9 @@ StageOptions cloud_filter_defaults();
 
 // The options of the filter of strays, as "parameters/noise_*" of the report.
 void add_cloud_filter(JsonReport& report, const StrayOptions& options);
+
+// What was left out of one cloud, as an entry of "noise/clouds" of the report.
+void append_strays(JsonReport& report, const StraySamples& strays, std::size_t kept_points);
 
 // "2 outliers, and 14 points in 3 small parts"; only what there is, "nothing" if there is nothing.
 std::string told_strays(const StraySamples& strays);

@@ -124,8 +124,10 @@ class Watch {
     job_.report().set("watch/applied", applied_);
     job_.report().set("watch/refused", refused);
     job_.report().set("watch/known", known_);
-    job_.report().set("surface/vertices", model().points.size());
-    job_.report().set("surface/triangles", model().triangles.size());
+    add_filter(job_.report(), filter_, thinned_);
+    add_update_parameters(job_.report(), options_);
+    add_model(job_.report(), state_.session->reconstruction(), model(),
+              mesh_check(model(), {}, job_.execution()));
     add_findings(job_.report(), findings_);
     job_.say("stopped: {} applied, {} refused, {} known from before", counted(applied_, "cloud"),
              refused, known_);
@@ -233,7 +235,8 @@ class Watch {
     if (std::exchange(folder_is_away_, false)) say(arguments_.folder + ": can be read again");
     const bool all_in_reach = folder_.out_of_reach().empty();
     if (std::exchange(all_in_reach_, all_in_reach) && !all_in_reach) {
-      say(folder_.out_of_reach() + "; waiting until that is possible");
+      say(folder_.out_of_reach() + (arguments_.once ? "; --once does not wait for that"
+                                                    : "; waiting until that is possible"));
     }
     return true;
   }
@@ -372,6 +375,10 @@ class Watch {
     for (const NotedFile& file : drop.files) applied.notes.push_back(note_of_applied(file));
     keep(applied);
     applied_ += drop.files.size();
+    for (std::size_t k = 0; k < drop.files.size(); ++k) {
+      thinned_ += drop.thinned[k];
+      if (filter_.strays) append_strays(job_.report(), drop.strays[k], applied.clouds[k].size());
+    }
     tell_applied(drop, update);
   }
 
@@ -467,6 +474,7 @@ class Watch {
   std::size_t applied_ = 0;
   std::size_t refused_ = 0;
   std::size_t known_ = 0;
+  std::size_t thinned_ = 0;        // points of clouds that were applied
   std::set<fs::path> unreadable_;  // told, and tried again
   int idle_polls_ = 0;
   bool findings_are_due_ = false;

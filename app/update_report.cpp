@@ -199,11 +199,19 @@ void add_update(JsonReport& report, const UpdateRecord& record) {
                                                 : record.strays[c].kept.size());
   }
   report.set("input/clouds", cloud_sizes);
-  report.set("delaunay/points", result.reconstruction.vertices);
-  report.set("delaunay/tetrahedra", result.reconstruction.tetrahedra);
-  add_surface(report, result.mesh, record.certificate);
-  report.set("surface/unused_points", result.reconstruction.unused_points);
+  add_model(report, result.reconstruction, result.mesh, record.certificate);
   add_update_section(report, result);
+}
+
+void add_model(JsonReport& report, const ReconstructResult& reconstruction,
+               const TriangleMesh& mesh, const MeshReport& certificate) {
+  const bool is_made_here = reconstruction.vertices > 0;
+  if (is_made_here) {
+    report.set("delaunay/points", reconstruction.vertices);
+    report.set("delaunay/tetrahedra", reconstruction.tetrahedra);
+  }
+  add_surface(report, mesh, certificate);
+  if (is_made_here) report.set("surface/unused_points", reconstruction.unused_points);
 }
 
 void say_update(Job& job, const UpdateRecord& record) {

@@ -8,6 +8,7 @@
 #include "app/html_report.h"
 #include "app/job.h"
 #include "app/json_report.h"
+#include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
@@ -42,6 +43,11 @@ const char* verdict_on(const GroupAngle& group, std::span<const RegionId> island
 
 // The sections "input", "delaunay", "surface" and "update".
 void add_update(JsonReport& report, const UpdateRecord& record);
+
+// The sections "delaunay" and "surface": a model after updates, of which `reconstruction` tells,
+// but for its mesh. A model that was given and not updated has no "delaunay".
+void add_model(JsonReport& report, const ReconstructResult& reconstruction,
+               const TriangleMesh& mesh, const MeshReport& certificate);
 
 // The summary for people, on standard output.
 void say_update(Job& job, const UpdateRecord& record);

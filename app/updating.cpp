@@ -200,6 +200,13 @@ void warn_of_unused(Job& job, const std::string& name, const ReconstructResult& 
   }
 }
 
+void add_initial_model(JsonReport& report, const ReconstructResult& model, std::size_t triangles) {
+  report.set("initial_model/points", model.points);
+  report.set("initial_model/duplicates", model.duplicates);
+  report.set("initial_model/unused_points", model.unused_points);
+  report.set("initial_model/triangles", triangles);
+}
+
 }  // namespace
 
 ReconstructResult initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
@@ -210,10 +217,7 @@ ReconstructResult initial_model(Job& job, const std::string& name, const std::ve
             name, [&] { return reconstruct_tight_with_labels(points, known, options, nested); });
       });
   require_surface(job, name, result, points, options, remedies_of_model());
-  job.report().set("initial_model/points", result.points);
-  job.report().set("initial_model/duplicates", result.duplicates);
-  job.report().set("initial_model/unused_points", result.unused_points);
-  job.report().set("initial_model/triangles", result.mesh.triangles.size());
+  add_initial_model(job.report(), result, result.mesh.triangles.size());
   if (result.unused_points > 0) warn_of_unused(job, name, result, points);
   return result;
 }
@@ -233,25 +237,29 @@ NoiseFilter noise_filter_of_update(bool filtered) {
   return filtered ? NoiseFilter::no_option : NoiseFilter::of_strays;
 }
 
+void add_filter(JsonReport& report, const CloudFilter& filter, std::size_t thinned_points) {
+  add_thinning(report, filter.thin, thinned_points);
+  if (filter.strays) add_cloud_filter(report, *filter.strays);
+}
+
+void add_update_parameters(JsonReport& report, const UpdateOptions& options) {
+  add_parameters(report, options.cloud.reconstruct);
+  add_parameters(report, options.reconstruct, "model");
+}
+
 void filter_clouds(Job& job, const CloudFilter& filter, UpdateInput& input) {
   std::size_t thinned = 0;
   for (std::size_t c = 0; c < input.clouds.size(); ++c) {
     thinned += thin_input(job, input.cloud_names[c], filter.thin, input.clouds[c],
                           input.properties.empty() ? nullptr : &input.properties[1 + c]);
   }
-  add_thinning(job.report(), filter.thin, thinned);
+  add_filter(job.report(), filter, thinned);
   if (!filter.strays) return;
-  add_cloud_filter(job.report(), *filter.strays);
   for (std::size_t c = 0; c < input.clouds.size(); ++c) {
     const std::string& name = input.cloud_names[c];
     const StraySamples& strays = input.strays.emplace_back(
         leave_out_strays(name, input.clouds[c], *filter.strays, job.execution()));
-    JsonReport entry;
-    entry.set("outliers", strays.outliers);
-    entry.set("small_parts", strays.small_parts);
-    entry.set("small_part_samples", strays.in_small_parts);
-    entry.set("kept_points", input.clouds[c].size());
-    job.report().append("noise/clouds", entry);
+    append_strays(job.report(), strays, input.clouds[c].size());
     job.say("noise: {}: {} left out", name, told_strays(strays));
     if (input.properties.empty()) continue;
     VertexProperties& properties = input.properties[1 + c];
@@ -297,6 +305,7 @@ void begin_session(Job& job, const std::string& name, const std::vector<Point>& 
   });
   require_surface(job, name, session->reconstruction(), points, options.reconstruct,
                   remedies_of_model());
+  add_initial_model(job.report(), session->reconstruction(), session->model().triangles.size());
 }
 
 namespace {
@@ -362,8 +371,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
                       input.clouds,     result,      certificate};
   record.strays = input.strays;
   add_update(job.report(), record);
-  add_parameters(job.report(), options.cloud.reconstruct);
-  add_parameters(job.report(), options.reconstruct, "model");
+  add_update_parameters(job.report(), options);
   add_overrides(job.report(), options.overrides);
   say_update(job, record);
   for (const std::string& note : notes) job.say("note: {}", note);

@@ -45,7 +45,8 @@ struct UpdateInput {
 };
 
 // Makes a session that begins with the closed surface of a model given as points, as stage
-// "initial_model". Throws InputError if there is none.
+// "initial_model"; its counts go to the section "initial_model" of the report. Throws InputError if
+// there is none.
 void begin_session(Job& job, const std::string& name, const std::vector<Point>& points,
                    const KnownLabelsSource& known, const UpdateOptions& options,
                    std::optional<UpdateSession>& session);
@@ -78,6 +79,12 @@ struct UpdateOutput {
   MeshWriteOptions writing;
   bool manifold = false;
 };
+
+// The options of the filter, in the section "parameters", and "input/thinned_points".
+void add_filter(JsonReport& report, const CloudFilter& filter, std::size_t thinned_points);
+
+// The rest of the section "parameters": what clouds and model are reconstructed with.
+void add_update_parameters(JsonReport& report, const UpdateOptions& options);
 
 // Takes samples too close to others, and stray ones, out of the clouds, with their properties, as
 // the filter says; counts go to the report, of strays to section "noise", and to the summary.

@@ -105,7 +105,9 @@ TEST_F(JsonReportPage, HasWhatUpdatesReport) {
       {"update", cloud_, headed, "-o", updated, "--keep-groups", "0", "--replace-groups", "1"});
   expect_documented({"update", cloud_, cap_, headed, "-o", updated, "--thin", "0.01"});
   fs::create_directory(file("scans"));
-  expect_documented({"watch", cloud_, file("scans"), "-o", file("w.ply"), "--once"});
+  fs::copy(cap_, file("scans/cap.xyz"));
+  expect_documented({"watch", cloud_, file("scans"), "-o", file("w.ply"), "--once", "--settle", "0",
+                     "--thin", "0.01", "--noise", "robust"});
 }
 
 TEST_F(JsonReportPage, HasWhatOtherCommandsReport) {

@@ -51,6 +51,18 @@ TEST(WatchAway, FilesThatCannotBeLookedAtForAWhileAreNotNew) {
   EXPECT_EQ(content_of(watched.mesh), watched.expected({north, south}));
 }
 
+// With --once nobody waits for a file that can be looked at later, nor says so.
+TEST(WatchAway, OnceDoesNotWaitForALoopOfLinks) {
+  const Watched watched;
+  std::filesystem::create_symlink("loop.xyz", watched.drop + "/loop.xyz");
+  const ProgramRun run = run_program(watched.once());
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_EQ(count(run.out, "(Too many levels of symbolic links); --once does not wait for that\n"),
+            1U)
+      << run.out;
+  EXPECT_EQ(count(run.out, "waiting"), 0U) << run.out;
+}
+
 // Whether nothing is under its name meanwhile, or the empty folder at which it is mounted.
 TEST(WatchAway, AFolderThatComesBackIsNotNew) {
   for (const bool leaves_a_folder : {false, true}) {
