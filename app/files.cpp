@@ -147,8 +147,8 @@ void add_standard_output(std::vector<fs::path>& targets) {
 // A session takes these away when it is saved or let go.
 void require_not_of_session(const std::string& path, const std::string& session) {
   const fs::path place = place_of(path);
-  const std::string clouds = place_of(pending_cloud_prefix(session)).string();
-  if (place == place_of(lock_of(session)) || place.string().starts_with(clouds)) {
+  const bool is_cloud = is_pending_cloud_file(place, place_of(session).string());
+  if (is_cloud || place == place_of(lock_of(session))) {
     throw UsageError(path + ": this name is kept for a file of the session " + session +
                      "; name another one");
   }

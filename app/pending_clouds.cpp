@@ -130,6 +130,13 @@ void save_pending_clouds(const std::string& session, std::span<const std::string
   file.commit(&batch);
 }
 
+bool is_pending_cloud_file(const fs::path& path, const std::string& session) {
+  const std::string name = path.string();
+  const std::string prefix = pending_cloud_prefix(session);
+  return name.size() > prefix.size() && name.starts_with(prefix) &&
+         name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
+}
+
 std::vector<PendingUpdate> load_pending_clouds(const std::string& session,
                                                std::span<const std::string> notes) {
   std::vector<std::string> before(notes.begin(), notes.end());
@@ -145,17 +152,13 @@ std::vector<PendingUpdate> load_pending_clouds(const std::string& session,
 
 void remove_pending_clouds(const std::string& session) {
   const fs::path path = pending_cloud_prefix(session);
-  const std::string prefix = path.filename().string();
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::error_code error;
   std::vector<fs::path> found;
   for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
        entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    const bool is_numbered =
-        name.size() > prefix.size() && name.starts_with(prefix) &&
-        name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
-    if (is_numbered) found.push_back(entry->path());
+    const fs::path file = path.parent_path() / entry->path().filename();
+    if (is_pending_cloud_file(file, session)) found.push_back(file);
   }
   if (error)
     throw file_error(folder, "cannot be listed (" + error.message() + "); check the folder");

@@ -22,6 +22,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,6 +47,10 @@ struct PendingUpdate {
 // by another name must find the clouds. The prefix is all but K.
 std::string pending_cloud_prefix(const std::string& session);
 std::string pending_cloud_file(const std::string& session, std::size_t notes);
+
+// Whether this is the name of one, whatever K: digits and nothing else. The folder must be spelled
+// as that of the session behind all links.
+bool is_pending_cloud_file(const std::filesystem::path& path, const std::string& session);
 
 // `notes`: those before it. The file waits for the batch to be put in place. Precondition: at least
 // one cloud. Errors: FileError.

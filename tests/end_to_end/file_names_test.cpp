@@ -73,6 +73,18 @@ TEST_F(TwoNames, WhatASessionKeepsBesideItselfIsNoOutput) {
   EXPECT_EQ(folder.names(), (Names{"cap.xyz", "points.xyz"}));
 }
 
+// Their names end with numbers: others are left alone.
+TEST_F(TwoNames, OnlyWhatIsNumberedIsAFileOfASession) {
+  for (const std::string name : {"s.session.cloud-", "s.session.cloud-1.json", "s.session.cloud-x",
+                                 "s.session.cloud", "s.session.lock.json"}) {
+    SCOPED_TRACE(name);
+    const ProgramRun run = run_program(
+        {"reconstruct", "points.xyz", "-o", "w.ply", "--session", "s.session", "--json", name});
+    EXPECT_EQ(run.exit_code, 0) << run.error;
+    EXPECT_TRUE(fs::exists(name));
+  }
+}
+
 // The report goes there.
 TEST_F(TwoNames, StandardOutputIsNoOutputBesideTheReport) {
   fs::create_symlink("/dev/stdout", "w.ply");
