@@ -35,8 +35,9 @@ void run_delaunay(const DelaunayArguments& arguments, Job& job) {
     });
     report_verification(job.report(), arguments.points, triangulation.num_finite_cells(), verified);
   }
-  timed(job.execution(), "write",
-        [&] { write_tetrahedra(arguments.file, triangulation, {}, job.outputs()); });
+  timed(job.execution(), "write", [&] {
+    write_tetrahedra(arguments.file, triangulation, {.ascii = arguments.ascii}, job.outputs());
+  });
 
   JsonReport& report = job.report();
   report.set("input/points", points.size());

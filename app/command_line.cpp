@@ -259,6 +259,7 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
   sub->add_option("-o,--output", delaunay.file, "The file to write: .vtu, .mesh or .tet")
       ->required()
       ->type_name("FILE");
+  add_ascii(*sub, delaunay.ascii);
   add_verify(*sub, delaunay.verify);
 
   auto& check =

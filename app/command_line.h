@@ -125,6 +125,7 @@ struct WatchArguments {
 struct DelaunayArguments {
   std::string points;
   std::string file;
+  bool ascii = false;
   bool verify = false;  // certify it before writing
 };
 

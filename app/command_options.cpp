@@ -73,9 +73,12 @@ CLI::Option* add_switch_off(CLI::App& app, const std::string& name, bool& is_on,
       name, [&is_on] { is_on = false; }, meaning);
 }
 
+void add_ascii(CLI::App& app, bool& ascii) {
+  app.add_flag("--ascii", ascii, "Write text where the format has a binary and a text form");
+}
+
 void add_writing(CLI::App& app, MeshWriteOptions& writing) {
-  app.add_flag("--ascii", writing.ascii,
-               "Write text where the format has a binary and a text form");
+  add_ascii(app, writing.ascii);
   app.add_flag("--float", writing.single_precision,
                "PLY: round coordinates to float, for programs that read no double");
 }

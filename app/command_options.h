@@ -24,6 +24,8 @@ void add_verify(CLI::App& app, bool& verify);
 CLI::Option* add_switch_off(CLI::App& app, const std::string& name, bool& is_on,
                             const std::string& meaning);
 
+void add_ascii(CLI::App& app, bool& ascii);
+
 // --ascii and --float.
 void add_writing(CLI::App& app, MeshWriteOptions& writing);
 

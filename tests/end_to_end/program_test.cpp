@@ -141,6 +141,14 @@ TEST(Program, DelaunayInAllFormats) {
     EXPECT_EQ(report["delaunay"]["tetrahedra"], 2);
   }
   EXPECT_EQ(content_of(folder.file("d.tet")).rfind("5 2\n", 0), 0U);
+  for (const bool ascii : {false, true}) {
+    std::vector<std::string> arguments = {"delaunay", cloud, "-o", folder.file("d.vtu")};
+    if (ascii) arguments.emplace_back("--ascii");
+    EXPECT_EQ(run_program(arguments).exit_code, 0);
+    const std::string vtu = content_of(folder.file("d.vtu"));
+    EXPECT_EQ(vtu.find("format=\"ascii\"") != std::string::npos, ascii);
+    EXPECT_EQ(vtu.find("format=\"binary\"") != std::string::npos, !ascii);
+  }
 }
 
 // A square ring: 3 x 3 squares without the one in the middle, as high as they are wide.
