@@ -309,17 +309,6 @@ void require_known_command(const CLI::App& app, int argc, const char* const* arg
   throw UsageError(fmt::format("'{}' is no command; there are {}", first, names));
 }
 
-// As a shell makes them of variables that are not set. Taken for an option that is not given, an
-// output would be missing in the end.
-void require_no_empty_values(const CLI::App& command) {
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& value : option->results()) {
-      if (!value.empty()) continue;
-      throw UsageError(option->get_name() + ": the value is empty; give one");
-    }
-  }
-}
-
 // The options that may be given before the command, too: of two places one would be ignored.
 void require_in_one_place(const CLI::App& app, const CLI::App& command) {
   for (const char* name : {"--json", "--threads"}) {
@@ -352,8 +341,16 @@ std::string problem_told(const CLI::App& app, const CLI::ParseError& error) {
   // With a session the first of the arguments without a name is a cloud (settle_model).
   const bool is_of_session = app.get_subcommand("update")->count("--session") > 0;
   if (is_of_session && problem == "MODEL is required") problem = "CLOUD is required";
+  const std::string of_repeated = "At Most 1 required but received ";
+  if (const std::size_t at = problem.find(of_repeated); at != std::string::npos) {
+    const std::string times = problem.substr(at + of_repeated.size());
+    problem = problem.substr(0, at) + fmt::format("is given {} times; give it once", times);
+  }
   std::string command;
   for (const CLI::App* chosen : app.get_subcommands()) command = chosen->get_name() + " ";
+  if (const auto extras = app.remaining(true); !extras.empty()) {
+    problem = in_one_line(unexpected_told("cocoon " + command, extras));
+  }
   return fmt::format("{} (see cocoon {}--help)", problem, command);
 }
 

@@ -23,6 +23,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Other programs read standard input by this name. Here the extension of a name tells the format.
+void require_named_input(const std::string& path) {
+  if (path != "-" || access(path.c_str(), F_OK) == 0) return;
+  throw UsageError(
+      "-: standard input needs a name whose extension tells the format; make a link to it "
+      "(ln -s /dev/stdin in.xyz), and name that");
+}
+
 // What read() returns; its error names the option that would help.
 template <class Read>
 auto naming_the_option(Read read) {
@@ -221,6 +229,7 @@ std::string in_folder(const std::string& folder, const std::string& name) {
 std::vector<Point> read_cloud(Job& job, const std::string& path, const std::string& section,
                               VertexProperties* properties, std::size_t* faces,
                               std::vector<std::size_t>* skipped) {
+  require_named_input(path);
   PointReadOptions options;
   options.keep_properties = properties != nullptr;
   options.skip_non_finite = job.shared().skip_non_finite;

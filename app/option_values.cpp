@@ -3,8 +3,10 @@
 #include <cctype>
 #include <cstdint>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <string>
 
+#include "app/command_line.h"
 #include "io/number_text.h"
 
 namespace cocoon::app {
@@ -42,6 +44,26 @@ CLI::Validator without_leading_zeros() {
             return std::string();
           },
           ""};
+}
+
+void require_no_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (!value.empty()) continue;
+      throw UsageError(option->get_name() + ": the value is empty; give one");
+    }
+  }
+}
+
+// What follows an option may be its value, so the option alone is named.
+std::string unexpected_told(const std::string& command, const std::vector<std::string>& extras) {
+  for (const std::string& extra : extras) {
+    if (extra.size() < 2 || extra.front() != '-') continue;
+    const std::string name = extra.substr(0, extra.find('='));
+    const char* hint = name == "--config" ? "; options are given on the command line alone" : "";
+    return fmt::format("{}has no option {}{}", command, name, hint);
+  }
+  return fmt::format("{}has no place for {}", command, fmt::join(extras, " "));
 }
 
 }  // namespace cocoon::app

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 namespace cocoon::app {
 
@@ -14,5 +16,13 @@ CLI::Validator whole_number();
 
 // Takes them away. To CLI11 "010" is eight, as in C; scripts that count write it for ten.
 CLI::Validator without_leading_zeros();
+
+// Throws UsageError for an empty value, as a shell makes it of a variable that is not set: taken
+// for an option that is not given, an output would be missing in the end.
+void require_no_empty_values(const CLI::App& command);
+
+// What is wrong with arguments that the command ("cocoon check ") does not have, in one line.
+// Precondition: there is one.
+std::string unexpected_told(const std::string& command, const std::vector<std::string>& extras);
 
 }  // namespace cocoon::app

@@ -247,16 +247,17 @@ TEST(CommandLine, WhatIsMissingIsNamed) {
   expect_missing({"watch", "--session", "s", "-o", "u.ply"}, "MODEL");
 }
 
+std::string complaint(const std::vector<const char*>& arguments) {
+  try {
+    parse(arguments);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 // As of variables of a shell that are not set.
 TEST(CommandLine, EmptyValuesAreNoFileNames) {
-  const auto complaint = [](const std::vector<const char*>& arguments) -> std::string {
-    try {
-      parse(arguments);
-    } catch (const UsageError& error) {
-      return error.what();
-    }
-    return "";
-  };
   const std::string told = ": the value is empty; give one";
   EXPECT_EQ(complaint({"reconstruct", "a.xyz", "-o", ""}), "--output" + told);
   EXPECT_EQ(complaint({"reconstruct", "a.xyz", "-o", "a.ply", "--session", ""}),
@@ -269,6 +270,26 @@ TEST(CommandLine, EmptyValuesAreNoFileNames) {
   EXPECT_EQ(complaint({"check", "a.ply", "--json", ""}), "--json" + told);
   EXPECT_EQ(complaint({"--json", "", "check", "a.ply"}), "--json" + told);
   EXPECT_EQ(complaint({"check", ""}), "MESH" + told);
+}
+
+// Alone, in the order given, and before what is missing because of it.
+TEST(CommandLine, WhatACommandDoesNotHaveIsNamed) {
+  EXPECT_EQ(complaint({"check", "a.ply", "--bogus", "value", "more"}),
+            "cocoon check has no option --bogus (see cocoon check --help)");
+  EXPECT_EQ(complaint({"reconstruct", "a.xyz", "--outptu=b.ply"}),
+            "cocoon reconstruct has no option --outptu (see cocoon reconstruct --help)");
+  EXPECT_EQ(complaint({"--bogus", "check", "a.ply"}),
+            "cocoon check has no option --bogus (see cocoon check --help)");
+  EXPECT_EQ(complaint({"check", "a.ply", "b.ply", "c.ply"}),
+            "cocoon check has no place for b.ply c.ply (see cocoon check --help)");
+  EXPECT_EQ(complaint({"check", "a.ply", "--config", "a.ini"}),
+            "cocoon check has no option --config; options are given on the command line alone (see "
+            "cocoon check --help)");
+}
+
+TEST(CommandLine, RepeatedOptionsAreNamed) {
+  EXPECT_EQ(complaint({"reconstruct", "a.xyz", "-o", "a.ply", "-o", "b.ply"}),
+            "--output: is given 2 times; give it once (see cocoon reconstruct --help)");
 }
 
 TEST(CommandLine, WrongOnesAreUsageErrorsOfOneLine) {

@@ -64,6 +64,14 @@ TEST(Program, WrongCommandLinesAreTwo) {
   EXPECT_EQ(folder.names(), Names{"cloud.xyz"});
 }
 
+TEST(Program, StandardInputNeedsALink) {
+  const TemporaryFolder folder;
+  for (const Names& arguments : {Names{"check", "-"}, Names{"compare", "-", "-"},
+                                 Names{"delaunay", "-", "-o", folder.file("a.tet")}}) {
+    expect_error(run_program(arguments), 2, "-: standard input needs a name");
+  }
+}
+
 TEST(Program, ReconstructReportsWhatItMeasured) {
   const TemporaryFolder folder;
   const std::string cloud =
