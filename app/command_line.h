@@ -99,7 +99,7 @@ struct UpdateArguments {
   std::string html;  // empty: not written
   MeshWriteOptions writing;
   bool manifold = false;
-  std::optional<double> densify;  // spacing of samples added to the model, a mesh
+  std::optional<double> densify;               // spacing of samples added to the model, a mesh
   std::vector<std::uint32_t> replaced_groups;  // whatever their angles
   std::vector<std::uint32_t> kept_groups;      // likewise
   SurfaceArguments parameters;

@@ -73,7 +73,8 @@ TEST(UpdateOutcomes, OfAThinPlateNothingIsLeftInPaperMode) {
   const std::string count = std::to_string(result.replacement.points.size());
   EXPECT_EQ(result.message, "the " + count +
                                 " updated points give no closed surface; check that model and "
-                                "clouds are samples of one surface at one scale");
+                                "clouds are samples of one surface at one scale; none of them "
+                                "meets rho 0.8333 and alpha 30 degrees, and larger ones may do");
   EXPECT_EQ(update_model(model, clouds).status, UpdateStatus::ok);
 
   const Files files(model, clouds);
