@@ -12,12 +12,13 @@ LiteralBoundary literal_boundary(const TriangleMesh& surface, const HalfedgeRing
                surface.points.size());
   LiteralBoundary result;
   for (Halfedge h = 0; h < rings.links.size(); ++h) {
-    if (!rings.has_edge(h) || !rings.is_first(h)) continue;
     const auto [a, b] = ends_of_halfedge(surface, h);
-    const bool joins_samples = boundary_sample[a] != 0 && boundary_sample[b] != 0;
-    result.edges += joins_samples ? 1U : 0U;
-    result.chords += joins_samples && !rings.is_open(h) ? 1U : 0U;
-    result.missed_edges += !joins_samples && rings.is_open(h) ? 1U : 0U;
+    if (boundary_sample[a] == 0 || boundary_sample[b] == 0) {
+      result.missed_edges += rings.is_open(h) ? 1U : 0U;
+    } else if (rings.has_edge(h) && rings.is_first(h)) {
+      ++result.edges;
+      result.chords += rings.is_open(h) ? 0U : 1U;
+    }
   }
   return result;
 }
