@@ -15,6 +15,7 @@
 #include "update/report/lost_triangles.h"
 #include "update/report/overlooked_vertices.h"
 #include "update/report/rim_shift.h"
+#include "update/report/samples_with_flag.h"
 #include "update/report/unscanned_losses.h"
 #include "update/report/unused_changes.h"
 #include "update/scan_ends.h"
@@ -118,6 +119,25 @@ TEST(StageOptions, StagesCalledAloneRefuseThemToo) {
   expect_refused("contradicted_samples", [&] { contradicted_samples({}, {}, {.reach = nan}); });
   expect_refused("astray_triangles",
                  [&] { astray_triangles(mesh, {}, mesh, scans, {.tolerance = nan}); });
+}
+
+TEST(StageOptions, PartsOfAnotherUpdateAreRefused) {
+  const TriangleMesh mesh = gallery::tetrahedron();
+  const ModelIndex model(mesh);
+  CloudRim rim;
+  rim.loops.resize(1);
+  const std::vector<Scan> scans(1);
+  Replacement replacement;
+  replacement.points.resize(4);
+  const std::vector<std::vector<Point>> clouds(1);
+  expect_refused("rim_shift", [&] { rim_shift(model, rim, {}); });
+  expect_refused("unused_changes", [&] { unused_changes(model, scans, {}); });
+  expect_refused("unscanned_losses", [&] { unscanned_losses(model, {}, scans, {}, false); });
+  expect_refused("lost_vertices", [&] { lost_vertices(model, replacement, {}, false); });
+  expect_refused("samples_with_flag", [&] { samples_with_flag(replacement, {}, {}, {}); });
+  expect_refused("samples_with_flag", [&] {
+    samples_with_flag(replacement, {}, clouds, IdVector<PointId, std::uint8_t>(4, 0));
+  });
 }
 
 TEST(StageOptions, DefaultsAndWhatSwitchesAStageOffAreTaken) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "geom/require_size.h"
 #include "update/model/sample_heights.h"
 #include "update/stage_options.h"
 
@@ -42,6 +43,7 @@ std::size_t num_on_model(const ModelIndex& model, Points samples, double distanc
 Vec3 rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
                const ShiftOptions& options) {
   require_options("rim_shift", options);
+  require_size("rim_shift", "loops of the overlap", overlap.loops.size(), rim.loops.size());
   const std::vector<Height> heights = heights_of(model, rim, overlap);
   if (heights.size() < options.min_points) return {};
   const auto all = static_cast<double>(heights.size());

@@ -39,7 +39,7 @@ struct ShiftOptions {
 // lies on the model; the places where the surface turns tell. The zero vector if too few points are
 // matched or agree.
 // Complexity: O(rim). Deterministic, but for roundings, whatever the order of the loops. Errors:
-// InputError for options out of range.
+// InputError for options out of range, and for the overlap of another rim, by its loops.
 // Source: ours; point-to-plane registration (Chen & Medioni 1992) without rotation.
 Vec3 rim_shift(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
                const ShiftOptions& options = {});

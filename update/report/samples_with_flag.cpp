@@ -3,12 +3,17 @@
 #include <cstddef>
 #include <utility>
 
+#include "geom/require_size.h"
+
 namespace cocoon {
 
 std::vector<std::vector<Point>> samples_with_flag(const Replacement& replacement,
                                                   std::span<const JoinedCloud> joined,
                                                   std::span<const std::vector<Point>> clouds,
                                                   IdVector<PointId, std::uint8_t> flags) {
+  require_size("samples_with_flag", "flags", flags.size(), replacement.points.size());
+  require_size("samples_with_flag", "clouds", clouds.size(),
+               replacement.point_of_cloud_point.size());
   std::vector<std::vector<Point>> samples(joined.size());
   for (std::size_t c = 0; c < joined.size(); ++c) {
     for (const std::size_t member : joined[c].members) {

@@ -142,6 +142,8 @@ std::vector<VertexId> lost_vertices(const ModelIndex& model, const Replacement& 
   if (all_used) {
     lost = replacement.removed;
   } else {
+    require_size("lost_vertices", "vertices of the map", vertex_map.size(),
+                 model.mesh().points.size());
     visit_where(
         vertex_map.size(), [&](std::size_t i) { return vertex_map[VertexId(i)].is_none(); },
         [&](std::size_t i) { lost.push_back(VertexId(i)); });

@@ -33,8 +33,8 @@ struct UnscannedOptions {
 };
 
 // The vertices of the model's triangles that are not in the updated mesh, ascending. `vertex_map`:
-// where they are in it, looked at only unless `all_used`: all updated points are in it.
-// Complexity: O(found), else O(v).
+// where they are in it, looked at only unless `all_used`: all updated points are in it. Errors:
+// InputError for the map of another model, by its size. Complexity: O(found), else O(v).
 std::vector<VertexId> lost_vertices(const ModelIndex& model, const Replacement& replacement,
                                     const IdVector<VertexId, VertexId>& vertex_map, bool all_used);
 

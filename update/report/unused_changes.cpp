@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geom/box_tree.h"
+#include "geom/require_size.h"
 #include "update/model/sample_heights.h"
 #include "update/stage_options.h"
 
@@ -28,6 +29,7 @@ UnusedChanges unused_changes(const ModelIndex& model, std::span<const Scan> scan
                              std::span<const std::vector<Point>> unused,
                              const UnusedChangeOptions& options) {
   require_options("unused_changes", options);
+  require_size("unused_changes", "lists of unused samples", unused.size(), scans.size());
   UnusedChanges changes;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     if (unused[i].size() <= options.neighbors) continue;

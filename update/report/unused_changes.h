@@ -38,7 +38,8 @@ struct UnusedChanges {
 // unused[i]: the samples of scans[i] that are not on the updated surface. Why: where the wrong part
 // of the model stays, the samples of the change lie inside the body or hang in the air.
 // Complexity: O(n log n) for n samples, and what NearFacets takes; O(scans) if all are used.
-// Deterministic. Errors: InputError for options out of range. Source: ours.
+// Deterministic. Errors: InputError for options out of range, or if
+// not every scan has its list. Source: ours.
 UnusedChanges unused_changes(const ModelIndex& model, std::span<const Scan> scans,
                              std::span<const std::vector<Point>> unused,
                              const UnusedChangeOptions& options = {});
