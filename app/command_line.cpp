@@ -319,14 +319,16 @@ void require_in_one_place(const CLI::App& app, const CLI::App& command) {
   }
 }
 
-// Where the format leaves no choice, --float would do nothing.
-void require_choice_of_float(const Command& command) {
+// --float and --ascii where they would do nothing.
+void require_use_of_writing(const Command& command) {
   std::visit(
       [](const auto& arguments) {
         if constexpr (requires { arguments.writing; }) {
-          const bool is_written = !arguments.mesh.empty();
-          if (is_written && arguments.writing.single_precision &&
-              !holds_properties(arguments.mesh)) {
+          const MeshWriteOptions& writing = arguments.writing;
+          if (arguments.mesh.empty() && (writing.single_precision || writing.ascii)) {
+            throw UsageError("--float and --ascii are about the output; name one by -o");
+          }
+          if (writing.single_precision && !holds_properties(arguments.mesh)) {
             throw UsageError(
                 "--float: only PLY has floats or doubles as one likes; name a .ply file, or leave "
                 "it out");
@@ -382,7 +384,7 @@ Request parse_command_line(int argc, const char* const* argv) {
       require_known_words(check->required);
     }
     if (auto* update = std::get_if<UpdateArguments>(&line.command)) settle_model(*update);
-    require_choice_of_float(line.command);
+    require_use_of_writing(line.command);
     if (const auto* reconstruct = std::get_if<ReconstructArguments>(&line.command);
         reconstruct != nullptr && !reconstruct->session.empty() &&
         reconstruct->surface != "tight") {

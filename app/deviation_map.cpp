@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "geom/nearest_point.h"
 #include "geom/signed_distance.h"
+#include "geom/working_scale.h"
 #include "io/mesh_file.h"
 
 namespace cocoon::app {
@@ -18,11 +20,13 @@ namespace {
 std::vector<double> distances_from(const TriangleMesh& b, Points points,
                                    const Execution& execution) {
   if (!b.triangles.empty()) return signed_distances(b, points, execution);
-  const NearestPointTree tree(b.points.span());
+  const double scale = common_scale(points, b.points.span());
+  const std::vector<Point> scaled_b = scaled(b.points.span(), scale);
+  const NearestPointTree tree(scaled_b);
   std::vector<double> distances(points.size());
   parallel_chunks(execution, points.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      distances[i] = std::sqrt(tree.nearest(points[i]).squared_distance);
+      distances[i] = std::sqrt(tree.nearest(scale * points[i]).squared_distance) / scale;
     }
   });
   return distances;
@@ -61,7 +65,8 @@ void write_deviation(Job& job, const TriangleMesh& a, const TriangleMesh& b,
     return distances_from(b, a.points.span(), job.execution());
   });
   constexpr double spread = 3;
-  const double full = output.full_color.value_or(spread * root_mean_square(distances));
+  const double full = std::min(output.full_color.value_or(spread * root_mean_square(distances)),
+                               std::numeric_limits<double>::max());
   VertexProperties properties;
   properties.rows = distances.size();
   properties.columns.push_back(property_of("distance", distances));

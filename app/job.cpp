@@ -43,11 +43,14 @@ void Job::warn_of_rounding(FileBatch& batch) {
     report_.set("rounding/median_edge", rounding.median_edge);
     const bool is_chosen = format_of(file.target) == FileFormat::ply;
     warn(fmt::format(
-        "{}: in {} vertices move by up to {:.3g} (median edge {:.3g}), and {} with others: it may "
-        "be closed or manifold no longer; {}",
+        "{}: in {} vertices move by up to {:.3g} (median edge {:.3g}){}: it may be closed or "
+        "manifold no longer, or cross itself; {}",
         file.target.string(), is_chosen ? "floats" : "the floats of binary STL",
         rounding.largest_move, rounding.median_edge,
-        counted(rounding.merged_vertices, "falls together", "fall together"),
+        rounding.merged_vertices == 0
+            ? ""
+            : ", and " + counted(rounding.merged_vertices, "falls together", "fall together") +
+                  " with others",
         is_chosen ? "leave --float out" : "add --ascii, or write PLY, OBJ or OFF"));
   }
 }

@@ -360,7 +360,8 @@ PageTable angle_table(const UpdateRecord& record) {
     for (const GroupAngle& group : record.result.clouds[c].groups) {
       table.rows.push_back({word(numbers_told(record, c)), number(group.group.index()),
                             number(record.result.regions.regions[group.group].facets),
-                            group.mean_angle_deg, word(verdict_on(group, record.result.islands))});
+                            group.mean_angle_deg,
+                            word(verdict_on(group, record.result.islands, record.overrides))});
     }
   }
   return table;

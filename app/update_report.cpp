@@ -182,10 +182,12 @@ std::vector<std::size_t> numbers_of(const std::vector<RegionId>& regions) {
   return numbers;
 }
 
-const char* verdict_on(const GroupAngle& group, std::span<const RegionId> islands) {
-  if (!group.under_cloud) return "kept";
+std::string verdict_on(const GroupAngle& group, std::span<const RegionId> islands,
+                       const RegionOverrides& overrides) {
+  const std::string verdict = group.under_cloud ? "replaced" : "kept";
+  if (overrides.name(group.group)) return verdict + ", as was said";
   const bool contradicted = std::find(islands.begin(), islands.end(), group.group) != islands.end();
-  return contradicted ? "replaced: samples off the model lie over it" : "replaced";
+  return verdict + (contradicted ? ": samples off the model lie over it" : "");
 }
 
 void add_update(JsonReport& report, const UpdateRecord& record) {
@@ -238,7 +240,7 @@ void say_update(Job& job, const UpdateRecord& record) {
     for (const std::string& note : notes_of_cut(cloud.cut)) job.say("  {}", note);
     for (const GroupAngle& group : cloud.groups) {
       job.say("  group {}: mean angle {:.2f} degrees, {}", group.group.value, group.mean_angle_deg,
-              verdict_on(group, result.islands));
+              verdict_on(group, result.islands, record.overrides));
     }
   }
   job.say("{} of {} groups replaced: {} points out, {} points in all",

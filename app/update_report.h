@@ -30,6 +30,7 @@ struct UpdateRecord {
   std::vector<std::vector<double>> deviation = {};
   // What was left out of each cloud as stray; empty: they were not filtered.
   std::span<const StraySamples> strays = {};
+  RegionOverrides overrides = {};  // that were given
 };
 
 // "topology: Euler characteristic 0 -> 2": a handle went, or a part came; empty: it is as before.
@@ -39,7 +40,8 @@ std::string topology_change(const UpdateResult& result);
 std::vector<std::size_t> numbers_of(const std::vector<RegionId>& regions);
 
 // "kept" or "replaced", and why if not for its angle.
-const char* verdict_on(const GroupAngle& group, std::span<const RegionId> islands);
+std::string verdict_on(const GroupAngle& group, std::span<const RegionId> islands,
+                       const RegionOverrides& overrides = {});
 
 // The sections "input", "delaunay", "surface" and "update".
 void add_update(JsonReport& report, const UpdateRecord& record);

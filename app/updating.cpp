@@ -177,19 +177,6 @@ RegionOverrides region_overrides(const UpdateArguments& arguments) {
 
 namespace {
 
-// What tells the user which numbers --replace-groups can have.
-std::string told_angles(const UpdateResult& result) {
-  std::string told;
-  for (const CloudReport& cloud : result.clouds) {
-    for (const GroupAngle& group : cloud.groups) {
-      told += fmt::format("{}group {}: {:.2f} degrees, {} vertices", told.empty() ? "" : "; ",
-                          group.group.value, group.mean_angle_deg,
-                          result.regions.regions[group.group].vertices);
-    }
-  }
-  return told;
-}
-
 // Points that the model leaves out are no part of what is updated: nobody else would tell.
 void warn_of_unused(Job& job, const std::string& name, const ReconstructResult& model,
                     Points points) {
@@ -297,6 +284,13 @@ std::string with_cloud_names(std::string message, const std::vector<std::string>
   return message;
 }
 
+std::string with_option_names(std::string message) {
+  const std::string said = "say which of them goes";
+  const std::size_t at = message.find(said);
+  if (at != std::string::npos) message.insert(at + said.size(), " by --replace-groups");
+  return message;
+}
+
 void begin_session(Job& job, const std::string& name, const std::vector<Point>& points,
                    const KnownLabelsSource& known, const UpdateOptions& options,
                    std::optional<UpdateSession>& session) {
@@ -343,12 +337,9 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   MeshChange& change = update.change;
   report_verification(job.report(), input.model_name, result.reconstruction.verification);
   if (result.status != UpdateStatus::ok) {
-    const bool is_ambiguous = result.status == UpdateStatus::ambiguous;
-    throw InputError(fmt::format(
-        "cannot update {} ({}): {}{}", input.model_name, name_of(result.status),
-        with_cloud_names(result.message, input.cloud_names),
-        is_ambiguous ? ", or say which goes by --replace-groups (" + told_angles(result) + ")"
-                     : ""));
+    throw InputError(
+        fmt::format("cannot update {} ({}): {}", input.model_name, name_of(result.status),
+                    with_option_names(with_cloud_names(result.message, input.cloud_names))));
   }
   for (std::string& warning : result.warnings) {
     warning = with_cloud_names(warning, input.cloud_names);
@@ -370,6 +361,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   UpdateRecord record{input.model_name, input.model, input.cloud_names,
                       input.clouds,     result,      certificate};
   record.strays = input.strays;
+  record.overrides = options.overrides;
   add_update(job.report(), record);
   add_update_parameters(job.report(), options);
   add_overrides(job.report(), options.overrides);

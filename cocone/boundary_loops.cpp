@@ -63,7 +63,7 @@ std::vector<std::uint8_t> surplus_triangles(const TriangleMesh& mesh, const Half
   for (Halfedge halfedge = 0; halfedge < rings.links.size(); ++halfedge) {
     if (!rings.has_edge(halfedge) || rings.is_open(halfedge) || rings.has_two_triangles(halfedge))
       continue;
-    if (!rings.is_first(halfedge)) continue;
+    if (!rings.is_last(halfedge)) continue;
     std::vector<Halfedge> at_edge;
     for_each_at_edge(rings.links, halfedge, [&](Halfedge other) { at_edge.push_back(other); });
     surplus.resize(mesh.triangles.size(), 0);

@@ -15,7 +15,7 @@ LiteralBoundary literal_boundary(const TriangleMesh& surface, const HalfedgeRing
     const auto [a, b] = ends_of_halfedge(surface, h);
     if (boundary_sample[a] == 0 || boundary_sample[b] == 0) {
       result.missed_edges += rings.is_open(h) ? 1U : 0U;
-    } else if (rings.has_edge(h) && rings.is_first(h)) {
+    } else if (rings.has_edge(h) && rings.is_last(h)) {
       ++result.edges;
       result.chords += rings.is_open(h) ? 0U : 1U;
     }

@@ -36,7 +36,8 @@ class ClosestFacetTree {
   ClosestFacet closest(const Point& p) const;
 
   // The squared distance alone, up to its rounding, and from far away in less time: O(log t) also
-  // where rounding makes the distances to all triangles equal. Otherwise as above.
+  // where rounding makes the distances to all triangles equal, but for a mesh that is itself far
+  // from the origin, so that rounding is more than its triangles. Otherwise as above.
   double squared_distance(const Point& p) const;
 
  private:

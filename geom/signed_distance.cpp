@@ -120,7 +120,7 @@ std::vector<double> distances_by_scale(const TriangleMesh& mesh, const TriangleM
 // Projections take fourth powers of lengths: beyond working sizes they would overflow or vanish.
 std::vector<double> signed_distances(const TriangleMesh& mesh, Points points,
                                      const Execution& execution) {
-  const double scale = working_scale(mesh.points.raw());
+  const double scale = common_scale(mesh.points.span(), points);
   if (scale == 1) return distances_by_scale(mesh, mesh, 1, points, execution);
   return distances_by_scale(mesh, scaled(mesh, scale), scale, points, execution);
 }

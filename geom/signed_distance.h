@@ -15,7 +15,7 @@ namespace cocoon {
 // angle-weighted normal at the closest point, so that it is the side of the nearest facets: of the
 // facet, the edge (sum of the normals of its facets) or the vertex (normals weighted by the facets'
 // angles there); facets without area have no normal, and those nearly so none to rely on.
-// Coordinates of the mesh may have any size, those of the points up to 2^200 times that.
+// Coordinates may have any size: distances are relative to the larger of mesh and points.
 // Throws InputError as ClosestFacetTree. Reports progress as "signed_distance". Complexity: O((p +
 // t) log t) expected. Deterministic for any thread count. Source of the normals: Baerentzen &
 // Aanaes, Signed distance computation using the angle weighted pseudonormal (IEEE TVCG 11, 2005).

@@ -149,17 +149,9 @@ DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to, doubl
           .within = static_cast<double>(spread.within) / count};
 }
 
-// Of points of triangles alone, if there are any: no others are measured.
-double scale_of(const TriangleMesh& mesh) {
-  return working_scale(mesh.triangles.empty() ? mesh.points.raw() : corners_of_triangles(mesh));
-}
-
-// Large meshes are not brought to 1 but to as much as squares of areas admit
-// (triangle_projection.h), so that those of what is much smaller do not vanish.
-double common_scale(const TriangleMesh& a, const TriangleMesh& b) {
-  constexpr double large = 0x1p+200;
-  const double scale = std::min(scale_of(a), scale_of(b));
-  return scale < 1 ? large * scale : scale;
+// Of triangles the corners alone, if there are any: no other points are measured.
+std::vector<Point> points_measured(const TriangleMesh& mesh) {
+  return mesh.triangles.empty() ? mesh.points.raw() : corners_of_triangles(mesh);
 }
 
 template <class Distance>
@@ -206,7 +198,7 @@ SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b,
   require_finite(a);
   require_finite(b);
   // Areas take fourth powers of lengths: beyond working sizes they would overflow or vanish.
-  const double scale = common_scale(a, b);
+  const double scale = common_scale(points_measured(a), points_measured(b));
   SurfaceDistance distance = measure_both(a, b, scale, options, execution);
   if (scale != 1) {
     for (DirectedDistance* directed : {&distance.a_to_b, &distance.b_to_a}) {

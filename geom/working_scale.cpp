@@ -29,13 +29,23 @@ double largest_coordinate_of(Points points, const Execution& execution) {
                          [](double a, double b) { return std::max(a, b); });
 }
 
-}  // namespace
-
-double working_scale(Points points, const Execution& execution) {
-  const double largest = largest_coordinate_of(points, execution);
+double scale_of(double largest) {
   const bool in_bounds = largest >= smallest_coordinate && largest <= largest_coordinate;
   if (in_bounds || largest == 0 || !std::isfinite(largest)) return 1;
   return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1022, 1022));
+}
+
+}  // namespace
+
+double working_scale(Points points, const Execution& execution) {
+  return scale_of(largest_coordinate_of(points, execution));
+}
+
+double common_scale(Points a, Points b) {
+  constexpr double large = 0x1p+200;
+  const double scale =
+      scale_of(std::max(largest_coordinate_of(a, {}), largest_coordinate_of(b, {})));
+  return scale < 1 ? large * scale : scale;
 }
 
 void require_comparable_sizes(Points points, const Execution& execution) {

@@ -16,6 +16,12 @@ namespace cocoon {
 // Precondition: finite coordinates. Complexity: O(n).
 double working_scale(Points points, const Execution& execution = {});
 
+// One scale for two sets of points whose distances from each other are asked for, so that squares
+// of areas stay in the range of double: the larger set decides. It is brought not to 1 but to 2^200
+// if it is too large, so that squares of what is much smaller do not vanish. Precondition and
+// complexity: as above.
+double common_scale(Points a, Points b);
+
 // Throws InputError, which names the point that is farthest out, if the coordinates of most of the
 // points, those at the origin left aside, are smaller than 2^-200 times the largest one: then no
 // scale holds both the squares of areas among these and those of the others. Complexity: O(n).

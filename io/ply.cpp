@@ -250,7 +250,8 @@ void write_position(AtomicFile& file, const Point& point, const MeshWriteOptions
     } else if (round_to_float(point[axis], rounded)) {
       append_coordinate(file.buffer(), rounded, options.ascii);
     } else {
-      throw file_error(file.target(), "a coordinate is too large for float; write double");
+      throw file_error(file.target(),
+                       "a coordinate is too large for float; write doubles (without --float)");
     }
   }
 }

@@ -23,8 +23,8 @@ namespace cocoon {
 // All decisions are exact for the polygon projected along the axis closest to its area vector,
 // which is computed in floating point: of polygons that lie in no plane the triangles may depend on
 // that axis, never their number or their boundary. Complexity: O(n) for a fan, else O(n log n)
-// usually, with O(n) more for each place where the polygon touches itself, and O(n^2) if it crosses
-// itself all over.
+// usually. Corners at places where the polygon touches itself are looked at again after each cut
+// among them, in O(n): with k of them it may be O(k^2 n), as for holes by the thousand.
 // Source: Meisters 1975, "Polygons have ears"; holes by bridges: Held 2001, "FIST".
 void triangulate_polygon(Points points, std::span<const VertexId> corners,
                          std::vector<Triangle>& triangles);

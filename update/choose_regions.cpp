@@ -111,7 +111,10 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
       double& margin = choice.clouds[loop.cloud].margin;
       margin = std::min(margin, range.margin());
       if (range.margin() < options.narrow_margin) ++choice.narrow;
-      if (range.margin() < options.ambiguous_margin) choice.status = ChoiceStatus::ambiguous;
+      if (range.margin() < options.ambiguous_margin) {
+        choice.status = ChoiceStatus::ambiguous;
+        choice.clouds[loop.cloud].is_ambiguous = true;
+      }
     }
     for (const RegionId r : loop.regions.ids()) {
       const AngleMean& mean = loop.regions[r];
@@ -124,7 +127,9 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
   }
 
   // 2. A region under any cloud is replaced.
+  choice.replaced_by_clear = choice.replaced;
   for (std::size_t c = 0; c < num_clouds; ++c) {
+    const bool is_clear = !choice.clouds[c].is_ambiguous;
     for (const RegionId r : sums[c].ids()) {
       const RegionSum& sum = sums[c][r];
       if (sum.edges == 0) continue;
@@ -132,14 +137,20 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
       choice.clouds[c].regions.push_back(
           {r, sum.angle / static_cast<double>(sum.edges), sum.edges, under});
       if (under) choice.replaced[r] = 1;
+      if (under && is_clear) choice.replaced_by_clear[r] = 1;
     }
     if (!is_decided(c)) continue;
-    for (const RegionId r : decided[c].ids()) choice.replaced[r] |= decided[c][r];
+    for (const RegionId r : decided[c].ids()) {
+      choice.replaced[r] |= decided[c][r];
+      choice.replaced_by_clear[r] |= decided[c][r];
+    }
     choice.clouds[c].margin = margin_of(choice.clouds[c]);
   }
   keep_the_largest_mean(choice);
   if (choice.status == ChoiceStatus::ambiguous) {
     std::fill(choice.replaced.begin(), choice.replaced.end(), std::uint8_t{0});
+  } else {
+    choice.replaced_by_clear = {};
   }
   return choice;
 }

@@ -42,6 +42,7 @@ struct CloudChoice {
   // Smallest difference between the extreme means of a loop, radians; pi if no loop decided. Of a
   // cloud that `decided` tells about see choose_regions().
   double margin = std::numbers::pi;
+  bool is_ambiguous = false;  // a loop of it cannot tell its regions apart
 };
 
 struct RegionChoice {
@@ -51,6 +52,8 @@ struct RegionChoice {
   std::size_t undecided_loops = 0;  // loops that saw fewer than two regions: nothing inside them
   std::size_t narrow = 0;           // loops with a margin below narrow_margin
   bool kept_largest = false;  // all regions were under clouds: the one with the largest mean stays
+  // If the choice is ambiguous: what goes by the other clouds. Else empty.
+  IdVector<RegionId, std::uint8_t> replaced_by_clear;
 };
 
 // Decides for each cloud which of the regions at its loops lie under it:

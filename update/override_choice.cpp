@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "geom/errors.h"
 
@@ -11,12 +12,45 @@ namespace cocoon {
 
 namespace {
 
+bool has(const std::vector<RegionId>& regions, RegionId region) {
+  return std::find(regions.begin(), regions.end(), region) != regions.end();
+}
+
+void require_overrides(const RegionOverrides& overrides, std::size_t num_regions) {
+  if (num_regions == 0) {
+    throw InputError("the rims cut no group out of the model; none can be replaced or kept");
+  }
+  for (const std::vector<RegionId>* regions : {&overrides.replaced, &overrides.kept}) {
+    for (const RegionId r : *regions) {
+      if (r.index() < num_regions) continue;
+      throw InputError("there is no group " + std::to_string(r.value) + "; they are 0 to " +
+                       std::to_string(num_regions - 1));
+    }
+  }
+  for (const RegionId r : overrides.replaced) {
+    if (!has(overrides.kept, r)) continue;
+    throw InputError("group " + std::to_string(r.value) +
+                     " is said to be replaced and to be kept; say one of them");
+  }
+}
+
+// Does nothing if a cloud is left that nobody has decided.
+void settle(const RegionOverrides& overrides, RegionChoice& choice) {
+  for (const CloudChoice& cloud : choice.clouds) {
+    if (cloud.is_ambiguous && !overrides.decide(cloud)) return;
+  }
+  for (CloudChoice& cloud : choice.clouds) {
+    if (!cloud.is_ambiguous) continue;
+    for (RegionVerdict& verdict : cloud.regions) verdict.under_cloud = false;
+  }
+  choice.status = ChoiceStatus::ok;
+  const std::size_t num_regions = choice.replaced.size();
+  choice.replaced = std::move(choice.replaced_by_clear);
+  choice.replaced.resize(num_regions, 0);
+}
+
 void set_fate(std::span<const RegionId> regions, bool goes, RegionChoice& choice) {
   for (const RegionId r : regions) {
-    if (r.index() >= choice.replaced.size()) {
-      throw InputError("there is no group " + std::to_string(r.value) + "; they are 0 to " +
-                       std::to_string(choice.replaced.size() - 1));
-    }
     choice.replaced[r] = goes ? 1 : 0;
     for (CloudChoice& cloud : choice.clouds) {
       for (RegionVerdict& verdict : cloud.regions) {
@@ -28,24 +62,25 @@ void set_fate(std::span<const RegionId> regions, bool goes, RegionChoice& choice
 
 }  // namespace
 
+bool RegionOverrides::name(RegionId region) const {
+  return has(replaced, region) || has(kept, region);
+}
+
+bool RegionOverrides::decide(const CloudChoice& cloud) const {
+  const auto goes = [&](const RegionVerdict& v) { return has(replaced, v.region); };
+  const auto is_named = [&](const RegionVerdict& v) { return name(v.region); };
+  return std::any_of(cloud.regions.begin(), cloud.regions.end(), goes) ||
+         std::all_of(cloud.regions.begin(), cloud.regions.end(), is_named);
+}
+
 void override_choice(const RegionOverrides& overrides, RegionChoice& choice) {
   if (overrides.is_empty()) return;
-  for (const RegionId r : overrides.replaced) {
-    if (std::count(overrides.kept.begin(), overrides.kept.end(), r) == 0) continue;
-    throw InputError("group " + std::to_string(r.value) +
-                     " is said to be replaced and to be kept; say one of them");
-  }
-  if (choice.replaced.empty()) {
-    throw InputError("the rims cut no group out of the model; none can be replaced or kept");
-  }
-  if (choice.status == ChoiceStatus::ambiguous) {
-    for (CloudChoice& cloud : choice.clouds) {
-      for (RegionVerdict& verdict : cloud.regions) verdict.under_cloud = false;
-    }
-    choice.status = ChoiceStatus::ok;
-  }
+  require_overrides(overrides, choice.replaced.size());
+  if (choice.status == ChoiceStatus::ambiguous) settle(overrides, choice);
+  if (choice.status == ChoiceStatus::ambiguous) return;
   set_fate(overrides.replaced, true, choice);
   set_fate(overrides.kept, false, choice);
+  choice.kept_largest = false;  // nobody's choice but the person's
   if (std::count(choice.replaced.begin(), choice.replaced.end(), 0) == 0) {
     throw InputError("all groups would be replaced; keep one of them");
   }

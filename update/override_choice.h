@@ -15,13 +15,19 @@ struct RegionOverrides {
   std::vector<RegionId> kept = {};
 
   bool is_empty() const { return replaced.empty() && kept.empty(); }
+  // Whether something is said of the region.
+  bool name(RegionId region) const;
+  // Whether a cloud that cannot tell its regions apart is decided: one of them is said to go, or
+  // something is said of each.
+  bool decide(const CloudChoice& cloud) const;
 };
 
-// Enters them in the choice, for every cloud that saw such a region. A choice that was ambiguous,
-// by which all would stay, is one now: of its regions those go that are said to. Does nothing if
-// there are none. Complexity: O(regions + verdicts).
-// Errors: InputError, one line, for a region that the model does not have, one that is to go and to
-// stay, and if none would stay. Source: ours.
+// Enters them in the choice, for every cloud that saw such a region. If they decide all clouds that
+// cannot tell their regions apart, the choice is ambiguous no longer: of those clouds' regions
+// those go that are said to, and the other clouds decide as ever. Does nothing if there are no
+// overrides. Complexity: O(regions + verdicts) for each override. Errors: InputError, one line, for
+// a region that the model does not have, one that is to go and to stay, and if none would stay.
+// Source: ours.
 void override_choice(const RegionOverrides& overrides, RegionChoice& choice);
 
 }  // namespace cocoon

@@ -119,8 +119,7 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
   // Regions may be without any loop (all rims covered): then there is nothing to replace.
   result_.choice.replaced.resize(result_.regions.regions.size(), 0);
   take_islands(index);
-  override_choice(options_.overrides, result_.choice);
-  std::erase_if(result_.islands, [&](RegionId r) { return result_.choice.replaced[r] == 0; });
+  take_overrides();
   return report_choice();
 }
 
@@ -143,6 +142,15 @@ void UpdateSteps::take_islands(const ModelIndex& index) {
     choose_island(island, choice);
   }
   make_set(result_.islands);
+}
+
+// An ambiguous choice of joined clouds ends in a second attempt, with each by itself: the numbers
+// that people know are of that.
+void UpdateSteps::take_overrides() {
+  const bool are_joined = joined_.size() < given_.size();
+  if (are_joined && result_.choice.status == ChoiceStatus::ambiguous) return;
+  override_choice(options_.overrides, result_.choice);
+  std::erase_if(result_.islands, [&](RegionId r) { return result_.choice.replaced[r] == 0; });
 }
 
 void UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
@@ -429,7 +437,10 @@ bool UpdateSteps::report_choice() {
     enter_choice(choice.clouds[c], report);
     for (const RegionId r : report.replaced_groups)
       if (++clouds_over[r.index()] == 2) ++seen_by_several;
-    if (choice.clouds[c].margin < options_.choice.narrow_margin) {
+    const bool is_said =
+        std::any_of(report.groups.begin(), report.groups.end(),
+                    [&](const GroupAngle& group) { return options_.overrides.name(group.group); });
+    if (choice.clouds[c].margin < options_.choice.narrow_margin && !is_said) {
       warn(name_of_cloud(c) + ": " + warning_of_narrow_margin(report.margin_deg));
     }
   }
@@ -441,11 +452,15 @@ bool UpdateSteps::report_choice() {
     warn("all regions lie under clouds; the one with the largest angle is kept");
   }
   if (choice.status == ChoiceStatus::ok) return true;
-  const double least = options_.choice.ambiguous_margin;
-  std::size_t c = 0;
-  while (c + 1 < clouds_.size() && (is_cut_[c] != 0 || choice.clouds[c].margin >= least)) ++c;
+  const auto is_undecided = [&](const CloudChoice& cloud) {
+    return cloud.is_ambiguous && !options_.overrides.decide(cloud);
+  };
+  const auto undecided = std::find_if(choice.clouds.begin(), choice.clouds.end(), is_undecided);
+  const auto c = static_cast<std::size_t>(undecided - choice.clouds.begin());
   return fail(UpdateStatus::ambiguous,
-              name_of_cloud(c) + ": " + reason_of_ambiguity(least * degrees_per_radian));
+              name_of_cloud(c) + ": " +
+                  reason_of_ambiguity(options_.choice.ambiguous_margin * degrees_per_radian,
+                                      result_.clouds[c].groups));
 }
 
 }  // namespace cocoon

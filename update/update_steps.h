@@ -60,6 +60,7 @@ class UpdateSteps {
 
   // Has contradicted islands go.
   void take_islands(const ModelIndex& index);
+  void take_overrides();
   void look_for_contradictions(std::span<const Scan> scans);
   void look_for_losses(const ModelIndex& index);
 

@@ -338,6 +338,8 @@ TEST(CommandLine, WrongOnesAreUsageErrorsOfOneLine) {
       {"check", "m.ply", "--require", "beautiful"},
       {"compare", "a.ply"},
       {"compare", "a.ply", "b.ply", "--tolerance", "-1"},
+      {"compare", "a.ply", "b.ply", "--float"},
+      {"compare", "a.ply", "b.ply", "--ascii"},
       {"reconstruct", "a.xyz", "-o", "a.obj", "--float"},
       {"update", "m.ply", "c.xyz", "-o", "u.stl", "--float"},
   };

@@ -171,10 +171,12 @@ TEST(UpdateReport, VerdictsSayWhyAGroupGoes) {
   GroupAngle group;
   group.group = RegionId(3);
   const std::vector<RegionId> islands = {RegionId(1), RegionId(3)};
-  EXPECT_STREQ(verdict_on(group, islands), "kept");
+  EXPECT_EQ(verdict_on(group, islands), "kept");
+  EXPECT_EQ(verdict_on(group, {}, {.kept = {RegionId(3)}}), "kept, as was said");
   group.under_cloud = true;
-  EXPECT_STREQ(verdict_on(group, {}), "replaced");
-  EXPECT_STREQ(verdict_on(group, islands), "replaced: samples off the model lie over it");
+  EXPECT_EQ(verdict_on(group, {}), "replaced");
+  EXPECT_EQ(verdict_on(group, islands), "replaced: samples off the model lie over it");
+  EXPECT_EQ(verdict_on(group, islands, {.replaced = {RegionId(3)}}), "replaced, as was said");
 }
 
 // Vertices that are no input points, as --manifold adds them.

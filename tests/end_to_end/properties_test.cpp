@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "io/byte_order.h"
@@ -144,6 +145,30 @@ TEST(Properties, CompareWritesDistancesAndTheirColors) {
   ASSERT_EQ(unsigned_run.exit_code, 0) << unsigned_run.error;
   EXPECT_EQ(Json::parse(unsigned_run.out)["deviation"],
             Json::parse(R"({"signed":false,"full_color":0.0})"));
+}
+
+// As compare measures them: any size, any difference in size.
+TEST(Properties, DistancesAreThoseOfCompareAtAnyScale) {
+  const TemporaryFolder folder;
+  const std::string tetrahedron =
+      "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  const std::string body = folder.write("body.off", tetrahedron);
+  const std::string huge = folder.write("huge.xyz", "1e300 0 0\n3e300 0 0\n");
+  const std::string tiny = folder.write("tiny.xyz", "1e-170 0 0\n3e-170 0 0\n");
+  const std::string origin = folder.write("origin.xyz", "0 0 0\n");
+  const std::string out = folder.file("out.ply");
+  for (const auto& [a, b, largest] : {std::tuple{huge, body, 3e300}, std::tuple{huge, tiny, 3e300},
+                                      std::tuple{tiny, origin, 3e-170}}) {
+    const ProgramRun run = run_program({"compare", a, b, "-o", out, "--json", "-"});
+    ASSERT_EQ(run.exit_code, 0) << run.error;
+    const Json told = Json::parse(run.out);
+    EXPECT_NEAR(told["distance"]["a_to_b"]["max"].get<double>() / largest, 1, 1e-9);
+    MeshReadReport report;
+    VertexProperties properties;
+    read_mesh(out, report, properties);
+    EXPECT_NEAR(coordinate_of(properties.columns.at(0), 1) / largest, 1, 1e-9);
+    EXPECT_GT(told["deviation"]["full_color"].get<double>(), largest);
+  }
 }
 
 TEST(Properties, FloatsAreWrittenOnDemand) {

@@ -40,15 +40,39 @@ TEST(OverrideChoice, WithoutAnythingSaidNothingChanges) {
   EXPECT_EQ(replaced(choice), (std::vector<int>{0, 1, 1}));
 }
 
-TEST(OverrideChoice, OfAnAmbiguousOneOnlyThoseGoThatAreNamed) {
+// Cloud 1 cannot tell regions 0 and 2 apart; by cloud 0 region 1 goes.
+RegionChoice ambiguous_choice() {
   RegionChoice choice = choice_of_three();
   choice.status = ChoiceStatus::ambiguous;
+  choice.clouds[1].is_ambiguous = true;
   choice.replaced = IdVector<RegionId, std::uint8_t>(3, 0);
+  choice.replaced_by_clear = IdVector<RegionId, std::uint8_t>(std::vector<std::uint8_t>{0, 1, 0});
+  return choice;
+}
+
+TEST(OverrideChoice, OfAnAmbiguousCloudThoseGoThatAreNamed) {
+  RegionChoice choice = ambiguous_choice();
   override_choice({.replaced = {RegionId(2)}}, choice);
   EXPECT_EQ(choice.status, ChoiceStatus::ok);
-  EXPECT_EQ(replaced(choice), (std::vector<int>{0, 0, 1}));
-  EXPECT_FALSE(choice.clouds[0].regions[1].under_cloud);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{0, 1, 1}));
+  EXPECT_TRUE(choice.clouds[0].regions[1].under_cloud);
   EXPECT_TRUE(choice.clouds[1].regions[1].under_cloud);
+
+  choice = ambiguous_choice();  // nothing goes there
+  override_choice({.kept = {RegionId(0), RegionId(2)}}, choice);
+  EXPECT_EQ(choice.status, ChoiceStatus::ok);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{0, 1, 0}));
+  EXPECT_FALSE(choice.clouds[1].regions[1].under_cloud);
+}
+
+TEST(OverrideChoice, WhatDecidesNoAmbiguousCloudLeavesItSo) {
+  for (const RegionOverrides& overrides :
+       {RegionOverrides{.kept = {RegionId(0)}}, RegionOverrides{.replaced = {RegionId(1)}}}) {
+    RegionChoice choice = ambiguous_choice();
+    override_choice(overrides, choice);
+    EXPECT_EQ(choice.status, ChoiceStatus::ambiguous);
+    EXPECT_EQ(replaced(choice), (std::vector<int>{0, 0, 0}));
+  }
 }
 
 TEST(OverrideChoice, RefusesWhatCannotBe) {

@@ -27,7 +27,7 @@ namespace cocoon {
 struct LoopReport {
   std::size_t edges = 0;
   double perimeter = 0;
-  bool pin_hole = false;  // opened, since the model goes on through it (open_pin_holes)
+  bool pin_hole = false;  // looked at as a rim; opened, if it is on the model (open_pin_holes)
   LoopMatch match = LoopMatch::off_model;
   std::size_t unmatched = 0;  // rim points too far from the model
   std::size_t covered = 0;    // of these, points on another cloud

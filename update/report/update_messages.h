@@ -25,10 +25,10 @@ std::string rounded(double value);
 // "cloud 2 of 3", "cloud 1 of 5 (with cloud 2 of 5 and cloud 4 of 5)"; `members`: at least one,
 // ascending, from 0.
 std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clouds);
-// Behind why a cloud has no surface or no rim: "; only rho 0.3 was tried, ...", if it was so.
 // "rho 0.3 and alpha 30 degrees"
 std::string name_of_limits(double rho, double alpha_cosine);
-
+// Behind why a cloud has no surface or no rim: "; only rho 0.3 and alpha 30 degrees were tried,
+// ...", if it was so.
 std::string hint_of_only_trial(const CloudSurfaceOptions& options);
 // "loop of 31 edges at (0, 1, 2)".
 std::string name_of_loop(const RimLoop& loop);
@@ -47,7 +47,7 @@ std::string reason_of_doubtful_cut(const RegionCut& cut);
 // Why a handle across a whole rim is not cut.
 std::string reason_of_wide_handle();
 // Why the angles do not decide; `margin`: in degrees.
-std::string reason_of_ambiguity(double margin);
+std::string reason_of_ambiguity(double margin, std::span<const GroupAngle> groups);
 // Why nothing is left of the updated points.
 std::string reason_of_empty_surface(std::size_t updated_points);
 // If all of them are boundary samples.

@@ -119,8 +119,12 @@ TEST(UpdateMessages, JoinedCloudsAreNamedAfterTheFirst) {
 }
 
 TEST(UpdateMessages, AnglesAreInDegrees) {
-  EXPECT_TRUE(says({reason_of_ambiguity(1)}, "differ by less than 1 degree; let the cloud reach"));
-  EXPECT_TRUE(says({reason_of_ambiguity(0.5)}, "differ by less than 0.5 degrees; "));
+  const std::vector<GroupAngle> groups = {{RegionId(0), 90.1, 30, false},
+                                          {RegionId(2), 89.9, 30, true}};
+  EXPECT_TRUE(says({reason_of_ambiguity(1, groups)},
+                   "differ by less than 1 degree (group 0: 90.1, group 2: 89.9); let the cloud "
+                   "reach"));
+  EXPECT_TRUE(says({reason_of_ambiguity(0.5, groups)}, "differ by less than 0.5 degrees ("));
   EXPECT_EQ(warning_of_narrow_margin(12.3456),
             "its regions differ by only 12.35 degrees; look at the result");
 }
