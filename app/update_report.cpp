@@ -186,7 +186,8 @@ std::string verdict_on(const GroupAngle& group, std::span<const RegionId> island
                        const RegionOverrides& overrides) {
   const std::string verdict = group.under_cloud ? "replaced" : "kept";
   if (overrides.name(group.group)) return verdict + ", as was said";
-  const bool contradicted = std::find(islands.begin(), islands.end(), group.group) != islands.end();
+  const bool contradicted =
+      group.under_cloud && std::find(islands.begin(), islands.end(), group.group) != islands.end();
   return verdict + (contradicted ? ": samples off the model lie over it" : "");
 }
 

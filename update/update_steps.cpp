@@ -147,8 +147,7 @@ void UpdateSteps::take_islands(const ModelIndex& index) {
 // An ambiguous choice of joined clouds ends in a second attempt, with each by itself: the numbers
 // that people know are of that.
 void UpdateSteps::take_overrides() {
-  const bool are_joined = joined_.size() < given_.size();
-  if (are_joined && result_.choice.status == ChoiceStatus::ambiguous) return;
+  if (are_joined() && result_.choice.status == ChoiceStatus::ambiguous) return;
   override_choice(options_.overrides, result_.choice);
   std::erase_if(result_.islands, [&](RegionId r) { return result_.choice.replaced[r] == 0; });
 }
@@ -459,8 +458,9 @@ bool UpdateSteps::report_choice() {
   const auto c = static_cast<std::size_t>(undecided - choice.clouds.begin());
   return fail(UpdateStatus::ambiguous,
               name_of_cloud(c) + ": " +
-                  reason_of_ambiguity(options_.choice.ambiguous_margin * degrees_per_radian,
-                                      result_.clouds[c].groups));
+                  reason_of_ambiguity(
+                      options_.choice.ambiguous_margin * degrees_per_radian,
+                      are_joined() ? std::span<const GroupAngle>() : result_.clouds[c].groups));
 }
 
 }  // namespace cocoon

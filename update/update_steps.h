@@ -44,6 +44,7 @@ class UpdateSteps {
   UpdateResult take_result();
 
  private:
+  bool are_joined() const { return joined_.size() < given_.size(); }
   void tell_members();
   std::string name_of_cloud(std::size_t c) const;
   std::string name_of_loop(std::size_t c, std::size_t l) const;

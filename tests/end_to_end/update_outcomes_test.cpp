@@ -157,6 +157,26 @@ TEST(UpdateOutcomes, WhoSaysWhichGroupGoesIsNotRefused) {
             std::string::npos);
 }
 
+// Two halves of the thimble, which overlap each other, are ambiguous together, but not by
+// themselves. What is said holds for the groups that are told, those of each by itself.
+TEST(UpdateOutcomes, WhatIsSaidIsOfTheGroupsThatAreTold) {
+  const TriangleMesh model = testing::block(40, 20, 8);
+  Clouds clouds(2);
+  for (const Point& p : thimble({20, 10, 8}, 0.6)) {
+    if (p.x < 21.5) clouds[0].push_back(p);
+    if (p.x > 18.5) clouds[1].push_back(p);
+  }
+  const UpdateResult usual = update_model(model, clouds);
+  const std::string apart = "clouds overlap each other, but do not make one surface (";
+  ASSERT_TRUE(warns(usual, apart)) << usual.message;
+  UpdateOptions options;
+  options.overrides.replaced = {RegionId(1)};
+  const UpdateResult overridden = update_model(model, clouds, options);
+  EXPECT_TRUE(warns(overridden, apart));
+  EXPECT_EQ(overridden.regions.regions.size(), usual.regions.regions.size());
+  EXPECT_EQ(overridden.clouds[0].groups.size(), usual.clouds[0].groups.size());
+}
+
 // The hill stays away, and all of the model stays.
 TEST(UpdateOutcomes, WhatIsSaidToBeKeptStays) {
   const TriangleMesh model = testing::block(24, 20, 8);

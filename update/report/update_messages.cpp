@@ -95,13 +95,14 @@ std::string reason_of_ambiguity(double margin, std::span<const GroupAngle> group
   const std::string degrees = rounded(margin);
   std::string told;
   for (const GroupAngle& group : groups) {
-    told += (told.empty() ? "group " : ", group ") + std::to_string(group.group.value) + ": " +
+    told += (told.empty() ? " (group " : ", group ") + std::to_string(group.group.value) + ": " +
             rounded(group.mean_angle_deg);
   }
   return "the regions inside and outside a rim make angles with the cloud that differ by less "
          "than " +
-         degrees + (degrees == "1" ? " degree (" : " degrees (") + told +
-         "); let the cloud reach farther onto unchanged surface, or say which of them goes";
+         degrees + (degrees == "1" ? " degree" : " degrees") + (told.empty() ? "" : told + ")") +
+         "; let the cloud reach farther onto unchanged surface" +
+         (told.empty() ? "" : ", or say which of them goes");
 }
 
 std::string reason_of_empty_surface(std::size_t updated_points) {

@@ -47,6 +47,7 @@ std::string reason_of_doubtful_cut(const RegionCut& cut);
 // Why a handle across a whole rim is not cut.
 std::string reason_of_wide_handle();
 // Why the angles do not decide; `margin`: in degrees.
+// `groups`: those of which people may say which goes; empty: of none.
 std::string reason_of_ambiguity(double margin, std::span<const GroupAngle> groups);
 // Why nothing is left of the updated points.
 std::string reason_of_empty_surface(std::size_t updated_points);

@@ -124,6 +124,9 @@ TEST(UpdateMessages, AnglesAreInDegrees) {
   EXPECT_TRUE(says({reason_of_ambiguity(1, groups)},
                    "differ by less than 1 degree (group 0: 90.1, group 2: 89.9); let the cloud "
                    "reach"));
+  EXPECT_TRUE(
+      reason_of_ambiguity(1, {}).ends_with("degree; let the cloud reach farther onto "
+                                           "unchanged surface"));
   EXPECT_TRUE(says({reason_of_ambiguity(0.5, groups)}, "differ by less than 0.5 degrees ("));
   EXPECT_EQ(warning_of_narrow_margin(12.3456),
             "its regions differ by only 12.35 degrees; look at the result");
