@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "geom/errors.h"
 #include "geom/require_size.h"
@@ -56,6 +57,24 @@ double margin_of(const CloudChoice& cloud) {
   }
   if (!(edges[0] > 0) || !(edges[1] > 0)) return cloud.margin;
   return std::max(0.0, sums[0] / edges[0] - sums[1] / edges[1]);
+}
+
+// Enters the verdicts on one cloud's regions; `decided`: what they are, or null if their angles
+// tell. Returns those that are under the cloud.
+std::vector<RegionId> regions_under(const IdVector<RegionId, RegionSum>& sums,
+                                    const IdVector<RegionId, std::uint8_t>* decided,
+                                    CloudChoice& cloud) {
+  std::vector<RegionId> found;
+  for (const RegionId r : sums.ids()) {
+    const RegionSum& sum = sums[r];
+    const bool under =
+        decided != nullptr ? (*decided)[r] != 0 : sum.edges > 0 && sum.difference < 0;
+    if (under) found.push_back(r);
+    if (sum.edges == 0) continue;
+    cloud.regions.push_back({r, sum.angle / static_cast<double>(sum.edges), sum.edges, under});
+  }
+  if (decided != nullptr) cloud.margin = margin_of(cloud);
+  return found;
 }
 
 void keep_the_largest_mean(RegionChoice& choice) {
@@ -129,22 +148,11 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
   // 2. A region under any cloud is replaced.
   choice.replaced_by_clear = choice.replaced;
   for (std::size_t c = 0; c < num_clouds; ++c) {
-    const bool is_clear = !choice.clouds[c].is_ambiguous;
-    for (const RegionId r : sums[c].ids()) {
-      const RegionSum& sum = sums[c][r];
-      if (sum.edges == 0) continue;
-      const bool under = is_decided(c) ? decided[c][r] != 0 : sum.difference < 0;
-      choice.clouds[c].regions.push_back(
-          {r, sum.angle / static_cast<double>(sum.edges), sum.edges, under});
-      if (under) choice.replaced[r] = 1;
-      if (under && is_clear) choice.replaced_by_clear[r] = 1;
+    for (const RegionId r :
+         regions_under(sums[c], is_decided(c) ? &decided[c] : nullptr, choice.clouds[c])) {
+      choice.replaced[r] = 1;
+      if (!choice.clouds[c].is_ambiguous) choice.replaced_by_clear[r] = 1;
     }
-    if (!is_decided(c)) continue;
-    for (const RegionId r : decided[c].ids()) {
-      choice.replaced[r] |= decided[c][r];
-      choice.replaced_by_clear[r] |= decided[c][r];
-    }
-    choice.clouds[c].margin = margin_of(choice.clouds[c]);
   }
   keep_the_largest_mean(choice);
   if (choice.status == ChoiceStatus::ambiguous) {

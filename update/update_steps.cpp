@@ -452,7 +452,7 @@ bool UpdateSteps::report_choice() {
   }
   if (choice.status == ChoiceStatus::ok) return true;
   const auto is_undecided = [&](const CloudChoice& cloud) {
-    return cloud.is_ambiguous && !options_.overrides.decide(cloud);
+    return cloud.is_ambiguous && (are_joined() || !options_.overrides.decide(cloud));
   };
   const auto undecided = std::find_if(choice.clouds.begin(), choice.clouds.end(), is_undecided);
   const auto c = static_cast<std::size_t>(undecided - choice.clouds.begin());

@@ -170,7 +170,7 @@ TEST(UpdateOutcomes, WhatIsSaidIsOfTheGroupsThatAreTold) {
   const std::string apart = "clouds overlap each other, but do not make one surface (";
   ASSERT_TRUE(warns(usual, apart)) << usual.message;
   UpdateOptions options;
-  options.overrides.replaced = {RegionId(1)};
+  options.overrides = {.replaced = {RegionId(1)}, .kept = {RegionId(0)}};
   const UpdateResult overridden = update_model(model, clouds, options);
   EXPECT_TRUE(warns(overridden, apart));
   EXPECT_EQ(overridden.regions.regions.size(), usual.regions.regions.size());
