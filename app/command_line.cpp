@@ -395,6 +395,8 @@ Request parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::Success&) {    // --help
     return TextRequest{app.help()};  // of the chosen command, if there is one
   } catch (const CLI::ParseError& error) {
+    // CLI11 says of an empty value that it is not in some range.
+    for (const CLI::App* command : app.get_subcommands()) require_no_empty_values(*command);
     throw UsageError(problem_told(app, error));
   }
   return line;

@@ -270,6 +270,9 @@ TEST(CommandLine, EmptyValuesAreNoFileNames) {
   EXPECT_EQ(complaint({"check", "a.ply", "--json", ""}), "--json" + told);
   EXPECT_EQ(complaint({"--json", "", "check", "a.ply"}), "--json" + told);
   EXPECT_EQ(complaint({"check", ""}), "MESH" + told);
+  EXPECT_EQ(complaint({"compare", "a.ply", "b.ply", "--tolerance", ""}), "--tolerance" + told);
+  EXPECT_EQ(complaint({"update", "a.ply", "b.xyz", "-o", "c.ply", "--keep-groups", ""}),
+            "--keep-groups" + told);
 }
 
 // Alone, in the order given, and before what is missing because of it.
