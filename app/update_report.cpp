@@ -185,7 +185,7 @@ std::vector<std::size_t> numbers_of(const std::vector<RegionId>& regions) {
 std::string verdict_on(const GroupAngle& group, std::span<const RegionId> islands,
                        const RegionOverrides& overrides) {
   const std::string verdict = group.under_cloud ? "replaced" : "kept";
-  if (overrides.name(group.group)) return verdict + ", as was said";
+  if (overrides.names(group.group)) return verdict + ", as was said";
   const bool contradicted =
       group.under_cloud && std::find(islands.begin(), islands.end(), group.group) != islands.end();
   return verdict + (contradicted ? ": samples off the model lie over it" : "");

@@ -150,7 +150,7 @@ DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to, doubl
 }
 
 // Of triangles the corners alone, if there are any: no other points are measured.
-std::vector<Point> points_measured(const TriangleMesh& mesh) {
+std::vector<Point> corners_or_points(const TriangleMesh& mesh) {
   return mesh.triangles.empty() ? mesh.points.raw() : corners_of_triangles(mesh);
 }
 
@@ -198,7 +198,7 @@ SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b,
   require_finite(a);
   require_finite(b);
   // Areas take fourth powers of lengths: beyond working sizes they would overflow or vanish.
-  const double scale = common_scale(points_measured(a), points_measured(b));
+  const double scale = common_scale(corners_or_points(a), corners_or_points(b));
   SurfaceDistance distance = measure_both(a, b, scale, options, execution);
   if (scale != 1) {
     for (DirectedDistance* directed : {&distance.a_to_b, &distance.b_to_a}) {

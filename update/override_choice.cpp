@@ -37,7 +37,7 @@ void require_overrides(const RegionOverrides& overrides, std::size_t num_regions
 // Does nothing if a cloud is left that nobody has decided.
 void settle(const RegionOverrides& overrides, RegionChoice& choice) {
   for (const CloudChoice& cloud : choice.clouds) {
-    if (cloud.is_ambiguous && !overrides.decide(cloud)) return;
+    if (cloud.is_ambiguous && !overrides.decides(cloud)) return;
   }
   for (CloudChoice& cloud : choice.clouds) {
     if (!cloud.is_ambiguous) continue;
@@ -62,13 +62,13 @@ void set_fate(std::span<const RegionId> regions, bool goes, RegionChoice& choice
 
 }  // namespace
 
-bool RegionOverrides::name(RegionId region) const {
+bool RegionOverrides::names(RegionId region) const {
   return has(replaced, region) || has(kept, region);
 }
 
-bool RegionOverrides::decide(const CloudChoice& cloud) const {
+bool RegionOverrides::decides(const CloudChoice& cloud) const {
   const auto goes = [&](const RegionVerdict& v) { return has(replaced, v.region); };
-  const auto is_named = [&](const RegionVerdict& v) { return name(v.region); };
+  const auto is_named = [&](const RegionVerdict& v) { return names(v.region); };
   return std::any_of(cloud.regions.begin(), cloud.regions.end(), goes) ||
          std::all_of(cloud.regions.begin(), cloud.regions.end(), is_named);
 }

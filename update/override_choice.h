@@ -16,10 +16,10 @@ struct RegionOverrides {
 
   bool is_empty() const { return replaced.empty() && kept.empty(); }
   // Whether something is said of the region.
-  bool name(RegionId region) const;
+  bool names(RegionId region) const;
   // Whether a cloud that cannot tell its regions apart is decided: one of them is said to go, or
   // something is said of each.
-  bool decide(const CloudChoice& cloud) const;
+  bool decides(const CloudChoice& cloud) const;
 };
 
 // Enters them in the choice, for every cloud that saw such a region. If they decide all clouds that

@@ -438,7 +438,7 @@ bool UpdateSteps::report_choice() {
       if (++clouds_over[r.index()] == 2) ++seen_by_several;
     const bool is_said =
         std::any_of(report.groups.begin(), report.groups.end(),
-                    [&](const GroupAngle& group) { return options_.overrides.name(group.group); });
+                    [&](const GroupAngle& group) { return options_.overrides.names(group.group); });
     if (choice.clouds[c].margin < options_.choice.narrow_margin && !is_said) {
       warn(name_of_cloud(c) + ": " + warning_of_narrow_margin(report.margin_deg));
     }
@@ -452,7 +452,7 @@ bool UpdateSteps::report_choice() {
   }
   if (choice.status == ChoiceStatus::ok) return true;
   const auto is_undecided = [&](const CloudChoice& cloud) {
-    return cloud.is_ambiguous && (are_joined() || !options_.overrides.decide(cloud));
+    return cloud.is_ambiguous && (are_joined() || !options_.overrides.decides(cloud));
   };
   const auto undecided = std::find_if(choice.clouds.begin(), choice.clouds.end(), is_undecided);
   const auto c = static_cast<std::size_t>(undecided - choice.clouds.begin());
