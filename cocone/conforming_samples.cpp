@@ -22,11 +22,11 @@ namespace cocoon {
 namespace {
 
 // As triangles without area. None if there is no sharp edge.
-std::optional<ClosestFacetTree> tree_of_sharp_edges(const TriangleMesh& solid, double sharp_cosine,
+std::optional<ClosestFacetTree> tree_of_sharp_edges(const TriangleMesh& solid, double smooth_cosine,
                                                     const Execution& execution) {
   const LinkedMesh linked = link_mesh(solid, execution);
   TriangleMesh edges;
-  for (const Halfedge halfedge : sharp_edges(linked, sharp_cosine)) {
+  for (const Halfedge halfedge : sharp_edges(linked, smooth_cosine)) {
     edges.triangles.push_back({linked.from(halfedge), linked.to(halfedge), linked.to(halfedge)});
   }
   if (edges.triangles.empty()) return {};
@@ -63,7 +63,7 @@ class Refinement {
         options_(options),
         execution_(execution),
         surface_(solid),
-        edges_(tree_of_sharp_edges(solid, options.sharp_cosine, execution)),
+        edges_(tree_of_sharp_edges(solid, options.smooth_cosine, execution)),
         points_(samples.begin(), samples.end()),
         given_(samples.size()) {}
 

@@ -21,14 +21,14 @@ struct ConformingOptions {
   // One is moved to a sharp edge if that is no farther than this part of the distance to the
   // closest sample: so edges are cut into pieces that end on them.
   double snap = 0.7;
-  double sharp_cosine = default_sharp_cosine;
+  double smooth_cosine = default_smooth_cosine;
   std::size_t max_rounds = 12;
 };
 
 struct ConformingSamples {
   std::vector<Point> added;
   std::size_t rounds = 0;        // in which samples were added
-  std::size_t without_room = 0;  // cells that crossed the mesh, but gave no point
+  std::size_t without_room = 0;  // times that a crossing cell gave no point for lack of room
 };
 
 // Points on the mesh to be added to `samples`, all of its vertices among them, until hardly a cell

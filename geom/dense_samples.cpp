@@ -11,6 +11,7 @@
 #include "geom/mixed_bits.h"
 #include "geom/random.h"
 #include "geom/random_point.h"
+#include "geom/require_number.h"
 #include "geom/sharp_edges.h"
 #include "geom/triangles_by_area.h"
 #include "geom/working_scale.h"
@@ -99,7 +100,7 @@ std::vector<Point> samples_of_sharp_edges(const TriangleMesh& mesh,
                                           const DenseSampleOptions& options, double scale,
                                           const Execution& execution) {
   const LinkedMesh linked = link_mesh(mesh, execution);
-  const std::vector<Halfedge> sharp = sharp_edges(linked, options.sharp_cosine);
+  const std::vector<Halfedge> sharp = sharp_edges(linked, options.smooth_cosine);
   double length = 0;
   for (const Halfedge halfedge : sharp) {
     length += distance(linked.points[linked.from(halfedge)], linked.points[linked.to(halfedge)]);
@@ -202,11 +203,13 @@ std::vector<Point> dense_samples(const TriangleMesh& mesh, const DenseSampleOpti
                                  const Execution& execution) {
   require_valid_triangles(mesh);
   if (!(options.spacing > 0) || !std::isfinite(options.spacing)) {
-    throw InputError("the spacing of samples must be a positive number");
+    throw InputError("dense_samples: the spacing of samples must be a positive number");
   }
-  if (!(options.closest > 0)) {
-    throw InputError("how close samples may come must be a positive number of spacings");
+  if (!(options.closest > 0) || !std::isfinite(options.closest * options.spacing)) {
+    throw InputError(
+        "dense_samples: how close samples may come must be a positive number of spacings");
   }
+  require_cosines("dense_samples", {{"smooth_cosine", options.smooth_cosine}});
   const double scale = working_scale(mesh.points.raw());
   if (scale == 1) return samples_of(mesh, options, 1, execution);
   DenseSampleOptions scaled_options = options;

@@ -15,8 +15,8 @@ namespace cocoon {
 
 struct DenseSampleOptions {
   double spacing = 0;  // wanted distance between neighbors, in units of the coordinates; above 0
-  // Sharp edges (sharp_edges.h) are sampled along.
-  double sharp_cosine = default_sharp_cosine;
+  // Edges that are sharp by this (sharp_edges.h) are sampled along.
+  double smooth_cosine = default_smooth_cosine;
   // Samples on one side of the surface are no closer than so many spacings. Of eleven parts Tight
   // Cocone comes as close with 0.7, from a third more samples; with 0.9 and 40 trials it is up to
   // three times farther from those with thin walls.
@@ -31,8 +31,9 @@ inline constexpr double most_dense_samples = 1e8;
 // Points to be added to the vertices of `mesh`: first along its sharp edges, evenly, then in random
 // triangles where no sample is too close. Samples on triangles that face the other way, as across a
 // thin wall, are not close. Empty for a mesh without area. Coordinates may have any size.
-// Throws InputError if `spacing` or `closest` is not a positive number, if it would take more than
-// most_dense_samples, or if a triangle names a vertex that is not there; Cancelled.
+// Throws InputError if `spacing` or `closest` is not a positive number or smooth_cosine no cosine,
+// if it would take more than most_dense_samples, or if a triangle names a vertex that is not there;
+// Cancelled.
 // Complexity: O(t log t + trials n) for n samples. Deterministic.
 // Source: dart throwing: Cook 1986; on meshes: Cline et al. 2009; sharp edges first is ours.
 std::vector<Point> dense_samples(const TriangleMesh& mesh, const DenseSampleOptions& options,

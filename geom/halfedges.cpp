@@ -162,12 +162,20 @@ std::vector<std::uint32_t> begins_of_groups(const TriangleMesh& mesh) {
   return begins;
 }
 
-// Takes the halfedge out of its ring.
-void unlink(Halfedge halfedge, HalfedgeLinks& links) {
-  Halfedge before = halfedge;
-  while (links[before] != halfedge) before = links[before];
-  links[before] = links[halfedge];
-  links[halfedge] = no_halfedge;
+// Takes the halfedges of triangles that repeat a vertex out of their rings.
+void unlink_repeating(const TriangleMesh& mesh, HalfedgeLinks& links) {
+  std::vector<std::uint8_t> repeats(mesh.triangles.size());
+  for (const TriangleId t : mesh.triangles.ids()) {
+    repeats[t.index()] = repeats_a_vertex(mesh.triangles[t]) ? 1 : 0;
+  }
+  for (Halfedge halfedge = 0; halfedge < links.size(); ++halfedge) {
+    if (repeats[triangle_of_halfedge(halfedge)] != 0) continue;
+    Halfedge& next = links[halfedge];
+    while (repeats[triangle_of_halfedge(next)] != 0) next = links[next];
+  }
+  for (Halfedge halfedge = 0; halfedge < links.size(); ++halfedge) {
+    if (repeats[triangle_of_halfedge(halfedge)] != 0) links[halfedge] = no_halfedge;
+  }
 }
 
 }  // namespace
@@ -198,11 +206,7 @@ HalfedgeRings link_halfedges(const TriangleMesh& mesh, const Execution& executio
     return {halfedge_links(mesh.triangles.span(), begins, execution)};
   }
   HalfedgeRings rings{halfedge_links(mesh.triangles.span(), mesh.points.size(), execution)};
-  for (const TriangleId t : mesh.triangles.ids()) {
-    if (!repeats_a_vertex(mesh.triangles[t])) continue;
-    for (Halfedge halfedge = 3 * t.value; halfedge < 3 * t.value + 3; ++halfedge)
-      unlink(halfedge, rings.links);
-  }
+  unlink_repeating(mesh, rings.links);
   return rings;
 }
 

@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "geom/execution.h"
 #include "geom/id_vector.h"
@@ -81,14 +80,8 @@ inline Halfedge first_at_edge(const HalfedgeLinks& links, Halfedge halfedge) {
   }
   return first;
 }
-// Whether it is this one. Precondition: the ring ascends. Complexity: O(halfedges of the edge).
-inline bool is_first_at_edge(const HalfedgeLinks& links, Halfedge halfedge) {
-  Halfedge other = links[halfedge];
-  while (other > halfedge) other = links[other];
-  return other == halfedge;
-}
-// Whether it is the largest one. Precondition: the ring ascends. Complexity: O(1), so that a pass
-// over all edges takes no more where many triangles share one.
+// Whether it is the largest one; links[halfedge] is then the smallest. Precondition: the ring
+// ascends. Complexity: O(1): so a pass over all edges costs no more where many triangles share one.
 inline bool is_last_at_edge(const HalfedgeLinks& links, Halfedge halfedge) {
   return links[halfedge] <= halfedge;
 }
@@ -108,14 +101,12 @@ struct HalfedgeRings {
   HalfedgeLinks links;
 
   bool has_edge(Halfedge halfedge) const { return links[halfedge] != no_halfedge; }
-  // One triangle at the edge; the precondition of this, is_first and is_last is has_edge().
+  // One triangle at the edge; the precondition of this and is_last is has_edge().
   bool is_open(Halfedge halfedge) const { return links[halfedge] == halfedge; }
   bool has_two_triangles(Halfedge halfedge) const {
     return has_edge(halfedge) && cocoon::has_two_triangles(links, halfedge);
   }
-  // The smallest on its edge: each edge has one.
-  bool is_first(Halfedge halfedge) const { return is_first_at_edge(links, halfedge); }
-  // The largest; in less time, see is_last_at_edge.
+  // The largest on its edge: each edge has one. links[halfedge] is then the smallest.
   bool is_last(Halfedge halfedge) const { return is_last_at_edge(links, halfedge); }
 };
 

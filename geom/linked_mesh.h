@@ -29,8 +29,8 @@ struct LinkedMesh {
   std::vector<TriangleId> improper_of;
 
   HalfedgeLinks links;  // of the halfedges on each edge
-  // The first halfedges of all edges but those with two triangles, not one twice, that run through
-  // it in opposite directions; increasing.
+  // The first halfedge of each irregular edge, increasing. An edge is regular if exactly two
+  // triangles with different apexes share it and run through it in opposite directions.
   std::vector<Halfedge> irregular;
 
   // The corners at each vertex as the halfedges opposite to them, increasing; use corners_at.
@@ -54,8 +54,9 @@ struct LinkedMesh {
   bool has_two_triangles(Halfedge halfedge) const {
     return cocoon::has_two_triangles(links, halfedge);
   }
-  // The smallest of the halfedges on its edge: each edge has one.
-  bool is_first(Halfedge halfedge) const { return is_first_at_edge(links, halfedge); }
+  // The largest of the halfedges on its edge: each edge has one. links[halfedge] is then the
+  // smallest.
+  bool is_last(Halfedge halfedge) const { return is_last_at_edge(links, halfedge); }
 };
 
 // Throws InputError if a triangle names a vertex that is not there, or if there are more than

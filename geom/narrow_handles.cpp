@@ -45,7 +45,8 @@ class TreeAndCotree {
   std::vector<Cycle> cycles() const {
     std::vector<Cycle> edges;
     for (Halfedge halfedge = 0; halfedge < mesh_.links.size(); ++halfedge) {
-      if (mesh_.is_first(halfedge) && !is_in_tree(halfedge)) edges.push_back(cycle_of(halfedge));
+      if (!mesh_.is_last(halfedge) || is_in_tree(halfedge)) continue;
+      edges.push_back(cycle_of(mesh_.links[halfedge]));
     }
     std::sort(edges.begin(), edges.end(), std::greater<>());
     DisjointSets joined(mesh_.triangles.size());

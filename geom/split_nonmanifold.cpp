@@ -100,10 +100,11 @@ class Splitter {
 
   void pair_halfedges() {
     partner_.assign(rings_.links.size(), no_halfedge);
-    for (Halfedge first = 0; first < partner_.size(); ++first) {
-      if (!rings_.is_first(first)) continue;
+    for (Halfedge last = 0; last < partner_.size(); ++last) {
+      if (!rings_.is_last(last)) continue;
       std::vector<Halfedge> ring;
-      for_each_at_edge(rings_.links, first, [&](Halfedge halfedge) { ring.push_back(halfedge); });
+      for_each_at_edge(rings_.links, rings_.links[last],
+                       [&](Halfedge halfedge) { ring.push_back(halfedge); });
       if (ring.size() == 2) pair(ring[0], ring[1]);
       if (ring.size() < 3) continue;
       ++result_.split_edges;

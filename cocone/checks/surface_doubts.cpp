@@ -130,8 +130,8 @@ class Doubts {
       const auto at = static_cast<Halfedge>(corner_of_halfedge(corner));
       // The spoke to one end lies opposite the other.
       const Halfedge first = corner - at;
-      if (mesh_.is_first(first + static_cast<Halfedge>(previous_corner(at)))) measure_edge_to(from);
-      if (mesh_.is_first(first + static_cast<Halfedge>(next_corner(at)))) measure_edge_to(to);
+      if (mesh_.is_last(first + static_cast<Halfedge>(previous_corner(at)))) measure_edge_to(from);
+      if (mesh_.is_last(first + static_cast<Halfedge>(next_corner(at)))) measure_edge_to(to);
     }
     if (sum > 0) measured.deviations.push_back(std::abs(dot(arms, unit(normal))) / sum);
     find_gap(v, lengths, measured);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "cocone/candidate_triangles.h"
@@ -59,7 +58,7 @@ struct LinkedFacets {
     const Halfedge third = links[second];
     return second != halfedge && third != halfedge && links[third] == halfedge;
   }
-  // The smallest of the halfedges on its edge: each edge has one. Not is_first_at_edge(): after
+  // The smallest of the halfedges on its edge: each edge has one. Not is_last_at_edge(): after
   // without() moved triangles rings need not ascend.
   bool is_first(Halfedge halfedge) const { return first_at_edge(links, halfedge) == halfedge; }
 };
@@ -69,7 +68,7 @@ struct LinkedFacets {
 LinkedFacets link_facets(const Triangulation& triangulation, FacetSet facets,
                          const Execution& execution = {});
 
-// The same for who has them as a list: without a look at the cells that have none.
+// Overload for callers that already have the facets as a list: saves a pass over all cells.
 LinkedFacets link_facets(const Triangulation& triangulation, CandidateTriangles candidates,
                          const Execution& execution = {});
 

@@ -129,14 +129,14 @@ TEST(HalfedgeRings, WhatIsLeftIsLinkedAsAMeshOfItsOwn) {
   }
 }
 
-TEST(HalfedgeRings, EachEdgeHasOneFirstHalfedge) {
+TEST(HalfedgeRings, EachEdgeHasOneLastHalfedge) {
   const TriangleMesh mesh = gallery::torus(9, 7);
   const HalfedgeRings rings = link_halfedges(mesh);
   std::size_t edges = 0;
   for (Halfedge halfedge = 0; halfedge < rings.links.size(); ++halfedge) {
     EXPECT_TRUE(rings.has_two_triangles(halfedge));
     EXPECT_FALSE(rings.is_open(halfedge));
-    edges += rings.is_first(halfedge) ? 1U : 0U;
+    edges += rings.is_last(halfedge) ? 1U : 0U;
   }
   EXPECT_EQ(edges, 3 * mesh.triangles.size() / 2);
 }

@@ -82,12 +82,12 @@ TEST(LinkedMesh, IsTheMeshInAnotherOrder) {
   }
 }
 
-TEST(LinkedMesh, EveryEdgeHasOneFirstSide) {
+TEST(LinkedMesh, EveryEdgeHasOneLastSide) {
   const LinkedMesh linked = link_mesh(gallery::torus(9, 7));
-  std::size_t first = 0;
+  std::size_t edges = 0;
   for (Halfedge halfedge = 0; halfedge < linked.links.size(); ++halfedge)
-    first += linked.is_first(halfedge);
-  EXPECT_EQ(2 * first, linked.links.size());
+    edges += linked.is_last(halfedge);
+  EXPECT_EQ(2 * edges, linked.links.size());
 }
 
 TEST(LinkedMesh, RefusesVerticesThatAreNotThere) {

@@ -35,7 +35,7 @@ std::size_t pieces_without(const LinkedMesh& mesh, const std::set<Edge>& cut) {
   std::size_t found = 0;
   DisjointSets joined(pieces);
   for (Halfedge halfedge = 0; halfedge < mesh.links.size(); ++halfedge) {
-    if (!mesh.is_first(halfedge)) continue;
+    if (!mesh.is_last(halfedge)) continue;
     if (cut.contains(std::minmax(mesh.from(halfedge), mesh.to(halfedge)))) {
       ++found;
       continue;
