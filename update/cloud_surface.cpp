@@ -24,16 +24,20 @@ struct Foundation {
   Dual dual;
   Poles poles;
   Cocones cocones;
+  bool is_off_plane;  // the samples are flat: those triangulated lie just off their plane
 };
 
 Foundation lay_foundation(Points cloud, const ReconstructOptions& options,
                           const Execution& execution) {
-  Triangulation triangulation = delaunay(cloud, options.delaunay, execution).triangulation;
+  const std::vector<Point> off_plane = moved_off_plane(cloud);
+  const Points points = off_plane.empty() ? cloud : Points(off_plane);
+  Triangulation triangulation = delaunay(points, options.delaunay, execution).triangulation;
   Dual dual;
   ConeSides sides;
   Poles poles = compute_poles(triangulation, options.cocone.cosine, dual, sides, execution);
   Cocones cocones = intersect_cocones(triangulation, std::move(sides), execution);
-  return {std::move(triangulation), std::move(dual), std::move(poles), std::move(cocones)};
+  return {std::move(triangulation), std::move(dual), std::move(poles), std::move(cocones),
+          !off_plane.empty()};
 }
 
 // The samples whose surface is looked at.
@@ -98,6 +102,11 @@ Trial find_rim(const KeptSamples& samples, Sheet&& found, const RimSearch& searc
   if (!samples.kept.empty()) {
     for (PointId& point : surface.point_of_vertex) point = samples.kept[point.index()];
   }
+  if (samples.foundation.is_off_plane) {
+    for (const VertexId v : surface.mesh.points.ids()) {
+      surface.mesh.points[v] = samples.cloud[surface.point_of_vertex[v].index()];
+    }
+  }
   surface.boundary_sample.resize(surface.mesh.points.size());
   for (const VertexId v : surface.mesh.points.ids()) {
     surface.boundary_sample[v] = boundary.boundary[sheet.triangulation_vertex[v]];
@@ -139,7 +148,7 @@ std::vector<PointId> few_of_layers(const KeptSamples& samples, const CloudSurfac
   return thin_points(samples.cloud, distance);
 }
 
-// With these samples alone. Throws DegenerateInput if they are too few, or lie in one plane.
+// With these samples alone. Throws DegenerateInput if they are too few, or lie on one line.
 KeptSamples thinned(const KeptSamples& all, std::vector<PointId> kept,
                     const CloudSurfaceOptions& options, const Execution& execution) {
   KeptSamples samples{all.cloud, {}, std::move(kept), all.duplicates};
@@ -260,6 +269,21 @@ class Search {
   bool done_ = false;
 };
 
+// Goes over to few of samples in rows, and to their surface, unless they cannot be triangulated.
+void look_at_few_of_rows(const CloudSurfaceOptions& options, const Execution& execution,
+                         KeptSamples& samples, Sheet& sheet) {
+  try {
+    KeptSamples few = thinned(samples,
+                              thin_out_rows(samples.cloud, sheet.surface.mesh,
+                                            sheet.surface.point_of_vertex, options.rows.spread),
+                              options, execution);
+    sheet = find_sheet(few.foundation, options.start, options, execution);
+    samples = std::move(few);
+  } catch (const DegenerateInput&) {
+    // All are looked at.
+  }
+}
+
 // If samples are dense in some places: goes over to few of them, which are about as far apart there
 // as elsewhere, if their rim is to be preferred. Where a surface is steep samples are sparse, too,
 // and so few may be too few.
@@ -281,17 +305,12 @@ void look_at_few_of_dense(const SpacingRange& spacing, const CloudSurfaceOptions
 std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurfaceOptions& options,
                                                 const Execution& execution) {
   require_options("cloud_surface", options);
-  const std::vector<Point> off_plane = moved_off_plane(cloud);
-  const Points working = off_plane.empty() ? cloud : Points(off_plane);
-  KeptSamples samples{working, lay_foundation(working, options.reconstruct, execution), {}};
+  KeptSamples samples{cloud, lay_foundation(cloud, options.reconstruct, execution), {}};
   samples.duplicates = samples.foundation.triangulation.num_duplicates();
   Sheet sheet = find_sheet(samples.foundation, options.start, options, execution);
   const SpacingRange spacing = spacing_range(sheet.surface.mesh);
   if (lies_in_rows(sheet.surface.mesh, options.rows.min_ratio)) {
-    std::vector<PointId> few = thin_out_rows(working, sheet.surface.mesh,
-                                             sheet.surface.point_of_vertex, options.rows.spread);
-    samples = thinned(samples, std::move(few), options, execution);
-    sheet = find_sheet(samples.foundation, options.start, options, execution);
+    look_at_few_of_rows(options, execution, samples, sheet);
   }
   Search search(options, execution);
   search.begin(samples, std::move(sheet));
@@ -311,10 +330,6 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   for (CloudSurface& surface : surfaces) {
     surface.duplicates = samples.duplicates;
     surface.spacing = spacing;
-    if (off_plane.empty()) continue;
-    for (const VertexId v : surface.mesh.points.ids()) {
-      surface.mesh.points[v] = cloud[surface.point_of_vertex[v].index()];
-    }
   }
   return surfaces;
 }

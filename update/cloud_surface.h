@@ -118,20 +118,19 @@ struct CloudSurface {
 //  3. If none is good, the one whose rim is the least doubtful is taken: with the smallest sum of
 //     its share of seams and stretch_weight (stretch - 1).
 // The samples looked at are all, but for four cases:
-//  - The cloud is exactly flat: its points just off their plane (off_plane.h). The surface that is
-//    returned has the points as they are.
-//  - They lie in rows by the first surface: all trials look at those that thin_out_rows() keeps.
-//    Rows tear the surface, and spacings would be those along a row.
+//  - They are exactly flat: their surface is that of points just off their plane (off_plane.h), but
+//    has the points as they are.
+//  - They lie in rows by the first surface: all trials look at those that thin_out_rows() keeps,
+//    unless these lie on one line. Rows tear the surface, and spacings would be those along a row.
 //  - They are much denser in some places than in others: the search is done a second time with few
 //    of them (DensityOptions), and its rim, with its trials, taken if it is better.
 //  - After all that there is no rim, or one with too many seams: further trials look at the samples
 //    that LayerOptions leave, and the best of all trials is taken.
 // Why: a rim is found iff the gap beyond it is wider than rho times the local feature size. Small
 // rhos find rims of gently curved patches; large ones bear noise and sharp edges.
-// Errors: as delaunay(), but for flat clouds; InputError for options out of range. Complexity: O(n
-// log n) expected.
-// Deterministic as reconstruct_cocone(). Source: Woo & Dey 2005, section 3.2; ladder and trimming
-// are ours.
+// Errors: as delaunay(), but a flat cloud is none; InputError for options out of range. Complexity:
+// O(n log n) expected. Deterministic as reconstruct_cocone(). Source: Woo & Dey 2005, section 3.2;
+// ladder and trimming are ours.
 CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options = {},
                            const Execution& execution = {});
 

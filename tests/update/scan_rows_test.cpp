@@ -139,5 +139,27 @@ TEST(ScanRows, HaveARim) {
   EXPECT_EQ(cloud_surface(rows(1, 0.1)).set_aside, 0U);
 }
 
+// The plane's samples alone are kept: the one that stands out is close to another.
+TEST(ScanRows, OnAPlaneButForOneSampleHaveARim) {
+  std::vector<Point> cloud;
+  for (int i = 0; i <= 12; ++i) {
+    for (int k = 0; k <= 240; ++k) cloud.push_back({0.05 * k, double(i), 3});
+  }
+  cloud.push_back({6.05, 6.0001, 3.001});
+  const CloudSurface surface = cloud_surface(cloud);
+  ASSERT_EQ(surface.status, CloudStatus::ok);
+  EXPECT_GT(2 * surface.set_aside, cloud.size());
+  ASSERT_EQ(surface.rim.loops.size(), 1U);
+  EXPECT_NEAR(surface.rim.loops[0].perimeter, 48, 3);
+  for (const Point& p : surface.mesh.points) EXPECT_EQ(p.z, 3);
+}
+
+TEST(ScanRows, OfWhichOneLineIsLeftAreLookedAtAsTheyAre) {
+  const std::vector<Point> cloud = rows(7, 0.1);
+  CloudSurfaceOptions options;
+  options.rows.spread = 40;
+  EXPECT_EQ(cloud_surface(cloud, options).set_aside, 0U);
+}
+
 }  // namespace
 }  // namespace cocoon
