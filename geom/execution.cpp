@@ -84,6 +84,22 @@ void parallel_chunks(const Execution& execution, std::size_t count, std::size_t 
       [&](std::size_t, std::size_t begin, std::size_t end) { body(begin, end); });
 }
 
+void parallel_chunks(const Execution& execution, const StagePart& part, std::size_t count,
+                     std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
+  constexpr std::size_t reports = 100;
+  grain = std::max<std::size_t>(grain, 1);
+  const std::size_t chunks = (count + grain - 1) / grain;
+  // At least some chunks for each thread between two reports.
+  const std::size_t least = 4 * static_cast<std::size_t>(thread_count(execution));
+  const std::size_t slice = std::max(least, (chunks + reports - 1) / reports) * grain;
+  for (std::size_t first = 0; first < count; first += slice) {
+    const double done = static_cast<double>(first) / static_cast<double>(count);
+    report_progress(execution, part.stage, part.begin + done * (part.end - part.begin));
+    parallel_chunks(execution, std::min(slice, count - first), grain,
+                    [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); });
+  }
+}
+
 void parallel_chunks_by_thread(
     const Execution& execution, std::size_t count, std::size_t grain,
     const std::function<void(std::size_t, std::size_t, std::size_t)>& body) {

@@ -67,7 +67,20 @@ auto run_step(const Execution& execution, std::string_view step, Body body) {
 void parallel_chunks(const Execution& execution, std::size_t count, std::size_t grain,
                      const std::function<void(std::size_t begin, std::size_t end)>& body);
 
-// The same; body(thread, begin, end) is also told which thread calls it, by a number below
+// A part of a stage that takes long: from one fraction of its progress to another.
+struct StagePart {
+  std::string_view stage;
+  double begin = 0;
+  double end = 1;
+};
+
+// The same for such a part: about a hundred reports on the way, so that it can be cancelled.
+// Errors: Cancelled.
+void parallel_chunks(const Execution& execution, const StagePart& part, std::size_t count,
+                     std::size_t grain,
+                     const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+// As the first; body(thread, begin, end) is also told which thread calls it, by a number below
 // thread_count(execution) that differs from those of all calls under way. Use parallel_fold
 // (parallel_fold.h) for what each thread keeps for itself.
 void parallel_chunks_by_thread(

@@ -182,7 +182,8 @@ SelfIntersections self_intersection(const TriangleMesh& mesh,
   constexpr std::size_t grain = 1024;
   std::vector<ChunkResult> chunks((ids.size() + grain - 1) / grain);
   std::vector<std::atomic<std::uint8_t>> in_a_pair(ids.size());
-  parallel_chunks(execution, ids.size(), grain, [&](std::size_t begin, std::size_t end) {
+  const StagePart part{"self_intersection"};
+  parallel_chunks(execution, part, ids.size(), grain, [&](std::size_t begin, std::size_t end) {
     ChunkResult& chunk = chunks[begin / grain];
     std::vector<TriangleId> met;
     for (std::size_t i = begin; i < end; ++i) {

@@ -91,10 +91,10 @@ struct Tally {
 };
 
 Tally tally(Points points, const SquaredDistanceTo& squared_distance_to, double tolerance,
-            const Execution& execution) {
+            const StagePart& part, const Execution& execution) {
   constexpr std::size_t grain = 1024;
   std::vector<Tally> chunks((points.size() + grain - 1) / grain);
-  parallel_chunks(execution, points.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_chunks(execution, part, points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       chunks[begin / grain].add(points[k], squared_distance_to(points[k]), tolerance);
     }
@@ -131,13 +131,17 @@ MeasuredPoints measured_points(const TriangleMesh& mesh, double scale,
 }
 
 DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to, double scale,
-                         const SurfaceDistanceOptions& options, const Execution& execution) {
+                         const SurfaceDistanceOptions& options, const StagePart& part,
+                         const Execution& execution) {
   const SquaredDistanceTo squared_distance_to = search_in(scale == 1 ? to : scaled(to, scale));
   const auto [samples, corners] = measured_points(from, scale, options, execution);
   constexpr double none = -1;  // nothing is within it
   const double tolerance = options.tolerance ? *options.tolerance * scale : none;
-  const Tally spread = tally(samples, squared_distance_to, tolerance, execution);
-  Tally farthest = tally(corners, squared_distance_to, none, execution);
+  const double middle = (part.begin + part.end) / 2;
+  const Tally spread =
+      tally(samples, squared_distance_to, tolerance, {part.stage, part.begin, middle}, execution);
+  Tally farthest =
+      tally(corners, squared_distance_to, none, {part.stage, middle, part.end}, execution);
   farthest.keep_farther(spread.farthest, spread.max_squared);
 
   const double count = std::max<double>(1, static_cast<double>(samples.size()));
@@ -164,9 +168,9 @@ void unscale(Distance& distance, double scale) {
 SurfaceDistance measure_both(const TriangleMesh& a, const TriangleMesh& b, double scale,
                              const SurfaceDistanceOptions& options, const Execution& execution) {
   SurfaceDistance distance;
-  distance.a_to_b = measure(a, b, scale, options, execution);
-  report_progress(execution, "surface_distance", 0.5);
-  distance.b_to_a = measure(b, a, scale, options, execution);
+  constexpr const char* stage = "surface_distance";
+  distance.a_to_b = measure(a, b, scale, options, {stage, 0, 0.5}, execution);
+  distance.b_to_a = measure(b, a, scale, options, {stage, 0.5, 1}, execution);
   distance.max = std::max(distance.a_to_b.max, distance.b_to_a.max);
   distance.mean = (distance.a_to_b.mean + distance.b_to_a.mean) / 2;
   distance.rms = std::sqrt(

@@ -1,5 +1,6 @@
 #include "geom/execution.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <fstream>
@@ -102,6 +103,49 @@ TEST(ParallelChunks, CanBeNested) {
     parallel_chunks({2}, 16, 1, [&](std::size_t i, std::size_t) { numbers[16 * begin + i] += 1; });
   });
   EXPECT_EQ(numbers, std::vector<double>(256, 1));
+}
+
+// Says stop once a fraction is reached.
+class StopAt : public Progress {
+ public:
+  explicit StopAt(double fraction) : stop_at_(fraction) {}
+  bool report(std::string_view, double fraction) override {
+    EXPECT_GE(fraction, heard.empty() ? 0 : heard.back());
+    heard.push_back(fraction);
+    return fraction < stop_at_;
+  }
+  std::vector<double> heard;
+
+ private:
+  double stop_at_;
+};
+
+TEST(ParallelChunksOfAStage, AreTheSameChunksAndReportOnTheWay) {
+  for (const std::size_t count : {0U, 1U, 1000U, 12345U}) {
+    StopAt progress(2);
+    std::vector<int> visits(count);
+    parallel_chunks({2, &progress}, StagePart{"half", 0.25, 0.75}, count, 10,
+                    [&](std::size_t begin, std::size_t end) {
+                      EXPECT_EQ(begin % 10, 0U);
+                      EXPECT_EQ(end, std::min<std::size_t>(begin + 10, count));
+                      for (std::size_t i = begin; i < end; ++i) ++visits[i];
+                    });
+    EXPECT_EQ(visits, std::vector<int>(count, 1));
+    if (count == 0) continue;
+    EXPECT_EQ(progress.heard.front(), 0.25);
+    EXPECT_LT(progress.heard.back(), 0.75);
+    if (count > 2000) EXPECT_GT(progress.heard.size(), 50U);
+  }
+}
+
+TEST(ParallelChunksOfAStage, CanBeCancelled) {
+  StopAt progress(0.5);
+  std::atomic<std::size_t> visited = 0;
+  EXPECT_THROW(parallel_chunks({2, &progress}, StagePart{"all"}, 100000, 10,
+                               [&](std::size_t begin, std::size_t end) { visited += end - begin; }),
+               Cancelled);
+  EXPECT_GT(visited, 40000U);
+  EXPECT_LT(visited, 60000U);
 }
 
 // So that each may keep something for itself.
