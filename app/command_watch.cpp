@@ -123,14 +123,14 @@ class Watch {
     const std::size_t refused = refused_ + unreadable_.size();
     job_.report().set("watch/applied", applied_);
     job_.report().set("watch/refused", refused);
-    job_.report().set("watch/known", known_);
+    job_.report().set("watch/known", known_.size());
     add_filter(job_.report(), filter_, thinned_);
     add_update_parameters(job_.report(), options_);
     add_model(job_.report(), state_.session->reconstruction(), model(),
               mesh_check(model(), {}, job_.execution()));
     add_findings(job_.report(), findings_);
     job_.say("stopped: {} applied, {} refused, {} known from before", counted(applied_, "cloud"),
-             refused, known_);
+             refused, known_.size());
   }
 
  private:
@@ -308,7 +308,7 @@ class Watch {
     try {
       noted = noted_file(file.path, file.changed);
       if (file.was_there && is_noted(state_.notes, noted)) {
-        ++known_;
+        known_.insert(file.path);
         return true;
       }
       cloud = read_cloud(job_, file.path.string(), "input");
@@ -473,7 +473,7 @@ class Watch {
   ResumedSession state_;
   std::size_t applied_ = 0;
   std::size_t refused_ = 0;
-  std::size_t known_ = 0;
+  std::set<fs::path> known_;
   std::size_t thinned_ = 0;        // points of clouds that were applied
   std::set<fs::path> unreadable_;  // told, and tried again
   int idle_polls_ = 0;

@@ -24,7 +24,6 @@
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
 #include "update/report/lost_triangles.h"
-#include "update/report/update_messages.h"
 #include "update/report/vertex_origins.h"
 
 namespace cocoon::app {
@@ -273,15 +272,25 @@ std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
   return notes;
 }
 
-std::string with_cloud_names(std::string message, const std::vector<std::string>& names) {
+std::string with_cloud_names(const std::string& message, const std::vector<std::string>& names) {
+  std::vector<std::string> numbered;
   for (std::size_t c = 0; c < names.size(); ++c) {
-    const std::string numbered = fmt::format("cloud {} of {}", c + 1, names.size());
-    for (std::size_t at = message.find(numbered); at != std::string::npos;
-         at = message.find(numbered, at + names[c].size())) {
-      message.replace(at, numbered.size(), names[c]);
+    numbered.push_back(fmt::format("cloud {} of {}", c + 1, names.size()));
+  }
+  std::string named;
+  for (std::size_t at = 0; at < message.size();) {
+    // None begins with another: they end with the same words behind different numbers.
+    const auto found = std::find_if(
+        numbered.begin(), numbered.end(),
+        [&](const std::string& cloud) { return message.compare(at, cloud.size(), cloud) == 0; });
+    if (found == numbered.end()) {
+      named += message[at++];
+    } else {
+      named += names[static_cast<std::size_t>(found - numbered.begin())];
+      at += found->size();
     }
   }
-  return message;
+  return named;
 }
 
 std::string with_option_names(std::string message) {

@@ -69,7 +69,7 @@ std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
                                                 const DensityOptions& options);
 
 // Messages of the library number the clouds ("cloud 1 of 2"); people know them by their files.
-std::string with_cloud_names(std::string message, const std::vector<std::string>& names);
+std::string with_cloud_names(const std::string& message, const std::vector<std::string>& names);
 
 // And that the program has an option for what they advise.
 std::string with_option_names(std::string message);

@@ -17,6 +17,8 @@ TEST(Updating, MessagesNameAllCloudsByTheirFiles) {
             "left.xyz (with top.xyz and right.xyz) does not lie on the model");
   EXPECT_EQ(with_cloud_names("cloud 2 of 3: as cloud 2 of 3", names), "top.xyz: as top.xyz");
   EXPECT_EQ(with_cloud_names("nothing is wrong", names), "nothing is wrong");
+  EXPECT_EQ(with_cloud_names("cloud 1 of 2 and cloud 2 of 2", {"cloud 2 of 2.xyz", "a.xyz"}),
+            "cloud 2 of 2.xyz and a.xyz");
 }
 
 }  // namespace
