@@ -430,6 +430,7 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
   if (!state.is_live() || points.empty() || working_scale(points) != 1) {
     return reconstruct(points, execution, old.labels);  // of no points: throws
   }
+  require_comparable_sizes(points, execution);
   PointStep step = plan_step(state.delaunay, state.vertex_of_point, points, old_position);
   const DelaunayChange change = state.carry_out(points, step, execution);
   state.point_of_vertex.clear();

@@ -23,7 +23,8 @@ namespace cocoon {
 // the history, but for counters.delaunay, which tell how the triangulation was changed. (A zero in
 // a normal may have the other sign if of two equal points one went, and their zeros had two signs.)
 //
-// Points of extreme size (working_scale() is not 1) are triangulated anew each time.
+// Points of extreme size (working_scale() is not 1) are triangulated anew each time. edit() does
+// not look whether sizes have become incomparable (working_scale.h); all others refuse such points.
 // If an operation throws (InputError as delaunay(), Cancelled), the points are those from before.
 class DynamicTightCocone {
  public:

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -32,8 +33,8 @@ struct DynamicDelaunay::State {
   std::vector<VertexId> free_vertices;
   std::size_t num_vertices = 0;
   CellPool pool;
-  CellId last_created;           // live, unless empty
-  std::size_t finite_cells = 0;  // come first, after close_gaps()
+  CellId last_created;                          // live, unless empty
+  std::optional<std::size_t> finite_cells = 0;  // that come first; none after a change
   CavityInserter inserter{pool, points};
   VertexRemover remover{pool, points};
 
@@ -73,6 +74,7 @@ struct DynamicDelaunay::State {
 // --- The whole -------------------------------------------------------------------------------
 
 void DynamicDelaunay::State::adopt(Triangulation triangulation) {
+  finite_cells = triangulation.num_finite_cells();
   TriangulationArrays arrays = std::move(triangulation).release();
   num_vertices = arrays.points.size();
   points = std::move(arrays.points);
@@ -331,6 +333,7 @@ DelaunayChange DynamicDelaunay::replace(std::span<const VertexId> vertices, Poin
   make_set(change.removed);
   report_progress(execution, "delaunay", 0);
   state.begin_journal();
+  state.finite_cells.reset();
   if (change.removed.size() == state.num_vertices) {
     state.rebuild(points, execution, change);
     return change;
@@ -439,11 +442,11 @@ Renumbering DynamicDelaunay::close_gaps() {
 
 Triangulation DynamicDelaunay::lend(IdVector<PointId, VertexId> vertex_of_point) {
   State& state = *state_;
-  assert(state.pool.free.empty() && state.free_vertices.empty());
+  assert(state.finite_cells && state.free_vertices.empty());
   state.points.resize(state.num_vertices);
   return Triangulation(
       {std::move(state.points), std::move(state.pool.cells), std::move(vertex_of_point)},
-      state.finite_cells);
+      *state.finite_cells);
 }
 
 IdVector<PointId, VertexId> DynamicDelaunay::take_back(Triangulation triangulation) {
