@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
 #include <limits>
@@ -10,12 +9,9 @@
 
 #include "app/carried_properties.h"
 #include "app/check_requirements.h"
-#include "app/cloud_filter.h"
 #include "app/command_options.h"
 #include "app/option_values.h"
-#include "app/surface_options.h"
 #include "app/thresholds.h"
-#include "io/number_text.h"
 #include "io/sample_models.h"
 
 namespace cocoon::app {

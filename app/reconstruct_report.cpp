@@ -3,7 +3,6 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "app/findings.h"
 #include "app/surface_report.h"
 #include "app/verification.h"
 #include "cocone/checks/sample_doubts.h"

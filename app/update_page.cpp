@@ -96,13 +96,14 @@ class SceneBuilder {
     for (const RegionId group : record_.result.regions.regions.ids()) {
       std::string name = fmt::format("group {}: {}", group.index(),
                                      choice.replaced[group] != 0 ? "replaced" : "kept");
-      const GroupAngle* seen = nullptr;
+      const RegionVerdict* seen = nullptr;
       for (const CloudReport& cloud : record_.result.clouds) {
-        for (const GroupAngle& angle : cloud.groups) {
-          if (angle.group == group && (seen == nullptr || angle.edges > seen->edges)) seen = &angle;
+        for (const RegionVerdict& angle : cloud.groups) {
+          if (angle.region == group && (seen == nullptr || angle.edges > seen->edges))
+            seen = &angle;
         }
       }
-      if (seen != nullptr) name += fmt::format(", mean angle {:.1f}\u00b0", seen->mean_angle_deg);
+      if (seen != nullptr) name += fmt::format(", mean angle {:.1f}\u00b0", seen->mean_angle_deg());
       group_names_.push_back(std::move(name));
     }
   }
@@ -357,10 +358,10 @@ PageTable angle_table(const UpdateRecord& record) {
   PageTable table{"Mean angle at the rim", {"cloud", "group", "facets", "degrees", "decision"}, {}};
   for (std::size_t c = 0; c < record.result.clouds.size(); ++c) {
     if (record.result.clouds[c].joined_with) continue;
-    for (const GroupAngle& group : record.result.clouds[c].groups) {
-      table.rows.push_back({word(numbers_told(record, c)), number(group.group.index()),
-                            number(record.result.regions.regions[group.group].facets),
-                            group.mean_angle_deg,
+    for (const RegionVerdict& group : record.result.clouds[c].groups) {
+      table.rows.push_back({word(numbers_told(record, c)), number(group.region.index()),
+                            number(record.result.regions.regions[group.region].facets),
+                            group.mean_angle_deg(),
                             word(verdict_on(group, record.result.islands, record.overrides))});
     }
   }
@@ -375,7 +376,7 @@ PageTable rim_table(const UpdateRecord& record) {
     if (cloud.joined_with) continue;
     table.rows.push_back({word(numbers_told(record, c)), number(cloud.loops.size()),
                           number(cloud.boundary_points), number(cloud.overlapping_facets.size()),
-                          number(cloud.border_facets), cloud.surface.search.rho});
+                          number(cloud.border.facets), cloud.surface.search.rho});
   }
   return table;
 }

@@ -59,8 +59,8 @@ void add_search(JsonReport& entry, const CloudSurface& surface) {
 JsonReport cloud_entry(const CloudReport& cloud) {
   JsonReport entry;
   if (cloud.joined_with) entry.set("joined_with", *cloud.joined_with);
-  for (const GroupAngle& group : cloud.groups) {
-    entry.set("mean_angle_deg/" + std::to_string(group.group.value), group.mean_angle_deg);
+  for (const RegionVerdict& group : cloud.groups) {
+    entry.set("mean_angle_deg/" + std::to_string(group.region.value), group.mean_angle_deg());
   }
   entry.set("replaced_groups", numbers_of(cloud.replaced_groups));
   entry.set("margin_deg", cloud.margin_deg);
@@ -98,19 +98,19 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("rim_spacing", cloud.surface.rim.spacing);
   const SpacingRange& spacing = cloud.surface.spacing;
   entry.set("spacing_range", std::vector<double>{spacing.low, spacing.high});
-  entry.set("largest_distance", cloud.largest_distance);
-  entry.set("median_distance", cloud.median_distance);
-  entry.set("largest_excess", cloud.largest_excess);
+  entry.set("largest_distance", cloud.overlap.largest_distance);
+  entry.set("median_distance", cloud.overlap.median_distance);
+  entry.set("largest_excess", cloud.overlap.largest_excess);
   entry.set("shift", cloud.shift);
   entry.set("overlapping_facets", cloud.overlapping_facets.size());
-  entry.set("border_facets", cloud.border_facets);
-  entry.set("border_walks", cloud.walks);
-  entry.set("border_searches", cloud.searches);
-  entry.set("border_breaks", cloud.breaks);
-  entry.set("star_misses", cloud.star_misses);
-  entry.set("facing_away", cloud.facing_away);
-  entry.set("steep_points", cloud.steep);
-  entry.set("relocated_points", cloud.relocated);
+  entry.set("border_facets", cloud.border.facets);
+  entry.set("border_walks", cloud.border.walks);
+  entry.set("border_searches", cloud.border.searches);
+  entry.set("border_breaks", cloud.border.breaks);
+  entry.set("star_misses", cloud.overlap.star_misses);
+  entry.set("facing_away", cloud.overlap.facing_away);
+  entry.set("steep_points", cloud.overlap.steep);
+  entry.set("relocated_points", cloud.overlap.relocated);
   std::size_t unmatched = 0;
   for (const LoopReport& loop : cloud.loops) unmatched += loop.unmatched;
   entry.set("unmatched_points", unmatched);
@@ -182,12 +182,12 @@ std::vector<std::size_t> numbers_of(const std::vector<RegionId>& regions) {
   return numbers;
 }
 
-std::string verdict_on(const GroupAngle& group, std::span<const RegionId> islands,
+std::string verdict_on(const RegionVerdict& group, std::span<const RegionId> islands,
                        const RegionOverrides& overrides) {
   const std::string verdict = group.under_cloud ? "replaced" : "kept";
-  if (overrides.names(group.group)) return verdict + ", as was said";
+  if (overrides.names(group.region)) return verdict + ", as was said";
   const bool contradicted =
-      group.under_cloud && std::find(islands.begin(), islands.end(), group.group) != islands.end();
+      group.under_cloud && std::find(islands.begin(), islands.end(), group.region) != islands.end();
   return verdict + (contradicted ? ": samples off the model lie over it" : "");
 }
 
@@ -239,9 +239,9 @@ void say_update(Job& job, const UpdateRecord& record) {
     }
     for (const std::string& note : notes_of_surface(cloud.surface)) job.say("  {}", note);
     for (const std::string& note : notes_of_cut(cloud.cut)) job.say("  {}", note);
-    for (const GroupAngle& group : cloud.groups) {
-      job.say("  group {}: mean angle {:.2f} degrees, {}", group.group.value, group.mean_angle_deg,
-              verdict_on(group, result.islands, record.overrides));
+    for (const RegionVerdict& group : cloud.groups) {
+      job.say("  group {}: mean angle {:.2f} degrees, {}", group.region.value,
+              group.mean_angle_deg(), verdict_on(group, result.islands, record.overrides));
     }
   }
   job.say("{} of {} groups replaced: {} points out, {} points in all",

@@ -40,7 +40,7 @@ std::string topology_change(const UpdateResult& result);
 std::vector<std::size_t> numbers_of(const std::vector<RegionId>& regions);
 
 // "kept" or "replaced", and why if not for its angle.
-std::string verdict_on(const GroupAngle& group, std::span<const RegionId> islands,
+std::string verdict_on(const RegionVerdict& group, std::span<const RegionId> islands,
                        const RegionOverrides& overrides = {});
 
 // The sections "input", "delaunay", "surface" and "update".

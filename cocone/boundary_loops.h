@@ -58,15 +58,17 @@ struct BoundaryLoops {
 // `open_surface`. Each loop begins at the edge with the lexicographically smallest starting point.
 // Result: no loop if the surface is closed or empty. Errors: InputError as link_halfedges(),
 // and unless the share is one (0 to 1) and the perimeter 0 or more.
-// Complexity: O(triangles + vertices + rim log rim). Independent of the numbering of the mesh.
-// Source: Woo & Dey 2005, section 3.2. There a boundary edge joins two boundary samples; that also
-// returns chords across corners and misses edges whose end was taken for interior, so the
-// combinatorial definition is used (docs/stages/boundary_loops.md).
+// Complexity: O(triangles + vertices + rim log rim + k^2 for k > 2 triangles at one edge).
+// Independent of the numbering of the mesh. Source: Woo & Dey 2005, section 3.2. There a boundary
+// edge joins two boundary samples; that also returns chords across corners and misses edges whose
+// end was taken for interior, so the combinatorial definition is used
+// (docs/stages/boundary_loops.md).
 BoundaryLoops boundary_loops(const TriangleMesh& open_surface,
                              const BoundaryLoopOptions& options = {});
 
-// The same for who has oriented the surface by orient_surface() with these components, and has its
-// linked halfedges. Errors: InputError for those of another mesh, by their sizes.
+// Overload for callers that already have the linked halfedges of the surface, and have oriented it
+// by orient_surface() with these components. Errors: InputError for those of another mesh, by their
+// sizes.
 BoundaryLoops boundary_loops(const TriangleMesh& oriented_surface, const HalfedgeRings& rings,
                              const EdgeComponents& components,
                              const BoundaryLoopOptions& options = {});

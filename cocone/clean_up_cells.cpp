@@ -12,7 +12,6 @@
 #include "cocone/clean_up/compound_move.h"
 #include "cocone/clean_up/handle_closing.h"
 #include "cocone/clean_up/handle_loops.h"
-#include "cocone/clean_up/idle_samples.h"
 #include "cocone/clean_up/kept_reach.h"
 #include "cocone/clean_up/label_split.h"
 #include "cocone/clean_up/small_parts.h"
@@ -24,7 +23,6 @@
 #include "cocone/facets/cell_order.h"
 #include "cocone/facets/stage_inputs.h"
 #include "cocone/samples/sample_spacing.h"
-#include "delaunay/circulate.h"
 #include "delaunay/star_cache.h"
 
 namespace cocoon {

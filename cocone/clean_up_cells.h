@@ -171,7 +171,7 @@ CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Poles& 
                                CellMarks& marks, const CleanUpOptions& options = {},
                                const Execution& execution = {});
 
-// The same for who knows a cell at each vertex: without a look at all cells for that. None: not
+// Overload for callers that know a cell at each vertex: saves a pass over all cells. nullptr: not
 // known.
 CleanUpCounters clean_up_cells(const Triangulation& triangulation, const Poles& poles,
                                CellMarks& marks, const CleanUpOptions& options,

@@ -67,8 +67,9 @@ struct ManifoldSurface {
 ManifoldSurface extract_manifold(const Triangulation& triangulation, LinkedFacets candidates,
                                  const VertexSet& umbrella, const Execution& execution = {});
 
-// The same for who goes on from surface to surface, as candidates change here and there: gives the
-// rest, too, and what failed the last time (`first_walk`) is not tried. Complexity: the same.
+// Overload for callers that extract a surface again and again, as candidates change here and there:
+// returns the rest, too, and what failed the last time (`first_walk`) is not tried. Complexity: the
+// same.
 ManifoldSurface extract_again(const Triangulation& triangulation, LinkedFacets candidates,
                               const VertexSet& umbrella, FirstWalk first_walk,
                               const Execution& execution = {});

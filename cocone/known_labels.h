@@ -51,21 +51,24 @@ struct KnownTriangles {
 // An old surface, and what is known of it.
 struct OldSurface {
   KnownLabelsSource labels;
-  // Those that `labels` tells from, if it does; for who keeps the body that the surface bounds.
+  // The triangles that `labels` tells from, if it does: wanted where the body that the surface
+  // bounds is kept from one update to the next.
   KnownTriangles triangles = {};
 };
 
-// A vertex is intact if there are triangles at it, all are facets, and they leave no gap: as many
-// run to each edge there as run from it. They divide the cells around it; those behind a triangle
-// are labeled IN, those in front of one OUT. A cell with new vertices may lie on either side: it is
-// labeled only if every corner of a triangle that it has is intact, for where a vertex keeps all
-// its triangles the surface has not changed. Infinite cells are not labeled (they are OUT anyway).
-// If the triangles bound a union of cells, no cell is told both. Without triangles nothing is
-// known. A vertex is undisturbed if its triangles leave no gap and all its neighbors are corners of
-// triangles, though not all triangles at it are facets. (In a mesh of facets none is: what takes a
-// triangle away is a new neighbor of each of its corners.) A cell is undisturbed if one of its
-// vertices is, and the triangles at the others leave no gap; none of them is intact, or it would
-// have told something.
+// Of a vertex:
+//   intact       There are triangles at it, all are facets, and they leave no gap: as many run to
+//                each edge there as run from it.
+//   undisturbed  Its triangles leave no gap and all its neighbors are corners of triangles, though
+//                not all triangles at it are facets. (In a mesh of facets none is: what takes a
+//                triangle away is a new neighbor of each of its corners.)
+// The triangles of an intact vertex divide the cells around it: those behind one are labeled IN,
+// those in front of one OUT. A cell with new vertices may lie on either side: it is labeled only if
+// every corner of a triangle that it has is intact, for where a vertex keeps all its triangles the
+// surface has not changed. Infinite cells are not labeled (they are OUT anyway). If the triangles
+// bound a union of cells, no cell is told both. Without triangles nothing is known.
+// A cell is undisturbed if one of its vertices is, and the triangles at the others leave no gap;
+// none of them is intact, or it would have told something.
 // Triangles are looked for in `likely` first, which changes nothing else. Errors: InputError for
 // one of another triangulation, by its size. Complexity: O(cells + t) for t triangles, for bounded
 // valence; in part parallel. Deterministic: independent of their order and of the threads. Source:

@@ -6,7 +6,6 @@
 // vertex.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -21,8 +21,8 @@ struct OrientationReport {
 // mesh. Errors: InputError as link_halfedges(). Complexity: O(triangles + vertices).
 OrientationReport orient_surface(TriangleMesh& mesh);
 
-// The same for who has the components of the mesh (else, by their sizes, InputError). Its linked
-// sides stay those of the mesh unless triangles are flipped.
+// Overload for callers that already have the components of the mesh (InputError, by their sizes,
+// for those of another one). The links of its halfedges stay valid unless triangles are flipped.
 OrientationReport orient_surface(TriangleMesh& mesh, const EdgeComponents& components);
 
 }  // namespace cocoon

@@ -41,7 +41,7 @@ PrunedCandidates prune_sharp_edges(const Triangulation& triangulation, FacetSet 
                                    const PruneOptions& options = {},
                                    const Execution& execution = {});
 
-// The same for who has the candidates as a list.
+// Overload for callers that already have the candidates as a list.
 PrunedCandidates prune_sharp_edges(const Triangulation& triangulation,
                                    CandidateTriangles candidates, const PruneOptions& options = {},
                                    const Execution& execution = {});

@@ -27,7 +27,8 @@ struct SurfaceMesh {
 SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const FacetId> halves,
                        const Execution& execution = {});
 
-// The same for who is done with the triangles that have these halves: without a look at cells.
+// Overload for callers that already have the canonical halves of the triangles: saves a pass over
+// all cells.
 SurfaceMesh surface_of(const Triangulation& triangulation, LinkedFacets triangles,
                        std::span<const FacetId> halves, const Execution& execution = {});
 

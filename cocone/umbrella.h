@@ -26,7 +26,7 @@ namespace cocoon {
 VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::size_t num_vertices,
                                  double sharp_cosine, const Execution& execution = {});
 
-// The same for who has steep_edges(triangles, sharp_cosine).
+// Overload for callers that already have `steep`: steep_edges(triangles, sharp_cosine).
 VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::span<const Halfedge> steep,
                                  std::size_t num_vertices, double sharp_cosine,
                                  const Execution& execution = {});

@@ -1,6 +1,5 @@
 #include "delaunay/block_lanes.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 

@@ -17,8 +17,9 @@ void load_corners(const Triangulation& triangulation, CellId first, std::size_t 
 void load_corners(const Triangulation& triangulation, std::span<const CellId> cells,
                   CellBlock& block);
 
-// And what circumcenters_in_doubles() says of them: while the processor computes, it is asked for
-// what the next run and its reader look at, where there is a next run.
+// Fills in the circumcenters as well, as circumcenters_in_doubles() gives them. Meanwhile
+// prefetches the points of the next run, if there is one, and the elements of `soon` at its
+// vertices.
 void load_centers(const Triangulation& triangulation, CellId first, std::size_t count,
                   const ReadSoon& soon, CellBlock& block);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <utility>
 
 #include "delaunay/circulate.h"
 #include "geom/sort_ids.h"

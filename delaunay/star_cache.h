@@ -22,8 +22,8 @@ class StarCache {
   // parallel.
   explicit StarCache(const Triangulation& triangulation, const Execution& execution = {})
       : StarCache(triangulation, nullptr, execution) {}
-  // The same for who knows a cell at each vertex, which must stay so: the first question costs
-  // O(vertices). None: not known.
+  // Overload for callers that know a cell at each vertex (`cell_at`, which must stay valid): the
+  // first query then costs O(vertices) instead of O(cells). nullptr: not known.
   StarCache(const Triangulation& triangulation, const IdVector<VertexId, CellId>* cell_at,
             const Execution& execution)
       : triangulation_(triangulation), cell_at_(cell_at), execution_{execution.threads} {}

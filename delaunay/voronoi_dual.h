@@ -40,7 +40,7 @@ Dual voronoi_dual(const Triangulation& triangulation, const Execution& execution
 // The element of Dual::centers of one cell, bit for bit: for stages that look at few cells. O(1).
 Point voronoi_vertex(const Triangulation& triangulation, CellId c);
 
-// The same for who has a dual, lean or not. O(1), and O(log hard centers) if it is lean.
+// Overload for callers that already have a dual, lean or not: O(1), O(log hard centers) if lean.
 Point center_of(const Triangulation& triangulation, const Dual& dual, CellId c);
 
 // Finite cells with their Voronoi vertices, a few at a time, for stages that go over many: as many
@@ -60,15 +60,15 @@ struct CellBlock {
   }
 };
 
-// Arrays by vertex that are looked at when a block is filled in, if any. Who goes over runs one
-// after the other names them, so that the processor is asked for their elements a run before.
+// Per-vertex arrays that the caller reads while it works on a block, if any. Callers that go over
+// consecutive runs name them, so that their elements are prefetched one run ahead.
 struct ReadSoon {
   const Vec3* vectors = nullptr;  // not without the other
   const void* words = nullptr;    // of 8 bytes
 };
 
-// Fills in the block: with the cells first, first + 1, ..., or with cells anywhere. For who goes on
-// with the next run, its points are asked for in advance.
+// Fills in the block: with the cells first, first + 1, ..., or with cells anywhere. Of a run the
+// points of the next one are prefetched.
 // Preconditions: finite cells, at most max_block_cells. Complexity: O(cells).
 void load_run(const Triangulation& triangulation, const Dual& dual, CellId first, std::size_t count,
               CellBlock& block, const ReadSoon& soon = {});

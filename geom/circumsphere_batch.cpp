@@ -1,6 +1,5 @@
 #include "geom/circumsphere_batch.h"
 
-#include <cstdint>
 #include <span>
 
 #include "geom/vector_dispatch.h"

@@ -24,8 +24,8 @@ struct RepeatedPoint {
 // to a table of at least 16 bits per point (up to n / 16 of those that differ). Deterministic.
 std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct = 0);
 
-// The same for who knows which of the `distinct` lie in the bounding box of the others: `near`,
-// ascending. Complexity: O(m + k log k) for m points that are others or near.
+// Overload for callers that know which of the `distinct` lie in the bounding box of the others:
+// `near`, ascending. Complexity: O(m + k log k) for m points that are others or near.
 std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct,
                                            std::span<const std::uint32_t> near);
 

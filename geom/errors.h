@@ -1,5 +1,10 @@
 // The exception types of the library. Caller mistakes throw; outcomes that depend on the data
 // (an empty surface, an ambiguous choice) are values in the result of the stage.
+//   Error
+//     InputError         points, meshes and options that cannot be worked on
+//       DegenerateInput  points that span no space
+//     FileError          files; of these UnreadableFile and NonFiniteError are thrown by io/
+//     Cancelled          by the caller's Progress
 #pragma once
 
 #include <stdexcept>

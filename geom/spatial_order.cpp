@@ -289,7 +289,6 @@ std::vector<PointId> hilbert_order(Points points, const Execution& execution) {
     for (std::size_t i = begin; i < end; ++i) items[i] = {0, PointId(i)};
   });
   if (!items.empty()) {
-    report_progress(execution, "delaunay", 0);
     KeyedPoints buffer(items.size());
     prefer_large_pages(buffer);
     sort_along_curve(points, items, buffer, execution);

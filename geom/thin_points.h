@@ -9,12 +9,12 @@
 
 namespace cocoon {
 
-// Some of the points, increasing: each point left out is closer to one of these than
-// sqrt(squared_distance_at(k)) for that one, point k, and of these none is so close to one before
-// it. Points have their turn in lexicographic order, of equal ones the first: a function of the
-// set of points. Complexity: O(n log n) for n points, with neighbors as many as lie within that
-// distance; equal points for which it is 0 are all kept, and each looks at all of them. Source:
-// Poisson disk sampling by elimination in a fixed order.
+// Greedy thinning. Points have their turn in lexicographic order, of equal ones the first first; a
+// point is kept unless it is closer to one that was kept, point k, than
+// sqrt(squared_distance_at(k)). Returns the ids of those kept, increasing: a function of the set of
+// points. Complexity: O(n log n) for n points, if few lie within that distance of each; equal
+// points for which it is 0 are all kept, and each looks at all of them. Source: Poisson disk
+// sampling by elimination in a fixed order.
 std::vector<PointId> thin_points(Points points,
                                  const std::function<double(PointId)>& squared_distance_at);
 

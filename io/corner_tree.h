@@ -1,7 +1,6 @@
 // The corners of a polygon in the plane, to be found where a triangle is.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

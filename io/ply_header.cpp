@@ -1,7 +1,6 @@
 #include "io/ply_header.h"
 
 #include <array>
-#include <cstring>
 #include <string_view>
 #include <utility>
 

@@ -1,7 +1,5 @@
 #include "io/summed_file.h"
 
-#include <utility>
-
 namespace cocoon {
 
 void Checksum::add_word(const char* word) {

@@ -1,7 +1,6 @@
 #include "io/triangulation_file.h"
 
 #include <functional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,7 +9,6 @@
 #include "geom/large_pages.h"
 #include "geom/parallel_reduce.h"
 #include "geom/room_to_grow.h"
-#include "io/byte_order.h"
 #include "io/file_bytes.h"
 #include "io/summed_file.h"
 #include "io/triangulation_block.h"

@@ -93,6 +93,16 @@ void keep_the_largest_mean(RegionChoice& choice) {
   choice.kept_largest = true;
 }
 
+// Of the segmentation that loops, or decisions, are about.
+std::size_t count_regions(std::span<const RegionAngles> loops,
+                          std::span<const IdVector<RegionId, std::uint8_t>> decided) {
+  if (!loops.empty()) return loops.front().regions.size();
+  for (const IdVector<RegionId, std::uint8_t>& regions : decided) {
+    if (!regions.empty()) return regions.size();
+  }
+  return 0;
+}
+
 void require_inputs(const ChoiceOptions& options,
                     std::span<const IdVector<RegionId, std::uint8_t>> decided,
                     std::size_t num_regions) {
@@ -109,7 +119,7 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
                             const ChoiceOptions& options,
                             std::span<const IdVector<RegionId, std::uint8_t>> decided) {
   const auto is_decided = [&](std::size_t c) { return c < decided.size() && !decided[c].empty(); };
-  const std::size_t num_regions = loops.empty() ? 0 : loops.front().regions.size();
+  const std::size_t num_regions = count_regions(loops, decided);
   require_inputs(options, decided, num_regions);
   RegionChoice choice;
   choice.replaced = IdVector<RegionId, std::uint8_t>(num_regions, 0);

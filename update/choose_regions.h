@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "geom/angles.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "update/rim_angles.h"
@@ -35,6 +36,8 @@ struct RegionVerdict {
   double mean_angle = 0;  // over all loops of the cloud, radians
   std::size_t edges = 0;  // rim edges that counted
   bool under_cloud = false;
+
+  double mean_angle_deg() const { return mean_angle * degrees_per_radian; }
 };
 
 struct CloudChoice {
@@ -66,10 +69,11 @@ struct RegionChoice {
 // `loops`: one entry per loop of any cloud, with its cloud set; `num_clouds` sets the length of the
 // result's list. decided[c], where it is given and not empty, says which regions lie under cloud c
 // (cut_regions.h): then its loops decide nothing, and its margin is by how much the mean angle of
-// its regions outside is larger. Errors: InputError unless all entries, and those of `decided`,
-// have the same number of regions, their clouds are below num_clouds, the share is one (0 to 1) and
-// the margins are angles (0 to pi). Complexity: O(loops * regions). Source: Woo & Dey 2005, section
-// 3.4, angle condition; several loops: their airbag example.
+// its regions outside is larger. Without loops and decisions the result knows of no regions.
+// Errors: InputError unless all entries, and those of `decided`, have the same number of regions,
+// their clouds are below num_clouds, the share is one (0 to 1) and the margins are angles (0 to
+// pi). Complexity: O(loops * regions). Source: Woo & Dey 2005, section 3.4, angle condition;
+// several loops: their airbag example.
 RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num_clouds,
                             const ChoiceOptions& options = {},
                             std::span<const IdVector<RegionId, std::uint8_t>> decided = {});

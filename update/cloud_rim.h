@@ -93,7 +93,7 @@ struct RimOptions {
 // Errors: InputError for options out of range. Source: Woo & Dey 2005, section 3.2.
 CloudRim cloud_rim(const TriangleMesh& surface, const RimOptions& options = {});
 
-// The same for who has the linked halfedges of the surface.
+// Overload for callers that already have the linked halfedges of the surface.
 CloudRim cloud_rim(const TriangleMesh& surface, const HalfedgeRings& rings,
                    const RimOptions& options = {});
 

@@ -14,22 +14,23 @@
 
 namespace cocoon {
 
+// A sample off the model contradicts the region over or under which it lies. Distances in spacings
+// of the sample's scan.
 struct IslandOptions {
-  // A sample farther from the model than this many spacings of its scan contradicts the region over
-  // or under which it lies,
+  // Smallest distance of such a sample from the model.
   double off_model = 1.2;
-  // by this cosine of the way to its closest facet and that facet's normal, with no facet between
-  // that faces the same way by as much.
+  // It lies over or under a facet if the cosine of the way to it and the facet's normal is at least
+  // this, and no facet between faces the same way by as much.
   double min_normal_cosine = 0.5;
-  // A region is contradicted by at least so many samples,
+  // Fewest samples that contradict a region together.
   std::size_t min_samples = 5;
-  // and by more than so many for each of its facets. Infinity: none is.
+  // For each facet of a contradicted region there are more of them than this. Infinity: no region
+  // is contradicted.
   double min_share = 0.15;
-  // Of a contradicted region goes what lies within so many spacings of the places over or under
-  // which such samples lie.
+  // What is farther from all places over or under which such samples lie stays.
   double reach = 2.5;
   // A sample whose surface faces the region, as that under an arch, leaves room between: nothing
-  // farther off contradicts what is within so many spacings of its foot. 0: it may.
+  // farther off contradicts what is this close to its foot. 0: it may.
   double facing_reach = 1.5;
 };
 

@@ -86,27 +86,28 @@ struct RegionCut {
   double doubt() const;
 };
 
-// Labels the facets that are not in `border`. Each facet beside the border says "under the cloud"
-// or "outside" by the side of the nearest rim edge on which it lies, and is believed as far as its
-// edges at the border are long; a cut between two facets costs the length of their edge. The labels
-// are those that cost least in all, of several the ones with the fewest facets under the cloud. So
-// a whole rim is all of the cut; where a stretch of it is missing the shortest way over the model
-// replaces it, and where one is in a wrong place the others outvote it. If it then is not all of
-// the cut, is contradicted, or leaves the model, the samples have a say: facets outside that they
-// disprove (disproved_facets.h), and those near them on an island (island_spread.h), say "under the
-// cloud", unless that has something go that is farther from the samples than they look: then the
-// samples are wrong, or their normals. And where the labels would have the model go on under the
-// cloud although the scans end on it (scan_ends.h), facets there say "outside". Where the rim runs
-// into a seam, as at the mouth of a hole, edges that are no end of the cloud have a few facets say
-// "outside" in the midst of it: the splinters. A facet of the border is under no cloud. `rims`: of
-// one cloud, or of several that overlap each other and are cut as one. `scans`: their samples;
-// without them nothing is known of where they end. `outward`: of the samples, by the number of the
-// scan; without it they disprove nothing. Errors: InputError for no rim, for the border of another
-// model, by its size, and for options out of range. Why: a border that is closed by walks over its
-// gaps leads astray where the gap is long, and one region is then partly under the cloud and partly
-// not; the mean angle along it decides for all. Complexity: that of a minimum cut of n facets, near
-// linear. Deterministic: lengths are compared as integers, and the labels are unique. Source: ours;
-// Woo & Dey 2005, section 3.4 presumes rims that are closed.
+// Labels the facets that are not in `border` (those are under no cloud):
+//  1. Each facet beside the border says "under the cloud" or "outside" by the side of the nearest
+//     rim edge on which it lies, and is believed as far as its edges at the border are long.
+//  2. A cut between two facets costs the length of their edge. The labels are those that cost least
+//     in all, of several the ones with the fewest facets under the cloud. So a whole rim is all of
+//     the cut; where a stretch of it is missing, the shortest way over the model replaces it; and
+//     where one is in a wrong place, the others outvote it.
+//  3. If the rim is not all of the cut, is contradicted, or leaves the model, the samples have a
+//     say: facets outside that they disprove (disproved_facets.h), and those near them on an island
+//     (island_spread.h), say "under the cloud" - unless facets would go that are farther from the
+//     samples than these look: then the samples are wrong, or their normals.
+//  4. Where the labels would have the model go on under the cloud although the scans end on it
+//     (scan_ends.h), facets there say "outside".
+//  5. Where the rim runs into a seam, as at the mouth of a hole, edges that are no end of the cloud
+//     have a few facets say "outside" in the midst of it: the splinters.
+// `rims`: of one cloud, or of several that overlap each other and are cut as one. `scans`: their
+// samples; without them step 4 is left out. `outward`: of the samples, by the number of the scan;
+// without it step 3 is left out.
+// Why: docs/update.md, departure 16. Errors: InputError for no rim, for the border of another
+// model, by its size, and for options out of range. Complexity: that of a minimum cut of n facets,
+// near linear. Deterministic: lengths are compared as integers, and the labels are unique. Source:
+// ours; Woo & Dey 2005, section 3.4 presumes rims that are closed.
 RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
                           std::span<const CloudRim> rims, std::span<const Scan> scans = {},
                           const CutOptions& options = {}, const OutwardNormals& outward = {});
@@ -136,8 +137,8 @@ std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
 // there, since no triangle lies under the cloud as a whole, the cloud is not cut.
 // is_cut: as clouds_to_cut(), or more. rims[c], borders[c], scans[c], joined[c] and is_cut[c]
 // belong together; where a scan without samples ends is not known. `outward`: by the number of the
-// cloud. Errors: InputError unless there
-// are as many of each. Complexity: as cut_under_cloud() for each group of joined clouds.
+// cloud. Errors: InputError unless there are as many of each. Complexity: as cut_under_cloud() for
+// each group of joined clouds.
 CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
                        std::span<const Border> borders, std::span<const Scan> scans,
                        std::span<const std::size_t> joined, std::span<const std::uint8_t> is_cut,

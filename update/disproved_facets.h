@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "geom/ids.h"
-#include "geom/point.h"
 #include "update/cloud/outward_normals.h"
 #include "update/cloud/scan.h"
 #include "update/model/model_index.h"

@@ -13,13 +13,14 @@
 
 namespace cocoon {
 
+// Distances in those between nearest samples, of two clouds the larger one.
 struct JoinOptions {
-  // Clouds overlap each other if this share of the samples of one of them, or more,
+  // Clouds overlap each other if at least this share of the samples of one of them is close to
+  // samples of the other.
   double min_share = 0.02;
-  // lies within so many distances between nearest samples (the larger of the two clouds') of
-  // samples of the other. Two sides of a wall are farther apart. 0: none do.
+  // How far that is at most. Two sides of a wall are farther apart. 0: no clouds overlap.
   double reach = 1;
-  // The surface of joined clouds is made of samples at least so many of these distances apart.
+  // Smallest distance between the samples of which the surface of joined clouds is made.
   double thinning = 0.7;
 };
 

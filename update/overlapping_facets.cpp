@@ -245,9 +245,9 @@ void gather_by_loop(const CloudRim& rim, const std::vector<RimPoint>& points,
     LoopOverlap& loop = overlap.loops[points[k].loop];
     loop.facets.push_back(location.facet.triangle);
     loop.feet.push_back(location.facet.point);
-    overlap.star_misses += location.star_miss ? 1 : 0;
-    overlap.facing_away += location.facing_away ? 1 : 0;
-    overlap.steep += location.steep ? 1 : 0;
+    overlap.figures.star_misses += location.star_miss ? 1 : 0;
+    overlap.figures.facing_away += location.facing_away ? 1 : 0;
+    overlap.figures.steep += location.steep ? 1 : 0;
     if (rim.loops[points[k].loop].is_inner_point(points[k].index)) {
       ++loop.inner_points;
       continue;
@@ -259,9 +259,9 @@ void gather_by_loop(const CloudRim& rim, const std::vector<RimPoint>& points,
     }
     overlap.facets.push_back(location.facet.triangle);
     distances.push_back(std::sqrt(location.facet.squared_distance));
-    overlap.largest_distance = std::max(overlap.largest_distance, distances.back());
+    overlap.figures.largest_distance = std::max(overlap.figures.largest_distance, distances.back());
   }
-  overlap.median_distance = median(std::move(distances));
+  overlap.figures.median_distance = median(std::move(distances));
   make_set(overlap.facets);
 }
 
@@ -291,9 +291,9 @@ void measure_excess(const TriangleMesh& model, const CloudRim& rim, Overlap& ove
       const TriangleId facet = loop.facets[i];
       if (facet.is_none() || rim.loops[l].is_inner_point(i)) continue;
       const double excess =
-          distance(loop.feet[i], rim.loops[l].points[i]) - overlap.median_distance;
+          distance(loop.feet[i], rim.loops[l].points[i]) - overlap.figures.median_distance;
       const double spacing = larger_spacing(model, rim, facet);
-      overlap.largest_excess = std::max(overlap.largest_excess, excess / spacing);
+      overlap.figures.largest_excess = std::max(overlap.figures.largest_excess, excess / spacing);
     }
   }
 }
@@ -426,13 +426,13 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
     return facet.is_none() || queries[k].component == any_component ||
            model.component(facet) == queries[k].component;
   });
-  overlap.relocated = chosen.size();
+  overlap.figures.relocated = chosen.size();
   locate_points(model, locator, queries, chosen, execution, located);
 
   // 3. Gathered by loop, and judged.
   gather_by_loop(rim, points, located, overlap);
   measure_excess(model.mesh(), rim, overlap);
-  overlap.leaves_model = overlap.largest_excess > options.raised_distance;
+  overlap.leaves_model = overlap.figures.largest_excess > options.raised_distance;
   count_raised(model.mesh(), rim, options, overlap);
   match_loops(rim, options, overlap);
   report_progress(execution, "overlapping_facets", 1);

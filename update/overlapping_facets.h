@@ -73,12 +73,8 @@ enum class OverlapStatus {
   no_overlap,  // the longest loop of the cloud is off the model, or all clouds that cover it are
 };
 
-struct Overlap {
-  OverlapStatus status = OverlapStatus::ok;
-  std::vector<LoopOverlap> loops;  // as in the rim
-  std::vector<TriangleId> facets;  // all overlapping facets, sorted, each once
-  std::size_t unmatched = 0;       // rim points without a facet
-  std::size_t star_misses = 0;     // nearest_vertex_star only: no facet there, closest one taken
+struct OverlapFigures {
+  std::size_t star_misses = 0;  // nearest_vertex_star only: no facet there, closest one taken
   // Rim points whose closest facet of all has a cosine below min_normal_cosine, and those for which
   // such a facet was taken.
   std::size_t facing_away = 0;
@@ -91,7 +87,16 @@ struct Overlap {
   // By how many spacings, as in max_distance, a matched point at most is farther from its facet
   // than the median.
   double largest_excess = 0;
-  // That is more than raised_distance: the scan ends on what has changed, as in a shadow.
+};
+
+struct Overlap {
+  OverlapStatus status = OverlapStatus::ok;
+  std::vector<LoopOverlap> loops;  // as in the rim
+  std::vector<TriangleId> facets;  // all overlapping facets, sorted, each once
+  std::size_t unmatched = 0;       // rim points without a facet
+  OverlapFigures figures;
+  // Its largest_excess is more than raised_distance: the scan ends on what has changed, as in a
+  // shadow.
   bool leaves_model = false;
 
   // Whether a loop lies on the model, or on other clouds.
@@ -115,6 +120,10 @@ struct Overlap {
 Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
                            const OverlapOptions& options = {}, const Execution& execution = {});
 
+// Overload for a mesh without an index: builds the ModelIndex first, O(model log(model)).
+Overlap overlapping_facets(const TriangleMesh& model, const CloudRim& rim,
+                           const OverlapOptions& options = {}, const Execution& execution = {});
+
 // Where clouds overlap each other on changed geometry, the rim of one lies on the other and not on
 // the old model. Counts the unmatched points of each loop that are within `max_distance` rim
 // spacings of a point of another cloud as covered, and judges the loops anew without them. If of
@@ -127,9 +136,5 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
 void excuse_covered_points(std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds, std::span<Overlap> overlaps,
                            const OverlapOptions& options = {});
-
-// The same on a mesh: builds the index first.
-Overlap overlapping_facets(const TriangleMesh& model, const CloudRim& rim,
-                           const OverlapOptions& options = {}, const Execution& execution = {});
 
 }  // namespace cocoon

@@ -1,7 +1,6 @@
 #include "update/override_choice.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>

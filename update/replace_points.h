@@ -2,14 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/point.h"
-#include "geom/triangle_mesh.h"
 #include "update/choose_regions.h"
 #include "update/cloud_rim.h"
 #include "update/model/model_index.h"

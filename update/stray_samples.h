@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "cocone/noise_filter.h"
 #include "delaunay/delaunay.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <queue>
 #include <tuple>
 #include <unordered_map>
@@ -157,7 +156,7 @@ bool search(const ModelIndex& model, const Span& span, std::size_t max_facets,
 
 // Fills `path` one way or the other and counts which.
 bool find_way(const ModelIndex& model, const Span& span, const TraceOptions& options,
-              Border& counts, std::vector<TriangleId>& path) {
+              BorderFigures& counts, std::vector<TriangleId>& path) {
   if (walk(model, span, options.max_walk_facets, path)) {
     ++counts.walks;
     return true;
@@ -172,7 +171,7 @@ bool find_way(const ModelIndex& model, const Span& span, const TraceOptions& opt
 }
 
 LoopBorder trace_loop(const ModelIndex& model, const LoopOverlap& overlap,
-                      const TraceOptions& options, Border& counts) {
+                      const TraceOptions& options, BorderFigures& counts) {
   const std::size_t n = overlap.facets.size();
   auto matched = [&](std::size_t i) { return !overlap.facets[i % n].is_none(); };
   LoopBorder band;
@@ -204,9 +203,9 @@ Border trace_border(const ModelIndex& model, const CloudRim& rim, const Overlap&
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
     if (overlap.loops[l].match != LoopMatch::on_model) continue;
     LoopBorder& band = border.loops[l];
-    band = trace_loop(model, overlap.loops[l], options, border);
+    band = trace_loop(model, overlap.loops[l], options, border.figures);
     band.for_each_facet([&](TriangleId t) {
-      if (std::exchange(border.facets[t], 1) == 0) ++border.num_facets;
+      if (std::exchange(border.facets[t], 1) == 0) ++border.figures.facets;
     });
     report_progress(execution, "trace_border",
                     static_cast<double>(l + 1) / static_cast<double>(rim.loops.size()));

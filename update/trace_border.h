@@ -44,13 +44,17 @@ struct LoopBorder {
   bool closed = true;               // false: no way over the model between two consecutive points
 };
 
-struct Border {
-  TriangleSet facets;             // the union of all bands
-  std::vector<LoopBorder> loops;  // as in the rim; empty for a loop that is not on_model
-  std::size_t num_facets = 0;
+struct BorderFigures {
+  std::size_t facets = 0;
   std::size_t walks = 0;     // straight walks that arrived
   std::size_t searches = 0;  // walks that failed and were replaced by a search
   std::size_t breaks = 0;    // searches that failed, too
+};
+
+struct Border {
+  TriangleSet facets;             // the union of all bands
+  std::vector<LoopBorder> loops;  // as in the rim; empty for a loop that is not on_model
+  BorderFigures figures;
 };
 
 // Walks over the model from the facet of each rim point to that of the next one.

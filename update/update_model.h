@@ -29,7 +29,6 @@
 #include "update/overlapping_facets.h"
 #include "update/override_choice.h"
 #include "update/pin_holes.h"
-#include "update/regions/loop_sides.h"
 #include "update/replace_points.h"
 #include "update/report/cloud_report.h"
 #include "update/report/contradicted_samples.h"

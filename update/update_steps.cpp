@@ -296,7 +296,7 @@ void UpdateSteps::trace_borders(const ModelIndex& index, const Execution& execut
     } else {
       for (const TriangleId t : facets.ids()) border_facets_[t] |= facets[t];
     }
-    enter_border(border, report);
+    report.border = border.figures;
   }
 }
 
@@ -436,9 +436,9 @@ bool UpdateSteps::report_choice() {
     enter_choice(choice.clouds[c], report);
     for (const RegionId r : report.replaced_groups)
       if (++clouds_over[r.index()] == 2) ++seen_by_several;
-    const bool is_said =
-        std::any_of(report.groups.begin(), report.groups.end(),
-                    [&](const GroupAngle& group) { return options_.overrides.names(group.group); });
+    const bool is_said = std::any_of(
+        report.groups.begin(), report.groups.end(),
+        [&](const RegionVerdict& group) { return options_.overrides.names(group.region); });
     if (choice.clouds[c].margin < options_.choice.narrow_margin && !is_said) {
       warn(name_of_cloud(c) + ": " + warning_of_narrow_margin(report.margin_deg));
     }
@@ -460,7 +460,7 @@ bool UpdateSteps::report_choice() {
               name_of_cloud(c) + ": " +
                   reason_of_ambiguity(
                       options_.choice.ambiguous_margin * degrees_per_radian,
-                      are_joined() ? std::span<const GroupAngle>() : result_.clouds[c].groups));
+                      are_joined() ? std::span<const RegionVerdict>() : result_.clouds[c].groups));
 }
 
 }  // namespace cocoon

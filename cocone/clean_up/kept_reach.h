@@ -10,11 +10,11 @@
 
 namespace cocoon {
 
-// `out`: 1 = a cell is OUT; `changed`: those that have another side than before, each once, all
-// finite. Before, each OUT cell hung together with the infinite ones by facets between OUT cells.
-// True if that is so now: a way to infinity that led through changed cells can take another one
-// around them, since the OUT cells at each connected set of changed ones hang together nearby.
-// False if some do not, or if that is not seen among `most_cells` cells for each set.
+// Whether every OUT cell (`out` is 1) is still connected to infinity through OUT cells, after the
+// cells in `changed` (finite, each once) switched sides; before, every one was. Looks only at the
+// OUT cells around each connected set of changed ones: if they are connected nearby, a way to
+// infinity that led through the set can go around it. False may also mean that this was not found
+// among `most_cells` cells for each set.
 // Complexity: O(cells looked at). Source: ours, docs/stages/clean_up_cells.md.
 bool is_reach_kept(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
                    std::span<const CellId> changed, std::size_t most_cells = 20000);

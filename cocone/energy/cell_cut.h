@@ -6,7 +6,6 @@
 
 #include "cocone/energy/ball_cosines.h"
 #include "cocone/energy/cell_energy.h"
-#include "cocone/mark_cells.h"
 #include "delaunay/triangulation.h"
 #include "geom/id_vector.h"
 

@@ -1,6 +1,5 @@
 #include "cocone/kept/certain_result.h"
 
-#include <array>
 #include <utility>
 
 #include "geom/triangle_mesh.h"

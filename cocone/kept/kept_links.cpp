@@ -1,7 +1,6 @@
 #include "cocone/kept/kept_links.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 

@@ -7,7 +7,6 @@
 
 #include "cocone/marking/cell_label.h"
 #include "cocone/surface_mesh.h"
-#include "cocone/umbrella.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"

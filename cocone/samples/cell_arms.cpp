@@ -1,7 +1,5 @@
 #include "cocone/samples/cell_arms.h"
 
-#include <algorithm>
-
 #include "cocone/samples/double_cone.h"
 #include "geom/vector_dispatch.h"
 

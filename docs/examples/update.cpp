@@ -15,9 +15,9 @@ int main() {
     std::printf("%s\n", update.message.c_str());
     return 1;
   }
-  for (const cocoon::GroupAngle& group : update.clouds[0].groups) {
-    std::printf("group %u: mean angle %.2f degrees, %s\n", group.group.value, group.mean_angle_deg,
-                group.under_cloud ? "replaced" : "kept");
+  for (const cocoon::RegionVerdict& group : update.clouds[0].groups) {
+    std::printf("group %u: mean angle %.2f degrees, %s\n", group.region.value,
+                group.mean_angle_deg(), group.under_cloud ? "replaced" : "kept");
   }
   std::printf("%zu points replaced, %zu triangles in the updated model\n",
               update.replacement.replaced, update.mesh.triangles.size());

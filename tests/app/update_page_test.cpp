@@ -151,7 +151,7 @@ TEST(UpdatePage, JoinedCloudsHaveOneSurfaceAndRim) {
 TEST(UpdatePage, AnglesComeWithTheVerdictOfTheSummary) {
   UpdatedSphere sphere;
   ASSERT_EQ(sphere.result.replaced_groups.size(), 1U);
-  const std::vector<GroupAngle>& groups = sphere.result.clouds[0].groups;
+  const std::vector<RegionVerdict>& groups = sphere.result.clouds[0].groups;
   const auto expect_verdicts = [&] {
     const ReportPage page = sphere.page();
     const PageTable& table = table_of(page, "Mean angle at the rim");
@@ -168,8 +168,8 @@ TEST(UpdatePage, AnglesComeWithTheVerdictOfTheSummary) {
 }
 
 TEST(UpdateReport, VerdictsSayWhyAGroupGoes) {
-  GroupAngle group;
-  group.group = RegionId(3);
+  RegionVerdict group;
+  group.region = RegionId(3);
   const std::vector<RegionId> islands = {RegionId(1), RegionId(3)};
   EXPECT_EQ(verdict_on(group, islands), "kept");
   EXPECT_EQ(verdict_on(group, {}, {.kept = {RegionId(3)}}), "kept, as was said");

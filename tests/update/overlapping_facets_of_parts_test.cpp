@@ -25,7 +25,7 @@ TEST(OverlappingFacets, ATenthOfTheRimMayBeNearestToAnotherPart) {
     RimLoop loop = circle(40, {12, 12, 0}, 6);
     for (std::size_t i = 0; i < raised; ++i) loop.points[i].z = 1;
     const Overlap overlap = overlapping_facets(model, rim_of({loop}));
-    EXPECT_EQ(overlap.relocated, relocated);
+    EXPECT_EQ(overlap.figures.relocated, relocated);
     const auto& feet = overlap.loops[0].feet;
     return std::count_if(feet.begin(), feet.end(), [](const Point& foot) { return foot.z > 0.5; });
   };
@@ -46,8 +46,8 @@ TEST(OverlappingFacets, APointNearestToAnotherPartIsLocatedOnThatOfTheOthers) {
   loop.points[0].z = 1;
   for (const LocationRule rule : {LocationRule::closest_facet, LocationRule::nearest_vertex_star}) {
     const Overlap overlap = overlapping_facets(model, rim_of({loop}), {.rule = rule});
-    EXPECT_EQ(overlap.relocated, 1U);
-    EXPECT_EQ(overlap.facing_away, 0U);
+    EXPECT_EQ(overlap.figures.relocated, 1U);
+    EXPECT_EQ(overlap.figures.facing_away, 0U);
     EXPECT_EQ(overlap.loops[0].feet[0].z, 0);
   }
 }

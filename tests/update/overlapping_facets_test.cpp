@@ -34,9 +34,9 @@ TEST(OverlappingFacets, FindsTheFacetBelowEachPoint) {
     ASSERT_EQ(overlap.status, OverlapStatus::ok);
     ASSERT_EQ(overlap.loops.size(), 1U);
     EXPECT_EQ(overlap.unmatched, 0U);
-    EXPECT_EQ(overlap.facing_away, 0U);
-    EXPECT_NEAR(overlap.largest_distance, 0.3, 1e-12);
-    EXPECT_NEAR(overlap.median_distance, 0.3, 1e-12);
+    EXPECT_EQ(overlap.figures.facing_away, 0U);
+    EXPECT_NEAR(overlap.figures.largest_distance, 0.3, 1e-12);
+    EXPECT_NEAR(overlap.figures.median_distance, 0.3, 1e-12);
     for (std::size_t i = 0; i < 40; ++i) {
       const Point& p = rim.loops[0].points[i];
       EXPECT_TRUE(contains_xy(model, overlap.loops[0].facets[i], p)) << i;
@@ -70,9 +70,9 @@ TEST(OverlappingFacets, TellsHowMuchFartherOffAPointIs) {
   const TriangleMesh model = testing::grid_plane(20);
   for (const std::size_t points : {40U, 400U}) {
     RimLoop rim = circle(points, {10, 10, 0.3}, 6.2);
-    EXPECT_NEAR(overlapping_facets(model, rim_of({rim})).largest_excess, 0, 1e-12);
+    EXPECT_NEAR(overlapping_facets(model, rim_of({rim})).figures.largest_excess, 0, 1e-12);
     rim.points[7].z += 2;
-    const double excess = overlapping_facets(model, rim_of({rim})).largest_excess;
+    const double excess = overlapping_facets(model, rim_of({rim})).figures.largest_excess;
     EXPECT_GT(excess, 2 / 1.5);
     EXPECT_LT(excess, 2 / 0.9);
   }
@@ -107,7 +107,7 @@ TEST(OverlappingFacets, DoesNotTakeTheFarSideOfAThinWall) {
     }
     const Overlap overlap = overlapping_facets(wall, rim_of({loop}));
     ASSERT_EQ(overlap.status, OverlapStatus::ok);
-    EXPECT_EQ(overlap.facing_away, 10U);
+    EXPECT_EQ(overlap.figures.facing_away, 10U);
     for (const Point& foot : overlap.loops[0].feet) EXPECT_EQ(foot.z, 1);
   }
 }
@@ -128,8 +128,8 @@ TEST(OverlappingFacets, PointsWithoutANormalHaveNoSide) {
   const Overlap overlap = overlapping_facets(model, rim_of({loop}));
   EXPECT_EQ(overlap.facets.size(),
             overlapping_facets(model, rim_of({circle(40, {10, 10, 0.3}, 6.2)})).facets.size());
-  EXPECT_EQ(overlap.facing_away, 0U);
-  EXPECT_EQ(overlap.steep, 0U);
+  EXPECT_EQ(overlap.figures.facing_away, 0U);
+  EXPECT_EQ(overlap.figures.steep, 0U);
 }
 
 // A one-sided surface has gone through a thin wall somewhere: half of its rim has the normals of
@@ -164,7 +164,7 @@ TEST(OverlappingFacets, DoesNotTakeAnotherWallFromAfar) {
   const Overlap overlap = overlapping_facets(model, rim_of({loop}));
   ASSERT_EQ(overlap.status, OverlapStatus::ok);
   EXPECT_EQ(overlap.loops[0].feet[first].z, 8);
-  EXPECT_EQ(overlap.steep, 1U);
+  EXPECT_EQ(overlap.figures.steep, 1U);
   // At an edge the wall is as near as the floor, and then it is the better one.
   loop.points[first].x = 19.6;
   EXPECT_EQ(overlapping_facets(model, rim_of({loop})).loops[0].feet[first].x, 20);
@@ -180,7 +180,7 @@ TEST(OverlappingFacets, DoesNotTakeAWallBeyondTheLargestDistance) {
   const auto place = [&](double max_distance) {
     const Overlap overlap =
         overlapping_facets(model, rim_of({loop}), {.max_distance = max_distance});
-    EXPECT_EQ(overlap.steep, max_distance == 0.8 ? 0U : 1U);
+    EXPECT_EQ(overlap.figures.steep, max_distance == 0.8 ? 0U : 1U);
     return overlap.loops[0].feet[99];
   };
   EXPECT_EQ(place(0.8), (Point{40, 20, 16}));
@@ -411,7 +411,7 @@ TEST(OverlappingFacets, LongFacetsMisleadTheNearestVertexRule) {
       mesh, rim, {.rule = LocationRule::nearest_vertex_star, .max_distance = 100});
   EXPECT_EQ(closest.facets, std::vector<TriangleId>{TriangleId(0)});
   EXPECT_EQ(star.facets, std::vector<TriangleId>{TriangleId(1)});
-  EXPECT_EQ(star.star_misses, 0U);
+  EXPECT_EQ(star.figures.star_misses, 0U);
 }
 
 // Beside the shelf no facet of the nearest vertex has the projection: the closest facet is taken,
@@ -422,8 +422,8 @@ TEST(OverlappingFacets, AProjectionInNoFacetOfTheStarIsCounted) {
   const Overlap star = overlapping_facets(
       mesh, rim, {.rule = LocationRule::nearest_vertex_star, .max_distance = 100});
   EXPECT_EQ(star.facets, std::vector<TriangleId>{TriangleId(0)});
-  EXPECT_EQ(star.star_misses, 8U);
-  EXPECT_EQ(overlapping_facets(mesh, rim, {.max_distance = 100}).star_misses, 0U);
+  EXPECT_EQ(star.figures.star_misses, 8U);
+  EXPECT_EQ(overlapping_facets(mesh, rim, {.max_distance = 100}).figures.star_misses, 0U);
 }
 
 // Each point has its facet; the set of facets has it once.

@@ -92,7 +92,7 @@ inline void expect_equal_reports(const UpdateResult& actual, const UpdateResult&
   ASSERT_EQ(actual.clouds.size(), expected.clouds.size());
   for (std::size_t c = 0; c < actual.clouds.size(); ++c) {
     EXPECT_EQ(actual.clouds[c].overlapping_facets, expected.clouds[c].overlapping_facets);
-    EXPECT_EQ(actual.clouds[c].border_facets, expected.clouds[c].border_facets);
+    EXPECT_EQ(actual.clouds[c].border.facets, expected.clouds[c].border.facets);
     EXPECT_EQ(actual.clouds[c].margin_deg, expected.clouds[c].margin_deg);
     EXPECT_EQ(actual.clouds[c].contradicted.count, expected.clouds[c].contradicted.count);
   }

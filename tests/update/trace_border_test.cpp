@@ -55,10 +55,10 @@ TEST(TraceBorder, ClosesTheGapsOfACoarseRim) {
   const Overlap overlap = overlapping_facets(model, rim);
   ASSERT_EQ(overlap.facets.size(), 6U);
   const Border border = trace_border(model, rim, overlap);
-  EXPECT_EQ(border.walks, 6U);
-  EXPECT_EQ(border.searches, 0U);
-  EXPECT_EQ(border.breaks, 0U);
-  EXPECT_GT(border.num_facets, 6U * 15);
+  EXPECT_EQ(border.figures.walks, 6U);
+  EXPECT_EQ(border.figures.searches, 0U);
+  EXPECT_EQ(border.figures.breaks, 0U);
+  EXPECT_GT(border.figures.facets, 6U * 15);
   expect_connected(model, overlap, border);
 
   // Without tracing regions leak; with it there are two.
@@ -82,7 +82,7 @@ TEST(TraceBorder, WalksThroughVerticesAndAlongEdges) {
   const Overlap overlap = overlapping_facets(model, rim);
   const Border border = trace_border(model, rim, overlap);
   expect_connected(model, overlap, border);
-  EXPECT_EQ(border.breaks, 0U);
+  EXPECT_EQ(border.figures.breaks, 0U);
   EXPECT_EQ(segment_model(mesh, border.facets, {.min_region_facets = 1}).regions.size(), 2U);
 }
 
@@ -99,7 +99,7 @@ TEST(TraceBorder, RandomCapsAlwaysSeparate) {
     const Overlap overlap = overlapping_facets(model, rim);
     ASSERT_EQ(overlap.status, OverlapStatus::ok);
     const Border border = trace_border(model, rim, overlap);
-    EXPECT_EQ(border.breaks, 0U) << "round " << round;
+    EXPECT_EQ(border.figures.breaks, 0U) << "round " << round;
     expect_connected(model, overlap, border);
     const Regions regions = segment_model(mesh, border.facets);
     EXPECT_EQ(regions.regions.size(), 2U) << "round " << round << ", " << n << " points";
@@ -171,14 +171,14 @@ TEST(TraceBorder, SearchesAroundWhereTheWalkFails) {
   loop.points = overlap.loops[0].feet;
   const CloudRim rim{.loops = {loop}};
   const Border border = trace_border(model, rim, overlap);
-  EXPECT_EQ(border.searches, 2U);
-  EXPECT_EQ(border.breaks, 0U);
+  EXPECT_EQ(border.figures.searches, 2U);
+  EXPECT_EQ(border.figures.breaks, 0U);
   expect_connected(model, overlap, border);
 
   const Border limited = trace_border(model, rim, overlap, {.max_search_facets = 10});
-  EXPECT_EQ(limited.breaks, 2U);
+  EXPECT_EQ(limited.figures.breaks, 2U);
   EXPECT_FALSE(limited.loops[0].closed);
-  EXPECT_EQ(limited.num_facets, 0U);  // nothing of walks that did not arrive
+  EXPECT_EQ(limited.figures.facets, 0U);  // nothing of walks that did not arrive
 }
 
 // A rim of points that lie on the model, each with the facet next to it towards a place beside it.
@@ -212,8 +212,8 @@ TEST(TraceBorder, ACornerOnThePlaneCountsAsAbove) {
   PlacedRim rim(mesh);
   for (const double x : {1.2, 4.2, 6.2}) rim.add({x, 2, 0}, {0.1, 0.02, 0});
   const Border border = rim.trace(model);
-  EXPECT_EQ(border.walks, 2U);
-  EXPECT_EQ(border.searches, 1U);
+  EXPECT_EQ(border.figures.walks, 2U);
+  EXPECT_EQ(border.figures.searches, 1U);
   for (const Point& p : centroids(model, border.loops[0].facets_of(0))) {
     EXPECT_GT(p.y, 2);
     EXPECT_LT(p.y, 2.5);
@@ -230,10 +230,10 @@ TEST(TraceBorder, LimitsCountTheFacetsOfAWay) {
   rim.add({14, 1.5, 0});  // lower facet of the fifth
   const std::size_t facets = rim.trace(model).loops[0].facets_of(0).size();
   ASSERT_EQ(facets, 10U);
-  EXPECT_EQ(rim.trace(model, {.max_walk_facets = facets}).walks, 2U);
-  EXPECT_EQ(rim.trace(model, {.max_walk_facets = facets - 1}).searches, 2U);
+  EXPECT_EQ(rim.trace(model, {.max_walk_facets = facets}).figures.walks, 2U);
+  EXPECT_EQ(rim.trace(model, {.max_walk_facets = facets - 1}).figures.searches, 2U);
   const auto breaks = [&](std::size_t most) {
-    return rim.trace(model, {.max_walk_facets = 1, .max_search_facets = most}).breaks;
+    return rim.trace(model, {.max_walk_facets = 1, .max_search_facets = most}).figures.breaks;
   };
   EXPECT_EQ(breaks(facets), 0U);
   EXPECT_EQ(breaks(facets - 1), 2U);
@@ -248,7 +248,7 @@ TEST(TraceBorder, AWalkOverAnEdgeLeansOnBothNormals) {
   rim.add({12.5, 6.25, 20});
   rim.add({20, 16.25, 12.5});
   const Border border = rim.trace(model);
-  EXPECT_EQ(border.walks, 2U);
+  EXPECT_EQ(border.figures.walks, 2U);
   std::size_t at_edge = 0;  // y = 11.25 where the way crosses it
   for (const Point& p : centroids(model, border.loops[0].facets_of(0))) {
     if (p.x < 17.5 || p.z < 17.5) continue;
@@ -269,7 +269,7 @@ TEST(TraceBorder, AWalkBeyondTheEndOfItsSegmentHasMissed) {
   rim.add({4.5, 5.3, 0});
   rim.add({5.1, 5.3, 0.5 + 0.125 * 5.1});
   const Border border = rim.trace(model);
-  EXPECT_EQ(border.searches, 2U);
+  EXPECT_EQ(border.figures.searches, 2U);
   for (const std::size_t edge : {0U, 1U}) {
     for (const Point& p : centroids(model, border.loops[0].facets_of(edge))) EXPECT_LT(p.x, 8);
   }
@@ -350,7 +350,7 @@ TEST(TraceBorder, ASearchMeasuresFromTheSegmentNotFromItsLine) {
   rim.add({3.6 * size, 2.5 * size, 0});
   rim.add({8.4 * size, 2.5 * size, 0});
   const Border border = rim.trace(model);
-  EXPECT_EQ(border.searches, 2U);
+  EXPECT_EQ(border.figures.searches, 2U);
   for (const std::size_t edge : {0U, 1U}) {
     const auto facets = border.loops[0].facets_of(edge);
     EXPECT_GT(facets.size(), 10U);
@@ -389,7 +389,7 @@ TEST(TraceBorder, OfTwoWaysOfOneCostThatOfTheSmallerCorners) {
     rim.add({0, -3, 0});
     rim.add({0, 11, 0});
     const Border border = rim.trace(model, {.max_walk_facets = 1});
-    EXPECT_EQ(border.searches, 2U);
+    EXPECT_EQ(border.figures.searches, 2U);
     for (const std::size_t edge : {0U, 1U}) {
       const auto facets = border.loops[0].facets_of(edge);
       ASSERT_EQ(facets.size(), 6U);
@@ -411,7 +411,7 @@ TEST(TraceBorder, NoWayBetweenSeparateBodies) {
   const CloudRim rim = rim_of({circle(24, {3.5, 1.5, 3}, 1.2)});
   const Overlap overlap = overlapping_facets(model, rim);
   const Border border = trace_border(model, rim, overlap);
-  EXPECT_EQ(border.breaks, 2U);
+  EXPECT_EQ(border.figures.breaks, 2U);
   const Regions regions = segment_model(mesh, border.facets);
   EXPECT_EQ(loop_sides(mesh, model.neighbors(), border.loops[0], regions).separation,
             Separation::open_band);
@@ -422,12 +422,12 @@ TEST(TraceBorder, WithinOneFacetThereIsNothingToSearch) {
   const ModelIndex model(mesh);
   const CloudRim rim = rim_of({circle(8, {2.7, 2.3, 0}, 0.2)});
   const Border border = trace_border(model, rim, overlapping_facets(model, rim));
-  EXPECT_EQ(border.num_facets, 1U);
-  EXPECT_EQ(border.walks, 8U);
-  EXPECT_EQ(border.searches, 0U);
+  EXPECT_EQ(border.figures.facets, 1U);
+  EXPECT_EQ(border.figures.walks, 8U);
+  EXPECT_EQ(border.figures.searches, 0U);
   PlacedRim point(mesh);  // a loop of one point, too, is on a facet
   point.add({2.7, 2.3, 0});
-  EXPECT_EQ(point.trace(model).num_facets, 1U);
+  EXPECT_EQ(point.trace(model).figures.facets, 1U);
 }
 
 TEST(TraceBorder, CoveredLoopsAreNoBorder) {
@@ -438,7 +438,7 @@ TEST(TraceBorder, CoveredLoopsAreNoBorder) {
   for (const LoopMatch match : {LoopMatch::covered, LoopMatch::off_model}) {
     overlap.loops[0].match = match;
     const Border border = trace_border(model, rim, overlap);
-    EXPECT_EQ(border.num_facets, 0U);
+    EXPECT_EQ(border.figures.facets, 0U);
     EXPECT_TRUE(border.loops[0].begin.empty());
   }
 }

@@ -1,7 +1,6 @@
 // Loops beside which the scan goes on off the model: seams at the edges of a change.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -11,18 +10,20 @@
 
 namespace cocoon {
 
+// An edge is torn if a sample shows that the cloud goes on beyond it, closer to the model or
+// farther from it. A loop is a seam if enough of its edges are torn. Distances in rim spacings.
 struct TornEdgeOptions {
-  // A sample within so many rim spacings of the middle of an edge,
+  // Largest distance of the sample from the middle of the edge.
   double reach = 1.5;
-  // that lies so many of them out from it, along the surface beside the edge,
+  // Its smallest distance outward from the edge, along the surface beside it.
   double min_outward = 0.2;
-  // and is farther from the model than that middle is, or closer to it, by so many, shows that the
-  // edge is torn.
+  // Smallest difference between its distance from the model and that of the edge's middle.
   double min_step = 0.4;
-  // A loop is a seam if a larger share of it is torn or has cloud beyond it (RimLoop::inner),
+  // In a seam the share of edges that are torn or have cloud beyond them (RimLoop::inner) is
+  // larger.
   double max_seam_share = 0.5;
-  // and a larger share of its other edges is torn: the few torn ones of a rim with many inner edges
-  // do not make a seam of it.
+  // In a seam the share of torn edges among those that are not inner is larger, too: a few torn
+  // ones of a rim with many inner edges make no seam of it.
   double min_torn_share = 0.2;
 };
 

@@ -1,7 +1,6 @@
 #include "update/cloud/trim_long_edges.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>

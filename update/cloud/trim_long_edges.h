@@ -20,7 +20,7 @@ struct TrimOptions {
 
 struct TrimmedSurface {
   TriangleMesh mesh;            // all vertices, fewer triangles, in the same order
-  HalfedgeRings rings;          // of that mesh, for who goes on with it
+  HalfedgeRings rings;          // of that mesh
   std::size_t at_rim = 0;       // triangles taken away from the rim inwards
   std::size_t in_clusters = 0;  // triangles taken away in clusters
 };

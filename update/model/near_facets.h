@@ -1,7 +1,6 @@
 // The few facets of a mesh that lie near given points, with a search tree over them alone.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "geom/box_tree.h"

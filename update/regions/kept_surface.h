@@ -8,7 +8,6 @@
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/ids.h"
-#include "geom/triangle_mesh.h"
 #include "update/choose_regions.h"
 #include "update/model/model_index.h"
 #include "update/replace_points.h"

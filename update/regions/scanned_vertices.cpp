@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #include "geom/box_tree.h"
 #include "geom/sort_ids.h"

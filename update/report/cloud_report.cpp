@@ -90,13 +90,7 @@ CloudPoint point_told(std::span<const CloudReport> reports,
 
 void enter_overlap(const Overlap& overlap, CloudReport& report) {
   report.overlapping_facets = overlap.facets;
-  report.star_misses = overlap.star_misses;
-  report.facing_away = overlap.facing_away;
-  report.steep = overlap.steep;
-  report.relocated = overlap.relocated;
-  report.largest_distance = overlap.largest_distance;
-  report.median_distance = overlap.median_distance;
-  report.largest_excess = overlap.largest_excess;
+  report.overlap = overlap.figures;
   report.surface.rim.leaves_model = overlap.leaves_model;
   for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
     report.loops[l].match = overlap.loops[l].match;
@@ -111,18 +105,10 @@ void enter_shift(const Vec3& shift, const ShiftOptions& options, CloudReport& re
   report.believed_shift = is_too_long ? Vec3{} : shift;
 }
 
-void enter_border(const Border& border, CloudReport& report) {
-  report.border_facets = border.num_facets;
-  report.walks = border.walks;
-  report.searches = border.searches;
-  report.breaks = border.breaks;
-}
-
 void enter_choice(const CloudChoice& choice, CloudReport& report) {
   report.margin_deg = choice.margin * degrees_per_radian;
+  report.groups = choice.regions;
   for (const RegionVerdict& verdict : choice.regions) {
-    report.groups.push_back({verdict.region, verdict.mean_angle * degrees_per_radian, verdict.edges,
-                             verdict.under_cloud});
     if (verdict.under_cloud) report.replaced_groups.push_back(verdict.region);
   }
 }

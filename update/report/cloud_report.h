@@ -18,7 +18,6 @@
 #include "update/regions/loop_sides.h"
 #include "update/report/contradicted_samples.h"
 #include "update/report/rim_shift.h"
-#include "update/segment_model.h"
 #include "update/trace_border.h"
 
 namespace cocoon {
@@ -35,14 +34,6 @@ struct LoopReport {
   Separation separation = Separation::separates;
 };
 
-// How one cloud saw one region of the model.
-struct GroupAngle {
-  RegionId group;
-  double mean_angle_deg = 0;
-  std::size_t edges = 0;  // rim edges that counted
-  bool under_cloud = false;
-};
-
 struct CloudReport {
   // The cloud that tells of the surface and the rim of this one, too, since they overlap each
   // other (join_clouds). Then only regions, spacing and believed shift are told here, and those
@@ -52,20 +43,11 @@ struct CloudReport {
   std::vector<LoopReport> loops;               // as in surface.rim
   std::size_t boundary_points = 0;             // rim points
   std::vector<TriangleId> overlapping_facets;  // facets of the model with a rim point on them
-  std::size_t star_misses = 0;                 // see Overlap
-  std::size_t facing_away = 0;
-  std::size_t steep = 0;
-  std::size_t relocated = 0;
-  double largest_distance = 0;
-  double median_distance = 0;
-  double largest_excess = 0;      // see Overlap
-  double shift = 0;               // length of cloud_shift(); 0 if samples contradict it
-  Vec3 believed_shift;            // cloud_shift(); zero if ShiftOptions::is_too_long()
-  std::size_t border_facets = 0;  // with those traced between rim points
-  std::size_t walks = 0;          // see Border
-  std::size_t searches = 0;
-  std::size_t breaks = 0;
-  std::vector<GroupAngle> groups;         // in the order of groups
+  OverlapFigures overlap;
+  double shift = 0;     // length of cloud_shift(); 0 if samples contradict it
+  Vec3 believed_shift;  // cloud_shift(); zero if ShiftOptions::is_too_long()
+  BorderFigures border;
+  std::vector<RegionVerdict> groups;      // those it saw, in the order of ids
   std::vector<RegionId> replaced_groups;  // those under this cloud
   double margin_deg = 180;                // of its least clear loop; of all if it was cut
   ContradictedSamples contradicted;       // its samples, on the updated model
@@ -110,7 +92,6 @@ CloudPoint point_told(std::span<const CloudReport> reports,
 // Enters what the stages found of a cloud. Complexity: O(what is entered).
 void enter_overlap(const Overlap& overlap, CloudReport& report);
 void enter_shift(const Vec3& shift, const ShiftOptions& options, CloudReport& report);
-void enter_border(const Border& border, CloudReport& report);
 void enter_choice(const CloudChoice& choice, CloudReport& report);
 
 }  // namespace cocoon

@@ -8,7 +8,6 @@
 
 #include "geom/triangle_mesh.h"
 #include "update/cloud/scan.h"
-#include "update/model/mesh_change.h"
 
 namespace cocoon {
 

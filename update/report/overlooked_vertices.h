@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "geom/nearest_point.h"
 #include "update/cloud_rim.h"

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <span>
 
-#include "update/model/model_index.h"
 #include "update/report/cloud_report.h"
 
 namespace cocoon {

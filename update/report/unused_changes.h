@@ -11,16 +11,18 @@
 
 namespace cocoon {
 
+// Distances in spacings of the sample's scan.
 struct UnusedChangeOptions {
-  // A sample farther from the model than this many spacings of its scan shows a change.
+  // A sample farther from the model than this shows a change.
   double off_model = 0.7;
-  // A stray point is no change: around an unused sample there are at least so many more of them
+  // An unused sample with fewer other ones around it is a stray point, no change.
   std::size_t neighbors = 3;
-  // within so many spacings.
+  // How far around.
   double reach = 2;
-  // A larger share of the samples off the model is worth a warning, or so many of them. Of 463
-  // updates one of 247 right ones had such a share, and half of 216 wrong ones.
+  // A larger share of the samples off the model is worth a warning. Of 463 updates one of 247 right
+  // ones had such a share, and half of 216 wrong ones.
   double min_share = 0.02;
+  // So many of them are worth one, whatever their share.
   std::size_t min_count = 50;
 };
 

@@ -91,12 +91,12 @@ std::string reason_of_wide_handle() {
          "the handle parts what is near the samples from the rest; add a cloud that closes the cut";
 }
 
-std::string reason_of_ambiguity(double margin, std::span<const GroupAngle> groups) {
+std::string reason_of_ambiguity(double margin, std::span<const RegionVerdict> groups) {
   const std::string degrees = rounded(margin);
   std::string told;
-  for (const GroupAngle& group : groups) {
-    told += (told.empty() ? " (group " : ", group ") + std::to_string(group.group.value) + ": " +
-            rounded(group.mean_angle_deg);
+  for (const RegionVerdict& group : groups) {
+    told += (told.empty() ? " (group " : ", group ") + std::to_string(group.region.value) + ": " +
+            rounded(group.mean_angle_deg());
   }
   return "the regions inside and outside a rim make angles with the cloud that differ by less "
          "than " +
@@ -220,8 +220,8 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
     warnings.push_back(counted(rim.seamed_loops, "loop of its rim runs", "loops of its rim run") +
                        " along seams inside the cloud for the most part; look at the result");
   }
-  if (cloud.median_distance > options.step_distance * rim.spacing) {
-    warnings.push_back("its rim lies " + rounded(cloud.median_distance / rim.spacing) +
+  if (cloud.overlap.median_distance > options.step_distance * rim.spacing) {
+    warnings.push_back("its rim lies " + rounded(cloud.overlap.median_distance / rim.spacing) +
                        " spacings off the model (median): there will be a step; register it "
                        "better, or let it reach onto unchanged surface");
   } else if (shift.is_too_long(cloud.shift, rim.spacing)) {
@@ -230,7 +230,7 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
   }
   if (rim.leaves_model) {
     warnings.push_back("its rim leaves the model here and there, by up to " +
-                       rounded(cloud.largest_excess) +
+                       rounded(cloud.overlap.largest_excess) +
                        " spacings: the scan ends on what has changed, as in a shadow of the "
                        "scanner; look at the result, or scan what lies between it and the model");
   }

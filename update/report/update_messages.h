@@ -48,7 +48,7 @@ std::string reason_of_doubtful_cut(const RegionCut& cut);
 std::string reason_of_wide_handle();
 // Why the angles do not decide; `margin`: in degrees.
 // `groups`: those of which people may say which goes; empty: of none.
-std::string reason_of_ambiguity(double margin, std::span<const GroupAngle> groups);
+std::string reason_of_ambiguity(double margin, std::span<const RegionVerdict> groups);
 // Why nothing is left of the updated points.
 std::string reason_of_empty_surface(std::size_t updated_points);
 // If all of them are boundary samples.

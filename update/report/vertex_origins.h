@@ -1,7 +1,6 @@
 // Where each vertex of an updated mesh comes from.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "geom/id_vector.h"

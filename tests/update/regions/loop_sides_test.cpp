@@ -61,14 +61,14 @@ TEST(LoopSides, ACapHasTwoSides) {
 TEST(LoopSides, RimWithinOneFacetEnclosesNothing) {
   const TriangleMesh mesh = testing::grid_plane(10);
   const Traced traced = trace(mesh, rim_of({circle(12, {4.7, 4.3, 0.02}, 0.15)}));
-  EXPECT_EQ(traced.border.num_facets, 1U);
+  EXPECT_EQ(traced.border.figures.facets, 1U);
   EXPECT_EQ(traced.sides[0].separation, Separation::encloses_nothing);
 }
 
 TEST(LoopSides, RimAroundOneVertexEnclosesNothing) {
   const TriangleMesh mesh = testing::grid_plane(10);
   const Traced traced = trace(mesh, rim_of({circle(24, {5, 5, 0.02}, 0.4)}));
-  EXPECT_EQ(traced.border.num_facets, 6U);
+  EXPECT_EQ(traced.border.figures.facets, 6U);
   EXPECT_EQ(traced.sides[0].separation, Separation::encloses_nothing);
   EXPECT_EQ(traced.regions.border_vertices, 1U);
 }

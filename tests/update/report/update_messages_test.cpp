@@ -42,7 +42,7 @@ TEST(UpdateMessages, ACutThatHardlyCostsAnythingIsNotSaid) {
 TEST(UpdateMessages, ARimThatLeavesTheModelPartOfTheWayIsSaid) {
   CloudReport cloud;
   cloud.surface.rim.spacing = 2;
-  cloud.largest_excess = 1.5;
+  cloud.overlap.largest_excess = 1.5;
   EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
   cloud.surface.rim.leaves_model = true;
   EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "by up to 1.5 spacings"));
@@ -94,13 +94,13 @@ TEST(UpdateMessages, ARimOffTheModelIsSaid) {
   cloud.surface.rim.spacing = 2;
   cloud.surface.rim.seam_loops = 3;
   cloud.surface.rim.non_orientable = 1;
-  cloud.median_distance = 1.2;
+  cloud.overlap.median_distance = 1.2;
   EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
   EXPECT_EQ(notes_of_surface(cloud.surface).size(), 2U);
-  cloud.median_distance = 2.5;
+  cloud.overlap.median_distance = 2.5;
   EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "1.25 spacings off the model"));
   EXPECT_TRUE(warnings_of_cloud(cloud, {.step_distance = 1.5}, {}).empty());
-  cloud.median_distance = 0.2;
+  cloud.overlap.median_distance = 0.2;
   cloud.shift = 1.4;
   EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
   cloud.shift = 1.8;
@@ -119,8 +119,8 @@ TEST(UpdateMessages, JoinedCloudsAreNamedAfterTheFirst) {
 }
 
 TEST(UpdateMessages, AnglesAreInDegrees) {
-  const std::vector<GroupAngle> groups = {{RegionId(0), 90.1, 30, false},
-                                          {RegionId(2), 89.9, 30, true}};
+  const std::vector<RegionVerdict> groups = {{RegionId(0), 90.1 / degrees_per_radian, 30, false},
+                                             {RegionId(2), 89.9 / degrees_per_radian, 30, true}};
   EXPECT_TRUE(says({reason_of_ambiguity(1, groups)},
                    "differ by less than 1 degree (group 0: 90.1, group 2: 89.9); let the cloud "
                    "reach"));
