@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/files.h"
-#include "geom/counted.h"
+#include "geom/messages/counted.h"
 
 namespace cocoon::app {
 

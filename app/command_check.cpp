@@ -6,11 +6,11 @@
 #include "app/files.h"
 #include "app/surface_report.h"
 #include "geom/errors.h"
-#include "geom/linked_mesh.h"
+#include "geom/mesh/linked_mesh.h"
+#include "geom/mesh/narrow_handles.h"
 #include "geom/mesh_check.h"
 #include "geom/mesh_measure.h"
-#include "geom/narrow_handles.h"
-#include "geom/place_name.h"
+#include "geom/messages/place_name.h"
 #include "geom/self_intersection.h"
 
 namespace cocoon::app {

@@ -19,8 +19,8 @@
 #include "app/updating.h"
 #include "cocone/reconstruct.h"
 #include "cocone/robust_cocone.h"
-#include "geom/counted.h"
 #include "geom/mesh_check.h"
+#include "geom/messages/counted.h"
 #include "io/lock_file.h"
 #include "io/mesh_file.h"
 

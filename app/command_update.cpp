@@ -12,9 +12,9 @@
 #include "app/pending_clouds.h"
 #include "app/session_file.h"
 #include "app/updating.h"
-#include "geom/equal_points.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
+#include "geom/search/equal_points.h"
 #include "io/file_format.h"
 #include "io/lock_file.h"
 

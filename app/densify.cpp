@@ -8,10 +8,10 @@
 #include "cocone/conforming_samples.h"
 #include "cocone/labels_of_solid.h"
 #include "cocone/reconstruct.h"
-#include "geom/counted.h"
-#include "geom/dense_samples.h"
 #include "geom/errors.h"
+#include "geom/mesh/dense_samples.h"
 #include "geom/mesh_check.h"
+#include "geom/messages/counted.h"
 
 namespace cocoon::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "geom/nearest_point.h"
+#include "geom/search/nearest_point.h"
 #include "geom/signed_distance.h"
 #include "geom/working_scale.h"
 #include "io/mesh_file.h"

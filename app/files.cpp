@@ -9,8 +9,8 @@
 
 #include "app/pending_clouds.h"
 #include "app/replaceable_file.h"
-#include "geom/counted.h"
 #include "geom/errors.h"
+#include "geom/messages/counted.h"
 #include "io/atomic_file.h"
 #include "io/file_format.h"
 #include "io/lock_file.h"

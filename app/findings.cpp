@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <fmt/format.h>
 
-#include "geom/counted.h"
-#include "geom/place_name.h"
+#include "geom/messages/counted.h"
+#include "geom/messages/place_name.h"
 
 namespace cocoon::app {
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/files.h"
-#include "geom/counted.h"
 #include "geom/errors.h"
+#include "geom/messages/counted.h"
 #include "io/file_format.h"
 
 namespace cocoon::app {

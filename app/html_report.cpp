@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/report_template.h"
-#include "io/base64.h"
+#include "io/encoding/base64.h"
 
 namespace cocoon::app {
 

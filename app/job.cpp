@@ -4,7 +4,7 @@
 #include <sys/resource.h>
 
 #include "app/standard_streams.h"
-#include "geom/counted.h"
+#include "geom/messages/counted.h"
 #include "io/file_format.h"
 
 namespace cocoon::app {

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "geom/counted.h"
-#include "geom/split_nonmanifold.h"
+#include "geom/mesh/split_nonmanifold.h"
+#include "geom/messages/counted.h"
 #include "io/file_format.h"
 
 namespace cocoon::app {

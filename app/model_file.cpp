@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "app/files.h"
-#include "geom/counted.h"
-#include "geom/equal_points.h"
+#include "geom/mesh/weld_vertices.h"
 #include "geom/mesh_check.h"
-#include "geom/weld_vertices.h"
+#include "geom/messages/counted.h"
+#include "geom/search/equal_points.h"
 #include "update/model/orient_outward.h"
 
 namespace cocoon::app {

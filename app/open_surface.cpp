@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "geom/counted.h"
 #include "geom/errors.h"
+#include "geom/messages/counted.h"
 #include "update/cloud/trim_long_edges.h"
 
 namespace cocoon::app {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/command_line.h"
-#include "io/number_text.h"
+#include "io/encoding/number_text.h"
 
 namespace cocoon::app {
 

@@ -6,9 +6,9 @@
 #include "app/surface_report.h"
 #include "app/verification.h"
 #include "cocone/checks/sample_doubts.h"
-#include "geom/counted.h"
 #include "geom/errors.h"
-#include "geom/place_name.h"
+#include "geom/messages/counted.h"
+#include "geom/messages/place_name.h"
 
 namespace cocoon::app {
 

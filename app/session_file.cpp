@@ -3,8 +3,8 @@
 #include <span>
 #include <string_view>
 
+#include "geom/arrays/room_to_grow.h"
 #include "geom/errors.h"
-#include "geom/room_to_grow.h"
 #include "io/file_bytes.h"
 #include "io/summed_file.h"
 #include "io/triangulation_block.h"

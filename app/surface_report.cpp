@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <fmt/format.h>
 
-#include "geom/counted.h"
-#include "geom/mixed_bits.h"
+#include "geom/messages/counted.h"
+#include "geom/random/mixed_bits.h"
 
 namespace cocoon::app {
 

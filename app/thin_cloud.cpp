@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "geom/box.h"
-#include "geom/counted.h"
 #include "geom/errors.h"
-#include "geom/thin_points.h"
+#include "geom/messages/counted.h"
+#include "geom/search/thin_points.h"
 
 namespace cocoon::app {
 

@@ -7,7 +7,7 @@
 
 #include "app/surface_report.h"
 #include "app/update_report.h"
-#include "geom/counted.h"
+#include "geom/messages/counted.h"
 #include "update/report/vertex_origins.h"
 
 namespace cocoon::app {

@@ -6,7 +6,7 @@
 
 #include "app/surface_options.h"
 #include "app/surface_report.h"
-#include "geom/counted.h"
+#include "geom/messages/counted.h"
 #include "update/report/update_messages.h"
 
 namespace cocoon::app {

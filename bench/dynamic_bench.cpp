@@ -22,8 +22,8 @@
 #include "delaunay/canonical_order.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
-#include "geom/median.h"
-#include "geom/random.h"
+#include "geom/arrays/median.h"
+#include "geom/random/random.h"
 #include "tests/gallery.h"
 
 namespace cocoon {

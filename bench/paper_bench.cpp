@@ -32,7 +32,7 @@
 #include "bench/stopwatch.h"
 #include "bench/tidy_heap.h"
 #include "cocone/reconstruct.h"
-#include "geom/median.h"
+#include "geom/arrays/median.h"
 #include "geom/mesh_check.h"
 #include "io/sample_models.h"
 #include "ref/cgal_update.h"

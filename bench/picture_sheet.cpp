@@ -1,7 +1,7 @@
 #include "bench/picture_sheet.h"
 
 #include "io/atomic_file.h"
-#include "io/base64.h"
+#include "io/encoding/base64.h"
 
 namespace cocoon::bench {
 

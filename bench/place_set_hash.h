@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "delaunay/triangulation.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 
 namespace cocoon::bench {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/gallery.h"
 
 namespace cocoon::bench {

@@ -11,7 +11,7 @@
 
 #include "bench/options.h"
 #include "bench/run_benchmarks.h"
-#include "geom/predicate_levels.h"
+#include "geom/exact/predicate_levels.h"
 #include "ref/rational_predicates.h"
 #include "tests/geom/near_degenerate.h"
 

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <set>
 
-#include "geom/closest_facet.h"
 #include "geom/mesh_check.h"
+#include "geom/search/closest_facet.h"
 #include "geom/surface_distance.h"
 
 namespace cocoon::bench {

@@ -7,12 +7,12 @@
 #include <numbers>
 #include <utility>
 
+#include "geom/mesh/triangles_by_area.h"
 #include "geom/mesh_measure.h"
-#include "geom/random.h"
-#include "geom/triangles_by_area.h"
-#include "io/implicit_solid.h"
-#include "io/polygonize.h"
-#include "io/surface_sampling.h"
+#include "geom/random/random.h"
+#include "io/models/implicit_solid.h"
+#include "io/models/polygonize.h"
+#include "io/models/surface_sampling.h"
 
 namespace cocoon::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/median.h"
+#include "geom/arrays/median.h"
 
 namespace cocoon::bench {
 

@@ -20,7 +20,7 @@
 #include "bench/stopwatch.h"
 #include "bench/tidy_heap.h"
 #include "delaunay/delaunay.h"
-#include "geom/median.h"
+#include "geom/arrays/median.h"
 #include "ref/cell_set.h"
 
 namespace cocoon {

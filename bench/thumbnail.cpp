@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "io/byte_order.h"
+#include "io/encoding/byte_order.h"
 
 namespace cocoon::bench {
 namespace {

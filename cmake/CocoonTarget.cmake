@@ -5,7 +5,7 @@
 add_library(cocoon_flags INTERFACE)
 target_compile_features(cocoon_flags INTERFACE cxx_std_20)
 target_compile_options(cocoon_flags INTERFACE -ffp-contract=off)
-# Only a build with asserts calls the shared library of Highway (geom/vector_dispatch.h).
+# Only a build with asserts calls the shared library of Highway (geom/lanes/vector_dispatch.h).
 target_link_options(cocoon_flags INTERFACE LINKER:--as-needed)
 
 add_library(cocoon_warnings INTERFACE)

@@ -7,9 +7,9 @@
 
 #include "cocone/facets/stage_inputs.h"
 #include "cocone/orient_surface.h"
-#include "geom/edge_components.h"
-#include "geom/median.h"
-#include "geom/require_size.h"
+#include "geom/arrays/median.h"
+#include "geom/mesh/edge_components.h"
+#include "geom/messages/require_size.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "geom/edge_components.h"
-#include "geom/halfedges.h"
+#include "geom/mesh/edge_components.h"
+#include "geom/mesh/halfedges.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {

@@ -9,7 +9,7 @@
 #include "cocone/samples/cocone_radii.h"
 #include "cocone/samples/facet_doubts.h"
 #include "cocone/samples/shared_flags.h"
-#include "geom/parallel_list.h"
+#include "geom/parallel/parallel_list.h"
 
 namespace cocoon {
 namespace {

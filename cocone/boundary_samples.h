@@ -24,7 +24,7 @@
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/execution.h"
-#include "geom/halfedges.h"
+#include "geom/mesh/halfedges.h"
 
 namespace cocoon {
 

@@ -5,7 +5,7 @@
 
 #include "cocone/facets/stage_inputs.h"
 #include "cocone/samples/met_facets.h"
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
 
 namespace cocoon {
 namespace {

@@ -10,12 +10,12 @@
 #include "cocone/cell_heights.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/point_queries.h"
-#include "geom/closest_facet.h"
 #include "geom/errors.h"
-#include "geom/linked_mesh.h"
+#include "geom/mesh/linked_mesh.h"
 #include "geom/mesh_check.h"
-#include "geom/require_number.h"
-#include "geom/thin_points.h"
+#include "geom/messages/require_number.h"
+#include "geom/search/closest_facet.h"
+#include "geom/search/thin_points.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {

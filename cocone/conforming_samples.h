@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "geom/execution.h"
+#include "geom/mesh/sharp_edges.h"
 #include "geom/point.h"
-#include "geom/sharp_edges.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {

@@ -20,10 +20,10 @@
 #include "cocone/live/reconstruct_stages.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
+#include "geom/arrays/sort_ids.h"
 #include "geom/errors.h"
 #include "geom/id_vector.h"
-#include "geom/sort_ids.h"
-#include "geom/triangle_order.h"
+#include "geom/mesh/triangle_order.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {

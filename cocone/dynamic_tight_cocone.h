@@ -10,9 +10,9 @@
 #include "cocone/live/surface_state.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/triangulation.h"
+#include "geom/arrays/list_edit.h"
 #include "geom/execution.h"
 #include "geom/ids.h"
-#include "geom/list_edit.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 

@@ -10,8 +10,8 @@
 #include "cocone/facets/half_star.h"
 #include "cocone/facets/stage_inputs.h"
 #include "cocone/marking/old_triangles.h"
-#include "geom/parallel_list.h"
-#include "geom/parallel_reduce.h"
+#include "geom/parallel/parallel_list.h"
+#include "geom/parallel/parallel_reduce.h"
 
 namespace cocoon {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "cocone/cell_heights.h"
 #include "geom/mesh_check.h"
-#include "geom/require_number.h"
-#include "geom/require_size.h"
+#include "geom/messages/require_number.h"
+#include "geom/messages/require_size.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {

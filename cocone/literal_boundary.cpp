@@ -1,6 +1,6 @@
 #include "cocone/literal_boundary.h"
 
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
 
 namespace cocoon {
 

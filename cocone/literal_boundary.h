@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "geom/halfedges.h"
 #include "geom/id_vector.h"
+#include "geom/mesh/halfedges.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {

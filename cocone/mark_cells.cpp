@@ -12,7 +12,7 @@
 #include "cocone/marking/half_labels.h"
 #include "delaunay/circulate.h"
 #include "delaunay/star_cache.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
 
 namespace cocoon {
 namespace {

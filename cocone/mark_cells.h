@@ -18,8 +18,8 @@
 #include "cocone/umbrella.h"
 #include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
+#include "geom/arrays/zeroed_array.h"
 #include "geom/execution.h"
-#include "geom/zeroed_array.h"
 
 namespace cocoon {
 

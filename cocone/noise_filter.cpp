@@ -6,8 +6,8 @@
 #include "cocone/facets/stage_inputs.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/circulate.h"
-#include "geom/require_number.h"
-#include "geom/require_size.h"
+#include "geom/messages/require_number.h"
+#include "geom/messages/require_size.h"
 
 namespace cocoon {
 namespace {

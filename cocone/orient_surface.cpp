@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cocone/facets/facet_size.h"
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
 
 namespace cocoon {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "geom/edge_components.h"
+#include "geom/mesh/edge_components.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {

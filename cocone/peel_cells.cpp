@@ -7,8 +7,8 @@
 #include "cocone/facets/facet_size.h"
 #include "cocone/facets/stage_inputs.h"
 #include "cocone/samples/shared_flags.h"
-#include "geom/require_size.h"
-#include "geom/visit_where.h"
+#include "geom/arrays/visit_where.h"
+#include "geom/messages/require_size.h"
 
 namespace cocoon {
 namespace {

@@ -16,7 +16,7 @@
 #include "cocone/samples/farthest_cells.h"
 #include "cocone/samples/vertex_maxima.h"
 #include "delaunay/vertex_stars.h"
-#include "geom/parallel_fold.h"
+#include "geom/parallel/parallel_fold.h"
 
 namespace cocoon {
 namespace {

@@ -18,8 +18,8 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/first_cells.h"
 #include "geom/errors.h"
-#include "geom/parallel_reduce.h"
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
+#include "geom/parallel/parallel_reduce.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {

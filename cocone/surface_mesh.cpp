@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "cocone/samples/shared_flags.h"
-#include "geom/parallel_list.h"
-#include "geom/require_size.h"
-#include "geom/triangle_order.h"
+#include "geom/mesh/triangle_order.h"
+#include "geom/messages/require_size.h"
+#include "geom/parallel/parallel_list.h"
 
 namespace cocoon {
 namespace {

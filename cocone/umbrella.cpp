@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "cocone/facets/stage_inputs.h"
-#include "geom/parallel_list.h"
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
+#include "geom/parallel/parallel_list.h"
 
 namespace cocoon {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "geom/vector_dispatch.h"
+#include "geom/lanes/vector_dispatch.h"
 
 // Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -13,7 +13,7 @@
 #include <hwy/highway.h>
 
 #include "delaunay/gather-inl.h"
-#include "geom/circumcenter_lanes-inl.h"
+#include "geom/lanes/circumcenter_lanes-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();

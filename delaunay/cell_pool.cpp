@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geom/errors.h"
-#include "geom/parallel_list.h"
+#include "geom/parallel/parallel_list.h"
 
 namespace cocoon {
 namespace {

@@ -5,11 +5,11 @@
 #include <bit>
 #include <cstdint>
 
-#include "geom/common_unit.h"
+#include "geom/exact/common_unit.h"
 #include "geom/insphere.h"
+#include "geom/lanes/vector_dispatch.h"
 #include "geom/orient3d.h"
 #include "geom/perturbation.h"
-#include "geom/vector_dispatch.h"
 
 #ifndef COCOON_CONFLICT_SEARCH_ONCE
 #define COCOON_CONFLICT_SEARCH_ONCE

@@ -9,7 +9,7 @@
 #include "delaunay/cell_pool.h"
 #include "delaunay/first_cells.h"
 #include "delaunay/parallel_insertion.h"
-#include "geom/large_pages.h"
+#include "geom/arrays/large_pages.h"
 #include "geom/spatial_order.h"
 #include "geom/working_scale.h"
 

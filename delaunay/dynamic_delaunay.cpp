@@ -14,9 +14,9 @@
 #include "delaunay/circulate.h"
 #include "delaunay/first_cells.h"
 #include "delaunay/insertion_order.h"
+#include "geom/arrays/room_to_grow.h"
+#include "geom/arrays/sort_ids.h"
 #include "geom/errors.h"
-#include "geom/room_to_grow.h"
-#include "geom/sort_ids.h"
 #include "geom/spatial_order.h"
 
 namespace cocoon {

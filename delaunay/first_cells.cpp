@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "geom/counted.h"
 #include "geom/errors.h"
+#include "geom/messages/counted.h"
 #include "geom/orient3d.h"
-#include "geom/parallel_reduce.h"
+#include "geom/parallel/parallel_reduce.h"
 
 namespace cocoon {
 

@@ -13,7 +13,7 @@
 #include <hwy/highway.h>
 
 #include "delaunay/lanes-inl.h"
-#include "geom/vector_lanes-inl.h"
+#include "geom/lanes/vector_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cocoon::HWY_NAMESPACE {

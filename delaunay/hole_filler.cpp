@@ -5,7 +5,7 @@
 
 #include "delaunay/first_cells.h"
 #include "delaunay/insertion_order.h"
-#include "geom/triangle_order.h"
+#include "geom/mesh/triangle_order.h"
 
 namespace cocoon {
 namespace {

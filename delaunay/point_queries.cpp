@@ -8,10 +8,10 @@
 
 #include "delaunay/circulate.h"
 #include "delaunay/locate.h"
+#include "geom/arrays/sort_ids.h"
 #include "geom/compare_distance.h"
 #include "geom/errors.h"
 #include "geom/orient3d.h"
-#include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {

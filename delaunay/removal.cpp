@@ -4,7 +4,7 @@
 #include <array>
 
 #include "delaunay/first_cells.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
 
 namespace cocoon {
 

@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "delaunay/circulate.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
 
 namespace cocoon {
 

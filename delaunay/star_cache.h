@@ -9,8 +9,8 @@
 
 #include "delaunay/triangulation.h"
 #include "delaunay/vertex_stars.h"
+#include "geom/arrays/zeroed_array.h"
 #include "geom/id_vector.h"
-#include "geom/zeroed_array.h"
 
 namespace cocoon {
 

@@ -1,6 +1,6 @@
 #include "delaunay/vertex_stars.h"
 
-#include "geom/sort_by_vertex.h"
+#include "geom/arrays/sort_by_vertex.h"
 
 namespace cocoon {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "geom/exact_determinants.h"
+#include "geom/exact/exact_determinants.h"
 
 namespace cocoon {
 

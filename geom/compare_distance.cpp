@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <limits>
 
-#include "geom/exact_determinants.h"
+#include "geom/exact/exact_determinants.h"
 
 namespace cocoon {
 namespace {
 
-// Squares of differences of K limbs fit 2K, see geom/exact_determinants.h; so does the difference
-// of two of them.
+// Squares of differences of K limbs fit 2K, see geom/exact/exact_determinants.h; so does the
+// difference of two of them.
 template <std::size_t K>
 Sign exact_compare(const Point& p, const Point& a, const Point& b, int unit) {
   return sign_of(exact_squared_norm<K>(exact_difference<K>(a, p, unit)) -

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "geom/errors.h"
-#include "geom/task_scheduler.h"
+#include "geom/parallel/task_scheduler.h"
 
 #if defined(__SANITIZE_THREAD__)
 // ThreadSanitizer sees the calls that the library of oneTBB makes to malloc and memcmp, but not

@@ -8,13 +8,13 @@
 #include <span>
 #include <utility>
 
-#include "geom/disjoint_sets.h"
-#include "geom/edge_components.h"
-#include "geom/linked_mesh.h"
+#include "geom/arrays/disjoint_sets.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/mesh/edge_components.h"
+#include "geom/mesh/linked_mesh.h"
 #include "geom/orient3d.h"
-#include "geom/parallel_list.h"
-#include "geom/point_hash.h"
-#include "geom/sort_ids.h"
+#include "geom/parallel/parallel_list.h"
+#include "geom/search/point_hash.h"
 
 namespace cocoon {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "geom/execution.h"
 #include "geom/ids.h"
-#include "geom/linked_mesh.h"
+#include "geom/mesh/linked_mesh.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geom/halfedges.h"
+#include "geom/mesh/halfedges.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {

@@ -5,7 +5,7 @@
 
 #include "geom/box.h"
 #include "geom/orient3d.h"
-#include "geom/point_hash.h"
+#include "geom/search/point_hash.h"
 #include "geom/sign.h"
 #include "geom/working_scale.h"
 

@@ -1,7 +1,7 @@
 #include "geom/orient3d.h"
 
-#include "geom/exact_determinants.h"
-#include "geom/predicate_levels.h"
+#include "geom/exact/exact_determinants.h"
+#include "geom/exact/predicate_levels.h"
 
 namespace cocoon {
 

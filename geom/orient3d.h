@@ -1,8 +1,8 @@
 // On which side of a plane, or of a line, does a point lie? Exact for all finite doubles, huge,
 // tiny, subnormal and mixed.
 //
-// Levels (geom/predicate_levels.h names them for the tests): the filter below, inline; a tighter
-// filter; integers. See docs/stages/predicates.md.
+// Levels (geom/exact/predicate_levels.h names them for the tests): the filter below, inline; a
+// tighter filter; integers. See docs/stages/predicates.md.
 #pragma once
 
 #include <algorithm>

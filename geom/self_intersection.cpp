@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string>
 
-#include "geom/box_tree.h"
 #include "geom/errors.h"
 #include "geom/orient3d.h"
+#include "geom/search/box_tree.h"
 
 namespace cocoon {
 namespace {

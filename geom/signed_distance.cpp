@@ -3,11 +3,11 @@
 #include <cmath>
 #include <optional>
 
-#include "geom/closest_facet.h"
-#include "geom/halfedges.h"
+#include "geom/mesh/halfedges.h"
 #include "geom/mesh_check.h"
+#include "geom/search/closest_facet.h"
+#include "geom/search/winding_number.h"
 #include "geom/triangle_projection.h"
-#include "geom/winding_number.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {

@@ -6,11 +6,11 @@
 #include <numeric>
 #include <utility>
 
+#include "geom/arrays/large_pages.h"
 #include "geom/box.h"
 #include "geom/id_vector.h"
-#include "geom/large_pages.h"
-#include "geom/parallel_reduce.h"
-#include "geom/random.h"
+#include "geom/parallel/parallel_reduce.h"
+#include "geom/random/random.h"
 
 namespace cocoon {
 namespace {

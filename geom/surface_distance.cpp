@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "geom/closest_facet.h"
 #include "geom/errors.h"
-#include "geom/nearest_point.h"
-#include "geom/random.h"
-#include "geom/triangles_by_area.h"
+#include "geom/mesh/triangles_by_area.h"
+#include "geom/random/random.h"
+#include "geom/search/closest_facet.h"
+#include "geom/search/nearest_point.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {

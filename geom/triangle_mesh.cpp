@@ -5,7 +5,7 @@
 #include <string>
 
 #include "geom/errors.h"
-#include "geom/triangle_order.h"
+#include "geom/mesh/triangle_order.h"
 
 namespace cocoon {
 

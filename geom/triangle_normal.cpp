@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "geom/exact_determinants.h"
+#include "geom/exact/exact_determinants.h"
 
 namespace cocoon {
 namespace {

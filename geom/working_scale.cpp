@@ -7,8 +7,8 @@
 #include <string>
 
 #include "geom/errors.h"
-#include "geom/parallel_reduce.h"
-#include "geom/place_name.h"
+#include "geom/messages/place_name.h"
+#include "geom/parallel/parallel_reduce.h"
 
 namespace cocoon {
 namespace {

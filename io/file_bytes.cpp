@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "geom/large_pages.h"
+#include "geom/arrays/large_pages.h"
 #include "io/input_file.h"
 #include "io/mesh_file_options.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "geom/median.h"
-#include "io/weld_points.h"
+#include "geom/arrays/median.h"
+#include "io/polygons/weld_points.h"
 
 namespace cocoon {
 

@@ -7,11 +7,11 @@
 #include "io/atomic_file.h"
 #include "io/file_bytes.h"
 #include "io/file_format.h"
-#include "io/obj.h"
-#include "io/off.h"
-#include "io/ply.h"
+#include "io/formats/obj.h"
+#include "io/formats/off.h"
+#include "io/formats/ply.h"
+#include "io/formats/stl.h"
 #include "io/read_polygon_soup.h"
-#include "io/stl.h"
 
 namespace cocoon {
 

@@ -16,14 +16,13 @@ namespace cocoon {
 bool has_mesh_extension(const std::filesystem::path& path);
 
 // Reads a mesh with its vertices and faces in the order of the file. Polygons are cut into
-// triangles (io/triangulate_polygon.h), STL corners are welded exactly; faces and triangles without
-// area by their indices alone are left out. `report` counts all of that. Vertices without a face
-// are kept. Colors, normals, texture coordinates, unknown properties and elements are skipped.
-// Throws FileError, with line or element, for another extension, for what is damaged or cut off,
-// for a corner that is no vertex, and for a coordinate that is not a finite number (see the
-// options). A count in a
-// header never makes it reserve more than a small multiple of the file's size. Complexity:
-// O(bytes), but see triangulate_polygon for polygons that are not convex.
+// triangles (io/polygons/triangulate_polygon.h), STL corners are welded exactly; faces and
+// triangles without area by their indices alone are left out. `report` counts all of that. Vertices
+// without a face are kept. Colors, normals, texture coordinates, unknown properties and elements
+// are skipped. Throws FileError, with line or element, for another extension, for what is damaged
+// or cut off, for a corner that is no vertex, and for a coordinate that is not a finite number (see
+// the options). A count in a header never makes it reserve more than a small multiple of the file's
+// size. Complexity: O(bytes), but see triangulate_polygon for polygons that are not convex.
 TriangleMesh read_mesh(const std::filesystem::path& path, MeshReadReport& report,
                        const MeshReadOptions& options = {});
 TriangleMesh read_mesh(const std::filesystem::path& path);

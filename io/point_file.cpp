@@ -6,13 +6,13 @@
 #include "io/atomic_file.h"
 #include "io/file_bytes.h"
 #include "io/file_format.h"
+#include "io/formats/obj.h"
+#include "io/formats/off.h"
+#include "io/formats/ply.h"
+#include "io/formats/xyz.h"
 #include "io/input_file.h"
-#include "io/obj.h"
-#include "io/off.h"
-#include "io/ply.h"
-#include "io/polygon_soup.h"
+#include "io/polygons/polygon_soup.h"
 #include "io/read_polygon_soup.h"
-#include "io/xyz.h"
 
 namespace cocoon {
 

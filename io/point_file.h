@@ -49,7 +49,7 @@ struct PointCloud {
   VertexProperties properties;     // one row per point; no column unless asked for
 };
 
-// Text (.xyz .pts .txt .csv .npts .pwn .asc): one point a line, see io/xyz.h. Mesh
+// Text (.xyz .pts .txt .csv .npts .pwn .asc): one point a line, see io/formats/xyz.h. Mesh
 // files (.ply .obj .off .stl) give their vertices; STL is welded exactly.
 // Throws FileError, with the line where there is one, for another extension, for what cannot be
 // read, for a coordinate that is not a finite number (NonFiniteError, see the options), and for a

@@ -4,10 +4,10 @@
 
 #include "geom/id_vector.h"
 #include "io/atomic_file.h"
+#include "io/encoding/number_text.h"
 #include "io/file_bytes.h"
 #include "io/file_format.h"
-#include "io/number_text.h"
-#include "io/obj.h"
+#include "io/formats/obj.h"
 
 namespace cocoon {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "io/polygon_soup.h"
+#include "io/polygons/polygon_soup.h"
 
 namespace cocoon {
 

@@ -6,13 +6,13 @@
 
 #include "geom/errors.h"
 #include "geom/mesh_measure.h"
-#include "geom/nearest_point.h"
-#include "geom/random.h"
-#include "io/polygonize.h"
-#include "io/sample_airbag.h"
-#include "io/sample_block.h"
-#include "io/sample_golf_club.h"
-#include "io/sample_joystick.h"
+#include "geom/random/random.h"
+#include "geom/search/nearest_point.h"
+#include "io/models/polygonize.h"
+#include "io/models/sample_airbag.h"
+#include "io/models/sample_block.h"
+#include "io/models/sample_golf_club.h"
+#include "io/models/sample_joystick.h"
 
 namespace cocoon {
 namespace {

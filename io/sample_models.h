@@ -14,8 +14,8 @@
 #include "geom/ids.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
-#include "io/implicit_solid.h"
-#include "io/surface_sampling.h"
+#include "io/models/implicit_solid.h"
+#include "io/models/surface_sampling.h"
 
 namespace cocoon {
 

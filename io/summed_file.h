@@ -18,7 +18,7 @@
 #include <type_traits>
 
 #include "io/atomic_file.h"
-#include "io/byte_order.h"
+#include "io/encoding/byte_order.h"
 #include "io/file_bytes.h"
 #include "io/input_file.h"
 

@@ -6,12 +6,12 @@
 
 #include "geom/errors.h"
 #include "io/atomic_file.h"
-#include "io/base64.h"
-#include "io/byte_order.h"
+#include "io/encoding/base64.h"
+#include "io/encoding/byte_order.h"
+#include "io/encoding/number_text.h"
+#include "io/encoding/point_text.h"
 #include "io/file_bytes.h"
 #include "io/file_format.h"
-#include "io/number_text.h"
-#include "io/point_text.h"
 
 namespace cocoon {
 

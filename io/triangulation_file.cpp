@@ -6,9 +6,9 @@
 
 #include "delaunay/cell_pool.h"
 #include "delaunay/check_delaunay.h"
-#include "geom/large_pages.h"
-#include "geom/parallel_reduce.h"
-#include "geom/room_to_grow.h"
+#include "geom/arrays/large_pages.h"
+#include "geom/arrays/room_to_grow.h"
+#include "geom/parallel/parallel_reduce.h"
 #include "io/file_bytes.h"
 #include "io/summed_file.h"
 #include "io/triangulation_block.h"

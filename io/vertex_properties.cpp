@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "io/byte_order.h"
+#include "io/encoding/byte_order.h"
 
 namespace cocoon {
 

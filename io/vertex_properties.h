@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/ply_header.h"
+#include "io/formats/ply_header.h"
 
 namespace cocoon {
 

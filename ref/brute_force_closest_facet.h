@@ -1,8 +1,8 @@
 // The plainly right twin of ClosestFacetTree::closest: looks at every triangle.
 #pragma once
 
-#include "geom/closest_facet.h"
 #include "geom/point.h"
+#include "geom/search/closest_facet.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon::ref {

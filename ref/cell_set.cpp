@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 
 namespace cocoon::ref {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "geom/box.h"
 #include "geom/errors.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 
 namespace cocoon::ref {
 namespace {

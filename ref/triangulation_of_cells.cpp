@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "geom/counted.h"
 #include "geom/errors.h"
+#include "geom/messages/counted.h"
 
 namespace cocoon::ref {
 namespace {

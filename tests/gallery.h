@@ -1,6 +1,6 @@
 // Point sets for tests and benchmarks: ordinary ones, and the degenerate ones that break kernels.
-// All are made from fixed seeds by geom/random.h: the same on every machine but for the last bit
-// of sin, cos and log.
+// All are made from fixed seeds by geom/random/random.h: the same on every machine but for the last
+// bit of sin, cos and log.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "geom/point.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 
 namespace cocoon::gallery {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geom/errors.h"
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
 #include "update/stage_options.h"
 
 namespace cocoon {

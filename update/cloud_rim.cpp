@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cocone/orient_surface.h"
-#include "geom/edge_components.h"
-#include "geom/median.h"
+#include "geom/arrays/median.h"
+#include "geom/mesh/edge_components.h"
 #include "update/cloud/area_normals.h"
 #include "update/stage_options.h"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cocone/boundary_loops.h"
-#include "geom/halfedges.h"
+#include "geom/mesh/halfedges.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 

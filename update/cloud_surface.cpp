@@ -9,9 +9,9 @@
 #include "cocone/surface_mesh.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/errors.h"
-#include "geom/neighbor_distance.h"
 #include "geom/off_plane.h"
-#include "geom/thin_points.h"
+#include "geom/search/neighbor_distance.h"
+#include "geom/search/thin_points.h"
 #include "update/stage_options.h"
 
 namespace cocoon {

@@ -5,10 +5,10 @@
 #include <iterator>
 #include <optional>
 
-#include "geom/closest_facet.h"
 #include "geom/id_vector.h"
-#include "geom/nearest_point.h"
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
+#include "geom/search/closest_facet.h"
+#include "geom/search/nearest_point.h"
 #include "geom/triangle_mesh.h"
 #include "update/cloud/off_samples.h"
 #include "update/model/near_facets.h"

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "geom/arrays/sort_ids.h"
 #include "geom/errors.h"
-#include "geom/require_size.h"
-#include "geom/sort_ids.h"
+#include "geom/messages/require_size.h"
 #include "update/cloud/rim_index.h"
 #include "update/regions/facet_cut.h"
 #include "update/regions/island_spread.h"

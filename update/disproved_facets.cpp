@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
-#include "geom/closest_facet.h"
-#include "geom/nearest_point.h"
-#include "geom/require_size.h"
-#include "geom/sort_ids.h"
-#include "geom/thin_points.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/messages/require_size.h"
+#include "geom/search/closest_facet.h"
+#include "geom/search/nearest_point.h"
+#include "geom/search/thin_points.h"
 #include "update/cloud/off_samples.h"
 #include "update/model/near_facets.h"
 #include "update/stage_options.h"

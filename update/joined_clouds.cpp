@@ -6,12 +6,12 @@
 #include <optional>
 #include <utility>
 
+#include "geom/arrays/disjoint_sets.h"
 #include "geom/box.h"
-#include "geom/disjoint_sets.h"
-#include "geom/equal_points.h"
-#include "geom/nearest_point.h"
-#include "geom/neighbor_distance.h"
-#include "geom/thin_points.h"
+#include "geom/search/equal_points.h"
+#include "geom/search/nearest_point.h"
+#include "geom/search/neighbor_distance.h"
+#include "geom/search/thin_points.h"
 #include "update/stage_options.h"
 
 namespace cocoon {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
 #include "update/cloud/torn_edges.h"
 #include "update/pin_holes.h"
 #include "update/rim_doubt.h"

@@ -9,11 +9,11 @@
 #include <numeric>
 #include <optional>
 
-#include "geom/disjoint_sets.h"
-#include "geom/median.h"
-#include "geom/nearest_point.h"
-#include "geom/require_size.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/disjoint_sets.h"
+#include "geom/arrays/median.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/messages/require_size.h"
+#include "geom/search/nearest_point.h"
 #include "geom/triangle_projection.h"
 #include "update/model/near_facets.h"
 #include "update/stage_options.h"

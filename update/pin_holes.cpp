@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "geom/box.h"
-#include "geom/box_tree.h"
-#include "geom/nearest_point.h"
+#include "geom/search/box_tree.h"
+#include "geom/search/nearest_point.h"
 #include "update/model/near_facets.h"
 #include "update/stage_options.h"
 

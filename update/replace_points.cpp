@@ -4,13 +4,13 @@
 #include <optional>
 #include <utility>
 
+#include "geom/arrays/large_pages.h"
+#include "geom/arrays/list_edit.h"
+#include "geom/arrays/sort_ids.h"
 #include "geom/box.h"
-#include "geom/equal_points.h"
-#include "geom/large_pages.h"
-#include "geom/list_edit.h"
-#include "geom/nearest_point.h"
-#include "geom/require_size.h"
-#include "geom/sort_ids.h"
+#include "geom/messages/require_size.h"
+#include "geom/search/equal_points.h"
+#include "geom/search/nearest_point.h"
 #include "update/cloud/rim_index.h"
 #include "update/stage_options.h"
 

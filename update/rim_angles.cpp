@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "geom/angles.h"
-#include "geom/require_size.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/messages/require_size.h"
 #include "update/stage_options.h"
 
 namespace cocoon {

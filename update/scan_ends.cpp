@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "geom/arrays/sort_ids.h"
+#include "geom/arrays/zeroed_array.h"
 #include "geom/box.h"
-#include "geom/nearest_point.h"
-#include "geom/sort_ids.h"
-#include "geom/zeroed_array.h"
+#include "geom/search/nearest_point.h"
 #include "update/cloud/scanned_places.h"
 #include "update/model/reached_cells.h"
 #include "update/model/sample_heights.h"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "geom/median.h"
-#include "geom/require_size.h"
-#include "geom/thin_points.h"
-#include "geom/triangles_at_vertices.h"
+#include "geom/arrays/median.h"
+#include "geom/mesh/triangles_at_vertices.h"
+#include "geom/messages/require_size.h"
+#include "geom/search/thin_points.h"
 
 namespace cocoon {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "geom/require_size.h"
-#include "geom/visit_where.h"
+#include "geom/arrays/visit_where.h"
+#include "geom/messages/require_size.h"
 #include "update/regions/grow_regions.h"
 
 namespace cocoon {

@@ -3,10 +3,10 @@
 
 #include <cstddef>
 
+#include "geom/arrays/sparse_vector.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
-#include "geom/sparse_vector.h"
 #include "geom/triangle_mesh.h"
 #include "update/model/model_index.h"
 #include "update/model/triangle_set.h"

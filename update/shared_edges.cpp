@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "geom/arrays/disjoint_sets.h"
 #include "geom/box.h"
-#include "geom/disjoint_sets.h"
-#include "geom/nearest_point.h"
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
+#include "geom/search/nearest_point.h"
 #include "update/cloud/rim_seams.h"
 #include "update/model/reached_cells.h"
 #include "update/stage_options.h"

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "cocone/facets/stage_inputs.h"
-#include "geom/require_number.h"
+#include "geom/messages/require_number.h"
 #include "update/model/orient_outward.h"
 #include "update/report/lost_triangles.h"
 #include "update/stray_samples.h"

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
 
 namespace cocoon {
 

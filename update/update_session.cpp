@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "cocone/live/known_surface.h"
+#include "geom/arrays/sort_ids.h"
 #include "geom/errors.h"
-#include "geom/sort_ids.h"
 #include "update/model/hollows.h"
 #include "update/stage_options.h"
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "geom/angles.h"
+#include "geom/arrays/sort_ids.h"
 #include "geom/errors.h"
-#include "geom/sort_ids.h"
 #include "update/cloud/outward_normals.h"
 #include "update/model/euler_number.h"
 #include "update/model/model_index.h"

@@ -10,7 +10,7 @@
 
 #include "geom/execution.h"
 #include "geom/id_vector.h"
-#include "geom/nearest_point.h"
+#include "geom/search/nearest_point.h"
 #include "geom/triangle_mesh.h"
 #include "update/cloud/scan.h"
 #include "update/joined_clouds.h"

@@ -11,7 +11,7 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/vertex_stars.h"
 #include "delaunay/voronoi_dual.h"
-#include "geom/median.h"
+#include "geom/arrays/median.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {

@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "geom/arrays/disjoint_sets.h"
+#include "geom/arrays/median.h"
 #include "geom/box.h"
-#include "geom/disjoint_sets.h"
-#include "geom/linked_mesh.h"
-#include "geom/median.h"
-#include "geom/narrow_handles.h"
-#include "geom/nearest_point.h"
-#include "geom/require_number.h"
-#include "geom/require_size.h"
+#include "geom/mesh/linked_mesh.h"
+#include "geom/mesh/narrow_handles.h"
+#include "geom/messages/require_number.h"
+#include "geom/messages/require_size.h"
+#include "geom/search/nearest_point.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {

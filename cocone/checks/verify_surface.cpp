@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geom/mesh_check.h"
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
 
 namespace cocoon {
 

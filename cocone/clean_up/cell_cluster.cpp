@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
 
 namespace cocoon {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "cocone/energy/ball_cosines.h"
 #include "delaunay/triangulation.h"
+#include "geom/arrays/zeroed_array.h"
 #include "geom/id_vector.h"
-#include "geom/zeroed_array.h"
 
 namespace cocoon {
 

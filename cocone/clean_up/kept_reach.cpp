@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "geom/disjoint_sets.h"
-#include "geom/zeroed_array.h"
+#include "geom/arrays/disjoint_sets.h"
+#include "geom/arrays/zeroed_array.h"
 
 namespace cocoon {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "delaunay/triangulation.h"
+#include "geom/arrays/zeroed_array.h"
 #include "geom/id_vector.h"
-#include "geom/zeroed_array.h"
 
 namespace cocoon {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cocone/facets/cell_order.h"
-#include "geom/zeroed_array.h"
+#include "geom/arrays/zeroed_array.h"
 
 namespace cocoon {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "cocone/facets/surface_fan.h"
-#include "geom/parallel_list.h"
-#include "geom/zeroed_array.h"
+#include "geom/arrays/zeroed_array.h"
+#include "geom/parallel/parallel_list.h"
 
 namespace cocoon {
 

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "delaunay/triangulation.h"
+#include "geom/arrays/zeroed_array.h"
 #include "geom/execution.h"
-#include "geom/zeroed_array.h"
 
 namespace cocoon {
 

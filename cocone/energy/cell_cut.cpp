@@ -1,7 +1,7 @@
 #include "cocone/energy/cell_cut.h"
 
 #include "cocone/energy/max_flow.h"
-#include "geom/zeroed_array.h"
+#include "geom/arrays/zeroed_array.h"
 
 namespace cocoon {
 

@@ -13,8 +13,8 @@
 #include "cocone/energy/star_parts.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/star_cache.h"
+#include "geom/arrays/zeroed_array.h"
 #include "geom/execution.h"
-#include "geom/zeroed_array.h"
 
 namespace cocoon {
 

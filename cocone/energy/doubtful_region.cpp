@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geom/disjoint_sets.h"
+#include "geom/arrays/disjoint_sets.h"
 
 namespace cocoon {
 namespace {

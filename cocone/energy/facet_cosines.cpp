@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "geom/vector_dispatch.h"
+#include "geom/lanes/vector_dispatch.h"
 
 // Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -11,7 +11,7 @@
 // clang-format off: must come after foreach_target.h
 #include <hwy/highway.h>
 
-#include "geom/vector_lanes-inl.h"
+#include "geom/lanes/vector_lanes-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();

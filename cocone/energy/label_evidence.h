@@ -26,9 +26,9 @@
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
+#include "geom/arrays/zeroed_array.h"
 #include "geom/execution.h"
 #include "geom/point.h"
-#include "geom/zeroed_array.h"
 
 namespace cocoon {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "geom/vector_dispatch.h"
+#include "geom/lanes/vector_dispatch.h"
 
 // Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
 #undef HWY_TARGET_INCLUDE

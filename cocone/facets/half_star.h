@@ -7,7 +7,7 @@
 
 #include "cocone/facet_set.h"
 #include "delaunay/triangulation.h"
-#include "geom/zeroed_array.h"
+#include "geom/arrays/zeroed_array.h"
 
 namespace cocoon {
 

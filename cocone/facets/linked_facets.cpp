@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "cocone/facets/corner_normals.h"
-#include "geom/parallel_list.h"
-#include "geom/sort_by_vertex.h"
+#include "geom/arrays/sort_by_vertex.h"
+#include "geom/parallel/parallel_list.h"
 
 namespace cocoon {
 namespace {

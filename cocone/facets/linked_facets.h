@@ -1,5 +1,6 @@
 // A set of facets as triangles linked around their edges: what pruning, the search for umbrellas,
-// the extraction of a manifold and the marking read. For triangles of a mesh see geom/halfedges.h.
+// the extraction of a manifold and the marking read. For triangles of a mesh see
+// geom/mesh/halfedges.h.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +12,8 @@
 #include "cocone/facet_set.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
-#include "geom/halfedges.h"
 #include "geom/id_vector.h"
+#include "geom/mesh/halfedges.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 
@@ -27,7 +28,7 @@ struct LinkedFacets {
   OverwriteVector<FacetId> mirrors;   // the same facets as the cells behind number them
   OverwriteVector<Triangle> corners;  // facet_vertices(facet): counterclockwise seen from behind
   OverwriteVector<Vec3> normals;      // unit, out of cell_of(facet); zero if degenerate
-  HalfedgeLinks links;                // rings of the halfedges on each edge: geom/halfedges.h
+  HalfedgeLinks links;                // rings of the halfedges on each edge: geom/mesh/halfedges.h
   // The edges that are not two triangles with a dihedral cosine of at most steep_cosine, by their
   // first (smallest) halfedges; ascending. Of candidates on the samples of a surface few of all:
   // most stages look at these alone.

@@ -7,8 +7,8 @@
 #include "cocone/clean_up_cells.h"
 #include "cocone/noise_filter.h"
 #include "geom/errors.h"
-#include "geom/require_number.h"
-#include "geom/require_size.h"
+#include "geom/messages/require_number.h"
+#include "geom/messages/require_size.h"
 
 namespace cocoon {
 

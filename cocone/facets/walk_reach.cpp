@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "geom/disjoint_sets.h"
-#include "geom/edge_components.h"
+#include "geom/arrays/disjoint_sets.h"
+#include "geom/mesh/edge_components.h"
 
 namespace cocoon {
 namespace {

@@ -6,8 +6,8 @@
 // itself: a candidate in K from both sides, or in K and in D. If there is none, then each round
 // keeps halves in K and drops candidates in D, and no turn meets one first that has been dropped:
 // by induction the walk ends with all of K and D, whatever the order. K is found by what hangs
-// together over edges with two candidates (geom/edge_components.h), on all threads and in the order
-// of memory; turns lead from one of these parts to the next. Source: ours.
+// together over edges with two candidates (geom/mesh/edge_components.h), on all threads and in the
+// order of memory; turns lead from one of these parts to the next. Source: ours.
 #pragma once
 
 #include <cstdint>

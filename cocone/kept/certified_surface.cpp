@@ -6,8 +6,8 @@
 #include "cocone/facets/facet_size.h"
 #include "cocone/kept/good_parts.h"
 #include "delaunay/circulate.h"
-#include "geom/disjoint_sets.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/disjoint_sets.h"
+#include "geom/arrays/sort_ids.h"
 
 namespace cocoon {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "geom/disjoint_sets.h"
+#include "geom/arrays/disjoint_sets.h"
 #include "geom/ids.h"
 
 namespace cocoon {

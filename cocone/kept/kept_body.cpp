@@ -9,11 +9,11 @@
 #include "cocone/facets/edge_cycle.h"
 #include "cocone/facets/surface_fan.h"
 #include "cocone/kept/good_parts.h"
-#include "geom/disjoint_sets.h"
-#include "geom/parallel_reduce.h"
-#include "geom/sort_by_vertex.h"
-#include "geom/visit_where.h"
-#include "geom/zeroed_array.h"
+#include "geom/arrays/disjoint_sets.h"
+#include "geom/arrays/sort_by_vertex.h"
+#include "geom/arrays/visit_where.h"
+#include "geom/arrays/zeroed_array.h"
+#include "geom/parallel/parallel_reduce.h"
 
 namespace cocoon {
 namespace {

@@ -8,7 +8,7 @@
 #include "cocone/facets/half_star.h"
 #include "cocone/live/star_finder.h"
 #include "cocone/marking/old_triangles.h"
-#include "geom/zeroed_array.h"
+#include "geom/arrays/zeroed_array.h"
 
 namespace cocoon {
 namespace {

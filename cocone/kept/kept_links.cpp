@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "geom/sort_ids.h"
-#include "geom/visit_where.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/arrays/visit_where.h"
 
 namespace cocoon {
 namespace {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "cocone/kept/good_parts.h"
-#include "geom/disjoint_sets.h"
-#include "geom/sort_ids.h"
-#include "geom/visit_where.h"
+#include "geom/arrays/disjoint_sets.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/arrays/visit_where.h"
 
 namespace cocoon {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "geom/parallel_list.h"
+#include "geom/parallel/parallel_list.h"
 
 namespace cocoon {
 namespace {

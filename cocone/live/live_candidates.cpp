@@ -8,9 +8,9 @@
 #include "cocone/prune_sharp_edges.h"
 #include "cocone/umbrella.h"
 #include "delaunay/voronoi_dual.h"
+#include "geom/arrays/large_pages.h"
+#include "geom/arrays/sort_ids.h"
 #include "geom/circumsphere.h"
-#include "geom/large_pages.h"
-#include "geom/sort_ids.h"
 #include "geom/triangle_normal.h"
 
 namespace cocoon {

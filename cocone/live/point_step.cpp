@@ -6,7 +6,7 @@
 #include <string>
 
 #include "geom/errors.h"
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
 
 namespace cocoon {
 

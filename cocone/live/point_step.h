@@ -7,9 +7,9 @@
 
 #include "delaunay/dynamic_delaunay.h"
 #include "delaunay/renumbering.h"
+#include "geom/arrays/list_edit.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
-#include "geom/list_edit.h"
 #include "geom/point.h"
 
 namespace cocoon {

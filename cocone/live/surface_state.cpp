@@ -4,7 +4,7 @@
 #include <string>
 
 #include "geom/errors.h"
-#include "geom/parallel_reduce.h"
+#include "geom/parallel/parallel_reduce.h"
 
 namespace cocoon {
 namespace {

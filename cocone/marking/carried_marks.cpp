@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "cocone/facets/half_star.h"
-#include "geom/edge_components.h"
-#include "geom/parallel_reduce.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/mesh/edge_components.h"
+#include "geom/parallel/parallel_reduce.h"
 
 namespace cocoon {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cocone/mark_cells.h"
-#include "geom/parallel_list.h"
-#include "geom/parallel_reduce.h"
+#include "geom/parallel/parallel_list.h"
+#include "geom/parallel/parallel_reduce.h"
 
 namespace cocoon {
 namespace {

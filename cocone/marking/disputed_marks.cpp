@@ -10,8 +10,8 @@
 #include "cocone/facets/half_star.h"
 #include "cocone/marking/half_labels.h"
 #include "delaunay/star_cache.h"
-#include "geom/sort_ids.h"
-#include "geom/zeroed_array.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/arrays/zeroed_array.h"
 
 namespace cocoon {
 namespace {

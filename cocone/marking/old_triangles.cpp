@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cocone/facets/edge_cycle.h"
-#include "geom/sort_by_vertex.h"
+#include "geom/arrays/sort_by_vertex.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {

@@ -5,9 +5,9 @@
 
 #include "cocone/facets/stage_inputs.h"
 #include "cocone/mark_cells.h"
+#include "geom/arrays/sort_ids.h"
 #include "geom/mesh_check.h"
-#include "geom/require_size.h"
-#include "geom/sort_ids.h"
+#include "geom/messages/require_size.h"
 
 namespace cocoon {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "cocone/noise/sample_parts.h"
 #include "cocone/samples/sample_spacing.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
 
 namespace cocoon {
 namespace {

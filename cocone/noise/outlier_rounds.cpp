@@ -8,8 +8,8 @@
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "delaunay/point_queries.h"
+#include "geom/arrays/sort_ids.h"
 #include "geom/errors.h"
-#include "geom/sort_ids.h"
 
 namespace cocoon {
 namespace {

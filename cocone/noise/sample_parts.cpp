@@ -5,7 +5,7 @@
 
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/circulate.h"
-#include "geom/disjoint_sets.h"
+#include "geom/arrays/disjoint_sets.h"
 
 namespace cocoon {
 

@@ -1,7 +1,7 @@
 #include "cocone/samples/cell_arms.h"
 
 #include "cocone/samples/double_cone.h"
-#include "geom/vector_dispatch.h"
+#include "geom/lanes/vector_dispatch.h"
 
 // Compile everything between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set.
 #undef HWY_TARGET_INCLUDE

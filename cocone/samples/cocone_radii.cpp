@@ -11,8 +11,8 @@
 
 #include "cocone/samples/double_cone.h"
 #include "cocone/samples/vertex_maxima.h"
-#include "geom/parallel_fold.h"
-#include "geom/parallel_list.h"
+#include "geom/parallel/parallel_fold.h"
+#include "geom/parallel/parallel_list.h"
 
 namespace cocoon {
 namespace {

@@ -1,6 +1,6 @@
 // The farthest Voronoi vertex of every sample, by its cell: maxima that each thread raises for
-// itself (geom/parallel_fold.h). One word each, the length rounded to float in the upper half, so
-// that most questions end there; what rounds alike is compared in double precision.
+// itself (geom/parallel/parallel_fold.h). One word each, the length rounded to float in the upper
+// half, so that most questions end there; what rounds alike is compared in double precision.
 #pragma once
 
 #include <array>

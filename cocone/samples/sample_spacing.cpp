@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "delaunay/circulate.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
 
 namespace cocoon {
 

@@ -11,8 +11,8 @@
 #include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/triangulation_view.h"
+#include "geom/arrays/zeroed_array.h"
 #include "geom/execution.h"
-#include "geom/zeroed_array.h"
 
 namespace cocoon {
 

@@ -1,6 +1,6 @@
-// Maxima, one per vertex. Each thread raises its own (geom/parallel_fold.h), and they are joined:
-// the largest value stays, so it does not show who raised what. One array for all would be raised
-// by exchanges, for each of which the processor waits for all that it has under way.
+// Maxima, one per vertex. Each thread raises its own (geom/parallel/parallel_fold.h), and they are
+// joined: the largest value stays, so it does not show who raised what. One array for all would be
+// raised by exchanges, for each of which the processor waits for all that it has under way.
 #pragma once
 
 #include <cstddef>

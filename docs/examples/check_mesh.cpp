@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "geom/mesh/split_nonmanifold.h"
 #include "geom/mesh_check.h"
-#include "geom/split_nonmanifold.h"
 #include "geom/triangle_mesh.h"
 
 int main() {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 
 namespace cocoon::pictures {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geom/errors.h"
-#include "io/byte_order.h"
+#include "io/encoding/byte_order.h"
 #include "io/file_bytes.h"
 #include "io/summed_file.h"
 #include "tests/temporary_folder.h"

@@ -12,7 +12,7 @@
 #include "geom/errors.h"
 #include "geom/execution.h"
 #include "geom/mesh_check.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "geom/surface_distance.h"
 #include "io/mesh_file.h"
 #include "tests/cocone/sample_shapes.h"

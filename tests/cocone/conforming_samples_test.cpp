@@ -8,10 +8,10 @@
 #include "cocone/labels_of_solid.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
-#include "geom/closest_facet.h"
-#include "geom/dense_samples.h"
 #include "geom/errors.h"
+#include "geom/mesh/dense_samples.h"
 #include "geom/mesh_check.h"
+#include "geom/search/closest_facet.h"
 #include "geom/surface_distance.h"
 #include "tests/mesh_gallery.h"
 

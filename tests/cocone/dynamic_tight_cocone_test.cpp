@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "geom/arrays/list_edit.h"
 #include "geom/errors.h"
-#include "geom/list_edit.h"
 #include "geom/mesh_check.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/changing_points.h"
 #include "tests/cocone/equal_reconstructions.h"
 #include "tests/cocone/sample_shapes.h"

@@ -16,7 +16,7 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/vertex_stars.h"
 #include "geom/mesh_check.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "ref/mark_in_rounds.h"
 #include "tests/cocone/known_triangles.h"
 #include "tests/cocone/plain_labels.h"

@@ -6,7 +6,7 @@
 
 #include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
-#include "geom/dense_samples.h"
+#include "geom/mesh/dense_samples.h"
 #include "geom/mesh_check.h"
 #include "geom/surface_distance.h"
 #include "tests/mesh_gallery.h"

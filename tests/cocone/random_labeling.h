@@ -13,7 +13,7 @@
 
 #include "cocone/energy/cell_energy.h"
 #include "cocone/energy/doubtful_region.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 #include "tests/gallery.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "delaunay/triangulation.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 
 namespace cocoon {
 namespace renumbering {

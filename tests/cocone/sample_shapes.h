@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geom/point.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 
 namespace cocoon::shapes {
 

@@ -11,7 +11,7 @@
 #include "cocone/facets/cell_order.h"
 #include "cocone/facets/facet_removal.h"
 #include "cocone/prune_sharp_edges.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 

@@ -9,9 +9,9 @@
 
 #include "delaunay/delaunay.h"
 #include "delaunay/first_cells.h"
+#include "geom/lanes/vector_dispatch.h"
 #include "geom/orient3d.h"
 #include "geom/perturbation.h"
-#include "geom/vector_dispatch.h"
 #include "tests/gallery.h"
 #include "tests/geom/near_degenerate.h"
 

@@ -14,7 +14,7 @@
 #include "delaunay/check_delaunay.h"
 #include "delaunay/delaunay.h"
 #include "geom/errors.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/delaunay/dynamic_checks.h"
 #include "tests/gallery.h"
 #include "tests/named_set.h"

@@ -18,7 +18,7 @@
 #include "geom/compare_distance.h"
 #include "geom/errors.h"
 #include "geom/orient3d.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/gallery.h"
 #include "tests/named_set.h"
 

@@ -10,7 +10,7 @@
 
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/errors.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/delaunay/dynamic_checks.h"
 #include "tests/gallery.h"
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "geom/random.h"
-#include "geom/random_point.h"
+#include "geom/random/random.h"
+#include "geom/random/random_point.h"
 #include "geom/triangle_mesh.h"
 #include "tests/end_to_end/spread_points.h"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "io/mesh_file.h"
 #include "tests/gallery.h"
 #include "tests/mesh_gallery.h"

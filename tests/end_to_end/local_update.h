@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geom/mesh_check.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "geom/triangle_mesh.h"
 #include "tests/gallery.h"
 #include "update/update_model.h"

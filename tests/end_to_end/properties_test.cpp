@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "io/byte_order.h"
+#include "io/encoding/byte_order.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"
 #include "io/sample_models.h"

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "geom/random.h"
-#include "geom/random_point.h"
+#include "geom/mesh/triangle_neighbors.h"
+#include "geom/random/random.h"
+#include "geom/random/random_point.h"
 #include "geom/triangle_mesh.h"
-#include "geom/triangle_neighbors.h"
 #include "tests/end_to_end/local_update.h"
 #include "tests/end_to_end/spread_points.h"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/errors.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 
 namespace cocoon {
 namespace {

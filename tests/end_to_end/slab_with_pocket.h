@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cocone/reconstruct.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "geom/triangle_mesh.h"
 #include "tests/end_to_end/boxy_part.h"
 #include "update/update_model.h"

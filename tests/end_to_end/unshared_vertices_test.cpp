@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/byte_order.h"
+#include "io/encoding/byte_order.h"
 #include "io/mesh_file.h"
 #include "tests/mesh_gallery.h"
 #include "tests/run_program.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geom/mesh_check.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/end_to_end/local_update.h"
 #include "tests/update/hand_made_models.h"
 #include "update/update_model.h"

@@ -5,7 +5,7 @@
 
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "geom/surface_distance.h"
 #include "tests/end_to_end/boxy_part.h"
 #include "update/update_model.h"

@@ -13,7 +13,7 @@
 
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "geom/triangle_normal.h"
 #include "io/point_file.h"
 #include "update/update_model.h"

@@ -10,7 +10,7 @@
 
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/end_to_end/boxy_part.h"
 #include "tests/end_to_end/local_update.h"
 #include "tests/gallery.h"

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "cocone/reconstruct.h"
-#include "geom/closest_facet.h"
 #include "geom/mesh_check.h"
-#include "geom/nearest_point.h"
-#include "geom/random.h"
-#include "geom/random_point.h"
+#include "geom/random/random.h"
+#include "geom/random/random_point.h"
+#include "geom/search/closest_facet.h"
+#include "geom/search/nearest_point.h"
 #include "io/point_file.h"
 #include "tests/end_to_end/local_update.h"
 #include "update/model/model_index.h"

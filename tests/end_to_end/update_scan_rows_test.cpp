@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/end_to_end/hill_on_ball.h"
 #include "update/update_model.h"
 

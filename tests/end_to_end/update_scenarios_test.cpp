@@ -10,7 +10,7 @@
 #include "cocone/reconstruct.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "geom/surface_distance.h"
 #include "io/sample_models.h"
 #include "tests/end_to_end/local_update.h"

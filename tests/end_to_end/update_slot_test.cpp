@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/mesh_check.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/end_to_end/local_update.h"
 #include "tests/update/hand_made_models.h"
 #include "update/update_model.h"

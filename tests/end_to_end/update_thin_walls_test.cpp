@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "geom/closest_facet.h"
 #include "geom/mesh_check.h"
-#include "geom/nearest_point.h"
+#include "geom/search/closest_facet.h"
+#include "geom/search/nearest_point.h"
 #include "geom/surface_distance.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "geom/thin_points.h"
+#include "geom/search/thin_points.h"
 #include "tests/end_to_end/hill_on_ball.h"
 #include "tests/gallery.h"
 #include "update/update_model.h"

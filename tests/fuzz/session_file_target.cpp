@@ -8,7 +8,7 @@
 #include "app/pending_clouds.h"
 #include "app/session_file.h"
 #include "geom/errors.h"
-#include "io/byte_order.h"
+#include "io/encoding/byte_order.h"
 #include "io/summed_file.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/temporary_folder.h"

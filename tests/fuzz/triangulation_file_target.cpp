@@ -7,7 +7,7 @@
 #include "delaunay/canonical_order.h"
 #include "delaunay/check_delaunay.h"
 #include "geom/errors.h"
-#include "io/byte_order.h"
+#include "io/encoding/byte_order.h"
 #include "io/triangulation_file.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/temporary_folder.h"

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "geom/exact_integer.h"
-#include "geom/random.h"
+#include "geom/exact/exact_integer.h"
+#include "geom/random/random.h"
 
 namespace cocoon {
 namespace {

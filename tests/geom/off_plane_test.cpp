@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geom/orient3d.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 
 namespace cocoon {
 namespace {

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <vector>
 
-#include "geom/predicate_levels.h"
+#include "geom/exact/predicate_levels.h"
 #include "ref/rational_predicates.h"
 #include "tests/geom/near_degenerate.h"
 

@@ -5,7 +5,7 @@
 
 #include "geom/errors.h"
 #include "geom/orient3d.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "ref/cgal_mesh_check.h"
 #include "tests/mesh_gallery.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geom/errors.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/mesh_gallery.h"
 
 namespace cocoon {

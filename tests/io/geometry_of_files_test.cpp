@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "geom/errors.h"
-#include "io/base64.h"
+#include "io/encoding/base64.h"
 #include "io/mesh_file.h"
+#include "io/polygons/triangulate_polygon.h"
+#include "io/polygons/weld_points.h"
 #include "io/polyline_file.h"
-#include "io/triangulate_polygon.h"
-#include "io/weld_points.h"
 #include "tests/temporary_folder.h"
 
 namespace cocoon {

@@ -5,15 +5,15 @@
 #include <gtest/gtest.h>
 #include <ostream>
 
-#include "geom/closest_facet.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
 #include "geom/mesh_measure.h"
-#include "geom/nearest_point.h"
-#include "io/polygonize.h"
-#include "io/sample_airbag.h"
-#include "io/sample_block.h"
-#include "io/sample_golf_club.h"
+#include "geom/search/closest_facet.h"
+#include "geom/search/nearest_point.h"
+#include "io/models/polygonize.h"
+#include "io/models/sample_airbag.h"
+#include "io/models/sample_block.h"
+#include "io/models/sample_golf_club.h"
 
 namespace cocoon {
 namespace {

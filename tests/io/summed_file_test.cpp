@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geom/errors.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/temporary_folder.h"
 
 namespace cocoon {

@@ -15,7 +15,7 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/errors.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/gallery.h"
 #include "tests/temporary_folder.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/byte_order.h"
+#include "io/encoding/byte_order.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"
 #include "tests/temporary_folder.h"

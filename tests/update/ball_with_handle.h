@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geom/point.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/end_to_end/spread_points.h"
 
 namespace cocoon::testing {

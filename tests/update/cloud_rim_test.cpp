@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/mesh_gallery.h"
 #include "tests/update/hand_made_models.h"
 

@@ -7,7 +7,7 @@
 
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/end_to_end/local_update.h"
 #include "update/update_model.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "geom/triangle_mesh.h"
 #include "tests/mesh_gallery.h"
 #include "update/cloud_rim.h"

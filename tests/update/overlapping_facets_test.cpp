@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "geom/errors.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "geom/triangle_projection.h"
 #include "tests/update/hand_made_models.h"
 

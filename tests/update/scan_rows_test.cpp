@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cocone/reconstruct.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "update/cloud_surface.h"
 
 namespace cocoon {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/errors.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/mesh_gallery.h"
 #include "tests/update/hand_made_models.h"
 

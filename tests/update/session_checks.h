@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "geom/random.h"
-#include "geom/triangle_order.h"
+#include "geom/mesh/triangle_order.h"
+#include "geom/random/random.h"
 #include "tests/cocone/equal_reconstructions.h"
 #include "update/update_session.h"
 

@@ -13,7 +13,7 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/vertex_stars.h"
 #include "geom/errors.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/gallery.h"
 
 namespace cocoon {

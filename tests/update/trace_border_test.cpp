@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "geom/closest_facet.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
+#include "geom/search/closest_facet.h"
 #include "tests/mesh_gallery.h"
 #include "tests/update/hand_made_models.h"
 #include "update/regions/loop_sides.h"

@@ -1,6 +1,6 @@
 #include "update/cloud/off_samples.h"
 
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
 #include "update/model/sample_heights.h"
 
 namespace cocoon {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "cocone/orient_surface.h"
-#include "geom/closest_facet.h"
-#include "geom/edge_components.h"
 #include "geom/id_vector.h"
+#include "geom/mesh/edge_components.h"
+#include "geom/search/closest_facet.h"
 #include "update/cloud/area_normals.h"
 #include "update/model/near_facets.h"
 #include "update/stage_options.h"

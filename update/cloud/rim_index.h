@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "geom/box_tree.h"
 #include "geom/point.h"
+#include "geom/search/box_tree.h"
 #include "update/cloud_rim.h"
 
 namespace cocoon {

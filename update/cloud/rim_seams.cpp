@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/nearest_point.h"
+#include "geom/search/nearest_point.h"
 #include "update/model/reached_cells.h"
 #include "update/stage_options.h"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geom/box.h"
-#include "geom/nearest_point.h"
 #include "geom/point.h"
+#include "geom/search/nearest_point.h"
 
 namespace cocoon {
 

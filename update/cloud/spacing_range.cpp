@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "geom/arrays/median.h"
 #include "geom/id_vector.h"
-#include "geom/median.h"
 
 namespace cocoon {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geom/box_tree.h"
+#include "geom/search/box_tree.h"
 #include "update/cloud/rim_seams.h"
 #include "update/model/reached_cells.h"
 #include "update/model/sample_heights.h"

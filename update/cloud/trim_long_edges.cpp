@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "geom/median.h"
-#include "geom/sort_ids.h"
-#include "geom/triangles_at_vertices.h"
+#include "geom/arrays/median.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/mesh/triangles_at_vertices.h"
 #include "update/stage_options.h"
 
 namespace cocoon {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "geom/halfedges.h"
+#include "geom/mesh/halfedges.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "geom/equal_points.h"
-#include "geom/halfedges.h"
+#include "geom/mesh/halfedges.h"
+#include "geom/search/equal_points.h"
 
 namespace cocoon {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "geom/large_pages.h"
-#include "geom/triangle_order.h"
+#include "geom/arrays/large_pages.h"
+#include "geom/mesh/triangle_order.h"
 
 namespace cocoon {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "geom/edited_ids.h"
-#include "geom/sort_ids.h"
-#include "geom/triangle_order.h"
+#include "geom/arrays/edited_ids.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/mesh/triangle_order.h"
 
 namespace cocoon {
 namespace {

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "geom/arrays/list_edit.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
-#include "geom/list_edit.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 #include "update/model/model_index.h"

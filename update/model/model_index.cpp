@@ -11,15 +11,15 @@
 #include <utility>
 #include <vector>
 
+#include "geom/arrays/disjoint_sets.h"
+#include "geom/arrays/edited_ids.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/arrays/zeroed_array.h"
 #include "geom/box.h"
-#include "geom/changed_neighbors.h"
-#include "geom/disjoint_sets.h"
-#include "geom/edited_ids.h"
 #include "geom/errors.h"
-#include "geom/halfedges.h"
-#include "geom/parallel_reduce.h"
-#include "geom/sort_ids.h"
-#include "geom/zeroed_array.h"
+#include "geom/mesh/changed_neighbors.h"
+#include "geom/mesh/halfedges.h"
+#include "geom/parallel/parallel_reduce.h"
 
 namespace cocoon {
 

@@ -1,5 +1,5 @@
 // A mesh with what the stages of the update ask of its facets: neighbors, normals, parts. They use
-// this; others see geom/triangle_neighbors.h.
+// this; others see geom/mesh/triangle_neighbors.h.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +7,15 @@
 #include <span>
 #include <vector>
 
+#include "geom/arrays/list_edit.h"
+#include "geom/arrays/visit_where.h"
 #include "geom/box.h"
 #include "geom/execution.h"
-#include "geom/grid_cells.h"
 #include "geom/id_vector.h"
-#include "geom/list_edit.h"
+#include "geom/mesh/triangle_neighbors.h"
+#include "geom/mesh/triangles_at_vertices.h"
+#include "geom/search/grid_cells.h"
 #include "geom/triangle_mesh.h"
-#include "geom/triangle_neighbors.h"
-#include "geom/triangles_at_vertices.h"
-#include "geom/visit_where.h"
 #include "update/model/mesh_change.h"
 
 namespace cocoon {

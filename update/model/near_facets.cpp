@@ -8,9 +8,9 @@
 #include <limits>
 #include <numeric>
 
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/arrays/visit_where.h"
 #include "geom/triangle_projection.h"
-#include "geom/visit_where.h"
 #include "update/model/reached_cells.h"
 
 namespace cocoon {

@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "geom/box_tree.h"
-#include "geom/closest_facet.h"
 #include "geom/execution.h"
 #include "geom/ids.h"
 #include "geom/point.h"
+#include "geom/search/box_tree.h"
+#include "geom/search/closest_facet.h"
 #include "geom/triangle_mesh.h"
 #include "update/model/model_index.h"
 

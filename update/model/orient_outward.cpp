@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "cocone/orient_surface.h"
-#include "geom/edge_components.h"
-#include "geom/halfedges.h"
+#include "geom/mesh/edge_components.h"
+#include "geom/mesh/halfedges.h"
+#include "geom/mesh/triangles_by_area.h"
 #include "geom/mesh_measure.h"
-#include "geom/mixed_bits.h"
-#include "geom/triangles_by_area.h"
+#include "geom/random/mixed_bits.h"
 #include "update/stage_options.h"
 
 namespace cocoon {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "geom/arrays/visit_where.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
-#include "geom/visit_where.h"
 
 namespace cocoon {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cocone/energy/max_flow.h"
-#include "geom/zeroed_array.h"
+#include "geom/arrays/zeroed_array.h"
 #include "update/regions/grow_regions.h"
 
 namespace cocoon {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "geom/halfedges.h"
 #include "geom/ids.h"
+#include "geom/mesh/halfedges.h"
 #include "update/model/model_index.h"
 #include "update/model/triangle_set.h"
 

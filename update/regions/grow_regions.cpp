@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/sparse_vector.h"
+#include "geom/arrays/sparse_vector.h"
 
 namespace cocoon {
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <utility>
 
-#include "geom/nearest_point.h"
-#include "geom/require_size.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/messages/require_size.h"
+#include "geom/search/nearest_point.h"
 
 namespace cocoon {
 

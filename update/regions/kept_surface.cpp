@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "cocone/labels_of_solid.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "cocone/boundary_loops.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
 
 namespace cocoon {
 

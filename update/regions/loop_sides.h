@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geom/ids.h"
+#include "geom/mesh/triangle_neighbors.h"
 #include "geom/triangle_mesh.h"
-#include "geom/triangle_neighbors.h"
 #include "update/segment_model.h"
 #include "update/trace_border.h"
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "geom/box_tree.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/search/box_tree.h"
 #include "update/model/mean_at_vertex.h"
 
 namespace cocoon {

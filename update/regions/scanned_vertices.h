@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "geom/arrays/sparse_vector.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/point.h"
-#include "geom/sparse_vector.h"
 #include "update/cloud/rim_index.h"
 #include "update/cloud_rim.h"
 #include "update/model/model_index.h"

@@ -1,6 +1,6 @@
 #include "update/report/contradicted_samples.h"
 
-#include "geom/box_tree.h"
+#include "geom/search/box_tree.h"
 #include "update/stage_options.h"
 
 namespace cocoon {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "geom/closest_facet.h"
-#include "geom/median.h"
-#include "geom/triangles_by_area.h"
+#include "geom/arrays/median.h"
+#include "geom/mesh/triangles_by_area.h"
+#include "geom/search/closest_facet.h"
 #include "update/cloud/scanned_places.h"
 #include "update/stage_options.h"
 

@@ -1,6 +1,6 @@
 #include "update/report/overlooked_vertices.h"
 
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
 #include "update/cloud/rim_index.h"
 #include "update/cloud/scanned_places.h"
 #include "update/stage_options.h"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "geom/nearest_point.h"
+#include "geom/search/nearest_point.h"
 #include "update/cloud_rim.h"
 #include "update/model/model_index.h"
 #include "update/replace_points.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
 #include "update/model/sample_heights.h"
 #include "update/stage_options.h"
 

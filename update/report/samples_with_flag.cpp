@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
 
 namespace cocoon {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "geom/disjoint_sets.h"
-#include "geom/require_size.h"
-#include "geom/visit_where.h"
+#include "geom/arrays/disjoint_sets.h"
+#include "geom/arrays/visit_where.h"
+#include "geom/messages/require_size.h"
 #include "update/model/mean_at_vertex.h"
 #include "update/model/sample_heights.h"
 #include "update/stage_options.h"

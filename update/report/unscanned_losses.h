@@ -7,8 +7,8 @@
 
 #include "geom/id_vector.h"
 #include "geom/ids.h"
-#include "geom/nearest_point.h"
 #include "geom/point.h"
+#include "geom/search/nearest_point.h"
 #include "update/cloud/scan.h"
 #include "update/model/model_index.h"
 #include "update/replace_points.h"

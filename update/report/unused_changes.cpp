@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "geom/box_tree.h"
-#include "geom/require_size.h"
+#include "geom/messages/require_size.h"
+#include "geom/search/box_tree.h"
 #include "update/model/sample_heights.h"
 #include "update/stage_options.h"
 

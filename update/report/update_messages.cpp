@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <numbers>
 
-#include "geom/counted.h"
-#include "geom/place_name.h"
+#include "geom/messages/counted.h"
+#include "geom/messages/place_name.h"
 
 namespace cocoon {
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "geom/large_pages.h"
+#include "geom/arrays/large_pages.h"
 
 namespace cocoon {
 

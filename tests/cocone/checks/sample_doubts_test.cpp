@@ -10,7 +10,7 @@
 
 #include "cocone/boundary_samples.h"
 #include "cocone/noise_filter.h"
-#include "geom/median.h"
+#include "geom/arrays/median.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 #include "tests/gallery.h"

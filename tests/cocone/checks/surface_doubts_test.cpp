@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "geom/box.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/sample_shapes.h"
 
 namespace cocoon {

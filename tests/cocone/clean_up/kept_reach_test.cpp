@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "delaunay/delaunay.h"
-#include "geom/random.h"
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
+#include "geom/random/random.h"
 #include "tests/gallery.h"
 
 namespace cocoon {

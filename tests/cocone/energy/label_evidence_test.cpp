@@ -11,7 +11,7 @@
 
 #include "cocone/clean_up_cells.h"
 #include "cocone/facets/cell_order.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 #include "tests/gallery.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "geom/sort_ids.h"
+#include "geom/arrays/sort_ids.h"
 #include "tests/cocone/random_labeling.h"
 
 namespace cocoon {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 
 namespace cocoon {
 namespace {

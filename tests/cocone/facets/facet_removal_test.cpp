@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "delaunay/delaunay.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/facets/equal_links.h"
 #include "tests/cocone/facets/random_facets.h"
 #include "tests/gallery.h"

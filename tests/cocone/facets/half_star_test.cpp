@@ -5,7 +5,7 @@
 
 #include "cocone/candidate_triangles.h"
 #include "delaunay/circulate.h"
-#include "geom/disjoint_sets.h"
+#include "geom/arrays/disjoint_sets.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 

@@ -8,7 +8,7 @@
 
 #include "cocone/facets/facet_removal.h"
 #include "delaunay/delaunay.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/facets/equal_links.h"
 #include "tests/cocone/facets/random_facets.h"
 #include "tests/gallery.h"

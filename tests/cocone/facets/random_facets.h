@@ -5,7 +5,7 @@
 
 #include "cocone/facet_set.h"
 #include "delaunay/triangulation.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 
 namespace cocoon {
 

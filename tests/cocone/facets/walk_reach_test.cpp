@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 #include "tests/gallery.h"

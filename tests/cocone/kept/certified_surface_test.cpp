@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/changing_points.h"
 #include "tests/gallery.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/kept/live_body.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/gallery.h"

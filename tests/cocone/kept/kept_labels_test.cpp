@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cocone/kept/kept_body.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/kept/live_body.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/long_tests.h"

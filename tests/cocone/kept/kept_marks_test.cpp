@@ -8,7 +8,7 @@
 
 #include "cocone/extract_manifold.h"
 #include "cocone/live/known_candidates.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/kept/live_samples.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/gallery.h"

@@ -9,8 +9,8 @@
 
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
-#include "geom/point_hash.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
+#include "geom/search/point_hash.h"
 #include "tests/cocone/kept/lend.h"
 
 namespace cocoon {

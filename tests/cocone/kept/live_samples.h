@@ -8,7 +8,7 @@
 #include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/kept/lend.h"
 
 namespace cocoon {

@@ -12,7 +12,7 @@
 #include "cocone/live/reconstruct_stages.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "io/mesh_file.h"
 #include "tests/gallery.h"
 #include "tests/long_tests.h"

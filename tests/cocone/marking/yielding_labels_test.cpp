@@ -7,7 +7,7 @@
 #include "cocone/mark_cells.h"
 #include "delaunay/delaunay.h"
 #include "geom/errors.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 
 namespace cocoon {
 namespace {

@@ -13,7 +13,7 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/mesh_check.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/gallery.h"
 

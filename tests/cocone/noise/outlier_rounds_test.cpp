@@ -10,7 +10,7 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/vertex_stars.h"
 #include "geom/errors.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/sample_shapes.h"
 
 namespace cocoon {

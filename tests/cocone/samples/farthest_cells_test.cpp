@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "geom/parallel_fold.h"
+#include "geom/parallel/parallel_fold.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/cocone/stages.h"
 #include "tests/gallery.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/update/hand_made_models.h"
 
 namespace cocoon {

@@ -7,8 +7,8 @@
 #include <set>
 #include <vector>
 
-#include "geom/median.h"
-#include "geom/random.h"
+#include "geom/arrays/median.h"
+#include "geom/random/random.h"
 #include "tests/update/hand_made_models.h"
 
 namespace cocoon {

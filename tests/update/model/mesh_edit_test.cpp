@@ -5,8 +5,8 @@
 #include <set>
 #include <vector>
 
-#include "geom/random.h"
-#include "geom/triangle_order.h"
+#include "geom/mesh/triangle_order.h"
+#include "geom/random/random.h"
 #include "tests/mesh_gallery.h"
 #include "update/model/mesh_change.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/update/hand_made_models.h"
 
 namespace cocoon {

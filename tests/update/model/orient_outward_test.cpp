@@ -5,7 +5,7 @@
 
 #include "geom/mesh_check.h"
 #include "geom/mesh_measure.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/mesh_gallery.h"
 
 namespace cocoon {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 
 namespace cocoon {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/mesh_gallery.h"
 
 namespace cocoon {

@@ -8,7 +8,7 @@
 
 #include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
-#include "geom/random.h"
+#include "geom/random/random.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/update/replaced_disk.h"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "geom/triangle_neighbors.h"
+#include "geom/mesh/triangle_neighbors.h"
 #include "tests/update/hand_made_models.h"
 #include "update/overlapping_facets.h"
 
