@@ -56,6 +56,17 @@ void add_search(JsonReport& entry, const CloudSurface& surface) {
   entry.set("rho_trials", surface.trials.size());
 }
 
+void add_seams(JsonReport& entry, const CloudRim& rim) {
+  entry.set("rim_edges", rim.rim_edges);
+  entry.set("seam_edges", rim.seam_edges);
+  entry.set("lone_edges", rim.lone_edges);
+  entry.set("shared_edges", rim.shared_edges);
+  entry.set("wall_edges", rim.wall_edges);
+  entry.set("torn_edges", rim.torn_edges);
+  entry.set("seam_loops", rim.seam_loops);
+  entry.set("seamed_loops", rim.seamed_loops);
+}
+
 JsonReport cloud_entry(const CloudReport& cloud) {
   JsonReport entry;
   if (cloud.joined_with) entry.set("joined_with", *cloud.joined_with);
@@ -64,19 +75,14 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   }
   entry.set("replaced_groups", numbers_of(cloud.replaced_groups));
   entry.set("margin_deg", cloud.margin_deg);
+  entry.set("told_by_samples", cloud.is_told_by_samples);
   if (cloud.joined_with) return entry;
   entry.set("loops", cloud.loops.size());
   add_rims(entry, cloud);
   entry.set("border_loops", border_loops(cloud));
   entry.set("pin_holes", cloud.surface.rim.pin_holes);
   entry.set("opened_pin_holes", opened_pin_holes(cloud));
-  entry.set("rim_edges", cloud.surface.rim.rim_edges);
-  entry.set("seam_edges", cloud.surface.rim.seam_edges);
-  entry.set("lone_edges", cloud.surface.rim.lone_edges);
-  entry.set("shared_edges", cloud.surface.rim.shared_edges);
-  entry.set("torn_edges", cloud.surface.rim.torn_edges);
-  entry.set("seam_loops", cloud.surface.rim.seam_loops);
-  entry.set("seamed_loops", cloud.surface.rim.seamed_loops);
+  add_seams(entry, cloud.surface.rim);
   entry.set("is_cut", !cloud.cut.is_empty());
   entry.set("cut_edges", cloud.cut.cut_edges);
   entry.set("cut_length", cloud.cut.cut_length);

@@ -63,7 +63,7 @@ double margin_of(const CloudChoice& cloud) {
 // tell. Returns those that are under the cloud.
 std::vector<RegionId> regions_under(const IdVector<RegionId, RegionSum>& sums,
                                     const IdVector<RegionId, std::uint8_t>* decided,
-                                    CloudChoice& cloud) {
+                                    const ChoiceOptions& options, CloudChoice& cloud) {
   std::vector<RegionId> found;
   for (const RegionId r : sums.ids()) {
     const RegionSum& sum = sums[r];
@@ -71,7 +71,11 @@ std::vector<RegionId> regions_under(const IdVector<RegionId, RegionSum>& sums,
         decided != nullptr ? (*decided)[r] != 0 : sum.edges > 0 && sum.difference < 0;
     if (under) found.push_back(r);
     if (sum.edges == 0) continue;
-    cloud.regions.push_back({r, sum.angle / static_cast<double>(sum.edges), sum.edges, under});
+    const double mean_angle = sum.angle / static_cast<double>(sum.edges);
+    cloud.regions.push_back({r, mean_angle, sum.edges, under});
+    if (decided == nullptr && under && mean_angle > options.turned_away) {
+      cloud.is_turned_away = cloud.is_ambiguous = true;
+    }
   }
   if (decided != nullptr) cloud.margin = margin_of(cloud);
   return found;
@@ -140,10 +144,7 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
       double& margin = choice.clouds[loop.cloud].margin;
       margin = std::min(margin, range.margin());
       if (range.margin() < options.narrow_margin) ++choice.narrow;
-      if (range.margin() < options.ambiguous_margin) {
-        choice.status = ChoiceStatus::ambiguous;
-        choice.clouds[loop.cloud].is_ambiguous = true;
-      }
+      if (range.margin() < options.ambiguous_margin) choice.clouds[loop.cloud].is_ambiguous = true;
     }
     for (const RegionId r : loop.regions.ids()) {
       const AngleMean& mean = loop.regions[r];
@@ -158,11 +159,13 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
   // 2. A region under any cloud is replaced.
   choice.replaced_by_clear = choice.replaced;
   for (std::size_t c = 0; c < num_clouds; ++c) {
+    CloudChoice& cloud = choice.clouds[c];
     for (const RegionId r :
-         regions_under(sums[c], is_decided(c) ? &decided[c] : nullptr, choice.clouds[c])) {
+         regions_under(sums[c], is_decided(c) ? &decided[c] : nullptr, options, cloud)) {
       choice.replaced[r] = 1;
-      if (!choice.clouds[c].is_ambiguous) choice.replaced_by_clear[r] = 1;
+      if (!cloud.is_ambiguous) choice.replaced_by_clear[r] = 1;
     }
+    if (cloud.is_ambiguous) choice.status = ChoiceStatus::ambiguous;
   }
   keep_the_largest_mean(choice);
   if (choice.status == ChoiceStatus::ambiguous) {

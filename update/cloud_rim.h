@@ -67,6 +67,7 @@ struct CloudRim {
   std::size_t lone_edges = 0;        // edges with a few samples beyond them and no cloud
   std::size_t non_orientable = 0;    // one-sided parts: their normals are not reliable
 
+  std::size_t wall_edges = 0;    // inner by mark_wall_edges()
   std::size_t torn_edges = 0;    // that mark_torn_edges() found torn, on loops that are seams by it
   std::size_t shared_edges = 0;  // marked by mark_shared_edges()
   bool leaves_model = false;     // by its overlap: Overlap::leaves_model

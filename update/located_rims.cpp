@@ -4,6 +4,7 @@
 
 #include "geom/messages/require_size.h"
 #include "update/cloud/torn_edges.h"
+#include "update/cloud/wall_edges.h"
 #include "update/pin_holes.h"
 #include "update/rim_doubt.h"
 #include "update/shared_edges.h"
@@ -59,6 +60,7 @@ class Locating {
       const std::vector<Scan> scans = scans_of(clouds_, reports_);
       found_.shared_with[c] = mark_shared_edges(c, scans, rim, options_.shared);
     }
+    mark_wall_edges(model_, clouds_, rim, options_.walls);
     mark_torn_edges(model_, clouds_, rim, options_.torn);
     found_.overlaps[c] = overlapping_facets(model_, rim, options_.overlap, execution_);
   }

@@ -35,6 +35,7 @@ void require_options(const char* stage, const ChoiceOptions& options) {
   require_shares(stage, {{"choice.min_edge_share", options.min_edge_share}});
   require_number(stage, "choice.ambiguous_margin", options.ambiguous_margin, 0, std::numbers::pi);
   require_number(stage, "choice.narrow_margin", options.narrow_margin, 0, std::numbers::pi);
+  require_number(stage, "choice.turned_away", options.turned_away, 0, std::numbers::pi);
 }
 
 void require_options(const char* stage, const CloudSurfaceOptions& options) {
@@ -151,6 +152,12 @@ void require_options(const char* stage, const RimSeamOptions& options) {
   require_shares(stage, {{"cloud.seams.max_seam_share", options.max_seam_share}});
 }
 
+void require_options(const char* stage, const SampledRegionOptions& options) {
+  require_amounts(stage, {{"sampled.reach", options.reach}});
+  require_shares(stage, {{"sampled.min_share", options.min_share},
+                         {"sampled.max_outside_share", options.max_outside_share}});
+}
+
 void require_options(const char* stage, const ScanEndOptions& options) {
   require_amounts(stage, {{"cut.ends.scanned", options.scanned},
                           {"cut.ends.off_model", options.off_model},
@@ -187,6 +194,17 @@ void require_options(const char* stage, const TrimOptions& options) {
   require_amounts(stage, {{"cloud.trim.max_edge", options.max_edge}});
 }
 
+void require_options(const char* stage, const WallEdgeOptions& options) {
+  require_amounts(stage, {{"walls.reach", options.reach},
+                          {"walls.max_inward", options.max_inward},
+                          {"walls.min_step", options.min_step},
+                          {"walls.off_model", options.off_model},
+                          {"walls.thinnest", options.thinnest},
+                          {"walls.thickest", options.thickest}});
+  require_cosines(stage, {{"walls.min_way_cosine", options.min_way_cosine},
+                          {"walls.min_normal_cosine", options.min_normal_cosine}});
+}
+
 void require_options(const char* stage, const UnscannedOptions& options) {
   require_amounts(stage, {{"unscanned.reach", options.reach},
                           {"unscanned.off_model", options.off_model},
@@ -205,6 +223,7 @@ void require_options(const char* stage, const UpdateOptions& options) {
   require_options(stage, options.join);
   require_options(stage, options.cloud);
   require_options(stage, options.pin_holes);
+  require_options(stage, options.walls);
   require_options(stage, options.torn);
   require_options(stage, options.overlap);
   require_options(stage, options.shared);
@@ -212,6 +231,7 @@ void require_options(const char* stage, const UpdateOptions& options) {
   require_options(stage, options.cut);
   require_options(stage, options.angles);
   require_options(stage, options.choice);
+  require_options(stage, options.sampled);
   require_options(stage, options.islands);
   require_options(stage, options.replace);
   require_options(stage, options.overlooked);

@@ -20,6 +20,7 @@ struct PinHoleOptions;
 struct ReplaceOptions;
 struct RimOptions;
 struct RimSeamOptions;
+struct SampledRegionOptions;
 struct ScanEndOptions;
 struct SharedEdgeOptions;
 struct ShiftOptions;
@@ -29,6 +30,7 @@ struct TrimOptions;
 struct UnscannedOptions;
 struct UnusedChangeOptions;
 struct UpdateOptions;
+struct WallEdgeOptions;
 
 // All throw InputError, with the name of the stage, unless distances, ratios and weights are 0 or
 // more (infinity, too), shares of a whole from 0 to 1, cosines from -1 to 1, and margins from 0 to
@@ -50,6 +52,7 @@ void require_options(const char* stage, const PinHoleOptions& options);
 void require_options(const char* stage, const ReplaceOptions& options);
 void require_options(const char* stage, const RimOptions& options);
 void require_options(const char* stage, const RimSeamOptions& options);
+void require_options(const char* stage, const SampledRegionOptions& options);
 void require_options(const char* stage, const ScanEndOptions& options);
 void require_options(const char* stage, const SharedEdgeOptions& options);
 void require_options(const char* stage, const ShiftOptions& options);
@@ -58,6 +61,7 @@ void require_options(const char* stage, const TornEdgeOptions& options);
 void require_options(const char* stage, const TrimOptions& options);
 void require_options(const char* stage, const UnscannedOptions& options);
 void require_options(const char* stage, const UnusedChangeOptions& options);
+void require_options(const char* stage, const WallEdgeOptions& options);
 // Of all stages of an update.
 void require_options(const char* stage, const UpdateOptions& options);
 

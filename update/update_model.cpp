@@ -1,5 +1,6 @@
 #include "update/update_model.h"
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -55,6 +56,7 @@ UpdateOptions paper_update_options() {
   options.cloud.rows.min_ratio = 0;
   options.cloud.density.min_ratio = 0;
   options.cloud.layers.spread = 0;
+  options.choice.turned_away = std::numbers::pi;
   return options;
 }
 

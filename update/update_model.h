@@ -21,6 +21,7 @@
 #include "update/choose_regions.h"
 #include "update/cloud/outward_normals.h"
 #include "update/cloud/torn_edges.h"
+#include "update/cloud/wall_edges.h"
 #include "update/cloud_surface.h"
 #include "update/contradicted_islands.h"
 #include "update/cut_regions.h"
@@ -29,6 +30,7 @@
 #include "update/overlapping_facets.h"
 #include "update/override_choice.h"
 #include "update/pin_holes.h"
+#include "update/regions/sampled_regions.h"
 #include "update/replace_points.h"
 #include "update/report/cloud_report.h"
 #include "update/report/contradicted_samples.h"
@@ -49,6 +51,7 @@ struct UpdateOptions {
   JoinOptions join;  // of clouds that overlap each other
   CloudSurfaceOptions cloud;
   PinHoleOptions pin_holes;
+  WallEdgeOptions walls;
   TornEdgeOptions torn;
   OverlapOptions overlap;
   TraceOptions trace;
@@ -58,6 +61,7 @@ struct UpdateOptions {
   CutOptions cut;  // of partial rims, and across handles
   AngleOptions angles;
   ChoiceOptions choice;
+  SampledRegionOptions sampled;
   IslandOptions islands;
   RegionOverrides overrides;  // of one update alone: a session's are given with its clouds
   ReplaceOptions replace;

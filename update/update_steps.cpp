@@ -115,6 +115,7 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
     warn_of_cloud(c, warnings_of_cut(result_.clouds[c].cut));
   }
   if (!check_separation(angles)) return false;
+  ask_samples_for_sides(index, angles, execution);
   result_.choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
   // Regions may be without any loop (all rims covered): then there is nothing to replace.
   result_.choice.replaced.resize(result_.regions.regions.size(), 0);
@@ -427,6 +428,25 @@ bool UpdateSteps::cut_where_scans_end(const ModelIndex& index,
   return found;
 }
 
+void UpdateSteps::ask_samples_for_sides(const ModelIndex& index,
+                                        std::span<const RegionAngles> angles,
+                                        const Execution& execution) {
+  const RegionChoice choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
+  const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
+  for (std::size_t c = 0; c < clouds_.size(); ++c) {
+    if (!choice.clouds[c].is_turned_away) continue;
+    std::vector<RegionId> seen;
+    for (const RegionVerdict& verdict : choice.clouds[c].regions) seen.push_back(verdict.region);
+    IdVector<RegionId, std::uint8_t> under =
+        regions_under_samples(index, result_.regions, seen, scans[c], options_.sampled, execution);
+    if (under.empty()) continue;
+    decided_.resize(clouds_.size());
+    decided_[c] = std::move(under);
+    result_.clouds[c].is_told_by_samples = true;
+    warn(name_of_cloud(c) + ": " + warning_of_turned_away(choice.clouds[c].regions));
+  }
+}
+
 bool UpdateSteps::report_choice() {
   const RegionChoice& choice = result_.choice;
   std::size_t seen_by_several = 0;
@@ -439,7 +459,8 @@ bool UpdateSteps::report_choice() {
     const bool is_said = std::any_of(
         report.groups.begin(), report.groups.end(),
         [&](const RegionVerdict& group) { return options_.overrides.names(group.region); });
-    if (choice.clouds[c].margin < options_.choice.narrow_margin && !is_said) {
+    if (choice.clouds[c].margin < options_.choice.narrow_margin && !is_said &&
+        !report.is_told_by_samples) {
       warn(name_of_cloud(c) + ": " + warning_of_narrow_margin(report.margin_deg));
     }
   }
@@ -456,11 +477,14 @@ bool UpdateSteps::report_choice() {
   };
   const auto undecided = std::find_if(choice.clouds.begin(), choice.clouds.end(), is_undecided);
   const auto c = static_cast<std::size_t>(undecided - choice.clouds.begin());
+  const std::span<const RegionVerdict> groups =
+      are_joined() ? std::span<const RegionVerdict>() : result_.clouds[c].groups;
   return fail(UpdateStatus::ambiguous,
               name_of_cloud(c) + ": " +
-                  reason_of_ambiguity(
-                      options_.choice.ambiguous_margin * degrees_per_radian,
-                      are_joined() ? std::span<const RegionVerdict>() : result_.clouds[c].groups));
+                  (undecided->is_turned_away
+                       ? reason_of_turned_away(groups)
+                       : reason_of_ambiguity(options_.choice.ambiguous_margin * degrees_per_radian,
+                                             groups)));
 }
 
 }  // namespace cocoon

@@ -119,6 +119,10 @@ class UpdateSteps {
   // the cloud is to be cut.
   bool cut_where_scans_end(const ModelIndex& index, std::span<const RegionAngles> angles);
 
+  // Where both sides of a rim turn away from the cloud.
+  void ask_samples_for_sides(const ModelIndex& index, std::span<const RegionAngles> angles,
+                             const Execution& execution);
+
   bool report_choice();
 
   const TriangleMesh& model_;
@@ -132,7 +136,7 @@ class UpdateSteps {
   std::vector<std::uint8_t> is_cut_;  // clouds_to_cut()
   std::vector<Border> borders_;
   TriangleSet border_facets_;
-  std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under
+  std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under, or by samples
   std::vector<NearestPointTree> trees_;  // of the samples of each of clouds_, once it has its place
   UpdateResult result_;
 };

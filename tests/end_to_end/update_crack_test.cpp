@@ -89,8 +89,8 @@ TEST(UpdateCrack, AFewContradictionsAreNot) {
   ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
   EXPECT_GT(result.clouds[0].contradicted.count, 5U);
   EXPECT_TRUE(told(result).empty());
-  // So narrow a crack tears the surface of the scan, and the rim among few samples looks better. But
-  // that of all leaves no more doubt on the model.
+  // So narrow a crack tears the surface of the scan, and the rim among few samples looks better.
+  // But that of all leaves no more doubt on the model.
   EXPECT_FALSE(result.clouds[0].surface.is_layered);
   EXPECT_TRUE(result.warnings.empty());
   EXPECT_EQ(mesh_check(result.mesh).genus, 0U);

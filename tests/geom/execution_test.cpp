@@ -134,7 +134,7 @@ TEST(ParallelChunksOfAStage, AreTheSameChunksAndReportOnTheWay) {
     if (count == 0) continue;
     EXPECT_EQ(progress.heard.front(), 0.25);
     EXPECT_LT(progress.heard.back(), 0.75);
-    if (count > 2000) EXPECT_GT(progress.heard.size(), 50U);
+    EXPECT_TRUE(count < 2000 || progress.heard.size() > 50);
   }
 }
 

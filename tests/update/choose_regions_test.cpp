@@ -1,5 +1,6 @@
 #include "update/choose_regions.h"
 
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
@@ -41,15 +42,36 @@ TEST(ChooseRegions, TheSmallerAngleIsReplaced) {
   EXPECT_FALSE(choice.clouds[0].regions[1].under_cloud);
 }
 
-// Both below or both above 90 degrees: still the smaller one (a cloud that rises steeply).
+// Both below or both above 90 degrees: still the smaller one (a cloud that rises steeply). In the
+// paper, however large it is.
 TEST(ChooseRegions, OneLoopComparesAndHasNoThreshold) {
+  ChoiceOptions options;
+  options.turned_away = std::numbers::pi;
   for (const auto& [inside, outside] :
        {std::pair{100.0, 140.0}, std::pair{20.0, 60.0}, std::pair{85.0, 95.0}}) {
     const std::vector<RegionAngles> loops = {loop(0, {outside, inside})};
-    const RegionChoice choice = choose_regions(loops, 1);
+    const RegionChoice choice = choose_regions(loops, 1, options);
     EXPECT_EQ(replaced(choice), (std::vector<int>{0, 1}));
     EXPECT_EQ(choice.narrow, outside - inside < 30 ? 1U : 0U);
   }
+}
+
+// No side lies under the cloud: it ends before it meets the model. Other clouds stay as they are.
+TEST(ChooseRegions, ARegionThatIsTurnedAwayIsNotUnderTheCloud) {
+  const std::vector<RegionAngles> loops = {loop(0, {156, 140, -1}), loop(1, {170, -1, 99})};
+  const RegionChoice choice = choose_regions(loops, 2);
+  EXPECT_EQ(choice.status, ChoiceStatus::ambiguous);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{0, 0, 0}));
+  EXPECT_TRUE(choice.clouds[0].is_turned_away && choice.clouds[0].is_ambiguous);
+  EXPECT_FALSE(choice.clouds[1].is_turned_away || choice.clouds[1].is_ambiguous);
+  EXPECT_EQ(choice.replaced_by_clear.raw(), (std::vector<std::uint8_t>{0, 0, 1}));
+  // Told otherwise, as by its samples.
+  std::vector<IdVector<RegionId, std::uint8_t>> decided(2);
+  decided[0] = IdVector<RegionId, std::uint8_t>(3, 0);
+  decided[0][RegionId(0U)] = 1;
+  const RegionChoice told = choose_regions(loops, 2, {}, decided);
+  EXPECT_EQ(told.status, ChoiceStatus::ok);
+  EXPECT_EQ(replaced(told), (std::vector<int>{1, 0, 1}));
 }
 
 // The paper's airbag: three clouds I, II, III, and IV, the rest, which each of them is compared
@@ -172,6 +194,14 @@ TEST(ChooseRegions, TheLargestRegionThatStaysIsTheFirstOfSeveral) {
   EXPECT_EQ(largest_kept_region(regions, choice), RegionId(1U));
   choice.replaced = IdVector<RegionId, std::uint8_t>(4, 1);
   EXPECT_TRUE(largest_kept_region(regions, choice).is_none());
+}
+
+// As where all rims of a cloud that was cut are covered.
+TEST(ChooseRegions, WithoutLoopsDecisionsTellTheRegions) {
+  std::vector<IdVector<RegionId, std::uint8_t>> decided(2);
+  decided[1] = IdVector<RegionId, std::uint8_t>(3, 0);
+  decided[1][RegionId(2U)] = 1;
+  EXPECT_EQ(replaced(choose_regions({}, 2, {}, decided)), (std::vector<int>{0, 0, 1}));
 }
 
 TEST(ChooseRegions, NoLoops) {

@@ -63,6 +63,7 @@ std::vector<CloudReport> reports_of_members(std::vector<CloudReport> reports,
       report.groups = reports[j].groups;
       report.replaced_groups = reports[j].replaced_groups;
       report.margin_deg = reports[j].margin_deg;
+      report.is_told_by_samples = reports[j].is_told_by_samples;
     }
     result[first] = std::move(reports[j]);
   }

@@ -10,6 +10,20 @@
 
 namespace cocoon {
 
+namespace {
+
+// " (group 0: 90.1, group 2: 89.9)"; empty without groups.
+std::string told_in_parentheses(std::span<const RegionVerdict> groups) {
+  std::string told;
+  for (const RegionVerdict& group : groups) {
+    told += (told.empty() ? " (group " : ", group ") + std::to_string(group.region.value) + ": " +
+            rounded(group.mean_angle_deg());
+  }
+  return told.empty() ? told : told + ")";
+}
+
+}  // namespace
+
 std::string rounded(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
@@ -93,16 +107,19 @@ std::string reason_of_wide_handle() {
 
 std::string reason_of_ambiguity(double margin, std::span<const RegionVerdict> groups) {
   const std::string degrees = rounded(margin);
-  std::string told;
-  for (const RegionVerdict& group : groups) {
-    told += (told.empty() ? " (group " : ", group ") + std::to_string(group.region.value) + ": " +
-            rounded(group.mean_angle_deg());
-  }
+  const std::string told = told_in_parentheses(groups);
   return "the regions inside and outside a rim make angles with the cloud that differ by less "
          "than " +
-         degrees + (degrees == "1" ? " degree" : " degrees") + (told.empty() ? "" : told + ")") +
+         degrees + (degrees == "1" ? " degree" : " degrees") + told +
          "; let the cloud reach farther onto unchanged surface" +
          (told.empty() ? "" : ", or say which of them goes");
+}
+
+std::string reason_of_turned_away(std::span<const RegionVerdict> groups) {
+  return "the model turns away from it on both sides of its rim" + told_in_parentheses(groups) +
+         ", as where a scan ends before it meets the model, and its samples do not tell which side "
+         "they replace; let the cloud reach onto unchanged surface" +
+         (groups.empty() ? "" : ", or say which of them goes");
 }
 
 std::string reason_of_empty_surface(std::size_t updated_points) {
@@ -139,12 +156,18 @@ std::string warning_of_clouds_apart(const std::string& why) {
 }
 
 std::string warning_of_shared_regions(std::size_t regions) {
-  return "clouds overlap each other: " + counted(regions, "region lies", "regions lie") +
-         " under more than one";
+  return counted(regions, "region", "regions") + " of the model " +
+         (regions == 1 ? "lies" : "lie") + " under more than one cloud";
 }
 
 std::string warning_of_narrow_margin(double degrees) {
   return "its regions differ by only " + rounded(degrees) + " degrees; look at the result";
+}
+
+std::string warning_of_turned_away(std::span<const RegionVerdict> groups) {
+  return "the model turns away from it on both sides of its rim" + told_in_parentheses(groups) +
+         ", as where a scan ends before it meets the model, so it is told by its samples what they "
+         "replace; look at the result";
 }
 
 std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,

@@ -49,6 +49,8 @@ std::string reason_of_wide_handle();
 // Why the angles do not decide; `margin`: in degrees.
 // `groups`: those of which people may say which goes; empty: of none.
 std::string reason_of_ambiguity(double margin, std::span<const RegionVerdict> groups);
+// Likewise, where no side of the rim lies under the cloud by its angle, and samples do not tell.
+std::string reason_of_turned_away(std::span<const RegionVerdict> groups);
 // Why nothing is left of the updated points.
 std::string reason_of_empty_surface(std::size_t updated_points);
 // If all of them are boundary samples.
@@ -66,6 +68,8 @@ std::string warning_of_clouds_apart(const std::string& why);
 std::string warning_of_shared_regions(std::size_t regions);
 // Mean angles of regions, in degrees, that hardly differ.
 std::string warning_of_narrow_margin(double degrees);
+// Samples, not angles, have told which groups lie under the cloud.
+std::string warning_of_turned_away(std::span<const RegionVerdict> groups);
 // Of the doubtful; `at`: one of them.
 std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,
                                   const OverlookedOptions& options = {});

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <vector>
 
+#include "update/model/mesh_change.h"
+
 namespace cocoon {
 namespace {
 

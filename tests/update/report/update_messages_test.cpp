@@ -128,6 +128,9 @@ TEST(UpdateMessages, AnglesAreInDegrees) {
       reason_of_ambiguity(1, {}).ends_with("degree; let the cloud reach farther onto "
                                            "unchanged surface"));
   EXPECT_TRUE(says({reason_of_ambiguity(0.5, groups)}, "differ by less than 0.5 degrees ("));
+  EXPECT_TRUE(says({warning_of_turned_away(groups)}, "rim (group 0: 90.1, group 2: 89.9), as"));
+  EXPECT_TRUE(says({reason_of_turned_away(groups)}, "surface, or say which of them goes"));
+  EXPECT_TRUE(reason_of_turned_away({}).ends_with("reach onto unchanged surface"));
   EXPECT_EQ(warning_of_narrow_margin(12.3456),
             "its regions differ by only 12.35 degrees; look at the result");
 }
@@ -137,9 +140,9 @@ TEST(UpdateMessages, CloudsThatOverlapEachOther) {
             "clouds overlap each other, but do not make one surface (cloud 1 of 2 is closed); each "
             "is taken by itself");
   EXPECT_EQ(warning_of_shared_regions(1),
-            "clouds overlap each other: 1 region lies under more than one");
+            "1 region of the model lies under more than one cloud");
   EXPECT_EQ(warning_of_shared_regions(2),
-            "clouds overlap each other: 2 regions lie under more than one");
+            "2 regions of the model lie under more than one cloud");
 }
 
 TEST(UpdateMessages, OneTrialAloneIsSaid) {

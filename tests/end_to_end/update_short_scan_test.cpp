@@ -1,0 +1,99 @@
+// Scans that end before they meet the model: the foot of a boss was not scanned. The model turns
+// away from such a rim on both sides, and the smaller angle may be that of the whole model.
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <vector>
+
+#include "cocone/reconstruct.h"
+#include "geom/mesh_check.h"
+#include "tests/end_to_end/boxy_part.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+namespace {
+
+using testing::BoxyPart;
+
+constexpr double least = 0.5;  // between samples
+constexpr double radius = 4;
+
+double distance_from_axis(const Point& p) { return std::hypot(p.x - 12, p.y - 10); }
+
+class UpdateShortScan : public ::testing::Test {
+ protected:
+  UpdateShortScan() {
+    const TriangleMesh slab =
+        testing::surface_of(BoxyPart{{24, 20, 8}, [](int, int, int) { return true; }});
+    model = reconstruct_tight(testing::scan_of_mesh(slab, least, random, [](TriangleId) {
+              return true;
+            })).mesh;
+  }
+  // A round boss on the slab, six high, from so far above its foot.
+  std::vector<Point> boss_above(double foot) {
+    std::vector<Point> scan;
+    const auto at = [](double r, double turn, double z) {
+      return Point{12 + r * std::cos(turn), 10 + r * std::sin(turn), z};
+    };
+    for (double r = radius - least; r > 0; r -= least) {
+      const double step = least / r;
+      for (double turn = random.uniform(); turn < 2 * std::numbers::pi; turn += step) {
+        scan.push_back(at(r + random.uniform(-0.05, 0.05), turn, 14));
+      }
+    }
+    for (double z = 14; z > 8 + foot; z -= least) {
+      const double begin = random.uniform();
+      for (double turn = 0; turn < 2 * std::numbers::pi; turn += least / radius) {
+        scan.push_back(at(radius, begin + turn, std::min(14.0, z + random.uniform(-0.05, 0.05))));
+      }
+    }
+    return scan;
+  }
+
+  Random random{3};
+  TriangleMesh model;
+};
+
+TEST_F(UpdateShortScan, ABossWithoutItsFootReplacesItsPlaceAlone) {
+  for (const double foot : {0.2, 0.5, 1.0}) {
+    const UpdateResult result = update_model(model, {{boss_above(foot)}});
+    ASSERT_EQ(result.status, UpdateStatus::ok) << foot << result.message;
+    const MeshReport report = mesh_check(result.mesh);
+    EXPECT_TRUE(report.is_closed_manifold()) << foot;
+    EXPECT_EQ(report.euler, 2) << foot;
+    for (const VertexId v : model.points.ids()) {
+      const Point& p = model.points[v];
+      const double r = distance_from_axis(p);
+      if (p.z == 8 && r < radius - 1) {
+        EXPECT_TRUE(result.vertex_map[v].is_none()) << foot << ' ' << r;
+      } else if (p.z < 8 || r > radius + 1.5) {
+        EXPECT_FALSE(result.vertex_map[v].is_none()) << foot << ' ' << r;
+      }
+    }
+  }
+}
+
+TEST_F(UpdateShortScan, IsToldByItsSamplesWithAWarning) {
+  const UpdateResult result = update_model(model, {{boss_above(0.5)}});
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_TRUE(result.clouds[0].is_told_by_samples);
+  EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const auto& line) {
+    return line.find("turns away from it on both sides of its rim (group 0: ") != line.npos;
+  }));
+}
+
+TEST_F(UpdateShortScan, IsRefusedIfSamplesDoNotTell) {
+  UpdateOptions options;
+  options.sampled.min_share = 1;
+  options.sampled.reach = 0;
+  const UpdateResult result = update_model(model, {{boss_above(0.5)}}, options);
+  EXPECT_EQ(result.status, UpdateStatus::ambiguous);
+  EXPECT_NE(result.message.find("turns away from it on both sides of its rim (group 0: "),
+            std::string::npos)
+      << result.message;
+  EXPECT_NE(result.message.find("or say which of them goes"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cocoon
