@@ -362,7 +362,8 @@ PageTable angle_table(const UpdateRecord& record) {
       table.rows.push_back({word(numbers_told(record, c)), number(group.region.index()),
                             number(record.result.regions.regions[group.region].facets),
                             group.mean_angle_deg(),
-                            word(verdict_on(group, record.result.islands, record.overrides))});
+                            word(verdict_on(group, record.result.islands, record.overrides,
+                                            record.result.clouds[c].is_told_by_samples))});
     }
   }
   return table;

@@ -189,12 +189,13 @@ std::vector<std::size_t> numbers_of(const std::vector<RegionId>& regions) {
 }
 
 std::string verdict_on(const RegionVerdict& group, std::span<const RegionId> islands,
-                       const RegionOverrides& overrides) {
+                       const RegionOverrides& overrides, bool by_samples) {
   const std::string verdict = group.under_cloud ? "replaced" : "kept";
   if (overrides.names(group.region)) return verdict + ", as was said";
   const bool contradicted =
       group.under_cloud && std::find(islands.begin(), islands.end(), group.region) != islands.end();
-  return verdict + (contradicted ? ": samples off the model lie over it" : "");
+  if (contradicted) return verdict + ": samples off the model lie over it";
+  return verdict + (by_samples ? ", as its samples tell" : "");
 }
 
 void add_update(JsonReport& report, const UpdateRecord& record) {
@@ -247,7 +248,8 @@ void say_update(Job& job, const UpdateRecord& record) {
     for (const std::string& note : notes_of_cut(cloud.cut)) job.say("  {}", note);
     for (const RegionVerdict& group : cloud.groups) {
       job.say("  group {}: mean angle {:.2f} degrees, {}", group.region.value,
-              group.mean_angle_deg(), verdict_on(group, result.islands, record.overrides));
+              group.mean_angle_deg(),
+              verdict_on(group, result.islands, record.overrides, cloud.is_told_by_samples));
     }
   }
   job.say("{} of {} groups replaced: {} points out, {} points in all",

@@ -97,8 +97,8 @@ class DynamicDelaunay {
   Renumbering close_gaps();
   // The triangulation for the stages in the ids that it has here, without a copy; `vertex_of_point`
   // as in Triangulation. Until it is given back nothing but cells_at_vertices() may be called.
-  // Precondition: no change since a triangulation was taken over or close_gaps() called.
-  // Complexity: O(input points).
+  // Precondition: no operation, not even one that threw, since a triangulation was taken over or
+  // close_gaps() called. Complexity: O(input points).
   Triangulation lend(IdVector<PointId, VertexId> vertex_of_point);
   // Returns vertex_of_point. Complexity: O(1).
   IdVector<PointId, VertexId> take_back(Triangulation triangulation);

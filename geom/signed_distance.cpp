@@ -101,7 +101,6 @@ std::vector<double> distances_by_scale(const TriangleMesh& mesh, const TriangleM
   const ClosestFacetTree tree(scaled);
   const InsideTest inside(mesh, scaled);
   std::vector<double> distances(points.size());
-  report_progress(execution, "signed_distance", 0);
   const StagePart part{"signed_distance"};
   parallel_chunks(execution, part, points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geom/arrays/sort_ids.h"
 #include "geom/errors.h"
 #include "geom/messages/require_size.h"
 #include "update/stage_options.h"
@@ -20,6 +21,7 @@ struct LoopRange {
   double largest = 0;
   double midpoint() const { return 0.5 * (smallest + largest); }
   double margin() const { return largest - smallest; }
+  bool turns_away(const ChoiceOptions& options) const { return smallest > options.turned_away; }
 };
 
 LoopRange loop_range(const RegionAngles& loop, double min_edge_share) {
@@ -63,7 +65,7 @@ double margin_of(const CloudChoice& cloud) {
 // tell. Returns those that are under the cloud.
 std::vector<RegionId> regions_under(const IdVector<RegionId, RegionSum>& sums,
                                     const IdVector<RegionId, std::uint8_t>* decided,
-                                    const ChoiceOptions& options, CloudChoice& cloud) {
+                                    CloudChoice& cloud) {
   std::vector<RegionId> found;
   for (const RegionId r : sums.ids()) {
     const RegionSum& sum = sums[r];
@@ -71,14 +73,22 @@ std::vector<RegionId> regions_under(const IdVector<RegionId, RegionSum>& sums,
         decided != nullptr ? (*decided)[r] != 0 : sum.edges > 0 && sum.difference < 0;
     if (under) found.push_back(r);
     if (sum.edges == 0) continue;
-    const double mean_angle = sum.angle / static_cast<double>(sum.edges);
-    cloud.regions.push_back({r, mean_angle, sum.edges, under});
-    if (decided == nullptr && under && mean_angle > options.turned_away) {
-      cloud.is_turned_away = cloud.is_ambiguous = true;
-    }
+    cloud.regions.push_back({r, sum.angle / static_cast<double>(sum.edges), sum.edges, under});
   }
   if (decided != nullptr) cloud.margin = margin_of(cloud);
   return found;
+}
+
+void enter_range(const RegionAngles& loop, const LoopRange& range, const ChoiceOptions& options,
+                 CloudChoice& cloud) {
+  cloud.margin = std::min(cloud.margin, range.margin());
+  if (!range.turns_away(options)) {
+    if (range.margin() < options.ambiguous_margin) cloud.is_ambiguous = true;
+    return;
+  }
+  for (const RegionId r : loop.regions.ids()) {
+    if (loop.regions[r].edges > 0) cloud.turned_away.push_back(r);
+  }
 }
 
 void keep_the_largest_mean(RegionChoice& choice) {
@@ -138,20 +148,19 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
                        " does not fit the other loops; pass angles of one segmentation");
     }
     const LoopRange range = loop_range(loop, options.min_edge_share);
+    const bool turns_away = range.decides && range.turns_away(options);
     if (!range.decides) {
       ++choice.undecided_loops;
     } else if (!is_decided(loop.cloud)) {
-      double& margin = choice.clouds[loop.cloud].margin;
-      margin = std::min(margin, range.margin());
       if (range.margin() < options.narrow_margin) ++choice.narrow;
-      if (range.margin() < options.ambiguous_margin) choice.clouds[loop.cloud].is_ambiguous = true;
+      enter_range(loop, range, options, choice.clouds[loop.cloud]);
     }
     for (const RegionId r : loop.regions.ids()) {
       const AngleMean& mean = loop.regions[r];
       RegionSum& sum = sums[loop.cloud][r];
       sum.angle += mean.sum;
       sum.edges += mean.edges;
-      if (!range.decides) continue;
+      if (!range.decides || turns_away) continue;
       sum.difference += mean.sum - static_cast<double>(mean.edges) * range.midpoint();
     }
   }
@@ -160,8 +169,10 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
   choice.replaced_by_clear = choice.replaced;
   for (std::size_t c = 0; c < num_clouds; ++c) {
     CloudChoice& cloud = choice.clouds[c];
-    for (const RegionId r :
-         regions_under(sums[c], is_decided(c) ? &decided[c] : nullptr, options, cloud)) {
+    if (cloud.is_ambiguous) cloud.turned_away.clear();
+    make_set(cloud.turned_away);
+    cloud.is_ambiguous = cloud.is_ambiguous || !cloud.turned_away.empty();
+    for (const RegionId r : regions_under(sums[c], is_decided(c) ? &decided[c] : nullptr, cloud)) {
       choice.replaced[r] = 1;
       if (!cloud.is_ambiguous) choice.replaced_by_clear[r] = 1;
     }

@@ -23,9 +23,10 @@ struct ChoiceOptions {
   double ambiguous_margin = 1.0 * std::numbers::pi / 180;
   // Below this margin the choice is made and `narrow` counts it.
   double narrow_margin = 30.0 * std::numbers::pi / 180;
-  // A region with a larger mean than this does not lie under the cloud, only less far away from it
-  // than others: the scan ends before it meets the model. pi: any mean will do, as in the paper. Of
-  // 336 rims that were right 53 degrees was the largest, 92 where clouds were out of register.
+  // If all regions of a loop have larger means than this, the model turns away from the cloud on
+  // both sides of it: the scan ends before it meets the model, and the smallest mean tells nothing.
+  // pi: it always does, as in the paper. Of 336 rims that were right 53 degrees was the largest
+  // mean under the cloud, 92 where clouds were out of register.
   double turned_away = 100.0 * std::numbers::pi / 180;
 };
 
@@ -49,9 +50,11 @@ struct CloudChoice {
   // Smallest difference between the extreme means of a loop, radians; pi if no loop decided. Of a
   // cloud that `decided` tells about see choose_regions().
   double margin = std::numbers::pi;
-  // A loop of it cannot tell its regions apart, or what would lie under it is turned away.
+  // A loop of it cannot tell its regions apart, or they turn away from it.
   bool is_ambiguous = false;
-  bool is_turned_away = false;  // the latter
+  // If nothing else is ambiguous: the regions at loops from which all turn away, ascending. Of the
+  // others the verdicts hold.
+  std::vector<RegionId> turned_away = {};
 };
 
 struct RegionChoice {
@@ -71,11 +74,12 @@ struct RegionChoice {
 //   weighted with edges; a negative average means that the region lies under the cloud.
 // A region under any cloud is replaced. For one loop and two regions this is the paper's rule: the
 // smaller mean is replaced. A region that no loop saw is kept; so is everything if a loop's means
-// are closer than ambiguous_margin, or if a region under a cloud would be turned_away.
+// are closer than ambiguous_margin, or if they turn away from the cloud.
 // `loops`: one entry per loop of any cloud, with its cloud set; `num_clouds` sets the length of the
 // result's list. decided[c], where it is given and not empty, says which regions lie under cloud c
-// (cut_regions.h): then its loops decide nothing, and its margin is by how much the mean angle of
-// its regions outside is larger. Without loops and decisions the result knows of no regions.
+// (cut_regions.h, update/regions/sampled_regions.h): then its loops decide nothing, and its margin
+// is by how much the mean angle of its regions outside is larger. Without loops and decisions the
+// result knows of no regions.
 // Errors: InputError unless all entries, and those of `decided`, have the same number of regions,
 // their clouds are below num_clouds, the share is one (0 to 1) and the other options are angles (0
 // to pi). Complexity: O(loops * regions). Source: Woo & Dey 2005, section 3.4, angle condition;

@@ -63,7 +63,8 @@ struct CloudRim {
   std::size_t seam_loops = 0;        // taken out by mark_rim_seams()
   std::size_t seamed_loops = 0;      // left in by it, though they are seams for the most part
   std::size_t rim_edges = 0;         // of all loops that it looked at
-  std::size_t seam_edges = 0;        // of these, edges with cloud beyond them; and torn_edges
+  std::size_t seam_edges = 0;        // of these, edges with cloud beyond them; torn_edges and
+                                     // wall_edges
   std::size_t lone_edges = 0;        // edges with a few samples beyond them and no cloud
   std::size_t non_orientable = 0;    // one-sided parts: their normals are not reliable
 

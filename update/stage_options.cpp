@@ -1,5 +1,6 @@
 #include "update/stage_options.h"
 
+#include <limits>
 #include <numbers>
 
 #include "cocone/facets/stage_inputs.h"
@@ -153,7 +154,7 @@ void require_options(const char* stage, const RimSeamOptions& options) {
 }
 
 void require_options(const char* stage, const SampledRegionOptions& options) {
-  require_amounts(stage, {{"sampled.reach", options.reach}});
+  require_number(stage, "sampled.reach", options.reach, 0, std::numeric_limits<double>::max());
   require_shares(stage, {{"sampled.min_share", options.min_share},
                          {"sampled.max_outside_share", options.max_outside_share}});
 }
@@ -194,17 +195,6 @@ void require_options(const char* stage, const TrimOptions& options) {
   require_amounts(stage, {{"cloud.trim.max_edge", options.max_edge}});
 }
 
-void require_options(const char* stage, const WallEdgeOptions& options) {
-  require_amounts(stage, {{"walls.reach", options.reach},
-                          {"walls.max_inward", options.max_inward},
-                          {"walls.min_step", options.min_step},
-                          {"walls.off_model", options.off_model},
-                          {"walls.thinnest", options.thinnest},
-                          {"walls.thickest", options.thickest}});
-  require_cosines(stage, {{"walls.min_way_cosine", options.min_way_cosine},
-                          {"walls.min_normal_cosine", options.min_normal_cosine}});
-}
-
 void require_options(const char* stage, const UnscannedOptions& options) {
   require_amounts(stage, {{"unscanned.reach", options.reach},
                           {"unscanned.off_model", options.off_model},
@@ -219,12 +209,23 @@ void require_options(const char* stage, const UnusedChangeOptions& options) {
   require_shares(stage, {{"unused_changes.min_share", options.min_share}});
 }
 
+void require_options(const char* stage, const WallEdgeOptions& options) {
+  require_amounts(stage, {{"walls.reach", options.reach},
+                          {"walls.max_inward", options.max_inward},
+                          {"walls.min_step", options.min_step},
+                          {"walls.off_model", options.off_model},
+                          {"walls.thinnest", options.thinnest},
+                          {"walls.thickest", options.thickest}});
+  require_cosines(stage, {{"walls.min_way_cosine", options.min_way_cosine},
+                          {"walls.min_normal_cosine", options.min_normal_cosine}});
+}
+
 void require_options(const char* stage, const UpdateOptions& options) {
   require_options(stage, options.join);
   require_options(stage, options.cloud);
   require_options(stage, options.pin_holes);
-  require_options(stage, options.walls);
   require_options(stage, options.torn);
+  require_options(stage, options.walls);
   require_options(stage, options.overlap);
   require_options(stage, options.shared);
   require_options(stage, options.outward);

@@ -434,16 +434,19 @@ void UpdateSteps::ask_samples_for_sides(const ModelIndex& index,
   const RegionChoice choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
   const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
-    if (!choice.clouds[c].is_turned_away) continue;
-    std::vector<RegionId> seen;
-    for (const RegionVerdict& verdict : choice.clouds[c].regions) seen.push_back(verdict.region);
-    IdVector<RegionId, std::uint8_t> under =
-        regions_under_samples(index, result_.regions, seen, scans[c], options_.sampled, execution);
+    const CloudChoice& cloud = choice.clouds[c];
+    if (cloud.turned_away.empty()) continue;
+    IdVector<RegionId, std::uint8_t> under = regions_under_samples(
+        index, result_.regions, cloud.turned_away, scans[c], options_.sampled, execution);
     if (under.empty()) continue;
+    for (const RegionVerdict& verdict : cloud.regions) {
+      const bool was_asked =
+          std::binary_search(cloud.turned_away.begin(), cloud.turned_away.end(), verdict.region);
+      if (!was_asked && verdict.under_cloud) under[verdict.region] = 1;
+    }
     decided_.resize(clouds_.size());
     decided_[c] = std::move(under);
     result_.clouds[c].is_told_by_samples = true;
-    warn(name_of_cloud(c) + ": " + warning_of_turned_away(choice.clouds[c].regions));
   }
 }
 
@@ -459,8 +462,11 @@ bool UpdateSteps::report_choice() {
     const bool is_said = std::any_of(
         report.groups.begin(), report.groups.end(),
         [&](const RegionVerdict& group) { return options_.overrides.names(group.region); });
-    if (choice.clouds[c].margin < options_.choice.narrow_margin && !is_said &&
-        !report.is_told_by_samples) {
+    if (is_said) {
+      report.is_told_by_samples = false;
+    } else if (report.is_told_by_samples) {
+      warn(name_of_cloud(c) + ": " + warning_of_turned_away(report.groups));
+    } else if (choice.clouds[c].margin < options_.choice.narrow_margin) {
       warn(name_of_cloud(c) + ": " + warning_of_narrow_margin(report.margin_deg));
     }
   }
@@ -481,7 +487,7 @@ bool UpdateSteps::report_choice() {
       are_joined() ? std::span<const RegionVerdict>() : result_.clouds[c].groups;
   return fail(UpdateStatus::ambiguous,
               name_of_cloud(c) + ": " +
-                  (undecided->is_turned_away
+                  (!undecided->turned_away.empty()
                        ? reason_of_turned_away(groups)
                        : reason_of_ambiguity(options_.choice.ambiguous_margin * degrees_per_radian,
                                              groups)));

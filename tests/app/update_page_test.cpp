@@ -175,6 +175,7 @@ TEST(UpdateReport, VerdictsSayWhyAGroupGoes) {
   EXPECT_EQ(verdict_on(group, {}, {.kept = {RegionId(3)}}), "kept, as was said");
   group.under_cloud = true;
   EXPECT_EQ(verdict_on(group, {}), "replaced");
+  EXPECT_EQ(verdict_on(group, {}, {}, true), "replaced, as its samples tell");
   EXPECT_EQ(verdict_on(group, islands), "replaced: samples off the model lie over it");
   EXPECT_EQ(verdict_on(group, islands, {.replaced = {RegionId(3)}}), "replaced, as was said");
 }

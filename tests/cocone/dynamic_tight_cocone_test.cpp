@@ -375,6 +375,23 @@ TEST(DynamicTightCocone, RefusesFlatPointsAsAReconstructionDoes) {
 }
 
 // Nothing is known of the samples then but their triangulation.
+// One so far out that squared areas among the others vanish beside it.
+TEST(DynamicTightCocone, RefusesPointsOfIncomparableSizesAsAReconstructionDoes) {
+  std::vector<Point> points = gallery::even_sphere(300);
+  for (Point& p : points) p = 0x1p-101 * p;
+  for (const Point& p : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) points.push_back(p);
+  DynamicTightCocone cocone;
+  cocone.reconstruct(points);
+  std::vector<PointId> old_position;
+  for (std::size_t i = 0; i < points.size(); ++i) old_position.push_back(PointId(i));
+  points.push_back({0x1.fp+99, 0, 0});
+  old_position.push_back({});
+  EXPECT_THROW(reconstruct_tight(points), InputError);
+  EXPECT_THROW(cocone.replace(points, old_position), InputError);
+  points.back() = {1, 1, 1};
+  EXPECT_NO_THROW(cocone.replace(points, old_position));
+}
+
 TEST(DynamicTightCocone, CompletesAResultAfterACancelledChange) {
   Random random(2);
   for (const double noise : {0.0, 0.2}) {

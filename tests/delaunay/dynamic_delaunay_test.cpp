@@ -286,6 +286,22 @@ TEST(DynamicDelaunay, FreezesWithTheMapOfItsVertices) {
   EXPECT_TRUE(check_delaunay(frozen.triangulation).ok());
 }
 
+// As it was taken over, and after all its vertices were replaced, without close_gaps().
+TEST(DynamicDelaunay, LendsWhatItHasJustTakenOver) {
+  const std::vector<Point> points = gallery::uniform_cube(200);
+  const std::vector<Point> others = gallery::uniform_cube(100, 9);
+  DynamicDelaunay dynamic(delaunay(points).triangulation);
+  for (const std::vector<Point>& taken : {points, others}) {
+    if (taken == others) dynamic.replace(live_vertices(dynamic), others);
+    IdVector<PointId, VertexId> vertex_of_point;
+    for (const VertexId v : live_vertices(dynamic)) vertex_of_point.push_back(v);
+    Triangulation lent = dynamic.lend(vertex_of_point);
+    EXPECT_EQ(lent.num_finite_cells(), delaunay(taken).triangulation.num_finite_cells());
+    EXPECT_TRUE(check_delaunay(lent).ok());
+    dynamic.take_back(std::move(lent));
+  }
+}
+
 TEST(DynamicDelaunay, KeepsIdsAndUsesFreeOnesAgain) {
   DynamicDelaunay dynamic;
   dynamic.insert(gallery::uniform_cube(300));

@@ -83,6 +83,19 @@ TEST_F(UpdateShortScan, IsToldByItsSamplesWithAWarning) {
   }));
 }
 
+// Then they are not asked, and there is nothing to warn of.
+TEST_F(UpdateShortScan, IsNotToldByItsSamplesIfAPersonTells) {
+  UpdateOptions options;
+  options.overrides.kept = {RegionId(1U)};
+  const UpdateResult result = update_model(model, {{boss_above(0.5)}}, options);
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_TRUE(result.replaced_groups.empty());
+  EXPECT_FALSE(result.clouds[0].is_told_by_samples);
+  for (const std::string& warning : result.warnings) {
+    EXPECT_EQ(warning.find("turns away"), std::string::npos) << warning;
+  }
+}
+
 TEST_F(UpdateShortScan, IsRefusedIfSamplesDoNotTell) {
   UpdateOptions options;
   options.sampled.min_share = 1;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -56,14 +57,22 @@ TEST(ChooseRegions, OneLoopComparesAndHasNoThreshold) {
   }
 }
 
+std::vector<RegionId> ids(std::initializer_list<std::uint32_t> numbers) {
+  std::vector<RegionId> regions;
+  for (const std::uint32_t number : numbers) regions.push_back(RegionId(number));
+  return regions;
+}
+
 // No side lies under the cloud: it ends before it meets the model. Other clouds stay as they are.
-TEST(ChooseRegions, ARegionThatIsTurnedAwayIsNotUnderTheCloud) {
+TEST(ChooseRegions, RegionsThatTurnAwayOnBothSidesAreAmbiguous) {
   const std::vector<RegionAngles> loops = {loop(0, {156, 140, -1}), loop(1, {170, -1, 99})};
   const RegionChoice choice = choose_regions(loops, 2);
   EXPECT_EQ(choice.status, ChoiceStatus::ambiguous);
   EXPECT_EQ(replaced(choice), (std::vector<int>{0, 0, 0}));
-  EXPECT_TRUE(choice.clouds[0].is_turned_away && choice.clouds[0].is_ambiguous);
-  EXPECT_FALSE(choice.clouds[1].is_turned_away || choice.clouds[1].is_ambiguous);
+  EXPECT_EQ(choice.clouds[0].turned_away, ids({0, 1}));
+  EXPECT_TRUE(choice.clouds[0].is_ambiguous);
+  EXPECT_TRUE(choice.clouds[1].turned_away.empty());
+  EXPECT_FALSE(choice.clouds[1].is_ambiguous);
   EXPECT_EQ(choice.replaced_by_clear.raw(), (std::vector<std::uint8_t>{0, 0, 1}));
   // Told otherwise, as by its samples.
   std::vector<IdVector<RegionId, std::uint8_t>> decided(2);
@@ -72,6 +81,28 @@ TEST(ChooseRegions, ARegionThatIsTurnedAwayIsNotUnderTheCloud) {
   const RegionChoice told = choose_regions(loops, 2, {}, decided);
   EXPECT_EQ(told.status, ChoiceStatus::ok);
   EXPECT_EQ(replaced(told), (std::vector<int>{1, 0, 1}));
+}
+
+// Another loop of the cloud is clear, and tells of its own regions alone.
+TEST(ChooseRegions, EachLoopIsLookedAtByItself) {
+  const std::vector<RegionAngles> loops = {loop(0, {171, -1, 150}, 60), loop(0, {171, 2, -1}, 400)};
+  const RegionChoice choice = choose_regions(loops, 1);
+  EXPECT_EQ(choice.clouds[0].turned_away, ids({0, 2}));
+  ASSERT_EQ(choice.clouds[0].regions.size(), 3U);
+  EXPECT_TRUE(choice.clouds[0].regions[1].under_cloud);
+  EXPECT_FALSE(choice.clouds[0].regions[2].under_cloud);
+  // If one cannot tell its regions apart nothing but a person can.
+  std::vector<RegionAngles> equal = loops;
+  equal.push_back(loop(0, {-1, 60, 60.5}));
+  EXPECT_TRUE(choose_regions(equal, 1).clouds[0].turned_away.empty());
+  EXPECT_TRUE(choose_regions(equal, 1).clouds[0].is_ambiguous);
+}
+
+// Three regions at a clear loop, the third seen by one edge.
+TEST(ChooseRegions, ARegionByTheWayTurnsNothingAway) {
+  std::vector<RegionAngles> loops = {loop(0, {180, 30, 103}, 200)};
+  loops[0].regions[RegionId(2U)] = {103 * degree, 1};
+  EXPECT_EQ(choose_regions(loops, 1).status, ChoiceStatus::ok);
 }
 
 // The paper's airbag: three clouds I, II, III, and IV, the rest, which each of them is compared

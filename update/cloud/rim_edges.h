@@ -49,8 +49,8 @@ struct StepBounds {
 };
 
 // 1 for the edges with a sample beyond them whose distance from the model differs from that of the
-// middle of the edge by more than min_step, or whose middle is off the model. Complexity: what
-// NearFacets takes for edges and samples in pairs; O(edges) if there are none.
+// middle of the edge by more than min_step, or with any if its middle is off the model. Complexity:
+// what NearFacets takes for edges and samples in pairs; O(edges) if there are none.
 std::vector<std::uint8_t> edges_with_steps(const ModelIndex& model,
                                            const std::vector<RimEdge>& edges,
                                            const std::vector<Point>& samples,

@@ -34,6 +34,7 @@ IdVector<RegionId, std::uint8_t> regions_under_samples(
     }
     is_asked[r] = 1;
   }
+  if (scan.samples.empty()) return {};
   std::vector<Point> places;
   for (const Point& p : scan.samples) places.push_back(p - scan.shift);
   const double reach = options.reach * scan.spacing;
@@ -44,7 +45,7 @@ IdVector<RegionId, std::uint8_t> regions_under_samples(
     has_foot[closest.triangle] = 1;
     feet.push_back(closest.point);
   }
-  const NearestPointTree tree{Points(feet)};
+  const NearestPointTree tree(feet, execution);
   IdVector<RegionId, CoveredArea> areas(num_regions);
   for (const TriangleId t : mesh.triangles.ids()) {
     const RegionId r = regions.region_of_facet[t];
@@ -53,7 +54,7 @@ IdVector<RegionId, std::uint8_t> regions_under_samples(
     const double area = norm(cross(b - a, c - a));
     const Point centroid = (a + b + c) / 3;
     areas[r].all += area;
-    if (has_foot[t] != 0 || tree.nearest(centroid).squared_distance <= reach * reach) {
+    if (has_foot[t] != 0 || tree.any_near(centroid, reach)) {
       areas[r].covered += area;
     }
   }

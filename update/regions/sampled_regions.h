@@ -27,9 +27,10 @@ struct SampledRegionOptions {
 // tell: if one of `asked` is covered neither enough nor little enough, or if all are, or none is.
 // Why: the angles at a rim tell its sides apart where the scan goes on along the model. Where it
 // ends before it meets the model, as above the foot of a boss, both sides turn away from it, and
-// the smaller angle may be that of either. Complexity: O(facets of the regions asked for), and what
+// the smaller angle may be that of either. Without samples nothing is told. Complexity: O(facets +
+// n log n) for n samples, O(log n) for each facet of the regions asked for, and what
 // closest_facets() takes for the samples. Deterministic. Errors: InputError for a region that is
-// not there, and for options that are no shares, or a reach below 0. Source: ours.
+// not there, and for options that are no shares, or a reach below 0 or infinite. Source: ours.
 IdVector<RegionId, std::uint8_t> regions_under_samples(
     const ModelIndex& model, const Regions& regions, std::span<const RegionId> asked,
     const Scan& scan, const SampledRegionOptions& options = {}, const Execution& execution = {});

@@ -166,8 +166,8 @@ std::string warning_of_narrow_margin(double degrees) {
 
 std::string warning_of_turned_away(std::span<const RegionVerdict> groups) {
   return "the model turns away from it on both sides of its rim" + told_in_parentheses(groups) +
-         ", as where a scan ends before it meets the model, so it is told by its samples what they "
-         "replace; look at the result";
+         ", as where a scan ends before it meets the model, so its samples tell which group goes; "
+         "look at the result";
 }
 
 std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,

@@ -30,6 +30,7 @@ struct CutSheet {
     for (double y = 4.5; has_row && y <= 16; ++y) cloud.push_back({10, y, thickness / 2});
     for (RimLoop& loop : rim.loops) loop.inner.assign(loop.size(), 0);
     rim.loops[0].inner[0] = 1;  // a seam, so that it is told that the surface is torn
+    rim.seam_edges = 1;
   }
   static RimLoop strip(double z) {
     std::vector<Point> points;
@@ -60,6 +61,7 @@ TEST(WallEdges, AreSeamsAlongTheNewEdgeOfAThinWall) {
   EXPECT_EQ(marked[0], 24U);
   EXPECT_LE(marked[1], 1U + 4U);  // that seam, and edges beside the corners
   EXPECT_GE(sheet.rim.wall_edges, 24U);
+  EXPECT_EQ(sheet.rim.seam_edges, 1 + sheet.rim.wall_edges);
 }
 
 TEST(WallEdges, NeedASampleAroundTheCornerAndAnotherSide) {
@@ -69,9 +71,22 @@ TEST(WallEdges, NeedASampleAroundTheCornerAndAnotherSide) {
   EXPECT_EQ(CutSheet(1.6).marked({.reach = 0}), (std::vector<std::size_t>{0, 1}));
 }
 
+// Off the model all edges would be marked: then no rim would be left.
+TEST(WallEdges, ARimHasToBeLeft) {
+  CutSheet sheet(1.6);
+  for (RimLoop& loop : sheet.rim.loops) {
+    for (Point& p : loop.points) p.x += 30;
+    for (Point& p : loop.apexes) p.x += 30;
+  }
+  for (Point& p : sheet.cloud) p.x += 30;
+  mark_wall_edges(ModelIndex(sheet.model_mesh), {{sheet.cloud}}, sheet.rim);
+  EXPECT_EQ(sheet.rim.wall_edges, 0U);
+}
+
 TEST(WallEdges, ARimWithoutSeamsStays) {
   CutSheet sheet(1.6);
   sheet.rim.loops[0].inner[0] = 0;
+  sheet.rim.seam_edges = 0;
   EXPECT_EQ(sheet.marked(), (std::vector<std::size_t>{0, 0}));
   EXPECT_EQ(sheet.rim.wall_edges, 0U);
 }

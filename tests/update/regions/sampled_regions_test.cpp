@@ -57,6 +57,7 @@ TEST(SampledRegions, AreNotToldByTooFewOrTooManySamples) {
   EXPECT_TRUE(scene.told(9.5, 10, 1).empty());  // over a part of the square
   EXPECT_EQ(scene.told(9.5, 10, 1, {.min_share = 0.05}), (Flags{0, 1}));
   EXPECT_TRUE(scene.told(-9, -8, 1).empty());  // over none
+  EXPECT_TRUE(scene.told(1, 0, 1).empty());    // no samples
   EXPECT_TRUE(scene.told(4, 16, 1, {.max_outside_share = 0.1}).empty());
 }
 
