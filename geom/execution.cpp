@@ -86,14 +86,13 @@ void parallel_chunks(const Execution& execution, std::size_t count, std::size_t 
 
 void parallel_chunks(const Execution& execution, const StagePart& part, std::size_t count,
                      std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
+  if (execution.progress == nullptr) return parallel_chunks(execution, count, grain, body);
   constexpr std::size_t reports = 100;
   grain = std::max<std::size_t>(grain, 1);
   const std::size_t chunks = (count + grain - 1) / grain;
   // At least some chunks for each thread between two reports.
   const std::size_t least = 4 * static_cast<std::size_t>(thread_count(execution));
-  const std::size_t slice = execution.progress == nullptr
-                                ? std::max<std::size_t>(count, 1)
-                                : std::max(least, (chunks + reports - 1) / reports) * grain;
+  const std::size_t slice = std::max(least, (chunks + reports - 1) / reports) * grain;
   for (std::size_t first = 0; first < count; first += slice) {
     const double done = static_cast<double>(first) / static_cast<double>(count);
     report_progress(execution, part.stage, part.begin + done * (part.end - part.begin));

@@ -162,6 +162,14 @@ std::vector<std::uint32_t> begins_of_groups(const TriangleMesh& mesh) {
   return begins;
 }
 
+// The next halfedge on the edge whose triangle is not one of those: at last the given one.
+Halfedge next_left(const HalfedgeLinks& links, Halfedge halfedge,
+                   std::span<const std::uint8_t> removed) {
+  Halfedge next = links[halfedge];
+  while (removed[triangle_of_halfedge(next)] != 0) next = links[next];
+  return next;
+}
+
 // Takes the halfedges of triangles that repeat a vertex out of their rings.
 void unlink_repeating(const TriangleMesh& mesh, HalfedgeLinks& links) {
   std::vector<std::uint8_t> repeats(mesh.triangles.size());
@@ -169,9 +177,9 @@ void unlink_repeating(const TriangleMesh& mesh, HalfedgeLinks& links) {
     repeats[t.index()] = repeats_a_vertex(mesh.triangles[t]) ? 1 : 0;
   }
   for (Halfedge halfedge = 0; halfedge < links.size(); ++halfedge) {
-    if (repeats[triangle_of_halfedge(halfedge)] != 0) continue;
-    Halfedge& next = links[halfedge];
-    while (repeats[triangle_of_halfedge(next)] != 0) next = links[next];
+    if (repeats[triangle_of_halfedge(halfedge)] == 0) {
+      links[halfedge] = next_left(links, halfedge, repeats);
+    }
   }
   for (Halfedge halfedge = 0; halfedge < links.size(); ++halfedge) {
     if (repeats[triangle_of_halfedge(halfedge)] != 0) links[halfedge] = no_halfedge;
@@ -221,12 +229,12 @@ HalfedgeRings link_rest(const HalfedgeRings& rings, std::span<const std::uint8_t
   rest.links.reserve(3 * std::size_t{count});
   for (Halfedge halfedge = 0; halfedge < rings.links.size(); ++halfedge) {
     if (removed[triangle_of_halfedge(halfedge)] != 0) continue;
-    Halfedge next = rings.links[halfedge];
-    if (next != no_halfedge) {
-      while (removed[triangle_of_halfedge(next)] != 0) next = rings.links[next];
-      next = 3 * number[triangle_of_halfedge(next)] + corner_of_halfedge(next);
+    if (!rings.has_edge(halfedge)) {
+      rest.links.push_back(no_halfedge);
+      continue;
     }
-    rest.links.push_back(next);
+    const Halfedge next = next_left(rings.links, halfedge, removed);
+    rest.links.push_back(3 * number[triangle_of_halfedge(next)] + corner_of_halfedge(next));
   }
   return rest;
 }
