@@ -1,6 +1,7 @@
 #include "update/cloud_surface.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "cocone/candidate_triangles.h"
@@ -139,23 +140,26 @@ Trial find_rim(const KeptSamples& samples, Sheet&& found, const RimSearch& searc
   return trial;
 }
 
-// If layers lie over each other, one layer. Throws DegenerateInput if there are too few samples for
-// one.
+// If layers lie over each other, one layer; empty if there are too few different samples for one.
 std::vector<PointId> few_of_layers(const KeptSamples& samples, const CloudSurfaceOptions& options) {
   constexpr std::size_t neighbor = 8;
   const double distance = options.layers.spread * median_neighbor_distance(samples.cloud, neighbor);
-  if (distance == 0) throw DegenerateInput("too few different points");
+  if (distance == 0) return {};
   return thin_points(samples.cloud, distance);
 }
 
-// With these samples alone. Throws DegenerateInput if they are too few, or lie on one line.
-KeptSamples thinned(const KeptSamples& all, std::vector<PointId> kept,
-                    const CloudSurfaceOptions& options, const Execution& execution) {
+// With these samples alone; none if they cannot be triangulated: too few, or on one line.
+std::optional<KeptSamples> thinned(const KeptSamples& all, std::vector<PointId> kept,
+                                   const CloudSurfaceOptions& options, const Execution& execution) {
   KeptSamples samples{all.cloud, {}, std::move(kept), all.duplicates};
   std::vector<Point> points;
   points.reserve(samples.kept.size());
   for (const PointId p : samples.kept) points.push_back(samples.cloud[p.index()]);
-  samples.foundation = lay_foundation(points, options.reconstruct, execution);
+  try {
+    samples.foundation = lay_foundation(points, options.reconstruct, execution);
+  } catch (const DegenerateInput&) {
+    return {};
+  }
   return samples;
 }
 
@@ -272,16 +276,14 @@ class Search {
 // Goes over to few of samples in rows, and to their surface, unless they cannot be triangulated.
 void look_at_few_of_rows(const CloudSurfaceOptions& options, const Execution& execution,
                          KeptSamples& samples, Sheet& sheet) {
-  try {
-    KeptSamples few = thinned(samples,
-                              thin_out_rows(samples.cloud, sheet.surface.mesh,
-                                            sheet.surface.point_of_vertex, options.rows.spread),
-                              options, execution);
-    sheet = find_sheet(few.foundation, options.start, options, execution);
-    samples = std::move(few);
-  } catch (const DegenerateInput&) {
-    // All are looked at.
-  }
+  std::optional<KeptSamples> few =
+      thinned(samples,
+              thin_out_rows(samples.cloud, sheet.surface.mesh, sheet.surface.point_of_vertex,
+                            options.rows.spread),
+              options, execution);
+  if (!few) return;
+  sheet = find_sheet(few->foundation, options.start, options, execution);
+  samples = *std::move(few);
 }
 
 // If samples are dense in some places: goes over to few of them, which are about as far apart there
@@ -289,15 +291,13 @@ void look_at_few_of_rows(const CloudSurfaceOptions& options, const Execution& ex
 // and so few may be too few.
 void look_at_few_of_dense(const SpacingRange& spacing, const CloudSurfaceOptions& options,
                           const Execution& execution, KeptSamples& samples, Search& search) {
-  try {
-    const double distance = options.density.spread * spacing.high;
-    KeptSamples few = thinned(samples, thin_points(samples.cloud, distance), options, execution);
-    Search among_few(options, execution);
-    among_few.begin(few, find_sheet(few.foundation, options.start, options, execution));
-    if (search.prefer(std::move(among_few))) samples = std::move(few);
-  } catch (const DegenerateInput&) {
-    // They cannot be triangulated.
-  }
+  const double distance = options.density.spread * spacing.high;
+  std::optional<KeptSamples> few =
+      thinned(samples, thin_points(samples.cloud, distance), options, execution);
+  if (!few) return;
+  Search among_few(options, execution);
+  among_few.begin(*few, find_sheet(few->foundation, options.start, options, execution));
+  if (search.prefer(std::move(among_few))) samples = *std::move(few);
 }
 
 }  // namespace
@@ -318,12 +318,11 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
     look_at_few_of_dense(spacing, options, execution, samples, search);
   }
   if (search.is_layered()) {
-    try {
-      KeptSamples few = thinned(samples, few_of_layers(samples, options), options, execution);
-      few.are_of_layers = true;
-      search.go_on(few);
-    } catch (const DegenerateInput&) {
-      // Nothing is left that could be triangulated: what was found before is all.
+    std::optional<KeptSamples> few =
+        thinned(samples, few_of_layers(samples, options), options, execution);
+    if (few) {
+      few->are_of_layers = true;
+      search.go_on(*few);
     }
   }
   std::vector<CloudSurface> surfaces = search.ranked();
