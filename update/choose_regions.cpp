@@ -16,18 +16,18 @@ namespace {
 
 // What is left of one loop for the decision.
 struct LoopRange {
-  bool decides = false;  // saw two regions at least
+  bool decides = false;     // saw two regions at least
+  bool turns_away = false;  // these, with all of them beyond ChoiceOptions::turned_away
   double smallest = 0;
   double largest = 0;
   double midpoint() const { return 0.5 * (smallest + largest); }
   double margin() const { return largest - smallest; }
-  bool turns_away(const ChoiceOptions& options) const { return smallest > options.turned_away; }
 };
 
-LoopRange loop_range(const RegionAngles& loop, double min_edge_share) {
+LoopRange loop_range(const RegionAngles& loop, const ChoiceOptions& options) {
   std::size_t most_edges = 0;
   for (const AngleMean& mean : loop.regions) most_edges = std::max(most_edges, mean.edges);
-  const double min_edges = min_edge_share * static_cast<double>(most_edges);
+  const double min_edges = options.min_edge_share * static_cast<double>(most_edges);
 
   LoopRange range;
   std::size_t seen = 0;
@@ -38,6 +38,7 @@ LoopRange loop_range(const RegionAngles& loop, double min_edge_share) {
     ++seen;
   }
   range.decides = seen >= 2;
+  range.turns_away = range.decides && range.smallest > options.turned_away;
   return range;
 }
 
@@ -82,7 +83,7 @@ std::vector<RegionId> regions_under(const IdVector<RegionId, RegionSum>& sums,
 void enter_range(const RegionAngles& loop, const LoopRange& range, const ChoiceOptions& options,
                  CloudChoice& cloud) {
   cloud.margin = std::min(cloud.margin, range.margin());
-  if (!range.turns_away(options)) {
+  if (!range.turns_away) {
     if (range.margin() < options.ambiguous_margin) cloud.is_ambiguous = true;
     return;
   }
@@ -147,8 +148,7 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
       throw InputError("choose_regions: a loop of cloud " + std::to_string(loop.cloud) +
                        " does not fit the other loops; pass angles of one segmentation");
     }
-    const LoopRange range = loop_range(loop, options.min_edge_share);
-    const bool turns_away = range.decides && range.turns_away(options);
+    const LoopRange range = loop_range(loop, options);
     if (!range.decides) {
       ++choice.undecided_loops;
     } else if (!is_decided(loop.cloud)) {
@@ -160,7 +160,7 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
       RegionSum& sum = sums[loop.cloud][r];
       sum.angle += mean.sum;
       sum.edges += mean.edges;
-      if (!range.decides || turns_away) continue;
+      if (!range.decides || range.turns_away) continue;
       sum.difference += mean.sum - static_cast<double>(mean.edges) * range.midpoint();
     }
   }

@@ -47,6 +47,7 @@ struct RimLoop {
   bool is_partial() const { return inner_edges() > 0; }
   std::size_t size() const { return points.size(); }
   std::size_t next(std::size_t i) const { return i + 1 < points.size() ? i + 1 : 0; }
+  Point middle(std::size_t i) const { return 0.5 * (points[i] + points[next(i)]); }  // of E_i
 };
 
 struct CloudRim {

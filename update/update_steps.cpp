@@ -115,8 +115,10 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
     warn_of_cloud(c, warnings_of_cut(result_.clouds[c].cut));
   }
   if (!check_separation(angles)) return false;
-  ask_samples_for_sides(index, angles, execution);
   result_.choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
+  if (ask_samples_for_sides(index, execution)) {
+    result_.choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
+  }
   // Regions may be without any loop (all rims covered): then there is nothing to replace.
   result_.choice.replaced.resize(result_.regions.regions.size(), 0);
   take_islands(index);
@@ -428,13 +430,11 @@ bool UpdateSteps::cut_where_scans_end(const ModelIndex& index,
   return found;
 }
 
-void UpdateSteps::ask_samples_for_sides(const ModelIndex& index,
-                                        std::span<const RegionAngles> angles,
-                                        const Execution& execution) {
-  const RegionChoice choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
+bool UpdateSteps::ask_samples_for_sides(const ModelIndex& index, const Execution& execution) {
   const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
+  bool told = false;
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
-    const CloudChoice& cloud = choice.clouds[c];
+    const CloudChoice& cloud = result_.choice.clouds[c];
     if (cloud.turned_away.empty()) continue;
     IdVector<RegionId, std::uint8_t> under = regions_under_samples(
         index, result_.regions, cloud.turned_away, scans[c], options_.sampled, execution);
@@ -447,7 +447,9 @@ void UpdateSteps::ask_samples_for_sides(const ModelIndex& index,
     decided_.resize(clouds_.size());
     decided_[c] = std::move(under);
     result_.clouds[c].is_told_by_samples = true;
+    told = true;
   }
+  return told;
 }
 
 bool UpdateSteps::report_choice() {

@@ -119,9 +119,9 @@ class UpdateSteps {
   // the cloud is to be cut.
   bool cut_where_scans_end(const ModelIndex& index, std::span<const RegionAngles> angles);
 
-  // Where both sides of a rim turn away from the cloud.
-  void ask_samples_for_sides(const ModelIndex& index, std::span<const RegionAngles> angles,
-                             const Execution& execution);
+  // Where both sides of a rim turn away from the cloud, by the choice so far. Returns whether
+  // samples told something.
+  bool ask_samples_for_sides(const ModelIndex& index, const Execution& execution);
 
   bool report_choice();
 

@@ -50,7 +50,7 @@ std::vector<RimEdge> ends_of_cloud(const CloudRim& rim) {
     const RimLoop& loop = rim.loops[l];
     for (std::size_t i = 0; i < loop.size(); ++i) {
       if (loop.is_inner(i)) continue;
-      const Point middle = 0.5 * (loop.points[i] + loop.points[loop.next(i)]);
+      const Point middle = loop.middle(i);
       edges.push_back({l, i, middle, unit(place_beyond(loop, i, rim.spacing) - middle)});
     }
   }

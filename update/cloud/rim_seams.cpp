@@ -101,7 +101,7 @@ bool keep_rim_of_seam(RimLoop& loop, double median_edge, const RimSeamOptions& o
 }  // namespace
 
 Point place_beyond(const RimLoop& loop, std::size_t i, double spacing) {
-  return 0.5 * (loop.points[i] + loop.points[loop.next(i)]) + spacing * outward(loop, i);
+  return loop.middle(i) + spacing * outward(loop, i);
 }
 
 void mark_rim_seams(Points cloud, CloudRim& rim, const RimSeamOptions& options) {

@@ -24,7 +24,7 @@ class Walls {
       : options_(options), spacing_(rim.spacing) {
     for (const RimLoop& loop : rim.loops) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        middles_.push_back(0.5 * (loop.points[i] + loop.points[loop.next(i)]));
+        middles_.push_back(loop.middle(i));
         normals_.push_back(normal_at(loop, i));
       }
     }

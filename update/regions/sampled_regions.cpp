@@ -52,11 +52,8 @@ IdVector<RegionId, std::uint8_t> regions_under_samples(
     if (r.is_none() || is_asked[r] == 0) continue;
     const auto [a, b, c] = corners_of(mesh, t);
     const double area = norm(cross(b - a, c - a));
-    const Point centroid = (a + b + c) / 3;
     areas[r].all += area;
-    if (has_foot[t] != 0 || tree.any_near(centroid, reach)) {
-      areas[r].covered += area;
-    }
+    if (has_foot[t] != 0 || tree.any_near(model.centroid(t), reach)) areas[r].covered += area;
   }
   IdVector<RegionId, std::uint8_t> under(num_regions, 0);
   std::size_t outside = 0;

@@ -49,7 +49,7 @@ struct CloudReport {
   BorderFigures border;
   std::vector<RegionVerdict> groups;      // those it saw, in the order of ids
   std::vector<RegionId> replaced_groups;  // those under this cloud
-  double margin_deg = 180;                // of its least clear loop; of all if it was cut
+  double margin_deg = 180;                // of its least clear loop; of all if it was cut or told
   bool is_told_by_samples = false;        // regions_under_samples(); false if a person told
   ContradictedSamples contradicted;       // its samples, on the updated model
   std::size_t compared_rims = 0;  // of its trials, by the doubt that they leave; 0: not asked
