@@ -24,7 +24,8 @@ std::vector<double> distances_from(const TriangleMesh& b, Points points,
   const std::vector<Point> scaled_b = scaled(b.points.span(), scale);
   const NearestPointTree tree(scaled_b);
   std::vector<double> distances(points.size());
-  parallel_chunks(execution, points.size(), 1024, [&](std::size_t begin, std::size_t end) {
+  const StagePart part{"nearest_point"};
+  parallel_chunks(execution, part, points.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       distances[i] = std::sqrt(tree.nearest(scale * points[i]).squared_distance) / scale;
     }

@@ -32,6 +32,7 @@
 #include "update/pin_holes.h"
 #include "update/regions/sampled_regions.h"
 #include "update/replace_points.h"
+#include "update/report/closed_openings.h"
 #include "update/report/cloud_report.h"
 #include "update/report/contradicted_samples.h"
 #include "update/report/overlooked_vertices.h"
@@ -101,6 +102,7 @@ struct UpdateResult {
   std::ptrdiff_t euler_before = 0;
   std::ptrdiff_t euler = 0;
   std::size_t unexplained_handles = 0;  // of a model with open edges always 0
+  ClosedOpenings closed_openings;
   // Of the updated points, without its mesh; counts of duplicates and unused points are here.
   ReconstructResult reconstruction;
 };

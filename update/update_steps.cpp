@@ -12,8 +12,7 @@
 #include "update/model/euler_number.h"
 #include "update/model/model_index.h"
 #include "update/regions/kept_surface.h"
-#include "update/report/contradicted_samples.h"
-#include "update/report/samples_with_flag.h"
+#include "update/report/result_doubts.h"
 #include "update/report/unit_factor.h"
 #include "update/report/update_messages.h"
 #include "update/report/updated_vertices.h"
@@ -187,7 +186,7 @@ void UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
   const std::size_t unused = result_.reconstruction.unused_points;
   result_.euler_before = euler_number(index);
   result_.euler = euler_number(points - unused, surface.triangles);
-  look_for_losses(index);
+  enter_doubts(index, {given_, joined_, clouds_, trees_}, options_, result_);
 }
 
 std::string UpdateSteps::name_of_cloud(std::size_t c) const {
@@ -200,52 +199,6 @@ std::string UpdateSteps::name_of_loop(std::size_t c, std::size_t l) const {
 
 void UpdateSteps::warn_of_cloud(std::size_t c, const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) warn(name_of_cloud(c) + ": " + warning);
-}
-
-void UpdateSteps::look_for_contradictions(std::span<const Scan> scans) {
-  if (result_.reconstruction.contradicted.empty()) return;
-  IdVector<PointId, std::uint8_t> flags(result_.replacement.points.size(), 0);
-  for (const PointId p : result_.reconstruction.contradicted) flags[p] = 1;
-  const std::vector<std::vector<Point>> contradicted =
-      samples_with_flag(result_.replacement, joined_, given_, std::move(flags));
-  for (std::size_t c = 0; c < clouds_.size(); ++c) {
-    ContradictedSamples& found = result_.clouds[c].contradicted;
-    found = contradicted_samples(scans[c], contradicted[c], options_.contradicted);
-    if (found.is_doubtful(options_.contradicted))
-      warn_of_cloud(c, {warning_of_contradicted(found)});
-  }
-}
-
-void UpdateSteps::look_for_losses(const ModelIndex& index) {
-  const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
-  look_for_contradictions(scans);
-  result_.unused_changes = unused_changes(
-      index, scans, unused_samples(result_.replacement, result_.reconstruction, joined_, given_),
-      options_.unused_changes);
-  if (result_.unused_changes.is_doubtful(options_.unused_changes)) {
-    warn(warning_of_unused_changes(result_.unused_changes));
-  }
-  // To close the holes of an open model changes its Euler number, too.
-  const bool is_closed = !index.has_irregular_edges();
-  const std::size_t handles = unexplained_handles(result_.clouds, result_.choice.undecided_loops,
-                                                  result_.euler_before, result_.euler);
-  if (is_closed && handles > 0) {
-    result_.unexplained_handles = handles;
-    warn(warning_of_handles(handles));
-  }
-  std::vector<VertexId> lost = lost_vertices(index, result_.replacement, result_.vertex_map,
-                                             result_.reconstruction.unused_points == 0);
-  // What samples lie over or under was scanned through, however far away they are.
-  std::erase_if(lost, [&](VertexId v) {
-    const RegionId region = result_.regions.group_of_vertex[v];
-    return std::binary_search(result_.islands.begin(), result_.islands.end(), region);
-  });
-  const bool lost_handles = is_closed && result_.euler > result_.euler_before;
-  result_.unscanned =
-      unscanned_losses(index, lost, scans, trees_, lost_handles, options_.unscanned);
-  if (result_.unscanned.vertices == 0) return;
-  warn(warning_of_unscanned(result_.unscanned, options_.unscanned.reach,
-                            model_.points[result_.unscanned.farthest]));
 }
 
 std::vector<RegionAngles> UpdateSteps::measure_angles(const ModelIndex& index) const {
@@ -432,7 +385,7 @@ bool UpdateSteps::cut_where_scans_end(const ModelIndex& index,
 
 bool UpdateSteps::ask_samples_for_sides(const ModelIndex& index, const Execution& execution) {
   const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
-  bool told = false;
+  told_by_samples_.assign(clouds_.size(), 0);
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     const CloudChoice& cloud = result_.choice.clouds[c];
     if (cloud.turned_away.empty()) continue;
@@ -446,10 +399,9 @@ bool UpdateSteps::ask_samples_for_sides(const ModelIndex& index, const Execution
     }
     decided_.resize(clouds_.size());
     decided_[c] = std::move(under);
-    result_.clouds[c].is_told_by_samples = true;
-    told = true;
+    told_by_samples_[c] = 1;
   }
-  return told;
+  return std::count(told_by_samples_.begin(), told_by_samples_.end(), 1) > 0;
 }
 
 bool UpdateSteps::report_choice() {
@@ -464,9 +416,9 @@ bool UpdateSteps::report_choice() {
     const bool is_said = std::any_of(
         report.groups.begin(), report.groups.end(),
         [&](const RegionVerdict& group) { return options_.overrides.names(group.region); });
-    if (is_said) {
-      report.is_told_by_samples = false;
-    } else if (report.is_told_by_samples) {
+    report.is_told_by_samples = told_by_samples_[c] != 0 && !is_said;
+    if (is_said) continue;
+    if (report.is_told_by_samples) {
       warn(name_of_cloud(c) + ": " + warning_of_turned_away(report.groups));
     } else if (choice.clouds[c].margin < options_.choice.narrow_margin) {
       warn(name_of_cloud(c) + ": " + warning_of_narrow_margin(report.margin_deg));

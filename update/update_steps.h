@@ -62,8 +62,6 @@ class UpdateSteps {
   // Has contradicted islands go.
   void take_islands(const ModelIndex& index);
   void take_overrides();
-  void look_for_contradictions(std::span<const Scan> scans);
-  void look_for_losses(const ModelIndex& index);
 
   // Calls visit(cloud, loop) for the loops that take part in the border.
   template <class Visit>
@@ -137,6 +135,7 @@ class UpdateSteps {
   std::vector<Border> borders_;
   TriangleSet border_facets_;
   std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under, or by samples
+  std::vector<std::uint8_t> told_by_samples_;              // of each cloud: ask_samples_for_sides()
   std::vector<NearestPointTree> trees_;  // of the samples of each of clouds_, once it has its place
   UpdateResult result_;
 };

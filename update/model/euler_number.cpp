@@ -1,33 +1,15 @@
 #include "update/model/euler_number.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <vector>
 
-#include "geom/mesh/halfedges.h"
 #include "geom/search/equal_points.h"
+#include "update/model/irregular_sides.h"
 
 namespace cocoon {
 namespace {
 
-// The edges of the sides without just one triangle across, each as often as it is a side;
-// increasing.
-std::vector<std::uint64_t> irregular_sides(const ModelIndex& model) {
-  const TriangleMesh& mesh = model.mesh();
-  std::vector<std::uint64_t> sides;
-  for (const TriangleId t : mesh.triangles.ids()) {
-    if (repeats_a_vertex(mesh.triangles[t])) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!model.neighbors()[t][i].is_none()) continue;
-      const auto [a, b] = ends_of_halfedge(mesh, halfedge_of(t, i));
-      sides.push_back(std::uint64_t{std::min(a, b).value} << 32 | std::max(a, b).value);
-    }
-  }
-  std::sort(sides.begin(), sides.end());
-  return sides;
-}
-
-std::size_t count_in_pairs(const std::vector<std::uint64_t>& sides) {
+std::size_t count_in_pairs(const std::vector<Side>& sides) {
   std::size_t edges = 0;
   for (auto begin = sides.begin(); begin != sides.end();) {
     const auto end = std::upper_bound(begin, sides.end(), *begin);
@@ -59,7 +41,7 @@ std::ptrdiff_t euler_number(const ModelIndex& model) {
   const auto improper = static_cast<std::size_t>(
       std::count_if(mesh.triangles.begin(), mesh.triangles.end(), repeats_a_vertex));
   const std::size_t triangles = mesh.triangles.size() - improper;
-  const std::vector<std::uint64_t> irregular = irregular_sides(model);
+  const std::vector<Side> irregular = irregular_sides(model);
   const std::size_t edges = (3 * triangles - irregular.size()) / 2 + count_in_pairs(irregular);
   return static_cast<std::ptrdiff_t>(vertices + triangles) - static_cast<std::ptrdiff_t>(edges);
 }

@@ -207,6 +207,11 @@ std::string warning_of_handles(std::size_t handles) {
          (handles == 1 ? "it" : "them") + ", else look at the result";
 }
 
+std::string warning_of_openings(const ClosedOpenings& openings, const Point& at) {
+  return "the model has " + counted(openings.edges, "open edge") + " where nothing was replaced, " +
+         "as at " + place_name(at) + ": the updated mesh is closed there; look at the result";
+}
+
 std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at) {
   const bool one = losses.vertices == 1;
   return counted(losses.vertices, "vertex of the model is gone", "vertices of the model are gone") +

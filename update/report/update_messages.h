@@ -10,6 +10,7 @@
 #include "update/cloud_surface.h"
 #include "update/cut_regions.h"
 #include "update/overlapping_facets.h"
+#include "update/report/closed_openings.h"
 #include "update/report/cloud_report.h"
 #include "update/report/contradicted_samples.h"
 #include "update/report/overlooked_vertices.h"
@@ -77,6 +78,8 @@ std::string warning_of_unused_changes(const UnusedChanges& changes);
 std::string warning_of_contradicted(const ContradictedSamples& samples);
 // More than the rims explain.
 std::string warning_of_handles(std::size_t handles);
+// `at`: the place of the vertex that they name.
+std::string warning_of_openings(const ClosedOpenings& openings, const Point& at);
 // `at`: the place of the farthest vertex; `reach`: UnscannedOptions::reach.
 std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at);
 // What may be wrong with a cloud, or where it lies on the model.

@@ -1,0 +1,91 @@
+#include "update/report/result_doubts.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "update/report/closed_openings.h"
+#include "update/report/contradicted_samples.h"
+#include "update/report/samples_with_flag.h"
+#include "update/report/unexplained_handles.h"
+#include "update/report/unscanned_losses.h"
+#include "update/report/unused_changes.h"
+#include "update/report/update_messages.h"
+
+namespace cocoon {
+namespace {
+
+void enter_contradictions(const UpdatedClouds& clouds, std::span<const Scan> scans,
+                          const ContradictedOptions& options, UpdateResult& result) {
+  if (result.reconstruction.contradicted.empty()) return;
+  IdVector<PointId, std::uint8_t> flags(result.replacement.points.size(), 0);
+  for (const PointId p : result.reconstruction.contradicted) flags[p] = 1;
+  const std::vector<std::vector<Point>> contradicted =
+      samples_with_flag(result.replacement, clouds.joined, clouds.given, std::move(flags));
+  for (std::size_t c = 0; c < scans.size(); ++c) {
+    ContradictedSamples& found = result.clouds[c].contradicted;
+    found = contradicted_samples(scans[c], contradicted[c], options);
+    if (!found.is_doubtful(options)) continue;
+    result.warnings.push_back(name_of_clouds(clouds.joined[c].members, clouds.given.size()) + ": " +
+                              warning_of_contradicted(found));
+  }
+}
+
+void enter_unused_changes(const ModelIndex& model, const UpdatedClouds& clouds,
+                          std::span<const Scan> scans, const UnusedChangeOptions& options,
+                          UpdateResult& result) {
+  result.unused_changes = unused_changes(
+      model, scans,
+      unused_samples(result.replacement, result.reconstruction, clouds.joined, clouds.given),
+      options);
+  if (result.unused_changes.is_doubtful(options)) {
+    result.warnings.push_back(warning_of_unused_changes(result.unused_changes));
+  }
+}
+
+// To close the openings of a model changes its Euler number, too.
+void enter_topology(const ModelIndex& model, UpdateResult& result) {
+  const TriangleMesh& mesh = model.mesh();
+  if (model.has_irregular_edges()) {
+    result.closed_openings = closed_openings(model, result.vertex_map);
+    if (result.closed_openings.edges == 0) return;
+    result.warnings.push_back(
+        warning_of_openings(result.closed_openings, mesh.points[result.closed_openings.at]));
+    return;
+  }
+  result.unexplained_handles = unexplained_handles(result.clouds, result.choice.undecided_loops,
+                                                   result.euler_before, result.euler);
+  if (result.unexplained_handles > 0) {
+    result.warnings.push_back(warning_of_handles(result.unexplained_handles));
+  }
+}
+
+void enter_losses(const ModelIndex& model, const UpdatedClouds& clouds, std::span<const Scan> scans,
+                  const UnscannedOptions& options, UpdateResult& result) {
+  std::vector<VertexId> lost = lost_vertices(model, result.replacement, result.vertex_map,
+                                             result.reconstruction.unused_points == 0);
+  // What samples lie over or under was scanned through, however far away they are.
+  std::erase_if(lost, [&](VertexId v) {
+    const RegionId region = result.regions.group_of_vertex[v];
+    return std::binary_search(result.islands.begin(), result.islands.end(), region);
+  });
+  const bool lost_handles = !model.has_irregular_edges() && result.euler > result.euler_before;
+  result.unscanned = unscanned_losses(model, lost, scans, clouds.trees, lost_handles, options);
+  if (result.unscanned.vertices == 0) return;
+  result.warnings.push_back(warning_of_unscanned(result.unscanned, options.reach,
+                                                 model.mesh().points[result.unscanned.farthest]));
+}
+
+}  // namespace
+
+void enter_doubts(const ModelIndex& model, const UpdatedClouds& clouds,
+                  const UpdateOptions& options, UpdateResult& result) {
+  const std::vector<Scan> scans = scans_of(clouds.samples, result.clouds);
+  enter_contradictions(clouds, scans, options.contradicted, result);
+  enter_unused_changes(model, clouds, scans, options.unused_changes, result);
+  enter_topology(model, result);
+  enter_losses(model, clouds, scans, options.unscanned, result);
+}
+
+}  // namespace cocoon

@@ -1,0 +1,31 @@
+// What may be wrong with an updated model, asked when it is there.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geom/point.h"
+#include "geom/search/nearest_point.h"
+#include "update/joined_clouds.h"
+#include "update/model/model_index.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+
+// The clouds of an update, those that overlap taken as one.
+struct UpdatedClouds {
+  std::span<const std::vector<Point>> given;
+  std::span<const JoinedCloud> joined;          // of `given`, each in one of them
+  std::span<const std::vector<Point>> samples;  // of each joined cloud
+  std::span<const NearestPointTree> trees;      // of these
+};
+
+// Looks for samples that contradict each other, changes that are not on the surface, handles that
+// nothing explains, openings of the model that are closed, and vertices that went though nothing
+// was scanned near them; enters what is found, and a warning for each that is doubtful. `model` is
+// what was updated. Precondition: the result has all but that, and its clouds are the joined ones.
+// Complexity: that of the functions in `update/report/` that it asks.
+void enter_doubts(const ModelIndex& model, const UpdatedClouds& clouds,
+                  const UpdateOptions& options, UpdateResult& result);
+
+}  // namespace cocoon
