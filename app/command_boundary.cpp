@@ -2,15 +2,15 @@
 #include <fmt/format.h>
 #include <vector>
 
-#include "app/carried_properties.h"
+#include "app/arguments/surface_options.h"
+#include "app/arguments/thresholds.h"
 #include "app/commands.h"
-#include "app/files.h"
-#include "app/open_surface.h"
-#include "app/reconstruct_report.h"
-#include "app/surface_options.h"
-#include "app/surface_report.h"
-#include "app/thin_cloud.h"
-#include "app/thresholds.h"
+#include "app/files/carried_properties.h"
+#include "app/files/files.h"
+#include "app/report/reconstruct_report.h"
+#include "app/report/surface_report.h"
+#include "app/shapes/open_surface.h"
+#include "app/shapes/thin_cloud.h"
 #include "cocone/boundary_loops.h"
 #include "cocone/literal_boundary.h"
 #include "cocone/reconstruct.h"

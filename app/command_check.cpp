@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/check_requirements.h"
+#include "app/arguments/check_requirements.h"
 #include "app/commands.h"
-#include "app/files.h"
-#include "app/surface_report.h"
+#include "app/files/files.h"
+#include "app/report/surface_report.h"
 #include "geom/errors.h"
 #include "geom/mesh/linked_mesh.h"
 #include "geom/mesh/narrow_handles.h"

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
-#include "app/deviation_map.h"
-#include "app/files.h"
+#include "app/files/files.h"
+#include "app/shapes/deviation_map.h"
 #include "geom/errors.h"
 #include "geom/surface_distance.h"
 

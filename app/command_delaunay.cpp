@@ -1,8 +1,8 @@
 #include <utility>
 
 #include "app/commands.h"
-#include "app/files.h"
-#include "app/verification.h"
+#include "app/files/files.h"
+#include "app/report/verification.h"
 #include "delaunay/canonical_order.h"
 #include "delaunay/check_delaunay.h"
 #include "delaunay/delaunay.h"

@@ -1,5 +1,5 @@
 #include "app/commands.h"
-#include "app/files.h"
+#include "app/files/files.h"
 #include "app/updating.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"

@@ -7,11 +7,11 @@
 #include <limits>
 #include <memory>
 
-#include "app/carried_properties.h"
-#include "app/check_requirements.h"
+#include "app/arguments/check_requirements.h"
+#include "app/arguments/option_values.h"
+#include "app/arguments/thresholds.h"
 #include "app/command_options.h"
-#include "app/option_values.h"
-#include "app/thresholds.h"
+#include "app/files/carried_properties.h"
 #include "io/sample_models.h"
 
 namespace cocoon::app {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <fmt/format.h>
 
-#include "app/cloud_filter.h"
-#include "app/option_values.h"
-#include "app/surface_options.h"
+#include "app/arguments/option_values.h"
+#include "app/arguments/surface_options.h"
+#include "app/shapes/cloud_filter.h"
 
 namespace cocoon::app {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "app/arguments/thresholds.h"
 #include "app/command_line.h"
-#include "app/thresholds.h"
 #include "io/mesh_file_options.h"
 
 namespace cocoon::app {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
-#include "app/files.h"
+#include "app/files/files.h"
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"

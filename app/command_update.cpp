@@ -3,14 +3,15 @@
 #include <utility>
 #include <vector>
 
-#include "app/carried_properties.h"
-#include "app/cloud_filter.h"
 #include "app/commands.h"
-#include "app/densify.h"
-#include "app/files.h"
-#include "app/model_file.h"
-#include "app/pending_clouds.h"
-#include "app/session_file.h"
+#include "app/files/carried_properties.h"
+#include "app/files/files.h"
+#include "app/files/model_file.h"
+#include "app/files/pending_clouds.h"
+#include "app/files/session_file.h"
+#include "app/resumed_session.h"
+#include "app/shapes/cloud_filter.h"
+#include "app/shapes/densify.h"
 #include "app/updating.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"

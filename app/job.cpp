@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sys/resource.h>
 
-#include "app/standard_streams.h"
+#include "app/console/standard_streams.h"
 #include "geom/messages/counted.h"
 #include "io/file_format.h"
 

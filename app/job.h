@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/console/progress_line.h"
+#include "app/console/stage_clock.h"
 #include "app/json_report.h"
-#include "app/progress_line.h"
-#include "app/stage_clock.h"
 #include "geom/execution.h"
 #include "io/atomic_file.h"
 

@@ -13,8 +13,8 @@
 #include <variant>
 
 #include "app/commands.h"
-#include "app/interrupt.h"
-#include "app/standard_streams.h"
+#include "app/console/interrupt.h"
+#include "app/console/standard_streams.h"
 #include "geom/errors.h"
 
 namespace cocoon::app {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/cloud_filter.h"
 #include "app/command_line.h"
-#include "app/findings.h"
 #include "app/job.h"
+#include "app/report/findings.h"
+#include "app/shapes/cloud_filter.h"
 #include "cocone/reconstruct.h"
 #include "geom/execution.h"
 #include "geom/mesh_check.h"

@@ -121,7 +121,7 @@ TEST_F(JsonReportPage, HasWhatOtherCommandsReport) {
 // So that nothing stays on the page that the program no longer has.
 TEST_F(JsonReportPage, NamesWhatTheProgramWrites) {
   std::string sources;
-  for (const auto& entry : fs::directory_iterator(root / "app")) {
+  for (const auto& entry : fs::recursive_directory_iterator(root / "app")) {
     if (entry.path().extension() == ".cpp") sources += content_of(entry.path().string());
   }
   EXPECT_GT(page_.size(), 200U);

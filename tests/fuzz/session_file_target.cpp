@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/pending_clouds.h"
-#include "app/session_file.h"
+#include "app/files/pending_clouds.h"
+#include "app/files/session_file.h"
 #include "geom/errors.h"
 #include "io/encoding/byte_order.h"
 #include "io/summed_file.h"

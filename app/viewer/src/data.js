@@ -1,4 +1,4 @@
-// What C++ wrote (app/html_report.cpp), unpacked:
+// What C++ wrote (app/report/html_report.cpp), unpacked:
 //
 // view:       {azimuth_deg, elevation_deg}: where the viewer stands at first
 // unit:       what positions are stored in; a power of two, 1 for all but extreme sizes

@@ -1,0 +1,122 @@
+#include "app/arguments/check_requirements.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <iterator>
+
+#include "app/command_line.h"
+
+namespace cocoon::app {
+
+namespace {
+
+struct Requirement {
+  const char* word;
+  bool (*holds)(const Certificate&);
+  std::string (*failure)(const Certificate&);
+};
+
+// Counts that make a mesh fail, in words, and no others: an edge with four triangles does not leave
+// it open.
+std::string edges_failure(const Certificate& c) {
+  if (c.report.edges == 0) return "no triangle has three different corners";
+  return fmt::format("{} open edges, {} others with an odd number of triangles",
+                     c.report.open_edges, c.report.odd_edges - c.report.open_edges);
+}
+
+// Open edges are unbalanced, too, and none of the reasons.
+std::string oriented_failure(const Certificate& c) {
+  if (c.report.orientation_conflicts == 0) {
+    return "edges with more than two triangles are not run through equally often both ways";
+  }
+  return fmt::format("{} edges with two triangles in the same direction",
+                     c.report.orientation_conflicts);
+}
+
+std::string manifold_failure(const Certificate& c) {
+  return fmt::format("{} edges with more than two triangles, {} pinched vertices",
+                     c.report.overfull_edges, c.report.pinched_vertices);
+}
+
+std::string bad_triangles_failure(const Certificate& c) {
+  return fmt::format("{} triangles with a repeated vertex, {} without area, {} duplicates",
+                     c.report.repeated_vertex_triangles, c.report.zero_area_triangles,
+                     c.report.duplicate_triangles);
+}
+
+const Requirement requirements[] = {
+    {"closed", [](const Certificate& c) { return c.report.watertight; }, edges_failure},
+    {"watertight", [](const Certificate& c) { return c.report.watertight; }, edges_failure},
+    {"manifold",
+     [](const Certificate& c) { return c.report.edge_manifold && c.report.vertex_manifold; },
+     manifold_failure},
+    {"edge-manifold", [](const Certificate& c) { return c.report.edge_manifold; },
+     manifold_failure},
+    {"vertex-manifold", [](const Certificate& c) { return c.report.vertex_manifold; },
+     manifold_failure},
+    {"oriented", [](const Certificate& c) { return c.report.oriented; }, oriented_failure},
+    {"orientable", [](const Certificate& c) { return c.report.orientable; },
+     [](const Certificate&) { return std::string("a component is one-sided"); }},
+    {"connected", [](const Certificate& c) { return c.report.components == 1; },
+     [](const Certificate& c) { return fmt::format("{} components", c.report.components); }},
+    {"no-bad-triangles",
+     [](const Certificate& c) {
+       return c.report.repeated_vertex_triangles + c.report.zero_area_triangles +
+                  c.report.duplicate_triangles ==
+              0;
+     },
+     bad_triangles_failure},
+    {"no-unused-vertices", [](const Certificate& c) { return c.report.unused_vertices == 0; },
+     [](const Certificate& c) {
+       return fmt::format("{} vertices without a triangle", c.report.unused_vertices);
+     }},
+    {"no-self-intersections",
+     [](const Certificate& c) { return c.self_intersections.value_or(0) == 0; },
+     [](const Certificate& c) {
+       return fmt::format("{} pairs of triangles cross", c.self_intersections.value_or(0));
+     }},
+};
+
+const Requirement* find_requirement(const std::string& word) {
+  const auto* const found =
+      std::find_if(std::begin(requirements), std::end(requirements),
+                   [&](const Requirement& requirement) { return requirement.word == word; });
+  return found == std::end(requirements) ? nullptr : found;
+}
+
+}  // namespace
+
+std::string requirement_words() {
+  std::string words;
+  for (const Requirement& requirement : requirements) {
+    words += (words.empty() ? "" : ", ") + std::string(requirement.word);
+  }
+  return words;
+}
+
+void require_known_words(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (find_requirement(word) == nullptr) {
+      throw UsageError(fmt::format("--require: '{}' is none of {}", word, requirement_words()));
+    }
+  }
+}
+
+bool needs_self_intersections(const std::vector<std::string>& words) {
+  return std::find(words.begin(), words.end(), "no-self-intersections") != words.end();
+}
+
+std::vector<std::string> failed_requirements(const std::vector<std::string>& words,
+                                             const Certificate& certificate) {
+  std::vector<std::string> failures;
+  for (const std::string& word : words) {
+    const Requirement* const requirement = find_requirement(word);
+    if (requirement == nullptr || requirement->holds(certificate)) continue;
+    const bool negative = word.rfind("no-", 0) == 0;
+    failures.push_back(fmt::format("{} {} ({})", negative ? "fails" : "not", word,
+                                   requirement->failure(certificate)));
+  }
+  return failures;
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,69 @@
+#include "app/arguments/option_values.h"
+
+#include <cctype>
+#include <cstdint>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <string>
+
+#include "app/command_line.h"
+#include "io/encoding/number_text.h"
+
+namespace cocoon::app {
+
+CLI::Validator between(double low, double high) {
+  const std::string range = fmt::format("in [{}, {}]", low, high);
+  return {[=](const std::string& text) {
+            double value = 0;
+            const bool read = CLI::detail::lexical_cast(text, value);
+            return read && value >= low && value <= high ? std::string()
+                                                         : fmt::format("{} is not {}", text, range);
+          },
+          range};
+}
+
+CLI::Validator whole_number() {
+  return {[](const std::string& text) {
+            std::uint64_t value = 0;
+            const char* at = text.data();
+            const char* end = at + text.size();
+            const bool has_sign = text.starts_with('-') || text.starts_with('+');
+            return !has_sign && parse_integer(at, end, value) && at == end
+                       ? std::string()
+                       : fmt::format("'{}' is no whole number from 0 to below 2^64", text);
+          },
+          "0 to below 2^64"};
+}
+
+CLI::Validator without_leading_zeros() {
+  return {[](std::string& text) {
+            const std::size_t first = text.find_first_not_of('0');
+            const bool is_digit = first != std::string::npos &&
+                                  std::isdigit(static_cast<unsigned char>(text[first])) != 0;
+            if (is_digit) text.erase(0, first);
+            return std::string();
+          },
+          ""};
+}
+
+void require_no_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (!value.empty()) continue;
+      throw UsageError(option->get_name() + ": the value is empty; give one");
+    }
+  }
+}
+
+// What follows an option may be its value, so the option alone is named.
+std::string unexpected_told(const std::string& command, const std::vector<std::string>& extras) {
+  for (const std::string& extra : extras) {
+    if (extra.size() < 2 || extra.front() != '-') continue;
+    const std::string name = extra.substr(0, extra.find('='));
+    const char* hint = name == "--config" ? "; options are given on the command line alone" : "";
+    return fmt::format("{}has no option {}{}", command, name, hint);
+  }
+  return fmt::format("{}has no place for {}", command, fmt::join(extras, " "));
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,70 @@
+#include "app/files/model_file.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "app/files/files.h"
+#include "geom/mesh/weld_vertices.h"
+#include "geom/mesh_check.h"
+#include "geom/messages/counted.h"
+#include "geom/search/equal_points.h"
+#include "update/model/orient_outward.h"
+
+namespace cocoon::app {
+
+namespace {
+
+// Of each point of a file, which of the `left` it is; of those that were skipped none.
+IdVector<VertexId, VertexId> without(const std::vector<std::size_t>& skipped, std::size_t left) {
+  IdVector<VertexId, VertexId> vertex_of(left + skipped.size());
+  auto next_skipped = skipped.begin();
+  std::size_t next = 0;
+  for (const VertexId of_file : vertex_of.ids()) {
+    if (next_skipped != skipped.end() && *next_skipped == of_file.index()) {
+      ++next_skipped;
+    } else {
+      vertex_of[of_file] = VertexId(next++);
+    }
+  }
+  return vertex_of;
+}
+
+}  // namespace
+
+ModelFile read_model(Job& job, const std::string& path, const std::string& section,
+                     VertexProperties* properties) {
+  std::vector<std::size_t> skipped;
+  ModelFile model{read_shape(job, path, section, properties, &skipped), {}};
+  if (!skipped.empty()) model.vertex_of = without(skipped, model.mesh.points.size());
+  if (model.mesh.triangles.empty()) return model;
+  const std::vector<RepeatedPoint> repeated = repeated_points(model.mesh.points.span());
+  if (repeated.empty()) return model;
+  const std::size_t open = mesh_check(model.mesh, {}, job.execution()).open_edges;
+  if (open == 0) return model;
+  WeldedMesh welded = weld_vertices(model.mesh, repeated);
+  if (mesh_check(welded.mesh, {}, job.execution()).open_edges >= open) return model;
+
+  job.report().set(section + "/welded_vertices", welded.welded);
+  job.say(
+      "{}: {} at the place of another one taken as one with it, since triangles do not share "
+      "vertices there",
+      path, counted(welded.welded, "vertex", "vertices"));
+  if (properties != nullptr) {
+    std::vector<RowOrigin> origins;
+    for (const VertexId source : welded.source) origins.push_back({0, source.index()});
+    *properties = select_rows(*properties, origins);
+  }
+  return {std::move(welded.mesh), std::move(welded.vertex_of)};
+}
+
+void orient_model(Job& job, const std::string& path, const std::string& section,
+                  TriangleMesh& mesh) {
+  const std::size_t turned = orient_outward(mesh).turned;
+  if (turned == 0) return;
+  job.report().set(section + "/turned_triangles", turned);
+  job.say("{}: {} of {} turned around, so that the surface faces outward", path,
+          counted(turned, "triangle"), mesh.triangles.size());
+}
+
+}  // namespace cocoon::app

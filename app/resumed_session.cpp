@@ -1,0 +1,44 @@
+#include "app/resumed_session.h"
+
+#include <fmt/format.h>
+#include <utility>
+
+#include "app/files/pending_clouds.h"
+#include "app/updating.h"
+#include "geom/errors.h"
+
+namespace cocoon::app {
+
+void resume_session(const std::string& path, SavedSession saved, const SurfaceArguments& parameters,
+                    const Execution& execution, ResumedSession& resumed) {
+  resumed.parameters = saved.parameters;
+  SurfaceArguments arguments = saved.parameters;
+  arguments.verify = parameters.verify;
+  const auto take_up = [&](SessionSnapshot snapshot, std::optional<double> rho) {
+    arguments.rho = rho;
+    resumed.session.emplace(std::move(snapshot), update_options(arguments), SnapshotCheck::done,
+                            execution);
+  };
+  const std::vector<PendingUpdate> updates = load_pending_clouds(path, saved.notes);
+  resumed.notes = std::move(saved.notes);
+  resumed.pending = 0;
+  take_up(std::move(saved.snapshot), updates.empty() ? parameters.rho : updates.front().rho);
+  for (const PendingUpdate& update : updates) {
+    if (!update.refused) {
+      if (update.rho != arguments.rho) take_up(resumed.session->snapshot(), update.rho);
+      const UpdateResult result = resumed.session->apply(update.clouds, execution).result;
+      if (result.status != UpdateStatus::ok) {
+        throw InputError(
+            fmt::format("{}: a cloud that was applied before is refused now ({}): {}; "
+                        "begin again from the model",
+                        pending_cloud_file(path, resumed.notes.size()), name_of(result.status),
+                        result.message));
+      }
+    }
+    resumed.notes.insert(resumed.notes.end(), update.notes.begin(), update.notes.end());
+    resumed.pending += update.notes.size();
+  }
+  if (arguments.rho != parameters.rho) take_up(resumed.session->snapshot(), parameters.rho);
+}
+
+}  // namespace cocoon::app

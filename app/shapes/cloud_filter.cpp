@@ -1,0 +1,80 @@
+#include "app/shapes/cloud_filter.h"
+
+#include <fmt/format.h>
+#include <utility>
+
+#include "app/files/files.h"
+#include "geom/messages/counted.h"
+
+namespace cocoon::app {
+
+namespace {
+
+StageOptions stages_of(const StrayOptions& options) {
+  StageOptions stages;
+  stages.noise.neighbors = options.neighbors;
+  stages.noise.outlier_ratio = options.outlier_ratio;
+  return stages;
+}
+
+std::optional<StrayOptions> stray_options(const CloudFilterArguments& arguments) {
+  if (arguments.noise == "none") {
+    const std::vector<std::string> given =
+        given_thresholds(ThresholdUse::outliers, arguments.thresholds);
+    if (!given.empty()) throw UsageError(fmt::format("{} needs --noise robust", given.front()));
+    return std::nullopt;
+  }
+  StrayOptions options;
+  StageOptions stages = stages_of(options);
+  set_thresholds(stages, arguments.thresholds);
+  options.neighbors = stages.noise.neighbors;
+  options.outlier_ratio = stages.noise.outlier_ratio;
+  return options;
+}
+
+}  // namespace
+
+CloudFilter cloud_filter(const CloudFilterArguments& arguments) {
+  return {arguments.thin, stray_options(arguments)};
+}
+
+StageOptions cloud_filter_defaults() { return stages_of({}); }
+
+void add_cloud_filter(JsonReport& report, const StrayOptions& options) {
+  add_thresholds(report, ThresholdUse::outliers, stages_of(options));
+}
+
+void append_strays(JsonReport& report, const StraySamples& strays, std::size_t kept_points) {
+  JsonReport entry;
+  entry.set("outliers", strays.outliers);
+  entry.set("small_parts", strays.small_parts);
+  entry.set("small_part_samples", strays.in_small_parts);
+  entry.set("kept_points", kept_points);
+  report.append("noise/clouds", entry);
+}
+
+std::string told_strays(const StraySamples& strays) {
+  std::string told;
+  if (strays.outliers > 0) told = counted(strays.outliers, "outlier");
+  if (strays.small_parts > 0) {
+    if (!told.empty()) told += ", and ";
+    told += fmt::format("{} in {}", counted(strays.in_small_parts, "point"),
+                        counted(strays.small_parts, "small part"));
+  }
+  return told.empty() ? "nothing" : told;
+}
+
+StraySamples leave_out_strays(const std::string& name, std::vector<Point>& cloud,
+                              const StrayOptions& options, const Execution& execution) {
+  StraySamples strays =
+      naming_input(name, [&] { return stray_samples(cloud, options, {}, execution); });
+  std::vector<Point> kept;
+  kept.reserve(cloud.size());
+  for (const PointId p : strays.kept.ids()) {
+    if (strays.kept[p] != 0) kept.push_back(cloud[p.index()]);
+  }
+  cloud = std::move(kept);
+  return strays;
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,100 @@
+#include "app/shapes/densify.h"
+
+#include <fmt/format.h>
+#include <utility>
+
+#include "app/files/files.h"
+#include "app/files/model_file.h"
+#include "cocone/conforming_samples.h"
+#include "cocone/labels_of_solid.h"
+#include "cocone/reconstruct.h"
+#include "geom/errors.h"
+#include "geom/mesh/dense_samples.h"
+#include "geom/mesh_check.h"
+#include "geom/messages/counted.h"
+
+namespace cocoon::app {
+namespace {
+
+// Whether their surface hangs together as the mesh does, with as many handles and contacts.
+bool have_topology_of(const MeshReport& mesh, const std::vector<Point>& samples,
+                      const KnownLabelsSource& labels, const Execution& execution) {
+  const ReconstructResult result = reconstruct_tight_with_labels(samples, labels, {}, execution);
+  const MeshReport surface = mesh_check(result.mesh, {}, execution);
+  return surface.euler == mesh.euler && surface.components == mesh.components &&
+         surface.overfull_edges == mesh.overfull_edges &&
+         surface.pinched_vertices == mesh.pinched_vertices;
+}
+
+// Adds samples of a closed mesh if those that there are do not suffice. Returns the labels that it
+// tells of the cells between them.
+KnownLabelsSource conform(Job& job, TriangleMesh mesh, const MeshReport& certificate,
+                          double spacing, std::vector<Point>& samples) {
+  const Execution& execution = job.execution();
+  const KnownLabelsSource labels = labels_told_by(mesh, samples, labels_of_crossing_cells);
+  if (have_topology_of(certificate, samples, labels, execution)) return labels;
+  const ConformingSamples more = conforming_samples(mesh, samples, {.spacing = spacing}, execution);
+  job.report().set("input/conforming_samples", more.added.size());
+  job.report().set("input/conforming_rounds", more.rounds);
+  if (!more.added.empty()) {
+    job.say("{} more where walls, gaps or edges are closer than {}",
+            counted(more.added.size(), "sample"), spacing);
+  }
+  samples.insert(samples.end(), more.added.begin(), more.added.end());
+  return labels_told_by(std::move(mesh), samples);
+}
+
+}  // namespace
+
+DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) {
+  ModelFile model = read_model(job, path, "input");
+  TriangleMesh& mesh = model.mesh;
+  if (mesh.triangles.empty()) {
+    throw InputError(path + ": --densify needs a mesh, and this file has no triangles");
+  }
+  const std::vector<Point> added = timed(job.execution(), "dense_samples", [&] {
+    return naming_input(path,
+                        [&] { return dense_samples(mesh, {.spacing = spacing}, job.execution()); });
+  });
+  job.report().set("parameters/densify", spacing);
+  job.report().set("input/vertices", mesh.points.size());
+  job.report().set("input/added_samples", added.size());
+  job.say("{}: {} added to {}", path, counted(added.size(), "sample"),
+          counted(mesh.points.size(), "vertex", "vertices"));
+  DensifiedMesh dense;
+  dense.points = mesh.points.raw();
+  if (model.vertex_of.empty()) {
+    for (const VertexId v : mesh.points.ids()) dense.point_of_vertex.push_back(PointId(v.value));
+  } else {
+    for (const VertexId v : model.vertex_of) dense.point_of_vertex.push_back(PointId(v.value));
+  }
+  dense.points.insert(dense.points.end(), added.begin(), added.end());
+  dense.certificate = mesh_check(mesh, {}, job.execution());
+  if (dense.certificate.balanced) {
+    dense.labels = timed(job.execution(), "conforming_samples", [&] {
+      return naming_input(path, [&] {
+        return conform(job, std::move(mesh), dense.certificate, spacing, dense.points);
+      });
+    });
+  } else {
+    job.warn(path +
+             ": is not closed, so that only the samples tell its inside from its outside; where "
+             "walls are thinner than the spacing they may be torn (cocoon check tells where it is "
+             "open)");
+  }
+  return dense;
+}
+
+void warn_of_handles(Job& job, const std::string& path, const DensifiedMesh& dense,
+                     const MeshReport& surface) {
+  const MeshReport& mesh = dense.certificate;
+  if (!mesh.genus || !surface.genus || mesh.components != surface.components) return;
+  if (*mesh.genus == *surface.genus) return;
+  job.warn(
+      fmt::format("{}: the surface of its samples has {}, the mesh {}; sharp edges and thin "
+                  "walls need another, mostly a smaller SPACING of --densify; look at the "
+                  "result",
+                  path, counted(*surface.genus, "handle"), *mesh.genus));
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,64 @@
+#include "app/shapes/open_surface.h"
+
+#include <fmt/format.h>
+#include <utility>
+
+#include "geom/errors.h"
+#include "geom/messages/counted.h"
+#include "update/cloud/trim_long_edges.h"
+
+namespace cocoon::app {
+
+namespace {
+
+// Those that no triangle has; the others keep their order. Returns how many.
+std::size_t drop_unused_vertices(ReconstructResult& surface) {
+  IdVector<VertexId, VertexId> number(surface.mesh.points.size());
+  for (const Triangle& triangle : surface.mesh.triangles) {
+    for (const VertexId v : triangle) number[v] = VertexId(0);
+  }
+  std::uint32_t next = 0;
+  for (const VertexId v : number.ids()) {
+    if (number[v].is_none()) continue;
+    const VertexId to(next++);
+    number[v] = to;
+    surface.mesh.points[to] = surface.mesh.points[v];
+    surface.point_of_vertex[to] = surface.point_of_vertex[v];
+    surface.normals[to] = surface.normals[v];
+    surface.boundary_sample[to] = surface.boundary_sample[v];
+  }
+  const std::size_t dropped = number.size() - next;
+  surface.mesh.points.resize(next);
+  surface.point_of_vertex.resize(next);
+  surface.normals.resize(next);
+  surface.boundary_sample.resize(next);
+  for (Triangle& triangle : surface.mesh.triangles) {
+    for (VertexId& v : triangle) v = number[v];
+  }
+  return dropped;
+}
+
+}  // namespace
+
+void open_surface(Job& job, double max_edge, ReconstructResult& surface) {
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  timed(job.execution(), "trim", [&] {
+    TrimmedSurface trimmed = trim_long_edges(std::move(surface.mesh), {.max_edge = max_edge});
+    triangles = trimmed.in_clusters + trimmed.at_rim;
+    surface.mesh = std::move(trimmed.mesh);
+    if (surface.mesh.triangles.empty()) {
+      throw InputError(fmt::format(
+          "--trim {} leaves no triangle: all have edges longer than so many spacings; use more",
+          max_edge));
+    }
+    vertices = drop_unused_vertices(surface);
+  });
+  surface.unused_points += vertices;
+  job.report().set("trim/triangles", triangles);
+  job.report().set("trim/vertices", vertices);
+  job.say("{} with edges longer than {} spacings left out", counted(triangles, "triangle"),
+          max_edge);
+}
+
+}  // namespace cocoon::app

@@ -1,0 +1,121 @@
+#include "app/files/pending_clouds.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "geom/errors.h"
+#include "io/encoding/byte_order.h"
+#include "io/file_bytes.h"
+#include "io/summed_file.h"
+#include "tests/temporary_folder.h"
+
+namespace cocoon::app {
+namespace {
+
+const std::vector<std::string> notes = {"model"};
+const PendingUpdate applied = {{"one"}, {{{1, 2, 3}, {4, 5, 6}}}, 0.25};
+const PendingUpdate refused = {{"two"}, {}, {}, true};
+const PendingUpdate together = {{"three", "and four"}, {{{7, 8, 9}}, {{1, 1, 1}, {2, 2, 2}}}, {}};
+
+// Bytes of the file.
+constexpr std::size_t at_version = 8;
+constexpr std::size_t at_bits = 12;
+constexpr std::size_t at_count = 32;
+
+// Each follows those before it.
+std::string save(const TemporaryFolder& folder, const std::vector<PendingUpdate>& updates) {
+  std::string session = (folder / "s").string();
+  std::vector<std::string> before = notes;
+  for (const PendingUpdate& update : updates) {
+    FileBatch batch;
+    save_pending_clouds(session, before, update, batch);
+    batch.commit();
+    before.insert(before.end(), update.notes.begin(), update.notes.end());
+  }
+  return session;
+}
+
+// With the checksum that belongs to it.
+std::string with_byte(std::string bytes, std::size_t at, char value) {
+  bytes[at] = value;
+  bytes.resize(bytes.size() - checksum_size);
+  append_little_endian(bytes, checksum_of(bytes));
+  return bytes;
+}
+
+// Who saved them used one name, who takes the session up another one.
+TEST(PendingClouds, LieBesideTheSessionBehindSymbolicLinks) {
+  const TemporaryFolder folder;
+  const TemporaryFolder elsewhere;
+  const std::string session = (folder / "real").string();
+  const std::string link = (elsewhere / "link").string();
+  std::filesystem::create_symlink(session, folder / "s");
+  std::filesystem::create_symlink(folder / "s", link);
+  save(folder, {applied});
+  EXPECT_TRUE(std::filesystem::exists(session + ".cloud-1"));
+  for (const std::string& name : {session, link}) {
+    EXPECT_EQ(load_pending_clouds(name, notes).size(), 1U) << name;
+  }
+  remove_pending_clouds(link);
+  EXPECT_FALSE(std::filesystem::exists(session + ".cloud-1"));
+}
+
+TEST(PendingClouds, ReadBackInOrder) {
+  const TemporaryFolder folder;
+  const std::vector<PendingUpdate> saved = {refused, together, applied, refused};
+  const std::vector<PendingUpdate> loaded = load_pending_clouds(save(folder, saved), notes);
+  ASSERT_EQ(loaded.size(), saved.size());
+  for (std::size_t k = 0; k < saved.size(); ++k) {
+    EXPECT_EQ(loaded[k].notes, saved[k].notes);
+    EXPECT_EQ(loaded[k].clouds, saved[k].clouds);
+    EXPECT_EQ(loaded[k].rho, saved[k].rho);
+    EXPECT_EQ(loaded[k].refused, saved[k].refused);
+  }
+  EXPECT_TRUE(std::filesystem::exists(pending_cloud_file((folder / "s").string(), 4)));
+}
+
+// These had no number of clouds.
+TEST(PendingClouds, VersionsBeforeAreReadAndOthersRefused) {
+  const TemporaryFolder folder;
+  const std::string session = save(folder, {applied});
+  const std::string bytes(read_file(pending_cloud_file(session, 1)).view());
+  std::string before = bytes;
+  before.erase(at_count, sizeof(std::uint64_t));
+  for (const char version : {'\x01', '\x02'}) {
+    folder.write("s.cloud-1", with_byte(before, at_version, version));
+    const PendingUpdate loaded = load_pending_clouds(session, notes).at(0);
+    EXPECT_EQ(loaded.clouds, applied.clouds);
+    EXPECT_EQ(loaded.notes, applied.notes);
+  }
+  for (const char version : {'\x00', '\x04'}) {
+    folder.write("s.cloud-1", with_byte(bytes, at_version, version));
+    EXPECT_THROW(load_pending_clouds(session, notes), FileError) << static_cast<int>(version);
+  }
+}
+
+TEST(PendingClouds, NumbersThatDoNotFitTheFileAreRefused) {
+  const TemporaryFolder folder;
+  const std::string session = save(folder, {together});
+  const std::string bytes(read_file(pending_cloud_file(session, 1)).view());
+  for (const std::size_t at : {at_count, at_count + 8, at_count + 16, at_count + 31}) {
+    for (const char value : {'\x00', '\x7f', '\xff'}) {
+      if (bytes[at] == value) continue;
+      folder.write("s.cloud-1", with_byte(bytes, at, value));
+      EXPECT_THROW(load_pending_clouds(session, notes), FileError) << at;
+    }
+  }
+}
+
+TEST(PendingClouds, ARefusedOneHasNoPoints) {
+  const TemporaryFolder folder;
+  const std::string session = save(folder, {applied});
+  const std::string bytes(read_file(pending_cloud_file(session, 1)).view());
+  folder.write("s.cloud-1", with_byte(bytes, at_bits, 3));
+  EXPECT_THROW(load_pending_clouds(session, notes), FileError);
+}
+
+}  // namespace
+}  // namespace cocoon::app
