@@ -1,0 +1,119 @@
+#include "app/watch/watched_session.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <utility>
+
+#include "app/files/model_file.h"
+#include "app/files/session_file.h"
+#include "app/shapes/densify.h"
+#include "app/updating.h"
+#include "app/watch/watch_notes.h"
+#include "geom/errors.h"
+#include "geom/mesh_check.h"
+#include "geom/messages/counted.h"
+#include "io/atomic_file.h"
+#include "io/mesh_file.h"
+
+namespace cocoon::app {
+
+WatchedSession::WatchedSession(const WatchArguments& arguments, const UpdateOptions& options,
+                               Job& job)
+    : arguments_(arguments),
+      options_(options),
+      job_(job),
+      file_(arguments.session.empty() ? arguments.mesh + ".session" : arguments.session) {}
+
+bool WatchedSession::begin() {
+  const std::string first_note = note_of_model(arguments_.model, arguments_.densify);
+  if (std::filesystem::exists(file_)) {
+    resume(first_note);
+    return false;
+  }
+  const bool is_new = begin_with_model();
+  state_.notes = {first_note};
+  remove_pending_clouds(file_);  // of a session that somebody removed
+  save_whole();
+  job_.say("{}: {} vertices, {} triangles", arguments_.model, model().points.size(),
+           model().triangles.size());
+  return is_new;
+}
+
+void WatchedSession::resume(const std::string& first_note) {
+  const Execution quiet{job_.execution().threads};
+  SavedSession saved = load_session(file_, quiet);
+  if (saved.notes.empty() || saved.notes.front() != first_note) {
+    throw InputError(file_ + ": was begun with another model than " + arguments_.model +
+                     " or another --densify; remove it, or name another one by --session");
+  }
+  if (!same_parameters(saved.parameters, arguments_.parameters)) {
+    throw InputError(file_ +
+                     ": was begun with other parameters; remove it, or name another one by "
+                     "--session");
+  }
+  resume_session(file_, std::move(saved), arguments_.parameters, quiet, state_);
+  write_mesh(arguments_.mesh, model(), arguments_.writing);
+  const NoteCounts noted = count_notes(state_.notes);
+  std::string line =
+      fmt::format("{}: resumed with {} applied", file_, counted(noted.applied, "cloud"));
+  if (noted.refused > 0) {
+    line += fmt::format(", {} refused that will not be tried again", noted.refused);
+  }
+  job_.say("{}", line);
+}
+
+// Whether it was made from points.
+bool WatchedSession::begin_with_model() {
+  DensifiedMesh dense;
+  if (arguments_.densify) {
+    dense = read_densified(job_, arguments_.model, *arguments_.densify);
+  } else {
+    TriangleMesh mesh = read_model(job_, arguments_.model, "input").mesh;
+    if (!mesh.triangles.empty()) {
+      orient_model(job_, arguments_.model, "input", mesh);
+      state_.session.emplace(std::move(mesh), options_);
+      return false;
+    }
+    dense.points = std::move(mesh.points).raw();
+  }
+  begin_session(job_, arguments_.model, dense.points, dense.labels, options_, state_.session);
+  if (arguments_.densify) {
+    warn_of_handles(job_, arguments_.model, dense, mesh_check(model(), {}, job_.execution()));
+  }
+  return true;
+}
+
+// Session and mesh together. The session is put in place first: should the program be killed
+// between the two, the mesh follows as soon as the session is taken up again.
+void WatchedSession::save_whole() {
+  FileBatch outputs;
+  save_session(file_, {state_.session->snapshot(), arguments_.parameters, state_.notes}, &outputs);
+  write_mesh(arguments_.mesh, model(), arguments_.writing, &outputs);
+  job_.warn_of_rounding(outputs);
+  outputs.commit();
+  remove_pending_clouds(file_);
+  state_.pending = 0;
+}
+
+void WatchedSession::keep(const PendingUpdate& update) {
+  const auto note = [&] {
+    state_.notes.insert(state_.notes.end(), update.notes.begin(), update.notes.end());
+  };
+  if (state_.pending + update.notes.size() >= arguments_.save_every) {
+    note();
+    return save_whole();
+  }
+  FileBatch outputs;
+  save_pending_clouds(file_, state_.notes, update, outputs);
+  if (!update.refused) write_mesh(arguments_.mesh, model(), arguments_.writing, &outputs);
+  job_.warn_of_rounding(outputs);
+  outputs.commit();
+  note();
+  state_.pending += update.notes.size();
+}
+
+void WatchedSession::finish() {
+  if (state_.pending > 0) save_whole();
+}
+
+}  // namespace cocoon::app
