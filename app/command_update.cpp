@@ -31,13 +31,9 @@ void require_numbered_vertices(const UpdateArguments& arguments) {
                    "or .off, or leave out --map");
 }
 
-// As where somebody gives it beside the session that has it. Noise may give it a rim, and then it
-// would replace itself.
 void refuse_model_as_cloud(const UpdateInput& input) {
-  const std::vector<Point>& vertices = input.model.points.raw();
   for (std::size_t c = 0; c < input.clouds.size(); ++c) {
-    if (input.clouds[c].size() < vertices.size()) continue;
-    if (distinct_points(input.clouds[c]) != distinct_points(vertices)) continue;
+    if (!is_model_itself(input.clouds[c], input.model)) continue;
     throw InputError(fmt::format(
         "cannot update {0}: {1} is no cloud but the model itself, all of its vertices; give "
         "only scans of what changed (a session has its model already)",

@@ -218,6 +218,9 @@ class Watch {
     std::size_t thinned = 0;
     StraySamples strays;
     try {
+      if (is_model_itself(cloud, session_.model())) {
+        throw InputError("it is the model itself; drop only scans of what changed");
+      }
       if (filter_.thin) thinned = thin_cloud(name, *filter_.thin, cloud);
       if (filter_.strays) {
         strays = leave_out_strays(name, cloud, *filter_.strays, {job_.execution().threads});

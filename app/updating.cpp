@@ -19,6 +19,7 @@
 #include "geom/mesh_check.h"
 #include "geom/messages/counted.h"
 #include "geom/messages/place_name.h"
+#include "geom/search/equal_points.h"
 #include "geom/search/nearest_point.h"
 #include "geom/signed_distance.h"
 #include "io/atomic_file.h"
@@ -221,6 +222,11 @@ std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points
 
 NoiseFilter noise_filter_of_update(bool filtered) {
   return filtered ? NoiseFilter::no_option : NoiseFilter::of_strays;
+}
+
+bool is_model_itself(const std::vector<Point>& cloud, const TriangleMesh& model) {
+  return cloud.size() >= model.points.size() &&
+         distinct_points(cloud) == distinct_points(model.points.span());
 }
 
 void add_filter(JsonReport& report, const CloudFilter& filter, std::size_t thinned_points) {

@@ -83,6 +83,11 @@ struct UpdateOutput {
   bool manifold = false;
 };
 
+// Whether a cloud is no scan but the model itself, all of its vertices, as where somebody gives it
+// beside the session that has it. Noise may give it a rim, and then it would replace itself.
+// Complexity: O(1) for clouds with fewer points, else O(n log n).
+bool is_model_itself(const std::vector<Point>& cloud, const TriangleMesh& model);
+
 // The options of the filter, in the section "parameters", and "input/thinned_points".
 void add_filter(JsonReport& report, const CloudFilter& filter, std::size_t thinned_points);
 

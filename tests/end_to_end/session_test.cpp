@@ -212,6 +212,18 @@ TEST(Watch, DoesNotReplaceItsModel) {
                "is an input and would be overwritten");
 }
 
+TEST(Watch, RefusesItsModelAsACloud) {
+  const Watched watched;
+  ASSERT_EQ(run_program(watched.once()).exit_code, 0);
+  const std::string before = content_of(watched.mesh);
+  watched.put("copy.ply", before);
+  const ProgramRun run = run_program(watched.once());
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_NE(run.out.find("copy.ply: not applied: it is the model itself"), std::string::npos)
+      << run.out;
+  EXPECT_EQ(content_of(watched.mesh), before);
+}
+
 // Nobody else may use the session meanwhile: what one wrote the other would overwrite.
 TEST(Watch, HoldsItsSession) {
   const Watched watched;
