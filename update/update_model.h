@@ -35,6 +35,7 @@
 #include "update/report/closed_openings.h"
 #include "update/report/cloud_report.h"
 #include "update/report/contradicted_samples.h"
+#include "update/report/loose_parts.h"
 #include "update/report/overlooked_vertices.h"
 #include "update/report/rim_shift.h"
 #include "update/report/unexplained_handles.h"
@@ -103,6 +104,7 @@ struct UpdateResult {
   std::ptrdiff_t euler = 0;
   std::size_t unexplained_handles = 0;  // of a model with open edges always 0
   ClosedOpenings closed_openings;
+  LooseParts loose_parts;
   // Of the updated points, without its mesh; counts of duplicates and unused points are here.
   ReconstructResult reconstruction;
 };
@@ -129,6 +131,9 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
 struct UpdatedSurface {
   ReconstructResult result;
   std::size_t triangles = 0;
+  // If there is no mesh: those of its triangles that have a point of a cloud, and maybe others, by
+  // updated points.
+  std::span<const Triangle> changed = {};
 };
 
 // The two parts of an update that cost in proportion to the model and not to the change. Whoever

@@ -186,7 +186,23 @@ void UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
   const std::size_t unused = result_.reconstruction.unused_points;
   result_.euler_before = euler_number(index);
   result_.euler = euler_number(points - unused, surface.triangles);
+  look_for_loose_parts(surface.changed);
   enter_doubts(index, {given_, joined_, clouds_, trees_}, options_, result_);
+}
+
+// Kept vertices come before those of clouds, in the order in which they were.
+void UpdateSteps::look_for_loose_parts(std::span<const Triangle> changed) {
+  const std::vector<VertexId>& map = result_.vertex_map.raw();
+  const auto last_kept =
+      std::find_if(map.rbegin(), map.rend(), [](VertexId v) { return !v.is_none(); });
+  const VertexId first_new(last_kept == map.rend() ? 0 : last_kept->value + 1);
+  const TriangleMesh& mesh = result_.mesh;
+  const bool has_mesh = !mesh.triangles.empty();
+  result_.loose_parts = loose_parts(has_mesh ? mesh.triangles.span() : changed, first_new);
+  if (result_.loose_parts.count == 0) return;
+  const VertexId at = result_.loose_parts.at;
+  warn(warning_of_loose_parts(result_.loose_parts,
+                              has_mesh ? mesh.points[at] : result_.replacement.points[at.index()]));
 }
 
 std::string UpdateSteps::name_of_cloud(std::size_t c) const {

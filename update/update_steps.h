@@ -63,6 +63,9 @@ class UpdateSteps {
   void take_islands(const ModelIndex& index);
   void take_overrides();
 
+  // `changed`: those of UpdatedSurface.
+  void look_for_loose_parts(std::span<const Triangle> changed);
+
   // Calls visit(cloud, loop) for the loops that take part in the border.
   template <class Visit>
   void for_each_border_loop(Visit visit) const {

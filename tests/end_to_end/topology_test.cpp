@@ -128,6 +128,37 @@ TEST(Topology, ACavityThatIsFilledIsSaid) {
   EXPECT_EQ(of_mesh.find("not on the surface"), of_mesh.rfind("not on the surface")) << of_mesh;
 }
 
+// A ball beside the model, scanned with it.
+TEST(Topology, APartThatFloatsIsSaid) {
+  const TemporaryFolder folder;
+  write_points(folder.file("points.xyz"), gallery::even_sphere(2000));
+  std::vector<Point> cloud;
+  for (const Point& p : gallery::even_sphere(2500)) {
+    if (p.z > 0.7) cloud.push_back(p);
+  }
+  for (const Point& p : gallery::even_sphere(150)) cloud.push_back(0.25 * p + Vec3{0, 0, 1.6});
+  write_points(folder.file("cloud.xyz"), cloud);
+  const std::string model = folder.file("model.ply");
+  const std::string session = folder.file("session");
+  ASSERT_EQ(
+      run_program({"reconstruct", folder.file("points.xyz"), "-o", model, "--session", session})
+          .exit_code,
+      0);
+  const std::vector<std::vector<std::string>> models = {{model}, {"--session", session}};
+  for (const std::vector<std::string>& of : models) {
+    std::vector<std::string> arguments = {"update"};
+    arguments.insert(arguments.end(), of.begin(), of.end());
+    arguments.insert(arguments.end(), {folder.file("cloud.xyz"), "-o", folder.file("out.ply")});
+    const Json report = HandleOff::report_of(arguments);
+    EXPECT_EQ(report["surface"]["components"], 2);
+    EXPECT_EQ(report["update"]["loose_parts"], 1);
+    EXPECT_TRUE(says(report["warnings"].dump(),
+                     "1 part of the updated surface hangs together with nothing of the model "
+                     "(296 triangles"))
+        << report["warnings"].dump();
+  }
+}
+
 // An open model is a disk before it is closed.
 TEST(Topology, OfAnOpenModelIsThatOfItsCheck) {
   const TemporaryFolder folder;

@@ -207,6 +207,16 @@ std::string warning_of_handles(std::size_t handles) {
          (handles == 1 ? "it" : "them") + ", else look at the result";
 }
 
+std::string warning_of_loose_parts(const LooseParts& parts, const Point& at) {
+  const bool one = parts.count == 1;
+  return counted(parts.count, "part of the updated surface hangs",
+                 "parts of the updated surface hang") +
+         " together with nothing of the model (" + (one ? "" : "the largest has ") +
+         counted(parts.triangles, "triangle") + ", at " + place_name(at) +
+         "): right if a body was added, else scan what joins " + (one ? "it" : "them") +
+         " to the model";
+}
+
 std::string warning_of_openings(const ClosedOpenings& openings, const Point& at) {
   return "the model has " + counted(openings.edges, "open edge") + " where nothing was replaced, " +
          "as at " + place_name(at) + ": the updated mesh is closed there; look at the result";

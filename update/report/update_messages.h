@@ -13,6 +13,7 @@
 #include "update/report/closed_openings.h"
 #include "update/report/cloud_report.h"
 #include "update/report/contradicted_samples.h"
+#include "update/report/loose_parts.h"
 #include "update/report/overlooked_vertices.h"
 #include "update/report/rim_shift.h"
 #include "update/report/unscanned_losses.h"
@@ -79,6 +80,7 @@ std::string warning_of_contradicted(const ContradictedSamples& samples);
 // More than the rims explain.
 std::string warning_of_handles(std::size_t handles);
 // `at`: the place of the vertex that they name.
+std::string warning_of_loose_parts(const LooseParts& parts, const Point& at);
 std::string warning_of_openings(const ClosedOpenings& openings, const Point& at);
 // `at`: the place of the farthest vertex; `reach`: UnscannedOptions::reach.
 std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at);

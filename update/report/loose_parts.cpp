@@ -1,0 +1,61 @@
+#include "update/report/loose_parts.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "geom/arrays/disjoint_sets.h"
+
+namespace cocoon {
+
+namespace {
+
+// So that the last vertex is below it.
+std::uint32_t end_of_vertices(std::span<const Triangle> triangles, VertexId first_new) {
+  std::uint32_t end = first_new.value;
+  for (const Triangle& t : triangles) {
+    for (const VertexId v : t) end = std::max(end, v.value + 1);
+  }
+  return end;
+}
+
+}  // namespace
+
+LooseParts loose_parts(std::span<const Triangle> triangles, VertexId first_new) {
+  const auto is_new = [&](VertexId v) { return v >= first_new; };
+  const auto place_of = [&](VertexId v) { return v.value - first_new.value; };
+  const std::size_t count = end_of_vertices(triangles, first_new) - first_new.value;
+  DisjointSets parts(count);
+  std::vector<std::uint8_t> is_held(count, 0);  // has a triangle with a vertex of the model
+  for (const Triangle& t : triangles) {
+    const auto anchor = std::find_if(t.begin(), t.end(), is_new);
+    if (anchor == t.end()) continue;
+    for (const VertexId v : t) {
+      if (is_new(v)) {
+        parts.join(place_of(*anchor), place_of(v));
+      } else {
+        is_held[place_of(*anchor)] = 1;
+      }
+    }
+  }
+  for (std::uint32_t place = 0; place < count; ++place) {
+    if (is_held[place] != 0) is_held[parts.root(place)] = 1;
+  }
+  std::vector<std::size_t> sizes(count, 0);  // by their first vertices, their roots
+  for (const Triangle& t : triangles) {
+    if (!std::all_of(t.begin(), t.end(), is_new)) continue;
+    const std::uint32_t part = parts.root(place_of(t[0]));
+    if (is_held[part] == 0) ++sizes[part];
+  }
+  LooseParts found;
+  for (std::uint32_t part = 0; part < count; ++part) {
+    if (sizes[part] == 0) continue;
+    ++found.count;
+    if (sizes[part] <= found.triangles) continue;
+    found.triangles = sizes[part];
+    found.at = VertexId(first_new.value + part);
+  }
+  return found;
+}
+
+}  // namespace cocoon
