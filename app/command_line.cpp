@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <fmt/format.h>
 #include <limits>
@@ -121,8 +122,10 @@ void add_reconstruct_command(CLI::App& app, Command& chosen, SharedArguments& sh
       *sub, reconstruct.trim,
       "Open the watertight surface where nothing was scanned: leave out triangles with an edge "
       "longer than so many local spacings (8 suits most open scans)");
-  sub->add_option("--session", reconstruct.session,
-                  "Also write a session, from which 'update --session' goes on without this work")
+  sub->add_option(
+         "--session", reconstruct.session,
+         "Also write a session, from which 'update --session' goes on without this work; not "
+         "with --noise robust or --trim")
       ->type_name("FILE");
   sub->add_option(
          "--noise", reconstruct.noise,
@@ -226,8 +229,8 @@ void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) 
   add_cloud_filter(*sub, watch.filter);
 }
 
-// Of the positional arguments the first is the model, unless a session has it.
-void settle_model(UpdateArguments& update) {
+// Of the positional arguments the first is the model, unless a session has it. `command`: update.
+void settle_model(const CLI::App& command, UpdateArguments& update) {
   if (!update.session.empty()) {
     if (update.densify) {
       throw UsageError(
@@ -236,9 +239,9 @@ void settle_model(UpdateArguments& update) {
     }
     update.clouds.insert(update.clouds.begin(), std::move(update.model));
     update.model.clear();
-    const SurfaceArguments& given = update.parameters;
-    if (given.alpha_deg || given.cocone_angle_deg || given.sharp_angle_deg ||
-        given.mode != SurfaceArguments().mode) {
+    const auto is_given = [&](const char* name) { return command.count(name) > 0; };
+    constexpr std::array own = {"--alpha", "--cocone-angle", "--sharp-angle", "--mode"};
+    if (std::any_of(own.begin(), own.end(), is_given)) {
       throw UsageError(
           "a session has parameters of its own: with --session only --rho may be given");
     }
@@ -379,7 +382,9 @@ Request parse_command_line(int argc, const char* const* argv) {
     if (const auto* check = std::get_if<CheckArguments>(&line.command)) {
       require_known_words(check->required);
     }
-    if (auto* update = std::get_if<UpdateArguments>(&line.command)) settle_model(*update);
+    if (auto* update = std::get_if<UpdateArguments>(&line.command)) {
+      settle_model(*app.get_subcommand("update"), *update);
+    }
     require_use_of_writing(line.command);
     if (const auto* reconstruct = std::get_if<ReconstructArguments>(&line.command);
         reconstruct != nullptr && !reconstruct->session.empty() &&

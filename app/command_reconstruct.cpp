@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/files/carried_properties.h"
 #include "app/files/files.h"
+#include "app/files/pending_clouds.h"
 #include "app/files/session_file.h"
 #include "app/report/findings.h"
 #include "app/report/reconstruct_report.h"
@@ -49,7 +50,9 @@ void require_possible_noise_filter(const ReconstructArguments& arguments) {
   }
   if (arguments.surface != "tight") throw UsageError("--noise robust needs --surface tight");
   if (!arguments.session.empty()) {
-    throw UsageError("--noise robust cannot be combined with --session");
+    throw UsageError(
+        "--noise robust leaves points out and --session keeps all of them: leave out one of the "
+        "two");
   }
   if (arguments.densify) {
     throw UsageError("samples of a mesh have no noise: leave out --noise robust, or --densify");
@@ -195,9 +198,9 @@ ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
 }
 
 // Returns the certificate of the surface that it makes.
-MeshReport part_sheets(Job& job, const std::string& file, TriangleMesh& mesh,
+MeshReport part_sheets(Job& job, const ReconstructArguments& arguments, TriangleMesh& mesh,
                        VertexProperties& properties) {
-  make_manifold(job, file, mesh, properties);
+  make_manifold(job, arguments.mesh, mesh, properties, !arguments.session.empty());
   return timed(job.execution(), "check", [&] { return mesh_check(mesh, {}, job.execution()); });
 }
 
@@ -272,7 +275,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   warn_of_handles(job, arguments.points, input, doubts.certificate);
   properties = properties_of_surface(job, properties, arguments.points, result);
   const MeshReport certificate = arguments.manifold
-                                     ? part_sheets(job, arguments.mesh, result.mesh, properties)
+                                     ? part_sheets(job, arguments, result.mesh, properties)
                                      : doubts.certificate;
   timed(job.execution(), "write", [&] {
     write_mesh(arguments.mesh, result.mesh, properties, arguments.writing, job.outputs());
@@ -291,6 +294,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   report_findings(job, findings);
   warn_of_idle_options(job, arguments);
   job.finish();
+  if (session) remove_pending_clouds(arguments.session);  // of the session that was there
 }
 
 }  // namespace cocoon::app

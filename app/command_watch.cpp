@@ -56,13 +56,20 @@ class Watch {
     require_possible_name(pending_cloud_file(session_.file(), most_notes));
   }
 
-  void run() {
+  // Whether it got as far as to watch.
+  bool run() {
     const LockFile lock(session_.file());
-    findings_are_due_ = session_.begin();
+    try {
+      findings_are_due_ = session_.begin();
+    } catch (const Cancelled&) {
+      say("stopped before it watched; no file was changed");
+      return false;
+    }
     flush_output();
     follow_folder();
     session_.finish();
     tell_findings();
+    return true;
   }
 
   // Until it is time to stop.
@@ -341,8 +348,7 @@ class Watch {
 
 void run_watch(const WatchArguments& arguments, Job& job) {
   Watch watch(arguments, job);
-  watch.run();
-  watch.report();
+  if (watch.run()) watch.report();
   job.finish();
 }
 

@@ -369,7 +369,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   });
   VertexProperties properties = properties_of_update(job, input, result);
   if (output.manifold) {
-    make_manifold(job, output.mesh, result.mesh, properties);
+    make_manifold(job, output.mesh, result.mesh, properties, session != nullptr);
     certificate = timed(job.execution(), "check",
                         [&] { return mesh_check(result.mesh, {}, job.execution()); });
   }

@@ -14,7 +14,7 @@
 //     opened and written directly, and a failure may leave a part in it. So is a descriptor of this
 //     process (/dev/stdout, /dev/fd/3, links to such), whatever it leads to: it is duplicated, so
 //     that what it is open for holds, and writing goes on where it stands (`>> log`).
-//   - Several files of one job appear together, or none of them: see FileBatch.
+//   - Several files of one job appear one right after the other, or none of them: see FileBatch.
 #pragma once
 
 #include <cstddef>

@@ -22,7 +22,7 @@ VertexProperties properties_of_copies(const VertexProperties& properties,
 }  // namespace
 
 void make_manifold(Job& job, const std::string& file, TriangleMesh& mesh,
-                   VertexProperties& properties) {
+                   VertexProperties& properties, bool of_session) {
   SplitSurface split = timed(job.execution(), "manifold", [&] { return split_nonmanifold(mesh); });
   job.report().set("manifold/split_edges", split.split_edges);
   job.report().set("manifold/split_vertices", split.split_vertices);
@@ -36,6 +36,12 @@ void make_manifold(Job& job, const std::string& file, TriangleMesh& mesh,
       "made manifold: {} with more than two triangles and {} split; {} copied, {} given a midpoint",
       counted(split.split_edges, "edge"), counted(split.split_vertices, "vertex", "vertices"),
       counted(split.copies, "vertex", "vertices"), counted(split.midpoints, "edge"));
+  if (of_session) {
+    job.say(
+        "note: the session keeps the surface before that: updates of {} itself begin with another "
+        "model",
+        file);
+  }
   if (split.copies > 0 && format_of(file) == FileFormat::stl) {
     job.warn(file +
              ": STL has no vertex ids, so a reader joins the copied vertices again; write .ply, "

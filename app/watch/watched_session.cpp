@@ -52,6 +52,7 @@ void WatchedSession::resume(const std::string& first_note) {
                      "--session");
   }
   resume_session(file_, std::move(saved), arguments_.parameters, quiet, state_);
+  if (state_.pending == 0) remove_pending_clouds(file_);  // the kill came before that
   write_mesh(arguments_.mesh, model(), arguments_.writing);
   const NoteCounts noted = count_notes(state_.notes);
   std::string line =

@@ -61,6 +61,19 @@ TEST(Manifold, StlCannotTellCopiesApart) {
   EXPECT_NE(run.out.find("STL has no vertex ids"), std::string::npos) << run.out;
 }
 
+TEST(Manifold, ASessionKeepsTheSurfaceBefore) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", random_shell(5, 2000));
+  std::vector<std::string> reconstruct{"reconstruct", cloud,   "-o",        folder.file("mesh.ply"),
+                                       "--mode",      "paper", "--manifold"};
+  const std::string words = "the session keeps the surface before that";
+  EXPECT_EQ(run_program(reconstruct).out.find(words), std::string::npos);
+  reconstruct.insert(reconstruct.end(), {"--session", folder.file("session")});
+  const ProgramRun run = run_program(reconstruct);
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_NE(run.out.find(words), std::string::npos) << run.out;
+}
+
 TEST(Manifold, UpdateHasItToo) {
   const TemporaryFolder folder;
   const std::string model = folder.write("model.xyz", whole_sphere(1500));

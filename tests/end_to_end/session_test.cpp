@@ -117,6 +117,10 @@ TEST(Session, RefusesWhatDoesNotFit) {
   ASSERT_EQ(run_program({"reconstruct", points, "-o", mesh, "--session", session}).exit_code, 0);
   expect_error(run_program({"update", "--session", session, cloud, "-o", mesh, "--alpha", "20"}), 2,
                "--rho");
+  for (const char* mode : {"paper", "robust"}) {
+    expect_error(run_program({"update", "--session", session, cloud, "-o", mesh, "--mode", mode}),
+                 2, "--rho");
+  }
   expect_error(run_program({"update", "--session", session, "-o", mesh}), 2, "CLOUD");
   expect_error(run_program({"update", mesh, "-o", mesh}), 2, "CLOUD");
   expect_error(run_program({"update", "--session", session, cloud, "-o", session}), 2, "output");
@@ -319,6 +323,23 @@ TEST(Watch, WaitsForTheEndOfAFile) {
   EXPECT_EQ(content_of(watched.mesh), watched.expected({north}));
 }
 
+// The lock is taken before the model is read.
+TEST(Watch, StopsCleanlyWhileItReadsItsModel) {
+  const Watched watched;
+  std::vector<std::string> arguments = watched.arguments;
+  arguments[1] = watched.folder.write("large.xyz", whole_sphere(100000));
+  const TemporaryFolder outputs;
+  const RunningProgram program(outputs, arguments);
+  ASSERT_TRUE(wait_for([&] { return std::filesystem::exists(watched.mesh + ".session.lock"); }));
+  program.send(SIGTERM);
+  const ProgramRun run = program.wait();
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_EQ(run.error, "");
+  EXPECT_NE(run.out.find("stopped before it watched; no file was changed"), std::string::npos)
+      << run.out;
+  EXPECT_FALSE(std::filesystem::exists(watched.mesh));
+}
+
 // The time of a file may be that of another machine.
 TEST(Watch, TakesAFileFromAClockThatIsAhead) {
   const Watched watched;
@@ -396,6 +417,26 @@ TEST(PendingClouds, AreMergedWhenTheWatchStopsOrIfAskedForEach) {
   EXPECT_FALSE(std::filesystem::exists(eager.pending));
   const ProgramRun run = run_program(eager.once());
   EXPECT_NE(run.out.find("resumed with 1 cloud applied"), std::string::npos) << run.out;
+}
+
+// Killed when the session had been written, but its clouds were not yet removed.
+TEST(PendingClouds, ThatTheSessionHasAreRemoved) {
+  const KilledWatch watched;
+  const std::string before = content_of(watched.pending);
+  ASSERT_EQ(run_program(watched.once()).exit_code, 0);
+  std::ofstream(watched.pending, std::ios::binary) << before;
+  const ProgramRun run = run_program(watched.once());
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_FALSE(std::filesystem::exists(watched.pending));
+  EXPECT_EQ(content_of(watched.mesh), watched.expected({north}));
+
+  // So are those of the session in whose place a new one is put.
+  std::ofstream(watched.pending, std::ios::binary) << before;
+  ASSERT_EQ(run_program({"reconstruct", watched.arguments[1], "-o", watched.mesh, "--session",
+                         watched.session})
+                .exit_code,
+            0);
+  EXPECT_FALSE(std::filesystem::exists(watched.pending));
 }
 
 // They are applied again with the rho of their time.
