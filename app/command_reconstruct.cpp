@@ -200,7 +200,8 @@ ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
 // Returns the certificate of the surface that it makes.
 MeshReport part_sheets(Job& job, const ReconstructArguments& arguments, TriangleMesh& mesh,
                        VertexProperties& properties) {
-  make_manifold(job, arguments.mesh, mesh, properties, !arguments.session.empty());
+  const bool parted = make_manifold(job, arguments.mesh, mesh, properties);
+  if (parted && !arguments.session.empty()) job.say("{}", note_of_parted_session());
   return timed(job.execution(), "check", [&] { return mesh_check(mesh, {}, job.execution()); });
 }
 

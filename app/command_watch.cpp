@@ -62,6 +62,7 @@ class Watch {
     try {
       findings_are_due_ = session_.begin();
     } catch (const Cancelled&) {
+      if (arguments_.once) throw;
       say("stopped before it watched; no file was changed");
       return false;
     }
@@ -348,7 +349,8 @@ class Watch {
 
 void run_watch(const WatchArguments& arguments, Job& job) {
   Watch watch(arguments, job);
-  if (watch.run()) watch.report();
+  if (!watch.run()) return;
+  watch.report();
   job.finish();
 }
 

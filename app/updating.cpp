@@ -225,8 +225,10 @@ NoiseFilter noise_filter_of_update(bool filtered) {
 }
 
 bool is_model_itself(const std::vector<Point>& cloud, const TriangleMesh& model) {
-  return cloud.size() >= model.points.size() &&
-         distinct_points(cloud) == distinct_points(model.points.span());
+  if (cloud.size() < model.points.size()) return false;
+  const std::vector<Point> samples = distinct_points(cloud);
+  const std::vector<Point> vertices = distinct_points(model.points.span());
+  return std::includes(samples.begin(), samples.end(), vertices.begin(), vertices.end());
 }
 
 void add_filter(JsonReport& report, const CloudFilter& filter, std::size_t thinned_points) {
@@ -369,7 +371,8 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   });
   VertexProperties properties = properties_of_update(job, input, result);
   if (output.manifold) {
-    make_manifold(job, output.mesh, result.mesh, properties, session != nullptr);
+    const bool parted = make_manifold(job, output.mesh, result.mesh, properties);
+    if (parted && session != nullptr) job.say("{}", note_of_parted_session());
     certificate = timed(job.execution(), "check",
                         [&] { return mesh_check(result.mesh, {}, job.execution()); });
   }

@@ -1,4 +1,4 @@
-// The update as `update` and `demo` share it: options, the run itself, and its outputs.
+// What `update`, `demo` and `watch` share: options, words, the run itself, and its outputs.
 #pragma once
 
 #include <optional>
@@ -83,9 +83,9 @@ struct UpdateOutput {
   bool manifold = false;
 };
 
-// Whether a cloud is no scan but the model itself, all of its vertices, as where somebody gives it
-// beside the session that has it. Noise may give it a rim, and then it would replace itself.
-// Complexity: O(1) for clouds with fewer points, else O(n log n).
+// Whether a cloud is no scan but the model itself, with all of its vertices, as where somebody
+// gives it beside the session that has it. Noise may give it a rim, and then it would replace
+// itself. Complexity: O(1) for clouds with fewer points, else O(n log n).
 bool is_model_itself(const std::vector<Point>& cloud, const TriangleMesh& model);
 
 // The options of the filter, in the section "parameters", and "input/thinned_points".

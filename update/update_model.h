@@ -103,8 +103,8 @@ struct UpdateResult {
   std::ptrdiff_t euler_before = 0;
   std::ptrdiff_t euler = 0;
   std::size_t unexplained_handles = 0;  // of a model with open edges always 0
-  ClosedOpenings closed_openings;
-  LooseParts loose_parts;
+  ClosedOpenings closed_openings;       // a vertex of the initial model is named
+  LooseParts loose_parts;               // a vertex of the updated one
   // Of the updated points, without its mesh; counts of duplicates and unused points are here.
   ReconstructResult reconstruction;
 };
@@ -127,13 +127,11 @@ struct UpdateResult {
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateOptions& options = {}, const Execution& execution = {});
 
-// The updated surface, and how many triangles it has, whether or not its mesh is there.
+// The updated surface, and how many triangles it has, whether or not its mesh is there: it may be
+// left out if it is connected, has no open edges, and all points are its vertices.
 struct UpdatedSurface {
   ReconstructResult result;
   std::size_t triangles = 0;
-  // If there is no mesh: those of its triangles that have a point of a cloud, and maybe others, by
-  // updated points.
-  std::span<const Triangle> changed = {};
 };
 
 // The two parts of an update that cost in proportion to the model and not to the change. Whoever

@@ -252,9 +252,7 @@ SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
       [&](const Replacement& replacement, const OldSurface& old, const Execution& nested) {
         ReconstructResult result = reconstruct(replacement, old, nested, pending);
         const std::size_t triangles = num_triangles(result, pending);
-        UpdatedSurface surface{std::move(result), triangles};
-        if (pending.surface) surface.changed = pending.surface->triangles;
-        return surface;
+        return UpdatedSurface{std::move(result), triangles};
       },
       is_smooth()};
   SessionUpdate update;

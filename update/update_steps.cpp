@@ -12,10 +12,10 @@
 #include "update/model/euler_number.h"
 #include "update/model/model_index.h"
 #include "update/regions/kept_surface.h"
-#include "update/report/result_doubts.h"
 #include "update/report/unit_factor.h"
 #include "update/report/update_messages.h"
 #include "update/report/updated_vertices.h"
+#include "update/result_doubts.h"
 
 namespace cocoon {
 namespace {
@@ -159,12 +159,7 @@ void UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
   const std::vector<CloudRim> rims = border_rims_of(result_.clouds);
   result_.replacement = replace_points(index, result_.regions, result_.choice, rims, clouds_,
                                        given_, options_.replace);
-  trees_ = nearest_point_trees(clouds_, execution);
-  result_.overlooked =
-      overlooked_vertices(index, result_.replacement, rims, trees_, options_.overlooked);
-  const OverlookedVertices& found = result_.overlooked;
-  if (found.is_doubtful(options_.overlooked))
-    warn(warning_of_overlooked(found, model_.points[found.farthest], options_.overlooked));
+  const std::vector<NearestPointTree> trees = nearest_point_trees(clouds_, execution);
   const KeptSurface kept(index, result_.regions, result_.choice, result_.replacement);
   UpdatedSurface surface = parts.reconstruct(result_.replacement, kept.told(), execution);
   result_.reconstruction = std::move(surface.result);
@@ -186,23 +181,7 @@ void UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
   const std::size_t unused = result_.reconstruction.unused_points;
   result_.euler_before = euler_number(index);
   result_.euler = euler_number(points - unused, surface.triangles);
-  look_for_loose_parts(surface.changed);
-  enter_doubts(index, {given_, joined_, clouds_, trees_}, options_, result_);
-}
-
-// Kept vertices come before those of clouds, in the order in which they were.
-void UpdateSteps::look_for_loose_parts(std::span<const Triangle> changed) {
-  const std::vector<VertexId>& map = result_.vertex_map.raw();
-  const auto last_kept =
-      std::find_if(map.rbegin(), map.rend(), [](VertexId v) { return !v.is_none(); });
-  const VertexId first_new(last_kept == map.rend() ? 0 : last_kept->value + 1);
-  const TriangleMesh& mesh = result_.mesh;
-  const bool has_mesh = !mesh.triangles.empty();
-  result_.loose_parts = loose_parts(has_mesh ? mesh.triangles.span() : changed, first_new);
-  if (result_.loose_parts.count == 0) return;
-  const VertexId at = result_.loose_parts.at;
-  warn(warning_of_loose_parts(result_.loose_parts,
-                              has_mesh ? mesh.points[at] : result_.replacement.points[at.index()]));
+  enter_doubts(index, {given_, joined_, clouds_, rims, trees}, options_, result_);
 }
 
 std::string UpdateSteps::name_of_cloud(std::size_t c) const {

@@ -10,7 +10,6 @@
 
 #include "geom/execution.h"
 #include "geom/id_vector.h"
-#include "geom/search/nearest_point.h"
 #include "geom/triangle_mesh.h"
 #include "update/cloud/scan.h"
 #include "update/joined_clouds.h"
@@ -62,9 +61,6 @@ class UpdateSteps {
   // Has contradicted islands go.
   void take_islands(const ModelIndex& index);
   void take_overrides();
-
-  // `changed`: those of UpdatedSurface.
-  void look_for_loose_parts(std::span<const Triangle> changed);
 
   // Calls visit(cloud, loop) for the loops that take part in the border.
   template <class Visit>
@@ -139,7 +135,6 @@ class UpdateSteps {
   TriangleSet border_facets_;
   std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under, or by samples
   std::vector<std::uint8_t> told_by_samples_;              // of each cloud: ask_samples_for_sides()
-  std::vector<NearestPointTree> trees_;  // of the samples of each of clouds_, once it has its place
   UpdateResult result_;
 };
 

@@ -21,8 +21,8 @@ VertexProperties properties_of_copies(const VertexProperties& properties,
 
 }  // namespace
 
-void make_manifold(Job& job, const std::string& file, TriangleMesh& mesh,
-                   VertexProperties& properties, bool of_session) {
+bool make_manifold(Job& job, const std::string& file, TriangleMesh& mesh,
+                   VertexProperties& properties) {
   SplitSurface split = timed(job.execution(), "manifold", [&] { return split_nonmanifold(mesh); });
   job.report().set("manifold/split_edges", split.split_edges);
   job.report().set("manifold/split_vertices", split.split_vertices);
@@ -30,23 +30,22 @@ void make_manifold(Job& job, const std::string& file, TriangleMesh& mesh,
   job.report().set("manifold/midpoints", split.midpoints);
   job.report().set("manifold/unpaired_sides", split.unpaired_halfedges);
   mesh = std::move(split.mesh);
-  if (split.copies + split.midpoints == 0) return;
+  if (split.copies + split.midpoints == 0) return false;
   properties = properties_of_copies(properties, split.source);
   job.say(
       "made manifold: {} with more than two triangles and {} split; {} copied, {} given a midpoint",
       counted(split.split_edges, "edge"), counted(split.split_vertices, "vertex", "vertices"),
       counted(split.copies, "vertex", "vertices"), counted(split.midpoints, "edge"));
-  if (of_session) {
-    job.say(
-        "note: the session keeps the surface before that: updates of {} itself begin with another "
-        "model",
-        file);
-  }
   if (split.copies > 0 && format_of(file) == FileFormat::stl) {
     job.warn(file +
              ": STL has no vertex ids, so a reader joins the copied vertices again; write .ply, "
              ".obj or .off to keep the surface manifold");
   }
+  return true;
+}
+
+std::string note_of_parted_session() {
+  return "note: the session has the surface as it was before --manifold";
 }
 
 }  // namespace cocoon::app

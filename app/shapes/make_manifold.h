@@ -11,10 +11,13 @@ namespace cocoon::app {
 
 // Splits `mesh` into a 2-manifold (geom/mesh/split_nonmanifold.h), as stage "manifold";
 // `properties` of its vertices, if there are any, follow. The counts go to the section "manifold"
-// of the report and, if there was something to split, to the summary, with `of_session` also that a
-// session keeps the surface as it was before. Warns if `file`, where the
-// mesh will be written, is an STL: it has no vertex ids to tell copies apart.
-void make_manifold(Job& job, const std::string& file, TriangleMesh& mesh,
-                   VertexProperties& properties, bool of_session);
+// of the report and, if there was something to split, to the summary. Returns whether there was.
+// Warns if `file`, where the mesh will be written, is an STL: it has no vertex ids to tell copies
+// apart.
+bool make_manifold(Job& job, const std::string& file, TriangleMesh& mesh,
+                   VertexProperties& properties);
+
+// What is to be said if a session is written beside such a mesh.
+std::string note_of_parted_session();
 
 }  // namespace cocoon::app

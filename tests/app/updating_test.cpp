@@ -21,5 +21,16 @@ TEST(Updating, MessagesNameAllCloudsByTheirFiles) {
             "cloud 2 of 2.xyz and a.xyz");
 }
 
+TEST(Updating, AModelIsTheCloudsThatHaveAllItsVertices) {
+  TriangleMesh model;
+  model.points = IdVector<VertexId, Point>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  std::vector<Point> cloud = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+  EXPECT_FALSE(is_model_itself(cloud, model));
+  cloud.push_back({0, 0, 0.5});
+  EXPECT_FALSE(is_model_itself(cloud, model));
+  cloud.push_back({0, 0, 0});
+  EXPECT_TRUE(is_model_itself(cloud, model));
+}
+
 }  // namespace
 }  // namespace cocoon::app

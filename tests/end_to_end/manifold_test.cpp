@@ -66,7 +66,7 @@ TEST(Manifold, ASessionKeepsTheSurfaceBefore) {
   const std::string cloud = folder.write("cloud.xyz", random_shell(5, 2000));
   std::vector<std::string> reconstruct{"reconstruct", cloud,   "-o",        folder.file("mesh.ply"),
                                        "--mode",      "paper", "--manifold"};
-  const std::string words = "the session keeps the surface before that";
+  const std::string words = "the session has the surface as it was before";
   EXPECT_EQ(run_program(reconstruct).out.find(words), std::string::npos);
   reconstruct.insert(reconstruct.end(), {"--session", folder.file("session")});
   const ProgramRun run = run_program(reconstruct);

@@ -328,6 +328,8 @@ TEST(Watch, StopsCleanlyWhileItReadsItsModel) {
   const Watched watched;
   std::vector<std::string> arguments = watched.arguments;
   arguments[1] = watched.folder.write("large.xyz", whole_sphere(100000));
+  const std::string report = watched.folder.write("report.json", "an older one");
+  arguments.insert(arguments.end(), {"--json", report});
   const TemporaryFolder outputs;
   const RunningProgram program(outputs, arguments);
   ASSERT_TRUE(wait_for([&] { return std::filesystem::exists(watched.mesh + ".session.lock"); }));
@@ -338,6 +340,7 @@ TEST(Watch, StopsCleanlyWhileItReadsItsModel) {
   EXPECT_NE(run.out.find("stopped before it watched; no file was changed"), std::string::npos)
       << run.out;
   EXPECT_FALSE(std::filesystem::exists(watched.mesh));
+  EXPECT_EQ(content_of(report), "an older one");
 }
 
 // The time of a file may be that of another machine.

@@ -9,7 +9,7 @@
 namespace cocoon {
 namespace {
 
-std::size_t count_in_pairs(const std::vector<Side>& sides) {
+std::size_t count_in_pairs(const std::vector<EdgeSide>& sides) {
   std::size_t edges = 0;
   for (auto begin = sides.begin(); begin != sides.end();) {
     const auto end = std::upper_bound(begin, sides.end(), *begin);
@@ -41,7 +41,7 @@ std::ptrdiff_t euler_number(const ModelIndex& model) {
   const auto improper = static_cast<std::size_t>(
       std::count_if(mesh.triangles.begin(), mesh.triangles.end(), repeats_a_vertex));
   const std::size_t triangles = mesh.triangles.size() - improper;
-  const std::vector<Side> irregular = irregular_sides(model);
+  const std::vector<EdgeSide> irregular = irregular_sides(model);
   const std::size_t edges = (3 * triangles - irregular.size()) / 2 + count_in_pairs(irregular);
   return static_cast<std::ptrdiff_t>(vertices + triangles) - static_cast<std::ptrdiff_t>(edges);
 }

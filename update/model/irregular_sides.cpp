@@ -6,8 +6,8 @@
 
 namespace cocoon {
 
-std::vector<Side> irregular_sides(const ModelIndex& model) {
-  std::vector<Side> sides;
+std::vector<EdgeSide> irregular_sides(const ModelIndex& model) {
+  std::vector<EdgeSide> sides;
   if (!model.has_irregular_edges()) return sides;
   const TriangleMesh& mesh = model.mesh();
   for (const TriangleId t : mesh.triangles.ids()) {

@@ -9,17 +9,17 @@
 
 namespace cocoon {
 
-// Of a triangle along an edge. In the order of edges, and so those of one edge follow each other.
-struct Side {
-  VertexId low;
+// One triangle's share in the edge between two vertices. All of an edge are equal.
+struct EdgeSide {
+  VertexId low;  // the smaller one
   VertexId high;
 
-  friend auto operator<=>(const Side&, const Side&) = default;
+  friend auto operator<=>(const EdgeSide&, const EdgeSide&) = default;
 };
 
 // The sides along edges that have one triangle, or more than two; increasing. Triangles that repeat
 // a vertex have none. Complexity: O(1) for a mesh that is known to be smooth
-// (ModelIndex::of_smooth()), else O(t), and sorting them.
-std::vector<Side> irregular_sides(const ModelIndex& model);
+// (ModelIndex::of_smooth()), else O(t), and sorting what is found.
+std::vector<EdgeSide> irregular_sides(const ModelIndex& model);
 
 }  // namespace cocoon

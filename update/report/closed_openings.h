@@ -1,25 +1,33 @@
-// Open edges of a model that are closed by its update though no cloud reaches there.
+// Open edges of a model that are closed by its update without samples.
 #pragma once
 
 #include <cstddef>
 
 #include "geom/id_vector.h"
 #include "geom/ids.h"
+#include "geom/triangle_mesh.h"
 #include "update/model/model_index.h"
 
 namespace cocoon {
 
-struct ClosedOpenings {
-  std::size_t edges = 0;
-  VertexId at = {};  // an end of the first of them
+struct ClosedOpeningOptions {
+  // A sample fills an opening beside an edge if a triangle of the two is in the updated mesh, and
+  // the sample is not farther from the middle of the edge than this many times its length.
+  double reach = 3;
 };
 
-// The edges of one triangle whose ends are in the updated mesh, which is closed everywhere: what
-// was open there was filled without samples, or left out. `vertex_map`: of the vertices of the
-// model (UpdateResult::vertex_map). Complexity: O(1) for a mesh that is known to be smooth
-// (ModelIndex::of_smooth()), else O(t log t). Errors: InputError for the map of another model, by
-// its size. Source: ours.
-ClosedOpenings closed_openings(const ModelIndex& model,
-                               const IdVector<VertexId, VertexId>& vertex_map);
+struct ClosedOpenings {
+  std::size_t edges = 0;
+  VertexId at = {};  // an end of the first of them, as the model numbers it
+};
+
+// The edges of one triangle of the model whose ends are both vertices of the updated mesh, which is
+// closed everywhere, where no sample of a cloud fills the opening. `updated`, `vertex_map`: the
+// mesh and where the vertices of the model are in it (UpdateResult). Complexity: O(1) for a model
+// that is known to be smooth (ModelIndex::of_smooth()), else O(t log k) for k open edges. Errors:
+// InputError for the map of another model, by its size. Source: ours.
+ClosedOpenings closed_openings(const ModelIndex& model, const TriangleMesh& updated,
+                               const IdVector<VertexId, VertexId>& vertex_map,
+                               const ClosedOpeningOptions& options = {});
 
 }  // namespace cocoon

@@ -1,4 +1,4 @@
-// Parts of an updated surface that hang together with nothing of the model.
+// Parts of an updated surface that share no vertex with what stays of the model.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,15 @@ namespace cocoon {
 
 struct LooseParts {
   std::size_t count = 0;
-  // Of the largest (of several the one with the first vertex): its triangles, its first vertex.
+  // Of the largest (of several the one with the first vertex):
   std::size_t triangles = 0;
-  VertexId at = {};
+  VertexId at = {};  // its first vertex, as the updated mesh numbers it
 };
 
-// Parts all of whose vertices are of clouds, from `first_new` on: a body that was added, or a scan
-// that ends before it meets the model. `triangles`: those of the updated mesh, or of these at least
-// all that have such a vertex. Complexity: O(triangles + new vertices). Source: ours.
+// Triangles that share a vertex are of one part. Counted are parts all of whose vertices are of
+// clouds, from `first_new` on (first_vertex_of_clouds): a body that was added, or a scan that ends
+// before it meets the model. `triangles`: those of the updated mesh. Complexity: O(triangles + new
+// vertices). Source: ours.
 LooseParts loose_parts(std::span<const Triangle> triangles, VertexId first_new);
 
 }  // namespace cocoon

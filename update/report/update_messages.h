@@ -79,7 +79,7 @@ std::string warning_of_unused_changes(const UnusedChanges& changes);
 std::string warning_of_contradicted(const ContradictedSamples& samples);
 // More than the rims explain.
 std::string warning_of_handles(std::size_t handles);
-// `at`: the place of the vertex that they name.
+// `at`: the place of the vertex that they name, in the updated mesh and in the model.
 std::string warning_of_loose_parts(const LooseParts& parts, const Point& at);
 std::string warning_of_openings(const ClosedOpenings& openings, const Point& at);
 // `at`: the place of the farthest vertex; `reach`: UnscannedOptions::reach.

@@ -1,6 +1,8 @@
 #include "update/report/updated_vertices.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include "geom/arrays/large_pages.h"
 
@@ -29,6 +31,13 @@ IdVector<VertexId, VertexId> updated_vertices(const Replacement& replacement,
     if (!same && !v.is_none()) v = vertex_of_point[PointId(v.value)];
   }
   return result;
+}
+
+VertexId first_vertex_of_clouds(const IdVector<VertexId, VertexId>& vertex_map) {
+  const std::vector<VertexId>& map = vertex_map.raw();
+  const auto last_kept =
+      std::find_if(map.rbegin(), map.rend(), [](VertexId v) { return !v.is_none(); });
+  return VertexId(last_kept == map.rend() ? 0 : last_kept->value + 1);
 }
 
 }  // namespace cocoon

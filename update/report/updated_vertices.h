@@ -13,4 +13,8 @@ namespace cocoon {
 IdVector<VertexId, VertexId> updated_vertices(const Replacement& replacement,
                                               const ReconstructResult& reconstruction);
 
+// Where the vertices of clouds begin in the updated mesh: kept ones come before them, in the order
+// in which they were. Complexity: O(1), and one for each of the last vertices that went.
+VertexId first_vertex_of_clouds(const IdVector<VertexId, VertexId>& vertex_map);
+
 }  // namespace cocoon

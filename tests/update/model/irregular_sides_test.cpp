@@ -22,7 +22,7 @@ TEST(IrregularSides, OfAnOpenMeshAreItsOpenEdges) {
 // An edge of four triangles is a side of each; a triangle with a corner twice has none.
 TEST(IrregularSides, AreOneForEachTriangle) {
   TriangleMesh mesh = gallery::two_tetrahedra_sharing_an_edge();
-  const std::vector<Side> sides = irregular_sides(ModelIndex(mesh));
+  const std::vector<EdgeSide> sides = irregular_sides(ModelIndex(mesh));
   ASSERT_EQ(sides.size(), 4U);
   EXPECT_EQ(sides.front(), sides.back());
   EXPECT_LT(sides.front().low, sides.front().high);

@@ -20,13 +20,23 @@ TEST(LooseParts, AreOfNewVerticesAlone) {
   EXPECT_EQ(loose_parts({}, VertexId(3U)).count, 0U);
 }
 
-// One vertex of the model holds all that hangs together with it, however far away.
-TEST(LooseParts, AreNotHeldByTheModel) {
+TEST(LooseParts, OfEquallyLargeOnesTheFirstIsNamed) {
+  const TriangleMesh cube = gallery::cube();
+  const TriangleMesh all = gallery::join(gallery::join(cube, cube), cube);
+  const LooseParts found = loose_parts(all.triangles.span(), VertexId(cube.points.size()));
+  EXPECT_EQ(found.count, 2U);
+  EXPECT_EQ(found.at, VertexId(cube.points.size()));
+}
+
+TEST(LooseParts, OneVertexOfTheModelHoldsAPart) {
   const TriangleMesh torus = gallery::torus(12, 8);
   EXPECT_EQ(loose_parts(torus.triangles.span(), VertexId(1U)).count, 0U);
-  const LooseParts whole = loose_parts(torus.triangles.span(), VertexId(0U));
-  EXPECT_EQ(whole.count, 1U);
-  EXPECT_EQ(whole.at, VertexId(0U));
+  EXPECT_EQ(loose_parts(torus.triangles.span(), VertexId(0U)).count, 1U);
+}
+
+TEST(LooseParts, ThatShareAVertexAreOne) {
+  const TriangleMesh two = gallery::two_tetrahedra_sharing_a_vertex();
+  EXPECT_EQ(loose_parts(two.triangles.span(), VertexId(0U)).count, 1U);
 }
 
 }  // namespace

@@ -139,10 +139,8 @@ TEST(UpdateMessages, CloudsThatOverlapEachOther) {
   EXPECT_EQ(warning_of_clouds_apart("cloud 1 of 2 is closed"),
             "clouds overlap each other, but do not make one surface (cloud 1 of 2 is closed); each "
             "is taken by itself");
-  EXPECT_EQ(warning_of_shared_regions(1),
-            "1 region of the model lies under more than one cloud");
-  EXPECT_EQ(warning_of_shared_regions(2),
-            "2 regions of the model lie under more than one cloud");
+  EXPECT_EQ(warning_of_shared_regions(1), "1 region of the model lies under more than one cloud");
+  EXPECT_EQ(warning_of_shared_regions(2), "2 regions of the model lie under more than one cloud");
 }
 
 TEST(UpdateMessages, OneTrialAloneIsSaid) {

@@ -1,4 +1,4 @@
-#include "update/report/result_doubts.h"
+#include "update/result_doubts.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,14 +7,35 @@
 
 #include "update/report/closed_openings.h"
 #include "update/report/contradicted_samples.h"
+#include "update/report/loose_parts.h"
+#include "update/report/overlooked_vertices.h"
 #include "update/report/samples_with_flag.h"
 #include "update/report/unexplained_handles.h"
 #include "update/report/unscanned_losses.h"
 #include "update/report/unused_changes.h"
 #include "update/report/update_messages.h"
+#include "update/report/updated_vertices.h"
 
 namespace cocoon {
 namespace {
+
+void enter_overlooked(const ModelIndex& model, const UpdatedClouds& clouds,
+                      const OverlookedOptions& options, UpdateResult& result) {
+  result.overlooked =
+      overlooked_vertices(model, result.replacement, clouds.rims, clouds.trees, options);
+  if (!result.overlooked.is_doubtful(options)) return;
+  result.warnings.push_back(warning_of_overlooked(
+      result.overlooked, model.mesh().points[result.overlooked.farthest], options));
+}
+
+// None without a mesh: it is connected (UpdatedSurface).
+void enter_loose_parts(UpdateResult& result) {
+  result.loose_parts =
+      loose_parts(result.mesh.triangles.span(), first_vertex_of_clouds(result.vertex_map));
+  if (result.loose_parts.count == 0) return;
+  result.warnings.push_back(
+      warning_of_loose_parts(result.loose_parts, result.mesh.points[result.loose_parts.at]));
+}
 
 void enter_contradictions(const UpdatedClouds& clouds, std::span<const Scan> scans,
                           const ContradictedOptions& options, UpdateResult& result) {
@@ -44,16 +65,14 @@ void enter_unused_changes(const ModelIndex& model, const UpdatedClouds& clouds,
   }
 }
 
-// To close the openings of a model changes its Euler number, too.
-void enter_topology(const ModelIndex& model, UpdateResult& result) {
-  const TriangleMesh& mesh = model.mesh();
-  if (model.has_irregular_edges()) {
-    result.closed_openings = closed_openings(model, result.vertex_map);
-    if (result.closed_openings.edges == 0) return;
-    result.warnings.push_back(
-        warning_of_openings(result.closed_openings, mesh.points[result.closed_openings.at]));
-    return;
-  }
+void enter_closed_openings(const ModelIndex& model, UpdateResult& result) {
+  result.closed_openings = closed_openings(model, result.mesh, result.vertex_map);
+  if (result.closed_openings.edges == 0) return;
+  result.warnings.push_back(
+      warning_of_openings(result.closed_openings, model.mesh().points[result.closed_openings.at]));
+}
+
+void enter_handles(UpdateResult& result) {
   result.unexplained_handles = unexplained_handles(result.clouds, result.choice.undecided_loops,
                                                    result.euler_before, result.euler);
   if (result.unexplained_handles > 0) {
@@ -62,7 +81,7 @@ void enter_topology(const ModelIndex& model, UpdateResult& result) {
 }
 
 void enter_losses(const ModelIndex& model, const UpdatedClouds& clouds, std::span<const Scan> scans,
-                  const UnscannedOptions& options, UpdateResult& result) {
+                  bool lost_handles, const UnscannedOptions& options, UpdateResult& result) {
   std::vector<VertexId> lost = lost_vertices(model, result.replacement, result.vertex_map,
                                              result.reconstruction.unused_points == 0);
   // What samples lie over or under was scanned through, however far away they are.
@@ -70,7 +89,6 @@ void enter_losses(const ModelIndex& model, const UpdatedClouds& clouds, std::spa
     const RegionId region = result.regions.group_of_vertex[v];
     return std::binary_search(result.islands.begin(), result.islands.end(), region);
   });
-  const bool lost_handles = !model.has_irregular_edges() && result.euler > result.euler_before;
   result.unscanned = unscanned_losses(model, lost, scans, clouds.trees, lost_handles, options);
   if (result.unscanned.vertices == 0) return;
   result.warnings.push_back(warning_of_unscanned(result.unscanned, options.reach,
@@ -82,10 +100,19 @@ void enter_losses(const ModelIndex& model, const UpdatedClouds& clouds, std::spa
 void enter_doubts(const ModelIndex& model, const UpdatedClouds& clouds,
                   const UpdateOptions& options, UpdateResult& result) {
   const std::vector<Scan> scans = scans_of(clouds.samples, result.clouds);
+  enter_overlooked(model, clouds, options.overlooked, result);
+  enter_loose_parts(result);
   enter_contradictions(clouds, scans, options.contradicted, result);
   enter_unused_changes(model, clouds, scans, options.unused_changes, result);
-  enter_topology(model, result);
-  enter_losses(model, clouds, scans, options.unscanned, result);
+  // To close the openings of a model changes its Euler number, too.
+  const bool is_closed = !model.has_irregular_edges();
+  if (is_closed) {
+    enter_handles(result);
+  } else {
+    enter_closed_openings(model, result);
+  }
+  const bool lost_handles = is_closed && result.euler > result.euler_before;
+  enter_losses(model, clouds, scans, lost_handles, options.unscanned, result);
 }
 
 }  // namespace cocoon

@@ -4,8 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "cocone/boundary_loops.h"
 #include "geom/point.h"
 #include "geom/search/nearest_point.h"
+#include "update/cloud_rim.h"
 #include "update/joined_clouds.h"
 #include "update/model/model_index.h"
 #include "update/update_model.h"
@@ -17,13 +19,15 @@ struct UpdatedClouds {
   std::span<const std::vector<Point>> given;
   std::span<const JoinedCloud> joined;          // of `given`, each in one of them
   std::span<const std::vector<Point>> samples;  // of each joined cloud
-  std::span<const NearestPointTree> trees;      // of these
+  std::span<const CloudRim> rims;               // of these, on the border (border_rims_of)
+  std::span<const NearestPointTree> trees;      // of the samples
 };
 
-// Looks for samples that contradict each other, changes that are not on the surface, handles that
-// nothing explains, openings of the model that are closed, and vertices that went though nothing
-// was scanned near them; enters what is found, and a warning for each that is doubtful. `model` is
-// what was updated. Precondition: the result has all but that, and its clouds are the joined ones.
+// Looks for vertices of the model that stay amid new samples, parts that hang together with nothing
+// of the model, samples that contradict each other, changes that are not on the surface, openings
+// that are closed, handles that nothing explains, and vertices that went though nothing was scanned
+// near them. Enters what is found, and a warning for each that is doubtful. `model`: the one that
+// was updated. Precondition: the result has all but that, and its clouds are the joined ones.
 // Complexity: that of the functions in `update/report/` that it asks.
 void enter_doubts(const ModelIndex& model, const UpdatedClouds& clouds,
                   const UpdateOptions& options, UpdateResult& result);
