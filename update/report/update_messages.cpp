@@ -218,8 +218,9 @@ std::string warning_of_loose_parts(const LooseParts& parts, const Point& at) {
 }
 
 std::string warning_of_openings(const ClosedOpenings& openings, const Point& at) {
-  return "the model has " + counted(openings.edges, "open edge") + " where nothing was replaced, " +
-         "as at " + place_name(at) + ": the updated mesh is closed there; look at the result";
+  return "the model has " + counted(openings.edges, "open edge") + " without samples " +
+         "beside them, as at " + place_name(at) +
+         ": the updated mesh is closed there; look at the result";
 }
 
 std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at) {
