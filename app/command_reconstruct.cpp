@@ -197,14 +197,6 @@ ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
   return std::move(result.surface);
 }
 
-// Returns the certificate of the surface that it makes.
-MeshReport part_sheets(Job& job, const ReconstructArguments& arguments, TriangleMesh& mesh,
-                       VertexProperties& properties) {
-  const bool parted = make_manifold(job, arguments.mesh, mesh, properties);
-  if (parted && !arguments.session.empty()) job.say("{}", note_of_parted_session());
-  return timed(job.execution(), "check", [&] { return mesh_check(mesh, {}, job.execution()); });
-}
-
 void write_session(Job& job, const ReconstructArguments& arguments, UpdateSession&& session) {
   timed(job.execution(), "write", [&] {
     SessionSnapshot snapshot = std::move(session).release();
@@ -275,9 +267,10 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   });
   warn_of_handles(job, arguments.points, input, doubts.certificate);
   properties = properties_of_surface(job, properties, arguments.points, result);
-  const MeshReport certificate = arguments.manifold
-                                     ? part_sheets(job, arguments, result.mesh, properties)
-                                     : doubts.certificate;
+  const MeshReport certificate =
+      arguments.manifold
+          ? make_manifold(job, {arguments.mesh, session.has_value()}, result.mesh, properties)
+          : doubts.certificate;
   timed(job.execution(), "write", [&] {
     write_mesh(arguments.mesh, result.mesh, properties, arguments.writing, job.outputs());
   });

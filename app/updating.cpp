@@ -371,10 +371,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   });
   VertexProperties properties = properties_of_update(job, input, result);
   if (output.manifold) {
-    const bool parted = make_manifold(job, output.mesh, result.mesh, properties);
-    if (parted && session != nullptr) job.say("{}", note_of_parted_session());
-    certificate = timed(job.execution(), "check",
-                        [&] { return mesh_check(result.mesh, {}, job.execution()); });
+    certificate = make_manifold(job, {output.mesh, session != nullptr}, result.mesh, properties);
   }
   UpdateRecord record{input.model_name, input.model, input.cloud_names,
                       input.clouds,     result,      certificate};

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "update/model/euler_number.h"
+#include "update/model/irregular_sides.h"
 #include "update/report/closed_openings.h"
 #include "update/report/contradicted_samples.h"
 #include "update/report/loose_parts.h"
@@ -30,8 +32,7 @@ void enter_overlooked(const ModelIndex& model, const UpdatedClouds& clouds,
 
 // None without a mesh: it is connected (UpdatedSurface).
 void enter_loose_parts(UpdateResult& result) {
-  result.loose_parts =
-      loose_parts(result.mesh.triangles.span(), first_vertex_of_clouds(result.vertex_map));
+  result.loose_parts = loose_parts(result.mesh, first_vertex_of_clouds(result.vertex_map));
   if (result.loose_parts.count == 0) return;
   result.warnings.push_back(
       warning_of_loose_parts(result.loose_parts, result.mesh.points[result.loose_parts.at]));
@@ -65,8 +66,10 @@ void enter_unused_changes(const ModelIndex& model, const UpdatedClouds& clouds,
   }
 }
 
-void enter_closed_openings(const ModelIndex& model, UpdateResult& result) {
-  result.closed_openings = closed_openings(model, result.mesh, result.vertex_map);
+void enter_closed_openings(const ModelIndex& model, std::span<const EdgeSide> irregular,
+                           const ClosedOpeningOptions& options, UpdateResult& result) {
+  result.closed_openings =
+      closed_openings(model, irregular, result.mesh, result.vertex_map, options);
   if (result.closed_openings.edges == 0) return;
   result.warnings.push_back(
       warning_of_openings(result.closed_openings, model.mesh().points[result.closed_openings.at]));
@@ -104,12 +107,14 @@ void enter_doubts(const ModelIndex& model, const UpdatedClouds& clouds,
   enter_loose_parts(result);
   enter_contradictions(clouds, scans, options.contradicted, result);
   enter_unused_changes(model, clouds, scans, options.unused_changes, result);
+  const std::vector<EdgeSide> irregular = irregular_sides(model);
+  result.euler_before = euler_number(model, irregular);
   // To close the openings of a model changes its Euler number, too.
-  const bool is_closed = !model.has_irregular_edges();
+  const bool is_closed = irregular.empty();
   if (is_closed) {
     enter_handles(result);
   } else {
-    enter_closed_openings(model, result);
+    enter_closed_openings(model, irregular, options.openings, result);
   }
   const bool lost_handles = is_closed && result.euler > result.euler_before;
   enter_losses(model, clouds, scans, lost_handles, options.unscanned, result);

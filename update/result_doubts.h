@@ -26,8 +26,9 @@ struct UpdatedClouds {
 // Looks for vertices of the model that stay amid new samples, parts that hang together with nothing
 // of the model, samples that contradict each other, changes that are not on the surface, openings
 // that are closed, handles that nothing explains, and vertices that went though nothing was scanned
-// near them. Enters what is found, and a warning for each that is doubtful. `model`: the one that
-// was updated. Precondition: the result has all but that, and its clouds are the joined ones.
+// near them. Enters what is found, the Euler number of the model, too, and a warning for each that
+// is doubtful. `model`: the one that was updated. Precondition: the result has all but that, and
+// its clouds are the joined ones.
 // Complexity: that of the functions in `update/report/` that it asks.
 void enter_doubts(const ModelIndex& model, const UpdatedClouds& clouds,
                   const UpdateOptions& options, UpdateResult& result);

@@ -39,6 +39,10 @@ void require_options(const char* stage, const ChoiceOptions& options) {
   require_number(stage, "choice.turned_away", options.turned_away, 0, std::numbers::pi);
 }
 
+void require_options(const char* stage, const ClosedOpeningOptions& options) {
+  require_amounts(stage, {{"openings.reach", options.reach}});
+}
+
 void require_options(const char* stage, const CloudSurfaceOptions& options) {
   require_amounts(stage, {{"cloud.stretch_weight", options.stretch_weight},
                           {"cloud.rows.min_ratio", options.rows.min_ratio},
@@ -239,6 +243,7 @@ void require_options(const char* stage, const UpdateOptions& options) {
   require_options(stage, options.unscanned);
   require_options(stage, options.unused_changes);
   require_options(stage, options.contradicted);
+  require_options(stage, options.openings);
   require_options(stage, options.shift);
 }
 

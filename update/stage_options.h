@@ -6,6 +6,7 @@ namespace cocoon {
 struct AngleOptions;
 struct AstrayOptions;
 struct ChoiceOptions;
+struct ClosedOpeningOptions;
 struct CloudSurfaceOptions;
 struct ContradictedOptions;
 struct CutOptions;
@@ -38,6 +39,7 @@ struct WallEdgeOptions;
 void require_options(const char* stage, const AngleOptions& options);
 void require_options(const char* stage, const AstrayOptions& options);
 void require_options(const char* stage, const ChoiceOptions& options);
+void require_options(const char* stage, const ClosedOpeningOptions& options);
 void require_options(const char* stage, const CloudSurfaceOptions& options);
 void require_options(const char* stage, const ContradictedOptions& options);
 void require_options(const char* stage, const CutOptions& options);

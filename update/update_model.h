@@ -71,6 +71,7 @@ struct UpdateOptions {
   UnscannedOptions unscanned;
   UnusedChangeOptions unused_changes;
   ContradictedOptions contradicted;
+  ClosedOpeningOptions openings;
   ShiftOptions shift;
   ReconstructOptions reconstruct;  // of the updated model: the defaults for closed models
 };

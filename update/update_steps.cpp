@@ -179,7 +179,6 @@ void UpdateSteps::reconstruct(const ModelIndex& index, const UpdateParts& parts,
   result_.vertex_map = updated_vertices(result_.replacement, result_.reconstruction);
   const std::size_t points = result_.replacement.points.size();
   const std::size_t unused = result_.reconstruction.unused_points;
-  result_.euler_before = euler_number(index);
   result_.euler = euler_number(points - unused, surface.triangles);
   enter_doubts(index, {given_, joined_, clouds_, rims, trees}, options_, result_);
 }

@@ -19,10 +19,8 @@ VertexProperties properties_of_copies(const VertexProperties& properties,
   return gather_properties({&properties, 1}, origins).properties;
 }
 
-}  // namespace
-
-bool make_manifold(Job& job, const std::string& file, TriangleMesh& mesh,
-                   VertexProperties& properties) {
+void split_sheets(Job& job, const ManifoldUse& use, TriangleMesh& mesh,
+                  VertexProperties& properties) {
   SplitSurface split = timed(job.execution(), "manifold", [&] { return split_nonmanifold(mesh); });
   job.report().set("manifold/split_edges", split.split_edges);
   job.report().set("manifold/split_vertices", split.split_vertices);
@@ -30,22 +28,26 @@ bool make_manifold(Job& job, const std::string& file, TriangleMesh& mesh,
   job.report().set("manifold/midpoints", split.midpoints);
   job.report().set("manifold/unpaired_sides", split.unpaired_halfedges);
   mesh = std::move(split.mesh);
-  if (split.copies + split.midpoints == 0) return false;
+  if (split.copies + split.midpoints == 0) return;
   properties = properties_of_copies(properties, split.source);
   job.say(
       "made manifold: {} with more than two triangles and {} split; {} copied, {} given a midpoint",
       counted(split.split_edges, "edge"), counted(split.split_vertices, "vertex", "vertices"),
       counted(split.copies, "vertex", "vertices"), counted(split.midpoints, "edge"));
-  if (split.copies > 0 && format_of(file) == FileFormat::stl) {
-    job.warn(file +
+  if (split.copies > 0 && format_of(use.file) == FileFormat::stl) {
+    job.warn(use.file +
              ": STL has no vertex ids, so a reader joins the copied vertices again; write .ply, "
              ".obj or .off to keep the surface manifold");
   }
-  return true;
+  if (use.beside_session) job.say("note: the session has the surface as it was before --manifold");
 }
 
-std::string note_of_parted_session() {
-  return "note: the session has the surface as it was before --manifold";
+}  // namespace
+
+MeshReport make_manifold(Job& job, const ManifoldUse& use, TriangleMesh& mesh,
+                         VertexProperties& properties) {
+  split_sheets(job, use, mesh, properties);
+  return timed(job.execution(), "check", [&] { return mesh_check(mesh, {}, job.execution()); });
 }
 
 }  // namespace cocoon::app

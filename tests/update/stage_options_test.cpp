@@ -11,6 +11,7 @@
 #include "update/cloud/rim_seams.h"
 #include "update/cloud/torn_edges.h"
 #include "update/cloud/trim_long_edges.h"
+#include "update/report/closed_openings.h"
 #include "update/report/contradicted_samples.h"
 #include "update/report/lost_triangles.h"
 #include "update/report/overlooked_vertices.h"
@@ -66,6 +67,7 @@ const std::vector<Change> wrong = {
     [](UpdateOptions& o) { o.unscanned.max_explained_share = 2; },
     [](UpdateOptions& o) { o.unused_changes.min_share = nan; },
     [](UpdateOptions& o) { o.contradicted.min_share = -1; },
+    [](UpdateOptions& o) { o.openings.reach = nan; },
     [](UpdateOptions& o) { o.shift.max_shift = nan; },
     [](UpdateOptions& o) { o.shift.fit_distance = nan; },
     [](UpdateOptions& o) { o.outward.min_part_cosine = 2; },
@@ -118,6 +120,7 @@ TEST(StageOptions, StagesCalledAloneRefuseThemToo) {
   expect_refused("overlooked_vertices",
                  [&] { overlooked_vertices(model, {}, {}, {}, {.reach = nan}); });
   expect_refused("unused_changes", [&] { unused_changes(model, {}, {}, {.off_model = nan}); });
+  expect_refused("closed_openings", [&] { closed_openings(model, {}, mesh, {}, {.reach = nan}); });
   expect_refused("unscanned_losses",
                  [&] { unscanned_losses(model, {}, scans, {}, false, {.reach = nan}); });
   expect_refused("contradicted_samples", [&] { contradicted_samples({}, {}, {.reach = nan}); });

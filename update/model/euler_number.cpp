@@ -4,12 +4,11 @@
 #include <vector>
 
 #include "geom/search/equal_points.h"
-#include "update/model/irregular_sides.h"
 
 namespace cocoon {
 namespace {
 
-std::size_t count_in_pairs(const std::vector<EdgeSide>& sides) {
+std::size_t count_in_pairs(std::span<const EdgeSide> sides) {
   std::size_t edges = 0;
   for (auto begin = sides.begin(); begin != sides.end();) {
     const auto end = std::upper_bound(begin, sides.end(), *begin);
@@ -31,17 +30,16 @@ std::size_t repeated_vertices(const ModelIndex& model) {
   return repeated_points(places).size();
 }
 
-std::ptrdiff_t euler_number(const ModelIndex& model) {
+std::ptrdiff_t euler_number(const ModelIndex& model, std::span<const EdgeSide> irregular) {
   const TriangleMesh& mesh = model.mesh();
   std::size_t vertices = mesh.points.size() - repeated_vertices(model);
-  if (model.uses_all_vertices() && !model.has_irregular_edges()) {
+  if (model.uses_all_vertices() && model.has_two_triangles_at_each_edge()) {
     return euler_number(vertices, mesh.triangles.size());
   }
   for (const VertexId v : mesh.points.ids()) vertices -= model.is_used(v) ? 0U : 1U;
   const auto improper = static_cast<std::size_t>(
       std::count_if(mesh.triangles.begin(), mesh.triangles.end(), repeats_a_vertex));
   const std::size_t triangles = mesh.triangles.size() - improper;
-  const std::vector<EdgeSide> irregular = irregular_sides(model);
   const std::size_t edges = (3 * triangles - irregular.size()) / 2 + count_in_pairs(irregular);
   return static_cast<std::ptrdiff_t>(vertices + triangles) - static_cast<std::ptrdiff_t>(edges);
 }

@@ -250,13 +250,6 @@ std::vector<TriangleId> ModelIndex::triangles_at(VertexId v) const {
   return found;
 }
 
-bool ModelIndex::has_irregular_edges() const {
-  if (is_smooth()) return false;
-  return std::any_of(neighbors_.begin(), neighbors_.end(), [](const auto& at) {
-    return std::any_of(at.begin(), at.end(), [](TriangleId t) { return t.is_none(); });
-  });
-}
-
 Vec3 ModelIndex::normal(TriangleId t) const {
   const auto [a, b, c] = corners_from_smallest(corners_of(*mesh_, t));
   return unit(cross(b - a, c - a));

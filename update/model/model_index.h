@@ -100,9 +100,8 @@ class ModelIndex {
   bool uses_all_vertices() const { return is_smooth(); }
   // Whether it is known that the triangles at each vertex hang together by edges that two have.
   bool has_one_fan_at_each_vertex() const { return is_smooth(); }
-  // Whether an edge has one triangle, or more than two. Complexity: O(t) where that is
-  // not known.
-  bool has_irregular_edges() const;
+  // Whether it is known that each edge has two triangles.
+  bool has_two_triangles_at_each_edge() const { return is_smooth(); }
   // No edge is longer than this along any axis. Infinity: not known.
   double longest_extent() const { return longest_extent_; }
   // Unit normal, outward if the mesh is oriented; the zero vector for a facet without area.

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geom/messages/require_size.h"
-#include "update/model/irregular_sides.h"
 #include "update/report/updated_vertices.h"
+#include "update/stage_options.h"
 
 namespace cocoon {
 
@@ -19,10 +19,9 @@ struct OpenEdge {
 };
 
 // Those that stay, in the order of `updated`.
-std::vector<OpenEdge> open_edges(const ModelIndex& model,
+std::vector<OpenEdge> open_edges(std::span<const EdgeSide> sides,
                                  const IdVector<VertexId, VertexId>& vertex_map) {
   std::vector<OpenEdge> edges;
-  const std::vector<EdgeSide> sides = irregular_sides(model);
   for (auto begin = sides.begin(); begin != sides.end();) {
     const auto end = std::upper_bound(begin, sides.end(), *begin);
     const VertexId a = vertex_map[begin->low];
@@ -62,13 +61,15 @@ void note_samples(const TriangleMesh& updated, VertexId first_of_clouds, double 
 
 }  // namespace
 
-ClosedOpenings closed_openings(const ModelIndex& model, const TriangleMesh& updated,
+ClosedOpenings closed_openings(const ModelIndex& model, std::span<const EdgeSide> irregular,
+                               const TriangleMesh& updated,
                                const IdVector<VertexId, VertexId>& vertex_map,
                                const ClosedOpeningOptions& options) {
+  require_options("closed_openings", options);
   require_size("closed_openings", "vertices of the map", vertex_map.size(),
                model.mesh().points.size());
   ClosedOpenings found;
-  std::vector<OpenEdge> edges = open_edges(model, vertex_map);
+  std::vector<OpenEdge> edges = open_edges(irregular, vertex_map);
   if (edges.empty()) return found;
   note_samples(updated, first_vertex_of_clouds(vertex_map), options.reach, edges);
   for (const OpenEdge& edge : edges) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/triangle_mesh.h"
+#include "update/model/irregular_sides.h"
 #include "update/model/model_index.h"
 
 namespace cocoon {
@@ -22,11 +24,12 @@ struct ClosedOpenings {
 };
 
 // The edges of one triangle of the model whose ends are both vertices of the updated mesh, which is
-// closed everywhere, where no sample of a cloud fills the opening. `updated`, `vertex_map`: the
-// mesh and where the vertices of the model are in it (UpdateResult). Complexity: O(1) for a model
-// that is known to be smooth (ModelIndex::of_smooth()), else O(t log k) for k open edges. Errors:
-// InputError for the map of another model, by its size. Source: ours.
-ClosedOpenings closed_openings(const ModelIndex& model, const TriangleMesh& updated,
+// closed everywhere, where no sample of a cloud fills the opening. `irregular`: irregular_sides()
+// of the model; `updated`, `vertex_map`: the mesh and where the vertices of the model are in it
+// (UpdateResult). Complexity: O(t log k) for t triangles and k open edges, O(1) for none. Errors:
+// InputError for the map of another model, by its size, and a reach that is none. Source: ours.
+ClosedOpenings closed_openings(const ModelIndex& model, std::span<const EdgeSide> irregular,
+                               const TriangleMesh& updated,
                                const IdVector<VertexId, VertexId>& vertex_map,
                                const ClosedOpeningOptions& options = {});
 

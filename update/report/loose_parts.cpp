@@ -8,26 +8,15 @@
 
 namespace cocoon {
 
-namespace {
-
-// So that the last vertex is below it.
-std::uint32_t end_of_vertices(std::span<const Triangle> triangles, VertexId first_new) {
-  std::uint32_t end = first_new.value;
-  for (const Triangle& t : triangles) {
-    for (const VertexId v : t) end = std::max(end, v.value + 1);
-  }
-  return end;
-}
-
-}  // namespace
-
-LooseParts loose_parts(std::span<const Triangle> triangles, VertexId first_new) {
+LooseParts loose_parts(const TriangleMesh& mesh, VertexId first_new) {
+  LooseParts found;
+  if (mesh.points.size() <= first_new.index()) return found;
+  const std::size_t count = mesh.points.size() - first_new.index();
   const auto is_new = [&](VertexId v) { return v >= first_new; };
   const auto place_of = [&](VertexId v) { return v.value - first_new.value; };
-  const std::size_t count = end_of_vertices(triangles, first_new) - first_new.value;
   DisjointSets parts(count);
   std::vector<std::uint8_t> is_held(count, 0);  // has a triangle with a vertex of the model
-  for (const Triangle& t : triangles) {
+  for (const Triangle& t : mesh.triangles) {
     const auto anchor = std::find_if(t.begin(), t.end(), is_new);
     if (anchor == t.end()) continue;
     for (const VertexId v : t) {
@@ -42,12 +31,11 @@ LooseParts loose_parts(std::span<const Triangle> triangles, VertexId first_new) 
     if (is_held[place] != 0) is_held[parts.root(place)] = 1;
   }
   std::vector<std::size_t> sizes(count, 0);  // by their first vertices, their roots
-  for (const Triangle& t : triangles) {
+  for (const Triangle& t : mesh.triangles) {
     if (!std::all_of(t.begin(), t.end(), is_new)) continue;
     const std::uint32_t part = parts.root(place_of(t[0]));
     if (is_held[part] == 0) ++sizes[part];
   }
-  LooseParts found;
   for (std::uint32_t part = 0; part < count; ++part) {
     if (sizes[part] == 0) continue;
     ++found.count;

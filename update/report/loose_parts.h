@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 
 #include "geom/ids.h"
 #include "geom/triangle_mesh.h"
@@ -18,8 +17,8 @@ struct LooseParts {
 
 // Triangles that share a vertex are of one part. Counted are parts all of whose vertices are of
 // clouds, from `first_new` on (first_vertex_of_clouds): a body that was added, or a scan that ends
-// before it meets the model. `triangles`: those of the updated mesh. Complexity: O(triangles + new
-// vertices). Source: ours.
-LooseParts loose_parts(std::span<const Triangle> triangles, VertexId first_new);
+// before it meets the model. `mesh`: the updated one. Complexity: O(triangles + new vertices).
+// Source: ours.
+LooseParts loose_parts(const TriangleMesh& mesh, VertexId first_new);
 
 }  // namespace cocoon

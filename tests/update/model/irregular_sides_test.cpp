@@ -9,9 +9,11 @@ namespace cocoon {
 namespace {
 
 TEST(IrregularSides, AreNoneOfAClosedMesh) {
-  const TriangleMesh cube = gallery::cube();
+  TriangleMesh cube = gallery::cube();
   EXPECT_TRUE(irregular_sides(ModelIndex(cube)).empty());
   EXPECT_TRUE(irregular_sides(ModelIndex::of_smooth(cube)).empty());
+  cube.triangles.push_back({VertexId(0U), VertexId(0U), VertexId(1U)});
+  EXPECT_TRUE(irregular_sides(ModelIndex(cube)).empty());
 }
 
 TEST(IrregularSides, OfAnOpenMeshAreItsOpenEdges) {

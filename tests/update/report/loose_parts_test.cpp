@@ -12,31 +12,31 @@ TEST(LooseParts, AreOfNewVerticesAlone) {
   const TriangleMesh cube = gallery::cube();
   const TriangleMesh torus = gallery::torus(12, 8);
   const TriangleMesh all = gallery::join(gallery::join(cube, torus), cube);
-  const LooseParts found = loose_parts(all.triangles.span(), VertexId(cube.points.size()));
+  const LooseParts found = loose_parts(all, VertexId(cube.points.size()));
   EXPECT_EQ(found.count, 2U);
   EXPECT_EQ(found.triangles, torus.triangles.size());
   EXPECT_EQ(found.at, VertexId(cube.points.size()));
-  EXPECT_EQ(loose_parts(all.triangles.span(), VertexId(all.points.size())).count, 0U);
-  EXPECT_EQ(loose_parts({}, VertexId(3U)).count, 0U);
+  EXPECT_EQ(loose_parts(all, VertexId(all.points.size())).count, 0U);
+  EXPECT_EQ(loose_parts(TriangleMesh(), VertexId(3U)).count, 0U);
 }
 
 TEST(LooseParts, OfEquallyLargeOnesTheFirstIsNamed) {
   const TriangleMesh cube = gallery::cube();
   const TriangleMesh all = gallery::join(gallery::join(cube, cube), cube);
-  const LooseParts found = loose_parts(all.triangles.span(), VertexId(cube.points.size()));
+  const LooseParts found = loose_parts(all, VertexId(cube.points.size()));
   EXPECT_EQ(found.count, 2U);
   EXPECT_EQ(found.at, VertexId(cube.points.size()));
 }
 
 TEST(LooseParts, OneVertexOfTheModelHoldsAPart) {
   const TriangleMesh torus = gallery::torus(12, 8);
-  EXPECT_EQ(loose_parts(torus.triangles.span(), VertexId(1U)).count, 0U);
-  EXPECT_EQ(loose_parts(torus.triangles.span(), VertexId(0U)).count, 1U);
+  EXPECT_EQ(loose_parts(torus, VertexId(1U)).count, 0U);
+  EXPECT_EQ(loose_parts(torus, VertexId(0U)).count, 1U);
 }
 
 TEST(LooseParts, ThatShareAVertexAreOne) {
   const TriangleMesh two = gallery::two_tetrahedra_sharing_a_vertex();
-  EXPECT_EQ(loose_parts(two.triangles.span(), VertexId(0U)).count, 1U);
+  EXPECT_EQ(loose_parts(two, VertexId(0U)).count, 1U);
 }
 
 }  // namespace
