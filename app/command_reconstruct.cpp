@@ -197,6 +197,17 @@ ReconstructResult without_noise(Job& job, const std::vector<Point>& points,
   return std::move(result.surface);
 }
 
+ReconstructResult begin_session(Job& job, const ReconstructArguments& arguments,
+                                const DensifiedMesh& input, const ReconstructOptions& options,
+                                std::optional<UpdateSession>& session) {
+  UpdateOptions update = update_options(arguments.parameters);
+  update.reconstruct = options;
+  session.emplace(input.points, update, job.execution(), input.labels);
+  ReconstructResult result = session->reconstruction();
+  result.mesh = session->model();
+  return result;
+}
+
 void write_session(Job& job, const ReconstructArguments& arguments, UpdateSession&& session) {
   timed(job.execution(), "write", [&] {
     SessionSnapshot snapshot = std::move(session).release();
@@ -248,12 +259,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   std::vector<Finding> findings;
   ReconstructResult result = naming_input(arguments.points, [&] {
     if (!arguments.session.empty()) {
-      UpdateOptions update = update_options(arguments.parameters);
-      update.reconstruct = options;
-      session.emplace(points, update, job.execution(), input.labels);
-      ReconstructResult reconstruction = session->reconstruction();
-      reconstruction.mesh = session->model();
-      return reconstruction;
+      return begin_session(job, arguments, input, options, session);
     }
     if (arguments.noise == "robust") return without_noise(job, points, stages, findings);
     return tight ? reconstruct_tight_with_labels(points, input.labels, options, job.execution())

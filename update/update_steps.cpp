@@ -198,10 +198,16 @@ void UpdateSteps::warn_of_cloud(std::size_t c, const std::vector<std::string>& w
 std::vector<RegionAngles> UpdateSteps::measure_angles(const ModelIndex& index) const {
   std::vector<RegionAngles> angles;
   for_each_border_loop([&](std::size_t c, std::size_t l) {
-    angles.push_back(mean_rim_angles(index, result_.regions, result_.clouds[c].surface.rim.loops[l],
-                                     borders_[c].loops[l], options_.angles));
-    angles.back().cloud = static_cast<std::uint32_t>(c);
+    angles.push_back(mean_angles_of_loop(index, result_.regions, c, l));
   });
+  return angles;
+}
+
+RegionAngles UpdateSteps::mean_angles_of_loop(const ModelIndex& index, const Regions& regions,
+                                              std::size_t c, std::size_t l) const {
+  RegionAngles angles = mean_rim_angles(index, regions, result_.clouds[c].surface.rim.loops[l],
+                                        borders_[c].loops[l], options_.angles);
+  angles.cloud = static_cast<std::uint32_t>(c);
   return angles;
 }
 
@@ -326,6 +332,7 @@ bool UpdateSteps::check_separation(std::span<const RegionAngles> angles) {
 bool UpdateSteps::segment(const ModelIndex& index, const std::vector<std::size_t>& joined,
                           const Execution& execution) {
   if (std::count(is_cut_.begin(), is_cut_.end(), 1) == 0) {
+    decided_.clear();
     result_.regions = segment_model(index, border_facets_, options_.segment, execution);
     return true;
   }
@@ -335,6 +342,13 @@ bool UpdateSteps::segment(const ModelIndex& index, const std::vector<std::size_t
   is_cut_ = std::move(cut.is_cut);
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     if (is_cut_[c] == 0 || joined[c] != c) continue;
+    if (cut.cuts[c].doubt() > options_.cut.clear_doubt &&
+        std::count(joined.begin(), joined.end(), c) == 1 &&
+        samples_tell_all_sides(index, c, execution)) {
+      is_cut_[c] = 0;
+      result_.clouds[c].cut = {};
+      return segment(index, joined, execution);
+    }
     const std::optional<std::string> why = why_not_cut(c, cut.cuts[c], index);
     cut.cuts[c].under = {};
     result_.clouds[c].cut = std::move(cut.cuts[c]);
@@ -346,6 +360,20 @@ bool UpdateSteps::segment(const ModelIndex& index, const std::vector<std::size_t
   result_.regions = std::move(cut.regions);
   decided_ = std::move(cut.under);
   return true;
+}
+
+bool UpdateSteps::samples_tell_all_sides(const ModelIndex& index, std::size_t c,
+                                         const Execution& execution) const {
+  const Regions regions = segment_model(index, border_facets_, options_.segment, execution);
+  std::vector<RegionAngles> angles;
+  for_each_border_loop([&](std::size_t of, std::size_t l) {
+    if (of == c) angles.push_back(mean_angles_of_loop(index, regions, c, l));
+  });
+  const CloudChoice choice = choose_regions(angles, clouds_.size(), options_.choice).clouds[c];
+  if (choice.turned_away.empty() || choice.turned_away.size() < choice.regions.size()) return false;
+  return !regions_under_samples(index, regions, choice.turned_away,
+                                scans_of(clouds_, result_.clouds)[c], options_.sampled, execution)
+              .empty();
 }
 
 std::optional<std::string> UpdateSteps::why_not_cut(std::size_t c, const RegionCut& cut,

@@ -74,6 +74,8 @@ class UpdateSteps {
 
   // One entry for each loop of the border.
   std::vector<RegionAngles> measure_angles(const ModelIndex& index) const;
+  RegionAngles mean_angles_of_loop(const ModelIndex& index, const Regions& regions, std::size_t c,
+                                   std::size_t l) const;
 
   std::vector<CloudSurface> surfaces_of_cloud(std::size_t c, const Execution& execution) const;
 
@@ -104,9 +106,15 @@ class UpdateSteps {
   // band, which begins where it ends.
   bool check_separation(std::span<const RegionAngles> angles);
 
-  // Where clouds are cut: takes regions that lie as a whole under each such cloud, or outside.
+  // Where clouds are cut: takes regions that lie as a whole under each such cloud, or outside. One
+  // whose cut is not clear is not cut if its samples tell all.
   bool segment(const ModelIndex& index, const std::vector<std::size_t>& joined,
                const Execution& execution);
+
+  // Whether all regions at all loops of the cloud, taken as whole ones, turn away from it, and its
+  // samples tell which of them lie under it (ask_samples_for_sides()).
+  bool samples_tell_all_sides(const ModelIndex& index, std::size_t c,
+                              const Execution& execution) const;
 
   // Why the cut of this cloud, and of those joined to it, is not to be believed.
   std::optional<std::string> why_not_cut(std::size_t c, const RegionCut& cut,

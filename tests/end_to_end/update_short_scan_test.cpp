@@ -83,6 +83,38 @@ TEST_F(UpdateShortScan, IsToldByItsSamplesWithAWarning) {
   }));
 }
 
+// Along sharp edges its surface is torn. So its rim is partial, but no piece of it tells its sides
+// apart.
+TEST_F(UpdateShortScan, ABossWithSharpEdgesIsToldByItsSamplesToo) {
+  const TriangleMesh part =
+      testing::surface_of(BoxyPart{{24, 20, 14}, [](int x, int y, int z) {
+                                     return z < 8 || (x >= 7 && x < 17 && y >= 5 && y < 15);
+                                   }});
+  std::size_t partial = 0;
+  for (const double foot : {0.7, 0.8, 0.9}) {
+    std::vector<Point> scan =
+        testing::scan_of_mesh(part, 1.2 * least, random, [](TriangleId) { return true; });
+    std::erase_if(scan, [&](const Point& p) { return p.z < 8 + foot; });
+    const UpdateResult result = update_model(model, {{scan}});
+    partial += result.clouds[0].surface.rim.is_partial() ? 1U : 0U;
+    EXPECT_EQ(result.clouds[0].is_told_by_samples, result.clouds[0].cut.is_empty()) << foot;
+    const MeshReport report = mesh_check(result.mesh);
+    EXPECT_TRUE(report.is_closed_manifold()) << foot;
+    EXPECT_EQ(report.euler, 2) << foot;
+    EXPECT_EQ(report.components, 1U) << foot;
+    for (const VertexId v : model.points.ids()) {
+      const Point& p = model.points[v];
+      const double outside = std::max(std::abs(p.x - 12), std::abs(p.y - 10)) - 5;
+      if (p.z == 8 && outside < -1) {
+        EXPECT_TRUE(result.vertex_map[v].is_none()) << foot << ' ' << outside;
+      } else if (p.z < 8 || outside > 1.5) {
+        EXPECT_FALSE(result.vertex_map[v].is_none()) << foot << ' ' << outside;
+      }
+    }
+  }
+  EXPECT_GT(partial, 0U);
+}
+
 // Then they are not asked, and there is nothing to warn of.
 TEST_F(UpdateShortScan, IsNotToldByItsSamplesIfAPersonTells) {
   UpdateOptions options;
