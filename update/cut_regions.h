@@ -49,7 +49,8 @@ struct CutOptions {
   // partial loop, are none: their facets become border. 0: none is too small.
   std::size_t min_outside_facets = 8;
   // Where a whole rim runs around a handle and that is cut, what goes lies no farther from the box
-  // of the samples than so many spacings.
+  // of the samples than so many spacings. By the rims of other trials nothing goes that lies
+  // farther, unless it does by the first one, too.
   double handle_reach = 10;
   ScanEndOptions ends = {};
   DisprovedOptions disproved = {};

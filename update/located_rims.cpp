@@ -97,8 +97,8 @@ class Locating {
   }
 
   RimDoubt doubt_of(std::size_t c) const {
-    return rim_doubt(model_, reports_[c].surface.rim, found_.overlaps[c], options_.trace,
-                     options_.cut, execution_);
+    return rim_doubt(model_, clouds_[c], reports_[c].surface.rim, found_.overlaps[c],
+                     options_.trace, options_.cut, execution_);
   }
 
   void prefer_clearer(std::size_t c) {
@@ -112,7 +112,9 @@ class Locating {
       if (other.status != CloudStatus::ok) continue;
       Before before = exchange(c, other);
       const RimDoubt theirs = is_on_model(c) ? doubt_of(c) : RimDoubt();
-      if (theirs.share < least && theirs.told >= options_.cut.min_told * first.told) {
+      const bool tells_enough = theirs.told >= options_.cut.min_told * first.told;
+      const bool goes_too_far = theirs.reaches_far && !first.reaches_far;
+      if (theirs.share < least && tells_enough && !goes_too_far) {
         least = theirs.share;
         taken = compared;
       } else {

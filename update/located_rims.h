@@ -28,9 +28,9 @@ CloudReport report_of_surface(CloudSurface surface);
 // for the overlapping facets of each rim; `reports` have the rims, and get what is found. Where
 // the rim of a cloud is not on the model, the best of its other surfaces that has one there is
 // taken. Where it is, but leaves a doubt (rim_doubt.h) and is shared with no other cloud, the rims
-// of the others are looked at, and the clearest is taken if it is far clearer (CutOptions). The
-// number of rims that were compared is in the report. others[c]: surfaces of clouds[c], the ones
-// to be preferred first.
+// of the others are looked at, and the clearest is taken if it is far clearer (CutOptions), unless
+// what goes by it, and not by the first one, reaches far from the samples. The number of rims that
+// were compared is in the report. others[c]: surfaces of clouds[c], the ones to be preferred first.
 // Errors: InputError unless there are as many reports and others as clouds, and as the stages.
 // Complexity: that of overlapping_facets() for each rim, and of rim_doubt() for those that are
 // compared. Source: ours; Woo & Dey 2005, section 3.3 presumes one rim, on the model.

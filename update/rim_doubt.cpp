@@ -5,7 +5,7 @@
 
 namespace cocoon {
 
-RimDoubt rim_doubt(const ModelIndex& model, CloudRim rim, const Overlap& overlap,
+RimDoubt rim_doubt(const ModelIndex& model, Points samples, CloudRim rim, const Overlap& overlap,
                    const TraceOptions& trace, const CutOptions& options,
                    const Execution& execution) {
   const Border border = trace_border(model, rim, overlap, trace, execution);
@@ -15,7 +15,11 @@ RimDoubt rim_doubt(const ModelIndex& model, CloudRim rim, const Overlap& overlap
   TriangleSet certain(model.mesh().triangles.size(), 0);
   certain_border(model, rim, border.loops, options, certain);
   const RegionCut cut = cut_under_cloud(model, certain, std::span(&rim, 1), {}, options);
-  return {cut.doubt(), rim.median_edge * std::min(cut.seeds_under, cut.seeds_outside)};
+  const Scan scan{samples, rim.median_edge};
+  return {.share = cut.doubt(),
+          .told = rim.median_edge * std::min(cut.seeds_under, cut.seeds_outside),
+          .reaches_far =
+              reaches_beyond(model, members(cut.under), std::span(&scan, 1), options.handle_reach)};
 }
 
 }  // namespace cocoon

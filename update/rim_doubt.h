@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geom/execution.h"
+#include "geom/point.h"
 #include "update/cloud_rim.h"
 #include "update/cut_regions.h"
 #include "update/model/model_index.h"
@@ -17,13 +18,15 @@ struct RimDoubt {
   // Length of the border whose sides it tells, on the weaker side. A rim of which hardly anything
   // is known contradicts itself nowhere.
   double told = 0;
+  // Whether facets would go that lie far from the box of the samples (CutOptions::handle_reach).
+  bool reaches_far = false;
 };
 
 // Of the cut by this rim alone. `overlap`: of the rim; loops that are not on the model have no part
-// in it. Samples are not asked.
+// in it. `samples`: of its cloud; they are not asked for what they show.
 // Errors: as trace_border() and cut_under_cloud(). Complexity: that of both. Source: ours,
 // docs/update.md.
-RimDoubt rim_doubt(const ModelIndex& model, CloudRim rim, const Overlap& overlap,
+RimDoubt rim_doubt(const ModelIndex& model, Points samples, CloudRim rim, const Overlap& overlap,
                    const TraceOptions& trace = {}, const CutOptions& cut = {},
                    const Execution& execution = {});
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace {
 
 using testing::circle;
 using testing::grid_plane;
+using testing::inside_out;
 using testing::middle;
 using testing::radius;
 using testing::rim_of;
@@ -89,6 +91,16 @@ TEST(LocatedRims, OneThatTellsLittleIsNot) {
   UpdateOptions any;
   any.cut.min_told = 0.1;
   EXPECT_EQ(TwoTrials(torn_rim(20, 40), small_rim()).taken(any), 2);
+}
+
+// By it all of the plane but the disk would go.
+TEST(LocatedRims, OneByWhichMoreGoesThanWasScannedIsNot) {
+  const CloudRim whole = inside_out(torn_rim(0, 0));
+  EXPECT_EQ(TwoTrials(torn_rim(20, 40), whole).taken(), 1);
+  EXPECT_EQ(TwoTrials(inside_out(torn_rim(20, 40)), whole).taken(), 2);  // as by the other one
+  UpdateOptions any;
+  any.cut.handle_reach = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(TwoTrials(torn_rim(20, 40), whole).taken(any), 2);
 }
 
 TEST(LocatedRims, WhereNothingIsInDoubtNoneIsComparedNorIfItIsSwitchedOff) {

@@ -11,15 +11,16 @@ namespace {
 
 using testing::circle;
 using testing::grid_plane;
+using testing::inside_out;
 using testing::middle;
 using testing::radius;
 using testing::rim_of;
 using testing::torn_rim;
 
-RimDoubt doubt_of(const CloudRim& rim) {
+RimDoubt doubt_of(const CloudRim& rim, const CutOptions& options = {}) {
   const TriangleMesh mesh = grid_plane(30);
   const ModelIndex model(mesh);
-  return rim_doubt(model, rim, overlapping_facets(model, rim));
+  return rim_doubt(model, rim.loops[0].points, rim, overlapping_facets(model, rim), {}, options);
 }
 
 TEST(RimDoubt, AWholeRimLeavesNone) {
@@ -36,6 +37,12 @@ TEST(RimDoubt, TheMoreIsMissingTheMoreIsInDoubt) {
   EXPECT_GT(some.share, 0);
   EXPECT_GT(more.share, some.share);
   EXPECT_LT(more.told, some.told);
+}
+
+TEST(RimDoubt, TellsWhetherFacetsGoFarFromTheSamples) {
+  EXPECT_FALSE(doubt_of(torn_rim(0, 0)).reaches_far);
+  EXPECT_TRUE(doubt_of(inside_out(torn_rim(0, 0))).reaches_far);
+  EXPECT_FALSE(doubt_of(inside_out(torn_rim(0, 0)), {.handle_reach = 100}).reaches_far);
 }
 
 TEST(RimDoubt, OfNothingAllIsInDoubt) {

@@ -27,6 +27,16 @@ inline CloudRim torn_rim(std::size_t first, std::size_t last) {
   return rim;
 }
 
+// The same loops, with the cloud on the other side.
+inline CloudRim inside_out(CloudRim rim) {
+  for (RimLoop& loop : rim.loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      loop.apexes[i] = loop.middle(i) + (loop.middle(i) - loop.apexes[i]);
+    }
+  }
+  return rim;
+}
+
 // A mesh, and a rim that lies on it.
 struct RimOnAMesh {
   RimOnAMesh(TriangleMesh a_mesh, CloudRim a_rim)
