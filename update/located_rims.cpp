@@ -7,6 +7,7 @@
 #include "update/cloud/wall_edges.h"
 #include "update/pin_holes.h"
 #include "update/rim_doubt.h"
+#include "update/shadowed_rim.h"
 #include "update/shared_edges.h"
 #include "update/update_model.h"
 
@@ -39,6 +40,8 @@ class Locating {
       if (found_.overlaps[c].status == OverlapStatus::no_overlap) try_others(c);
     }
     for (std::size_t c = 0; c < clouds_.size(); ++c) prefer_clearer(c);
+    for (std::size_t c = 0; c < clouds_.size(); ++c) look_for_shadowed(c);
+    for (std::size_t c = 0; c < clouds_.size(); ++c) take_shadowed(c);
     return std::move(found_);
   }
 
@@ -94,6 +97,22 @@ class Locating {
       if (is_on_model(c)) return;
       put_back(c, std::move(before));
     }
+  }
+
+  // Where nothing else helps; with its surface, or with that of another trial.
+  void look_for_shadowed(std::size_t c) {
+    if (is_on_model(c) || take_shadowed(c)) return;
+    for (const CloudSurface& other : others_[c]) {
+      if (other.status != CloudStatus::ok) continue;
+      Before before = exchange(c, other);
+      if (take_shadowed(c)) return;
+      put_back(c, std::move(before));
+    }
+  }
+
+  // To be asked again when another cloud got another rim: what that covers is told anew.
+  bool take_shadowed(std::size_t c) {
+    return take_shadowed_rim(reports_[c].surface.rim, options_.shadow, found_.overlaps[c]);
   }
 
   RimDoubt doubt_of(std::size_t c) const {

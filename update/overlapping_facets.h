@@ -87,6 +87,7 @@ struct OverlapFigures {
   // By how many spacings, as in max_distance, a matched point at most is farther from its facet
   // than the median.
   double largest_excess = 0;
+  bool in_shadow = false;  // it lies on the model by take_shadowed_rim()
 };
 
 struct Overlap {
@@ -95,8 +96,8 @@ struct Overlap {
   std::vector<TriangleId> facets;  // all overlapping facets, sorted, each once
   std::size_t unmatched = 0;       // rim points without a facet
   OverlapFigures figures;
-  // Its largest_excess is more than raised_distance: the scan ends on what has changed, as in a
-  // shadow.
+  // Its largest_excess is more than raised_distance, or it is in_shadow: the scan ends on what has
+  // changed.
   bool leaves_model = false;
 
   // Whether a loop lies on the model, or on other clouds.

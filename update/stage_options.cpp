@@ -169,6 +169,11 @@ void require_options(const char* stage, const ScanEndOptions& options) {
                           {"cut.ends.change_reach", options.change_reach}});
 }
 
+void require_options(const char* stage, const ShadowOptions& options) {
+  require_amounts(stage, {{"shadow.max_distance", options.max_distance}});
+  require_shares(stage, {{"shadow.max_unmatched_share", options.max_unmatched_share}});
+}
+
 void require_options(const char* stage, const SharedEdgeOptions& options) {
   require_amounts(stage, {{"shared.reach", options.reach}});
 }
@@ -231,6 +236,7 @@ void require_options(const char* stage, const UpdateOptions& options) {
   require_options(stage, options.torn);
   require_options(stage, options.walls);
   require_options(stage, options.overlap);
+  require_options(stage, options.shadow);
   require_options(stage, options.shared);
   require_options(stage, options.outward);
   require_options(stage, options.cut);

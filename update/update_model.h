@@ -44,6 +44,7 @@
 #include "update/report/update_status.h"
 #include "update/rim_angles.h"
 #include "update/segment_model.h"
+#include "update/shadowed_rim.h"
 #include "update/shared_edges.h"
 #include "update/trace_border.h"
 
@@ -56,6 +57,7 @@ struct UpdateOptions {
   WallEdgeOptions walls;
   TornEdgeOptions torn;
   OverlapOptions overlap;
+  ShadowOptions shadow;
   TraceOptions trace;
   SegmentOptions segment;
   SharedEdgeOptions shared;

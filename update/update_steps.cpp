@@ -260,11 +260,11 @@ void UpdateSteps::report_overlap(std::size_t c) {
   const Overlap& overlap = rims_.overlaps[c];
   enter_overlap(overlap, result_.clouds[c]);
   for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
-    if (overlap.loops[l].match == LoopMatch::on_model) continue;
+    const LoopOverlap& loop = overlap.loops[l];
+    if (loop.match == LoopMatch::on_model) continue;
     if (result_.clouds[c].surface.rim.loops[l].is_seam) continue;
-    warn(name_of_loop(c, l) + (overlap.loops[l].match == LoopMatch::covered
-                                   ? ": lies on other clouds and is no border"
-                                   : ": is off the model and taken for a hole in the cloud"));
+    warn(name_of_loop(c, l) + ": " +
+         warning_of_loop(loop, loop.covered > 0 || !rims_.shared_with[c].empty()));
   }
 }
 

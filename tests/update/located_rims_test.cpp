@@ -124,6 +124,27 @@ TEST(LocatedRims, ARimOnTheModelComesBeforeOneThatIsNot) {
 }
 
 // A second cloud lies on the first one, five above the model: without that it would be off it.
+// Of which a third climbs what has changed: after all rims on the model, and before none.
+TEST(LocatedRims, ARimInAShadowIsTakenWhereThereIsNoOther) {
+  CloudRim climbing = torn_rim(0, 0);
+  for (std::size_t i = 0; i < 20; ++i) climbing.loops[0].points[i].z += 10;
+  CloudRim off = torn_rim(0, 0);
+  for (Point& p : off.loops[0].points) p.z += 100;
+  TwoTrials alone(climbing, off);
+  EXPECT_EQ(alone.taken(), 1);
+  EXPECT_EQ(alone.rims.overlaps[0].status, OverlapStatus::ok);
+  EXPECT_TRUE(alone.reports[0].overlap.in_shadow || alone.rims.overlaps[0].figures.in_shadow);
+  TwoTrials second(off, climbing);
+  EXPECT_EQ(second.taken(), 2);
+  EXPECT_TRUE(second.rims.overlaps[0].leaves_model);
+  TwoTrials other(climbing, torn_rim(20, 40));
+  EXPECT_EQ(other.taken(), 2);
+  EXPECT_FALSE(other.rims.overlaps[0].figures.in_shadow);
+  UpdateOptions none;
+  none.shadow.max_unmatched_share = 0;
+  EXPECT_EQ(TwoTrials(climbing, off).taken(none), 1);
+}
+
 TEST(LocatedRims, WhatOtherCloudsCoverIsAsBeforeWhereNoOtherRimIsTaken) {
   const TriangleMesh mesh = grid_plane(30);
   const ModelIndex model(mesh);

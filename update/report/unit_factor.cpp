@@ -35,7 +35,7 @@ std::optional<double> unit_factor(const ModelIndex& model, const CloudRim& rim,
   constexpr double most_apart = 30;
   std::size_t points = 0;
   for (const RimLoop& loop : rim.loops) points += loop.size();
-  if (2 * as_is.unmatched <= points) return {};
+  if (5 * (points - as_is.unmatched) > points) return {};
   const double edge = mesh_measure(model.mesh()).edge_lengths.median;
   for (const double factor : unit_factors()) {
     const double ratio = factor * rim.spacing / edge;

@@ -12,10 +12,10 @@ namespace cocoon {
 
 // The factor from one of millimeters, centimeters, inches, feet and meters to another one by which
 // the rim has to be multiplied to lie on the model; of several the one nearest to 1; none: it does
-// not lie there in any of these units, or half of its points do as they are: then the units are
-// right, whatever else is wrong. `as_is`: the overlap of the rim, with these options. For a message
-// only. Factors that leave the spacing of the rim more than 30 times larger or smaller than the
-// median edge of the model are not tried.
+// not lie there in any of these units, or more than a fifth of its points do as they are: then the
+// units are right, whatever else is wrong. `as_is`: the overlap of the rim, with these options. For
+// a message only. Factors that leave the spacing of the rim more than 30 times larger or smaller
+// than the median edge of the model are not tried.
 // Complexity: O(t log t) and an overlapping_facets() for each factor tried. Deterministic.
 // Source: ours; a scanner's units differ from those of a CAD program often enough.
 std::optional<double> unit_factor(const ModelIndex& model, const CloudRim& rim,

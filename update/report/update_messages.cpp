@@ -251,6 +251,19 @@ std::vector<std::string> notes_of_surface(const CloudSurface& surface) {
   return notes;
 }
 
+namespace {
+
+std::string where_it_leaves(const CloudReport& cloud, const OverlapOptions& options) {
+  if (!cloud.overlap.in_shadow) {
+    return "here and there, by up to " + rounded(cloud.overlap.largest_excess) + " spacings";
+  }
+  return "at " + std::to_string(cloud.unmatched_points()) + " of its " +
+         std::to_string(cloud.boundary_points) + " points, by more than " +
+         rounded(options.max_distance) + " spacings";
+}
+
+}  // namespace
+
 std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const OverlapOptions& options,
                                            const ShiftOptions& shift) {
   std::vector<std::string> warnings;
@@ -268,12 +281,18 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
                        rounded(cloud.shift / rim.spacing) + " spacings; register it better");
   }
   if (rim.leaves_model) {
-    warnings.push_back("its rim leaves the model here and there, by up to " +
-                       rounded(cloud.overlap.largest_excess) +
-                       " spacings: the scan ends on what has changed, as in a shadow of the "
-                       "scanner; look at the result, or scan what lies between it and the model");
+    warnings.push_back("its rim leaves the model " + where_it_leaves(cloud, options) +
+                       ": the scan ends on what has changed, as in a shadow of the scanner; look "
+                       "at the result, or scan what lies between it and the model");
   }
   return warnings;
+}
+
+std::string warning_of_loop(const LoopOverlap& loop, bool at_others) {
+  if (loop.match == LoopMatch::off_model)
+    return "is off the model and taken for a hole in the cloud";
+  return at_others ? "lies on other clouds and is no border"
+                   : "runs along a seam inside the cloud and is no border";
 }
 
 std::string warning_of_nothing_inside() {

@@ -90,6 +90,8 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
 // What is unusual about its surface, but no reason to worry: two of five good updates have some.
 std::vector<std::string> notes_of_surface(const CloudSurface& surface);
 // Of a loop that encloses nothing.
+// Of a loop that is no border; `at_others`: some of it lies on other clouds.
+std::string warning_of_loop(const LoopOverlap& loop, bool at_others);
 std::string warning_of_nothing_inside();
 
 }  // namespace cocoon

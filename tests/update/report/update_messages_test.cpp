@@ -109,6 +109,30 @@ TEST(UpdateMessages, ARimOffTheModelIsSaid) {
   EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "runs along seams"));
 }
 
+TEST(UpdateMessages, ALoopThatIsNoBorderIsSaid) {
+  LoopOverlap loop;
+  loop.match = LoopMatch::off_model;
+  EXPECT_TRUE(says({warning_of_loop(loop, false)}, "taken for a hole"));
+  loop.match = LoopMatch::covered;
+  EXPECT_TRUE(says({warning_of_loop(loop, true)}, "lies on other clouds"));
+  EXPECT_TRUE(says({warning_of_loop(loop, false)}, "along a seam inside the cloud"));
+}
+
+// Where points are so far off that they have no facet, how many they are tells more.
+TEST(UpdateMessages, ARimThatLeavesTheModelIsSaid) {
+  CloudReport cloud;
+  cloud.surface.rim.spacing = 1;
+  cloud.surface.rim.leaves_model = true;
+  cloud.overlap.largest_excess = 1.5;
+  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}),
+                   "leaves the model here and there, by up to 1.5 spacings: the scan ends"));
+  cloud.overlap.in_shadow = true;
+  cloud.boundary_points = 40;
+  cloud.loops = {{.unmatched = 7}, {.unmatched = 2}};
+  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}),
+                   "leaves the model at 9 of its 40 points, by more than 3 spacings: the scan"));
+}
+
 TEST(UpdateMessages, JoinedCloudsAreNamedAfterTheFirst) {
   const auto name = [](const std::vector<std::size_t>& members) {
     return name_of_clouds(members, 9);
