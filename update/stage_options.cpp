@@ -37,6 +37,7 @@ void require_options(const char* stage, const ChoiceOptions& options) {
   require_number(stage, "choice.ambiguous_margin", options.ambiguous_margin, 0, std::numbers::pi);
   require_number(stage, "choice.narrow_margin", options.narrow_margin, 0, std::numbers::pi);
   require_number(stage, "choice.turned_away", options.turned_away, 0, std::numbers::pi);
+  require_number(stage, "choice.sure_margin", options.sure_margin, 0, std::numbers::pi);
 }
 
 void require_options(const char* stage, const ClosedOpeningOptions& options) {

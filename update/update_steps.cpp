@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -115,7 +116,7 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
   }
   if (!check_separation(angles)) return false;
   result_.choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
-  if (ask_samples_for_sides(index, execution)) {
+  if (tell_sides(index, angles, execution)) {
     result_.choice = choose_regions(angles, clouds_.size(), options_.choice, decided_);
   }
   // Regions may be without any loop (all rims covered): then there is nothing to replace.
@@ -405,15 +406,20 @@ bool UpdateSteps::cut_where_scans_end(const ModelIndex& index,
   return found;
 }
 
-bool UpdateSteps::ask_samples_for_sides(const ModelIndex& index, const Execution& execution) {
+bool UpdateSteps::tell_sides(const ModelIndex& index, std::span<const RegionAngles> angles,
+                             const Execution& execution) {
   const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
-  told_by_samples_.assign(clouds_.size(), 0);
+  told_by_.assign(clouds_.size(), ToldBy::rim);
+  bool any = false;
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     const CloudChoice& cloud = result_.choice.clouds[c];
     if (cloud.turned_away.empty()) continue;
     IdVector<RegionId, std::uint8_t> under = regions_under_samples(
         index, result_.regions, cloud.turned_away, scans[c], options_.sampled, execution);
+    const bool by_samples = !under.empty();
+    if (!by_samples) under = under_by_sure_angles(c, angles);
     if (under.empty()) continue;
+    told_by_[c] = by_samples ? ToldBy::samples : ToldBy::sure_angles;
     for (const RegionVerdict& verdict : cloud.regions) {
       const bool was_asked =
           std::binary_search(cloud.turned_away.begin(), cloud.turned_away.end(), verdict.region);
@@ -421,9 +427,22 @@ bool UpdateSteps::ask_samples_for_sides(const ModelIndex& index, const Execution
     }
     decided_.resize(clouds_.size());
     decided_[c] = std::move(under);
-    told_by_samples_[c] = 1;
+    any = true;
   }
-  return std::count(told_by_samples_.begin(), told_by_samples_.end(), 1) > 0;
+  return any;
+}
+
+IdVector<RegionId, std::uint8_t> UpdateSteps::under_by_sure_angles(
+    std::size_t c, std::span<const RegionAngles> angles) const {
+  ChoiceOptions options = options_.choice;
+  options.turned_away = std::numbers::pi;
+  const CloudChoice choice = choose_regions(angles, clouds_.size(), options, decided_).clouds[c];
+  if (choice.is_ambiguous || choice.margin < options.sure_margin) return {};
+  IdVector<RegionId, std::uint8_t> under(result_.regions.regions.size(), 0);
+  for (const RegionVerdict& verdict : choice.regions) {
+    if (verdict.under_cloud) under[verdict.region] = 1;
+  }
+  return under;
 }
 
 bool UpdateSteps::report_choice() {
@@ -438,10 +457,12 @@ bool UpdateSteps::report_choice() {
     const bool is_said = std::any_of(
         report.groups.begin(), report.groups.end(),
         [&](const RegionVerdict& group) { return options_.overrides.names(group.region); });
-    report.is_told_by_samples = told_by_samples_[c] != 0 && !is_said;
     if (is_said) continue;
-    if (report.is_told_by_samples) {
-      warn(name_of_cloud(c) + ": " + warning_of_turned_away(report.groups));
+    report.is_told_by_samples = told_by_[c] == ToldBy::samples;
+    report.is_told_by_sure_angles = told_by_[c] == ToldBy::sure_angles;
+    if (told_by_[c] != ToldBy::rim) {
+      warn(name_of_cloud(c) + ": " +
+           warning_of_turned_away(report.groups, report.is_told_by_samples));
     } else if (choice.clouds[c].margin < options_.choice.narrow_margin) {
       warn(name_of_cloud(c) + ": " + warning_of_narrow_margin(report.margin_deg));
     }

@@ -112,7 +112,7 @@ class UpdateSteps {
                const Execution& execution);
 
   // Whether all regions at all loops of the cloud, taken as whole ones, turn away from it, and its
-  // samples tell which of them lie under it (ask_samples_for_sides()).
+  // samples tell which of them lie under it (tell_sides()).
   bool samples_tell_all_sides(const ModelIndex& index, std::size_t c,
                               const Execution& execution) const;
 
@@ -124,9 +124,15 @@ class UpdateSteps {
   // the cloud is to be cut.
   bool cut_where_scans_end(const ModelIndex& index, std::span<const RegionAngles> angles);
 
-  // Where both sides of a rim turn away from the cloud, by the choice so far. Returns whether
-  // samples told something.
-  bool ask_samples_for_sides(const ModelIndex& index, const Execution& execution);
+  enum class ToldBy : std::uint8_t { rim, samples, sure_angles };
+  // Where both sides of a rim turn away from the cloud, by the choice so far, samples tell, or else
+  // the angles if they differ much. Returns whether something was told.
+  bool tell_sides(const ModelIndex& index, std::span<const RegionAngles> angles,
+                  const Execution& execution);
+
+  // Which regions at a cloud's loops lie under it by the angles alone; empty: they are not sure.
+  IdVector<RegionId, std::uint8_t> under_by_sure_angles(std::size_t c,
+                                                        std::span<const RegionAngles> angles) const;
 
   bool report_choice();
 
@@ -142,7 +148,7 @@ class UpdateSteps {
   std::vector<Border> borders_;
   TriangleSet border_facets_;
   std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under, or by samples
-  std::vector<std::uint8_t> told_by_samples_;              // of each cloud: ask_samples_for_sides()
+  std::vector<ToldBy> told_by_;                            // of each cloud: tell_sides()
   UpdateResult result_;
 };
 

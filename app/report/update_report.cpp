@@ -76,6 +76,7 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("replaced_groups", numbers_of(cloud.replaced_groups));
   entry.set("margin_deg", cloud.margin_deg);
   entry.set("told_by_samples", cloud.is_told_by_samples);
+  entry.set("told_by_sure_angles", cloud.is_told_by_sure_angles);
   if (cloud.joined_with) return entry;
   entry.set("loops", cloud.loops.size());
   add_rims(entry, cloud);

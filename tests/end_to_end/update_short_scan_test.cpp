@@ -140,5 +140,50 @@ TEST_F(UpdateShortScan, IsRefusedIfSamplesDoNotTell) {
   EXPECT_NE(result.message.find("or say which of them goes"), std::string::npos);
 }
 
+// A pocket is filled, and the scan ends at its mouth. Its samples are near neither the walls nor
+// the floor, but the model goes straight on from it on one side alone.
+TEST_F(UpdateShortScan, AFilledPocketIsToldByAngles) {
+  const TriangleMesh part =
+      testing::surface_of(BoxyPart{{24, 20, 8}, [](int x, int y, int z) {
+                                     return z < 2 || x < 7 || x >= 17 || y < 5 || y >= 15;
+                                   }});
+  const TriangleMesh pocket =
+      reconstruct_tight(testing::scan_of_mesh(part, least, random, [](TriangleId) {
+        return true;
+      })).mesh;
+  std::vector<Point> lid;
+  for (const Point& p : model.points) {
+    if (p.z == 8 && std::abs(p.x - 12) < 4.9 && std::abs(p.y - 10) < 4.9) lid.push_back(p);
+  }
+  const UpdateResult result = update_model(pocket, {{lid}});
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_TRUE(result.clouds[0].is_told_by_sure_angles);
+  EXPECT_FALSE(result.clouds[0].is_told_by_samples);
+  EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const auto& line) {
+    return line.find("so its smaller angle tells which group goes") != line.npos;
+  }));
+  EXPECT_TRUE(mesh_check(result.mesh).is_closed_manifold());
+  EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+  // Where the rim cuts across corners of the mouth, the walls over its chords stay.
+  std::size_t walls = 0;
+  std::size_t left = 0;
+  for (const VertexId v : pocket.points.ids()) {
+    const Point& p = pocket.points[v];
+    const double outside = std::max(std::abs(p.x - 12), std::abs(p.y - 10)) - 5;
+    if (outside < 0 && p.z == 2) {
+      EXPECT_TRUE(result.vertex_map[v].is_none()) << outside;
+    } else if (outside > 1 || p.z < 2) {
+      EXPECT_FALSE(result.vertex_map[v].is_none()) << outside << ' ' << p.z;
+    } else if (outside == 0 && p.z < 6) {
+      ++walls;
+      left += result.vertex_map[v].is_none() ? 0U : 1U;
+    }
+  }
+  EXPECT_LT(50 * left, walls);
+  UpdateOptions unsure;
+  unsure.choice.sure_margin = std::numbers::pi;
+  EXPECT_EQ(update_model(pocket, {{lid}}, unsure).status, UpdateStatus::ambiguous);
+}
+
 }  // namespace
 }  // namespace cocoon

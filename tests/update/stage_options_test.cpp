@@ -57,6 +57,7 @@ const std::vector<Change> wrong = {
     [](UpdateOptions& o) { o.angles.min_relative_height = 2; },
     [](UpdateOptions& o) { o.choice.ambiguous_margin = 10; },  // degrees
     [](UpdateOptions& o) { o.choice.turned_away = 100; },      // degrees
+    [](UpdateOptions& o) { o.choice.sure_margin = 40; },       // degrees
     [](UpdateOptions& o) { o.sampled.min_share = 2; },
     [](UpdateOptions& o) { o.walls.reach = -1; },
     [](UpdateOptions& o) { o.walls.min_way_cosine = 2; },

@@ -51,6 +51,7 @@ struct CloudReport {
   std::vector<RegionId> replaced_groups;  // those under this cloud
   double margin_deg = 180;                // of its least clear loop; of all if it was cut or told
   bool is_told_by_samples = false;        // regions_under_samples(); false if a person told
+  bool is_told_by_sure_angles = false;    // ChoiceOptions::sure_margin; false if a person told
   ContradictedSamples contradicted;       // its samples, on the updated model
   std::size_t compared_rims = 0;  // of its trials, by the doubt that they leave; 0: not asked
   std::size_t taken_rim = 0;      // of these; 0: the first, that was preferred before

@@ -164,10 +164,11 @@ std::string warning_of_narrow_margin(double degrees) {
   return "its regions differ by only " + rounded(degrees) + " degrees; look at the result";
 }
 
-std::string warning_of_turned_away(std::span<const RegionVerdict> groups) {
+std::string warning_of_turned_away(std::span<const RegionVerdict> groups, bool by_samples) {
   return "the model turns away from it on both sides of its rim" + told_in_parentheses(groups) +
-         ", as where a scan ends before it meets the model, so its samples tell which group goes; "
-         "look at the result";
+         ", as where a scan ends before it meets the model, so its " +
+         (by_samples ? "samples tell" : "smaller angle tells") +
+         " which group goes; look at the result";
 }
 
 std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,

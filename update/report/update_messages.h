@@ -71,7 +71,8 @@ std::string warning_of_shared_regions(std::size_t regions);
 // Mean angles of regions, in degrees, that hardly differ.
 std::string warning_of_narrow_margin(double degrees);
 // Samples, not angles, have told which groups lie under the cloud.
-std::string warning_of_turned_away(std::span<const RegionVerdict> groups);
+// `by_samples`: they tell which group goes; else the angles do.
+std::string warning_of_turned_away(std::span<const RegionVerdict> groups, bool by_samples);
 // Of the doubtful; `at`: one of them.
 std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,
                                   const OverlookedOptions& options = {});

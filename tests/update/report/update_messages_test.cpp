@@ -152,7 +152,10 @@ TEST(UpdateMessages, AnglesAreInDegrees) {
       reason_of_ambiguity(1, {}).ends_with("degree; let the cloud reach farther onto "
                                            "unchanged surface"));
   EXPECT_TRUE(says({reason_of_ambiguity(0.5, groups)}, "differ by less than 0.5 degrees ("));
-  EXPECT_TRUE(says({warning_of_turned_away(groups)}, "rim (group 0: 90.1, group 2: 89.9), as"));
+  EXPECT_TRUE(
+      says({warning_of_turned_away(groups, true)}, "rim (group 0: 90.1, group 2: 89.9), as"));
+  EXPECT_TRUE(says({warning_of_turned_away(groups, true)}, "so its samples tell which group goes"));
+  EXPECT_TRUE(says({warning_of_turned_away(groups, false)}, "so its smaller angle tells which"));
   EXPECT_TRUE(says({reason_of_turned_away(groups)}, "surface, or say which of them goes"));
   EXPECT_TRUE(reason_of_turned_away({}).ends_with("reach onto unchanged surface"));
   EXPECT_EQ(warning_of_narrow_margin(12.3456),
