@@ -367,9 +367,14 @@ bool UpdateSteps::samples_tell_all_sides(const ModelIndex& index, std::size_t c,
                                          const Execution& execution) const {
   const Regions regions = segment_model(index, border_facets_, options_.segment, execution);
   std::vector<RegionAngles> angles;
+  bool separate = true;
   for_each_border_loop([&](std::size_t of, std::size_t l) {
-    if (of == c) angles.push_back(mean_angles_of_loop(index, regions, c, l));
+    if (of != c) return;
+    angles.push_back(mean_angles_of_loop(index, regions, c, l));
+    const LoopSides sides = loop_sides(model_, index.neighbors(), borders_[c].loops[l], regions);
+    separate = separate && sides.separation == Separation::separates;
   });
+  if (!separate) return false;
   const CloudChoice choice = choose_regions(angles, clouds_.size(), options_.choice).clouds[c];
   if (choice.turned_away.empty() || choice.turned_away.size() < choice.regions.size()) return false;
   return !regions_under_samples(index, regions, choice.turned_away,

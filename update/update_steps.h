@@ -111,8 +111,8 @@ class UpdateSteps {
   bool segment(const ModelIndex& index, const std::vector<std::size_t>& joined,
                const Execution& execution);
 
-  // Whether all regions at all loops of the cloud, taken as whole ones, turn away from it, and its
-  // samples tell which of them lie under it (tell_sides()).
+  // Whether all loops of the cloud, taken as whole ones, separate, all regions at them turn away
+  // from it, and its samples tell which of them lie under it (tell_sides()).
   bool samples_tell_all_sides(const ModelIndex& index, std::size_t c,
                               const Execution& execution) const;
 
