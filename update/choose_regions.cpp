@@ -187,6 +187,27 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
   return choice;
 }
 
+IdVector<RegionId, std::uint8_t> under_by_sure_angles(std::span<const RegionAngles> loops,
+                                                      std::size_t num_clouds, std::size_t cloud,
+                                                      ChoiceOptions options) {
+  options.turned_away = std::numbers::pi;
+  const RegionChoice all = choose_regions(loops, num_clouds, options);
+  const CloudChoice& choice = all.clouds[cloud];
+  double largest_under = 0;
+  double smallest_outside = std::numbers::pi;
+  IdVector<RegionId, std::uint8_t> under(all.replaced.size(), 0);
+  for (const RegionVerdict& verdict : choice.regions) {
+    if (verdict.under_cloud) {
+      under[verdict.region] = 1;
+      largest_under = std::max(largest_under, verdict.mean_angle);
+    } else {
+      smallest_outside = std::min(smallest_outside, verdict.mean_angle);
+    }
+  }
+  const bool is_sure = smallest_outside - largest_under >= options.sure_margin;
+  return is_sure && !choice.is_ambiguous ? under : IdVector<RegionId, std::uint8_t>();
+}
+
 RegionId largest_kept_region(const Regions& regions, const RegionChoice& choice) {
   require_size("largest_kept_region", "flags of replaced regions", choice.replaced.size(),
                regions.regions.size());

@@ -28,9 +28,10 @@ struct ChoiceOptions {
   // pi: it always does, as in the paper. Of 336 rims that were right 53 degrees was the largest
   // mean under the cloud, 92 where clouds were out of register.
   double turned_away = 100.0 * std::numbers::pi / 180;
-  // But if samples do not tell either, the smallest mean does from this margin on. Of 235 rims from
-  // which the model turned away, and whose samples told, none had the larger mean under the cloud
-  // by more than 33 degrees.
+  // If samples do not tell then, angles do after all, provided that each region outside has a mean
+  // larger than each one under the cloud by at least this (under_by_sure_angles()). Of 235 rims
+  // from which the model turned away, and whose samples told, none had the larger mean under the
+  // cloud by more than 33 degrees.
   double sure_margin = 40.0 * std::numbers::pi / 180;
 };
 
@@ -91,6 +92,14 @@ struct RegionChoice {
 RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num_clouds,
                             const ChoiceOptions& options = {},
                             std::span<const IdVector<RegionId, std::uint8_t>> decided = {});
+
+// By the angles alone: a flag for each region, 1 for those at loops of the cloud that lie under it,
+// even if all of them turn away from it (ChoiceOptions::turned_away). Empty if not each region
+// outside has a mean larger by sure_margin than each one under it. `loops`, `num_clouds`, errors
+// and complexity: as choose_regions(); `loops` is not empty. Source: ours.
+IdVector<RegionId, std::uint8_t> under_by_sure_angles(std::span<const RegionAngles> loops,
+                                                      std::size_t num_clouds, std::size_t cloud,
+                                                      ChoiceOptions options = {});
 
 // Of the regions that stay the one with the most facets, of several the first; none if all go.
 // Complexity: O(regions).

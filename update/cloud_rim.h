@@ -74,6 +74,14 @@ struct CloudRim {
   std::size_t shared_edges = 0;  // marked by mark_shared_edges()
   bool leaves_model = false;     // by its overlap: Overlap::leaves_model
 
+  // By its perimeter, of several the first. Precondition: there is one.
+  std::size_t longest_loop() const {
+    const auto longest = std::max_element(
+        loops.begin(), loops.end(),
+        [](const RimLoop& a, const RimLoop& b) { return a.perimeter < b.perimeter; });
+    return static_cast<std::size_t>(longest - loops.begin());
+  }
+
   // Whether parts of it are no end of what was scanned: the surface of the cloud broke up somewhere
   // inside it, another cloud goes on beyond it, or it runs over what has changed.
   bool is_partial() const { return seam_edges > 0 || shared_edges > 0 || leaves_model; }

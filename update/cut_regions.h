@@ -51,7 +51,7 @@ struct CutOptions {
   // Where a whole rim runs around a handle and that is cut, what goes lies no farther from the box
   // of the samples than so many spacings. By the rims of other trials nothing goes that lies
   // farther, unless it does by the first one, too.
-  double handle_reach = 10;
+  double box_reach = 10;
   ScanEndOptions ends = {};
   DisprovedOptions disproved = {};
 };

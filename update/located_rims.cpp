@@ -37,11 +37,12 @@ class Locating {
     for (std::size_t c = 0; c < clouds_.size(); ++c) locate(c);
     excuse_covered();
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      if (found_.overlaps[c].status == OverlapStatus::no_overlap) try_others(c);
+      if (!is_on_model(c)) {
+        try_others(c, [&] { return is_on_model(c); });
+      }
     }
     for (std::size_t c = 0; c < clouds_.size(); ++c) prefer_clearer(c);
-    for (std::size_t c = 0; c < clouds_.size(); ++c) look_for_shadowed(c);
-    for (std::size_t c = 0; c < clouds_.size(); ++c) take_shadowed(c);
+    take_shadowed_rims();
     return std::move(found_);
   }
 
@@ -89,30 +90,33 @@ class Locating {
 
   bool is_on_model(std::size_t c) const { return found_.overlaps[c].status == OverlapStatus::ok; }
 
-  void try_others(std::size_t c) {
+  // The first of the other surfaces, of the same kind, that is accepted.
+  template <class Accepts>
+  void try_others(std::size_t c, const Accepts& accepts) {
     const CloudStatus status = reports_[c].surface.status;
     for (const CloudSurface& other : others_[c]) {
       if (other.status != status || !other.has_loops()) continue;
       Before before = exchange(c, other);
-      if (is_on_model(c)) return;
+      if (accepts()) return;
       put_back(c, std::move(before));
     }
   }
 
-  // Where nothing else helps; with its surface, or with that of another trial.
-  void look_for_shadowed(std::size_t c) {
-    if (is_on_model(c) || take_shadowed(c)) return;
-    for (const CloudSurface& other : others_[c]) {
-      if (other.status != CloudStatus::ok) continue;
-      Before before = exchange(c, other);
-      if (take_shadowed(c)) return;
-      put_back(c, std::move(before));
-    }
-  }
-
-  // To be asked again when another cloud got another rim: what that covers is told anew.
   bool take_shadowed(std::size_t c) {
     return take_shadowed_rim(reports_[c].surface.rim, options_.shadow, found_.overlaps[c]);
+  }
+
+  // Where nothing else helps; rims of the surfaces that are there come first. Clouds that a rim
+  // covers lie on the model with it.
+  void take_shadowed_rims() {
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      if (!is_on_model(c)) take_shadowed(c);
+    }
+    excuse_covered();
+    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+      if (!is_on_model(c)) try_others(c, [&] { return take_shadowed(c); });
+    }
+    excuse_covered();
   }
 
   RimDoubt doubt_of(std::size_t c) const {

@@ -29,11 +29,12 @@ CloudReport report_of_surface(CloudSurface surface);
 // the rim of a cloud is not on the model, the best of its other surfaces that has one there is
 // taken. Where it is, but leaves a doubt (rim_doubt.h) and is shared with no other cloud, the rims
 // of the others are looked at, and the clearest is taken if it is far clearer (CutOptions), unless
-// what goes by it, and not by the first one, reaches far from the samples. The number of rims that
-// were compared is in the report. others[c]: surfaces of clouds[c], the ones to be preferred first.
-// Errors: InputError unless there are as many reports and others as clouds, and as the stages.
-// Complexity: that of overlapping_facets() for each rim, and of rim_doubt() for those that are
-// compared. Source: ours; Woo & Dey 2005, section 3.3 presumes one rim, on the model.
+// what goes by it, and not by the first one, reaches far from the samples. A rim that is not on the
+// model after all that may be so by take_shadowed_rim(), or that of another surface. The number of
+// rims that were compared is in the report. others[c]: surfaces of clouds[c], the ones to be
+// preferred first. Errors: InputError unless there are as many reports and others as clouds, and as
+// the stages. Complexity: that of overlapping_facets() for each rim, and of rim_doubt() for those
+// that are compared. Source: ours; Woo & Dey 2005, section 3.3 presumes one rim, on the model.
 LocatedRims locate_rims(const ModelIndex& model, std::span<const std::vector<Point>> clouds,
                         std::span<const std::vector<CloudSurface>> others,
                         const UpdateOptions& options, std::span<CloudReport> reports,

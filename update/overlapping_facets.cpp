@@ -331,9 +331,11 @@ void count_raised(const TriangleMesh& model, const CloudRim& rim, const OverlapO
 
 // Loops off the model are holes inside the cloud, unless the longest loop is one of them.
 void match_loops(const CloudRim& rim, const OverlapOptions& options, Overlap& overlap) {
-  std::size_t longest = 0;
+  if (rim.loops.empty()) {
+    overlap.status = OverlapStatus::no_overlap;
+    return;
+  }
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
-    if (rim.loops[l].perimeter > rim.loops[longest].perimeter) longest = l;
     LoopOverlap& loop = overlap.loops[l];
     loop.match = match_of(loop, options.max_unmatched_share);
     const std::size_t points = loop.facets.size() - loop.inner_points;
@@ -343,7 +345,9 @@ void match_loops(const CloudRim& rim, const OverlapOptions& options, Overlap& ov
       loop.match = LoopMatch::off_model;
     }
   }
-  const bool overlaps = !rim.loops.empty() && overlap.loops[longest].match != LoopMatch::off_model;
+  LoopOverlap& longest = overlap.loops[rim.longest_loop()];
+  if (overlap.figures.in_shadow > 0) longest.match = LoopMatch::on_model;
+  const bool overlaps = longest.match != LoopMatch::off_model;
   overlap.status = overlaps ? OverlapStatus::ok : OverlapStatus::no_overlap;
 }
 

@@ -87,7 +87,10 @@ struct OverlapFigures {
   // By how many spacings, as in max_distance, a matched point at most is farther from its facet
   // than the median.
   double largest_excess = 0;
-  bool in_shadow = false;  // it lies on the model by take_shadowed_rim()
+  // If it lies on the model by take_shadowed_rim(): points of its longest loop that are far off,
+  // and all of them.
+  std::size_t in_shadow = 0;
+  std::size_t in_shadow_of = 0;
 };
 
 struct Overlap {
@@ -96,8 +99,8 @@ struct Overlap {
   std::vector<TriangleId> facets;  // all overlapping facets, sorted, each once
   std::size_t unmatched = 0;       // rim points without a facet
   OverlapFigures figures;
-  // Its largest_excess is more than raised_distance, or it is in_shadow: the scan ends on what has
-  // changed.
+  // Its largest_excess is more than raised_distance, or some of it is in_shadow: the scan ends on
+  // what has changed.
   bool leaves_model = false;
 
   // Whether a loop lies on the model, or on other clouds.
@@ -131,9 +134,10 @@ Overlap overlapping_facets(const TriangleMesh& model, const CloudRim& rim,
 // clouds that cover each other, also by way of others, none has a loop on the model, they all lie
 // off it (no_overlap).
 // clouds[i] belongs to rims[i] and overlaps[i]. Errors: InputError unless there are as many of
-// each, and of loops; for options as above. Complexity: O(clouds) if no point is unmatched; else
-// O(n log n) for the n points of all clouds, and O(log n) for each unmatched point and cloud.
-// Source: ours; clouds that overlap each other do not occur in Woo & Dey 2005.
+// each, and of loops; for options as above. What take_shadowed_rim() took stays on the model.
+// Complexity: O(clouds) if no point is unmatched; else O(n log n) for the n points of all clouds,
+// and O(log n) for each unmatched point and cloud. Source: ours; clouds that overlap each other do
+// not occur in Woo & Dey 2005.
 void excuse_covered_points(std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds, std::span<Overlap> overlaps,
                            const OverlapOptions& options = {});

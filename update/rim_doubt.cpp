@@ -19,7 +19,7 @@ RimDoubt rim_doubt(const ModelIndex& model, Points samples, CloudRim rim, const 
   return {.share = cut.doubt(),
           .told = rim.median_edge * std::min(cut.seeds_under, cut.seeds_outside),
           .reaches_far =
-              reaches_beyond(model, members(cut.under), std::span(&scan, 1), options.handle_reach)};
+              reaches_beyond(model, members(cut.under), std::span(&scan, 1), options.box_reach)};
 }
 
 }  // namespace cocoon

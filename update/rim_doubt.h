@@ -18,7 +18,7 @@ struct RimDoubt {
   // Length of the border whose sides it tells, on the weaker side. A rim of which hardly anything
   // is known contradicts itself nowhere.
   double told = 0;
-  // Whether facets would go that lie far from the box of the samples (CutOptions::handle_reach).
+  // Whether facets would go that lie far from the box of the samples (CutOptions::box_reach).
   bool reaches_far = false;
 };
 

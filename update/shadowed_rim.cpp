@@ -1,6 +1,5 @@
 #include "update/shadowed_rim.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -28,20 +27,20 @@ bool take_shadowed_rim(const CloudRim& rim, const ShadowOptions& options, Overla
   require_options("take_shadowed_rim", options);
   require_size("take_shadowed_rim", "loops of the overlap", overlap.loops.size(), rim.loops.size());
   if (rim.loops.empty() || options.max_unmatched_share == 0) return false;
-  const auto longest = std::max_element(
-      rim.loops.begin(), rim.loops.end(),
-      [](const RimLoop& a, const RimLoop& b) { return a.perimeter < b.perimeter; });
-  LoopOverlap& found = overlap.loops[static_cast<std::size_t>(longest - rim.loops.begin())];
+  const std::size_t longest = rim.longest_loop();
+  LoopOverlap& found = overlap.loops[longest];
   if (found.match != LoopMatch::off_model) return false;
-  const auto points = static_cast<double>(found.facets.size() - found.inner_points);
-  const auto unmatched = static_cast<double>(found.unmatched - found.covered);
-  std::vector<double> distances = distances_of(*longest, found);
-  if (distances.empty() || unmatched > options.max_unmatched_share * points) return false;
+  const std::size_t points = found.facets.size() - found.inner_points - found.covered;
+  const std::size_t unmatched = found.unmatched - found.covered;
+  const double most = options.max_unmatched_share * static_cast<double>(points);
+  std::vector<double> distances = distances_of(rim.loops[longest], found);
+  if (distances.empty() || static_cast<double>(unmatched) > most) return false;
   if (median(std::move(distances)) > options.max_distance * rim.spacing) return false;
   found.match = LoopMatch::on_model;
   overlap.status = OverlapStatus::ok;
   overlap.leaves_model = true;
-  overlap.figures.in_shadow = true;
+  overlap.figures.in_shadow = unmatched;
+  overlap.figures.in_shadow_of = points;
   return true;
 }
 

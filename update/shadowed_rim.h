@@ -6,7 +6,8 @@
 
 namespace cocoon {
 
-// Of the longest loop of a rim; points between edges with cloud beyond them do not count.
+// Of the longest loop of a rim; points between edges with cloud beyond them, and those that other
+// clouds cover, do not count.
 struct ShadowOptions {
   // No larger share of its points is unmatched (OverlapOptions). 0: no rim is taken.
   double max_unmatched_share = 0.5;

@@ -74,7 +74,7 @@ void require_options(const char* stage, const CutOptions& options) {
                           {"cut.clear_doubt", options.clear_doubt},
                           {"cut.clearer_rim", options.clearer_rim},
                           {"cut.min_told", options.min_told},
-                          {"cut.handle_reach", options.handle_reach}});
+                          {"cut.box_reach", options.box_reach}});
   require_shares(stage, {{"cut.clear_seam_share", options.clear_seam_share}});
   require_options(stage, options.ends);
   require_options(stage, options.disproved);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -341,15 +340,13 @@ bool UpdateSteps::segment(const ModelIndex& index, const std::vector<std::size_t
                                scans_of(clouds_, result_.clouds), joined, is_cut_, options_.cut,
                                options_.segment, execution, outward(index));
   is_cut_ = std::move(cut.is_cut);
+  if (needs_no_cut(index, joined, cut.cuts, execution)) {
+    is_cut_.assign(clouds_.size(), 0);
+    for (CloudReport& cloud : result_.clouds) cloud.cut = {};
+    return segment(index, joined, execution);
+  }
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     if (is_cut_[c] == 0 || joined[c] != c) continue;
-    if (cut.cuts[c].doubt() > options_.cut.clear_doubt &&
-        std::count(joined.begin(), joined.end(), c) == 1 &&
-        samples_tell_all_sides(index, c, execution)) {
-      is_cut_[c] = 0;
-      result_.clouds[c].cut = {};
-      return segment(index, joined, execution);
-    }
     const std::optional<std::string> why = why_not_cut(c, cut.cuts[c], index);
     cut.cuts[c].under = {};
     result_.clouds[c].cut = std::move(cut.cuts[c]);
@@ -361,6 +358,21 @@ bool UpdateSteps::segment(const ModelIndex& index, const std::vector<std::size_t
   result_.regions = std::move(cut.regions);
   decided_ = std::move(cut.under);
   return true;
+}
+
+bool UpdateSteps::needs_no_cut(const ModelIndex& index, const std::vector<std::size_t>& joined,
+                               std::span<const RegionCut> cuts, const Execution& execution) const {
+  bool any = false;
+  for (std::size_t c = 0; c < clouds_.size(); ++c) {
+    if (is_cut_[c] == 0) continue;
+    any = true;
+    if (std::count(joined.begin(), joined.end(), joined[c]) > 1 ||
+        cuts[c].doubt() <= options_.cut.clear_doubt ||
+        !samples_tell_all_sides(index, c, execution)) {
+      return false;
+    }
+  }
+  return any;
 }
 
 bool UpdateSteps::samples_tell_all_sides(const ModelIndex& index, std::size_t c,
@@ -386,8 +398,8 @@ std::optional<std::string> UpdateSteps::why_not_cut(std::size_t c, const RegionC
                                                     const ModelIndex& index) const {
   if (runs_around_handle(result_.clouds[c])) {
     const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
-    const bool is_far = reaches_beyond(index, members(cut.under), std::span(&scans[c], 1),
-                                       options_.cut.handle_reach);
+    const bool is_far =
+        reaches_beyond(index, members(cut.under), std::span(&scans[c], 1), options_.cut.box_reach);
     if (is_far || cut.doubt() > options_.cut.max_doubt) return reason_of_wide_handle();
   } else if (cut.doubt() > options_.cut.max_doubt) {
     return reason_of_doubtful_cut(cut);
@@ -422,7 +434,7 @@ bool UpdateSteps::tell_sides(const ModelIndex& index, std::span<const RegionAngl
     IdVector<RegionId, std::uint8_t> under = regions_under_samples(
         index, result_.regions, cloud.turned_away, scans[c], options_.sampled, execution);
     const bool by_samples = !under.empty();
-    if (!by_samples) under = under_by_sure_angles(c, angles);
+    if (!by_samples) under = under_by_sure_angles(angles, clouds_.size(), c, options_.choice);
     if (under.empty()) continue;
     told_by_[c] = by_samples ? ToldBy::samples : ToldBy::sure_angles;
     for (const RegionVerdict& verdict : cloud.regions) {
@@ -435,19 +447,6 @@ bool UpdateSteps::tell_sides(const ModelIndex& index, std::span<const RegionAngl
     any = true;
   }
   return any;
-}
-
-IdVector<RegionId, std::uint8_t> UpdateSteps::under_by_sure_angles(
-    std::size_t c, std::span<const RegionAngles> angles) const {
-  ChoiceOptions options = options_.choice;
-  options.turned_away = std::numbers::pi;
-  const CloudChoice choice = choose_regions(angles, clouds_.size(), options, decided_).clouds[c];
-  if (choice.is_ambiguous || choice.margin < options.sure_margin) return {};
-  IdVector<RegionId, std::uint8_t> under(result_.regions.regions.size(), 0);
-  for (const RegionVerdict& verdict : choice.regions) {
-    if (verdict.under_cloud) under[verdict.region] = 1;
-  }
-  return under;
 }
 
 bool UpdateSteps::report_choice() {

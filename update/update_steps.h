@@ -106,10 +106,14 @@ class UpdateSteps {
   // band, which begins where it ends.
   bool check_separation(std::span<const RegionAngles> angles);
 
-  // Where clouds are cut: takes regions that lie as a whole under each such cloud, or outside. One
-  // whose cut is not clear is not cut if its samples tell all.
+  // Where clouds are cut: takes regions that lie as a whole under each such cloud, or outside. None
+  // is cut if needs_no_cut().
   bool segment(const ModelIndex& index, const std::vector<std::size_t>& joined,
                const Execution& execution);
+
+  // Whether no cut is clear, all are of single clouds, and samples tell all of their sides.
+  bool needs_no_cut(const ModelIndex& index, const std::vector<std::size_t>& joined,
+                    std::span<const RegionCut> cuts, const Execution& execution) const;
 
   // Whether all loops of the cloud, taken as whole ones, separate, all regions at them turn away
   // from it, and its samples tell which of them lie under it (tell_sides()).
@@ -129,10 +133,6 @@ class UpdateSteps {
   // the angles if they differ much. Returns whether something was told.
   bool tell_sides(const ModelIndex& index, std::span<const RegionAngles> angles,
                   const Execution& execution);
-
-  // Which regions at a cloud's loops lie under it by the angles alone; empty: they are not sure.
-  IdVector<RegionId, std::uint8_t> under_by_sure_angles(std::size_t c,
-                                                        std::span<const RegionAngles> angles) const;
 
   bool report_choice();
 

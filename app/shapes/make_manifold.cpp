@@ -19,7 +19,7 @@ VertexProperties properties_of_copies(const VertexProperties& properties,
   return gather_properties({&properties, 1}, origins).properties;
 }
 
-void split_sheets(Job& job, const ManifoldUse& use, TriangleMesh& mesh,
+void split_sheets(Job& job, const ManifoldOutput& output, TriangleMesh& mesh,
                   VertexProperties& properties) {
   SplitSurface split = timed(job.execution(), "manifold", [&] { return split_nonmanifold(mesh); });
   job.report().set("manifold/split_edges", split.split_edges);
@@ -34,19 +34,20 @@ void split_sheets(Job& job, const ManifoldUse& use, TriangleMesh& mesh,
       "made manifold: {} with more than two triangles and {} split; {} copied, {} given a midpoint",
       counted(split.split_edges, "edge"), counted(split.split_vertices, "vertex", "vertices"),
       counted(split.copies, "vertex", "vertices"), counted(split.midpoints, "edge"));
-  if (split.copies > 0 && format_of(use.file) == FileFormat::stl) {
-    job.warn(use.file +
+  if (split.copies > 0 && format_of(output.file) == FileFormat::stl) {
+    job.warn(output.file +
              ": STL has no vertex ids, so a reader joins the copied vertices again; write .ply, "
              ".obj or .off to keep the surface manifold");
   }
-  if (use.beside_session) job.say("note: the session has the surface as it was before --manifold");
+  if (output.beside_session)
+    job.say("note: the session has the surface as it was before --manifold");
 }
 
 }  // namespace
 
-MeshReport make_manifold(Job& job, const ManifoldUse& use, TriangleMesh& mesh,
+MeshReport make_manifold(Job& job, const ManifoldOutput& output, TriangleMesh& mesh,
                          VertexProperties& properties) {
-  split_sheets(job, use, mesh, properties);
+  split_sheets(job, output, mesh, properties);
   return timed(job.execution(), "check", [&] { return mesh_check(mesh, {}, job.execution()); });
 }
 

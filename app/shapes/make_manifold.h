@@ -11,8 +11,8 @@
 namespace cocoon::app {
 
 // Where the mesh goes.
-struct ManifoldUse {
-  const std::string& file;
+struct ManifoldOutput {
+  std::string file;
   bool beside_session = false;  // a session is written, too
 };
 
@@ -21,7 +21,7 @@ struct ManifoldUse {
 // counts go to the section "manifold" of the report and, if there was something to split, to the
 // summary, with a note that the session has none of it. Warns if the file is an STL: it has no
 // vertex ids to tell copies apart.
-MeshReport make_manifold(Job& job, const ManifoldUse& use, TriangleMesh& mesh,
+MeshReport make_manifold(Job& job, const ManifoldOutput& output, TriangleMesh& mesh,
                          VertexProperties& properties);
 
 }  // namespace cocoon::app

@@ -94,7 +94,7 @@ TEST(UpdateWithHandles, BlockWithAHoleByACap) {
   EXPECT_EQ(check.euler, 2);
 
   UpdateOptions near;
-  near.cut.handle_reach = 0;
+  near.cut.box_reach = 0;
   const UpdateResult refused = update_model(model, Clouds{cap_with_hill({12, 10, 8}, 3)}, near);
   EXPECT_EQ(refused.status, UpdateStatus::non_separating);
   EXPECT_NE(refused.message.find("no short cut across"), std::string::npos) << refused.message;

@@ -96,8 +96,9 @@ TEST(UpdateInAShadow, TheRimMayClimbATallBoss) {
     EXPECT_EQ(mesh_check(result.mesh).euler, 2);
     EXPECT_TRUE(result.clouds[0].overlap.in_shadow);
     EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const auto& line) {
-      return line.find("points, by more than 3 spacings: the scan ends on what has changed") !=
-             line.npos;
+      return line.find(
+                 "points of its longest loop, by more than 3 spacings: the scan ends on what has "
+                 "changed") != line.npos;
     }));
   }
 }

@@ -160,7 +160,7 @@ TEST_F(UpdateShortScan, AFilledPocketIsToldByAngles) {
   EXPECT_TRUE(result.clouds[0].is_told_by_sure_angles);
   EXPECT_FALSE(result.clouds[0].is_told_by_samples);
   EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const auto& line) {
-    return line.find("so its smaller angle tells which group goes") != line.npos;
+    return line.find("so the smaller angle does") != line.npos;
   }));
   EXPECT_TRUE(mesh_check(result.mesh).is_closed_manifold());
   EXPECT_EQ(mesh_check(result.mesh).euler, 2);

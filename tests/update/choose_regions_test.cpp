@@ -228,6 +228,29 @@ TEST(ChooseRegions, TheLargestRegionThatStaysIsTheFirstOfSeveral) {
 }
 
 // As where all rims of a cloud that was cut are covered.
+// However large they are; but each region outside is to have a mean so much larger.
+TEST(SureAngles, DifferByForty) {
+  const auto under = [](const std::vector<double>& means, const ChoiceOptions& options = {}) {
+    const std::vector<RegionAngles> loops = {loop(0, means)};
+    const auto flags = under_by_sure_angles(loops, 1, 0, options);
+    return std::vector<int>(flags.begin(), flags.end());
+  };
+  EXPECT_EQ(under({105, 146}), (std::vector<int>{1, 0}));
+  EXPECT_EQ(under({172, 131}), (std::vector<int>{0, 1}));
+  EXPECT_TRUE(under({105, 144}).empty());
+  EXPECT_TRUE(under({102, 121, 143}).empty());  // the second is parted from the third by 22
+  EXPECT_EQ(under({102, 103, 145}), (std::vector<int>{1, 1, 0}));
+  EXPECT_EQ(under({105, 144}, {.sure_margin = 0.6}), (std::vector<int>{1, 0}));
+  EXPECT_TRUE(under({105, 105.5}, {.sure_margin = 0}).empty());  // ambiguous
+}
+
+TEST(SureAngles, AreThoseOfOneCloud) {
+  const std::vector<RegionAngles> loops = {loop(0, {110, 120, -1}), loop(1, {160, -1, 105})};
+  EXPECT_TRUE(under_by_sure_angles(loops, 2, 0).empty());
+  const auto flags = under_by_sure_angles(loops, 2, 1);
+  EXPECT_EQ(std::vector<int>(flags.begin(), flags.end()), (std::vector<int>{0, 0, 1}));
+}
+
 TEST(ChooseRegions, WithoutLoopsDecisionsTellTheRegions) {
   std::vector<IdVector<RegionId, std::uint8_t>> decided(2);
   decided[1] = IdVector<RegionId, std::uint8_t>(3, 0);

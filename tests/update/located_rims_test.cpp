@@ -99,7 +99,7 @@ TEST(LocatedRims, OneByWhichMoreGoesThanWasScannedIsNot) {
   EXPECT_EQ(TwoTrials(torn_rim(20, 40), whole).taken(), 1);
   EXPECT_EQ(TwoTrials(inside_out(torn_rim(20, 40)), whole).taken(), 2);  // as by the other one
   UpdateOptions any;
-  any.cut.handle_reach = std::numeric_limits<double>::infinity();
+  any.cut.box_reach = std::numeric_limits<double>::infinity();
   EXPECT_EQ(TwoTrials(torn_rim(20, 40), whole).taken(any), 2);
 }
 
@@ -123,8 +123,7 @@ TEST(LocatedRims, ARimOnTheModelComesBeforeOneThatIsNot) {
   EXPECT_EQ(neither.rims.overlaps[0].status, OverlapStatus::no_overlap);
 }
 
-// A second cloud lies on the first one, five above the model: without that it would be off it.
-// Of which a third climbs what has changed: after all rims on the model, and before none.
+// A third of it climbs what has changed. It is taken only if no other rim lies on the model.
 TEST(LocatedRims, ARimInAShadowIsTakenWhereThereIsNoOther) {
   CloudRim climbing = torn_rim(0, 0);
   for (std::size_t i = 0; i < 20; ++i) climbing.loops[0].points[i].z += 10;
@@ -133,7 +132,8 @@ TEST(LocatedRims, ARimInAShadowIsTakenWhereThereIsNoOther) {
   TwoTrials alone(climbing, off);
   EXPECT_EQ(alone.taken(), 1);
   EXPECT_EQ(alone.rims.overlaps[0].status, OverlapStatus::ok);
-  EXPECT_TRUE(alone.reports[0].overlap.in_shadow || alone.rims.overlaps[0].figures.in_shadow);
+  EXPECT_EQ(alone.rims.overlaps[0].figures.in_shadow, 20U);
+  EXPECT_EQ(alone.rims.overlaps[0].figures.in_shadow_of, 60U);
   TwoTrials second(off, climbing);
   EXPECT_EQ(second.taken(), 2);
   EXPECT_TRUE(second.rims.overlaps[0].leaves_model);
@@ -145,6 +145,7 @@ TEST(LocatedRims, ARimInAShadowIsTakenWhereThereIsNoOther) {
   EXPECT_EQ(TwoTrials(climbing, off).taken(none), 1);
 }
 
+// A second cloud lies on the first one, five above the model: without that it would be off it.
 TEST(LocatedRims, WhatOtherCloudsCoverIsAsBeforeWhereNoOtherRimIsTaken) {
   const TriangleMesh mesh = grid_plane(30);
   const ModelIndex model(mesh);

@@ -42,7 +42,7 @@ TEST(RimDoubt, TheMoreIsMissingTheMoreIsInDoubt) {
 TEST(RimDoubt, TellsWhetherFacetsGoFarFromTheSamples) {
   EXPECT_FALSE(doubt_of(torn_rim(0, 0)).reaches_far);
   EXPECT_TRUE(doubt_of(inside_out(torn_rim(0, 0))).reaches_far);
-  EXPECT_FALSE(doubt_of(inside_out(torn_rim(0, 0)), {.handle_reach = 100}).reaches_far);
+  EXPECT_FALSE(doubt_of(inside_out(torn_rim(0, 0)), {.box_reach = 100}).reaches_far);
 }
 
 TEST(RimDoubt, OfNothingAllIsInDoubt) {

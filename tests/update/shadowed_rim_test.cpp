@@ -35,7 +35,8 @@ TEST(ShadowedRim, IsTakenIfHalfOfItLiesOnTheModel) {
   EXPECT_EQ(half.overlap.status, OverlapStatus::ok);
   EXPECT_EQ(half.overlap.loops[0].match, LoopMatch::on_model);
   EXPECT_TRUE(half.overlap.leaves_model);
-  EXPECT_TRUE(half.overlap.figures.in_shadow);
+  EXPECT_EQ(half.overlap.figures.in_shadow, 20U);
+  EXPECT_EQ(half.overlap.figures.in_shadow_of, 40U);
   ClimbingRim more(21);
   EXPECT_FALSE(more.is_taken());
   EXPECT_EQ(more.overlap.status, OverlapStatus::no_overlap);
@@ -55,7 +56,7 @@ TEST(ShadowedRim, OneThatLiesOnTheModelIsLeftAsItIs) {
   ClimbingRim rim(4);
   EXPECT_EQ(rim.overlap.status, OverlapStatus::ok);
   EXPECT_FALSE(rim.is_taken());
-  EXPECT_FALSE(rim.overlap.figures.in_shadow);
+  EXPECT_EQ(rim.overlap.figures.in_shadow, 0U);
 }
 
 // Another loop is a hole in the cloud, as it is elsewhere.
@@ -78,6 +79,25 @@ TEST(ShadowedRim, InnerPointsDoNotCount) {
   rim.overlap = overlapping_facets(testing::grid_plane(20), rim.rim);
   EXPECT_EQ(rim.overlap.status, OverlapStatus::no_overlap);
   EXPECT_TRUE(rim.is_taken());
+}
+
+// Nor do those that other clouds cover; and what was taken stays on the model when that is asked.
+TEST(ShadowedRim, CoveredPointsDoNotCount) {
+  ClimbingRim rim(20);
+  const std::vector<CloudRim> rims = {rim.rim, rim.rim};
+  std::vector<std::vector<Point>> clouds = {{{100, 100, 100}}, {}};
+  for (std::size_t i = 0; i < 15; ++i) clouds[1].push_back(rim.rim.loops[0].points[i]);
+  std::vector<Overlap> overlaps(2, rim.overlap);
+  excuse_covered_points(rims, clouds, overlaps, {.max_distance = 0.1});
+  ASSERT_EQ(overlaps[0].loops[0].covered, 15U);
+  EXPECT_EQ(overlaps[0].status, OverlapStatus::no_overlap);
+  EXPECT_FALSE(take_shadowed_rim(rim.rim, {.max_unmatched_share = 0.19}, overlaps[0]));
+  EXPECT_TRUE(take_shadowed_rim(rim.rim, {.max_unmatched_share = 0.2}, overlaps[0]));
+  EXPECT_EQ(overlaps[0].figures.in_shadow, 5U);
+  EXPECT_EQ(overlaps[0].figures.in_shadow_of, 25U);
+  excuse_covered_points(rims, clouds, overlaps, {.max_distance = 0.1});
+  EXPECT_EQ(overlaps[0].status, OverlapStatus::ok);
+  EXPECT_EQ(overlaps[0].loops[0].match, LoopMatch::on_model);
 }
 
 TEST(ShadowedRim, RefusesTheOverlapOfAnother) {

@@ -27,7 +27,7 @@ struct ClosedOpenings {
 // closed everywhere, where no sample of a cloud fills the opening. `irregular`: irregular_sides()
 // of the model; `updated`, `vertex_map`: the mesh and where the vertices of the model are in it
 // (UpdateResult). Complexity: O(t log k) for t triangles and k open edges, O(1) for none. Errors:
-// InputError for the map of another model, by its size, and a reach that is none. Source: ours.
+// InputError for the map of another model, by its size, and a reach out of range. Source: ours.
 ClosedOpenings closed_openings(const ModelIndex& model, std::span<const EdgeSide> irregular,
                                const TriangleMesh& updated,
                                const IdVector<VertexId, VertexId>& vertex_map,

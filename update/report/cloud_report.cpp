@@ -70,6 +70,7 @@ std::vector<CloudReport> reports_of_members(std::vector<CloudReport> reports,
       report.replaced_groups = reports[j].replaced_groups;
       report.margin_deg = reports[j].margin_deg;
       report.is_told_by_samples = reports[j].is_told_by_samples;
+      report.is_told_by_sure_angles = reports[j].is_told_by_sure_angles;
     }
     result[first] = std::move(reports[j]);
   }

@@ -33,9 +33,11 @@ std::optional<double> unit_factor(const ModelIndex& model, const CloudRim& rim,
                                   const Overlap& as_is, const OverlapOptions& options,
                                   const Execution& execution) {
   constexpr double most_apart = 30;
+  constexpr double most_matched = 0.2;
   std::size_t points = 0;
-  for (const RimLoop& loop : rim.loops) points += loop.size();
-  if (5 * (points - as_is.unmatched) > points) return {};
+  for (const LoopOverlap& loop : as_is.loops) points += loop.facets.size() - loop.inner_points;
+  const auto matched = static_cast<double>(points - as_is.unmatched);
+  if (matched > most_matched * static_cast<double>(points)) return {};
   const double edge = mesh_measure(model.mesh()).edge_lengths.median;
   for (const double factor : unit_factors()) {
     const double ratio = factor * rim.spacing / edge;

@@ -166,9 +166,10 @@ std::string warning_of_narrow_margin(double degrees) {
 
 std::string warning_of_turned_away(std::span<const RegionVerdict> groups, bool by_samples) {
   return "the model turns away from it on both sides of its rim" + told_in_parentheses(groups) +
-         ", as where a scan ends before it meets the model, so its " +
-         (by_samples ? "samples tell" : "smaller angle tells") +
-         " which group goes; look at the result";
+         ", as where a scan ends before it meets the model, " +
+         (by_samples ? "so its samples tell which group goes"
+                     : "and its samples do not tell which group goes, so the smaller angle does") +
+         "; look at the result";
 }
 
 std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,
@@ -254,13 +255,12 @@ std::vector<std::string> notes_of_surface(const CloudSurface& surface) {
 
 namespace {
 
-std::string where_it_leaves(const CloudReport& cloud, const OverlapOptions& options) {
-  if (!cloud.overlap.in_shadow) {
-    return "here and there, by up to " + rounded(cloud.overlap.largest_excess) + " spacings";
+std::string where_it_leaves(const OverlapFigures& rim, const OverlapOptions& options) {
+  if (rim.in_shadow == 0) {
+    return "here and there, by up to " + rounded(rim.largest_excess) + " spacings";
   }
-  return "at " + std::to_string(cloud.unmatched_points()) + " of its " +
-         std::to_string(cloud.boundary_points) + " points, by more than " +
-         rounded(options.max_distance) + " spacings";
+  return "at " + std::to_string(rim.in_shadow) + " of " + std::to_string(rim.in_shadow_of) +
+         " points of its longest loop, by more than " + rounded(options.max_distance) + " spacings";
 }
 
 }  // namespace
@@ -282,7 +282,7 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
                        rounded(cloud.shift / rim.spacing) + " spacings; register it better");
   }
   if (rim.leaves_model) {
-    warnings.push_back("its rim leaves the model " + where_it_leaves(cloud, options) +
+    warnings.push_back("its rim leaves the model " + where_it_leaves(cloud.overlap, options) +
                        ": the scan ends on what has changed, as in a shadow of the scanner; look "
                        "at the result, or scan what lies between it and the model");
   }

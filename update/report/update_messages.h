@@ -70,8 +70,7 @@ std::string warning_of_clouds_apart(const std::string& why);
 std::string warning_of_shared_regions(std::size_t regions);
 // Mean angles of regions, in degrees, that hardly differ.
 std::string warning_of_narrow_margin(double degrees);
-// Samples, not angles, have told which groups lie under the cloud.
-// `by_samples`: they tell which group goes; else the angles do.
+// `by_samples`: they tell which group goes; else angles that differ much do.
 std::string warning_of_turned_away(std::span<const RegionVerdict> groups, bool by_samples);
 // Of the doubtful; `at`: one of them.
 std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,
@@ -90,9 +89,9 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
                                            const ShiftOptions& shift);
 // What is unusual about its surface, but no reason to worry: two of five good updates have some.
 std::vector<std::string> notes_of_surface(const CloudSurface& surface);
-// Of a loop that encloses nothing.
-// Of a loop that is no border; `at_others`: some of it lies on other clouds.
+// Of a loop that is no border; `at_others`: its cloud reaches other ones.
 std::string warning_of_loop(const LoopOverlap& loop, bool at_others);
+// Of a loop that encloses nothing.
 std::string warning_of_nothing_inside();
 
 }  // namespace cocoon

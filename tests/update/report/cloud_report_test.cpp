@@ -62,6 +62,18 @@ TEST(CloudReport, ALongShiftIsToldButNotBelieved) {
   EXPECT_EQ(report.believed_shift, Vec3());
 }
 
+// Joined ones are told what is of both.
+TEST(CloudReport, OfAMemberHasWhatToldItsSides) {
+  std::vector<CloudReport> reports(1);
+  reports[0].is_told_by_samples = true;
+  reports[0].is_told_by_sure_angles = true;
+  const std::vector<JoinedCloud> joined = {{.members = {0, 1}, .sheet = {}}};
+  const std::vector<CloudReport> members = reports_of_members(reports, joined, 2);
+  EXPECT_EQ(members[1].joined_with, 0U);
+  EXPECT_TRUE(members[1].is_told_by_samples);
+  EXPECT_TRUE(members[1].is_told_by_sure_angles);
+}
+
 TEST(CloudReport, HasWhatTheStagesFound) {
   CloudReport report;
   report.loops.resize(1);

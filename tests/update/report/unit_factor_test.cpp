@@ -47,6 +47,10 @@ TEST(UnitFactor, IsNotAskedForWhereSomeOfTheRimLiesOnTheModel) {
   for (std::size_t i = 0; i < 15; ++i) loop.points[i].z = 8;
   EXPECT_EQ(factor_of(plane, rim_of({loop})), std::nullopt);
   loop.points[15].z = 8;
+  RimLoop torn = loop;  // what has cloud beyond it says nothing, on the model or off it
+  torn.inner.assign(20, 0);
+  for (std::size_t i = 16; i < 20; ++i) torn.inner[i] = 1;
+  EXPECT_EQ(factor_of(plane, rim_of({torn})), 0.3048);
   EXPECT_EQ(factor_of(plane, rim_of({loop})), 0.3048);
 }
 

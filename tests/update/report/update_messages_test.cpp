@@ -126,11 +126,11 @@ TEST(UpdateMessages, ARimThatLeavesTheModelIsSaid) {
   cloud.overlap.largest_excess = 1.5;
   EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}),
                    "leaves the model here and there, by up to 1.5 spacings: the scan ends"));
-  cloud.overlap.in_shadow = true;
-  cloud.boundary_points = 40;
-  cloud.loops = {{.unmatched = 7}, {.unmatched = 2}};
-  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}),
-                   "leaves the model at 9 of its 40 points, by more than 3 spacings: the scan"));
+  cloud.overlap.in_shadow = 9;
+  cloud.overlap.in_shadow_of = 40;
+  EXPECT_TRUE(says(
+      warnings_of_cloud(cloud, {}, {}),
+      "leaves the model at 9 of 40 points of its longest loop, by more than 3 spacings: the scan"));
 }
 
 TEST(UpdateMessages, JoinedCloudsAreNamedAfterTheFirst) {
@@ -155,7 +155,8 @@ TEST(UpdateMessages, AnglesAreInDegrees) {
   EXPECT_TRUE(
       says({warning_of_turned_away(groups, true)}, "rim (group 0: 90.1, group 2: 89.9), as"));
   EXPECT_TRUE(says({warning_of_turned_away(groups, true)}, "so its samples tell which group goes"));
-  EXPECT_TRUE(says({warning_of_turned_away(groups, false)}, "so its smaller angle tells which"));
+  EXPECT_TRUE(says({warning_of_turned_away(groups, false)},
+                   "not tell which group goes, so the smaller angle does; look"));
   EXPECT_TRUE(says({reason_of_turned_away(groups)}, "surface, or say which of them goes"));
   EXPECT_TRUE(reason_of_turned_away({}).ends_with("reach onto unchanged surface"));
   EXPECT_EQ(warning_of_narrow_margin(12.3456),
