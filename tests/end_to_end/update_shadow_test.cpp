@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "geom/mesh_check.h"
@@ -101,6 +102,20 @@ TEST(UpdateInAShadow, TheRimMayClimbATallBoss) {
                  "changed") != line.npos;
     }));
   }
+}
+
+// Two scans of it over each other are not one rim in doubt as long as each may have one of its own.
+TEST(UpdateInAShadow, JoinedCloudsAreTakenByThemselvesRather) {
+  const TriangleMesh model = testing::block(20, 20, 8);
+  testing::Clouds clouds = scan({.shadow = 1.2, .height = 6, .reach = 5.5, .noise = 0.1});
+  clouds.push_back(clouds[0]);
+  Random random(7);
+  for (Point& p : clouds[1]) p.x += random.uniform(-0.1, 0.1);
+  const UpdateResult result = update_model(model, clouds);
+  ASSERT_FALSE(result.warnings.empty());
+  EXPECT_NE(result.warnings[0].find("do not make one surface"), std::string::npos)
+      << result.warnings[0];
+  EXPECT_FALSE(result.clouds[1].joined_with);
 }
 
 }  // namespace
