@@ -1,5 +1,6 @@
 #include "update/located_rims.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "geom/messages/require_size.h"
@@ -37,9 +38,7 @@ class Locating {
     for (std::size_t c = 0; c < clouds_.size(); ++c) locate(c);
     excuse_covered();
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      if (!is_on_model(c)) {
-        try_others(c, [&] { return is_on_model(c); });
-      }
+      if (!is_on_model(c)) try_others(c, [&] { return is_on_model(c); });
     }
     for (std::size_t c = 0; c < clouds_.size(); ++c) prefer_clearer(c);
     take_shadowed_rims();
@@ -109,6 +108,10 @@ class Locating {
   // Where nothing else helps; rims of the surfaces that are there come first. Clouds that a rim
   // covers lie on the model with it.
   void take_shadowed_rims() {
+    const auto is_off_model = [](const Overlap& o) {
+      return o.status == OverlapStatus::no_overlap;
+    };
+    if (std::none_of(found_.overlaps.begin(), found_.overlaps.end(), is_off_model)) return;
     for (std::size_t c = 0; c < clouds_.size(); ++c) {
       if (!is_on_model(c)) take_shadowed(c);
     }

@@ -104,11 +104,11 @@ bool UpdateSteps::segment_and_choose(const ModelIndex& index, const Execution& e
   is_cut_ = clouds_to_cut(partial_rims(result_.clouds), joined);
   if (!segment(index, joined, execution)) return false;
   find_separations(index);
-  std::vector<RegionAngles> angles = measure_angles(index);
+  std::vector<RegionAngles> angles = measure_angles(index, result_.regions);
   const bool runs_around_handles = cut_across_handles();
   if (cut_where_scans_end(index, angles) || runs_around_handles) {
     if (!segment(index, joined, execution)) return false;
-    angles = measure_angles(index);
+    angles = measure_angles(index, result_.regions);
   }
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     warn_of_cloud(c, warnings_of_cut(result_.clouds[c].cut));
@@ -195,19 +195,14 @@ void UpdateSteps::warn_of_cloud(std::size_t c, const std::vector<std::string>& w
   for (const std::string& warning : warnings) warn(name_of_cloud(c) + ": " + warning);
 }
 
-std::vector<RegionAngles> UpdateSteps::measure_angles(const ModelIndex& index) const {
+std::vector<RegionAngles> UpdateSteps::measure_angles(const ModelIndex& index,
+                                                      const Regions& regions) const {
   std::vector<RegionAngles> angles;
   for_each_border_loop([&](std::size_t c, std::size_t l) {
-    angles.push_back(mean_angles_of_loop(index, result_.regions, c, l));
+    angles.push_back(mean_rim_angles(index, regions, result_.clouds[c].surface.rim.loops[l],
+                                     borders_[c].loops[l], options_.angles));
+    angles.back().cloud = static_cast<std::uint32_t>(c);
   });
-  return angles;
-}
-
-RegionAngles UpdateSteps::mean_angles_of_loop(const ModelIndex& index, const Regions& regions,
-                                              std::size_t c, std::size_t l) const {
-  RegionAngles angles = mean_rim_angles(index, regions, result_.clouds[c].surface.rim.loops[l],
-                                        borders_[c].loops[l], options_.angles);
-  angles.cloud = static_cast<std::uint32_t>(c);
   return angles;
 }
 
@@ -362,36 +357,34 @@ bool UpdateSteps::segment(const ModelIndex& index, const std::vector<std::size_t
 
 bool UpdateSteps::needs_no_cut(const ModelIndex& index, const std::vector<std::size_t>& joined,
                                std::span<const RegionCut> cuts, const Execution& execution) const {
-  bool any = false;
+  if (std::count(is_cut_.begin(), is_cut_.end(), 1) == 0) return false;
   for (std::size_t c = 0; c < clouds_.size(); ++c) {
     if (is_cut_[c] == 0) continue;
-    any = true;
-    if (std::count(joined.begin(), joined.end(), joined[c]) > 1 ||
-        cuts[c].doubt() <= options_.cut.clear_doubt ||
-        !samples_tell_all_sides(index, c, execution)) {
+    const bool is_single = std::count(joined.begin(), joined.end(), joined[c]) == 1;
+    if (!is_single || cuts[c].doubt() <= options_.cut.clear_doubt) return false;
+  }
+  const Regions whole = segment_model(index, border_facets_, options_.segment, execution);
+  const std::vector<RegionAngles> angles = measure_angles(index, whole);
+  const RegionChoice choice = choose_regions(angles, clouds_.size(), options_.choice);
+  const std::vector<Scan> scans = scans_of(clouds_, result_.clouds);
+  std::vector<std::uint8_t> separates(clouds_.size(), 1);
+  for_each_border_loop([&](std::size_t c, std::size_t l) {
+    const LoopSides sides = loop_sides(model_, index.neighbors(), borders_[c].loops[l], whole);
+    if (sides.separation != Separation::separates) separates[c] = 0;
+  });
+  for (std::size_t c = 0; c < clouds_.size(); ++c) {
+    if (is_cut_[c] == 0) continue;
+    const CloudChoice& cloud = choice.clouds[c];
+    const bool all_turned =
+        !cloud.turned_away.empty() && cloud.turned_away.size() == cloud.regions.size();
+    if (separates[c] == 0 || !all_turned ||
+        regions_under_samples(index, whole, cloud.turned_away, scans[c], options_.sampled,
+                              execution)
+            .empty()) {
       return false;
     }
   }
-  return any;
-}
-
-bool UpdateSteps::samples_tell_all_sides(const ModelIndex& index, std::size_t c,
-                                         const Execution& execution) const {
-  const Regions regions = segment_model(index, border_facets_, options_.segment, execution);
-  std::vector<RegionAngles> angles;
-  bool separate = true;
-  for_each_border_loop([&](std::size_t of, std::size_t l) {
-    if (of != c) return;
-    angles.push_back(mean_angles_of_loop(index, regions, c, l));
-    const LoopSides sides = loop_sides(model_, index.neighbors(), borders_[c].loops[l], regions);
-    separate = separate && sides.separation == Separation::separates;
-  });
-  if (!separate) return false;
-  const CloudChoice choice = choose_regions(angles, clouds_.size(), options_.choice).clouds[c];
-  if (choice.turned_away.empty() || choice.turned_away.size() < choice.regions.size()) return false;
-  return !regions_under_samples(index, regions, choice.turned_away,
-                                scans_of(clouds_, result_.clouds)[c], options_.sampled, execution)
-              .empty();
+  return true;
 }
 
 std::optional<std::string> UpdateSteps::why_not_cut(std::size_t c, const RegionCut& cut,

@@ -73,9 +73,7 @@ class UpdateSteps {
   }
 
   // One entry for each loop of the border.
-  std::vector<RegionAngles> measure_angles(const ModelIndex& index) const;
-  RegionAngles mean_angles_of_loop(const ModelIndex& index, const Regions& regions, std::size_t c,
-                                   std::size_t l) const;
+  std::vector<RegionAngles> measure_angles(const ModelIndex& index, const Regions& regions) const;
 
   std::vector<CloudSurface> surfaces_of_cloud(std::size_t c, const Execution& execution) const;
 
@@ -111,14 +109,11 @@ class UpdateSteps {
   bool segment(const ModelIndex& index, const std::vector<std::size_t>& joined,
                const Execution& execution);
 
-  // Whether no cut is clear, all are of single clouds, and samples tell all of their sides.
+  // Whether there are cuts, none of them is clear, and all are of single clouds, whose loops, taken
+  // as whole ones, separate; all regions at them turn away from the cloud, and its samples tell
+  // which of these lie under it.
   bool needs_no_cut(const ModelIndex& index, const std::vector<std::size_t>& joined,
                     std::span<const RegionCut> cuts, const Execution& execution) const;
-
-  // Whether all loops of the cloud, taken as whole ones, separate, all regions at them turn away
-  // from it, and its samples tell which of them lie under it (tell_sides()).
-  bool samples_tell_all_sides(const ModelIndex& index, std::size_t c,
-                              const Execution& execution) const;
 
   // Why the cut of this cloud, and of those joined to it, is not to be believed.
   std::optional<std::string> why_not_cut(std::size_t c, const RegionCut& cut,
@@ -147,7 +142,7 @@ class UpdateSteps {
   std::vector<std::uint8_t> is_cut_;  // clouds_to_cut()
   std::vector<Border> borders_;
   TriangleSet border_facets_;
-  std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under, or by samples
+  std::vector<IdVector<RegionId, std::uint8_t>> decided_;  // CutRegions::under, or by tell_sides()
   std::vector<ToldBy> told_by_;                            // of each cloud: tell_sides()
   UpdateResult result_;
 };

@@ -118,7 +118,9 @@ JsonReport cloud_entry(const CloudReport& cloud) {
   entry.set("facing_away", cloud.overlap.facing_away);
   entry.set("steep_points", cloud.overlap.steep);
   entry.set("relocated_points", cloud.overlap.relocated);
-  entry.set("unmatched_points", cloud.unmatched_points());
+  std::size_t unmatched = 0;
+  for (const LoopReport& loop : cloud.loops) unmatched += loop.unmatched;
+  entry.set("unmatched_points", unmatched);
   entry.set("in_shadow", cloud.overlap.in_shadow);
   return entry;
 }

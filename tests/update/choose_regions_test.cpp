@@ -227,7 +227,6 @@ TEST(ChooseRegions, TheLargestRegionThatStaysIsTheFirstOfSeveral) {
   EXPECT_TRUE(largest_kept_region(regions, choice).is_none());
 }
 
-// As where all rims of a cloud that was cut are covered.
 // However large they are; but each region outside is to have a mean so much larger.
 TEST(SureAngles, DifferByForty) {
   const auto under = [](const std::vector<double>& means, const ChoiceOptions& options = {}) {
@@ -251,6 +250,7 @@ TEST(SureAngles, AreThoseOfOneCloud) {
   EXPECT_EQ(std::vector<int>(flags.begin(), flags.end()), (std::vector<int>{0, 0, 1}));
 }
 
+// As where all rims of a cloud that was cut are covered.
 TEST(ChooseRegions, WithoutLoopsDecisionsTellTheRegions) {
   std::vector<IdVector<RegionId, std::uint8_t>> decided(2);
   decided[1] = IdVector<RegionId, std::uint8_t>(3, 0);

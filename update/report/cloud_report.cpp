@@ -6,12 +6,6 @@
 
 namespace cocoon {
 
-std::size_t CloudReport::unmatched_points() const {
-  std::size_t points = 0;
-  for (const LoopReport& loop : loops) points += loop.unmatched;
-  return points;
-}
-
 std::vector<CloudRim> rims_of(std::span<const CloudReport> clouds) {
   std::vector<CloudRim> rims;
   rims.reserve(clouds.size());

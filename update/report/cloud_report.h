@@ -57,8 +57,6 @@ struct CloudReport {
   std::size_t taken_rim = 0;      // of these; 0: the first, that was preferred before
   // If it was cut, alone or as the first of joined ones; without the labels.
   RegionCut cut;
-
-  std::size_t unmatched_points() const;  // of all loops
 };
 
 std::vector<CloudRim> rims_of(std::span<const CloudReport> clouds);

@@ -22,6 +22,14 @@ std::string told_in_parentheses(std::span<const RegionVerdict> groups) {
   return told.empty() ? told : told + ")";
 }
 
+std::string where_it_leaves(const OverlapFigures& rim, const OverlapOptions& options) {
+  if (rim.in_shadow == 0) {
+    return "here and there, by up to " + rounded(rim.largest_excess) + " spacings";
+  }
+  return "at " + std::to_string(rim.in_shadow) + " of " + std::to_string(rim.in_shadow_of) +
+         " points of its longest loop, by more than " + rounded(options.max_distance) + " spacings";
+}
+
 }  // namespace
 
 std::string rounded(double value) {
@@ -252,18 +260,6 @@ std::vector<std::string> notes_of_surface(const CloudSurface& surface) {
   }
   return notes;
 }
-
-namespace {
-
-std::string where_it_leaves(const OverlapFigures& rim, const OverlapOptions& options) {
-  if (rim.in_shadow == 0) {
-    return "here and there, by up to " + rounded(rim.largest_excess) + " spacings";
-  }
-  return "at " + std::to_string(rim.in_shadow) + " of " + std::to_string(rim.in_shadow_of) +
-         " points of its longest loop, by more than " + rounded(options.max_distance) + " spacings";
-}
-
-}  // namespace
 
 std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const OverlapOptions& options,
                                            const ShiftOptions& shift) {

@@ -44,7 +44,9 @@ TEST(UnitFactor, MakesNoDotsOfTheSamples) {
 TEST(UnitFactor, IsNotAskedForWhereSomeOfTheRimLiesOnTheModel) {
   const TriangleMesh plane = testing::grid_plane(20);
   RimLoop loop = testing::circle(20, {3, 3, 0}, 0.8);
-  for (std::size_t i = 0; i < 15; ++i) loop.points[i].z = 8;
+  for (std::size_t i = 0; i < 7; ++i) loop.points[i].z = 8;
+  EXPECT_EQ(factor_of(plane, rim_of({loop})), std::nullopt);
+  for (std::size_t i = 7; i < 15; ++i) loop.points[i].z = 8;
   EXPECT_EQ(factor_of(plane, rim_of({loop})), std::nullopt);
   loop.points[15].z = 8;
   RimLoop torn = loop;  // what has cloud beyond it says nothing, on the model or off it
