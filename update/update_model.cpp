@@ -11,39 +11,43 @@
 #include "update/model/hollows.h"
 #include "update/report/update_messages.h"
 #include "update/stage_options.h"
-#include "update/update_steps.h"
+#include "update/steps/choose_replaced.h"
+#include "update/steps/detect_boundaries.h"
+#include "update/steps/find_overlap.h"
+#include "update/steps/reconstruct_updated.h"
+#include "update/steps/segment_under_clouds.h"
+#include "update/steps/update_run.h"
 
 namespace cocoon {
 
 namespace {
 
-// Up to the choice of what goes; nullptr if the update ends before.
-const ModelIndex* choose(UpdateSteps& steps, const UpdateParts& parts, const Execution& execution) {
-  const ModelIndex* index = nullptr;
+// Up to the choice of what goes. Returns false if the update ends before.
+bool choose(UpdateRun& run, const UpdateParts& parts, const Execution& execution) {
   bool going = true;
   run_step(execution, "boundary_detection",
-           [&](const Execution& nested) { going = steps.detect_boundaries(nested); });
-  if (!going) return nullptr;
+           [&](const Execution& nested) { going = detect_boundaries(run, nested); });
+  if (!going) return false;
   run_step(execution, "overlapping_facets", [&](const Execution& nested) {
-    index = &parts.index(nested);
-    going = steps.find_overlapping_facets(*index, nested);
+    run.index = &parts.index(nested);
+    going = find_overlap(run, nested);
   });
-  if (!going) return nullptr;
-  run_step(execution, "segmentation_and_selection",
-           [&](const Execution& nested) { going = steps.segment_and_choose(*index, nested); });
-  return going ? index : nullptr;
+  if (!going) return false;
+  run_step(execution, "segmentation_and_selection", [&](const Execution& nested) {
+    const auto angles = segment_under_clouds(run, nested);
+    going = angles && choose_replaced(run, *angles, nested);
+  });
+  return going;
 }
 
-UpdateResult finish(UpdateSteps& steps, const ModelIndex& index, const UpdateParts& parts,
-                    const Execution& execution) {
+UpdateResult finish(UpdateRun& run, const UpdateParts& parts, const Execution& execution) {
   run_step(execution, "reconstruction",
-           [&](const Execution& nested) { steps.reconstruct(index, parts, nested); });
-  return steps.take_result();
+           [&](const Execution& nested) { reconstruct_updated(run, parts, nested); });
+  return run.take_result();
 }
 
-UpdateResult take_steps(UpdateSteps& steps, const UpdateParts& parts, const Execution& execution) {
-  const ModelIndex* index = choose(steps, parts, execution);
-  return index == nullptr ? steps.take_result() : finish(steps, *index, parts, execution);
+UpdateResult take_steps(UpdateRun& run, const UpdateParts& parts, const Execution& execution) {
+  return choose(run, parts, execution) ? finish(run, parts, execution) : run.take_result();
 }
 
 // Without what takes a rim in doubt: of 466 pairs of views two became wrong by that, which were
@@ -76,15 +80,14 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
   require_ordinary_size(parts.ordinary_size ? Points() : model.points.span(), clouds);
   std::vector<JoinedCloud> joined = join_clouds(clouds, options.join);
   if (joined.empty()) {
-    UpdateSteps steps(model, clouds, options);
-    return take_steps(steps, parts, execution);
+    UpdateRun run(model, clouds, options);
+    return take_steps(run, parts, execution);
   }
   const UpdateOptions strict = options_of_joined(options);
-  UpdateSteps together(model, clouds, std::move(joined), strict);
-  const ModelIndex* index = choose(together, parts, execution);
-  if (index != nullptr) return finish(together, *index, parts, execution);
+  UpdateRun together(model, clouds, std::move(joined), strict);
+  if (choose(together, parts, execution)) return finish(together, parts, execution);
   const std::string why = together.take_result().message;
-  UpdateSteps apart(model, clouds, options);
+  UpdateRun apart(model, clouds, options);
   UpdateResult result = take_steps(apart, parts, execution);
   result.warnings.insert(result.warnings.begin(), warning_of_clouds_apart(why));
   // Who does not get a result looks at no warnings.

@@ -1,4 +1,4 @@
-#include "update/result_doubts.h"
+#include "update/steps/result_doubts.h"
 
 #include <algorithm>
 #include <cstddef>
