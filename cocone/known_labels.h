@@ -28,6 +28,10 @@ struct KnownLabels {
   // vertices are, other diagonals of a grid. So if there are any the mesh is none of ours, and what
   // it tells need not fit the samples. Then `labels` has all cells.
   std::vector<CellId> undisturbed;
+  // What is likely of cells of which `labels` tells nothing, as of those on lines of sight.
+  // Unmarked: nothing is. Empty: of none. Heeded where the surface is no rougher by it
+  // (marking/likely_labels.h).
+  IdVector<CellId, CellLabel> likely;
 };
 
 // What tells the labels of a triangulation's cells; asked only where something is in doubt.
@@ -48,12 +52,17 @@ struct KnownTriangles {
   std::function<std::vector<KnownTriangle>(std::span<const PointId> points)> at;
 };
 
+// Adds what is likely, beside what is known.
+using LikelyLabels = std::function<void(const Triangulation& triangulation, KnownLabels& known)>;
+
 // An old surface, and what is known of it.
 struct OldSurface {
   KnownLabelsSource labels;
   // The triangles that `labels` tells from, if it does: wanted where the body that the surface
   // bounds is kept from one update to the next.
   KnownTriangles triangles = {};
+  // What `labels` has of likely ones, for the same; none: nothing.
+  LikelyLabels likely = {};
 };
 
 // Of a vertex:

@@ -11,6 +11,7 @@
 #include "cocone/clean_up_cells.h"
 #include "cocone/cocones.h"
 #include "cocone/marking/certain_surface.h"
+#include "cocone/marking/likely_labels.h"
 #include "cocone/marking/yielding_labels.h"
 #include "cocone/orient_surface.h"
 #include "cocone/peel_cells.h"
@@ -246,10 +247,34 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
   KnownLabels told;
   if (in_doubt && known) told = known(*triangulation_, surface_.triangles.set, execution);
   if (!told.undisturbed.empty()) return close_foreign(marks, told.labels, execution);
-  forget_links();
   // The marking has asked already if good vertices disagreed.
-  if (marks.known.empty()) marks.known = std::move(told.labels);
-  deliver(clean_up(std::move(marks), execution), execution);
+  if (marks.known.empty()) marks.known = told.labels;
+  if (told.likely.empty()) forget_links();
+  Body body = clean_up(std::move(marks), execution);
+  if (!told.likely.empty()) heed_likely(std::move(told), body, execution);
+  forget_links();
+  deliver(std::move(body), execution);
+}
+
+void ReconstructSteps::heed_likely(KnownLabels told, Body& body, const Execution& execution) {
+  ReconstructCounters& counters = result_.counters;
+  counters.likely_cells = count_labels(told.likely);
+  counters.contradicted_likely = count_contradicted(told.likely, body.marks.reached);
+  if (counters.contradicted_likely == 0) return;
+  KnownLabels taken;
+  taken.labels = with_likely(std::move(told));
+  const auto source = [&](const auto&...) { return taken; };
+  CellMarks marks = peel(mark_cells(*triangulation_, surface_.triangles,
+                                    find_good_vertices(execution), source, execution),
+                         execution);
+  if (marks.known.empty()) marks.known = taken.labels;
+  Body other = clean_up(std::move(marks), execution);
+  const auto roughness = [&](const Body& of) {
+    return surface_roughness(surface_between(*triangulation_, of.marks, execution),
+                             result_.vertices);
+  };
+  counters.heeded_likely = roughness(other).is_at_most(roughness(body));
+  if (counters.heeded_likely) body = std::move(other);
 }
 
 void ReconstructSteps::close_foreign(const CellMarks& marks,

@@ -92,6 +92,9 @@ class ReconstructSteps {
   CellMarks peel(CellMarks marks, const Execution& execution) const;
   // All that follows the marking.
   void close_by(CellMarks marks, const KnownLabelsSource& known, const Execution& execution);
+  // Makes the body again with what is likely taken for known, if that contradicts it, and takes it
+  // if its surface is no rougher.
+  void heed_likely(KnownLabels told, Body& body, const Execution& execution);
   // All that follows the peel, where a mesh that is none of ours (KnownLabels::undisturbed) tells.
   void close_foreign(const CellMarks& marks, const IdVector<CellId, CellLabel>& told,
                      const Execution& execution);

@@ -24,7 +24,7 @@ class Gaze {
       : model_(model), scan_(scan), options_(options) {}
 
   // Of those that are off the model, with a normal each.
-  std::vector<TriangleId> disproved_by(Points samples, std::span<const Outward> outward) {
+  std::vector<Disproof> disproofs_by(Points samples, std::span<const Outward> outward) {
     const std::vector<OffSample> off =
         off_samples(model_, samples, outward, options_.off_model * scan_.spacing);
     if (off.empty()) return {};
@@ -33,17 +33,17 @@ class Gaze {
     places.reserve(off.size());
     for (const OffSample& w : off) places.push_back(w.place);
     const NearFacets near(model_, places, options_.reach * scan_.spacing);
-    std::vector<TriangleId> found;
+    std::vector<Disproof> found;
     for (const OffSample& w : off) {
-      const TriangleId facet = first_facet(near, w);
-      if (!facet.is_none() && is_disproved(w, facet)) found.push_back(facet);
+      const Disproof seen = first_facet(near, w);
+      if (!seen.facet.is_none() && is_disproved(w, seen.facet)) found.push_back(seen);
     }
-    make_set(found);
     return found;
   }
 
  private:
-  TriangleId first_facet(const NearFacets& near, const OffSample& w) const {
+  // Its facet is none if the sample sees none.
+  Disproof first_facet(const NearFacets& near, const OffSample& w) const {
     const double bound = near.reach() * near.reach();
     const ClosestFacet closest = near.closest(w.place, bound, [](TriangleId) { return true; });
     if (closest.triangle.is_none()) return {};
@@ -57,7 +57,7 @@ class Gaze {
       const Vec3 way = model_.centroid(t) - w.place;
       return (dot(model_.normal(t), way) > 0) == is_inside && dot(way, gaze) >= least * norm(way);
     };
-    return near.closest(w.place, bound, is_seen).triangle;
+    return {w.place, near.closest(w.place, bound, is_seen).triangle, is_inside};
   }
 
   bool is_disproved(const OffSample& w, TriangleId facet) const {
@@ -88,7 +88,39 @@ class Gaze {
   std::optional<NearestPointTree> tree_;  // of all samples, made when it is asked
 };
 
+struct KnownSamples {
+  std::vector<Point> places;
+  std::vector<Outward> outward;
+};
+
+// Those whose normals are known.
+KnownSamples known_samples(const Scan& scan, std::span<const Outward> outward) {
+  KnownSamples known;
+  for (std::size_t k = 0; k < outward.size(); ++k) {
+    if (outward[k].normal == Vec3{}) continue;
+    known.places.push_back(scan.samples[k]);
+    known.outward.push_back(outward[k]);
+  }
+  return known;
+}
+
+std::vector<TriangleId> facets_of(std::span<const Disproof> disproofs) {
+  std::vector<TriangleId> facets;
+  facets.reserve(disproofs.size());
+  for (const Disproof& d : disproofs) facets.push_back(d.facet);
+  make_set(facets);
+  return facets;
+}
+
 }  // namespace
+
+std::vector<Disproof> disproofs(const ModelIndex& model, const Scan& scan,
+                                std::span<const Outward> outward, const DisprovedOptions& options) {
+  require_options("disproofs", options);
+  require_size("disproofs", "normals of the samples", outward.size(), scan.samples.size());
+  const KnownSamples known = known_samples(scan, outward);
+  return Gaze(model, scan, options).disproofs_by(known.places, known.outward);
+}
 
 std::vector<TriangleId> disproved_facets(const ModelIndex& model, const Scan& scan,
                                          std::span<const Outward> outward,
@@ -98,26 +130,19 @@ std::vector<TriangleId> disproved_facets(const ModelIndex& model, const Scan& sc
   require_size("disproved_facets", "normals of the samples", outward.size(), scan.samples.size());
   require_size("disproved_facets", "flags of facets", settled.size(),
                model.mesh().triangles.size());
-  std::vector<Point> samples;
-  std::vector<Outward> normals;
-  for (std::size_t k = 0; k < outward.size(); ++k) {
-    if (outward[k].normal == Vec3{}) continue;
-    samples.push_back(scan.samples[k]);
-    normals.push_back(outward[k]);
-  }
+  const KnownSamples known = known_samples(scan, outward);
   Gaze gaze(model, scan, options);
   if (options.apart > 0) {
-    std::vector<Point> few;
-    std::vector<Outward> of_few;
-    for (const PointId p : thin_points(samples, options.apart * scan.spacing)) {
-      few.push_back(samples[p.index()]);
-      of_few.push_back(normals[p.index()]);
+    KnownSamples few;
+    for (const PointId p : thin_points(known.places, options.apart * scan.spacing)) {
+      few.places.push_back(known.places[p.index()]);
+      few.outward.push_back(known.outward[p.index()]);
     }
-    const std::vector<TriangleId> by_few = gaze.disproved_by(few, of_few);
+    const std::vector<TriangleId> by_few = facets_of(gaze.disproofs_by(few.places, few.outward));
     const auto is_settled = [&](TriangleId t) { return settled[t] != 0; };
     if (std::all_of(by_few.begin(), by_few.end(), is_settled)) return {};
   }
-  return gaze.disproved_by(samples, normals);
+  return facets_of(gaze.disproofs_by(known.places, known.outward));
 }
 
 }  // namespace cocoon

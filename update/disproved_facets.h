@@ -39,6 +39,19 @@ struct DisprovedOptions {
   double island_share = 0.15;
 };
 
+// What a sample off the model disproves. Between the two is what follows: nothing but air, or body.
+struct Disproof {
+  Point sample;
+  TriangleId facet;
+  bool is_air = false;  // the sample is inside the model
+};
+
+// By the samples whose normals are known: for each that disproves a facet (see below) this, in
+// their order. Errors and complexity: as disproved_facets().
+std::vector<Disproof> disproofs(const ModelIndex& model, const Scan& scan,
+                                std::span<const Outward> outward,
+                                const DisprovedOptions& options = {});
+
 // The facets that samples off the model disprove, ascending. From a sample inside the model
 // outward, and from one outside of it inward, nothing of the old surface can follow: there is air
 // in front of the new surface, and body behind it. So the closest facet there is gone, or inside

@@ -80,6 +80,10 @@ void require_options(const char* stage, const CutOptions& options) {
   require_options(stage, options.disproved);
 }
 
+void require_options(const char* stage, const SightOptions& options) {
+  require_amounts(stage, {{"sight.clearance", options.clearance}, {"sight.step", options.step}});
+}
+
 void require_options(const char* stage, const DisprovedOptions& options) {
   require_amounts(stage, {{"cut.disproved.off_model", options.off_model},
                           {"cut.disproved.reach", options.reach},

@@ -31,6 +31,7 @@
 #include "update/override_choice.h"
 #include "update/pin_holes.h"
 #include "update/regions/sampled_regions.h"
+#include "update/regions/seen_cells.h"
 #include "update/replace_points.h"
 #include "update/report/closed_openings.h"
 #include "update/report/cloud_report.h"
@@ -68,6 +69,7 @@ struct UpdateOptions {
   SampledRegionOptions sampled;
   IslandOptions islands;
   RegionOverrides overrides;  // of one update alone: a session's are given with its clouds
+  SightOptions sight;
   ReplaceOptions replace;
   OverlookedOptions overlooked;
   UnscannedOptions unscanned;

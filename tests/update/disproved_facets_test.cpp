@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "geom/arrays/sort_ids.h"
 #include "geom/errors.h"
 #include "tests/update/hand_made_models.h"
 
@@ -147,6 +148,28 @@ TEST(DisprovedFacets, RefusesWhatDoesNotBelongTogether) {
   scene.settled = TriangleSet(scene.block.triangles.size(), 0);
   scene.outward.pop_back();
   EXPECT_THROW(scene.found(), InputError);
+}
+
+// One for each sample that sees a facet, with the sides that these are on.
+TEST(Disproofs, TellWhetherThereIsAirOrBody) {
+  for (const bool is_air : {true, false}) {
+    Scene scene;
+    scene.add_sheet(6.3, 13.5, is_air ? 3.2 : 8.8, 1);
+    const std::vector<Disproof> found = disproofs(scene.model, {scene.samples, 1}, scene.outward);
+    EXPECT_GE(found.size(), scene.samples.size() / 2);
+    std::vector<TriangleId> facets;
+    for (const Disproof& d : found) {
+      EXPECT_EQ(d.is_air, is_air);
+      EXPECT_EQ(d.sample.z, is_air ? 3.2 : 8.8);
+      EXPECT_EQ(scene.model.centroid(d.facet).z, 6);
+      facets.push_back(d.facet);
+    }
+    make_set(facets);
+    EXPECT_EQ(facets, scene.found());
+  }
+  const Scene scene;
+  const std::vector<Outward> of_others(3);
+  EXPECT_THROW(disproofs(scene.model, {scene.samples, 1}, of_others), InputError);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cocone/known_labels.h"
@@ -16,12 +17,17 @@
 namespace cocoon {
 
 // The model's triangles in kept regions, off the border, whose corners all stay, by the updated
-// points: their places in the surface are known. Refers to what it is made of.
+// points: their places in the surface are known. `seen`: what is likely besides (seen_cells.h).
+// Refers to what it is made of.
 class KeptSurface {
  public:
   KeptSurface(const ModelIndex& model, const Regions& regions, const RegionChoice& choice,
-              const Replacement& replacement)
-      : model_(model), regions_(regions), choice_(choice), replacement_(replacement) {}
+              const Replacement& replacement, LikelyLabels seen = {})
+      : model_(model),
+        regions_(regions),
+        choice_(choice),
+        replacement_(replacement),
+        seen_(std::move(seen)) {}
 
   // As the stages want it told; refers to this object. Undisturbed cells (known_labels.h) are on
   // the side of the whole model on which they lie.
@@ -49,6 +55,7 @@ class KeptSurface {
   const Regions& regions_;
   const RegionChoice& choice_;
   const Replacement& replacement_;
+  LikelyLabels seen_;
 };
 
 }  // namespace cocoon

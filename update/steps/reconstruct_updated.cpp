@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "geom/working_scale.h"
+#include "update/disproved_facets.h"
 #include "update/model/euler_number.h"
 #include "update/regions/kept_surface.h"
 #include "update/report/update_messages.h"
@@ -21,6 +23,24 @@ void fail_empty(UpdateRun& run) {
                (is_all_boundary ? hint_of_limits(run.options.reconstruct.boundary) : ""));
 }
 
+// From the samples of all clouds to facets that go. `scale`: of the coordinates.
+std::vector<Sight> sights_of(const UpdateRun& run, double scale) {
+  const std::vector<Scan> scans = scans_of(run.clouds, run.result.clouds);
+  const OutwardNormals outward = run.outward();
+  std::vector<Sight> sights;
+  for (std::size_t c = 0; c < run.clouds.size(); ++c) {
+    if (scans[c].samples.empty()) continue;
+    for (const Disproof& d :
+         disproofs(*run.index, scans[c], outward(c), run.options.cut.disproved)) {
+      const RegionId region = run.result.regions.region_of_facet[d.facet];
+      if (!region.is_none() && run.result.choice.replaced[region] == 0) continue;
+      sights.push_back({scale * d.sample, scale * run.index->centroid(d.facet), d.is_air,
+                        scale * scans[c].spacing});
+    }
+  }
+  return sights;
+}
+
 }  // namespace
 
 void reconstruct_updated(UpdateRun& run, const UpdateParts& parts, const Execution& execution) {
@@ -29,7 +49,12 @@ void reconstruct_updated(UpdateRun& run, const UpdateParts& parts, const Executi
   result.replacement = replace_points(*run.index, result.regions, result.choice, rims, run.clouds,
                                       run.given, run.options.replace);
   const std::vector<NearestPointTree> trees = nearest_point_trees(run.clouds, execution);
-  const KeptSurface kept(*run.index, result.regions, result.choice, result.replacement);
+  const KeptSurface kept(*run.index, result.regions, result.choice, result.replacement,
+                         [&](const Triangulation& triangulation, KnownLabels& known) {
+                           const std::vector<Sight> sights =
+                               sights_of(run, working_scale(result.replacement.points));
+                           add_seen_cells(triangulation, sights, run.options.sight, known);
+                         });
   UpdatedSurface surface = parts.reconstruct(result.replacement, kept.told(), execution);
   result.reconstruction = std::move(surface.result);
   if (result.reconstruction.status == SurfaceStatus::refuted) {

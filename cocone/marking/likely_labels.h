@@ -1,0 +1,42 @@
+// Labels of cells that are likely, and not known: whether a surface heeds them already, and which
+// of two surfaces is the rougher one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "cocone/known_labels.h"
+#include "cocone/marking/cell_label.h"
+#include "cocone/surface_mesh.h"
+#include "geom/id_vector.h"
+#include "geom/ids.h"
+
+namespace cocoon {
+
+// Those that are not unmarked. Complexity: O(cells).
+std::size_t count_labels(const IdVector<CellId, CellLabel>& labels);
+
+// Cells with the other label; `out`: 1 for cells outside. Errors: InputError unless there are as
+// many of both. Complexity: O(cells).
+std::size_t count_contradicted(const IdVector<CellId, CellLabel>& labels,
+                               const IdVector<CellId, std::uint8_t>& out);
+
+// The known labels, and the likely ones where nothing is known. Complexity: O(cells).
+IdVector<CellId, CellLabel> with_likely(KnownLabels known);
+
+// How much of a closed surface needs an explanation.
+struct SurfaceRoughness {
+  // Parts and, twice, handles: 3 parts - (V - T / 2), so edges and vertices where it touches itself
+  // count as well.
+  std::ptrdiff_t topology = 0;
+  std::size_t unused_vertices = 0;  // of the triangulation
+
+  bool is_at_most(const SurfaceRoughness& other) const {
+    return topology <= other.topology && unused_vertices <= other.unused_vertices;
+  }
+};
+
+// `vertices`: of the triangulation. Complexity: O(t) for t triangles, near linear.
+SurfaceRoughness surface_roughness(const SurfaceMesh& surface, std::size_t vertices);
+
+}  // namespace cocoon

@@ -1,0 +1,96 @@
+#include "cocone/marking/likely_labels.h"
+
+#include <gtest/gtest.h>
+
+#include "cocone/reconstruct.h"
+#include "geom/errors.h"
+#include "tests/cocone/sample_shapes.h"
+
+namespace cocoon {
+namespace {
+
+using Labels = IdVector<CellId, CellLabel>;
+
+Labels labels(std::initializer_list<CellLabel> list) {
+  Labels result;
+  for (const CellLabel label : list) result.push_back(label);
+  return result;
+}
+
+constexpr CellLabel none = CellLabel::unmarked;
+constexpr CellLabel in = CellLabel::in;
+constexpr CellLabel out = CellLabel::out;
+
+TEST(LikelyLabels, AreContradictedByCellsOnTheOtherSide) {
+  const Labels likely = labels({none, in, out, in, out, none});
+  IdVector<CellId, std::uint8_t> reached(6, 0);
+  reached[CellId(0)] = reached[CellId(1)] = reached[CellId(4)] = 1;
+  EXPECT_EQ(count_labels(likely), 4U);
+  EXPECT_EQ(count_contradicted(likely, reached), 2U);  // the first IN, the first OUT
+  EXPECT_EQ(count_contradicted(labels({}), {}), 0U);
+  EXPECT_THROW(count_contradicted(labels({in}), reached), InputError);
+}
+
+TEST(LikelyLabels, YieldToKnownOnes) {
+  KnownLabels known;
+  known.likely = labels({none, in, out, in});
+  EXPECT_EQ(with_likely(known), known.likely);
+  known.labels = labels({in, out, none, none});
+  EXPECT_EQ(with_likely(known), labels({in, out, out, in}));
+}
+
+SurfaceRoughness roughness(TriangleMesh mesh, std::size_t unused = 0) {
+  SurfaceMesh surface;
+  surface.mesh = std::move(mesh);
+  return surface_roughness(surface, surface.mesh.points.size() + unused);
+}
+
+TriangleMesh both(TriangleMesh a, const TriangleMesh& b) {
+  const auto first = static_cast<std::uint32_t>(a.points.size());
+  for (const Point& p : b.points) a.points.push_back(p);
+  for (const auto& [x, y, z] : b.triangles) {
+    a.triangles.push_back(
+        {VertexId(x.value + first), VertexId(y.value + first), VertexId(z.value + first)});
+  }
+  return a;
+}
+
+TEST(SurfaceRoughness, CountsPartsAndTwiceTheHandles) {
+  const TriangleMesh ball = reconstruct_tight(shapes::sphere(300, 1)).mesh;
+  const TriangleMesh ring = reconstruct_tight(shapes::random_torus(1500, 0.4, 1)).mesh;
+  EXPECT_EQ(roughness(ball).topology, 1);
+  EXPECT_EQ(roughness(ring).topology, 3);
+  EXPECT_EQ(roughness(both(ball, ring)).topology, 4);
+  EXPECT_EQ(roughness(ball, 7).unused_vertices, 7U);
+}
+
+// Two tetrahedra with an edge in common, then with a vertex in common.
+TEST(SurfaceRoughness, CountsWhereTheSurfaceTouchesItself) {
+  TriangleMesh tetrahedra;
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    for (const auto& [x, y, z] :
+         {std::array{a, c, b}, std::array{a, b, d}, std::array{b, c, d}, std::array{c, a, d}}) {
+      tetrahedra.triangles.push_back({VertexId(x), VertexId(y), VertexId(z)});
+    }
+  };
+  tetrahedra.points.resize(6);
+  add(0, 1, 2, 3);
+  add(0, 1, 4, 5);
+  EXPECT_EQ(roughness(tetrahedra).topology, 4);
+  tetrahedra.points.resize(7);
+  tetrahedra.triangles.clear();
+  add(0, 1, 2, 3);
+  add(0, 4, 5, 6);
+  EXPECT_EQ(roughness(tetrahedra).topology, 3);
+}
+
+TEST(SurfaceRoughness, IsComparedInBothNumbers) {
+  const SurfaceRoughness one{1, 5};
+  EXPECT_TRUE(one.is_at_most({1, 5}));
+  EXPECT_TRUE(one.is_at_most({3, 6}));
+  EXPECT_FALSE(one.is_at_most({0, 9}));
+  EXPECT_FALSE(one.is_at_most({3, 4}));
+}
+
+}  // namespace
+}  // namespace cocoon
