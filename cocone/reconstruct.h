@@ -93,7 +93,7 @@ struct ReconstructCounters {
   std::size_t known_cells = 0;          // labeled beforehand, see mark_cells.h
   std::size_t likely_cells = 0;         // of which something is likely (known_labels.h),
   std::size_t contradicted_likely = 0;  // those on the other side of the surface without it,
-  bool heeded_likely = false;           // and whether it was taken for known therefore
+  std::size_t heeded_likely = 0;        // and those that were taken for known therefore
   // Told by a mesh of another program, but left to good vertices, since the surface would touch
   // itself.
   std::size_t yielded_cells = 0;

@@ -273,8 +273,9 @@ void ReconstructSteps::heed_likely(KnownLabels told, Body& body, const Execution
     return surface_roughness(surface_between(*triangulation_, of.marks, execution),
                              result_.vertices);
   };
-  counters.heeded_likely = roughness(other).is_at_most(roughness(body));
-  if (counters.heeded_likely) body = std::move(other);
+  if (!roughness(other).is_at_most(roughness(body))) return;
+  counters.heeded_likely = counters.likely_cells;
+  body = std::move(other);
 }
 
 void ReconstructSteps::close_foreign(const CellMarks& marks,

@@ -104,8 +104,8 @@ void keep_the_largest_mean(RegionChoice& choice) {
     }
   }
   if (best == nullptr) return;
+  choice.kept_largest = best->region;
   choice.replaced[best->region] = 0;
-  choice.kept_largest = true;
 }
 
 // Of the segmentation that loops, or decisions, are about.
@@ -181,6 +181,7 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
   keep_the_largest_mean(choice);
   if (choice.status == ChoiceStatus::ambiguous) {
     std::fill(choice.replaced.begin(), choice.replaced.end(), std::uint8_t{0});
+    choice.kept_largest = {};
   } else {
     choice.replaced_by_clear = {};
   }

@@ -68,7 +68,7 @@ struct RegionChoice {
   std::vector<CloudChoice> clouds;
   std::size_t undecided_loops = 0;  // loops that saw fewer than two regions: nothing inside them
   std::size_t narrow = 0;           // loops with a margin below narrow_margin
-  bool kept_largest = false;  // all regions were under clouds: the one with the largest mean stays
+  RegionId kept_largest;  // all regions were under clouds: this one, with the largest mean, stays
   // If the choice is ambiguous: what goes by the other clouds. Else empty.
   IdVector<RegionId, std::uint8_t> replaced_by_clear;
 };

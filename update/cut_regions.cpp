@@ -392,17 +392,17 @@ CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
   require_size("cut_regions", "clouds that others are joined to", joined.size(), rims.size());
   require_size("cut_regions", "flags of clouds", is_cut.size(), rims.size());
   CutRegions result;
-  result.is_cut.assign(is_cut.begin(), is_cut.end());
+  result.is_cut = clouds_to_cut(is_cut, joined);
   result.cuts.resize(rims.size());
   result.under.resize(rims.size());
   TriangleSet all(model.mesh().triangles.size(), 0);
   for (std::size_t first = 0; first < rims.size(); ++first) {
-    if (is_cut[first] == 0) {
+    if (result.is_cut[first] == 0) {
       for (const LoopBorder& band : borders[first].loops) {
         band.for_each_facet([&](TriangleId t) { all[t] = 1; });
       }
     }
-    if (is_cut[first] == 0 || joined[first] != first) continue;
+    if (result.is_cut[first] == 0 || joined[first] != first) continue;
     const JoinedRims cut_as_one = joined_rims(model, first, joined, rims, borders, scans, options);
     const TriangleSet& border = cut_as_one.border;
     for (const TriangleId t : all.ids()) all[t] |= border[t];

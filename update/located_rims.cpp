@@ -1,6 +1,7 @@
 #include "update/located_rims.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "geom/messages/require_size.h"
@@ -20,6 +21,27 @@ void report_loop(const RimLoop& loop, bool opened, CloudReport& report) {
   report.boundary_points += loop.size();
 }
 
+// The clouds in an order that does not depend on theirs: by their smallest points, and where these
+// are equal by all.
+std::vector<std::size_t> turns_of(std::span<const std::vector<Point>> clouds) {
+  std::vector<Point> smallest;
+  for (const std::vector<Point>& cloud : clouds) {
+    smallest.push_back(cloud.empty() ? Point() : *std::min_element(cloud.begin(), cloud.end()));
+  }
+  const auto sorted = [&](std::size_t c) {
+    std::vector<Point> points = clouds[c];
+    std::sort(points.begin(), points.end());
+    return points;
+  };
+  std::vector<std::size_t> turns(clouds.size());
+  std::iota(turns.begin(), turns.end(), std::size_t{0});
+  std::sort(turns.begin(), turns.end(), [&](std::size_t a, std::size_t b) {
+    if (smallest[a] != smallest[b]) return smallest[a] < smallest[b];
+    return sorted(a) < sorted(b);
+  });
+  return turns;
+}
+
 class Locating {
  public:
   Locating(const ModelIndex& model, std::span<const std::vector<Point>> clouds,
@@ -31,16 +53,17 @@ class Locating {
         options_(options),
         reports_(reports),
         execution_(execution),
+        turns_(turns_of(clouds)),
         found_{std::vector<Overlap>(clouds.size()),
                std::vector<std::vector<std::size_t>>(clouds.size())} {}
 
   LocatedRims run() {
-    for (std::size_t c = 0; c < clouds_.size(); ++c) locate(c);
+    for (const std::size_t c : turns_) locate(c);
     excuse_covered();
-    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+    for (const std::size_t c : turns_) {
       if (!is_on_model(c)) try_others(c, [&] { return is_on_model(c); });
     }
-    for (std::size_t c = 0; c < clouds_.size(); ++c) prefer_clearer(c);
+    for (const std::size_t c : turns_) prefer_clearer(c);
     take_shadowed_rims();
     return std::move(found_);
   }
@@ -112,12 +135,12 @@ class Locating {
       return o.status == OverlapStatus::no_overlap;
     };
     if (std::none_of(found_.overlaps.begin(), found_.overlaps.end(), is_off_model)) return;
-    for (std::size_t c = 0; c < clouds_.size(); ++c) {
+    for (const std::size_t c : turns_) {
       if (!is_on_model(c)) take_shadowed(c);
     }
     excuse_covered();
-    for (std::size_t c = 0; c < clouds_.size(); ++c) {
-      if (!is_on_model(c)) try_others(c, [&] { return take_shadowed(c); });
+    for (const std::size_t c : turns_) {
+      if (!is_on_model(c)) try_others(c, [&] { return is_on_model(c) || take_shadowed(c); });
     }
     excuse_covered();
   }
@@ -158,6 +181,8 @@ class Locating {
   const UpdateOptions& options_;
   std::span<CloudReport> reports_;
   const Execution& execution_;
+  // What is found of one cloud depends on the rims that others have by then.
+  std::vector<std::size_t> turns_;
   LocatedRims found_;
 };
 

@@ -77,12 +77,17 @@ void override_choice(const RegionOverrides& overrides, RegionChoice& choice) {
   require_overrides(overrides, choice.replaced.size());
   if (choice.status == ChoiceStatus::ambiguous) settle(overrides, choice);
   if (choice.status == ChoiceStatus::ambiguous) return;
+  // Kept since no other was: that is to be asked again.
+  const RegionId kept_largest = std::exchange(choice.kept_largest, {});
+  if (!kept_largest.is_none()) choice.replaced[kept_largest] = 1;
   set_fate(overrides.replaced, true, choice);
   set_fate(overrides.kept, false, choice);
-  choice.kept_largest = false;  // nobody's choice but the person's
-  if (std::count(choice.replaced.begin(), choice.replaced.end(), 0) == 0) {
+  if (std::count(choice.replaced.begin(), choice.replaced.end(), 0) != 0) return;
+  if (kept_largest.is_none() || has(overrides.replaced, kept_largest)) {
     throw InputError("all groups would be replaced; keep one of them");
   }
+  choice.kept_largest = kept_largest;
+  choice.replaced[kept_largest] = 0;
 }
 
 }  // namespace cocoon

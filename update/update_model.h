@@ -82,8 +82,8 @@ struct UpdateOptions {
 
 // As near to the paper as options go: surfaces of clouds and model in Mode::paper, rim points
 // located among the facets at the nearest vertex, no long edges trimmed, no samples set aside (in
-// rows of a scanner, where they are dense, in layers). Every other departure stays (docs/update.md,
-// "With --mode paper").
+// rows of a scanner, where they are dense, in layers), sides of rims told by angles alone. Every
+// other departure stays (docs/update.md, "With --mode paper").
 UpdateOptions paper_update_options();
 
 struct UpdateResult {

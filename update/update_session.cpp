@@ -278,7 +278,12 @@ void UpdateSession::keep(SessionUpdate& update, Pending pending) {
   } else {
     keep_body(update, std::move(pending.position_after));
   }
-  if (history_.size() > max_undo_levels) history_.pop_front();
+  if (history_.size() > most_undo_levels_) history_.pop_front();
+}
+
+void UpdateSession::limit_undo(std::size_t levels) {
+  most_undo_levels_ = std::min(levels, max_undo_levels);
+  while (history_.size() > most_undo_levels_) history_.pop_front();
 }
 
 // The result keeps nothing by vertex, the session all of it.

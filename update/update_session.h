@@ -93,6 +93,8 @@ class UpdateSession {
                       const Execution& execution = {});
 
   std::size_t undo_levels() const { return history_.size(); }
+  // Keeps no more than so many from now on (max_undo_levels): 0 for those who never go back.
+  void limit_undo(std::size_t levels);
   // Takes the last update back: the model is the one from before, in all its bits. Returns what
   // that changed. Errors: InputError if undo_levels() is 0; Cancelled, and then nothing was undone.
   MeshChange undo(const Execution& execution = {});
@@ -171,6 +173,7 @@ class UpdateSession {
   ReconstructResult reconstruction_;  // nothing by vertex if that can be asked of surface_
   DynamicTightCocone surface_;
   std::optional<ModelIndex> index_;
+  std::size_t most_undo_levels_ = max_undo_levels;
   std::deque<Step> history_;  // the latest last
 };
 

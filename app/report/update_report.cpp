@@ -181,7 +181,7 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/yielded_cells", counters.yielded_cells);
   report.set("update/seen_cells", counters.likely_cells);
   report.set("update/contradicted_seen_cells", counters.contradicted_likely);
-  report.set("update/seen_is_heeded", counters.heeded_likely);
+  report.set("update/heeded_seen_cells", counters.heeded_likely);
   report.set("update/thinned_points", replacement.thinned);
   report.set("update/duplicate_points", replacement.duplicates);
   report.set("update/updated_points", replacement.points.size());

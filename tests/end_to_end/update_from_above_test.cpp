@@ -90,12 +90,12 @@ TEST(UpdateFromAbove, WhatWasSeenIsCounted) {
   const ReconstructCounters counters = update_model(model, clouds).reconstruction.counters;
   EXPECT_GT(counters.likely_cells, counters.contradicted_likely);
   EXPECT_GT(counters.contradicted_likely, 0U);
-  EXPECT_TRUE(counters.heeded_likely);
+  EXPECT_EQ(counters.heeded_likely, counters.likely_cells);
   UpdateOptions blind;
   blind.sight.step = 0;
   const ReconstructCounters without = update_model(model, clouds, blind).reconstruction.counters;
   EXPECT_EQ(without.likely_cells, 0U);
-  EXPECT_FALSE(without.heeded_likely);
+  EXPECT_EQ(without.heeded_likely, 0U);
 }
 
 // Bosses one after the other, and an update of what has just been made.

@@ -224,10 +224,13 @@ TEST(UpdateOutcomes, NotAllOfTheModelGoes) {
   const UpdateResult result = update_model(model, clouds);
   ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
   EXPECT_EQ(result.regions.regions.size(), 2U);
-  EXPECT_EQ(result.clouds[0].replaced_groups.size(), 1U);
-  EXPECT_EQ(result.clouds[1].replaced_groups.size(), 1U);
-  EXPECT_TRUE(result.choice.kept_largest);
-  EXPECT_EQ(result.replaced_groups.size(), 1U);
+  ASSERT_EQ(result.replaced_groups.size(), 1U);
+  ASSERT_FALSE(result.choice.kept_largest.is_none());
+  EXPECT_NE(result.replaced_groups[0], result.choice.kept_largest);
+  // Of the one that is kept no cloud is said to replace it.
+  for (const CloudReport& cloud : result.clouds) {
+    for (const RegionId r : cloud.replaced_groups) EXPECT_EQ(r, result.replaced_groups[0]);
+  }
   EXPECT_TRUE(
       warns(result, "all regions lie under clouds; the one with the largest angle is kept"));
   EXPECT_FALSE(warns(result, "no region of the model lies inside"));
@@ -235,6 +238,14 @@ TEST(UpdateOutcomes, NotAllOfTheModelGoes) {
   const Files files(model, clouds);
   const auto report = nlohmann::json::parse(files.run({"--json", "-"}).out);
   EXPECT_NE(report["warnings"].dump().find("all regions lie under clouds; "), std::string::npos);
+
+  // Said to stay, it is the other one that goes.
+  UpdateOptions other_way;
+  other_way.overrides.kept = result.replaced_groups;
+  const UpdateResult turned = update_model(model, clouds, other_way);
+  ASSERT_EQ(turned.status, UpdateStatus::ok) << turned.message;
+  EXPECT_EQ(turned.replaced_groups, std::vector<RegionId>{result.choice.kept_largest});
+  EXPECT_GT(turned.replacement.removed.size(), 10U);
 }
 
 // If the two scans overlap each other they are a closed surface together, and the rim of each by

@@ -154,7 +154,7 @@ TEST(ChooseRegions, IslandsAreDecidedByTheirOwnAngles) {
 TEST(ChooseRegions, NeverReplacesEverything) {
   const std::vector<RegionAngles> loops = {loop(0, {10, 120}), loop(1, {130, 40})};
   const RegionChoice choice = choose_regions(loops, 2);
-  EXPECT_TRUE(choice.kept_largest);
+  EXPECT_EQ(choice.kept_largest, RegionId(0));
   EXPECT_EQ(replaced(choice), (std::vector<int>{0, 1}));  // 130 is the largest mean
 }
 
@@ -284,6 +284,14 @@ TEST(ChooseRegions, OptionsOutOfRangeAreRefused) {
        }) {
     EXPECT_THROW(choose_regions(loops, 1, options), InputError);
   }
+}
+
+TEST(ChooseRegions, AnAmbiguousChoiceKeepsNoneAsTheLargest) {
+  const std::vector<RegionAngles> loops = {loop(0, {10, 120}), loop(1, {130, 40}),
+                                           loop(1, {90, 90.4})};
+  const RegionChoice choice = choose_regions(loops, 2);
+  EXPECT_EQ(choice.status, ChoiceStatus::ambiguous);
+  EXPECT_TRUE(choice.kept_largest.is_none());
 }
 
 }  // namespace

@@ -369,5 +369,29 @@ TEST(CutRegions, PartsOfARegionLieUnderWhoeverItLayUnder) {
   }
 }
 
+// Whichever of them is said to be cut.
+TEST(CutRegions, JoinedCloudsAreCutTogether) {
+  const TriangleMesh mesh = testing::grid_plane(40);
+  const ModelIndex model(mesh);
+  std::vector<CloudRim> rims;
+  std::vector<Border> borders;
+  for (const double x : {10.13, 30.13}) {
+    CloudRim rim = testing::rim_of({testing::circle(40, {x, 20.07, 0}, 6)});
+    rim.median_edge = rim.spacing;
+    borders.push_back(trace_border(model, rim, overlapping_facets(model, rim)));
+    rims.push_back(std::move(rim));
+  }
+  const std::vector<Scan> scans(2);
+  const std::vector<std::size_t> joined = {0, 0};
+  using Flags = std::vector<std::uint8_t>;
+  for (const Flags& flags : {Flags{0, 1}, Flags{1, 0}, Flags{1, 1}}) {
+    const CutRegions cut = cut_regions(model, rims, borders, scans, joined, flags);
+    EXPECT_EQ(cut.is_cut, Flags({1, 1}));
+    EXPECT_EQ(cut.regions.regions.size(), 3U);
+    EXPECT_EQ(cut.under[0].size(), 3U);
+    EXPECT_EQ(cut.under[1], cut.under[0]);
+  }
+}
+
 }  // namespace
 }  // namespace cocoon

@@ -1,5 +1,6 @@
 #include "update/located_rims.h"
 
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -180,6 +181,53 @@ TEST(LocatedRims, RefusesListsThatDoNotFit) {
   const std::vector<std::vector<CloudSurface>> others(2);
   reports.pop_back();
   EXPECT_THROW(locate_rims(model, clouds, others, {}, reports), InputError);
+}
+
+// Two disks side by side, each with a trial of more and a trial of less doubt. Whether they share
+// edges depends on the trials that are taken, and must not on which cloud is the first.
+TEST(LocatedRims, DoNotDependOnTheOrderOfClouds) {
+  const TriangleMesh mesh = grid_plane(60);
+  const ModelIndex model(mesh);
+  const Vec3 move{13.6, 0, 0};
+  const auto moved = [&](CloudRim rim) {
+    for (RimLoop& loop : rim.loops) {
+      for (Point& p : loop.points) p = p + move;
+      for (Point& p : loop.apexes) p = p + move;
+    }
+    return rim;
+  };
+  std::vector<std::vector<Point>> disks(2);
+  for (double x = -6; x <= 6; x += 0.6) {
+    for (double y = -6; y <= 6; y += 0.6) {
+      if (std::hypot(x, y) > 6) continue;
+      disks[0].push_back(middle + Vec3{x, y, 0});
+      disks[1].push_back(middle + move + Vec3{x, y, 0});
+    }
+  }
+  CloudRim few_samples = torn_rim(0, 0);
+  few_samples.median_edge *= 1.8;
+  const std::vector<CloudRim> first = {torn_rim(20, 40), moved(torn_rim(20, 40))};
+  const std::vector<CloudRim> second = {few_samples, moved(torn_rim(0, 0))};
+  // Of each disk, in both orders: shared edges, and which trial was taken.
+  std::vector<std::array<std::size_t, 4>> found;
+  for (const std::vector<std::size_t>& order :
+       {std::vector<std::size_t>{0, 1}, std::vector<std::size_t>{1, 0}}) {
+    std::vector<std::vector<Point>> clouds;
+    std::vector<CloudReport> reports;
+    std::vector<std::vector<CloudSurface>> others;
+    for (const std::size_t c : order) {
+      clouds.push_back(disks[c]);
+      reports.push_back(report_of_surface(surface_with(first[c], 1)));
+      others.push_back({surface_with(second[c], 2)});
+    }
+    locate_rims(model, clouds, others, {}, reports);
+    const CloudReport& of_0 = reports[order[0] == 0 ? 0 : 1];
+    const CloudReport& of_1 = reports[order[0] == 0 ? 1 : 0];
+    found.push_back({of_0.surface.rim.shared_edges, of_1.surface.rim.shared_edges, of_0.taken_rim,
+                     of_1.taken_rim});
+  }
+  EXPECT_EQ(found[0], found[1]);
+  EXPECT_EQ(found[0][2] + found[0][3], 2U);
 }
 
 }  // namespace

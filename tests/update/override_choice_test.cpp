@@ -86,5 +86,31 @@ TEST(OverrideChoice, RefusesWhatCannotBe) {
   EXPECT_THROW(override_choice({.kept = {RegionId(0)}}, none), InputError);
 }
 
+// Both regions lie under a cloud; the second, with the larger mean, is kept.
+RegionChoice choice_of_all() {
+  RegionChoice choice;
+  choice.replaced = IdVector<RegionId, std::uint8_t>(std::vector<std::uint8_t>{1, 0});
+  choice.kept_largest = RegionId(1);
+  choice.clouds = {{{{RegionId(0), 0.1, 10, true}, {RegionId(1), 1, 10, false}}},
+                   {{{RegionId(0), 1, 10, false}, {RegionId(1), 0.5, 10, true}}}};
+  return choice;
+}
+
+// What was kept only since all others went, goes if another one is said to stay.
+TEST(OverrideChoice, TheOneThatWasKeptLastIsDecidedAnew) {
+  RegionChoice choice = choice_of_all();
+  override_choice({.kept = {RegionId(0)}}, choice);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{0, 1}));
+  EXPECT_TRUE(choice.kept_largest.is_none());
+
+  choice = choice_of_all();
+  override_choice({.replaced = {RegionId(0)}}, choice);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{1, 0}));
+  EXPECT_EQ(choice.kept_largest, RegionId(1));
+
+  choice = choice_of_all();
+  EXPECT_THROW(override_choice({.replaced = {RegionId(1)}}, choice), InputError);
+}
+
 }  // namespace
 }  // namespace cocoon

@@ -447,5 +447,34 @@ TEST(UpdateSession, NothingToTakeBackIsACallersMistake) {
   EXPECT_EQ(session.model().triangles.size(), 2U * 300 - 4);
 }
 
+TEST(UpdateSession, KeepsNoMoreUndosThanItIsTold) {
+  UpdateSession session(gallery::even_sphere(700));
+  Random random(4);
+  std::size_t updates = 0;
+  const auto update = [&] {
+    for (int tries = 0; tries < 20; ++tries) {
+      if (session.apply(random_scans(session.model(), random, 0.1)).result.status !=
+          UpdateStatus::ok) {
+        continue;
+      }
+      ++updates;
+      return;
+    }
+  };
+  for (int k = 0; k < 3; ++k) update();
+  ASSERT_EQ(updates, 3U);
+  EXPECT_EQ(session.undo_levels(), 3U);
+  session.limit_undo(2);
+  EXPECT_EQ(session.undo_levels(), 2U);
+  session.limit_undo(0);
+  EXPECT_EQ(session.undo_levels(), 0U);
+  update();
+  EXPECT_EQ(session.undo_levels(), 0U);
+  EXPECT_THROW(session.undo(), InputError);
+  session.limit_undo(UpdateSession::max_undo_levels + 5);
+  update();
+  EXPECT_EQ(session.undo_levels(), 1U);
+}
+
 }  // namespace
 }  // namespace cocoon

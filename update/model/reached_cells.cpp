@@ -48,7 +48,9 @@ ReachedCells::ReachedCells(Points centers, double reach) : extent_(box_of(center
 std::vector<Point> points_near(Points points, Points centers, double reach) {
   std::vector<Point> near;
   if (centers.empty()) return near;
-  const ReachedCells cells(centers, reach_with_rounding(centers, reach));
+  const double with_rounding = reach_with_rounding(centers, reach);
+  if (!std::isfinite(with_rounding)) return {points.begin(), points.end()};
+  const ReachedCells cells(centers, with_rounding);
   for (const Point& p : points) {
     if (cells.overlap(Box{p, p})) near.push_back(p);
   }

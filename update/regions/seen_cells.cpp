@@ -1,5 +1,6 @@
 #include "update/regions/seen_cells.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "cocone/marking/cell_label.h"
@@ -10,6 +11,8 @@
 namespace cocoon {
 
 namespace {
+
+constexpr double most_places = 1000;  // on a line, however short the steps
 
 enum Told : std::uint8_t { air = 1, body = 2 };
 
@@ -22,8 +25,10 @@ IdVector<CellId, std::uint8_t> told_along(const Triangulation& triangulation,
   for (const Sight& sight : sights) {
     const Vec3 way = sight.to - sight.from;
     const double length = norm(way);
-    const double step = options.step * sight.spacing;
-    for (double at = options.clearance * sight.spacing; at < length; at += step) {
+    const double first = options.clearance * sight.spacing;
+    const double places = std::min((length - first) / (options.step * sight.spacing), most_places);
+    for (double i = 0; i < places; ++i) {
+      const double at = first + i / places * (length - first);
       const Location place = locate(triangulation, sight.from + (at / length) * way, hint);
       hint = place.cell;
       if (place.kind != LocationKind::cell) continue;

@@ -34,10 +34,11 @@ IdVector<VertexId, VertexId> updated_vertices(const Replacement& replacement,
 }
 
 VertexId first_vertex_of_clouds(const IdVector<VertexId, VertexId>& vertex_map) {
-  const std::vector<VertexId>& map = vertex_map.raw();
-  const auto last_kept =
-      std::find_if(map.rbegin(), map.rend(), [](VertexId v) { return !v.is_none(); });
-  return VertexId(last_kept == map.rend() ? 0 : last_kept->value + 1);
+  std::uint32_t end = 0;
+  for (const VertexId v : vertex_map) {
+    if (!v.is_none()) end = std::max(end, v.value + 1);
+  }
+  return VertexId(end);
 }
 
 }  // namespace cocoon

@@ -13,8 +13,9 @@ namespace cocoon {
 IdVector<VertexId, VertexId> updated_vertices(const Replacement& replacement,
                                               const ReconstructResult& reconstruction);
 
-// Where the vertices of clouds begin in the updated mesh: kept ones come before them, in the order
-// in which they were. Complexity: O(1), and one for each of the last vertices that went.
+// Where the vertices of clouds begin in the updated mesh: kept ones come before them; those that
+// were at one place are one vertex, so the last one of the model need not be the last here.
+// Complexity: O(vertices of the model).
 VertexId first_vertex_of_clouds(const IdVector<VertexId, VertexId>& vertex_map);
 
 }  // namespace cocoon

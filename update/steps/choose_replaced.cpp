@@ -40,6 +40,16 @@ std::vector<ToldBy> tell_sides(UpdateRun& run, std::span<const RegionAngles> ang
   return told_by;
 }
 
+// Of the one region that is kept since all would go.
+void say_kept_largest(RegionChoice& choice) {
+  if (choice.kept_largest.is_none()) return;
+  for (CloudChoice& cloud : choice.clouds) {
+    for (RegionVerdict& verdict : cloud.regions) {
+      if (verdict.region == choice.kept_largest) verdict.under_cloud = false;
+    }
+  }
+}
+
 // Has contradicted islands go.
 void take_islands(UpdateRun& run) {
   RegionChoice& choice = run.result.choice;
@@ -95,7 +105,7 @@ void report_replaced_groups(UpdateRun& run) {
     if (choice.replaced[r] != 0) run.result.replaced_groups.push_back(r);
   }
   if (seen_by_several > 0) run.warn(warning_of_shared_regions(seen_by_several));
-  if (choice.kept_largest) {
+  if (!choice.kept_largest.is_none()) {
     run.warn("all regions lie under clouds; the one with the largest angle is kept");
   }
 }
@@ -133,6 +143,7 @@ bool choose_replaced(UpdateRun& run, std::span<const RegionAngles> angles,
   choice.replaced.resize(run.result.regions.regions.size(), 0);
   take_islands(run);
   take_overrides(run);
+  say_kept_largest(choice);
   for (std::size_t c = 0; c < run.clouds.size(); ++c) report_choice_of_cloud(run, c, told_by[c]);
   report_replaced_groups(run);
   return choice.status == ChoiceStatus::ok || fail_ambiguous(run);

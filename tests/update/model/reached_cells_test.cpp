@@ -59,5 +59,12 @@ TEST(PointsNear, CentersMayBeAsCloseAsNumbersCan) {
   EXPECT_TRUE(points_near(std::vector<Point>{{0, 0, 1}}, centers, 0).empty());
 }
 
+TEST(PointsNear, AnInfiniteReachIsThatOfAll) {
+  const std::vector<Point> points = {{0, 0, 0}, {1e300, 0, 0}, {0, -5, 1}};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(points_near(points, std::vector<Point>{{1, 2, 3}}, infinity), points);
+  EXPECT_EQ(points_near(points, std::vector<Point>{{1, 2, 3}}, 1e308), points);
+}
+
 }  // namespace
 }  // namespace cocoon

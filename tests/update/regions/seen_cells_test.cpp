@@ -1,5 +1,6 @@
 #include "update/regions/seen_cells.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 #include <vector>
@@ -80,6 +81,14 @@ TEST(SeenCells, AreNoneWithoutLinesOrSteps) {
   EXPECT_TRUE(scene.known.likely.empty());
   EXPECT_THROW(scene.see({}, {.step = -1}), InputError);
   EXPECT_THROW(scene.see({}, {.clearance = std::numeric_limits<double>::quiet_NaN()}), InputError);
+}
+
+TEST(SeenCells, AreFoundByStepsOfAnyLength) {
+  Scene scene;
+  scene.see({along_x(0.1, 0.9, true)}, {.step = 1e-300});
+  EXPECT_EQ(scene.at({0.5, 0.51, 0.52}), CellLabel::out);
+  scene.see({along_x(0.1, 0.9, true)}, {.step = std::numeric_limits<double>::infinity()});
+  EXPECT_LE(scene.count(CellLabel::out), 1U);
 }
 
 // Beyond the hull, and as short as the distance that is left out.

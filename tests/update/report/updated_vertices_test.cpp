@@ -24,5 +24,16 @@ TEST(UpdatedVertices, AreThoseOfTheSurface) {
             (Map{VertexId(1U), VertexId(), VertexId(), VertexId(0U)}));
 }
 
+// The last vertex of the model is at the place of its first one.
+TEST(UpdatedVertices, CloudsBeginBehindAllThatWasKept) {
+  const auto map = [](std::initializer_list<VertexId> list) {
+    return IdVector<VertexId, VertexId>(std::vector<VertexId>(list));
+  };
+  EXPECT_EQ(first_vertex_of_clouds(map({VertexId(0), VertexId(1), VertexId(2), VertexId(0)})),
+            VertexId(3));
+  EXPECT_EQ(first_vertex_of_clouds(map({VertexId(0), VertexId(1), VertexId()})), VertexId(2));
+  EXPECT_EQ(first_vertex_of_clouds(map({VertexId(), VertexId()})), VertexId(0));
+}
+
 }  // namespace
 }  // namespace cocoon
