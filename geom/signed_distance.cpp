@@ -1,6 +1,9 @@
 #include "geom/signed_distance.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 #include "geom/mesh/halfedges.h"
@@ -95,6 +98,18 @@ class InsideTest {
   std::optional<Pseudonormals> normals_;   // of others
 };
 
+// From the corners in lexicographic order: the same bits as the tree's, in every rotation.
+ClosestPoint foot_on(const Point& p, const TriangleMesh& mesh, TriangleId t) {
+  const TrianglePoints corners = corners_of(mesh, t);
+  std::array<std::size_t, 3> order = {0, 1, 2};
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j) { return corners[i] < corners[j]; });
+  ClosestPoint foot =
+      closest_point_on_triangle(p, {corners[order[0]], corners[order[1]], corners[order[2]]});
+  foot.feature = renumbered(foot.feature, order);
+  return foot;
+}
+
 // `scaled`: the mesh times the scale, a power of two.
 std::vector<double> distances_by_scale(const TriangleMesh& mesh, const TriangleMesh& scaled,
                                        double scale, Points points, const Execution& execution) {
@@ -106,7 +121,7 @@ std::vector<double> distances_by_scale(const TriangleMesh& mesh, const TriangleM
     for (std::size_t i = begin; i < end; ++i) {
       const Point p = scale * points[i];
       const ClosestFacet facet = tree.closest(p);
-      const ClosestPoint foot = closest_point_on_triangle(p, corners_of(scaled, facet.triangle));
+      const ClosestPoint foot = foot_on(p, scaled, facet.triangle);
       const double distance = std::sqrt(foot.squared_distance) / scale;
       distances[i] = inside.contains(points[i], p, facet.triangle, foot) ? -distance : distance;
     }

@@ -8,6 +8,7 @@
 
 #include "geom/errors.h"
 #include "geom/random/random.h"
+#include "geom/search/closest_facet.h"
 #include "tests/mesh_gallery.h"
 
 namespace cocoon {
@@ -37,6 +38,20 @@ TEST(SignedDistance, OfACubeIsThatOfItsDefinition) {
   const std::vector<double> distances = signed_distances(cube_around_origin(), points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_NEAR(distances[i], distance_from_cube(points[i]), 1e-14) << i;
+  }
+}
+
+// The same bits as those of the search tree, in whatever order a triangle names its corners.
+TEST(SignedDistance, IsThatOfTheTreeToTheBit) {
+  Random random(8);
+  const auto in_cube = [&] { return Point{random.uniform(), random.uniform(), random.uniform()}; };
+  for (int i = 0; i < 200; ++i) {
+    TriangleMesh mesh;
+    for (int k = 0; k < 3; ++k) mesh.points.push_back(in_cube());
+    mesh.triangles.push_back({VertexId(2), VertexId(0), VertexId(1)});
+    const Point p = in_cube();
+    const double distance = std::sqrt(ClosestFacetTree(mesh).squared_distance(p));
+    EXPECT_EQ(std::abs(signed_distances(mesh, std::vector<Point>{p})[0]), distance) << i;
   }
 }
 
