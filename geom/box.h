@@ -8,8 +8,8 @@
 
 namespace cocoon {
 
-// The closed box from `low` to `high`. The default one is empty: it contains no point, and
-// including a point in it makes it that point.
+// The closed box from `low` to `high`. The default one is empty: it contains no point, including a
+// point in it makes it that point, and including it in another changes nothing.
 struct Box {
   Point low = {infinity, infinity, infinity};
   Point high = {-infinity, -infinity, -infinity};
@@ -25,8 +25,10 @@ struct Box {
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   void include(const Box& other) {
-    include(other.low);
-    include(other.high);
+    low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y),
+           std::min(low.z, other.low.z)};
+    high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y),
+            std::max(high.z, other.high.z)};
   }
   void enlarge(double by) {
     low = low - Vec3{by, by, by};

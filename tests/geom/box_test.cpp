@@ -1,0 +1,74 @@
+#include "geom/box.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "geom/random/random.h"
+#include "tests/geom/near_degenerate.h"
+
+namespace cocoon {
+namespace {
+
+TEST(Box, EmptyOne) {
+  const Box empty;
+  EXPECT_TRUE(empty.is_empty());
+  EXPECT_EQ(empty.size(), Vec3{});
+  EXPECT_EQ(empty.center(), Point{});
+  EXPECT_FALSE(contains(empty, {0, 0, 0}));
+  EXPECT_EQ(box_of({}), empty);
+}
+
+TEST(Box, OfPoints) {
+  const Box box = box_of(std::vector<Point>{{1, 5, 3}, {2, 4, 3}, {1, 6, 0}});
+  EXPECT_EQ(box, (Box{{1, 4, 0}, {2, 6, 3}}));
+  EXPECT_EQ(box.size(), (Vec3{1, 2, 3}));
+  EXPECT_EQ(box.center(), (Point{1.5, 5, 1.5}));
+}
+
+TEST(Box, IncludingAnEmptyOneChangesNothing) {
+  Box box = box_of(std::vector<Point>{{1, 2, 3}});
+  const Box before = box;
+  box.include(Box());
+  EXPECT_EQ(box, before);
+  Box empty;
+  empty.include(Box());
+  EXPECT_TRUE(empty.is_empty());
+  empty.include(before);
+  EXPECT_EQ(empty, before);
+}
+
+TEST(Box, EnlargedOnAllSides) {
+  Box box{{0, 0, 0}, {1, 2, 3}};
+  box.enlarge(1);
+  EXPECT_EQ(box, (Box{{-1, -1, -1}, {2, 3, 4}}));
+}
+
+TEST(Box, IsClosed) {
+  const Box box{{0, 0, 0}, {1, 1, 1}};
+  EXPECT_TRUE(contains(box, {1, 0, 0.5}));
+  EXPECT_FALSE(contains(box, {1, 0, 1.5}));
+  EXPECT_TRUE(overlap(box, {{1, 1, 1}, {2, 2, 2}}));
+  EXPECT_FALSE(overlap(box, {{0, 1.5, 0}, {1, 2, 1}}));
+  EXPECT_FALSE(overlap(box, Box()));
+}
+
+TEST(Box, IsNoFartherThanThePointsInIt) {
+  Random random(5);
+  const auto in_cube = [&] {
+    return Point{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+  };
+  for (int i = 0; i < 1000; ++i) {
+    const std::vector<Point> points = {in_cube(), in_cube(), in_cube()};
+    const Box box = box_of(points);
+    const Point p = 2 * in_cube();
+    for (const Point& q : points) {
+      EXPECT_TRUE(contains(box, q));
+      EXPECT_LE(squared_distance(p, box), squared_distance(p, q)) << p << q;
+    }
+    EXPECT_EQ(squared_distance(p, box) == 0, contains(box, p)) << p;
+  }
+  EXPECT_EQ(squared_distance(Point{3, 0.5, -1}, Box{{0, 0, 0}, {1, 1, 1}}), 5);
+}
+
+}  // namespace
+}  // namespace cocoon
