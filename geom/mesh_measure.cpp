@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geom/mesh/halfedges.h"
+#include "geom/triangle_normal.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
@@ -50,13 +51,13 @@ EdgeLengths measure_edges(const TriangleMesh& mesh) {
 
 Box box_of_corners(const TriangleMesh& mesh) {
   Box box;
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const VertexId v : triangle) box.include(mesh.points[v]);
+  for (const TriangleId t : mesh.triangles.ids()) {
+    for (const Point& p : finite_corners_of(mesh, t)) box.include(p);
   }
   return box;
 }
 
-// Preconditions: valid triangles, coordinates of working size.
+// Preconditions: valid triangles with finite corners, coordinates of working size.
 MeshMeasure measure_at_working_size(const TriangleMesh& mesh, const Box& box) {
   MeshMeasure measure;
   measure.box = box;
@@ -66,8 +67,7 @@ MeshMeasure measure_at_working_size(const TriangleMesh& mesh, const Box& box) {
   CompensatedSum volume;
   for (const TriangleId t : mesh.triangles.ids()) {
     const auto [p, q, r] = corners_of(mesh, t);
-    const Vec3 a = p - origin;
-    area.add(norm(cross((q - origin) - a, (r - origin) - a)) / 2);
+    area.add(norm(area_normal(p, q, r)) / 2);
     volume.add(volume_over(mesh, t, origin));
   }
   measure.area = area.value();

@@ -38,11 +38,12 @@ inline double volume_over(const TriangleMesh& mesh, TriangleId t, const Point& a
   return dot(a - apex, cross(b - apex, c - apex)) / 6;
 }
 
-// Measures `mesh`, whose triangles must name vertices that are there (else InputError). The volume
-// is the sum of the tetrahedra between each triangle and the center of the box: for a surface that
-// is not closed it depends on that center. Sums are compensated, so that they are right to about
-// the rounding of one addition (relative to the area, or to area times box size). Coordinates may
-// have any size; a figure beyond the range of double is infinite or 0.
+// Measures `mesh`, whose triangles must name vertices that are there and finite (else InputError).
+// The volume is the sum of the tetrahedra between each triangle and the center of the box: for a
+// surface that is not closed it depends on that center. Sums are compensated, so that they are
+// right to about the rounding of one addition (relative to the area, for narrow triangles to the
+// squares of their longest edges; or to area times box size). Coordinates may have any size; a
+// figure beyond the range of double is infinite or 0.
 // Complexity: O(t log t). Deterministic: sums run in the order of triangles and edges.
 // Source of the summation: Neumaier 1974.
 MeshMeasure mesh_measure(const TriangleMesh& mesh);

@@ -10,6 +10,11 @@ struct TriangleNormal {
   bool exact = false;  // floating point did not suffice, integers were used
 };
 
+// (b - a) x (c - a): the normal in floating point, as long as twice the area. O(1).
+constexpr Vec3 area_normal(const Point& a, const Point& b, const Point& c) {
+  return cross(b - a, c - a);
+}
+
 // The direction of (b - a) x (c - a): the side from which a, b, c run counterclockwise. Off by less
 // than 1e-6 radians in floating point (about 1e-16 for well-shaped triangles), and by a few
 // roundings from integers. Computed from the vertices in lexicographic order: any order of the same

@@ -14,14 +14,13 @@
 #include "geom/random/mixed_bits.h"
 #include "geom/random/random.h"
 #include "geom/random/random_point.h"
+#include "geom/triangle_normal.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFU;
-
-Vec3 normal_of(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
 
 // The samples that there are, by cells of a grid; cells with one hash share a list.
 class SampleGrid {
@@ -138,7 +137,7 @@ class Darts {
   // and what is asked of the grid is at hand.
   void throw_into(const Point& a, const Point& b, const Point& c) {
     constexpr double most_squares = 4;
-    const double squares = norm(normal_of(a, b, c)) / 2 / square_;
+    const double squares = norm(area_normal(a, b, c)) / 2 / square_;
     if (squares > most_squares) {
       const Point ab = 0.5 * (a + b);
       const Point bc = 0.5 * (b + c);
@@ -153,7 +152,7 @@ class Darts {
     if (++leaves_ % leaves_per_report == 0) {
       report_progress(execution_, "dense_samples", std::min(done_squares_ / all_squares_, 1.0));
     }
-    const Vec3 normal = normal_of(a, b, c);
+    const Vec3 normal = area_normal(a, b, c);
     const double count = std::floor(trials_ * squares + random_.uniform());
     for (double k = 0; k < count; ++k) {
       const Point p = random_point_in(a, b, c, random_);

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 
+#include "geom/triangle_normal.h"
+
 namespace cocoon {
 namespace {
-
-Vec3 normal_of(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
 
 bool is_sharp(const LinkedMesh& mesh, Halfedge halfedge, double smooth_cosine) {
   if (!mesh.has_two_triangles(halfedge)) return true;
   const Halfedge across = mesh.links[halfedge];
   const Point& a = mesh.points[mesh.from(halfedge)];
   const Point& b = mesh.points[mesh.to(halfedge)];
-  const Vec3 here = normal_of(a, b, mesh.points[mesh.apex(halfedge)]);
-  const Vec3 there = normal_of(b, a, mesh.points[mesh.apex(across)]);
+  const Vec3 here = area_normal(a, b, mesh.points[mesh.apex(halfedge)]);
+  const Vec3 there = area_normal(b, a, mesh.points[mesh.apex(across)]);
   return !(dot(here, there) >= smooth_cosine * norm(here) * norm(there));
 }
 

@@ -1,7 +1,10 @@
 #include "geom/mesh_measure.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
+#include "geom/errors.h"
 #include "tests/mesh_gallery.h"
 
 namespace cocoon {
@@ -87,6 +90,32 @@ TEST(MeshMeasure, CoordinatesOfAnySize) {
     EXPECT_EQ(scaled.edge_lengths.min, factor * m.edge_lengths.min) << exponent;
     EXPECT_EQ(scaled.edge_lengths.mean, factor * m.edge_lengths.mean) << exponent;
   }
+}
+
+// Small triangles far from the center of the box, which their areas do not depend on.
+TEST(MeshMeasure, AreaOfSmallTrianglesInALargeBox) {
+  TriangleMesh mesh;
+  constexpr double size = 0x1p-30;
+  for (const double x : {-1.1, 0.7}) {
+    const VertexId a = mesh.points.push_back({x, 0.3, x / 3});
+    const VertexId b = mesh.points.push_back({x + size, 0.3, x / 3});
+    const VertexId c = mesh.points.push_back({x, 0.3 + size, x / 3});
+    mesh.triangles.push_back({a, b, c});
+  }
+  EXPECT_EQ(mesh_measure(mesh).area, size * size);
+}
+
+TEST(MeshMeasure, RefusesWhatItCannotMeasure) {
+  TriangleMesh mesh = gallery::cube();
+  mesh.points.push_back({std::numeric_limits<double>::quiet_NaN(), 0, 0});
+  EXPECT_EQ(mesh_measure(mesh).area, 6) << "no triangle uses it";
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL}) {
+    mesh.points[VertexId(3)].x = x;
+    EXPECT_THROW(mesh_measure(mesh), InputError) << x;
+  }
+  TriangleMesh torn = gallery::cube();
+  torn.triangles[TriangleId(0)][0] = VertexId(100);
+  EXPECT_THROW(mesh_measure(torn), InputError);
 }
 
 TEST(MeshMeasure, NoTriangles) {
