@@ -11,14 +11,17 @@
 #include "geom/errors.h"
 #include "geom/search/box_tree.h"
 #include "geom/search/equal_points.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 
 double median_neighbor_distance(Points points, std::size_t k) {
   constexpr std::size_t asked = 500;
   if (k == 0) throw InputError("the distance of neighbor 0 is asked for; count from 1");
-  const std::vector<Point> different = distinct_points(points);
+  std::vector<Point> different = distinct_points(points);
   if (different.size() <= k) return 0;
+  const double scale = working_scale(different);
+  if (scale != 1) different = scaled(different, scale);
   const BoxTree tree = tree_of_points(different);
   std::vector<double> distances;
   const std::size_t step = std::max<std::size_t>(1, different.size() / asked);
@@ -36,7 +39,7 @@ double median_neighbor_distance(Points points, std::size_t k) {
     });
     distances.push_back(nearest.back());
   }
-  return std::sqrt(median(std::move(distances)));
+  return std::sqrt(median(std::move(distances))) / scale;
 }
 
 }  // namespace cocoon

@@ -2,13 +2,33 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 
 #include "geom/search/box_tree.h"
+#include "geom/search/equal_points.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
+namespace {
+
+// Below this fraction of the size of coordinates squares of distances may be no doubles.
+constexpr double smallest_distance = 0x1p-500;
+
+std::vector<PointId> first_of_equal(Points points) {
+  const std::vector<RepeatedPoint> repeated = repeated_points(points);
+  auto next = repeated.begin();
+  std::vector<PointId> kept;
+  for (std::uint32_t k = 0; k < points.size(); ++k) {
+    if (next != repeated.end() && next->point == k) {
+      ++next;
+    } else {
+      kept.emplace_back(k);
+    }
+  }
+  return kept;
+}
+
+}  // namespace
 
 std::vector<PointId> thin_points(Points points,
                                  const std::function<double(PointId)>& squared_distance_at) {
@@ -35,9 +55,8 @@ std::vector<PointId> thin_points(Points points,
 
 std::vector<PointId> thin_points(Points points, double distance) {
   const double scale = working_scale(points);
-  // Where the square is too small for a double, only equal points are that close.
-  const double reach =
-      std::max(distance * scale * (distance * scale), std::numeric_limits<double>::denorm_min());
+  if (!(distance * scale >= smallest_distance)) return first_of_equal(points);
+  const double reach = distance * scale * (distance * scale);
   const auto reach_at = [&](PointId) { return reach; };
   return scale == 1 ? thin_points(points, reach_at) : thin_points(scaled(points, scale), reach_at);
 }

@@ -43,6 +43,14 @@ TEST(NeighborDistance, AgreesWithBruteForceInAnyOrder) {
   }
 }
 
+// Squares of such distances are no doubles.
+TEST(NeighborDistance, OfCoordinatesOfAnySize) {
+  for (const double size : {1e-300, 1e-170, 1e170, 1e300}) {
+    const std::vector<Point> points = {{0, 0, 0}, {size, 0, 0}, {3 * size, 0, 0}, {5 * size, 0, 0}};
+    EXPECT_NEAR(median_neighbor_distance(points, 1) / size, 2, 1e-15) << size;
+  }
+}
+
 TEST(NeighborDistance, NothingWithoutNeighbors) {
   const std::vector<Point> points = {{1, 0, 0}, {1, 0, 0}, {4, 0, 0}};
   EXPECT_EQ(median_neighbor_distance(points, 1), 3);

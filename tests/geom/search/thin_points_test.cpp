@@ -59,5 +59,14 @@ TEST(ThinPoints, OfOneDistanceAtAnySize) {
   EXPECT_EQ(thin_points(points, 1e300), std::vector{PointId(0)});
 }
 
+// Their squared distance is 0, but they are not equal.
+TEST(ThinPoints, DifferentOnesStayHoweverNear) {
+  const std::vector<Point> points = {{1e-170, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {-0.0, 0, 0}};
+  const std::vector different = {PointId(0), PointId(1), PointId(2)};
+  EXPECT_EQ(thin_points(points, 0), different);
+  EXPECT_EQ(thin_points(points, 1e-180), different);
+  EXPECT_EQ(thin_points(points, 1e-140), (std::vector{PointId(1), PointId(2)}));
+}
+
 }  // namespace
 }  // namespace cocoon
