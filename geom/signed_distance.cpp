@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "geom/mesh/halfedges.h"
-#include "geom/mesh_check.h"
 #include "geom/search/closest_facet.h"
 #include "geom/search/winding_number.h"
 #include "geom/triangle_projection.h"
@@ -22,8 +22,8 @@ constexpr std::size_t grain = 1024;
 // The angle-weighted normals of a mesh; they are sums and not of unit length.
 class Pseudonormals {
  public:
-  explicit Pseudonormals(const TriangleMesh& mesh)
-      : mesh_(mesh), rings_(link_halfedges(mesh)), of_vertex_(mesh.points.size()) {
+  Pseudonormals(const TriangleMesh& mesh, HalfedgeRings rings)
+      : mesh_(mesh), rings_(std::move(rings)), of_vertex_(mesh.points.size()) {
     for (const TriangleId t : mesh.triangles.ids()) {
       const TrianglePoints p = corners_of(mesh, t);
       of_facet_.push_back(unit(cross(p[1] - p[0], p[2] - p[0])));
@@ -78,11 +78,12 @@ class Pseudonormals {
 // Tells inside from outside: winding numbers are exact as they are, normals want working sizes.
 class InsideTest {
  public:
-  InsideTest(const TriangleMesh& mesh, const TriangleMesh& scaled) {
-    if (mesh_check(mesh).balanced) {
-      numbers_.emplace(mesh);
+  InsideTest(const TriangleMesh& mesh, const TriangleMesh& scaled, const Execution& execution) {
+    HalfedgeRings rings = link_halfedges(mesh, execution);
+    if (is_balanced(mesh, rings, execution)) {
+      numbers_.emplace(mesh, execution);
     } else {
-      normals_.emplace(scaled);
+      normals_.emplace(scaled, std::move(rings));
     }
   }
 
@@ -113,8 +114,8 @@ ClosestPoint foot_on(const Point& p, const TriangleMesh& mesh, TriangleId t) {
 // `scaled`: the mesh times the scale, a power of two.
 std::vector<double> distances_by_scale(const TriangleMesh& mesh, const TriangleMesh& scaled,
                                        double scale, Points points, const Execution& execution) {
-  const ClosestFacetTree tree(scaled);
-  const InsideTest inside(mesh, scaled);
+  const ClosestFacetTree tree(scaled, execution);
+  const InsideTest inside(mesh, scaled, execution);
   std::vector<double> distances(points.size());
   const StagePart part{"signed_distance"};
   parallel_chunks(execution, part, points.size(), grain, [&](std::size_t begin, std::size_t end) {

@@ -19,12 +19,13 @@ namespace {
 
 using SquaredDistanceTo = std::function<double(const Point&)>;
 
-SquaredDistanceTo search_in(const TriangleMesh& target) {
+SquaredDistanceTo search_in(const TriangleMesh& target, const Execution& execution) {
   if (target.triangles.empty()) {
-    const auto tree = std::make_shared<const NearestPointTree>(Points(target.points.raw()));
+    const auto tree =
+        std::make_shared<const NearestPointTree>(Points(target.points.raw()), execution);
     return [tree](const Point& p) { return tree->nearest(p).squared_distance; };
   }
-  const auto tree = std::make_shared<const ClosestFacetTree>(target);
+  const auto tree = std::make_shared<const ClosestFacetTree>(target, execution);
   return [tree](const Point& p) { return tree->squared_distance(p); };
 }
 
@@ -133,7 +134,8 @@ MeasuredPoints measured_points(const TriangleMesh& mesh, double scale,
 DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to, double scale,
                          const SurfaceDistanceOptions& options, const StagePart& part,
                          const Execution& execution) {
-  const SquaredDistanceTo squared_distance_to = search_in(scale == 1 ? to : scaled(to, scale));
+  const SquaredDistanceTo squared_distance_to =
+      search_in(scale == 1 ? to : scaled(to, scale), execution);
   const auto [samples, corners] = measured_points(from, scale, options, execution);
   constexpr double none = -1;  // nothing is within it
   const double tolerance = options.tolerance ? *options.tolerance * scale : none;
@@ -199,8 +201,10 @@ SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b,
   if (options.tolerance && !(*options.tolerance >= 0)) {
     throw InputError("surface_distance: the tolerance is no number from 0 on");
   }
-  require_finite(a);
-  require_finite(b);
+  for (const TriangleMesh* mesh : {&a, &b}) {
+    require_valid_triangles(*mesh);
+    require_finite(*mesh);
+  }
   // Areas take fourth powers of lengths: beyond working sizes they would overflow or vanish.
   const double scale = common_scale(corners_or_points(a), corners_or_points(b));
   SurfaceDistance distance = measure_both(a, b, scale, options, execution);

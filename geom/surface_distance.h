@@ -49,7 +49,8 @@ struct SurfaceDistance {
 // the order of triangles, with one random point in each (stratified).
 // Coordinates may have any size, and differ in it: figures are relative to that of the larger mesh.
 // Throws InputError for a tolerance that is not a number from 0 on, for a side without points, with
-// a coordinate that is not finite, or whose triangles have no area while samples are wanted.
+// a coordinate that is not finite, with a triangle that names a vertex that is not there, or whose
+// triangles have no area while samples are wanted.
 // Reports progress as "surface_distance". Complexity: O((samples + v) log t). Deterministic: one
 // random number generator for each sample, sums in a fixed order: the same for every number of
 // threads. Source: Cignoni, Rocchini & Scopigno, Metro: measuring error on simplified surfaces (CGF

@@ -1,10 +1,12 @@
 #include "geom/mesh/halfedges.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "geom/arrays/sort_by_vertex.h"
 #include "geom/arrays/zeroed_array.h"
 #include "geom/id_vector.h"
+#include "geom/parallel/parallel_reduce.h"
 
 namespace cocoon {
 namespace {
@@ -216,6 +218,24 @@ HalfedgeRings link_halfedges(const TriangleMesh& mesh, const Execution& executio
   HalfedgeRings rings{halfedge_links(mesh.triangles.span(), mesh.points.size(), execution)};
   unlink_repeating(mesh, rings.links);
   return rings;
+}
+
+bool is_balanced(const TriangleMesh& mesh, const HalfedgeRings& rings, const Execution& execution) {
+  if (std::all_of(rings.links.begin(), rings.links.end(),
+                  [](Halfedge link) { return link == no_halfedge; })) {
+    return false;
+  }
+  const std::size_t count = rings.links.size();
+  return count == first_failing(execution, count, [&](std::size_t k) {
+           const auto halfedge = static_cast<Halfedge>(k);
+           if (!rings.has_edge(halfedge) || !rings.is_last(halfedge)) return true;
+           const VertexId from = ends_of_halfedge(mesh, halfedge)[0];
+           std::ptrdiff_t excess = 0;
+           for_each_at_edge(rings.links, halfedge, [&](Halfedge other) {
+             excess += ends_of_halfedge(mesh, other)[0] == from ? 1 : -1;
+           });
+           return excess == 0;
+         });
 }
 
 HalfedgeRings link_rest(const HalfedgeRings& rings, std::span<const std::uint8_t> removed) {

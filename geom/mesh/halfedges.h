@@ -113,6 +113,11 @@ struct HalfedgeRings {
 // Throws InputError as require_valid_triangles(). Complexity: O(triangles + vertices), parallel.
 HalfedgeRings link_halfedges(const TriangleMesh& mesh, const Execution& execution = {});
 
+// Whether triangles have edges, and each edge is run through equally often in both directions: the
+// mesh bounds a volume (MeshReport::balanced). Complexity: O(triangles), parallel.
+bool is_balanced(const TriangleMesh& mesh, const HalfedgeRings& rings,
+                 const Execution& execution = {});
+
 // Those of the triangles whose flag is 0, numbered anew in their order. Complexity: O(triangles).
 HalfedgeRings link_rest(const HalfedgeRings& rings, std::span<const std::uint8_t> removed);
 

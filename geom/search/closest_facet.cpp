@@ -21,7 +21,7 @@ constexpr double slack_of_bound = 1 + 0x1p-48;
 
 }  // namespace
 
-ClosestFacetTree::ClosestFacetTree(const TriangleMesh& mesh) {
+ClosestFacetTree::ClosestFacetTree(const TriangleMesh& mesh, const Execution& execution) {
   if (mesh.triangles.empty()) {
     throw InputError("mesh has no triangles, so that none is closest; give a surface");
   }
@@ -32,7 +32,7 @@ ClosestFacetTree::ClosestFacetTree(const TriangleMesh& mesh) {
     box.enlarge(slack_per_coordinate * std::max(max_norm(box.low), max_norm(box.high)));
     boxes.push_back(box);
   }
-  tree_ = BoxTree(boxes);
+  tree_ = BoxTree(boxes, execution);
   corners_.reserve(boxes.size());
   for (const std::uint32_t item : tree_.items()) {
     corners_.push_back({sorted_corners(corners_of(mesh, TriangleId(item))), TriangleId(item)});

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "geom/execution.h"
 #include "geom/ids.h"
 #include "geom/point.h"
 #include "geom/search/box_tree.h"
@@ -24,8 +25,8 @@ struct ClosestFacet {
 class ClosestFacetTree {
  public:
   // Throws InputError for a mesh without triangles, with a non-finite coordinate in a triangle, or
-  // with a triangle that names a vertex that is not there. Complexity: O(t log t).
-  explicit ClosestFacetTree(const TriangleMesh& mesh);
+  // with a triangle that names a vertex that is not there. Complexity: O(t log t), parallel.
+  explicit ClosestFacetTree(const TriangleMesh& mesh, const Execution& execution = {});
 
   // The triangle closest to p. Triangles at equal computed distance (p is closest to their common
   // edge or vertex): the one whose corners, sorted, are lexicographically smallest by coordinates;

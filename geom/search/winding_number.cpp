@@ -28,14 +28,14 @@ int crossing(const std::array<Point, 3>& t, const Point& p) {
 
 }  // namespace
 
-WindingNumbers::WindingNumbers(const TriangleMesh& mesh) {
+WindingNumbers::WindingNumbers(const TriangleMesh& mesh, const Execution& execution) {
   std::vector<Box> boxes;
   boxes.reserve(mesh.triangles.size());
   for (const TriangleId t : mesh.triangles.ids()) {
     boxes.push_back(box_of(finite_corners_of(mesh, t)));
     box_.include(boxes.back());
   }
-  tree_ = BoxTree(boxes);
+  tree_ = BoxTree(boxes, execution);
   corners_.reserve(boxes.size());
   for (const std::uint32_t t : tree_.items()) corners_.push_back(corners_of(mesh, TriangleId(t)));
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geom/box.h"
+#include "geom/execution.h"
 #include "geom/point.h"
 #include "geom/search/box_tree.h"
 #include "geom/triangle_mesh.h"
@@ -17,8 +18,8 @@ class WindingNumbers {
   // `mesh` is balanced (mesh_check.h): each edge is run through equally often in both directions.
   // Triangles without area, in whatever position, change nothing.
   // Throws InputError if a triangle names a vertex that is not there or has a coordinate that is
-  // not finite. Complexity: O(t log t).
-  explicit WindingNumbers(const TriangleMesh& mesh);
+  // not finite. Complexity: O(t log t), parallel.
+  explicit WindingNumbers(const TriangleMesh& mesh, const Execution& execution = {});
 
   // Of a mesh oriented outward: 1 inside, 0 outside; more where parts overlap, -1 inside of one
   // oriented inward. On the surface itself: that of one of its sides.

@@ -192,6 +192,10 @@ TEST(SurfaceDistance, RefusesWhatItCannotMeasure) {
   TriangleMesh bad = gallery::cube();
   bad.points[VertexId(3)].x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(surface_distance(bad, gallery::cube()), InputError);
+  TriangleMesh torn = gallery::cube();
+  torn.triangles[TriangleId(2)][1] = VertexId(1000000);
+  EXPECT_THROW(surface_distance(torn, gallery::cube()), InputError);
+  EXPECT_THROW(surface_distance(gallery::cube(), torn), InputError);
   const TriangleMesh flat = gallery::make_mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
   EXPECT_THROW(surface_distance(flat, gallery::cube()), InputError);
   EXPECT_EQ(surface_distance(flat, gallery::cube(), {.samples = 0}).a_to_b.max, 1);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geom/errors.h"
+#include "geom/mesh_check.h"
 #include "geom/random/random.h"
 #include "tests/mesh_gallery.h"
 
@@ -166,6 +167,27 @@ TEST(HalfedgeRings, RefusesAVertexThatIsNotThere) {
   mesh.points.resize(3);
   mesh.triangles.push_back({VertexId(0), VertexId(1), VertexId(3)});
   EXPECT_THROW(link_halfedges(mesh), InputError);
+}
+
+TEST(IsBalanced, AsTheCheckSays) {
+  TriangleMesh twice = gallery::open_patch(3, 3);
+  for (const Triangle& t : gallery::flipped(twice).triangles) twice.triangles.push_back(t);
+  TriangleMesh with_point = gallery::cube();
+  with_point.triangles.push_back({VertexId(1), VertexId(1), VertexId(2)});
+  TriangleMesh turned = gallery::cube();
+  std::swap(turned.triangles[TriangleId(0)][0], turned.triangles[TriangleId(0)][1]);
+  TriangleMesh improper = gallery::make_mesh({{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}});
+  std::size_t balanced = 0;
+  for (const TriangleMesh& mesh :
+       {TriangleMesh(), gallery::cube(), gallery::flipped(gallery::cube()), with_point, twice,
+        turned, improper, gallery::open_patch(4, 5), gallery::moebius_strip(7),
+        gallery::projective_plane(), gallery::two_tetrahedra_sharing_an_edge(),
+        gallery::torus(9, 7), gallery::random_soup(50, 3)}) {
+    const bool expected = mesh_check(mesh).balanced;
+    EXPECT_EQ(is_balanced(mesh, link_halfedges(mesh), {2}), expected);
+    balanced += expected ? 1 : 0;
+  }
+  EXPECT_EQ(balanced, 6U);
 }
 
 }  // namespace
