@@ -46,7 +46,7 @@ inline double max_norm(const Vec3& a) {
 }
 inline double distance(const Point& a, const Point& b) { return norm(a - b); }
 
-// a / |a|; the zero vector for |a| = 0 or not finite.
+// a / |a|, of lengths within 2^-500 to 2^500; the zero vector for |a| = 0 or not finite.
 inline Vec3 unit(const Vec3& a) {
   const double length = norm(a);
   if (!(length > 0) || !std::isfinite(length)) return {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -35,16 +36,19 @@ T parallel_reduce(const Execution& execution, std::size_t count, const T& identi
 }
 
 // The smallest index below `count` for which holds(index) is false; `count` if there is none.
-// Complexity: a call for each index up to there, and some beyond.
+// Complexity: a call for each index up to there, and beyond for at most a chunk of each thread.
 template <class Holds>
 std::size_t first_failing(const Execution& execution, std::size_t count, const Holds& holds) {
-  return parallel_reduce(
-      execution, count, count,
-      [&](std::size_t begin, std::size_t end) {
-        while (begin < end && holds(begin)) ++begin;
-        return begin < end ? begin : count;
-      },
-      [](std::size_t a, std::size_t b) { return std::min(a, b); });
+  std::atomic<std::size_t> first{count};
+  parallel_chunks(execution, count, coarse_grain(count), [&](std::size_t k, std::size_t end) {
+    std::size_t found = first.load(std::memory_order_relaxed);
+    if (k >= found) return;
+    while (k < end && holds(k)) ++k;
+    if (k == end) return;
+    while (k < found && !first.compare_exchange_weak(found, k, std::memory_order_relaxed)) {
+    }
+  });
+  return first.load(std::memory_order_relaxed);
 }
 
 }  // namespace cocoon

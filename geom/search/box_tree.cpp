@@ -110,12 +110,12 @@ BoxTree tree_of_points(std::span<const Point> points) {
 }
 
 std::size_t count_near(const BoxTree& tree, std::span<const Point> points, const Point& p,
-                       double reach, std::size_t most) {
+                       double squared_reach, std::size_t most) {
   std::size_t count = 0;
-  tree.visit_near(p, reach, [&](std::uint32_t slot) {
-    const bool is_near = squared_distance(points[tree.items()[slot]], p) <= reach;
+  tree.visit_near(p, squared_reach, [&](std::uint32_t slot) {
+    const bool is_near = squared_distance(points[tree.items()[slot]], p) <= squared_reach;
     if (is_near && count <= most) ++count;
-    return count > most ? -1.0 : reach;
+    return count > most ? -1.0 : squared_reach;
   });
   return count;
 }

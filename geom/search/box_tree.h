@@ -74,10 +74,10 @@ class BoxTree {
 // The tree of points, each a box without extent. Complexity: O(n log n).
 BoxTree tree_of_points(std::span<const Point> points);
 
-// How many of the points that `tree` is of are no farther from p than the square root of `reach`;
-// once there are more than `most`, `most` + 1. Complexity: as visit_near.
+// How many of the points that `tree` is of are no farther from p than the square root of
+// `squared_reach`; once there are more than `most`, `most` + 1. Complexity: as visit_near.
 std::size_t count_near(const BoxTree& tree, std::span<const Point> points, const Point& p,
-                       double reach, std::size_t most);
+                       double squared_reach, std::size_t most);
 
 template <class Visit>
 void BoxTree::visit_near(const Point& p, double bound, const Visit& visit) const {
