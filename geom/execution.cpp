@@ -61,7 +61,6 @@ class ChunkLoop {
 }  // namespace
 
 bool PrefixedProgress::report(std::string_view stage, double fraction) {
-  if (receiver_ == nullptr) return true;
   return receiver_->report(prefix_ + "/" + std::string(stage), fraction);
 }
 

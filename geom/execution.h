@@ -20,7 +20,8 @@ class Progress {
   virtual bool report(std::string_view stage, double fraction) = 0;
 };
 
-// Passes reports on under "prefix/stage" ("reconstruction/delaunay"): see run_step.
+// Passes reports on under "prefix/stage" ("reconstruction/delaunay"), to one who is there:
+// run_step.
 class PrefixedProgress : public Progress {
  public:
   PrefixedProgress(std::string prefix, Progress* receiver)
@@ -29,7 +30,7 @@ class PrefixedProgress : public Progress {
 
  private:
   std::string prefix_;
-  Progress* receiver_;  // not owned, may be null
+  Progress* receiver_;  // not owned
 };
 
 struct Execution {

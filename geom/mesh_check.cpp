@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <iterator>
 #include <span>
 #include <utility>
 
@@ -172,11 +171,7 @@ class Checker {
     std::vector<std::size_t> other_edges(patches_.size(), 0);  // without two triangles
     for (const Halfedge halfedge : mesh_.irregular) {
       ring.clear();
-      Halfedge other = halfedge;
-      do {
-        ring.push_back(other);
-        other = mesh_.links[other];
-      } while (other != halfedge);
+      for_each_at_edge(mesh_.links, halfedge, [&](Halfedge other) { ring.push_back(other); });
       if (ring.size() != 2) {
         for (const Halfedge s : ring) --patches_[patch_[triangle_of_halfedge(s)]].edges;
         ++other_edges[patch_[triangle_of_halfedge(halfedge)]];
@@ -247,9 +242,9 @@ class Checker {
   void join_patches() {
     DisjointSets sets(patches_.size());
     for (const Halfedge halfedge : overfull_) {
-      for (Halfedge other = mesh_.links[halfedge]; other != halfedge; other = mesh_.links[other]) {
+      for_each_at_edge(mesh_.links, mesh_.links[halfedge], [&](Halfedge other) {
         sets.join(patch_[triangle_of_halfedge(halfedge)], patch_[triangle_of_halfedge(other)]);
-      }
+      });
     }
     component_of_patch_.resize(patches_.size());
     for (std::uint32_t k = 0; k < patches_.size(); ++k) {

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
-#include <string>
 
-#include "geom/errors.h"
 #include "geom/orient3d.h"
 #include "geom/search/box_tree.h"
 
@@ -116,20 +114,6 @@ bool disjoint_corners_intersect(const Corners& a, const Corners& b) {
   return false;
 }
 
-Corners checked_corners(const TriangleMesh& mesh, TriangleId t) {
-  Corners corners;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const VertexId v = mesh.triangles[t][i];
-    if (v.index() >= mesh.points.size() || !is_finite(mesh.points[v])) {
-      throw InputError("triangle " + std::to_string(t.value) + " names vertex " +
-                       std::to_string(v.value) +
-                       ", which is missing or not finite; repair the mesh");
-    }
-    corners[i] = mesh.points[v];
-  }
-  return corners;
-}
-
 struct ChunkResult {
   std::size_t tested = 0;
   std::size_t intersecting = 0;
@@ -167,7 +151,7 @@ SelfIntersections self_intersection(const TriangleMesh& mesh,
   std::vector<Corners> corners;
   std::vector<Box> boxes;
   for (const TriangleId t : mesh.triangles.ids()) {
-    const Corners c = checked_corners(mesh, t);
+    const Corners c = finite_corners_of(mesh, t);
     if (are_collinear(c[0], c[1], c[2])) {
       ++result.zero_area_triangles;
       continue;

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "geom/arrays/list_edit.h"
 #include "geom/id_vector.h"

@@ -86,8 +86,7 @@ class Splitter {
 
   void require_proper_triangles() const {
     for (const TriangleId t : mesh_.triangles.ids()) {
-      const auto& [a, b, c] = mesh_.triangles[t];
-      if (a != b && b != c && c != a) continue;
+      if (!repeats_a_vertex(mesh_.triangles[t])) continue;
       throw InputError("triangle " + std::to_string(t.value) +
                        " names a vertex twice; remove such triangles first");
     }
@@ -155,13 +154,7 @@ class Splitter {
     return TriangleId(triangle_of_halfedge(halfedge));
   }
 
-  Key key(TriangleId t) const {
-    const Triangle& triangle = result_.mesh.triangles[t];
-    const auto& points = result_.mesh.points;
-    Key corners{points[triangle[0]], points[triangle[1]], points[triangle[2]]};
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  }
+  Key key(TriangleId t) const { return sorted_corners(corners_of(result_.mesh, t)); }
 
   // The fans at every vertex; the one with the first triangle keeps the vertex.
   void copy_vertices() {
