@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geom/exact/exact_determinants.h"
+#include "geom/scaled_to_one.h"
 
 namespace cocoon {
 namespace {
@@ -19,13 +20,6 @@ double reach_from_first(const Corners& p) {
   return std::max(max_norm(p[1] - p[0]), max_norm(p[2] - p[0]));
 }
 
-// The edge, times the power of two that makes its longest coordinate about one: a cross product of
-// two such edges keeps its direction, and cannot overflow or vanish by underflow.
-Vec3 scaled_to_one(const Vec3& edge) {
-  const int exponent = -std::ilogb(max_norm(edge));
-  return {std::ldexp(edge.x, exponent), std::ldexp(edge.y, exponent), std::ldexp(edge.z, exponent)};
-}
-
 // Each coordinate of u x v is a difference of two products of rounded differences: off by less than
 // 8 roundings of products that are below 4. So |error| < sqrt(3) * 8 * 4 * 2^-53 < 56 * 2^-53.
 std::optional<Vec3> normal_in_doubles(const Corners& p) {
@@ -33,6 +27,7 @@ std::optional<Vec3> normal_in_doubles(const Corners& p) {
   const Vec3 v = p[2] - p[0];
   if (!(max_norm(u) > 0) || !(max_norm(v) > 0)) return std::nullopt;
   if (!std::isfinite(max_norm(u)) || !std::isfinite(max_norm(v))) return std::nullopt;
+  // Brought to one, the product keeps its direction, and cannot overflow or vanish by underflow.
   const Vec3 normal = cross(scaled_to_one(u), scaled_to_one(v));
   const double length = norm(normal);
   if (!(length * largest_relative_error > 56 * 0x1p-53)) return std::nullopt;
