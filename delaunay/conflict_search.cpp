@@ -390,10 +390,8 @@ unsigned SearchView::facets_beyond(const Cell& cell, unsigned facets) const {
   unsigned beyond = 0;
   for (; facets != 0; facets &= facets - 1) {
     const int i = std::countr_zero(facets);
-    const int* corner = facet_corners[i];
-    const Sign side = orient3d(points[cell.vertices[static_cast<std::size_t>(corner[0])]],
-                               points[cell.vertices[static_cast<std::size_t>(corner[1])]],
-                               points[cell.vertices[static_cast<std::size_t>(corner[2])]], p);
+    const auto [a, b, c] = facet_vertices(cell, i);
+    const Sign side = orient3d(points[a], points[b], points[c], p);
     beyond |= (side == Sign::positive ? 1U : 0U) << i;
   }
   return beyond;

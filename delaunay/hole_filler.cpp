@@ -12,12 +12,7 @@ namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFU;
 
-Triangle facet_of(const Cell& cell, int i) {
-  const int* corner = facet_corners[i];
-  return smallest_first({cell.vertices[static_cast<std::size_t>(corner[0])],
-                         cell.vertices[static_cast<std::size_t>(corner[1])],
-                         cell.vertices[static_cast<std::size_t>(corner[2])]});
-}
+Triangle facet_of(const Cell& cell, int i) { return smallest_first(facet_vertices(cell, i)); }
 
 std::size_t hash(const Triangle& t) {
   std::uint64_t h = t[0].value * 0x9E3779B97F4A7C15U;

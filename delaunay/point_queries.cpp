@@ -48,7 +48,7 @@ CellId walk_to(const TriangulationView& triangulation, const Point& p, CellId hi
   }
   if (!hint.is_none()) require_cell(triangulation, hint);
   const CellId start = hint.is_none() ? sampled_cell_near(triangulation, p) : hint;
-  return locate(triangulation.cell_records(), triangulation.points(), p, start).cell;
+  return locate(triangulation.cell_records(), triangulation.points(), p, start);
 }
 
 void require_cell_at(const TriangulationView& triangulation, VertexId v, CellId cell) {

@@ -22,11 +22,7 @@ RemovalCounters& RemovalCounters::operator+=(const RemovalCounters& other) {
 VertexRemover::VertexRemover(CellPool& pool, const IdVector<VertexId, Point>& points)
     : pool_(pool), points_(points) {}
 
-bool VertexRemover::is_removed(VertexId v) const {
-  return v != infinite_vertex && fate_[v] == Fate::is_removed;
-}
-
-// The same; lists the vertices that stay.
+// Whether it is removed; lists the vertices that stay.
 bool VertexRemover::loses(VertexId v) {
   if (v == infinite_vertex) return false;
   if (fate_[v] == Fate::stays) {
@@ -139,11 +135,9 @@ void VertexRemover::fill_hole(const Hole& hole) {
   triangles_.clear();
   for (std::size_t b = hole.first_border; b < hole.end_border; ++b) {
     const FacetId inner = border_[b].inner;
-    const Cell& cell = pool_.cells[cell_of(inner)];
-    const int* corner = facet_corners[index_of(inner)];
-    triangles_.push_back({number(cell.vertices[static_cast<std::size_t>(corner[0])]),
-                          number(cell.vertices[static_cast<std::size_t>(corner[1])]),
-                          number(cell.vertices[static_cast<std::size_t>(corner[2])])});
+    std::array<VertexId, 3>& triangle =
+        triangles_.emplace_back(facet_vertices(pool_.cells[cell_of(inner)], index_of(inner)));
+    for (VertexId& v : triangle) v = number(v);
   }
   const HoleFilling& filling = filler_.fill(triangles_, counters_.filling);
 

@@ -87,7 +87,6 @@ class VertexRemover {
   // Of a vertex, while holes are collected.
   enum class Fate : std::uint8_t { stays, is_removed, stays_and_is_listed };
 
-  bool is_removed(VertexId v) const;
   bool loses(VertexId v);
   void collect_holes(std::span<const VertexId> vertices, const IdVector<VertexId, CellId>& cell_at);
   void collect_hole(CellId start);

@@ -50,6 +50,24 @@ constexpr int index_of(FacetId facet) { return static_cast<int>(facet.value & 3U
 // Vertices of facet i of a positively oriented cell, such that the normal
 // (p1 - p0) x (p2 - p0) points out of the cell (away from vertex i).
 inline constexpr int facet_corners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+constexpr std::array<VertexId, 3> facet_vertices(const Cell& cell, int i) {
+  const int* corner = facet_corners[i];
+  return {cell.vertices[static_cast<std::size_t>(corner[0])],
+          cell.vertices[static_cast<std::size_t>(corner[1])],
+          cell.vertices[static_cast<std::size_t>(corner[2])]};
+}
+
+// What Triangulation and TriangulationView say of cells and facets alike.
+inline VertexId vertex_of(const IdVector<CellId, Cell>& cells, CellId c, int i) {
+  return cells[c].vertices[static_cast<std::size_t>(i)];
+}
+inline FacetId mirror_of(const IdVector<CellId, Cell>& cells, FacetId f) {
+  return cells[cell_of(f)].neighbors[static_cast<std::size_t>(index_of(f))];
+}
+inline FacetId canonical_of(const IdVector<CellId, Cell>& cells, FacetId f) {
+  const FacetId other = mirror_of(cells, f);
+  return other < f ? other : f;
+}
 
 // What a triangulation is made of.
 struct TriangulationArrays {
@@ -86,30 +104,19 @@ class Triangulation {
   const IdVector<CellId, Cell>& cell_records() const { return arrays_.cells; }
   const Cell& cell(CellId c) const { return arrays_.cells[c]; }
   bool is_infinite(CellId c) const { return c.index() >= finite_cells_; }
-  VertexId vertex(CellId c, int i) const {
-    return arrays_.cells[c].vertices[static_cast<std::size_t>(i)];
-  }
+  VertexId vertex(CellId c, int i) const { return vertex_of(arrays_.cells, c, i); }
 
   // The same facet seen from the cell behind it. O(1).
-  FacetId mirror(FacetId f) const {
-    return arrays_.cells[cell_of(f)].neighbors[static_cast<std::size_t>(index_of(f))];
-  }
+  FacetId mirror(FacetId f) const { return mirror_of(arrays_.cells, f); }
   CellId neighbor(CellId c, int i) const { return cell_of(mirror(facet_id(c, i))); }
   // Of the two ids of a facet the smaller one: the one that stands for the facet in sets.
-  FacetId canonical(FacetId f) const {
-    const FacetId other = mirror(f);
-    return other < f ? other : f;
-  }
+  FacetId canonical(FacetId f) const { return canonical_of(arrays_.cells, f); }
   // A facet is finite iff its three vertices are: at most one of its two cells is infinite.
   bool is_finite_facet(FacetId f) const { return !is_infinite(cell_of(f)) || index_of(f) == 3; }
   // The three vertices, ordered so that the normal points out of cell_of(f). For a facet of an
   // infinite cell only facet 3 is finite; its normal points into the hull.
   std::array<VertexId, 3> facet_vertices(FacetId f) const {
-    const Cell& cell = arrays_.cells[cell_of(f)];
-    const int* corner = facet_corners[index_of(f)];
-    return {cell.vertices[static_cast<std::size_t>(corner[0])],
-            cell.vertices[static_cast<std::size_t>(corner[1])],
-            cell.vertices[static_cast<std::size_t>(corner[2])]};
+    return cocoon::facet_vertices(arrays_.cells[cell_of(f)], index_of(f));
   }
   // The vertex of cell_of(f) that is not on f.
   VertexId opposite_vertex(FacetId f) const { return vertex(cell_of(f), index_of(f)); }

@@ -26,23 +26,14 @@ class TriangulationView {
   bool is_infinite(CellId c) const { return cocoon::is_infinite((*cells_)[c]); }
   bool is_finite_cell(CellId c) const { return !is_free(c) && !is_infinite(c); }
 
-  VertexId vertex(CellId c, int i) const {
-    return (*cells_)[c].vertices[static_cast<std::size_t>(i)];
-  }
-  FacetId mirror(FacetId f) const {
-    return (*cells_)[cell_of(f)].neighbors[static_cast<std::size_t>(index_of(f))];
-  }
+  VertexId vertex(CellId c, int i) const { return vertex_of(*cells_, c, i); }
+  FacetId mirror(FacetId f) const { return mirror_of(*cells_, f); }
   CellId neighbor(CellId c, int i) const { return cell_of(mirror(facet_id(c, i))); }
-  FacetId canonical(FacetId f) const {
-    const FacetId other = mirror(f);
-    return other < f ? other : f;
-  }
+  FacetId canonical(FacetId f) const { return canonical_of(*cells_, f); }
   bool is_finite_facet(FacetId f) const { return !is_infinite(cell_of(f)) || index_of(f) == 3; }
   // The three vertices, ordered so that the normal points out of cell_of(f).
   std::array<VertexId, 3> facet_vertices(FacetId f) const {
-    const int* corner = facet_corners[index_of(f)];
-    const CellId c = cell_of(f);
-    return {vertex(c, corner[0]), vertex(c, corner[1]), vertex(c, corner[2])};
+    return cocoon::facet_vertices((*cells_)[cell_of(f)], index_of(f));
   }
 
  private:
