@@ -82,8 +82,8 @@ class Triangulation {
 
   // Takes over the arrays of a builder. Precondition (not tested here; check_delaunay reports it):
   // the layout above; the first `finite_cells` cells are finite, the rest infinite; each vertex is
-  // that of some input point. Complexity: O(input points), on the threads if no two of them are
-  // equal.
+  // that of some input point. Throws InputError if an input point names a vertex that is not there.
+  // Complexity: O(input points), on the threads if no two of them are equal.
   Triangulation(TriangulationArrays arrays, std::size_t finite_cells,
                 const Execution& execution = {});
   // Gives the arrays back, for code that rearranges them.

@@ -1,9 +1,12 @@
 #include "delaunay/triangulation.h"
 
 #include <gtest/gtest.h>
+#include <utility>
+#include <vector>
 
 #include "delaunay/delaunay.h"
 #include "delaunay/triangulation_view.h"
+#include "geom/errors.h"
 #include "geom/orient3d.h"
 #include "tests/gallery.h"
 
@@ -29,6 +32,22 @@ TEST(Triangulation, FacetsOfACellLookOutward) {
       EXPECT_EQ(orient3d(t.point(corners[0]), t.point(corners[1]), t.point(corners[2]),
                          t.point(t.vertex(c, i))),
                 Sign::negative);
+    }
+  }
+}
+
+TEST(Triangulation, APointsVertexIsThere) {
+  std::vector<Point> different = gallery::uniform_cube(10);
+  std::vector<Point> repeated = different;
+  repeated.push_back(repeated[3]);
+  for (const std::vector<Point>& points : {different, repeated}) {
+    Triangulation t = delaunay(points).triangulation;
+    EXPECT_EQ(t.vertex_of_point()[t.point_of_vertex(VertexId(3))], VertexId(3));
+    const std::size_t finite_cells = t.num_finite_cells();
+    for (const VertexId missing : {VertexId(10), VertexId(4000000), VertexId()}) {
+      TriangulationArrays arrays = Triangulation(t).release();
+      arrays.vertex_of_point[PointId(2)] = missing;
+      EXPECT_THROW(Triangulation(std::move(arrays), finite_cells), InputError);
     }
   }
 }
