@@ -1,5 +1,6 @@
 // Vectors from anywhere in memory into SIMD lanes, for code that is compiled once for each
-// instruction set (include inside of the loop over them).
+// instruction set. It opens its namespaces itself: include it after hwy/foreach_target.h, outside
+// of any.
 #if defined(COCOON_GATHER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef COCOON_GATHER_INL_H
 #undef COCOON_GATHER_INL_H
@@ -8,7 +9,6 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <hwy/highway.h>
 

@@ -1,6 +1,7 @@
 // Four doubles that are computed with at once, for code that is compiled once for each instruction
-// set (include inside of HWY_BEFORE_NAMESPACE): 256-bit vectors where there are any, else arrays.
-// The same operations in the same order, so the same bits everywhere.
+// set: 256-bit vectors where there are any, else arrays. The same operations in the same order, so
+// the same bits everywhere. It opens its namespaces itself: include it after hwy/foreach_target.h,
+// outside of any.
 #if defined(COCOON_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef COCOON_LANES_INL_H
 #undef COCOON_LANES_INL_H
