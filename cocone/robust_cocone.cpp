@@ -10,9 +10,16 @@
 #include "cocone/noise/remaining_samples.h"
 #include "cocone/noise/rough_surface.h"
 #include "delaunay/voronoi_dual.h"
+#include "geom/search/equal_points.h"
 
 namespace cocoon {
 namespace {
+
+// As given: where points were made smaller to be triangulated, some may have become equal.
+std::size_t count_distinct(Points points, const RemainingSamples& samples) {
+  return samples.scale() < 1 ? points.size() - repeated_points(points).size()
+                             : samples.triangulation().num_vertices();
+}
 
 // What is left out, and what it is counted as.
 class Filter {
@@ -22,10 +29,11 @@ class Filter {
       : noise_(noise),
         options_(effective_options(options)),
         execution_(execution),
-        samples_(points, noise, options_.delaunay, execution) {}
+        samples_(points, noise, options_.delaunay, execution) {
+    result_.distinct = count_distinct(points, samples_);
+  }
 
   RobustSamples run() {
-    result_.distinct = samples_.triangulation().num_vertices();
     // Clumps first: beside a dense one a good sample would stand alone. And again after the
     // outliers, by which some may hang together with the rest.
     // Once more where some have gone beside which squares of the others' lengths may have vanished.

@@ -10,6 +10,7 @@
 #include "delaunay/voronoi_dual.h"
 #include "geom/mesh_check.h"
 #include "geom/random/random.h"
+#include "geom/working_scale.h"
 #include "ref/cgal_noise_filter.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/gallery.h"
@@ -335,6 +336,20 @@ TEST(RobustCocone, FarOutliersDoNotChangeWhatIsMadeOfTheRest) {
     EXPECT_EQ(result.noise.layer_samples, alone.noise.layer_samples) << far;
     EXPECT_EQ(result.surface.mesh, alone.surface.mesh) << far;
   }
+}
+
+// Beside points at 1e200 those of a small sphere become equal in the first triangulation, and apart
+// again when the far ones have gone.
+TEST(RobustCocone, PointsThatFarOutliersMergeAreCountedAsGiven) {
+  std::vector<Point> points = scaled(gallery::even_sphere(1000), 4e-123);
+  for (const Point& far : {Point{1e200, 0, 0}, Point{0, 1e200, 0}, Point{0, 0, 1e200},
+                           Point{-1e200, -1e200, -1e200}}) {
+    points.push_back(far);
+  }
+  points.push_back(points.front());
+  const RobustResult result = reconstruct_robust(points);
+  EXPECT_EQ(result.surface.duplicates, 1U);
+  EXPECT_EQ(result.surface.unused_points + result.surface.mesh.points.size(), 1004U);
 }
 
 }  // namespace
