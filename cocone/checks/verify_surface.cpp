@@ -13,12 +13,19 @@ namespace cocoon {
 
 namespace {
 
-using Corners = std::array<VertexId, 3>;  // increasing
+constexpr std::size_t cells_between_reports = std::size_t{1} << 16;
 
-Corners sorted_corners(const Triangulation& triangulation, FacetId facet) {
-  Corners corners = triangulation.facet_vertices(facet);
-  std::sort(corners.begin(), corners.end());
-  return corners;
+// Corners in increasing order, and whether it took an odd number of swaps to bring them there.
+struct SortedTriangle {
+  std::array<VertexId, 3> corners;
+  bool odd = false;
+};
+
+SortedTriangle sorted_triangle(const Triangle& triangle) {
+  const auto [a, b, c] = triangle;
+  SortedTriangle sorted{triangle, (a > b) != ((b > c) != (a > c))};
+  std::sort(sorted.corners.begin(), sorted.corners.end());
+  return sorted;
 }
 
 // The triangles of a surface, by their vertices in the triangulation; each is to be found among the
@@ -26,42 +33,94 @@ Corners sorted_corners(const Triangulation& triangulation, FacetId facet) {
 class WantedFacets {
  public:
   explicit WantedFacets(const SurfaceMesh& surface) {
-    for (const Triangle& t : surface.mesh.triangles) {
-      Corners corners;
-      for (std::size_t i = 0; i < 3; ++i) corners[i] = surface.triangulation_vertex[t[i]];
-      std::sort(corners.begin(), corners.end());
-      wanted_.push_back(corners);
+    const auto& vertices = surface.triangulation_vertex;
+    for (const auto& [a, b, c] : surface.mesh.triangles) {
+      wanted_.push_back(sorted_triangle({vertices[a], vertices[b], vertices[c]}));
     }
-    std::sort(wanted_.begin(), wanted_.end());
+    std::sort(wanted_.begin(), wanted_.end(),
+              [](const auto& a, const auto& b) { return a.corners < b.corners; });
     found_.resize(wanted_.size(), 0);
   }
 
   // begins_[v]: the first wanted triangle whose smallest vertex is v or a later one.
-  void look_for_all(const Triangulation& triangulation) {
+  void look_for_all(const Triangulation& triangulation, const Execution& execution) {
     begins_.assign(triangulation.num_vertices() + 1, 0);
-    for (const Corners& corners : wanted_) {
-      if (corners[0].index() < triangulation.num_vertices()) ++begins_[corners[0].index() + 1];
+    for (const SortedTriangle& triangle : wanted_) {
+      const std::size_t first = triangle.corners[0].index();
+      if (first < triangulation.num_vertices()) ++begins_[first + 1];
     }
     for (std::size_t v = 1; v < begins_.size(); ++v) begins_[v] += begins_[v - 1];
+    met_.resize(triangulation.num_cells(), 0);
+    const auto cells = static_cast<double>(triangulation.num_finite_cells());
     for (const CellId c : triangulation.finite_cells()) {
-      for (int i = 0; i < 4; ++i) note(sorted_corners(triangulation, facet_id(c, i)));
+      if (c.index() % cells_between_reports == 0) {
+        report_progress(execution, "find_facets", static_cast<double>(c.index()) / cells);
+      }
+      for (int i = 0; i < 4; ++i) note(triangulation, facet_id(c, i));
     }
+    report_progress(execution, "find_facets", 1);
   }
 
   std::size_t missing() const {
     return static_cast<std::size_t>(std::count(found_.begin(), found_.end(), 0));
   }
 
+  // How many of the triangles have their normals point into the body. Precondition: they are found,
+  // none is there twice, and every edge has an even number of them.
+  std::size_t turned(const Triangulation& triangulation) const {
+    const IdVector<CellId, std::uint8_t> inside = body(triangulation);
+    std::size_t turned = 0;
+    for (const CellId c : triangulation.finite_cells()) {
+      if (inside[c] != 0)
+        turned += static_cast<std::size_t>(std::popcount(unsigned{met_[c]} >> 4U));
+    }
+    return turned;
+  }
+
  private:
-  void note(const Corners& corners) {
+  // The corners of facet f run counterclockwise seen from behind it.
+  void note(const Triangulation& triangulation, FacetId f) {
+    const auto [corners, odd] = sorted_triangle(triangulation.facet_vertices(f));
     for (std::size_t k = begins_[corners[0].index()]; k < begins_[corners[0].index() + 1]; ++k) {
-      if (wanted_[k] == corners) found_[k] = 1;
+      if (wanted_[k].corners != corners) continue;
+      found_[k] = 1;
+      const unsigned facing_in = wanted_[k].odd != odd ? 1 : 0;
+      met_[cell_of(f)] |= static_cast<std::uint8_t>((1U | facing_in << 4U) << index_of(f));
     }
   }
 
-  std::vector<Corners> wanted_;
+  bool is_met(FacetId f) const { return (met_[cell_of(f)] >> index_of(f) & 1U) != 0; }
+
+  // 1 = an odd number of triangles is crossed on any way from infinity.
+  IdVector<CellId, std::uint8_t> body(const Triangulation& triangulation) const {
+    constexpr std::uint8_t unknown = 2;
+    IdVector<CellId, std::uint8_t> inside(triangulation.num_cells(), unknown);
+    for (const CellId c : triangulation.infinite_cells()) inside[c] = 0;
+    // In the order of memory, to and fro: cells that are neighbors lie near each other.
+    std::vector<CellId> left(triangulation.num_finite_cells());
+    for (std::size_t k = 0; k < left.size(); ++k) left[k] = CellId(k);
+    const auto is_told = [&](CellId c) {
+      for (int i = 0; i < 4 && inside[c] == unknown; ++i) {
+        const std::uint8_t behind = inside[triangulation.neighbor(c, i)];
+        if (behind == unknown) continue;
+        inside[c] = static_cast<std::uint8_t>(behind ^ (is_met(facet_id(c, i)) ? 1U : 0U));
+      }
+      return inside[c] != unknown;
+    };
+    for (std::size_t before = left.size() + 1; left.size() < before;) {
+      before = left.size();
+      std::erase_if(left, is_told);
+      std::reverse(left.begin(), left.end());
+    }
+    return inside;
+  }
+
+  std::vector<SortedTriangle> wanted_;
   std::vector<std::uint8_t> found_;
   std::vector<std::size_t> begins_;
+  // Of each finite cell: bit i = its facet i is a triangle, bit 4 + i = whose normal points into
+  // the cell.
+  IdVector<CellId, std::uint8_t> met_;
 };
 
 bool same_bits(const Point& a, const Point& b) {
@@ -101,7 +160,38 @@ std::string failure_of(const SurfaceVerification& v) {
   if (v.unbalanced_edges > 0) {
     return counted(v.unbalanced_edges, "edges of the closed surface are not balanced");
   }
+  if (v.turned_triangles > 0) {
+    return counted(v.turned_triangles, "triangles of the closed surface face its inside");
+  }
   return {};
+}
+
+SurfaceVerification verified(const Triangulation& triangulation, const SurfaceMesh& surface,
+                             Points points, const VerifyOptions& options,
+                             const Execution& execution) {
+  SurfaceVerification result;
+  result.done = true;
+  result.cells = triangulation.num_finite_cells();
+  result.triangles = surface.mesh.triangles.size();
+  result.delaunay = check_delaunay(triangulation, {}, execution);
+  WantedFacets facets(surface);
+  // Cells that cannot be read have no facets.
+  if (result.delaunay.malformed_cells == 0) {
+    facets.look_for_all(triangulation, execution);
+    result.strange_triangles = facets.missing();
+  }
+  result.moved_vertices = count_moved(triangulation, surface, points, options.scale);
+  const MeshReport mesh = mesh_check(surface.mesh, {}, execution);
+  result.repeated_corners = mesh.repeated_vertex_triangles;
+  result.repeated_triangles = mesh.duplicate_triangles;
+  if (options.closed) result.unbalanced_edges = mesh.unbalanced_edges;
+  result.failure = failure_of(result);
+  // Only what is right so far has an inside.
+  if (options.closed && result.failure.empty()) {
+    result.turned_triangles = facets.turned(triangulation);
+    result.failure = failure_of(result);
+  }
+  return result;
 }
 
 }  // namespace
@@ -113,28 +203,9 @@ SurfaceVerification verify_surface(const Triangulation& triangulation, const Sur
                surface.mesh.points.size());
   require_size("verify_surface", "vertices of the triangulation",
                surface.triangulation_vertex.size(), surface.mesh.points.size());
-  report_progress(execution, "verify", 0);
-  SurfaceVerification result;
-  result.done = true;
-  result.cells = triangulation.num_finite_cells();
-  result.triangles = surface.mesh.triangles.size();
-  result.delaunay = check_delaunay(triangulation, {}, {execution.threads, nullptr});
-  report_progress(execution, "verify", 0.7);
-
-  // Cells that cannot be read have no facets.
-  if (result.delaunay.malformed_cells == 0) {
-    WantedFacets facets(surface);
-    facets.look_for_all(triangulation);
-    result.strange_triangles = facets.missing();
-  }
-  result.moved_vertices = count_moved(triangulation, surface, points, options.scale);
-  const MeshReport mesh = mesh_check(surface.mesh, {}, {execution.threads, nullptr});
-  result.repeated_corners = mesh.repeated_vertex_triangles;
-  result.repeated_triangles = mesh.duplicate_triangles;
-  if (options.closed) result.unbalanced_edges = mesh.unbalanced_edges;
-  result.failure = failure_of(result);
-  report_progress(execution, "verify", 1);
-  return result;
+  return run_step(execution, "verify", [&](const Execution& nested) {
+    return verified(triangulation, surface, points, options, nested);
+  });
 }
 
 }  // namespace cocoon

@@ -29,6 +29,8 @@ struct SurfaceVerification {
   std::size_t repeated_triangles = 0;  // with the same three vertices as an earlier one
   std::size_t unbalanced_edges = 0;    // a closed surface only: edges that are not run through
                                        // equally often in both directions
+  std::size_t turned_triangles = 0;    // a closed surface only, if all else is right: normals that
+                                       // point into the body
   // The first thing that is wrong, one line; empty if all is right.
   std::string failure;
 
@@ -45,7 +47,7 @@ struct VerifyOptions {
 // but ids that are out of range in point_of_vertex and triangulation_vertex are the caller's.
 // Errors: InputError unless these have an entry for each vertex.
 // Complexity: O(cells + triangles log triangles); measured figures: docs/stages/verify_surface.md.
-// Deterministic for any thread count. Progress: "verify". Source: ours.
+// Deterministic for any thread count. Progress: "verify/..."; Cancelled. Source: ours.
 SurfaceVerification verify_surface(const Triangulation& triangulation, const SurfaceMesh& surface,
                                    Points points, const VerifyOptions& options = {},
                                    const Execution& execution = {});

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,11 +30,11 @@ struct Made {
   }
 };
 
-Made made_sphere() {
+Made made_of(std::vector<Point> points, const ReconstructOptions& options = {}) {
   Made made;
-  made.points = shapes::sphere(300, 1);
+  made.points = std::move(points);
   made.triangulation = canonical_order(delaunay(made.points).triangulation);
-  ReconstructResult result = reconstruct_tight(made.points);
+  ReconstructResult result = reconstruct_tight(made.points, options);
   made.surface.mesh = std::move(result.mesh);
   made.surface.point_of_vertex = std::move(result.point_of_vertex);
   for (const PointId p : made.surface.point_of_vertex) {
@@ -40,6 +42,8 @@ Made made_sphere() {
   }
   return made;
 }
+
+Made made_sphere() { return made_of(shapes::sphere(300, 1)); }
 
 Triangulation with_cells(const Triangulation& triangulation, IdVector<CellId, Cell> cells) {
   return Triangulation({triangulation.points(), std::move(cells), triangulation.vertex_of_point()},
@@ -110,6 +114,50 @@ TEST(VerifySurface, RefutesASurfaceThatIsNoPartOfIt) {
     Made made = good;  // two vertices that name each other's points
     std::swap(made.surface.point_of_vertex[VertexId(7)], made.surface.point_of_vertex[VertexId(8)]);
     EXPECT_EQ(made.verify().moved_vertices, 2U);
+  }
+}
+
+TEST(VerifySurface, RefutesASurfaceThatIsInsideOut) {
+  Made made = made_sphere();
+  for (Triangle& t : made.surface.mesh.triangles) std::swap(t[1], t[2]);
+  const SurfaceVerification verification = made.verify();
+  EXPECT_EQ(verification.unbalanced_edges, 0U);
+  EXPECT_EQ(verification.turned_triangles, 2U * 300 - 4);
+  EXPECT_NE(verification.failure.find("face its inside"), std::string::npos);
+  EXPECT_TRUE(made.verify({.closed = false}).ok());
+}
+
+// Of two spheres, one in the other: the wall between them.
+TEST(VerifySurface, EachPartIsToFaceAwayFromTheBody) {
+  Made made = made_of(shapes::joined(shapes::sphere(1200, 3), shapes::sphere(500, 4, 0.4)),
+                      {.keep_cavities = true});
+  ASSERT_EQ(made.surface.mesh.triangles.size(), 2U * (1200 + 500 - 4));
+  EXPECT_TRUE(made.verify().ok()) << made.verify().failure;
+  for (Triangle& t : made.surface.mesh.triangles) {
+    if (made.surface.point_of_vertex[t[0]].index() >= 1200) std::swap(t[1], t[2]);
+  }
+  EXPECT_EQ(made.verify().turned_triangles, 2U * 500 - 4);
+}
+
+// Stops at the first report of a stage after its begin.
+class StopWithin : public Progress {
+ public:
+  explicit StopWithin(std::string stage) : stage_(std::move(stage)) {}
+  bool report(std::string_view stage, double fraction) override {
+    return stage != stage_ || fraction == 0;
+  }
+
+ private:
+  std::string stage_;
+};
+
+TEST(VerifySurface, CanBeStoppedWhileItRuns) {
+  const Made made = made_sphere();
+  for (const char* stage : {"verify/check_delaunay", "verify/find_facets"}) {
+    StopWithin progress(stage);
+    EXPECT_THROW(verify_surface(made.triangulation, made.surface, made.points, {}, {2, &progress}),
+                 Cancelled)
+        << stage;
   }
 }
 
