@@ -75,8 +75,9 @@ struct CleanUpOptions {
   // As evidence, the two poles of a sample lie on different sides of the surface. That counts in
   // full if the nearer one is full_pole_ratio spacings off, and not at all up to near_pole_ratio:
   // both poles of a sample inside a layer of noise lie on one side. Above, thin plates lose holes;
-  // 0, 0: always. Beside sharp edges poles are near, too; so it counts in full, too, where so large
-  // a share of the samples around is good, and proportionally below.
+  // 0, 0: always; the first is at most the second. Beside sharp edges poles are near, too; so it
+  // counts in full, too, where so large a share of the samples around is good, and proportionally
+  // below.
   double near_pole_ratio = 0.75;
   double full_pole_ratio = 2.25;
   double pole_good_share = 0.5;
@@ -90,8 +91,8 @@ struct CleanUpOptions {
   // have none: there, good vertices are often wrong. 3: flat faces whose rims alone are sampled get
   // handles; 0: samples beside those in doubt are left out, and edges are cut off.
   int thin_support = 2;
-  // What the label of such a cell weighs as evidence. Below, thin walls get handles; above, edges
-  // are cut off.
+  // What the label of such a cell weighs as evidence, from 0 to 1. Below, thin walls get handles;
+  // above, edges are cut off.
   double mark_credit = 0.75;
   // At samples with more cells no moves are looked for: each look is at all of them, and whatever
   // changes there asks again. One that faces a densely sampled wall from afar has as many cells as

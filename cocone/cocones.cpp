@@ -59,6 +59,7 @@ Cocones intersect_cocones(const Triangulation& triangulation, const Dual& dual, 
 
 Cocones intersect_cocones(const Triangulation& triangulation, ConeSides sides,
                           const Execution& execution) {
+  require_sides("intersect_cocones", triangulation, sides);
   report_progress(execution, "intersect_cocones", 0);
   // Infinite cells come last: every finite facet has its canonical id in a finite cell.
   const std::size_t finite = triangulation.num_finite_cells();

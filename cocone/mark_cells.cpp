@@ -13,6 +13,7 @@
 #include "delaunay/circulate.h"
 #include "delaunay/star_cache.h"
 #include "geom/arrays/sort_ids.h"
+#include "geom/messages/require_size.h"
 
 namespace cocoon {
 namespace {
@@ -92,7 +93,11 @@ void settle(const Triangulation& triangulation, const LinkedFacets& surface,
             const KnownLabelsSource& source, CellMarks& marks, const Execution& execution) {
   if (source) {
     marks.known = source(triangulation, surface.set, execution).labels;
-    if (!marks.known.empty()) demote_refuted(triangulation, surface.set, carried, marks, execution);
+    if (!marks.known.empty()) {
+      require_size("mark_cells", "known labels of cells", marks.known.size(),
+                   triangulation.num_cells());
+      demote_refuted(triangulation, surface.set, carried, marks, execution);
+    }
   }
   const BeforeTheRounds before = before_the_rounds(triangulation, marks);
   const bool all_carried = std::all_of(before.seeds.begin(), before.seeds.end(),

@@ -1,5 +1,6 @@
 #include "cocone/peel_cells.h"
 
+#include <algorithm>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -8,7 +9,6 @@
 #include "cocone/facets/stage_inputs.h"
 #include "cocone/samples/shared_flags.h"
 #include "geom/arrays/visit_where.h"
-#include "geom/messages/require_size.h"
 
 namespace cocoon {
 namespace {
@@ -330,8 +330,7 @@ CavityCounters count_parts(const Triangulation& triangulation,
 CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface, CellMarks marks,
                      const PeelOptions& options, const Execution& execution) {
   require_facets("peel_cells", triangulation, surface);
-  require_vertex_flags("peel_cells", triangulation, marks.good);
-  require_size("peel_cells", "labels of cells", marks.labels.size(), triangulation.num_cells());
+  require_marked("peel_cells", triangulation, marks);
   report_progress(execution, "peel_cells", 0);
   Peeling(triangulation, surface, marks, execution).run(options);
   if (marks.conflicts != 0) {
@@ -344,8 +343,8 @@ CellMarks peel_cells(const Triangulation& triangulation, const FacetSet& surface
 CavityCounters open_cavities(const Triangulation& triangulation, const FacetSet& surface,
                              CellMarks& marks, const Execution& execution) {
   require_facets("open_cavities", triangulation, surface);
-  require_size("open_cavities", "flags of reached cells", marks.reached.size(),
-               triangulation.num_cells());
+  require_marked("open_cavities", triangulation, marks);
+  require_peeled("open_cavities", triangulation, marks);
   const IdVector<CellId, std::uint8_t> before = marks.reached;
   Peeling(triangulation, surface, marks, execution).open_cavities();
   IdVector<CellId, std::uint8_t> hollow(before.size(), 0);

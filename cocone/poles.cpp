@@ -251,6 +251,7 @@ Poles compute_poles(const Triangulation& triangulation, const Dual& dual,
 
 Poles compute_poles(const Triangulation& triangulation, const Dual& dual, double cosine,
                     ConeSides& sides, const Execution& execution) {
+  require_options("compute_poles", CoconeOptions{cosine});
   require_dual("compute_poles", triangulation, dual);
   sides = {cosine, {}};
   return find_poles(triangulation, dual, &sides, execution);
@@ -258,6 +259,7 @@ Poles compute_poles(const Triangulation& triangulation, const Dual& dual, double
 
 Poles compute_poles(const Triangulation& triangulation, double cosine, Dual& dual, ConeSides& sides,
                     const Execution& execution) {
+  require_options("compute_poles", CoconeOptions{cosine});
   report_progress(execution, "compute_poles", 0);
   sides = {cosine, {}};
   dual = {};

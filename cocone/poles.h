@@ -45,7 +45,8 @@ Poles compute_poles(const Triangulation& triangulation, const Dual& dual,
                     const Execution& execution = {});
 
 // The same, and the sides of all Voronoi vertices to the double cones of this cosine about the
-// normals, which the cocones are read off (cocones.h): the second pass has them at hand.
+// normals, which the cocones are read off (cocones.h): the second pass has them at hand. Errors:
+// the cosine is to be that of CoconeOptions.
 Poles compute_poles(const Triangulation& triangulation, const Dual& dual, double cosine,
                     ConeSides& sides, const Execution& execution = {});
 

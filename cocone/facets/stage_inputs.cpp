@@ -33,6 +33,12 @@ void require_poles(const char* stage, const Triangulation& triangulation, const 
   require_size(stage, "flags of degenerate poles", poles.degenerate.size(), vertices);
 }
 
+void require_sides(const char* stage, const Triangulation& triangulation, const ConeSides& sides) {
+  require_options(stage, CoconeOptions{sides.cosine});
+  require_size(stage, "sides of cells to the cones", sides.of_cells.size(),
+               triangulation.num_cells());
+}
+
 void require_cocones(const char* stage, const Triangulation& triangulation,
                      const Cocones& cocones) {
   const std::size_t facets = cocones.facets.size();
@@ -62,6 +68,13 @@ void require_facets(const char* stage, const Triangulation& triangulation, const
 void require_facets(const char* stage, const Triangulation& triangulation,
                     const LinkedFacets& facets) {
   if (facets.size() != 0) require_facets(stage, triangulation, facets.set);
+}
+
+void require_marked(const char* stage, const Triangulation& triangulation, const CellMarks& marks) {
+  const std::size_t vertices = triangulation.num_vertices();
+  require_size(stage, "labels of cells", marks.labels.size(), triangulation.num_cells());
+  require_size(stage, "flags of good vertices", marks.good.size(), vertices);
+  require_size(stage, "flags of visited vertices", marks.visited.size(), vertices);
 }
 
 void require_peeled(const char* stage, const Triangulation& triangulation, const CellMarks& marks) {
@@ -107,10 +120,8 @@ void require_options(const char* stage, const CleanUpOptions& options) {
   require_amounts(stage, {{"clean_up.stretch_cost", o.stretch_cost},
                           {"clean_up.stretch_ratio", o.stretch_ratio},
                           {"clean_up.evidence_weight", o.evidence_weight},
-                          {"clean_up.near_pole_ratio", o.near_pole_ratio},
                           {"clean_up.full_pole_ratio", o.full_pole_ratio},
                           {"clean_up.mark_weight", o.mark_weight},
-                          {"clean_up.mark_credit", o.mark_credit},
                           {"clean_up.flat_ratio", o.flat_ratio},
                           {"clean_up.defect_cost", o.defect_cost},
                           {"clean_up.unused_cost", o.unused_cost},
@@ -123,7 +134,10 @@ void require_options(const char* stage, const CleanUpOptions& options) {
                           {"clean_up.component_cost", o.component_cost},
                           // Of more than all: no clump is too large.
                           {"clean_up.most_clump_share", o.most_clump_share}});
-  require_shares(stage, {{"clean_up.pole_good_share", o.pole_good_share}});
+  require_number(stage, "clean_up.near_pole_ratio (up to full_pole_ratio)", o.near_pole_ratio, 0,
+                 o.full_pole_ratio);
+  require_shares(stage, {{"clean_up.pole_good_share", o.pole_good_share},
+                         {"clean_up.mark_credit", o.mark_credit}});
   require_cosines(stage, {{"clean_up.idle.flat_cosine", o.idle.flat_cosine},
                           {"clean_up.deep_cosine", o.deep_cosine},
                           {"clean_up.deeper_cosine", o.deeper_cosine}});

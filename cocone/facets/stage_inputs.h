@@ -23,6 +23,8 @@ struct NoiseOptions;
 void require_dual(const char* stage, const Triangulation& triangulation, const Dual& dual);
 // With their heights and degenerate vertices.
 void require_poles(const char* stage, const Triangulation& triangulation, const Poles& poles);
+// With the cosine of a cone.
+void require_sides(const char* stage, const Triangulation& triangulation, const ConeSides& sides);
 void require_cocones(const char* stage, const Triangulation& triangulation, const Cocones& cocones);
 void require_vertex_flags(const char* stage, const Triangulation& triangulation,
                           const VertexSet& flags);
@@ -30,6 +32,8 @@ void require_facets(const char* stage, const Triangulation& triangulation, const
 // Of no triangles the set may be empty, too.
 void require_facets(const char* stage, const Triangulation& triangulation,
                     const LinkedFacets& facets);
+// After the marking.
+void require_marked(const char* stage, const Triangulation& triangulation, const CellMarks& marks);
 // After the peel.
 void require_peeled(const char* stage, const Triangulation& triangulation, const CellMarks& marks);
 // What clean_up_cells() takes.

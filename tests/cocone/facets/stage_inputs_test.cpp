@@ -28,6 +28,9 @@ struct AllStages : Stages {
         triangles(extract_manifold(triangulation, pruned.left, pruned.umbrella).triangles),
         marks(mark_cells(triangulation, triangles, boundary)),
         peeled(peel_cells(triangulation, triangles.set, marks)) {}
+  ConeSides sides() const {
+    return cone_sides(triangulation, dual, poles.normals, CoconeOptions().cosine);
+  }
   VertexSet boundary;
   FacetSet candidates;
   PrunedCandidates pruned;
@@ -68,6 +71,7 @@ class MixedStageInputs : public testing::Test {
     EXPECT_THROW(compute_poles(t, Dual()), InputError);
     EXPECT_THROW(intersect_cocones(t, other.dual, own.poles), InputError);
     EXPECT_THROW(intersect_cocones(t, own.dual, other.poles), InputError);
+    EXPECT_THROW(intersect_cocones(t, other.sides()), InputError);
     EXPECT_THROW(boundary_samples(t, other.dual, own.poles, own.cocones), InputError);
     EXPECT_THROW(boundary_samples(t, own.dual, other.poles, own.cocones), InputError);
     EXPECT_THROW(boundary_samples(t, own.dual, own.poles, other.cocones), InputError);
@@ -136,12 +140,54 @@ TEST(StageInputsLeftOut, CellsThatWereNotPeeledHaveNoSurface) {
   EXPECT_THROW(open_cavities(s.triangulation, s.triangles.set, s.marks), InputError);
 }
 
+TEST(StageInputsLeftOut, MarksThatLackAPartAreRefused) {
+  const AllStages s(shapes::noisy_sphere(300, 0.01, 11));
+  const auto refused = [&](auto change) {
+    CellMarks marks = s.peeled;
+    change(marks);
+    EXPECT_THROW(open_cavities(s.triangulation, s.triangles.set, marks), InputError);
+    EXPECT_THROW(peel_cells(s.triangulation, s.triangles.set, marks), InputError);
+  };
+  refused([](CellMarks& marks) { marks.labels = {}; });
+  refused([](CellMarks& marks) { marks.good = {}; });
+  refused([](CellMarks& marks) { marks.visited = {}; });
+}
+
+TEST(StageInputsLeftOut, SidesOfNoCellMakeNoCocones) {
+  const AllStages s(shapes::noisy_sphere(300, 0.01, 12));
+  EXPECT_THROW(intersect_cocones(s.triangulation, ConeSides{}), InputError);
+  EXPECT_EQ(intersect_cocones(s.triangulation, s.sides()).facets, s.cocones.facets);
+}
+
+// Of a noisy sphere, where good vertices disagree: then known labels are asked for.
+TEST(StageInputsLeftOut, KnownLabelsAreThoseOfAllCells) {
+  const std::vector<Point> points = shapes::noisy_sphere(3000, 0.03, 5);
+  bool asked = false;
+  const auto labels_of_one = [&](const Triangulation&, const FacetSet&, const Execution&) {
+    asked = true;
+    KnownLabels known;
+    known.labels = IdVector<CellId, CellLabel>(1, CellLabel::in);
+    return known;
+  };
+  EXPECT_THROW(reconstruct_tight_with_labels(points, labels_of_one), InputError);
+  EXPECT_TRUE(asked);
+  const AllStages s(points);
+  EXPECT_GT(s.marks.conflicts, 0U);
+  EXPECT_THROW(mark_cells(s.triangulation, s.triangles, s.boundary, labels_of_one), InputError);
+}
+
 TEST(StageInputs, OptionsOutOfRangeAreRefused) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const AllStages s(shapes::noisy_sphere(300, 0.01, 6));
   const Triangulation& t = s.triangulation;
   for (const double cosine : {-0.5, 67.5, nan}) {
     EXPECT_THROW(intersect_cocones(t, s.dual, s.poles, {.cosine = cosine}), InputError);
+    Dual dual;
+    ConeSides sides = s.sides();
+    EXPECT_THROW(compute_poles(t, s.dual, cosine, sides), InputError);
+    EXPECT_THROW(compute_poles(t, cosine, dual, sides), InputError);
+    sides.cosine = cosine;
+    EXPECT_THROW(intersect_cocones(t, sides), InputError);
   }
   for (const BoundaryOptions& options :
        {BoundaryOptions{.rho = -1}, BoundaryOptions{.rho = nan},
@@ -156,7 +202,8 @@ TEST(StageInputs, OptionsOutOfRangeAreRefused) {
   for (const CleanUpOptions& options :
        {CleanUpOptions{.stretch_cost = -1}, CleanUpOptions{.evidence_weight = nan},
         CleanUpOptions{.thin_support = 5}, CleanUpOptions{.deep_cosine = 60},
-        CleanUpOptions{.pole_good_share = 1.5}}) {
+        CleanUpOptions{.pole_good_share = 1.5}, CleanUpOptions{.mark_credit = 1.5},
+        CleanUpOptions{.near_pole_ratio = 2.5}, CleanUpOptions{.full_pole_ratio = 0.5}}) {
     CellMarks marks = s.peeled;
     EXPECT_THROW(clean_up_cells(t, s.poles, marks, options), InputError);
   }
