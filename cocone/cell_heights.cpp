@@ -4,24 +4,15 @@
 #include <array>
 #include <cstdint>
 
+#include "cocone/facets/cell_order.h"
 #include "geom/signed_distance.h"
 
 namespace cocoon {
 namespace {
 
-// The four vertices of a cell in increasing order: the triangulation may have them in any.
-using Corners = std::array<VertexId, 4>;
-
-Corners corners_of(const Triangulation& triangulation, CellId c) {
-  Corners corners = triangulation.cell(c).vertices;
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
-
 Point centroid(const Triangulation& triangulation, CellId c) {
-  const auto [v0, v1, v2, v3] = corners_of(triangulation, c);
-  return 0.25 * ((triangulation.point(v0) + triangulation.point(v1)) +
-                 (triangulation.point(v2) + triangulation.point(v3)));
+  const auto [p0, p1, p2, p3] = sorted_corners(triangulation, c);
+  return 0.25 * ((p0 + p1) + (p2 + p3));
 }
 
 // Both ends, in one word.
@@ -29,8 +20,12 @@ using Edge = std::uint64_t;
 VertexId from(Edge edge) { return VertexId(static_cast<std::uint32_t>(edge >> 32)); }
 VertexId to(Edge edge) { return VertexId(static_cast<std::uint32_t>(edge)); }
 
+// In the order of their ends as points: of two that reach equally far the first one counts.
 std::array<Edge, 6> edges_of(const Triangulation& triangulation, CellId c) {
-  const Corners corners = corners_of(triangulation, c);
+  std::array<VertexId, 4> corners = triangulation.cell(c).vertices;
+  std::sort(corners.begin(), corners.end(), [&](VertexId a, VertexId b) {
+    return triangulation.point(a) < triangulation.point(b);
+  });
   std::array<Edge, 6> edges;
   std::size_t count = 0;
   for (std::size_t i = 1; i < 4; ++i) {
@@ -41,7 +36,7 @@ std::array<Edge, 6> edges_of(const Triangulation& triangulation, CellId c) {
   return edges;
 }
 
-// Each once, in increasing order.
+// Each once, in increasing order of these words.
 std::vector<Edge> edges_of(const Triangulation& triangulation, std::span<const CellId> cells) {
   std::vector<Edge> edges;
   edges.reserve(6 * cells.size());

@@ -1,10 +1,16 @@
 #include "cocone/cell_heights.h"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <map>
 #include <vector>
 
+#include "cocone/facets/cell_order.h"
 #include "delaunay/delaunay.h"
+#include "tests/cocone/renumbered.h"
+#include "tests/cocone/sample_shapes.h"
 #include "tests/mesh_gallery.h"
 
 namespace cocoon {
@@ -37,6 +43,38 @@ TEST(CellHeights, AreThoseOfCentroidAndMiddlesOfEdges) {
   EXPECT_DOUBLE_EQ(middle.lowest, -0.5);
   EXPECT_DOUBLE_EQ(middle.highest, 0);
   EXPECT_DOUBLE_EQ(middle.longest_edge, crossing.longest_edge);
+}
+
+using HeightsByCorners = std::map<std::array<Point, 4>, CellHeights>;
+
+HeightsByCorners all_heights(const Triangulation& triangulation, const TriangleMesh& solid) {
+  std::vector<CellId> cells;
+  for (const CellId c : triangulation.finite_cells()) cells.push_back(c);
+  const std::vector<CellHeights> heights =
+      cell_heights(triangulation, cells, solid, CellPlaces::centroid_and_edges);
+  HeightsByCorners result;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    result[sorted_corners(triangulation, cells[k])] = heights[k];
+  }
+  return result;
+}
+
+TEST(CellHeights, DoNotDependOnNumbers) {
+  const TriangleMesh solid = gallery::translated(gallery::box(20, 20, 20), {-10, -10, -10});
+  std::vector<Point> points = shapes::noisy_sphere(500, 0.1, 1);
+  for (Point& p : points) p = 10.0 * p;
+  const Triangulation triangulation = delaunay(points).triangulation;
+  const HeightsByCorners expected = all_heights(triangulation, solid);
+  for (const std::uint64_t seed : {1U, 2U}) {
+    for (const auto& [corners, heights] : all_heights(renumbered(triangulation, seed), solid)) {
+      const CellHeights& before = expected.at(corners);
+      EXPECT_EQ(heights.lowest, before.lowest);
+      EXPECT_EQ(heights.highest, before.highest);
+      EXPECT_EQ(heights.at_lowest, before.at_lowest);
+      EXPECT_EQ(heights.at_highest, before.at_highest);
+      EXPECT_EQ(heights.longest_edge, before.longest_edge);
+    }
+  }
 }
 
 }  // namespace
