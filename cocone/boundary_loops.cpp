@@ -254,11 +254,9 @@ BoundaryLoops loops_without(const TriangleMesh& surface, const HalfedgeRings& ri
   return result;
 }
 
-// By a copy that has been multiplied by `scale`, a power of two: squares of lengths are in the
+// Of a copy that has been multiplied by `scale`, a power of two: squares of lengths are in the
 // range of double there.
-BoundaryLoops scaled_loops(const TriangleMesh& surface, double scale,
-                           const BoundaryLoopOptions& options) {
-  BoundaryLoops result = boundary_loops(scaled(surface, scale), options);
+BoundaryLoops in_units_of(double scale, BoundaryLoops result) {
   result.median_edge /= scale;
   for (BoundaryLoop& loop : result.loops) loop.perimeter /= scale;
   return result;
@@ -269,7 +267,7 @@ BoundaryLoops scaled_loops(const TriangleMesh& surface, double scale,
 BoundaryLoops boundary_loops(const TriangleMesh& open_surface, const BoundaryLoopOptions& options) {
   require_options("boundary_loops", options);
   if (const double scale = working_scale(open_surface.points.span()); scale != 1) {
-    return scaled_loops(open_surface, scale, options);
+    return in_units_of(scale, boundary_loops(scaled(open_surface, scale), options));
   }
   HalfedgeRings rings = link_halfedges(open_surface);
   std::vector<std::uint8_t> surplus = surplus_triangles(open_surface, rings);
@@ -284,6 +282,10 @@ BoundaryLoops boundary_loops(const TriangleMesh& oriented_surface, const Halfedg
   require_size("boundary_loops", "linked halfedges", rings.links.size(), 3 * triangles);
   require_size("boundary_loops", "triangles in components", components.component_of.size(),
                triangles);
+  if (const double scale = working_scale(oriented_surface.points.span()); scale != 1) {
+    return in_units_of(scale,
+                       boundary_loops(scaled(oriented_surface, scale), rings, components, options));
+  }
   std::vector<std::uint8_t> surplus = surplus_triangles(oriented_surface, rings);
   if (surplus.empty()) return loops_of(oriented_surface, rings, components, options);
   return loops_without(oriented_surface, rings, std::move(surplus), options);

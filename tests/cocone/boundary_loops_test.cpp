@@ -223,13 +223,16 @@ TEST(BoundaryLoops, HaveLengthsAtAnyScale) {
   for (const double scale : {0x1p+600, 0x1p-600}) {
     TriangleMesh scaled = mesh;
     for (Point& p : scaled.points) p = scale * p;
-    const BoundaryLoops of_scaled = boundary_loops(scaled);
-    EXPECT_EQ(of_scaled.median_edge, scale * loops.median_edge);
-    EXPECT_EQ(of_scaled.pin_holes, loops.pin_holes);
-    ASSERT_EQ(of_scaled.loops.size(), loops.loops.size());
-    for (std::size_t l = 0; l < loops.loops.size(); ++l) {
-      EXPECT_EQ(of_scaled.loops[l].perimeter, scale * loops.loops[l].perimeter);
-      EXPECT_EQ(of_scaled.loops[l].pin_hole, loops.loops[l].pin_hole);
+    const HalfedgeRings rings = link_halfedges(scaled);
+    for (const BoundaryLoops& of_scaled :
+         {boundary_loops(scaled), boundary_loops(scaled, rings, edge_components(scaled, rings))}) {
+      EXPECT_EQ(of_scaled.median_edge, scale * loops.median_edge);
+      EXPECT_EQ(of_scaled.pin_holes, loops.pin_holes);
+      ASSERT_EQ(of_scaled.loops.size(), loops.loops.size());
+      for (std::size_t l = 0; l < loops.loops.size(); ++l) {
+        EXPECT_EQ(of_scaled.loops[l].perimeter, scale * loops.loops[l].perimeter);
+        EXPECT_EQ(of_scaled.loops[l].pin_hole, loops.loops[l].pin_hole);
+      }
     }
   }
 }
