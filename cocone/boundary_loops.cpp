@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 #include "cocone/orient_surface.h"
 #include "geom/arrays/median.h"
 #include "geom/mesh/edge_components.h"

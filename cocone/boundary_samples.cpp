@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 #include "cocone/samples/cocone_radii.h"
 #include "cocone/samples/facet_doubts.h"
 #include "cocone/samples/shared_flags.h"

@@ -57,7 +57,7 @@ struct BoundarySamples {
 // Degenerate samples (poles.h) never join. If nothing is interior, no surface can be built from
 // these samples: interior() == 0.
 // Errors: InputError for parts of another triangulation, by their sizes, and for options out of
-// range (facets/stage_inputs.h).
+// range (inputs/stage_inputs.h).
 // Complexity: O(vertices + facets of `cocones`), and k log k for k facets at samples that fail the
 // normal condition; phase 1 parallel over facets.
 // Source: Dey & Giesen 2001 (Boundary); Woo & Dey 2005, section 3.2.

@@ -1,6 +1,6 @@
 #include "cocone/candidate_triangles.h"
 
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 
 namespace cocoon {
 

@@ -21,7 +21,7 @@
 #include "cocone/energy/doubtful_region.h"
 #include "cocone/energy/label_evidence.h"
 #include "cocone/facets/cell_order.h"
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/star_cache.h"
 

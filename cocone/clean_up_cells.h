@@ -48,8 +48,8 @@
 
 #include <cstddef>
 
-#include "cocone/clean_up/idle_samples.h"
-#include "cocone/mark_cells.h"
+#include "cocone/cell_marks.h"
+#include "cocone/energy/idle_samples.h"
 #include "cocone/poles.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
@@ -162,7 +162,7 @@ struct CleanUpCounters {
 // Changes marks.reached, and marks.labels to what is known (CellMarks::known); nothing where every
 // vertex is good and no marks conflict.
 // Errors: InputError for parts of another triangulation, by their sizes, for marks that do not
-// come from peel_cells, and for options out of range (facets/stage_inputs.h). Complexity: passes
+// come from peel_cells, and for options out of range (inputs/stage_inputs.h). Complexity: passes
 // over the cells, and near linear in the number of undecided cells and defects. Deterministic:
 // costs are integers, the cut is unique, at each defect the best move is taken, at those of the
 // densest samples first (SpacingCache::precedes); a function of the point set. Source: Labatut,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 #include "cocone/samples/met_facets.h"
 #include "geom/messages/require_size.h"
 

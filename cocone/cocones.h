@@ -48,7 +48,7 @@ struct Cocones {
 // Tests all dual edges, segments by their two ends, rays by their origin and direction: no case is
 // missed (double_cone.h), but the side of an end is told in floating point. A zero-length edge
 // meets the cocone iff its one point lies in it. Errors: InputError for parts of another
-// triangulation, by their sizes, and for options out of range (facets/stage_inputs.h). Complexity:
+// triangulation, by their sizes, and for options out of range (inputs/stage_inputs.h). Complexity:
 // O(cells), parallel. Deterministic: each bit is a function of the facet's two cells. Source:
 // Amenta, Choi, Dey & Leekha 2002; Woo & Dey 2005, section 2.1 (cocone).
 Cocones intersect_cocones(const Triangulation& triangulation, const Dual& dual, const Poles& poles,

@@ -10,8 +10,8 @@
 #include "cocone/facets/cell_order.h"
 #include "cocone/facets/facet_size.h"
 #include "cocone/facets/half_facets.h"
-#include "cocone/facets/stage_inputs.h"
 #include "cocone/facets/walk_reach.h"
+#include "cocone/inputs/stage_inputs.h"
 
 namespace cocoon {
 namespace {

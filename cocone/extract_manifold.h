@@ -57,7 +57,7 @@ struct ManifoldSurface {
 // the axes lie: lexicographic order settles them, of circles by the corners, of two sides for the
 // positive one of the sorted corners. The first walk, which is nearly always the only one, goes
 // without rounds, on all threads, if its result does not depend on them (walk_reach.h).
-// Errors: InputError for parts of another triangulation, by their sizes (facets/stage_inputs.h).
+// Errors: InputError for parts of another triangulation, by their sizes (inputs/stage_inputs.h).
 // Complexity: O(candidates + vertices), and one byte per cell; s log s for s places where further
 // walks may begin. Source: Amenta, Choi, Dey & Leekha 2002 (manifold extraction); the walk about
 // edges is that of the Tight Cocone program (Dey & Goswami 2003), the rounds are ours

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cocone/facets/half_star.h"
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 #include "cocone/marking/old_triangles.h"
 #include "geom/parallel/parallel_list.h"
 #include "geom/parallel/parallel_reduce.h"

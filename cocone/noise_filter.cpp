@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/circulate.h"
 #include "geom/messages/require_number.h"

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "cocone/facets/facet_size.h"
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
+#include "cocone/marking/marking_rounds.h"
 #include "cocone/samples/shared_flags.h"
 #include "geom/arrays/visit_where.h"
 

@@ -6,8 +6,8 @@
 // by small triangles.
 #pragma once
 
+#include "cocone/cell_marks.h"
 #include "cocone/facet_set.h"
-#include "cocone/mark_cells.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 
@@ -32,7 +32,7 @@ struct CavityCounters {
 // circumradius, ties go to the lexicographically smaller corners, as for stop facets.
 // `marks.rounds` tells whether the labels are those of the one pass of mark_cells, which lead from
 // every OUT cell to infinity: then there is nothing to flood but what is not labeled.
-// Errors: InputError for parts of another triangulation, by their sizes (facets/stage_inputs.h).
+// Errors: InputError for parts of another triangulation, by their sizes (inputs/stage_inputs.h).
 // Complexity: O(cells + d log d) for d facets of unvisited cells. Independent of order.
 // Source: Dey & Goswami 2003 (Tight Cocone, peeling); rounds and deferred seeds are ours,
 // docs/stages/peel_cells.md.

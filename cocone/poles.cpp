@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 #include "cocone/samples/cell_arms.h"
 #include "cocone/samples/double_cone.h"
 #include "cocone/samples/farthest_cells.h"

@@ -36,7 +36,7 @@ struct Poles {
 // The poles of every vertex. Ties between equally far Voronoi vertices go to the lexicographically
 // smallest one, hull normals are summed in lexicographic order: the result is a function of the
 // point set, not of ids.
-// Errors: InputError for parts of another triangulation, by their sizes (facets/stage_inputs.h).
+// Errors: InputError for parts of another triangulation, by their sizes (inputs/stage_inputs.h).
 // Precondition: |coordinate| < 1e75 (the compositions of reconstruct.h see to that). Circumcenters
 // may be anything finite. Complexity: O(cells + vertices): two passes over the cells, each a
 // maximum per corner, parallel. Source: Amenta, Bern & Kamvysselis 1998; Woo & Dey 2005,

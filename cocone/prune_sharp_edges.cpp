@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cocone/facets/facet_removal.h"
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 #include "cocone/umbrella.h"
 
 namespace cocoon {

@@ -33,7 +33,7 @@ struct PrunedCandidates {
 // always sharp). Flags, and who is to stay, are those of all candidates, and the largest dihedral
 // at an edge can only fall: the result does not depend on order.
 // Errors: InputError for parts of another triangulation, by their sizes, and for options out of
-// range (facets/stage_inputs.h).
+// range (inputs/stage_inputs.h).
 // Complexity: O(candidates + vertices) and one byte per cell; the first step parallel.
 // Source: Amenta, Choi, Dey & Leekha 2002; Woo & Dey 2005, section 2.2; guard by umbrellas and
 // thresholds after the Tight Cocone program (docs/stages/prune_sharp_edges.md).

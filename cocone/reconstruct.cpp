@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 #include "cocone/reconstruct_steps.h"
 
 namespace cocoon {

@@ -59,7 +59,7 @@ struct ReconstructOptions {
 };
 
 // What the stages get: in mode paper some options are as published, whatever they say. Throws
-// InputError for options of the stages that are out of range (facets/stage_inputs.h), so all that
+// InputError for options of the stages that are out of range (inputs/stage_inputs.h), so all that
 // take these options do.
 ReconstructOptions effective_options(ReconstructOptions options);
 

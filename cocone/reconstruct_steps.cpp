@@ -10,6 +10,7 @@
 #include "cocone/checks/verify_surface.h"
 #include "cocone/clean_up_cells.h"
 #include "cocone/cocones.h"
+#include "cocone/mark_cells.h"
 #include "cocone/marking/certain_surface.h"
 #include "cocone/marking/likely_labels.h"
 #include "cocone/marking/yielding_labels.h"

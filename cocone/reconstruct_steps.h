@@ -2,11 +2,11 @@
 #pragma once
 
 #include "cocone/boundary_samples.h"
+#include "cocone/cell_marks.h"
 #include "cocone/extract_manifold.h"
 #include "cocone/facet_set.h"
 #include "cocone/known_labels.h"
 #include "cocone/live/reconstruct_stages.h"
-#include "cocone/mark_cells.h"
 #include "cocone/poles.h"
 #include "cocone/reconstruct.h"
 #include "cocone/samples/cone_sides.h"

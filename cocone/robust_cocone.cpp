@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 #include "cocone/noise/floating_clumps.h"
 #include "cocone/noise/remaining_samples.h"
 #include "cocone/noise/rough_surface.h"

@@ -44,7 +44,7 @@ struct RobustSamples {
 // gets into the body (noise.max_leak), the skin is that outside the closed surface of the rest.
 // `options` are for these surfaces. Everything stays if nothing is noisy.
 // Progress: "noise/...". Errors: InputError as delaunay(), also if what is left is coplanar;
-// for options out of range (noise_filter.h, facets/stage_inputs.h).
+// for options out of range (noise_filter.h, inputs/stage_inputs.h).
 // Complexity: O(n log n) expected, besides the rounds (outlier_rounds.h).
 // Deterministic: a function of the set of points.
 // Source: Dey & Goswami 2006; clumps, outliers, good samples and leaks are ours

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 #include "geom/messages/require_size.h"
 #include "geom/parallel/parallel_list.h"
 

@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "cocone/cell_marks.h"
 #include "cocone/facet_set.h"
-#include "cocone/mark_cells.h"
 #include "delaunay/triangulation.h"
 
 namespace cocoon::ref {

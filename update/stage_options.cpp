@@ -3,7 +3,7 @@
 #include <limits>
 #include <numbers>
 
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 #include "geom/messages/require_number.h"
 #include "update/model/orient_outward.h"
 #include "update/report/lost_triangles.h"

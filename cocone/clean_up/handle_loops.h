@@ -10,6 +10,7 @@
 #include "delaunay/triangulation.h"
 #include "geom/arrays/zeroed_array.h"
 #include "geom/execution.h"
+#include "geom/triangle_mesh.h"
 
 namespace cocoon {
 

@@ -10,6 +10,7 @@
 
 #include "cocone/clean_up_cells.h"
 #include "cocone/energy/ball_cosines.h"
+#include "cocone/energy/idle_samples.h"
 #include "cocone/energy/star_parts.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/star_cache.h"

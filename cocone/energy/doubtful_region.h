@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "cocone/mark_cells.h"
+#include "cocone/cell_marks.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/star_cache.h"
 #include "delaunay/triangulation.h"

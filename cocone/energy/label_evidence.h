@@ -18,10 +18,10 @@
 // vertices where labels are in conflict: good vertices are not always right there.
 #pragma once
 
+#include "cocone/cell_marks.h"
 #include "cocone/clean_up_cells.h"
 #include "cocone/energy/ball_cosines.h"
 #include "cocone/energy/doubtful_region.h"
-#include "cocone/mark_cells.h"
 #include "cocone/poles.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/star_cache.h"

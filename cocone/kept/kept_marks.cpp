@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cocone/kept/good_parts.h"
+#include "cocone/mark_cells.h"
 #include "geom/arrays/disjoint_sets.h"
 #include "geom/arrays/sort_ids.h"
 #include "geom/arrays/visit_where.h"

@@ -24,12 +24,14 @@
 #include <span>
 #include <vector>
 
+#include "cocone/cell_marks.h"
 #include "cocone/facets/linked_facets.h"
+#include "cocone/known_labels.h"
 #include "cocone/live/live_candidates.h"
 #include "cocone/live/local_facets.h"
 #include "cocone/live/star_finder.h"
 #include "cocone/live/surface_state.h"
-#include "cocone/mark_cells.h"
+#include "cocone/umbrella.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "delaunay/renumbering.h"
 #include "geom/execution.h"

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "cocone/boundary_samples.h"
+#include "cocone/cell_marks.h"
 #include "cocone/extract_manifold.h"
 #include "cocone/facet_set.h"
 #include "cocone/facets/facet_removal.h"
 #include "cocone/facets/linked_facets.h"
 #include "cocone/known_labels.h"
-#include "cocone/mark_cells.h"
 #include "cocone/poles.h"
 #include "cocone/reconstruct.h"
 #include "cocone/umbrella.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "cocone/boundary_samples.h"
-#include "cocone/mark_cells.h"
+#include "cocone/cell_marks.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"

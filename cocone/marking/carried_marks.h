@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "cocone/cell_marks.h"
 #include "cocone/facets/linked_facets.h"
-#include "cocone/mark_cells.h"
 
 namespace cocoon {
 

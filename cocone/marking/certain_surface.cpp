@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "cocone/mark_cells.h"
+#include "cocone/cell_marks.h"
 #include "geom/parallel/parallel_list.h"
 #include "geom/parallel/parallel_reduce.h"
 

@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "cocone/cell_marks.h"
 #include "cocone/facets/linked_facets.h"
-#include "cocone/mark_cells.h"
 #include "cocone/marking/carried_marks.h"
 
 namespace cocoon {

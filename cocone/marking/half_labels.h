@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "cocone/mark_cells.h"
+#include "cocone/marking/cell_label.h"
 
 namespace cocoon {
 

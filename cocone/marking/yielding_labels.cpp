@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "cocone/facets/stage_inputs.h"
-#include "cocone/mark_cells.h"
+#include "cocone/cell_marks.h"
+#include "cocone/inputs/stage_inputs.h"
 #include "geom/arrays/sort_ids.h"
 #include "geom/mesh_check.h"
 #include "geom/messages/require_size.h"

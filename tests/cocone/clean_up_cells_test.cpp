@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "cocone/clean_up/handle_loops.h"
+#include "cocone/mark_cells.h"
 #include "cocone/reconstruct.h"
 #include "geom/errors.h"
 #include "geom/execution.h"

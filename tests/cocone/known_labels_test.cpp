@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cocone/facets/half_star.h"
+#include "cocone/mark_cells.h"
 #include "cocone/marking/half_labels.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/circulate.h"

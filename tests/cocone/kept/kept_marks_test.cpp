@@ -8,6 +8,7 @@
 
 #include "cocone/extract_manifold.h"
 #include "cocone/live/known_candidates.h"
+#include "cocone/mark_cells.h"
 #include "geom/random/random.h"
 #include "tests/cocone/kept/live_samples.h"
 #include "tests/cocone/sample_shapes.h"

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "cocone/boundary_options.h"
+#include "cocone/cell_marks.h"
 #include "cocone/cocones.h"
 #include "cocone/facets/linked_facets.h"
-#include "cocone/mark_cells.h"
 #include "cocone/poles.h"
 #include "cocone/prune_sharp_edges.h"
 #include "cocone/umbrella.h"

@@ -1,4 +1,4 @@
-#include "cocone/clean_up/idle_samples.h"
+#include "cocone/energy/idle_samples.h"
 
 #include <algorithm>
 #include <array>

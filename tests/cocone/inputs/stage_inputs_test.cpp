@@ -1,4 +1,4 @@
-#include "cocone/facets/stage_inputs.h"
+#include "cocone/inputs/stage_inputs.h"
 
 #include <gtest/gtest.h>
 #include <limits>
