@@ -21,6 +21,7 @@
 #include "cocone/energy/doubtful_region.h"
 #include "cocone/energy/label_evidence.h"
 #include "cocone/facets/cell_order.h"
+#include "cocone/facets/vertices_of_cells.h"
 #include "cocone/inputs/stage_inputs.h"
 #include "cocone/samples/sample_spacing.h"
 #include "delaunay/star_cache.h"
@@ -342,7 +343,7 @@ class CleanUp {
   // In the doubtful region and beside it, by SpacingCache::precedes.
   std::vector<VertexId> idle_samples() {
     if (cells_with_samples_ != region_.cells.size()) {  // it only grows
-      samples_ = samples_of(triangulation_, region_.cells);
+      samples_ = vertices_of(triangulation_, region_.cells);
       std::erase_if(samples_, [&](VertexId v) { return region_.is_left(v); });
       cells_with_samples_ = region_.cells.size();
     }

@@ -25,7 +25,7 @@ class BallCosines {
  public:
   // Keeps the reference, which must outlive the object. O(1). A cell is flat if its height over its
   // largest facet is at most `flat_ratio` times the size of that facet, the root of twice its area.
-  explicit BallCosines(const Triangulation& triangulation, double flat_ratio = 0);
+  BallCosines(const Triangulation& triangulation, double flat_ratio);
 
   // Computes ahead what will be asked of these cells; returns the centers of the finite ones, which
   // take part in that. Complexity: O(cells given), parallel.

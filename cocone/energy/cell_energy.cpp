@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cocone/energy/doubtful_region.h"
+#include "cocone/facets/vertices_of_cells.h"
 #include "delaunay/circulate.h"
 
 namespace cocoon {
@@ -77,7 +77,7 @@ Energy CellEnergy::ask_facet_cost(FacetId f) {
 
 // Flat cells see through others, which threads would have to remember.
 void CellEnergy::prepare_facet_costs(std::span<const CellId> cells, const Execution& execution) {
-  if (!spacings_.prepare(samples_of(triangulation_, cells), execution)) return;
+  if (!spacings_.prepare(vertices_of(triangulation_, cells), execution)) return;
   constexpr std::size_t cells_per_chunk = 4096;
   for (const CellId c : cells) taken_[c] = 1;
   parallel_chunks(execution, cells.size(), cells_per_chunk,

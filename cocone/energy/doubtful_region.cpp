@@ -173,18 +173,4 @@ bool has_left_vertex(const Triangulation& triangulation, const DoubtfulRegion& r
                      [&](VertexId v) { return region.is_left(v); });
 }
 
-std::vector<VertexId> samples_of(const Triangulation& triangulation,
-                                 std::span<const CellId> cells) {
-  std::vector<VertexId> samples;
-  ZeroedArray<VertexId, std::uint8_t> met(triangulation.num_vertices());
-  for (const CellId c : cells) {
-    for (const VertexId v : triangulation.cell(c).vertices) {
-      if (v == infinite_vertex || met[v] != 0) continue;
-      met[v] = 1;
-      samples.push_back(v);
-    }
-  }
-  return samples;
-}
-
 }  // namespace cocoon

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -37,10 +36,10 @@ struct DoubtfulRegion {
 // facets, unless they have a vertex that is left. `stars`, `spacings`: of this triangulation.
 // Complexity: O(vertices + d log d) for d such vertices with their stars, besides what the first
 // question to `stars` costs, and passes over the cells in the order of memory if they are many.
-DoubtfulRegion find_doubtful_region(
-    const Triangulation& triangulation, const CellMarks& marks, StarCache& stars,
-    SpacingCache& spacings, std::size_t most_cells = std::numeric_limits<std::size_t>::max(),
-    int thin_support = 0, const Execution& execution = {});
+DoubtfulRegion find_doubtful_region(const Triangulation& triangulation, const CellMarks& marks,
+                                    StarCache& stars, SpacingCache& spacings,
+                                    std::size_t most_cells, int thin_support,
+                                    const Execution& execution = {});
 
 // Takes further vertices into the region, each with its cells. Complexity: O(region + k log k) for
 // k of them, with their stars.
@@ -49,9 +48,5 @@ void extend_region(StarCache& stars, SpacingCache& spacings, std::span<const Ver
 
 // Is a vertex of the cell left alone? O(1).
 bool has_left_vertex(const Triangulation& triangulation, const DoubtfulRegion& region, CellId c);
-
-// The finite vertices of some cells, each once, as they come. Complexity: O(cells), and a pass over
-// the vertices' memory.
-std::vector<VertexId> samples_of(const Triangulation& triangulation, std::span<const CellId> cells);
 
 }  // namespace cocoon

@@ -9,6 +9,7 @@
 
 #include "cocone/energy/turn_queue.h"
 #include "cocone/facets/cell_order.h"
+#include "cocone/facets/vertices_of_cells.h"
 #include "delaunay/circulate.h"
 
 namespace cocoon {
@@ -135,7 +136,7 @@ class Propagation {
 
   void find_asked() {
     for (const CellId c : region_.undecided) nodes_[c].state = open;
-    asked_ = samples_of(triangulation_, region_.undecided);
+    asked_ = vertices_of(triangulation_, region_.undecided);
     for (const VertexId v : asked_) is_asked_[v] = 1;
   }
 

@@ -11,13 +11,14 @@
 
 namespace cocoon {
 
-// Swaps two places if the second point comes first: by moving addresses, since a branch could not
-// be foreseen.
-inline void order_places(const Point*& first, const Point*& second) {
+// Swaps two places if the second point comes first, and tells whether it did: by moving addresses,
+// since a branch could not be foreseen.
+inline bool order_places(const Point*& first, const Point*& second) {
   const bool swapped = *second < *first;
   const Point* const before = first;
   first = swapped ? second : first;
   second = swapped ? before : second;
+  return swapped;
 }
 
 // Lexicographically; of a Triangulation or of a TriangulationView. Precondition: a finite facet.

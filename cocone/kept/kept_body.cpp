@@ -8,6 +8,7 @@
 
 #include "cocone/facets/edge_cycle.h"
 #include "cocone/facets/surface_fan.h"
+#include "cocone/facets/vertices_of_cells.h"
 #include "cocone/kept/good_parts.h"
 #include "geom/arrays/disjoint_sets.h"
 #include "geom/arrays/sort_by_vertex.h"
@@ -46,20 +47,6 @@ struct OppositeEdge {
   VertexId from;
   VertexId to;
 };
-
-// Each vertex once.
-std::vector<VertexId> corners_of(const Triangulation& triangulation,
-                                 std::span<const CellId> cells) {
-  ZeroedArray<VertexId, std::uint8_t> met(triangulation.num_vertices());
-  std::vector<VertexId> corners;
-  for (const CellId c : cells) {
-    for (const VertexId v : triangulation.cell(c).vertices) {
-      if (v == infinite_vertex || std::exchange(met[v], std::uint8_t{1}) != 0) continue;
-      corners.push_back(v);
-    }
-  }
-  return corners;
-}
 
 // Whether the vertices of triangles hang together by their edges: of those that
 // for_triangles(visit) has visit(corners) called for.
@@ -141,7 +128,7 @@ std::optional<KeptBody::Change> KeptBody::go_on(const Triangulation& triangulati
                                                 const IdVector<CellId, std::uint8_t>& out,
                                                 std::span<const CellId> changed,
                                                 const Execution& execution) {
-  const std::vector<VertexId> corners = corners_of(triangulation, changed);
+  const std::vector<VertexId> corners = vertices_of(triangulation, changed);
   ZeroedArray<VertexId, SurfaceFan> fans(triangulation.num_vertices());
   ZeroedArray<VertexId, std::uint8_t> is_touched(triangulation.num_vertices());
   std::vector<std::pair<FacetId, bool>> facets;  // at the corners, and whether it came

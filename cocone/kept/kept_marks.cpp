@@ -6,6 +6,7 @@
 
 #include "cocone/kept/good_parts.h"
 #include "cocone/mark_cells.h"
+#include "cocone/marking/pass_labels.h"
 #include "geom/arrays/disjoint_sets.h"
 #include "geom/arrays/sort_ids.h"
 #include "geom/arrays/visit_where.h"
@@ -33,11 +34,7 @@ class Labeling {
         left.push_back(c);
       }
     }
-    for (std::size_t before = left.size() + 1; left.size() < before;) {
-      before = left.size();
-      std::reverse(left.begin(), left.end());
-      std::erase_if(left, [&](CellId c) { return take_label(c); });
-    }
+    pass_labels(left, [&](CellId c) { return take_label(c); });
     return left.empty() &&
            std::all_of(cells.begin(), cells.end(), [&](CellId c) { return fits(c); });
   }

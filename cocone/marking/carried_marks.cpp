@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cocone/facets/half_star.h"
+#include "cocone/marking/pass_labels.h"
 #include "geom/arrays/sort_ids.h"
 #include "geom/mesh/edge_components.h"
 #include "geom/parallel/parallel_reduce.h"
@@ -175,11 +176,7 @@ class Carrying {
     for (const CellId c : triangulation_.cells()) {
       if (!take_label(c) && passing_facets(c) != 0) left.push_back(c);
     }
-    for (std::size_t before = left.size() + 1; left.size() < before;) {
-      before = left.size();
-      std::reverse(left.begin(), left.end());
-      std::erase_if(left, [&](CellId c) { return take_label(c); });
-    }
+    pass_labels(left, [&](CellId c) { return take_label(c); });
     assert(left.empty());
   }
 

@@ -339,7 +339,8 @@ TEST(CleanUpCells, WithoutUndecidedCellsNothingChanges) {
     StarCache stars(s.triangulation);
     SpacingCache spacings(s.triangulation, stars);
     HandleLoops loops(s.triangulation, stars, marks.reached);
-    const DoubtfulRegion region = find_doubtful_region(s.triangulation, marks, stars, spacings);
+    const DoubtfulRegion region = find_doubtful_region(s.triangulation, marks, stars, spacings,
+                                                       s.triangulation.num_cells(), 0);
     for (const Triangle& loop : loops.find(region)) {
       if (!loops.is_handle(loop, 10000)) continue;
       CellMarks decided = marks;

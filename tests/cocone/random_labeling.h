@@ -32,7 +32,7 @@ struct Labeling {
       : Labeling(delaunay(points).triangulation, seed, bias) {}
   explicit Labeling(Triangulation of_points, std::uint64_t seed = 1, double bias = 0.5)
       : stages(std::move(of_points)),
-        cosines(stages.triangulation),
+        cosines(stages.triangulation, 0),
         stars(stages.triangulation),
         out(stages.triangulation.num_cells(), 1),
         spacings(stages.triangulation, stars),

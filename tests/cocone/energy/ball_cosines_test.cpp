@@ -34,7 +34,7 @@ void for_each_finite_facet(const Triangulation& t, Visit visit) {
 
 TEST(BallCosines, AreTheHeightsOfTheCentersOverTheRadii) {
   const Triangulation t = delaunay(gallery::uniform_cube(500)).triangulation;
-  BallCosines cosines(t);
+  BallCosines cosines(t, 0);
   for_each_finite_facet(
       t, [&](FacetId f) { EXPECT_NEAR(cosines.of(f), cosine_by_definition(t, f), 1e-7); });
   for (const CellId c : t.infinite_cells()) EXPECT_EQ(cosines.of(facet_id(c, 3)), 1);
@@ -58,7 +58,7 @@ TEST(BallCosines, ManyAtOnceAreTheSameBitForBit) {
   for (const auto& points : {gallery::uniform_cube(700), gallery::integer_grid(5),
                              gallery::bumpy_sphere(700), gallery::even_sphere(300)}) {
     const Triangulation t = delaunay(points).triangulation;
-    BallCosines cosines(t);
+    BallCosines cosines(t, 0);
     for_each_finite_facet(t, [&](FacetId f) { EXPECT_EQ(cosines.of(f), plain_cosine(t, f)); });
   }
 }
@@ -66,7 +66,7 @@ TEST(BallCosines, ManyAtOnceAreTheSameBitForBit) {
 // The angle at which two balls meet is that between their radii to a common sample.
 TEST(BallCosines, ContactIsTheAngleBetweenRadii) {
   const Triangulation t = delaunay(gallery::uniform_cube(500)).triangulation;
-  BallCosines cosines(t);
+  BallCosines cosines(t, 0);
   for_each_finite_facet(t, [&](FacetId f) {
     const FacetId mirror = t.mirror(f);
     EXPECT_EQ(cosines.contact(f), cosines.contact(mirror));
@@ -82,7 +82,7 @@ TEST(BallCosines, ContactIsTheAngleBetweenRadii) {
 TEST(BallCosines, OfARegularTetrahedron) {
   const std::vector<Point> corners{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   const Triangulation t = delaunay(corners).triangulation;
-  BallCosines cosines(t);
+  BallCosines cosines(t, 0);
   for (int i = 0; i < 4; ++i) {
     const FacetId f = facet_id(CellId(0), i);
     EXPECT_NEAR(cosines.of(f), 1.0 / 3, 1e-15);
@@ -95,7 +95,7 @@ TEST(BallCosines, OfARegularTetrahedron) {
 // Cells of one cube of a grid have one ball.
 TEST(BallCosines, EqualBallsMeetAtACosineOfOne) {
   const Triangulation t = delaunay(gallery::integer_grid(2)).triangulation;
-  BallCosines cosines(t);
+  BallCosines cosines(t, 0);
   for_each_finite_facet(t, [&](FacetId f) {
     if (t.is_infinite(cell_of(t.mirror(f)))) return;
     EXPECT_NEAR(cosines.contact(f), 1, 1e-12);
@@ -108,9 +108,9 @@ TEST(BallCosines, PreparedOrNotTheyAreTheSame) {
   for (const CellId c : t.cells()) {
     if (c.index() % 3 != 0) cells.push_back(c);
   }
-  BallCosines ahead(t);
+  BallCosines ahead(t, 0);
   ahead.prepare(cells, {.threads = 4});
-  BallCosines asked(t);
+  BallCosines asked(t, 0);
   for_each_finite_facet(t, [&](FacetId f) { EXPECT_EQ(ahead.of(f), asked.of(f)); });
 }
 
@@ -145,7 +145,7 @@ struct Disk {
 TEST(BallCosines, FlatCellsAreThoseWithoutHeight) {
   const Disk disk(24);
   BallCosines cosines(disk.t, 1e-6);
-  BallCosines without(disk.t);
+  BallCosines without(disk.t, 0);
   std::size_t flat = 0;
   for (const auto& [c, end] : disk.ends) {
     EXPECT_EQ(cosines.is_flat(c), end == 0);

@@ -93,7 +93,8 @@ TEST(CellEnergy, PartsOfStarsAndFlawsAreThoseOfThePlainSearch) {
       StarCache region_stars(t);
       SpacingCache spacings(t, region_stars);
       const SurfaceFlaws flaws = find_surface_flaws(
-          t, find_doubtful_region(t, marks, region_stars, spacings), labeling.out);
+          t, find_doubtful_region(t, marks, region_stars, spacings, t.num_cells(), 0),
+          labeling.out);
       std::size_t unused = 0;
       std::size_t pinched = 0;
       for (const VertexId v : t.vertices()) {

@@ -31,7 +31,7 @@ TEST(DoubtfulRegion, HasTheCellsAtItsVertices) {
     ASSERT_FALSE(undecided.empty());
     StarCache stars(t);
     SpacingCache spacings(t, stars);
-    const DoubtfulRegion region = find_doubtful_region(t, marks, stars, spacings);
+    const DoubtfulRegion region = find_doubtful_region(t, marks, stars, spacings, t.num_cells(), 0);
     EXPECT_EQ(region.cells, cells);
     EXPECT_EQ(region.undecided, undecided);
     for (std::size_t k = 1; k < region.vertices.size(); ++k) {
@@ -54,7 +54,7 @@ TEST(DoubtfulRegion, SpreadsThroughThinCells) {
   }
   StarCache stars(t);
   SpacingCache spacings(t, stars);
-  const DoubtfulRegion poor = find_doubtful_region(t, marks, stars, spacings);
+  const DoubtfulRegion poor = find_doubtful_region(t, marks, stars, spacings, t.num_cells(), 0);
   for (const int thin_support : {1, 2, 3}) {
     const auto is_thin = [&](CellId c) {
       int good = 0;
@@ -105,11 +105,11 @@ TEST(DoubtfulRegion, LeavesLargeClumpsOnly) {
   StarCache stars(t);
   SpacingCache spacings(t, stars);
   const std::size_t all = t.num_finite_cells();
-  const DoubtfulRegion asked = find_doubtful_region(t, marks, stars, spacings, all);
+  const DoubtfulRegion asked = find_doubtful_region(t, marks, stars, spacings, all, 0);
   EXPECT_EQ(asked.undecided.size(), all);
   EXPECT_EQ(asked.left_cells, 0U);
   EXPECT_EQ(asked.vertices.size(), t.num_vertices());
-  const DoubtfulRegion left = find_doubtful_region(t, marks, stars, spacings, all - 1);
+  const DoubtfulRegion left = find_doubtful_region(t, marks, stars, spacings, all - 1, 0);
   EXPECT_TRUE(left.undecided.empty());
   EXPECT_EQ(left.left_cells, all);
   EXPECT_TRUE(left.vertices.empty());
@@ -118,9 +118,9 @@ TEST(DoubtfulRegion, LeavesLargeClumpsOnly) {
   for (const VertexId v : t.vertices()) {
     marks.good[v] = t.point(v).x > 0.3 && t.point(v).x < 0.6 ? 1 : 0;
   }
-  const DoubtfulRegion small = find_doubtful_region(t, marks, stars, spacings);
+  const DoubtfulRegion small = find_doubtful_region(t, marks, stars, spacings, t.num_cells(), 0);
   const DoubtfulRegion some =
-      find_doubtful_region(t, marks, stars, spacings, small.undecided.size() / 2);
+      find_doubtful_region(t, marks, stars, spacings, small.undecided.size() / 2, 0);
   EXPECT_GT(some.left_cells, small.undecided.size() / 2);
   EXPECT_GT(some.undecided.size(), 0U);
   EXPECT_EQ(some.left_cells + some.undecided.size(), small.undecided.size());
@@ -141,7 +141,7 @@ TEST(DoubtfulRegion, IsExtendedToWhatItWouldBe) {
   }
   StarCache stars(t);
   SpacingCache spacings(t, stars);
-  DoubtfulRegion extended = find_doubtful_region(t, marks, stars, spacings);
+  DoubtfulRegion extended = find_doubtful_region(t, marks, stars, spacings, t.num_cells(), 0);
   const std::vector<CellId> undecided = extended.undecided;
   more.push_back(more.front());
   std::reverse(more.begin(), more.end());
@@ -149,7 +149,7 @@ TEST(DoubtfulRegion, IsExtendedToWhatItWouldBe) {
   for (const VertexId v : t.vertices()) {
     if (v.value % 5 == 0) marks.good[v] = 0;
   }
-  const DoubtfulRegion expected = find_doubtful_region(t, marks, stars, spacings);
+  const DoubtfulRegion expected = find_doubtful_region(t, marks, stars, spacings, t.num_cells(), 0);
   EXPECT_EQ(extended.vertices, expected.vertices);
   EXPECT_EQ(extended.cells, expected.cells);
   EXPECT_EQ(extended.undecided, undecided);
