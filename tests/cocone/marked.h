@@ -1,0 +1,24 @@
+// The surface of some points, and the marks that it gives.
+#pragma once
+
+#include <vector>
+
+#include "cocone/mark_cells.h"
+#include "tests/cocone/stages.h"
+
+namespace cocoon {
+
+struct Marked {
+  explicit Marked(const std::vector<Point>& points) : s(points), labels(s.labels()) {
+    const LinkedFacets triangles = s.surface(labels);
+    marks = mark_cells(s.triangulation, triangles, labels.boundary);
+    surface = triangles.set;
+  }
+
+  Stages s;
+  BoundarySamples labels;
+  FacetSet surface;
+  CellMarks marks;
+};
+
+}  // namespace cocoon
