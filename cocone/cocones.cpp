@@ -73,10 +73,4 @@ Cocones intersect_cocones(const Triangulation& triangulation, ConeSides sides,
   return cocones;
 }
 
-unsigned Cocones::row(FacetId f) const {
-  const auto place = std::lower_bound(facets.begin(), facets.end(), f);
-  if (place == facets.end() || *place != f) return 0;
-  return rows[static_cast<std::size_t>(place - facets.begin())];
-}
-
 }  // namespace cocoon

@@ -41,8 +41,6 @@ struct Cocones {
     const unsigned row = rows[k];
     return (row >> places[0] & 1U) | (row >> places[1] & 1U) << 1 | (row >> places[2] & 1U) << 2;
   }
-  // The bits of a facet, given by its canonical id; 0 if it is not in the list. O(log facets).
-  unsigned row(FacetId f) const;
 };
 
 // Tests all dual edges, segments by their two ends, rays by their origin and direction: no case is

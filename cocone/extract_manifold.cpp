@@ -1,7 +1,6 @@
 #include "cocone/extract_manifold.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -332,7 +331,6 @@ ManifoldSurface extract(const Triangulation& triangulation, LinkedFacets candida
   for (const auto& [from, to] : moves_into_places(off_surface)) {
     surface.halves[to] = surface.halves[from];
   }
-  surface.dropped = surface.halves.size() - surface.triangles.size();
   surface.halves.resize(surface.triangles.size());
   report_progress(execution, "extract_manifold", 1);
   return surface;

@@ -32,7 +32,6 @@ struct ManifoldSurface {
   std::vector<FacetId> halves;
   std::size_t walks = 0;     // connected pieces
   std::size_t unwalked = 0;  // candidates on no walk and apart from all: kept as they are
-  std::size_t dropped = 0;   // candidates not on the surface
   // Times that a walk met a facet it had taken from its other side: 0 where the surface has two
   // sides, small where the candidates are torn, large where the surface is one-sided.
   std::size_t back_contacts = 0;

@@ -47,7 +47,6 @@ OrientationReport orient_surface(TriangleMesh& mesh, const EdgeComponents& found
   require_size("orient_surface", "triangles in components", found.component_of.size(),
                mesh.triangles.size());
   OrientationReport report;
-  report.components = found.components.size();
   bool any_turned = false;
   for (const EdgeComponent& component : found.components) {
     report.non_orientable += component.is_contradictory ? 1U : 0U;

@@ -9,9 +9,10 @@
 namespace cocoon {
 
 struct OrientationReport {
-  std::size_t components = 0;      // connected through edges with exactly two triangles
-  std::size_t flipped = 0;         // triangles turned around
-  std::size_t non_orientable = 0;  // components left as they were: one-sided, like a Moebius strip
+  std::size_t flipped = 0;  // triangles turned around
+  // Components, connected through edges with exactly two triangles, that were left as they were:
+  // one-sided, like a Moebius strip.
+  std::size_t non_orientable = 0;
 };
 
 // Turns triangles around (corners two and three change places, ids stay) until any two that share

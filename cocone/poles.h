@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 
 #include "cocone/facet_set.h"
 #include "cocone/samples/cone_sides.h"
@@ -53,14 +52,5 @@ Poles compute_poles(const Triangulation& triangulation, const Dual& dual, double
 // Both of a triangulation whose dual is not known yet: the first pass makes a lean one on its way.
 Poles compute_poles(const Triangulation& triangulation, double cosine, Dual& dual, ConeSides& sides,
                     const Execution& execution = {});
-
-// The direction of the sum of k unit normals; if that is shorter than 0.1 k, the principal
-// eigenvector instead.
-struct HullNormal {
-  Vec3 normal;
-  bool degenerate = false;
-};
-// `directions` is sorted on the way, so that the sum does not depend on its order.
-HullNormal hull_normal(std::span<Vec3> directions);
 
 }  // namespace cocoon

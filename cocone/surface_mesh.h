@@ -27,8 +27,8 @@ struct SurfaceMesh {
 SurfaceMesh surface_of(const Triangulation& triangulation, std::span<const FacetId> halves,
                        const Execution& execution = {});
 
-// Overload for callers that already have the canonical halves of the triangles: saves a pass over
-// all cells.
+// Overload for callers that have the triangles with their corners: saves a look at the cell of
+// each. `halves`: of each triangle, at its place.
 SurfaceMesh surface_of(const Triangulation& triangulation, LinkedFacets triangles,
                        std::span<const FacetId> halves, const Execution& execution = {});
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "cocone/samples/hull_normal.h"
+
 namespace cocoon::ref {
 namespace {
 

@@ -16,19 +16,19 @@ class Cluster {
 
   CellCluster run(CellId first, double deep_cosine, std::size_t most_cells) {
     const bool too_large = !collect(first, deep_cosine, most_cells);
-    const std::size_t core = cells_.size();
+    const std::size_t core = cells_.size();  // without the slivers
     for (const CellId c : cells_) {
       known_[c] = too_large ? ClusterSize::too_large : ClusterSize::small;
       if (too_large) state_[c] = untouched;
     }
-    if (too_large) return {std::move(cells_), core, true};
+    if (too_large) return {std::move(cells_), true};
     find_samples();
     for (std::size_t k = 0; k < core; ++k) {
       for (int i = 0; i < 4; ++i) take_if_enclosed(triangulation_.neighbor(cells_[k], i));
     }
     for (const CellId c : cells_) state_[c] = untouched;
     for (const CellId c : left_) state_[c] = untouched;
-    return {std::move(cells_), core, false};
+    return {std::move(cells_), false};
   }
 
  private:

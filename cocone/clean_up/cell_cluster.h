@@ -18,8 +18,7 @@ enum class ClusterSize : std::uint8_t { unknown = 0, small, too_large };
 
 struct CellCluster {
   std::vector<CellId> cells;
-  std::size_t core = 0;    // the first ones, without the slivers
-  bool too_large = false;  // more than asked for: some cells of the core only
+  bool too_large = false;  // more than asked for: some cells only, and no slivers
 };
 
 // The finite cells on the side of `first` (equal out[c]) that hang together with it by facets
@@ -27,7 +26,7 @@ struct CellCluster {
 // slivers: cells on that side between samples of the cluster that hang together with the rest of
 // the side by the cluster only. A hole of which only the rims are sampled is one cluster, since two
 // parallel circles of samples lie on one ball. To hang together is an equivalence, so a cell whose
-// cluster is known to be too large ends the search; `known` is told of the cells of the core.
+// cluster is known to be too large ends the search; `known` is told of all but the slivers.
 // Precondition: `first` is finite; what is known was found with the same cosine and most_cells.
 // `scratch` is zero for every cell, before and after. Complexity: O(k log k) for k cells, at most
 // most_cells and those at the facets of the cluster included. Deterministic as a set: a function of

@@ -80,16 +80,15 @@ class CellEnergy {
   // If that is more than `limit`, some number above the limit. Told from the facets, edges and
   // vertices of the set. Precondition: finite cells, all different. Complexity: O(stars).
   Energy change(std::span<const CellId> cells, Energy limit = std::numeric_limits<Energy>::max());
-  // A bound that no change falls below, told from the facets and edges: of cell c; of c with the
-  // finite cell behind its facet i, if both are on one side; of cells on one side. Vertices count
-  // as if the flip healed whatever is wrong there. If a set's bound is more than `limit`, some
-  // bound above the limit. O(1) for each cell and vertex that was asked about since the last flip
-  // at it.
+  // A bound that no change falls below, told from the facets and edges: of cell c; of cells on one
+  // side. Vertices count as if the flip healed whatever is wrong there. If a set's bound is more
+  // than `limit`, some bound above the limit. O(1) for each cell and vertex that was asked about
+  // since the last flip at it.
   Energy least_change(CellId c);
-  Energy least_change_with(CellId c, int i);
   Energy least_change(std::span<const CellId> cells,
                       Energy limit = std::numeric_limits<Energy>::max());
-  // The first two for one cell and all its neighbors, which have much in common.
+  // The same for one cell alone, and with the finite cell behind its facet i, if both are on one
+  // side: these have much in common.
   class BoundsOfCell;
   // Is a facet of the cell on the surface? O(1).
   bool is_at_surface(CellId c) const;
@@ -218,8 +217,5 @@ class CellEnergy::BoundsOfCell {
 };
 
 inline Energy CellEnergy::least_change(CellId c) { return BoundsOfCell(*this, c).alone(); }
-inline Energy CellEnergy::least_change_with(CellId c, int i) {
-  return BoundsOfCell(*this, c).with(i);
-}
 
 }  // namespace cocoon

@@ -1,7 +1,6 @@
 #include "cocone/facets/corner_normals.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "geom/lanes/vector_dispatch.h"

@@ -3,7 +3,6 @@
 // geom/mesh/halfedges.h.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>

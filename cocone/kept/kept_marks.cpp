@@ -1,7 +1,6 @@
 #include "cocone/kept/kept_marks.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "cocone/kept/good_parts.h"

@@ -21,11 +21,12 @@ namespace cocoon {
 void collect_neighbors(const TriangulationView& triangulation, std::span<const CellId> star,
                        VertexId v, std::vector<VertexId>& neighbors);
 
-// Room for the work at one sample, to be used for the next.
+// From a sample to another one, with the square of its length.
 struct ShortEdge {
   double square;
   VertexId to;
 };
+// Room for the work at one sample, to be used for the next.
 using SpacingBuffer = std::vector<ShortEdge>;
 
 // Of v, from the lengths of that many shortest edges (at least one). In units of the coordinates;

@@ -61,7 +61,7 @@ TEST(CellEnergy, NoChangeIsLessThanItsBound) {
         for (int i = 0; i < 4; ++i) {
           const CellId d = t.neighbor(c, i);
           if (t.is_infinite(d) || labeling.out[c] != labeling.out[d]) continue;
-          const Energy least = energy.least_change_with(c, i);
+          const Energy least = CellEnergy::BoundsOfCell(energy, c).with(i);
           EXPECT_EQ(least, energy.least_change(std::array{c, d}));
           EXPECT_LE(least, energy.change(std::array{c, d}));
           exact += least == energy.change(std::array{c, d}) ? 1U : 0U;
