@@ -1,6 +1,7 @@
 #include "io/float_rounding.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "geom/arrays/median.h"
@@ -35,12 +36,19 @@ std::size_t count_places(const std::vector<Point>& points) {
   return places.size();
 }
 
+// Also where squares are too small for doubles.
+double length(const Point& a, const Point& b) {
+  constexpr double safe = 1e-140;
+  const double d = distance(a, b);
+  return d > safe ? d : std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
 double median_side(const TriangleMesh& mesh) {
   std::vector<double> lengths;
   lengths.reserve(3 * mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
-      lengths.push_back(distance(mesh.points[t[i]], mesh.points[t[(i + 1) % 3]]));
+      lengths.push_back(length(mesh.points[t[i]], mesh.points[t[(i + 1) % 3]]));
     }
   }
   return median(std::move(lengths));
@@ -55,9 +63,9 @@ FloatRounding float_rounding(const TriangleMesh& mesh) {
   moved.reserve(corners.size());
   for (const Point& p : corners) {
     moved.push_back(rounded(p));
-    result.largest_move = std::max(result.largest_move, distance(p, moved.back()));
+    result.largest_move = std::max(result.largest_move, length(p, moved.back()));
   }
-  if (result.largest_move == 0) return result;
+  if (moved == corners) return result;
   const std::size_t places = count_places(moved);
   if (places < corners.size()) result.merged_vertices = count_places(corners) - places;
   result.median_edge = median_side(mesh);

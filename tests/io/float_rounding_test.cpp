@@ -51,6 +51,19 @@ TEST(FloatRounding, MovesAreMeasuredByTheMedianEdge) {
   EXPECT_TRUE(float_rounding(mesh).is_noticeable());
 }
 
+// Their squares, and those of the moves, are no doubles.
+TEST(FloatRounding, TinyMeshesFallTogether) {
+  for (const double size : {1e-170, 1e-300}) {
+    TriangleMesh mesh = tetrahedron_at(0);
+    for (Point& p : mesh.points) p = size * p;
+    const FloatRounding rounding = float_rounding(mesh);
+    EXPECT_EQ(rounding.merged_vertices, 3U);
+    EXPECT_DOUBLE_EQ(rounding.largest_move, 16 * size);
+    EXPECT_DOUBLE_EQ(rounding.median_edge, std::sqrt(257.0) * size);
+    EXPECT_TRUE(rounding.is_noticeable());
+  }
+}
+
 TEST(FloatRounding, WritersOfFloatsTellIt) {
   const TemporaryFolder folder;
   const TriangleMesh mesh = tetrahedron_at(0x1p24);
