@@ -292,7 +292,9 @@ class XyzReader {
   // A whole number alone on the first line.
   bool read_count(std::string_view line) {
     std::int64_t count = 0;
-    Fields fields(line.substr(0, line.find('#')));
+    std::size_t end = 0;  // where a comment begins
+    while (end < line.size() && !is_comment(&line[end], line.data() + line.size())) ++end;
+    Fields fields(line.substr(0, end));
     if (cloud_.announced || !fields.integer(count) || !fields.done() || count < 0) return false;
     cloud_.announced = static_cast<std::size_t>(count);
     count_line_ = lines_.number();

@@ -402,6 +402,10 @@ TEST(BadInput, FormatsThatAreNotReadAreNamed) {
   EXPECT_TRUE(told("scan.las"));
   EXPECT_TRUE(told("scan.E57"));
   EXPECT_FALSE(told("scan.docx"));
+  for (const char* name : {"scan.xyz.gz", "scan.ZIP", "mesh.ply.zst"}) {
+    expect_error(run_program({"reconstruct", folder.write(name, "PK"), "-o", folder.file("m.ply")}),
+                 1, "unpack it first");
+  }
 }
 
 }  // namespace

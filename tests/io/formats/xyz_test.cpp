@@ -37,6 +37,8 @@ TEST_F(Xyz, CountsAndHeaders) {
   const PointCloud counted = read("2\n1 2 3 7\n4 5 6\n");
   EXPECT_EQ(counted.points, two);
   EXPECT_EQ(counted.announced, 2U);
+  EXPECT_EQ(read("2 // points\n1 2 3\n4 5 6\n").announced, 2U);
+  EXPECT_EQ(read("2 # points // or so\n1 2 3\n4 5 6\n").announced, 2U);
   EXPECT_EQ(counted.columns, 4U);
   EXPECT_EQ(counted.header, "");
   EXPECT_EQ(read("X Y Z Red\n1 2 3 7\n4 5 6 8\n").header, "X Y Z Red");
