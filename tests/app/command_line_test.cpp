@@ -140,6 +140,9 @@ TEST(CommandLine, RequirementsAreAListOfWords) {
       {"check", "m.ply", "--require", "closed,manifold,oriented", "--self-intersections"});
   EXPECT_EQ(check.required, (std::vector<std::string>{"closed", "manifold", "oriented"}));
   EXPECT_TRUE(check.self_intersections);
+  const auto before = parsed<CheckArguments>({"check", "--require", "closed", "m.ply"});
+  EXPECT_EQ(before.required, (std::vector<std::string>{"closed"}));
+  EXPECT_EQ(before.mesh, "m.ply");
   EXPECT_EQ(parsed<CheckArguments>({"check", "m.ply", "--handles", "3"}).handles, 3U);
 }
 
@@ -331,6 +334,7 @@ TEST(CommandLine, WrongOnesAreUsageErrorsOfOneLine) {
       {"compare", "a.ply", "b.ply", "--samples", "-1"},
       {"compare", "a.ply", "b.ply", "--samples", ""},
       {"compare", "a.ply", "b.ply", "--samples", "18446744073709551626"},
+      {"compare", "a.ply", "b.ply", "--samples", "100000001"},
       {"watch", "m.ply", "scans", "-o", "u.ply", "--save-every", "-1"},
       {"watch", "m.ply", "scans", "-o", "u.ply", "--save-every", ""},
       {"reconstruct", "a.xyz", "-o", "a.ply", "--noise-neighbors", ""},
