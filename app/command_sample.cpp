@@ -11,11 +11,17 @@ namespace cocoon::app {
 
 void run_sample(const SampleArguments& arguments, Job& job) {
   const std::string folder = arguments.folder.empty() ? arguments.name : arguments.folder;
-  make_folder(folder);
-  require_outputs(job, {{in_folder(folder, "initial.xyz")},
-                        {in_folder(folder, "cloud-1.xyz")},
-                        {in_folder(folder, "truth.ply")},
-                        {in_folder(folder, "replaced.txt")}});
+  const OutputFolder made(folder);
+  const auto cloud_file = [&](std::size_t c) {
+    return in_folder(folder, fmt::format("cloud-{}.xyz", c + 1));
+  };
+  std::vector<OutputFile> outputs = {{in_folder(folder, "initial.xyz")},
+                                     {in_folder(folder, "truth.ply")},
+                                     {in_folder(folder, "replaced.txt")}};
+  for (std::size_t c = 0; c < sample_cloud_count(arguments.name); ++c) {
+    outputs.push_back({cloud_file(c)});
+  }
+  require_outputs(job, outputs);
   SampleOptions options;
   options.points = arguments.points;
   options.cloud_points = arguments.cloud_points;
@@ -27,8 +33,7 @@ void run_sample(const SampleArguments& arguments, Job& job) {
   timed(job.execution(), "write", [&] {
     write_points(in_folder(folder, "initial.xyz"), model.initial, {}, job.outputs());
     for (std::size_t c = 0; c < model.clouds.size(); ++c) {
-      write_points(in_folder(folder, fmt::format("cloud-{}.xyz", c + 1)), model.clouds[c], {},
-                   job.outputs());
+      write_points(cloud_file(c), model.clouds[c], {}, job.outputs());
     }
     write_mesh(in_folder(folder, "truth.ply"), model.truth, {}, job.outputs());
     std::string replaced;
@@ -47,8 +52,7 @@ void run_sample(const SampleArguments& arguments, Job& job) {
   job.say_outputs("{}: {} initial points -> {}", arguments.name, model.initial.size(),
                   in_folder(folder, "initial.xyz"));
   for (std::size_t c = 0; c < model.clouds.size(); ++c) {
-    job.say_outputs("cloud {}: {} points -> {}", c + 1, model.clouds[c].size(),
-                    in_folder(folder, fmt::format("cloud-{}.xyz", c + 1)));
+    job.say_outputs("cloud {}: {} points -> {}", c + 1, model.clouds[c].size(), cloud_file(c));
   }
   job.say_outputs("true updated surface: {} triangles -> {}", model.truth.triangles.size(),
                   in_folder(folder, "truth.ply"));

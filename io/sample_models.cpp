@@ -138,19 +138,11 @@ std::vector<Point> scan_of(const ImplicitSolid& solid, const TriangleMesh& surfa
   return cloud;
 }
 
-}  // namespace
-
-std::vector<std::string> sample_model_names() {
-  std::vector<std::string> names;
-  for (const NamedDesign& design : designs) names.emplace_back(design.name);
-  return names;
-}
-
-SampleModel sample_model(std::string_view name, const SampleOptions& options,
-                         const Execution& execution) {
+// Throws InputError for a name that is not known.
+SampleModelDesign design_of(std::string_view name) {
   std::string known;
   for (const NamedDesign& design : designs) {
-    if (design.name == name) return sample_design(design.make(), options, execution);
+    if (design.name == name) return design.make();
     known += (known.empty() ? "" : ", ") + std::string(design.name);
   }
   throw InputError("there is no sample model \"" + std::string(name) +
@@ -197,6 +189,23 @@ SampleModel sample_design(const SampleModelDesign& design, const SampleOptions& 
         scan_of(design.after, model.truth, scan, counts[k], options, random, execution));
   }
   return model;
+}
+
+}  // namespace
+
+std::vector<std::string> sample_model_names() {
+  std::vector<std::string> names;
+  for (const NamedDesign& design : designs) names.emplace_back(design.name);
+  return names;
+}
+
+std::size_t sample_cloud_count(std::string_view name) {
+  return design_of(name).cloud_points.size();
+}
+
+SampleModel sample_model(std::string_view name, const SampleOptions& options,
+                         const Execution& execution) {
+  return sample_design(design_of(name), options, execution);
 }
 
 }  // namespace cocoon

@@ -48,7 +48,7 @@ struct SampleOptions {
 
 struct SampleModel {
   std::vector<Point> initial;              // samples of the surface before the change
-  std::vector<std::vector<Point>> clouds;  // scans of what the change made of it, see sample_design
+  std::vector<std::vector<Point>> clouds;  // scans of what the change made of it, see sample_model
   TriangleMesh truth;                      // the surface after the change: closed, oriented outward
   // The initial points, in increasing order, whose place on the old surface (before jitter) is not
   // on the new one.
@@ -58,24 +58,23 @@ struct SampleModel {
 // The names that sample_model knows.
 std::vector<std::string> sample_model_names();
 
-// Makes the model `name`: sample_design() of its design.
-// Throws InputError for a name it does not know (the message lists those it does), and as
-// sample_design() does. Source of models and counts: Woo & Dey 2005, section 4.
-SampleModel sample_model(std::string_view name, const SampleOptions& options = {},
-                         const Execution& execution = {});
+// How many clouds a model has. Throws InputError for a name that is not known.
+std::size_t sample_cloud_count(std::string_view name);
 
-// Samples a design: exactly the wanted numbers of points, evenly spread (blue noise).
+// Makes the model `name`: exactly the wanted numbers of points, evenly spread (blue noise).
 // A cloud is what a careful operator scans, the change and not much else: the places of the new
 // surface that are closer to the initial points which the change makes wrong, by a ratio of 0.65,
 // than to the others (and those farther from the old surface than 0.3 of the initial spacing in any
 // case). Its outline thus runs between the wrong points and the right ones, on places that the
 // change has left as they were or nearly so: an update that works removes exactly the wrong ones.
-// Throws InputError for fewer than four points in a cloud or more than most_sample_points,
-// Cancelled, and InputError for a jitter that is not in [0, 1], and if none or all of the initial
-// points lie in one of the changes. Complexity: O(n log n) for n points, and the polygonization of
-// two solids, a few seconds at most. Deterministic: a function of design and options, the same bits
-// on every machine if the design uses nothing but correctly rounded operations.
-SampleModel sample_design(const SampleModelDesign& design, const SampleOptions& options = {},
-                          const Execution& execution = {});
+// Throws InputError for a name it does not know (the message lists those it does), for fewer than
+// four points in a cloud or more than most_sample_points, Cancelled, and InputError for a jitter
+// that is not in [0, 1], and if none or all of the initial points lie in one of the changes.
+// Complexity: O(n log n) for n points, and the polygonization of two solids, a few seconds at most.
+// Deterministic: a function of design and options, the same bits on every machine if the design
+// uses nothing but correctly rounded operations. Source of models and counts: Woo & Dey 2005,
+// section 4.
+SampleModel sample_model(std::string_view name, const SampleOptions& options = {},
+                         const Execution& execution = {});
 
 }  // namespace cocoon

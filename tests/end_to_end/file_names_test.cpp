@@ -85,6 +85,15 @@ TEST_F(TwoNames, OnlyWhatIsNumberedIsAFileOfASession) {
   }
 }
 
+// As many as the model has.
+TEST_F(TwoNames, CloudsOfAModelAreOutputs) {
+  expect_error(run_program({"sample", "airbag", "-o", "ab", "--json", "ab/cloud-3.xyz"}), 2,
+               "ab/cloud-3.xyz: two outputs cannot be the same file");
+  const ProgramRun run =
+      run_program({"sample", "block", "-o", "b", "--points", "2000", "--json", "b/cloud-2.xyz"});
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+}
+
 // The report goes there.
 TEST_F(TwoNames, StandardOutputIsNoOutputBesideTheReport) {
   fs::create_symlink("/dev/stdout", "w.ply");

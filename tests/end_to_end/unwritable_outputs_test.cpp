@@ -57,6 +57,8 @@ TEST_F(UnwritableOutputs, LinksIntoMissingFolders) {
                                      "; make it first");
   }
   EXPECT_FALSE(fs::exists(good));
+  EXPECT_FALSE(fs::exists(folder.file("block")));  // nor is an empty folder left behind
+  EXPECT_FALSE(fs::exists(folder.file("demo")));
 }
 
 // To replace a file needs its folder, not the file.
