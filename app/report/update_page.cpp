@@ -362,8 +362,8 @@ PageTable angle_table(const UpdateRecord& record) {
       table.rows.push_back({word(numbers_told(record, c)), number(group.region.index()),
                             number(record.result.regions.regions[group.region].facets),
                             group.mean_angle_deg(),
-                            word(verdict_on(group, record.result.islands, record.overrides,
-                                            record.result.clouds[c].is_told_by_samples))});
+                            word(verdict_on(group, record.result.clouds[c], record.result.islands,
+                                            record.overrides))});
     }
   }
   return table;
@@ -412,8 +412,8 @@ PageTable time_table(const std::vector<StageTime>& timings) {
 
 std::vector<std::string> verdicts_of(const MeshReport& surface) {
   std::vector<std::string> verdicts;
-  verdicts.emplace_back(surface.open_edges == 0 ? "closed" : "open");
-  const bool manifold = surface.overfull_edges == 0 && surface.pinched_vertices == 0;
+  verdicts.emplace_back(surface.watertight ? "closed" : "open");
+  const bool manifold = surface.edge_manifold && surface.vertex_manifold;
   verdicts.emplace_back(manifold ? "manifold" : "not manifold");
   verdicts.push_back(counted(surface.components, "component"));
   return verdicts;

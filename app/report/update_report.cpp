@@ -196,14 +196,15 @@ std::vector<std::size_t> numbers_of(const std::vector<RegionId>& regions) {
   return numbers;
 }
 
-std::string verdict_on(const RegionVerdict& group, std::span<const RegionId> islands,
-                       const RegionOverrides& overrides, bool by_samples) {
+std::string verdict_on(const RegionVerdict& group, const CloudReport& cloud,
+                       std::span<const RegionId> islands, const RegionOverrides& overrides) {
   const std::string verdict = group.under_cloud ? "replaced" : "kept";
   if (overrides.names(group.region)) return verdict + ", as was said";
   const bool contradicted =
       group.under_cloud && std::find(islands.begin(), islands.end(), group.region) != islands.end();
   if (contradicted) return verdict + ": samples off the model lie over it";
-  return verdict + (by_samples ? ", as its samples tell" : "");
+  if (cloud.is_told_by_samples) return verdict + ", as its samples tell";
+  return verdict + (cloud.is_told_by_sure_angles ? ", as sure angles tell" : "");
 }
 
 void add_update(JsonReport& report, const UpdateRecord& record) {
@@ -256,8 +257,7 @@ void say_update(Job& job, const UpdateRecord& record) {
     for (const std::string& note : notes_of_cut(cloud.cut)) job.say("  {}", note);
     for (const RegionVerdict& group : cloud.groups) {
       job.say("  group {}: mean angle {:.2f} degrees, {}", group.region.value,
-              group.mean_angle_deg(),
-              verdict_on(group, result.islands, record.overrides, cloud.is_told_by_samples));
+              group.mean_angle_deg(), verdict_on(group, cloud, result.islands, record.overrides));
     }
   }
   job.say("{} of {} groups replaced: {} points out, {} points in all",

@@ -39,10 +39,9 @@ std::string topology_change(const UpdateResult& result);
 // As the report numbers them.
 std::vector<std::size_t> numbers_of(const std::vector<RegionId>& regions);
 
-// "kept" or "replaced", and why if not for its angle. `by_samples`:
-// CloudReport::is_told_by_samples.
-std::string verdict_on(const RegionVerdict& group, std::span<const RegionId> islands,
-                       const RegionOverrides& overrides = {}, bool by_samples = false);
+// "kept" or "replaced", and why if not for its angle. `cloud`: what it is the verdict of.
+std::string verdict_on(const RegionVerdict& group, const CloudReport& cloud,
+                       std::span<const RegionId> islands, const RegionOverrides& overrides = {});
 
 // The sections "input", "delaunay", "surface" and "update".
 void add_update(JsonReport& report, const UpdateRecord& record);

@@ -158,7 +158,7 @@ TEST(UpdatePage, AnglesComeWithTheVerdictOfTheSummary) {
     ASSERT_EQ(table.rows.size(), groups.size());
     for (std::size_t k = 0; k < groups.size(); ++k) {
       EXPECT_EQ(std::get<std::string>(table.rows[k].back()),
-                verdict_on(groups[k], sphere.result.islands));
+                verdict_on(groups[k], sphere.result.clouds[0], sphere.result.islands));
     }
   };
   expect_verdicts();
@@ -167,17 +167,36 @@ TEST(UpdatePage, AnglesComeWithTheVerdictOfTheSummary) {
   expect_verdicts();
 }
 
+// As the certificate has it: a crossing of four sheets may be as closed as any other edge.
+TEST(UpdatePage, VerdictsAreThoseOfTheCertificate) {
+  UpdatedSphere sphere;
+  sphere.certificate = MeshReport();
+  EXPECT_EQ(sphere.page().verdicts[0], "open");  // no triangle
+  sphere.certificate.watertight = true;
+  sphere.certificate.edge_manifold = sphere.certificate.vertex_manifold = true;
+  EXPECT_EQ(sphere.page().verdicts[0], "closed");
+  EXPECT_EQ(sphere.page().verdicts[1], "manifold");
+  EXPECT_EQ(sphere.page().warnings, (std::vector<std::string>{"one of reading"}));
+}
+
 TEST(UpdateReport, VerdictsSayWhyAGroupGoes) {
   RegionVerdict group;
   group.region = RegionId(3);
+  const CloudReport cloud;
+  CloudReport by_samples;
+  by_samples.is_told_by_samples = true;
+  CloudReport by_sure_angles;
+  by_sure_angles.is_told_by_sure_angles = true;
   const std::vector<RegionId> islands = {RegionId(1), RegionId(3)};
-  EXPECT_EQ(verdict_on(group, islands), "kept");
-  EXPECT_EQ(verdict_on(group, {}, {.kept = {RegionId(3)}}), "kept, as was said");
+  EXPECT_EQ(verdict_on(group, cloud, islands), "kept");
+  EXPECT_EQ(verdict_on(group, cloud, {}, {.kept = {RegionId(3)}}), "kept, as was said");
   group.under_cloud = true;
-  EXPECT_EQ(verdict_on(group, {}), "replaced");
-  EXPECT_EQ(verdict_on(group, {}, {}, true), "replaced, as its samples tell");
-  EXPECT_EQ(verdict_on(group, islands), "replaced: samples off the model lie over it");
-  EXPECT_EQ(verdict_on(group, islands, {.replaced = {RegionId(3)}}), "replaced, as was said");
+  EXPECT_EQ(verdict_on(group, cloud, {}), "replaced");
+  EXPECT_EQ(verdict_on(group, by_samples, {}), "replaced, as its samples tell");
+  EXPECT_EQ(verdict_on(group, by_sure_angles, {}), "replaced, as sure angles tell");
+  EXPECT_EQ(verdict_on(group, cloud, islands), "replaced: samples off the model lie over it");
+  EXPECT_EQ(verdict_on(group, cloud, islands, {.replaced = {RegionId(3)}}),
+            "replaced, as was said");
 }
 
 // Vertices that are no input points, as --manifold adds them.
