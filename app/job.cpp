@@ -67,18 +67,22 @@ std::vector<StageTime> Job::timings() const {
   return result;
 }
 
-void Job::finish(const std::string& copy_of_report) {
-  warn_of_rounding(outputs_);
+void Job::complete_report() {
   report_.set_empty_array("warnings");
   for (const std::string& warning : warnings_) report_.append("warnings", warning);
   for (const StageTime& time : timings()) report_.set("timings_s/" + time.stage, time.seconds);
   report_.set("timings_s/total", clock_.total_seconds());
+  report_.set("peak_memory_bytes", peak_memory_bytes());
+}
+
+void Job::finish(const std::string& copy_of_report) {
+  warn_of_rounding(outputs_);
+  complete_report();
   if (shared_.verbose) {
     for (const StageTime& time : clock_.times())
       say("  {:<45} {:9.3f} s", time.stage, time.seconds);
     say("  {:<45} {:9.3f} s", "total", clock_.total_seconds());
   }
-  report_.set("peak_memory_bytes", peak_memory_bytes());
   progress_line_.clear();
   const std::string text = report_.text();
   flush_output();  // the report may go to the same place by another name: /dev/stdout

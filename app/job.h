@@ -50,7 +50,10 @@ class Job {
   // Seconds of each outermost stage so far; what runs nested in it is part of it.
   std::vector<StageTime> timings() const;
 
-  // The last step of a command: adds timings and memory to the report, writes it where the user
+  // Adds warnings, timings and memory to the report, as they are now.
+  void complete_report();
+
+  // The last step of a command: completes the report, writes it where the user
   // wants it and to a second file that the command wants, and puts all outputs in place. Throws
   // FileError if one cannot be written, standard output included; then the old files are as they
   // were.

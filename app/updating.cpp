@@ -393,8 +393,10 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
       write_file(output.map, map_text(map_of_file(input, result.vertex_map)), job.outputs());
     }
     if (!output.html.empty()) {
-      write_file(output.html, html_page(update_page(record, job.timings()), job.report()),
-                 job.outputs());
+      job.warn_of_rounding(*job.outputs());
+      job.complete_report();
+      const ReportPage page = update_page(record, job.timings(), job.warnings());
+      write_file(output.html, html_page(page, job.report()), job.outputs());
     }
   });
   job.say_outputs("{} -> {}", surface_summary(certificate), output.mesh);

@@ -421,7 +421,8 @@ std::vector<std::string> verdicts_of(const MeshReport& surface) {
 
 }  // namespace
 
-ReportPage update_page(const UpdateRecord& record, const std::vector<StageTime>& timings) {
+ReportPage update_page(const UpdateRecord& record, const std::vector<StageTime>& timings,
+                       const std::vector<std::string>& warnings) {
   ReportPage page;
   page.title = "Cocoon: local mesh update";
   page.subtitle =
@@ -430,7 +431,7 @@ ReportPage update_page(const UpdateRecord& record, const std::vector<StageTime>&
   SceneBuilder(record, page).build();
   page.tables = {point_table(record), angle_table(record), rim_table(record), surface_table(record),
                  time_table(timings)};
-  page.warnings = record.result.warnings;
+  page.warnings = warnings;
   page.papers.assign(std::begin(papers), std::end(papers));
   return page;
 }

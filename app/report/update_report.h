@@ -55,7 +55,8 @@ void add_model(JsonReport& report, const ReconstructResult& reconstruction,
 void say_update(Job& job, const UpdateRecord& record);
 
 // The stages of the update one after the other, with tables of counts, angles and times. Needs the
-// deviation.
-ReportPage update_page(const UpdateRecord& record, const std::vector<StageTime>& timings);
+// deviation. `warnings`: those of the whole job.
+ReportPage update_page(const UpdateRecord& record, const std::vector<StageTime>& timings,
+                       const std::vector<std::string>& warnings);
 
 }  // namespace cocoon::app

@@ -34,7 +34,7 @@ struct UpdatedSphere {
     const Points vertices = result.mesh.points.raw();
     record.deviation.push_back(
         signed_distances(model, vertices.subspan(result.reconstruction.point_of_vertex.size())));
-    return update_page(record, {});
+    return update_page(record, {}, {"one of reading"});
   }
   // As two views that overlap, each of which sees somewhat more than a half.
   void divide_cloud() {
