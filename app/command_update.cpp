@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/console/interrupt.h"
 #include "app/files/carried_properties.h"
 #include "app/files/files.h"
 #include "app/files/model_file.h"
@@ -108,7 +109,8 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
 // Reads the session, updates it, and writes it back together with the mesh.
 void update_session(const UpdateArguments& arguments, const CloudFilter& filter, Job& job) {
   const LockFile lock(arguments.session);
-  const Execution quiet{job.execution().threads};
+  StopWhenInterrupted stop;
+  const Execution quiet{job.execution().threads, &stop};
   ResumedSession resumed;
   timed(job.execution(), "read", [&] {
     resume_session(arguments.session, load_session(arguments.session, quiet), arguments.parameters,

@@ -3,6 +3,10 @@
 // expects (status 130, 143 or 129).
 #pragma once
 
+#include <string_view>
+
+#include "geom/execution.h"
+
 namespace cocoon::app {
 
 // From now on the first of each of these signals is only noted; a second one ends the program at
@@ -11,6 +15,13 @@ namespace cocoon::app {
 void catch_interrupts();
 
 bool interrupted();
+
+// For stages that are part of another one: shows nothing, and asks to stop once the user has
+// interrupted the program.
+class StopWhenInterrupted : public Progress {
+ public:
+  bool report(std::string_view, double) override { return !interrupted(); }
+};
 
 // Ends the program by the signal that was noted. Precondition: interrupted().
 [[noreturn]] void end_by_interrupt();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "app/console/interrupt.h"
 #include "app/files/model_file.h"
 #include "app/files/session_file.h"
 #include "app/shapes/densify.h"
@@ -40,7 +41,8 @@ bool WatchedSession::begin() {
 }
 
 void WatchedSession::resume(const std::string& first_note) {
-  const Execution quiet{job_.execution().threads};
+  StopWhenInterrupted stop;
+  const Execution quiet{job_.execution().threads, &stop};
   SavedSession saved = load_session(file_, quiet);
   if (saved.notes.empty() || saved.notes.front() != first_note) {
     throw InputError(file_ + ": was begun with another model than " + arguments_.model +
