@@ -167,7 +167,8 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Reads the arguments of main(). Looks at no file. Throws UsageError.
+// Reads the arguments of main(). Looks at no file, but for what to say of an unknown option. Throws
+// UsageError.
 Request parse_command_line(int argc, const char* const* argv);
 
 }  // namespace cocoon::app

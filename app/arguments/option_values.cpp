@@ -2,9 +2,11 @@
 
 #include <cctype>
 #include <cstdint>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <string>
+#include <system_error>
 
 #include "app/command_line.h"
 #include "io/encoding/number_text.h"
@@ -56,13 +58,22 @@ void require_no_empty_values(const CLI::App& command) {
 }
 
 // What follows an option may be its value, so the option alone is named.
-std::string unexpected_told(const std::string& command, const std::vector<std::string>& extras) {
+std::string unexpected_told(const std::string& command, std::vector<std::string> extras) {
+  bool is_behind_mark = false;
   for (const std::string& extra : extras) {
-    if (extra.size() < 2 || extra.front() != '-') continue;
+    if (extra == "--") is_behind_mark = true;
+    if (extra == "--" || extra.size() < 2 || extra.front() != '-') continue;
     const std::string name = extra.substr(0, extra.find('='));
-    const char* hint = name == "--config" ? "; options are given on the command line alone" : "";
+    if (is_behind_mark) {
+      return fmt::format("{}takes what is behind -- for names of files; give {} before it", command,
+                         name);
+    }
+    std::string hint = name == "--config" ? "; options are given on the command line alone" : "";
+    std::error_code ignored;
+    if (std::filesystem::exists(extra, ignored)) hint = "; the file of that name is ./" + extra;
     return fmt::format("{}has no option {}{}", command, name, hint);
   }
+  std::erase(extras, "--");
   return fmt::format("{}has no place for {}", command, fmt::join(extras, " "));
 }
 

@@ -21,8 +21,9 @@ CLI::Validator without_leading_zeros();
 // for an option that is not given, an output would be missing in the end.
 void require_no_empty_values(const CLI::App& command);
 
-// What is wrong with arguments that the command ("cocoon check ") does not have, in one line.
-// Precondition: there is one.
-std::string unexpected_told(const std::string& command, const std::vector<std::string>& extras);
+// What is wrong with arguments that the command ("cocoon check ") does not have, in one line;
+// "--" may be among them. Precondition: there is another one. Looks whether there is a file of that
+// name.
+std::string unexpected_told(const std::string& command, std::vector<std::string> extras);
 
 }  // namespace cocoon::app
