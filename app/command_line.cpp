@@ -184,7 +184,8 @@ void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared)
                   "Write one line per vertex or point of MODEL: its new index, or -1; not for STL, "
                   "which keeps no numbers of vertices")
       ->type_name("FILE");
-  sub->add_option("--html", update.html, "Write a report that a browser opens offline")
+  sub->add_option("--html", update.html,
+                  "Write a report that a browser opens offline; - = standard output")
       ->type_name("FILE");
   add_manifold_option(*sub, update.manifold);
   add_groups(*sub, "--replace-groups", update.replaced_groups,
@@ -227,6 +228,13 @@ void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) 
   sub->add_flag("--once", watch.once, "Stop when all clouds that are there have been looked at");
   add_surface_options(*sub, watch.parameters, rho_of_clouds);
   add_cloud_filter(*sub, watch.filter);
+}
+
+// As --json has it; outputs whose name tells their format have no use for that.
+void settle_standard_output(UpdateArguments& update) {
+  for (std::string* file : {&update.map, &update.html}) {
+    if (*file == "-") *file = "/dev/stdout";
+  }
 }
 
 // Of the positional arguments the first is the model, unless a session has it. `command`: update.
@@ -386,6 +394,7 @@ Request parse_command_line(int argc, const char* const* argv) {
     }
     if (auto* update = std::get_if<UpdateArguments>(&line.command)) {
       settle_model(*app.get_subcommand("update"), *update);
+      settle_standard_output(*update);
     }
     require_use_of_writing(line.command);
     if (const auto* reconstruct = std::get_if<ReconstructArguments>(&line.command);

@@ -12,24 +12,27 @@ namespace cocoon::app {
 Job::Job(const std::string& command, const SharedArguments& shared)
     : shared_(shared),
       progress_line_(progress_style(shared.progress, shared.quiet)),
-      clock_(&progress_line_) {
+      clock_(&progress_line_),
+      is_silent_(shared.quiet || shared.json == "-") {
   report_.set("command", command);
   report_.set("version", COCOON_VERSION);
   report_.set("threads", thread_count(execution()));
 }
 
 void Job::say_line(const std::string& line) {
-  if (shared_.quiet || shared_.json == "-") return;
+  if (is_silent_) return;
+  const std::string shown = without_control_bytes(line) + "\n";
   if (lines_wait_) {
-    waiting_lines_ += line + "\n";
+    waiting_lines_ += shown;
     return;
   }
   progress_line_.clear();
-  print_output(line + "\n");
+  print_output(shown);
 }
 
 void Job::warn(const std::string& warning) {
   warnings_.push_back(warning);
+  if (unseen_warning_.empty() && (is_silent_ || lines_wait_)) unseen_warning_ = warning;
   say("warning: {}", warning);
 }
 
@@ -94,6 +97,7 @@ void Job::finish(const std::string& copy_of_report) {
   if (!copy_of_report.empty()) write_file(copy_of_report, text, outputs());
   print_output(waiting_lines_);
   flush_output();
+  if (!is_silent_) unseen_warning_.clear();
   outputs_.commit();
 }
 

@@ -23,8 +23,10 @@ class Job {
   Execution execution() { return {shared_.threads, &clock_}; }
   const StageClock& clock() const { return clock_; }
   JsonReport& report() { return report_; }
-  // One line of the summary for people, on standard output. Silent with --quiet, and when the JSON
-  // report goes to standard output.
+  // An output goes to standard output: nothing else may, from now on.
+  void keep_standard_output() { is_silent_ = true; }
+  // One line of the summary for people, on standard output. Silent with --quiet, and when an output
+  // goes there.
   template <class... Values>
   void say(fmt::format_string<Values...> format, Values&&... values) {
     say_line(fmt::format(format, std::forward<Values>(values)...));
@@ -39,6 +41,8 @@ class Job {
   // Such a line that begins with "warning: ", also kept for the reports.
   void warn(const std::string& warning);
   const std::vector<std::string>& warnings() const { return warnings_; }
+  // The first one that nobody has seen, which may explain why the command fails; empty: none.
+  const std::string& unseen_warning() const { return unseen_warning_; }
 
   // Where the outputs wait until all of them are complete.
   FileBatch* outputs() { return &outputs_; }
@@ -69,6 +73,8 @@ class Job {
   FileBatch outputs_;
   std::vector<std::string> warnings_;
   std::set<std::string> rounded_;  // files that were warned of
+  std::string unseen_warning_;
+  bool is_silent_;
   bool lines_wait_ = false;
   std::string waiting_lines_;
 };

@@ -1,5 +1,4 @@
 // The program `cocoon`: reads the command line, runs the command, turns errors into exit codes.
-#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -30,10 +29,7 @@ void be_the_first_to_tell() {
 }
 
 int report_error(const std::string& message, ExitCode code) {
-  std::string line = "cocoon: " + message + "\n";
-  // One line, whatever a file name contains.
-  std::replace_if(
-      line.begin(), line.end() - 1, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  const std::string line = "cocoon: " + without_control_bytes(message) + "\n";
   be_the_first_to_tell();  // not before there is a line: memory may be lacking for it
   print_error(line);
   return code;
@@ -90,11 +86,22 @@ constexpr const char* command_names[] = {"demo",  "sample",   "reconstruct", "bo
                                          "watch", "delaunay", "check",       "compare"};
 static_assert(std::size(command_names) == std::variant_size_v<Command>);
 
+// If it fails: `unseen_warning` is what was to be said before, and nobody has seen.
+void run_job(const CommandLine& line, std::string& unseen_warning) {
+  Job job(command_names[line.command.index()], line.shared);
+  try {
+    std::visit([&](const auto& arguments) { run(arguments, job); }, line.command);
+  } catch (const Error&) {
+    unseen_warning = job.unseen_warning();
+    throw;
+  }
+}
+
 int run_command_line(const CommandLine& line) {
   catch_interrupts();
+  std::string warning;
   try {
-    Job job(command_names[line.command.index()], line.shared);
-    std::visit([&](const auto& arguments) { run(arguments, job); }, line.command);
+    run_job(line, warning);
     return done;
   } catch (const UsageError& error) {
     return report_error(error.what(), wrong_command_line);
@@ -103,7 +110,8 @@ int run_command_line(const CommandLine& line) {
     if (interrupted()) end_by_interrupt();
     return cannot_be_done;
   } catch (const Error& error) {
-    return report_error(error.what(), cannot_be_done);
+    if (!warning.empty()) warning = fmt::format(" (warning: {})", warning);
+    return report_error(error.what() + warning, cannot_be_done);
   } catch (const std::bad_alloc&) {
     end_for_lack_of_memory();
   } catch (const std::filesystem::filesystem_error& error) {

@@ -1,11 +1,14 @@
 #include "app/console/standard_streams.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <string>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "geom/errors.h"
 
@@ -28,6 +31,19 @@ void open_standard_streams() {
     if (closed && ::open("/dev/null", O_RDONLY) < 0) return;
   }
   std::signal(SIGPIPE, SIG_IGN);
+}
+
+std::string without_control_bytes(std::string line) {
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+  std::replace_if(line.begin(), line.end(), is_control, '?');
+  return line;
+}
+
+bool is_standard_output(const std::string& path) {
+  struct stat of_path = {};
+  struct stat of_output = {};
+  return ::stat(path.c_str(), &of_path) == 0 && ::fstat(STDOUT_FILENO, &of_output) == 0 &&
+         of_path.st_dev == of_output.st_dev && of_path.st_ino == of_output.st_ino;
 }
 
 void print_output(std::string_view text) {

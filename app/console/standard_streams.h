@@ -2,6 +2,7 @@
 // whose reader has gone.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace cocoon::app {
@@ -10,6 +11,13 @@ namespace cocoon::app {
 // opens becomes one of them, and makes a pipe without a reader an error of the write (SIGPIPE).
 // Call it first of all.
 void open_standard_streams();
+
+// The line as a terminal may get it, whatever names of files it holds: control bytes are '?'.
+std::string without_control_bytes(std::string line);
+
+// Whether what is written to a file of this name goes where standard output goes: /dev/stdout,
+// links to it, the file or the pipe that it was redirected to.
+bool is_standard_output(const std::string& path);
 
 // Appends to standard output; a failure is told by flush_output.
 void print_output(std::string_view text);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "app/console/standard_streams.h"
 #include "app/files/pending_clouds.h"
 #include "app/files/replaceable_file.h"
 #include "geom/errors.h"
@@ -104,6 +105,16 @@ void warn_of_surplus_lines(Job& job, const std::string& path, const std::string&
       lines == 1 ? "this line has" : fmt::format("this line and {} more have", lines - 1)));
 }
 
+// Where a name says nothing else, "-" is standard output (command_line.cpp).
+void require_named_output(const OutputFile& output) {
+  if (output.path != "-") return;
+  if (output.extensions.empty()) throw UsageError("-: this is kept in a file; name one");
+  throw UsageError(fmt::format(
+      "-: standard output needs a name whose extension tells the format; make a link to it (ln -s "
+      "/dev/stdout out{}), and name that",
+      output.extensions.front()));
+}
+
 void require_extension(const OutputFile& output) {
   std::error_code ignored;
   if (output.extensions.empty() || fs::is_directory(output.path, ignored)) return;  // said below
@@ -164,15 +175,17 @@ void require_not_of_session(const std::string& path, const std::string& session)
 
 }  // namespace
 
-void require_outputs(const Job& job, std::vector<OutputFile> outputs,
+void require_outputs(Job& job, std::vector<OutputFile> outputs,
                      const std::vector<std::string>& inputs) {
   if (job.shared().json != "-") outputs.push_back({job.shared().json});
   std::erase_if(outputs, [](const OutputFile& output) { return output.path.empty(); });
   std::vector<fs::path> targets;
   if (job.shared().json == "-") add_standard_output(targets);
   for (const OutputFile& output : outputs) {
+    require_named_output(output);
     require_extension(output);
     require_writable(output.path);
+    if (is_standard_output(output.path)) job.keep_standard_output();
     const fs::path target = place_of(output.path);
     if (std::find(targets.begin(), targets.end(), target) != targets.end()) {
       throw UsageError(output.path + ": two outputs cannot be the same file");

@@ -23,12 +23,13 @@ struct OutputFile {
   bool is_session = false;                   // files beside it are its own: FILE.lock, FILE.cloud-K
 };
 
-// Checks what a command is going to write, so that nobody waits an hour for "no such folder".
+// Checks what a command is going to write, so that nobody waits an hour for "no such folder". If
+// one of them goes to standard output, the job says nothing there from now on.
 // Throws UsageError if two of the files, or one of them and an input, are the same, by whatever
 // names and links, or one is what a session keeps beside itself, or if an extension is none of
 // those listed, and FileError if a file cannot be made there. The report file of the job is one of
 // them.
-void require_outputs(const Job& job, std::vector<OutputFile> outputs,
+void require_outputs(Job& job, std::vector<OutputFile> outputs,
                      const std::vector<std::string>& inputs = {});
 
 // Where a file lies or would lie, behind all symbolic links: one place has one such path, however

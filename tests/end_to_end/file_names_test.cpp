@@ -101,6 +101,19 @@ TEST_F(TwoNames, StandardOutputIsNoOutputBesideTheReport) {
                "w.ply: two outputs cannot be the same file");
 }
 
+// Sequences that set colors, titles and more.
+TEST_F(LongNames, ControlBytesDoNotReachTheTerminal) {
+  const std::string name = "red\x1b[31m.ply";
+  const ProgramRun run = run_program({"reconstruct", "points.xyz", "-o", name});
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_TRUE(fs::exists(name));
+  EXPECT_EQ(run.out.find('\x1b'), std::string::npos);
+  EXPECT_NE(run.out.find("-> red?[31m.ply\n"), std::string::npos) << run.out;
+  expect_error(run_program({"reconstruct", "points.xyz", "-o", "no\x1b/\n" + name}), 1,
+               "no?/?red?[31m.ply: there is no folder no?; make it first");
+  expect_error(run_program({"reconstruct", "points.xyz", "-o", "\x7f.doc"}), 2, "?.doc: unknown");
+}
+
 TEST_F(InputsAsOutputs, AreRefused) {
   ASSERT_EQ(run_program({"reconstruct", "points.xyz", "-o", "m.ply"}).exit_code, 0);
   fs::create_symlink("cap.xyz", "link");

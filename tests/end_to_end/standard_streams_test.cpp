@@ -1,4 +1,5 @@
 // Standard output and standard error that are closed, full, or a pipe without a reader.
+#include <algorithm>
 #include <fcntl.h>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -101,13 +102,52 @@ TEST_F(StandardStreams, OutputsToAStreamByItsNameDoNotReplaceItsFile) {
   };
   ASSERT_EQ(run_program({"check", mesh_, "--json", "/dev/stdout"}, append).exit_code, 0);
   const std::string checked = content_of(log);
-  EXPECT_EQ(checked.rfind("old\nvertices", 0), 0U) << checked;
-  const std::size_t report = checked.find("\n{");
-  ASSERT_NE(report, std::string::npos) << checked;
-  EXPECT_TRUE(nlohmann::json::accept(checked.substr(report)));
-  const Names into_link = {"reconstruct", cloud_, "-o", folder_.file("link.ply"), "--quiet"};
+  ASSERT_EQ(checked.rfind("old\n{", 0), 0U) << checked;
+  EXPECT_TRUE(nlohmann::json::accept(checked.substr(4)));
+  const Names into_link = {"reconstruct", cloud_, "-o", folder_.file("link.ply")};
   ASSERT_EQ(run_program(into_link, append).exit_code, 0);
   EXPECT_EQ(content_of(log).rfind(checked + "ply\nformat", 0), 0U);
+}
+
+// Programs that read it would take the summary for a part of it.
+TEST_F(StandardStreams, AnOutputThereIsAllThereIs) {
+  std::filesystem::create_symlink("/dev/stdout", folder_.file("link.ply"));
+  ASSERT_EQ(run_program({"reconstruct", cloud_, "-o", target_}).exit_code, 0);
+  EXPECT_EQ(run_program({"reconstruct", cloud_, "-o", folder_.file("link.ply")}).out,
+            content_of(target_));
+  EXPECT_TRUE(nlohmann::json::accept(run_program({"check", target_, "--json", "/dev/stdout"}).out));
+}
+
+TEST_F(StandardStreams, MapAndPageMayGoThere) {
+  const std::string cap = folder_.write("cap.xyz", sphere_cap(6000, 0.8, 0.3));
+  const std::string model = folder_.write("model.xyz", whole_sphere(1500));
+  const ProgramRun map = run_program({"update", model, cap, "-o", target_, "--map", "-"});
+  ASSERT_EQ(map.exit_code, 0) << map.error;
+  EXPECT_EQ(std::count(map.out.begin(), map.out.end(), '\n'), 1500);
+  EXPECT_EQ(map.out.find_first_not_of("-0123456789\n"), std::string::npos) << map.out;
+  const ProgramRun page = run_program({"update", model, cap, "-o", target_, "--html", "-"});
+  EXPECT_EQ(page.out.rfind("<!", 0), 0U) << page.out.substr(0, 80);
+  expect_error(run_program({"update", model, cap, "-o", target_, "--html", "-", "--json", "-"}), 2,
+               "two outputs cannot be the same file");
+  expect_error(run_program({"reconstruct", cloud_, "-o", "-"}), 2, "ln -s /dev/stdout out.ply");
+  expect_error(run_program({"reconstruct", cloud_, "-o", target_, "--session", "-"}), 2,
+               "-: this is kept in a file; name one");
+}
+
+// With --quiet, and where an output goes to standard output.
+TEST_F(StandardStreams, AFailureTellsTheWarningThatNobodySaw) {
+  const std::string flat = folder_.write("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\nnan 0 0\n");
+  const Names loud = {"reconstruct", flat, "-o", target_, "--skip-non-finite"};
+  const std::string warning = flat + ": 1 point is not finite and was left out";
+  const ProgramRun seen = run_program(loud);
+  EXPECT_EQ(seen.exit_code, 1);
+  EXPECT_EQ(seen.out, "warning: " + warning + "\n");
+  EXPECT_EQ(seen.error.find("warning"), std::string::npos) << seen.error;
+  for (const Names& silence : {Names{"--quiet"}, Names{"--json", "-"}}) {
+    Names command = loud;
+    command.insert(command.end(), silence.begin(), silence.end());
+    expect_error(run_program(command), 1, " (warning: " + warning + ")\n");
+  }
 }
 
 // One of several outputs that cannot be written: the others are not touched, either.

@@ -22,7 +22,7 @@ TEST(RequireOutputs, OpenDescriptorsNeedNoFolder) {
   const std::string name = "/dev/fd/" + std::to_string(descriptor);
   const std::string link = (folder / "link.txt").string();
   std::filesystem::create_symlink(name, link);
-  const Job job("check", {});
+  Job job("check", {});
   EXPECT_THROW(require_outputs(job, {{log}}), FileError);
   EXPECT_NO_THROW(require_outputs(job, {{name}}));
   EXPECT_NO_THROW(require_outputs(job, {{link}}));
