@@ -86,7 +86,7 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
   }
   StageOptions stages;
   stages.surface = surface_options(arguments.parameters, open_cloud_defaults());
-  set_radius(stages.surface, arguments.radius);
+  if (arguments.radius) stages.surface.boundary.radius_mode = *arguments.radius;
   set_thresholds(stages, arguments.thresholds);
   const ReconstructOptions& options = stages.surface;
   VertexProperties properties;
@@ -131,7 +131,7 @@ void run_boundary(const BoundaryArguments& arguments, Job& job) {
     job.say("  {} edges, length {:.6g}{}", loop.edges.size(), loop.perimeter,
             loop.pin_hole ? " (pin-hole)" : "");
   }
-  if (arguments.parameters.mode == "paper" && arguments.radius == "tangent-plane") {
+  if (arguments.parameters.mode == Mode::paper && arguments.radius == RadiusMode::tangent_plane) {
     job.warn("--radius tangent-plane does nothing with --mode paper");
   }
   job.finish();

@@ -114,9 +114,9 @@ void add_reconstruct_command(CLI::App& app, Command& chosen, SharedArguments& sh
                   keeps_properties + " (but for --densify)");
   add_densify(*sub, "POINTS", reconstruct.densify);
   add_thin(*sub, reconstruct.thin, "");
-  sub->add_option("--surface", reconstruct.surface,
-                  "tight: watertight (default); cocone: the open surface")
-      ->check(CLI::IsMember({"tight", "cocone"}));
+  add_choice<SurfaceKind>(*sub, "--surface", reconstruct.surface,
+                          "tight: watertight (default); cocone: the open surface",
+                          {{"tight", SurfaceKind::tight}, {"cocone", SurfaceKind::cocone}});
   add_manifold_option(*sub, reconstruct.manifold);
   add_trim(
       *sub, reconstruct.trim,
@@ -127,11 +127,10 @@ void add_reconstruct_command(CLI::App& app, Command& chosen, SharedArguments& sh
          "Also write a session, from which 'update --session' goes on without this work; not "
          "with --noise robust or --trim")
       ->type_name("FILE");
-  sub->add_option(
-         "--noise", reconstruct.noise,
-         "robust: leave out clumps of stray points, outliers and what lies inside a layer of "
-         "noise first (Robust Cocone; tight surfaces only); none (default): every sample counts")
-      ->check(CLI::IsMember({"none", "robust"}));
+  add_noise(
+      *sub, reconstruct.noise,
+      "robust: leave out clumps of stray points, outliers and what lies inside a layer of "
+      "noise first (Robust Cocone; tight surfaces only); none (default): every sample counts");
   add_surface_options(*sub, reconstruct.parameters, "1 / 1.2 if --surface is tight, else 0.3");
   add_stages_of_reconstruct(*sub, reconstruct);
 }

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "cocone/reconstruct.h"
 #include "io/mesh_file_options.h"
 
 namespace cocoon::app {
@@ -33,14 +34,25 @@ struct SurfaceArguments {
   std::optional<double> alpha_deg;         // -f: normal condition
   std::optional<double> cocone_angle_deg;  // -c: half opening of the cocone about the tangent plane
   std::optional<double> sharp_angle_deg;   // -s: dihedral angle below which an edge is sharp
-  std::string mode = "robust";             // "paper" or "robust"
-  bool verify = false;                     // certify triangulation and surface before writing
+  Mode mode = Mode::robust;
+  bool verify = false;  // certify triangulation and surface before writing
+};
+
+// What is done about noise before anything else.
+enum class NoiseHandling {
+  none,    // every sample counts
+  robust,  // outliers and the inside of a layer of noise are left out
+};
+
+enum class SurfaceKind {
+  tight,   // watertight
+  cocone,  // open
 };
 
 // --thin and --noise robust of the commands that update: hold for the clouds of this call.
 struct CloudFilterArguments {
-  std::optional<double> thin;                // least distance of points that are used
-  std::string noise = "none";                // "none" or "robust"
+  std::optional<double> thin;  // least distance of points that are used
+  NoiseHandling noise = NoiseHandling::none;
   std::map<std::string, double> thresholds;  // those given, by name (thresholds.h)
 };
 
@@ -59,16 +71,16 @@ struct SampleArguments {
 struct ReconstructArguments {
   std::string points;
   std::string mesh;
-  std::string surface = "tight";  // "tight" or "cocone"
-  std::string session;            // empty: not written
+  SurfaceKind surface = SurfaceKind::tight;
+  std::string session;  // empty: not written
   MeshWriteOptions writing;
   bool manifold = false;
-  std::string noise = "none";     // "none" or "robust"
+  NoiseHandling noise = NoiseHandling::none;
   std::optional<double> densify;  // spacing of samples added to a mesh
   std::optional<double> thin;     // least distance of points that are used
   std::optional<double> trim;     // longest edge that is left, in local spacings
   SurfaceArguments parameters;
-  std::string radius;                        // as of boundary
+  std::optional<RadiusMode> radius;          // as of boundary
   bool deferred_seeding = true;              // of the peel, in robust mode
   bool cavities = false;                     // kept, in robust mode
   bool clean_up = true;                      // after the peel, in robust mode
@@ -86,7 +98,7 @@ struct BoundaryArguments {
   std::optional<double> thin;  // least distance of points that are used
   std::optional<double> trim;  // longest edge of a triangle that stays, in local spacings
   SurfaceArguments parameters;
-  std::string radius;  // "cocone" or "tangent-plane"; empty: as the kind of surface has it
+  std::optional<RadiusMode> radius;          // none: as the kind of surface has it
   std::map<std::string, double> thresholds;  // those given, by name (thresholds.h)
 };
 

@@ -59,11 +59,11 @@ void add_surface_options(CLI::App& app, SurfaceArguments& parameters, const std:
                      in_parentheses(told_in_degrees(std::acos(defaults.prune.sharp_cosine))))
       ->check(between(0, 180))
       ->type_name("DEGREES");
-  app.add_option("--mode", parameters.mode,
-                 "paper: the published reconstruction alone, and in updates the published way to "
-                 "locate a rim on the model, no long edges trimmed, no samples set aside; robust "
-                 "(default): with our repairs, each counted in the report")
-      ->check(CLI::IsMember({"paper", "robust"}));
+  add_choice<Mode>(app, "--mode", parameters.mode,
+                   "paper: the published reconstruction alone, and in updates the published way to "
+                   "locate a rim on the model, no long edges trimmed, no samples set aside; robust "
+                   "(default): with our repairs, each counted in the report",
+                   {{name_of(Mode::paper), Mode::paper}, {name_of(Mode::robust), Mode::robust}});
   add_verify(app, parameters.verify);
 }
 
@@ -99,12 +99,22 @@ void add_manifold_option(CLI::App& app, bool& manifold) {
       "there get vertices of their own");
 }
 
-void add_radius(CLI::App& app, std::string& radius, const std::string& group) {
-  app.add_option("--radius", radius,
-                 "Ratio condition: what is measured of a sample's cell, its cocone (of open clouds "
-                 "the default) or its tangent plane (of closed surfaces; not in paper mode)")
-      ->check(CLI::IsMember({"cocone", "tangent-plane"}))
+void add_radius(CLI::App& app, std::optional<RadiusMode>& radius, const std::string& group) {
+  std::vector<std::pair<std::string, RadiusMode>> choices;
+  for (const RadiusMode mode : {RadiusMode::cocone, RadiusMode::tangent_plane}) {
+    choices.emplace_back(name_of(mode), mode);
+  }
+  add_choice<RadiusMode>(
+      app, "--radius", radius,
+      "Ratio condition: what is measured of a sample's cell, its cocone (of open clouds "
+      "the default) or its tangent plane (of closed surfaces; not in paper mode)",
+      choices)
       ->group(group);
+}
+
+void add_noise(CLI::App& app, NoiseHandling& noise, const std::string& meaning) {
+  add_choice<NoiseHandling>(app, "--noise", noise, meaning,
+                            {{"none", NoiseHandling::none}, {"robust", NoiseHandling::robust}});
 }
 
 void add_thresholds_of(CLI::App& app, ThresholdUse use, std::map<std::string, double>& given,
@@ -135,10 +145,9 @@ void add_thin(CLI::App& app, std::optional<double>& distance, const std::string&
 
 void add_cloud_filter(CLI::App& app, CloudFilterArguments& arguments) {
   add_thin(app, arguments.thin, " of each new scan");
-  app.add_option("--noise", arguments.noise,
-                 "robust: leave stray points and small clumps of them out of each new scan first; "
-                 "none (default): every sample counts")
-      ->check(CLI::IsMember({"none", "robust"}));
+  add_noise(app, arguments.noise,
+            "robust: leave stray points and small clumps of them out of each new scan first; "
+            "none (default): every sample counts");
   add_thresholds_of(app, ThresholdUse::outliers, arguments.thresholds,
                     "Noise filter (with --noise robust)", cloud_filter_defaults());
 }

@@ -36,9 +36,11 @@ CLI::Option* add_mesh_output(CLI::App& app, std::string& mesh, MeshWriteOptions&
 void add_manifold_option(CLI::App& app, bool& manifold);
 
 // `group`: the heading in --help.
-void add_radius(CLI::App& app, std::string& radius, const std::string& group);
+void add_radius(CLI::App& app, std::optional<RadiusMode>& radius, const std::string& group);
 void add_thresholds_of(CLI::App& app, ThresholdUse use, std::map<std::string, double>& given,
                        const std::string& group, const StageOptions& defaults = {});
+
+void add_noise(CLI::App& app, NoiseHandling& noise, const std::string& meaning);
 
 // --thin, --noise and its thresholds, of the clouds of an update.
 void add_cloud_filter(CLI::App& app, CloudFilterArguments& arguments);

@@ -39,7 +39,7 @@ void append_thresholds(ThresholdUse use, const ReconstructArguments& arguments,
 // neither the open surface nor a session, which keeps the triangulation of all points, has a place
 // for.
 void require_possible_noise_filter(const ReconstructArguments& arguments) {
-  if (arguments.noise == "none") {
+  if (arguments.noise == NoiseHandling::none) {
     std::vector<std::string> given;
     if (!arguments.noise_keep_good) given.push_back("--noise-skin-only");
     if (!arguments.noise_spare_good) given.push_back("--noise-spacing-only");
@@ -48,7 +48,8 @@ void require_possible_noise_filter(const ReconstructArguments& arguments) {
     if (given.empty()) return;
     throw UsageError(fmt::format("{} needs --noise robust", given.front()));
   }
-  if (arguments.surface != "tight") throw UsageError("--noise robust needs --surface tight");
+  if (arguments.surface != SurfaceKind::tight)
+    throw UsageError("--noise robust needs --surface tight");
   if (!arguments.session.empty()) {
     throw UsageError(
         "--noise robust leaves points out and --session keeps all of them: leave out one of the "
@@ -70,7 +71,7 @@ std::vector<std::string> of_tight_stages(const ReconstructArguments& arguments) 
 }
 
 void require_use_of_options(const ReconstructArguments& arguments) {
-  if (arguments.surface == "tight") return;
+  if (arguments.surface == SurfaceKind::tight) return;
   std::vector<std::string> names = of_tight_stages(arguments);
   if (arguments.cavities) names.push_back("--cavities");
   if (arguments.trim) names.push_back("--trim");
@@ -79,10 +80,11 @@ void require_use_of_options(const ReconstructArguments& arguments) {
 
 // Given options that say what others take away.
 void warn_of_idle_options(Job& job, const ReconstructArguments& arguments) {
-  const bool paper = arguments.parameters.mode == "paper";
+  const bool paper = arguments.parameters.mode == Mode::paper;
   std::vector<std::string> names;
   if (paper && arguments.cavities) names.push_back("--cavities");
-  if (paper && arguments.radius == "tangent-plane") names.push_back("--radius tangent-plane");
+  if (paper && arguments.radius == RadiusMode::tangent_plane)
+    names.push_back("--radius tangent-plane");
   if (paper || !arguments.clean_up) append_thresholds(ThresholdUse::clean_up, arguments, names);
   if (names.empty()) return;
   job.warn(fmt::format("{} {} nothing with {}", fmt::join(names, ", "),
@@ -94,7 +96,7 @@ void warn_of_idle_options(Job& job, const ReconstructArguments& arguments) {
 // Hollows need no option, once the model has them.
 std::vector<std::string> unknown_to_sessions(const ReconstructArguments& arguments) {
   std::vector<std::string> names;
-  if (!arguments.radius.empty()) names.push_back("--radius");
+  if (arguments.radius) names.push_back("--radius");
   append_thresholds(ThresholdUse::cocone, arguments, names);
   const std::vector<std::string> tight = of_tight_stages(arguments);
   names.insert(names.end(), tight.begin(), tight.end());
@@ -114,10 +116,10 @@ void require_possible_session(const ReconstructArguments& arguments) {
 
 StageOptions options_of(const ReconstructArguments& arguments) {
   StageOptions options;
-  options.surface =
-      surface_options(arguments.parameters,
-                      arguments.surface == "tight" ? ReconstructOptions() : open_cloud_defaults());
-  set_radius(options.surface, arguments.radius);
+  options.surface = surface_options(arguments.parameters, arguments.surface == SurfaceKind::tight
+                                                              ? ReconstructOptions()
+                                                              : open_cloud_defaults());
+  if (arguments.radius) options.surface.boundary.radius_mode = *arguments.radius;
   options.surface.peel.deferred_seeding = arguments.deferred_seeding;
   options.surface.clean_up.enabled = arguments.clean_up;
   options.surface.keep_cavities = arguments.cavities;
@@ -133,13 +135,13 @@ void add_stages(JsonReport& report, const ReconstructArguments& arguments,
   add_parameters(report, options.surface);
   add_thresholds(report, ThresholdUse::cocone, options);
   add_thresholds(report, ThresholdUse::findings, options);
-  if (arguments.noise == "robust") {
+  if (arguments.noise == NoiseHandling::robust) {
     add_thresholds(report, ThresholdUse::outliers, options);
     add_thresholds(report, ThresholdUse::noise, options);
     report.set("parameters/noise_keep_good", options.noise.keep_good);
     report.set("parameters/noise_spare_good", options.noise.spare_good);
   }
-  if (arguments.surface != "tight") return;
+  if (arguments.surface != SurfaceKind::tight) return;
   add_thresholds(report, ThresholdUse::tight, options);
   add_thresholds(report, ThresholdUse::clean_up, options);
   const ReconstructOptions effective = effective_options(options.surface);
@@ -150,8 +152,8 @@ void add_stages(JsonReport& report, const ReconstructArguments& arguments,
 
 // Sessions and open surfaces have none (require_possible_noise_filter).
 NoiseFilter noise_filter_of(const ReconstructArguments& arguments, std::size_t faces) {
-  if (arguments.noise == "robust") return NoiseFilter::used;
-  const bool possible = arguments.surface == "tight" && arguments.session.empty();
+  if (arguments.noise == NoiseHandling::robust) return NoiseFilter::used;
+  const bool possible = arguments.surface == SurfaceKind::tight && arguments.session.empty();
   if (possible && arguments.densify) return NoiseFilter::no_noise;
   if (!possible) return NoiseFilter::no_option;
   return faces > 0 ? NoiseFilter::not_used_on_mesh : NoiseFilter::not_used;
@@ -163,13 +165,13 @@ SurfaceRemedies remedies_of(NoiseFilter filter, std::size_t faces) {
 }
 
 bool is_trim_left(const ReconstructArguments& arguments) {
-  return arguments.surface == "tight" && arguments.session.empty() && !arguments.densify &&
-         !arguments.trim;
+  return arguments.surface == SurfaceKind::tight && arguments.session.empty() &&
+         !arguments.densify && !arguments.trim;
 }
 
 std::vector<Finding> findings_of_surface(const SurfaceDoubts& doubts, std::size_t points,
                                          const ReconstructArguments& arguments, std::size_t faces) {
-  const bool cavities_may_help = !arguments.cavities && arguments.parameters.mode != "paper";
+  const bool cavities_may_help = !arguments.cavities && arguments.parameters.mode != Mode::paper;
   return findings_of(doubts, points, noise_filter_of(arguments, faces), {},
                      {.cavities = cavities_may_help, .trim = is_trim_left(arguments)});
 }
@@ -247,7 +249,7 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
   require_possible_options(arguments);
   std::optional<LockFile> lock;
   if (!arguments.session.empty()) lock.emplace(arguments.session);
-  const bool tight = arguments.surface == "tight";
+  const bool tight = arguments.surface == SurfaceKind::tight;
   const StageOptions stages = options_of(arguments);
   const ReconstructOptions& options = stages.surface;
   VertexProperties properties;
@@ -261,7 +263,8 @@ void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
     if (!arguments.session.empty()) {
       return begin_session(job, arguments, input, options, session);
     }
-    if (arguments.noise == "robust") return without_noise(job, points, stages, findings);
+    if (arguments.noise == NoiseHandling::robust)
+      return without_noise(job, points, stages, findings);
     return tight ? reconstruct_tight_with_labels(points, input.labels, options, job.execution())
                  : reconstruct_cocone(points, options, job.execution());
   });

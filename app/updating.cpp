@@ -152,7 +152,7 @@ void add_surface_of(const UpdateSession& session, UpdateResult& result) {
 }  // namespace
 
 UpdateOptions update_options(const SurfaceArguments& arguments) {
-  UpdateOptions options = arguments.mode == "paper" ? paper_update_options() : UpdateOptions();
+  UpdateOptions options = arguments.mode == Mode::paper ? paper_update_options() : UpdateOptions();
   options.cloud.reconstruct = surface_options(arguments, options.cloud.reconstruct);
   if (arguments.rho) {
     options.cloud.start.rho = *arguments.rho;

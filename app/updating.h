@@ -23,7 +23,7 @@ namespace cocoon::app {
 
 // The library's options with what the user has set. --rho is that of the clouds' boundaries, and
 // then the only one that is tried; the other parameters hold for the updated model and the clouds,
-// --alpha for the first trial of each. Mode "paper": paper_update_options().
+// --alpha for the first trial of each. Mode::paper: paper_update_options().
 UpdateOptions update_options(const SurfaceArguments& arguments);
 
 // What the user says of groups of the model.

@@ -3,12 +3,28 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cocoon::app {
 
 // Like CLI::Range, which lets "nan" pass.
 CLI::Validator between(double low, double high);
+
+// Adds an option whose value is one of some words, each of which stands for a value.
+template <class Value, class Target>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target,
+                        const std::string& meaning,
+                        const std::vector<std::pair<std::string, Value>>& choices) {
+  std::vector<std::string> words;
+  for (const auto& [word, value] : choices) words.push_back(word);
+  const auto choose = [&target, choices](const std::string& chosen) {
+    for (const auto& [word, value] : choices) {
+      if (word == chosen) target = value;
+    }
+  };
+  return app.add_option_function<std::string>(name, choose, meaning)->check(CLI::IsMember(words));
+}
 
 // From 0 to below 2^64. CLI11 takes "", negative numbers and those that are too large for some
 // whole number.

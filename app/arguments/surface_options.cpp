@@ -8,7 +8,7 @@ namespace cocoon::app {
 
 ReconstructOptions surface_options(const SurfaceArguments& arguments, ReconstructOptions defaults) {
   ReconstructOptions options = defaults;
-  options.mode = arguments.mode == "paper" ? Mode::paper : Mode::robust;
+  options.mode = arguments.mode;
   options.verify = arguments.verify;
   if (arguments.rho) options.boundary.rho = *arguments.rho;
   if (arguments.alpha_deg)
@@ -23,16 +23,12 @@ ReconstructOptions surface_options(const SurfaceArguments& arguments, Reconstruc
   return options;
 }
 
-void set_radius(ReconstructOptions& options, const std::string& radius) {
-  if (radius.empty()) return;
-  options.boundary.radius_mode =
-      radius == "cocone" ? RadiusMode::cocone : RadiusMode::tangent_plane;
-}
-
 double told_in_degrees(double radians) {
   constexpr double steps = 1e9;  // of a degree
   return std::round(radians / radians_per_degree * steps) / steps;
 }
+
+const char* name_of(Mode mode) { return mode == Mode::paper ? "paper" : "robust"; }
 
 const char* name_of(RadiusMode mode) {
   return mode == RadiusMode::cocone ? "cocone" : "tangent-plane";
@@ -42,7 +38,7 @@ void add_parameters(JsonReport& report, const ReconstructOptions& options,
                     const std::string& part) {
   const std::string section = part.empty() ? "parameters/" : "parameters/" + part + "/";
   const RadiusMode radius = effective_options(options).boundary.radius_mode;
-  report.set(section + "mode", options.mode == Mode::paper ? "paper" : "robust");
+  report.set(section + "mode", name_of(options.mode));
   report.set(section + "rho", options.boundary.rho);
   report.set(section + "radius", name_of(radius));
   report.set(section + "alpha_deg", told_in_degrees(std::acos(options.boundary.alpha_cosine)));

@@ -12,10 +12,8 @@ namespace cocoon::app {
 // `defaults` with what the user has set.
 ReconstructOptions surface_options(const SurfaceArguments& arguments, ReconstructOptions defaults);
 
-// What the ratio condition measures: "cocone" or "tangent-plane"; empty: as it is.
-void set_radius(ReconstructOptions& options, const std::string& radius);
-
-// As the option --radius has it.
+// As the options --mode and --radius have them.
+const char* name_of(Mode mode);
 const char* name_of(RadiusMode mode);
 
 // The section "parameters" of the report: what was used, given or not. `part`: a section in it

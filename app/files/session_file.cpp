@@ -54,7 +54,7 @@ std::size_t surface_size(const Header& header, std::size_t vertices, std::size_t
 Header header_of(const SavedSession& session) {
   const SurfaceArguments& parameters = session.parameters;
   Header header;
-  header.bits = (parameters.mode == "paper" ? paper_mode : 0U) |
+  header.bits = (parameters.mode == Mode::paper ? paper_mode : 0U) |
                 (parameters.alpha_deg ? has_alpha : 0U) |
                 (parameters.cocone_angle_deg ? has_cocone : 0U) |
                 (parameters.sharp_angle_deg ? has_sharp : 0U);
@@ -82,7 +82,7 @@ Header header_of(const SavedSession& session) {
 
 SurfaceArguments parameters_of(const Header& header) {
   SurfaceArguments parameters;
-  if ((header.bits & paper_mode) != 0) parameters.mode = "paper";
+  if ((header.bits & paper_mode) != 0) parameters.mode = Mode::paper;
   if ((header.bits & has_alpha) != 0) parameters.alpha_deg = header.angles[0];
   if ((header.bits & has_cocone) != 0) parameters.cocone_angle_deg = header.angles[1];
   if ((header.bits & has_sharp) != 0) parameters.sharp_angle_deg = header.angles[2];

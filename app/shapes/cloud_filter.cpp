@@ -18,7 +18,7 @@ StageOptions stages_of(const StrayOptions& options) {
 }
 
 std::optional<StrayOptions> stray_options(const CloudFilterArguments& arguments) {
-  if (arguments.noise == "none") {
+  if (arguments.noise == NoiseHandling::none) {
     const std::vector<std::string> given =
         given_thresholds(ThresholdUse::outliers, arguments.thresholds);
     if (!given.empty()) throw UsageError(fmt::format("{} needs --noise robust", given.front()));

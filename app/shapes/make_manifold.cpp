@@ -16,7 +16,7 @@ VertexProperties properties_of_copies(const VertexProperties& properties,
   if (properties.columns.empty()) return properties;
   std::vector<RowOrigin> origins;
   for (const VertexId v : source) origins.push_back({0, v.index()});
-  return gather_properties({&properties, 1}, origins).properties;
+  return select_rows(properties, origins);
 }
 
 void split_sheets(Job& job, const ManifoldOutput& output, TriangleMesh& mesh,

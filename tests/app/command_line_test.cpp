@@ -24,8 +24,8 @@ TEST(CommandLine, ReconstructHasDocumentedDefaults) {
   const auto arguments = parsed<ReconstructArguments>({"reconstruct", "a.xyz", "-o", "a.ply"});
   EXPECT_EQ(arguments.points, "a.xyz");
   EXPECT_EQ(arguments.mesh, "a.ply");
-  EXPECT_EQ(arguments.surface, "tight");
-  EXPECT_EQ(arguments.parameters.mode, "robust");
+  EXPECT_EQ(arguments.surface, SurfaceKind::tight);
+  EXPECT_EQ(arguments.parameters.mode, Mode::robust);
   EXPECT_FALSE(arguments.parameters.rho.has_value());
   EXPECT_FALSE(arguments.writing.ascii);
   EXPECT_FALSE(arguments.writing.single_precision);
@@ -57,20 +57,37 @@ TEST(CommandLine, RadiusSeedingAndNoiseFilterAreOptions) {
   const auto arguments = parsed<ReconstructArguments>(
       {"reconstruct", "a.xyz", "-o", "a.ply", "--radius", "cocone", "--no-deferred-seeding",
        "--noise", "robust", "--noise-skin-only", "--noise-spacing-only", "--noise-neighbors", "5"});
-  EXPECT_EQ(arguments.radius, "cocone");
+  EXPECT_EQ(arguments.radius, RadiusMode::cocone);
+  EXPECT_EQ(arguments.noise, NoiseHandling::robust);
   EXPECT_FALSE(arguments.deferred_seeding);
   EXPECT_FALSE(arguments.noise_keep_good);
   EXPECT_FALSE(arguments.noise_spare_good);
   EXPECT_EQ(arguments.thresholds, (std::map<std::string, double>{{"noise-neighbors", 5}}));
   const auto plain = parsed<ReconstructArguments>({"reconstruct", "a.xyz", "-o", "a.ply"});
-  EXPECT_EQ(plain.radius, "");
+  EXPECT_EQ(plain.radius, std::nullopt);
+  EXPECT_EQ(plain.noise, NoiseHandling::none);
   EXPECT_TRUE(plain.deferred_seeding && plain.noise_keep_good && plain.noise_spare_good);
   EXPECT_THROW(parse({"reconstruct", "a.xyz", "-o", "a.ply", "--radius", "ball"}), UsageError);
   const auto open = parsed<BoundaryArguments>(
       {"boundary", "a.xyz", "-o", "a.ply", "--radius", "tangent-plane", "--min-loop-edges", "3"});
-  EXPECT_EQ(open.radius, "tangent-plane");
+  EXPECT_EQ(open.radius, RadiusMode::tangent_plane);
   EXPECT_EQ(open.thresholds, (std::map<std::string, double>{{"min-loop-edges", 3}}));
   EXPECT_THROW(parse({"boundary", "a.xyz", "-o", "a.ply", "--idle-cost", "3"}), UsageError);
+}
+
+TEST(CommandLine, ChoicesAreWords) {
+  const auto open = parsed<ReconstructArguments>(
+      {"reconstruct", "a.xyz", "-o", "a.ply", "--surface", "cocone", "--mode", "paper"});
+  EXPECT_EQ(open.surface, SurfaceKind::cocone);
+  EXPECT_EQ(open.parameters.mode, Mode::paper);
+  const auto update = parsed<UpdateArguments>(
+      {"update", "m.ply", "c.xyz", "-o", "u.ply", "--noise", "robust", "--mode", "robust"});
+  EXPECT_EQ(update.filter.noise, NoiseHandling::robust);
+  EXPECT_EQ(update.parameters.mode, Mode::robust);
+  for (const char* option : {"--surface", "--mode", "--noise", "--radius"}) {
+    EXPECT_THROW(parse({"reconstruct", "a.xyz", "-o", "a.ply", option, "0"}), UsageError) << option;
+    EXPECT_THROW(parse({"reconstruct", "a.xyz", "-o", "a.ply", option, ""}), UsageError) << option;
+  }
 }
 
 TEST(CommandLine, UpdateTakesAnyNumberOfClouds) {

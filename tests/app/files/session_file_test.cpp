@@ -17,7 +17,7 @@ namespace {
 
 // Each by itself: what a session remembers of its parameters.
 const std::vector<std::function<void(SurfaceArguments&)>> settings{
-    [](SurfaceArguments& a) { a.mode = "paper"; },
+    [](SurfaceArguments& a) { a.mode = Mode::paper; },
     [](SurfaceArguments& a) { a.alpha_deg = 25; },
     [](SurfaceArguments& a) { a.cocone_angle_deg = 20; },
     [](SurfaceArguments& a) { a.sharp_angle_deg = 80; },

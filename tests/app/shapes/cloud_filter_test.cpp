@@ -12,9 +12,9 @@ namespace {
 
 TEST(CloudFilter, OptionsAreThoseOfStraysButForWhatIsGiven) {
   CloudFilterArguments arguments;
-  arguments.noise = "none";
+  arguments.noise = NoiseHandling::none;
   EXPECT_FALSE(cloud_filter(arguments).strays.has_value());
-  arguments.noise = "robust";
+  arguments.noise = NoiseHandling::robust;
   const StrayOptions usual = cloud_filter(arguments).strays.value();
   EXPECT_EQ(usual.neighbors, StrayOptions{}.neighbors);
   EXPECT_EQ(usual.outlier_ratio, StrayOptions{}.outlier_ratio);
@@ -22,7 +22,7 @@ TEST(CloudFilter, OptionsAreThoseOfStraysButForWhatIsGiven) {
   const StrayOptions given = cloud_filter(arguments).strays.value();
   EXPECT_EQ(given.neighbors, 5U);
   EXPECT_EQ(given.outlier_ratio, 7.5);
-  arguments.noise = "none";
+  arguments.noise = NoiseHandling::none;
   EXPECT_THROW(cloud_filter(arguments), UsageError);
 }
 
