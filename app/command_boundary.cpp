@@ -77,13 +77,10 @@ void tell_bridges(Job& job, const TriangleMesh& surface) {
 
 }  // namespace
 
-void run_boundary(const BoundaryArguments& arguments, Job& job) {
+void run(const BoundaryArguments& arguments, Job& job) {
   require_outputs(
       job, {{arguments.mesh, mesh_extensions, arguments.points}, {arguments.loops, {".obj"}}},
       {arguments.points});
-  if (arguments.label_samples && !holds_properties(arguments.mesh)) {
-    throw UsageError("--label-samples: only PLY keeps what is said of vertices; name a .ply file");
-  }
   StageOptions stages;
   stages.surface = surface_options(arguments.parameters, open_cloud_defaults());
   if (arguments.radius) stages.surface.boundary.radius_mode = *arguments.radius;

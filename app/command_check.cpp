@@ -93,7 +93,7 @@ void tell_handles(Job& job, const TriangleMesh& mesh, const MeshReport& report, 
 
 }  // namespace
 
-void run_check(const CheckArguments& arguments, Job& job) {
+void run(const CheckArguments& arguments, Job& job) {
   require_outputs(job, {}, {arguments.mesh});
   const TriangleMesh mesh = read_shape(job, arguments.mesh, "input");
   if (mesh.triangles.empty()) {

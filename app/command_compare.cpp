@@ -29,7 +29,7 @@ void say_distances(Job& job, const std::string& name, const DirectedDistance& di
 
 }  // namespace
 
-void run_compare(const CompareArguments& arguments, Job& job) {
+void run(const CompareArguments& arguments, Job& job) {
   require_outputs(job, {{arguments.mesh, {".ply"}}}, {arguments.a, arguments.b});
   const TriangleMesh a = read_shape(job, arguments.a, "input/a");
   const TriangleMesh b = read_shape(job, arguments.b, "input/b");

@@ -23,7 +23,7 @@ void add_counters(JsonReport& report, const DelaunayCounters& counters) {
 
 }  // namespace
 
-void run_delaunay(const DelaunayArguments& arguments, Job& job) {
+void run(const DelaunayArguments& arguments, Job& job) {
   require_outputs(job, {{arguments.file, {".vtu", ".mesh", ".tet"}}}, {arguments.points});
   const std::vector<Point> points = read_cloud(job, arguments.points, "input");
   DelaunayResult result =

@@ -7,7 +7,7 @@
 
 namespace cocoon::app {
 
-void run_demo(const DemoArguments& arguments, Job& job) {
+void run(const DemoArguments& arguments, Job& job) {
   const auto output = [&](const char* name) { return in_folder(arguments.folder, name); };
   const bool is_asked_for = place_of(job.shared().json) == place_of(output("report.json"));
   const OutputFolder folder(arguments.folder);

@@ -9,10 +9,10 @@
 #include <memory>
 
 #include "app/arguments/check_requirements.h"
+#include "app/arguments/option_rules.h"
 #include "app/arguments/option_values.h"
 #include "app/arguments/thresholds.h"
 #include "app/command_options.h"
-#include "app/files/carried_properties.h"
 #include "io/sample_models.h"
 
 namespace cocoon::app {
@@ -68,10 +68,10 @@ void add_stages_of_boundary(CLI::App& app, BoundaryArguments& arguments) {
 
 // A command under construction: its arguments live here until CLI11 has filled them in.
 template <class Arguments>
-Arguments& add_command(CLI::App& app, const std::string& name, const std::string& description,
-                       Command& chosen, SharedArguments& shared, CLI::App*& subcommand) {
+Arguments& add_command(CLI::App& app, const std::string& description, Command& chosen,
+                       SharedArguments& shared, CLI::App*& subcommand) {
   auto arguments = std::make_shared<Arguments>();
-  subcommand = app.add_subcommand(name, description);
+  subcommand = app.add_subcommand(Arguments::command, description);
   add_shared_options(*subcommand, shared);
   subcommand->final_callback([arguments, &chosen] { chosen = *arguments; });
   return *arguments;
@@ -80,11 +80,11 @@ Arguments& add_command(CLI::App& app, const std::string& name, const std::string
 void add_demo_and_sample(CLI::App& app, Command& chosen, SharedArguments& shared) {
   CLI::App* sub = nullptr;
   auto& demo = add_command<DemoArguments>(
-      app, "demo", "Update the built-in test block with its U-shaped cloud", chosen, shared, sub);
+      app, "Update the built-in test block with its U-shaped cloud", chosen, shared, sub);
   sub->add_option("-o,--output", demo.folder, "Folder to write to (demo-output)")->type_name("DIR");
 
-  auto& sample = add_command<SampleArguments>(
-      app, "sample", "Write one of the paper's models as points", chosen, shared, sub);
+  auto& sample = add_command<SampleArguments>(app, "Write one of the paper's models as points",
+                                              chosen, shared, sub);
   sub->add_option("NAME", sample.name, "Model")
       ->required()
       ->check(CLI::IsMember(sample_model_names()));
@@ -107,8 +107,8 @@ const std::string keeps_properties = "; PLY also keeps the vertices' properties"
 
 void add_reconstruct_command(CLI::App& app, Command& chosen, SharedArguments& shared) {
   CLI::App* sub = nullptr;
-  auto& reconstruct = add_command<ReconstructArguments>(app, "reconstruct", "Point cloud to mesh",
-                                                        chosen, shared, sub);
+  auto& reconstruct =
+      add_command<ReconstructArguments>(app, "Point cloud to mesh", chosen, shared, sub);
   sub->add_option("POINTS", reconstruct.points, "Point cloud")->required();
   add_mesh_output(*sub, reconstruct.mesh, reconstruct.writing,
                   keeps_properties + " (but for --densify)");
@@ -138,7 +138,7 @@ void add_reconstruct_command(CLI::App& app, Command& chosen, SharedArguments& sh
 void add_boundary_command(CLI::App& app, Command& chosen, SharedArguments& shared) {
   CLI::App* sub = nullptr;
   auto& boundary = add_command<BoundaryArguments>(
-      app, "boundary", "The surface of an open cloud and its boundary loops", chosen, shared, sub);
+      app, "The surface of an open cloud and its boundary loops", chosen, shared, sub);
   sub->add_option("POINTS", boundary.points, "Point cloud")->required();
   add_mesh_output(*sub, boundary.mesh, boundary.writing, keeps_properties);
   sub->add_option("--loops", boundary.loops, "Write the boundary loops as polylines")
@@ -166,8 +166,7 @@ void add_groups(CLI::App& app, const std::string& name, std::vector<std::uint32_
 void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared) {
   CLI::App* sub = nullptr;
   auto& update = add_command<UpdateArguments>(
-      app, "update", "Replace the parts of a mesh that new clouds show changed", chosen, shared,
-      sub);
+      app, "Replace the parts of a mesh that new clouds show changed", chosen, shared, sub);
   sub->add_option("MODEL", update.model,
                   "Mesh, or a point cloud that is reconstructed first; with --session, a cloud")
       ->required();
@@ -198,7 +197,7 @@ void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared)
 void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) {
   CLI::App* sub = nullptr;
   auto& watch = add_command<WatchArguments>(
-      app, "watch", "Update a model by every cloud that appears in a folder", chosen, shared, sub);
+      app, "Update a model by every cloud that appears in a folder", chosen, shared, sub);
   sub->add_option("MODEL", watch.model, "Mesh, or a point cloud that is reconstructed first")
       ->required();
   sub->add_option("DIR", watch.folder,
@@ -259,8 +258,8 @@ void settle_model(const CLI::App& command, UpdateArguments& update) {
 
 void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared) {
   CLI::App* sub = nullptr;
-  auto& delaunay = add_command<DelaunayArguments>(
-      app, "delaunay", "The 3D Delaunay triangulation of points", chosen, shared, sub);
+  auto& delaunay = add_command<DelaunayArguments>(app, "The 3D Delaunay triangulation of points",
+                                                  chosen, shared, sub);
   sub->add_option("POINTS", delaunay.points, "Point cloud")->required();
   sub->add_option("-o,--output", delaunay.file, "The file to write: .vtu, .mesh or .tet")
       ->required()
@@ -268,8 +267,7 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
   add_ascii(*sub, delaunay.ascii);
   add_verify(*sub, delaunay.verify);
 
-  auto& check =
-      add_command<CheckArguments>(app, "check", "A certificate of a mesh", chosen, shared, sub);
+  auto& check = add_command<CheckArguments>(app, "A certificate of a mesh", chosen, shared, sub);
   sub->add_option("MESH", check.mesh, "Mesh")->required();
   sub->add_option("--require", check.required,
                   "Exit with 1 unless all hold: " + requirement_words() +
@@ -286,8 +284,8 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
       ->check(CLI::Range(std::size_t{0}, std::size_t{1000000}))
       ->type_name("COUNT");
 
-  auto& compare = add_command<CompareArguments>(
-      app, "compare", "Distances between two surfaces or clouds", chosen, shared, sub);
+  auto& compare = add_command<CompareArguments>(app, "Distances between two surfaces or clouds",
+                                                chosen, shared, sub);
   sub->add_option("A", compare.a, "Mesh or point cloud")->required();
   sub->add_option("B", compare.b, "Mesh or point cloud")->required();
   sub->add_option("--samples", compare.samples,
@@ -327,29 +325,10 @@ void require_in_one_place(const CLI::App& app, const CLI::App& command) {
   }
 }
 
-// --float and --ascii where they would do nothing.
-void require_use_of_writing(const Command& command) {
-  std::visit(
-      [](const auto& arguments) {
-        if constexpr (requires { arguments.writing; }) {
-          const MeshWriteOptions& writing = arguments.writing;
-          if (arguments.mesh.empty() && (writing.single_precision || writing.ascii)) {
-            throw UsageError("--float and --ascii are about the output; name one by -o");
-          }
-          if (writing.single_precision && !holds_properties(arguments.mesh)) {
-            throw UsageError(
-                "--float: only PLY has floats or doubles as one likes; name a .ply file, or leave "
-                "it out");
-          }
-        }
-      },
-      command);
-}
-
 std::string problem_told(const CLI::App& app, const CLI::ParseError& error) {
   std::string problem = in_one_line(error.what());
   // With a session the first of the arguments without a name is a cloud (settle_model).
-  const bool is_of_session = app.get_subcommand("update")->count("--session") > 0;
+  const bool is_of_session = app.get_subcommand(UpdateArguments::command)->count("--session") > 0;
   if (is_of_session && problem == "MODEL is required") problem = "CLOUD is required";
   const std::string of_repeated = "At Most 1 required but received ";
   if (const std::size_t at = problem.find(of_repeated); at != std::string::npos) {
@@ -392,15 +371,10 @@ Request parse_command_line(int argc, const char* const* argv) {
       require_known_words(check->required);
     }
     if (auto* update = std::get_if<UpdateArguments>(&line.command)) {
-      settle_model(*app.get_subcommand("update"), *update);
+      settle_model(*app.get_subcommand(UpdateArguments::command), *update);
       settle_standard_output(*update);
     }
-    require_use_of_writing(line.command);
-    if (const auto* reconstruct = std::get_if<ReconstructArguments>(&line.command);
-        reconstruct != nullptr && !reconstruct->session.empty() &&
-        reconstruct->surface != "tight") {
-      throw UsageError("--session needs the watertight surface: leave out --surface cocone");
-    }
+    require_possible_options(line.command);
   } catch (const CLI::CallForVersion& version) {
     return TextRequest{std::string(version.what()) + "\n"};
   } catch (const CLI::Success&) {    // --help

@@ -16,6 +16,8 @@
 
 namespace cocoon::app {
 
+// The arguments of a command know its name: `command`.
+
 // Options that every command has.
 struct SharedArguments {
   int threads = 0;   // 0 = all cores
@@ -57,10 +59,12 @@ struct CloudFilterArguments {
 };
 
 struct DemoArguments {
+  static constexpr const char* command = "demo";
   std::string folder = "demo-output";
 };
 
 struct SampleArguments {
+  static constexpr const char* command = "sample";
   std::string name;
   std::string folder;  // empty: the model's name
   std::optional<std::size_t> points;
@@ -69,6 +73,7 @@ struct SampleArguments {
 };
 
 struct ReconstructArguments {
+  static constexpr const char* command = "reconstruct";
   std::string points;
   std::string mesh;
   SurfaceKind surface = SurfaceKind::tight;
@@ -90,6 +95,7 @@ struct ReconstructArguments {
 };
 
 struct BoundaryArguments {
+  static constexpr const char* command = "boundary";
   std::string points;
   std::string mesh;
   std::string loops;           // empty: not written
@@ -103,6 +109,7 @@ struct BoundaryArguments {
 };
 
 struct UpdateArguments {
+  static constexpr const char* command = "update";
   std::string model;    // empty: that of the session
   std::string session;  // empty: none
   std::vector<std::string> clouds;
@@ -119,6 +126,7 @@ struct UpdateArguments {
 };
 
 struct WatchArguments {
+  static constexpr const char* command = "watch";
   std::string model;
   std::string folder;
   std::string mesh;
@@ -135,6 +143,7 @@ struct WatchArguments {
 };
 
 struct DelaunayArguments {
+  static constexpr const char* command = "delaunay";
   std::string points;
   std::string file;
   bool ascii = false;
@@ -142,6 +151,7 @@ struct DelaunayArguments {
 };
 
 struct CheckArguments {
+  static constexpr const char* command = "check";
   std::string mesh;
   std::vector<std::string> required;  // words of check_requirements.h
   bool self_intersections = false;
@@ -149,6 +159,7 @@ struct CheckArguments {
 };
 
 struct CompareArguments {
+  static constexpr const char* command = "compare";
   std::string a;
   std::string b;
   std::size_t samples = 100000;

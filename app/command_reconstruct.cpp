@@ -29,55 +29,6 @@ namespace cocoon::app {
 
 namespace {
 
-void append_thresholds(ThresholdUse use, const ReconstructArguments& arguments,
-                       std::vector<std::string>& names) {
-  const std::vector<std::string> given = given_thresholds(use, arguments.thresholds);
-  names.insert(names.end(), given.begin(), given.end());
-}
-
-// What is set of the noise filter needs one. Noise is filtered before anything else is built, which
-// neither the open surface nor a session, which keeps the triangulation of all points, has a place
-// for.
-void require_possible_noise_filter(const ReconstructArguments& arguments) {
-  if (arguments.noise == NoiseHandling::none) {
-    std::vector<std::string> given;
-    if (!arguments.noise_keep_good) given.push_back("--noise-skin-only");
-    if (!arguments.noise_spare_good) given.push_back("--noise-spacing-only");
-    append_thresholds(ThresholdUse::outliers, arguments, given);
-    append_thresholds(ThresholdUse::noise, arguments, given);
-    if (given.empty()) return;
-    throw UsageError(fmt::format("{} needs --noise robust", given.front()));
-  }
-  if (arguments.surface != SurfaceKind::tight)
-    throw UsageError("--noise robust needs --surface tight");
-  if (!arguments.session.empty()) {
-    throw UsageError(
-        "--noise robust leaves points out and --session keeps all of them: leave out one of the "
-        "two");
-  }
-  if (arguments.densify) {
-    throw UsageError("samples of a mesh have no noise: leave out --noise robust, or --densify");
-  }
-}
-
-// Given options of the stages that close a surface, but for --cavities.
-std::vector<std::string> of_tight_stages(const ReconstructArguments& arguments) {
-  std::vector<std::string> names;
-  if (!arguments.deferred_seeding) names.push_back("--no-deferred-seeding");
-  if (!arguments.clean_up) names.push_back("--no-clean-up");
-  append_thresholds(ThresholdUse::tight, arguments, names);
-  append_thresholds(ThresholdUse::clean_up, arguments, names);
-  return names;
-}
-
-void require_use_of_options(const ReconstructArguments& arguments) {
-  if (arguments.surface == SurfaceKind::tight) return;
-  std::vector<std::string> names = of_tight_stages(arguments);
-  if (arguments.cavities) names.push_back("--cavities");
-  if (arguments.trim) names.push_back("--trim");
-  if (!names.empty()) throw UsageError(names.front() + " needs --surface tight");
-}
-
 // Given options that say what others take away.
 void warn_of_idle_options(Job& job, const ReconstructArguments& arguments) {
   const bool paper = arguments.parameters.mode == Mode::paper;
@@ -85,33 +36,13 @@ void warn_of_idle_options(Job& job, const ReconstructArguments& arguments) {
   if (paper && arguments.cavities) names.push_back("--cavities");
   if (paper && arguments.radius == RadiusMode::tangent_plane)
     names.push_back("--radius tangent-plane");
-  if (paper || !arguments.clean_up) append_thresholds(ThresholdUse::clean_up, arguments, names);
+  if (paper || !arguments.clean_up) {
+    append_given(ThresholdUse::clean_up, arguments.thresholds, names);
+  }
   if (names.empty()) return;
   job.warn(fmt::format("{} {} nothing with {}", fmt::join(names, ", "),
                        names.size() == 1 ? "does" : "do",
                        paper ? "--mode paper" : "--no-clean-up"));
-}
-
-// Given options that a session does not keep: it has the parameters of surface_options.h only.
-// Hollows need no option, once the model has them.
-std::vector<std::string> unknown_to_sessions(const ReconstructArguments& arguments) {
-  std::vector<std::string> names;
-  if (arguments.radius) names.push_back("--radius");
-  append_thresholds(ThresholdUse::cocone, arguments, names);
-  const std::vector<std::string> tight = of_tight_stages(arguments);
-  names.insert(names.end(), tight.begin(), tight.end());
-  return names;
-}
-
-void require_possible_session(const ReconstructArguments& arguments) {
-  if (arguments.session.empty()) return;
-  if (arguments.trim) {
-    throw UsageError("--session needs the watertight surface: leave out --trim");
-  }
-  const std::vector<std::string> names = unknown_to_sessions(arguments);
-  if (names.empty()) return;
-  throw UsageError(fmt::format("a session does not keep {}: leave {} out, or leave out --session",
-                               fmt::join(names, ", "), names.size() == 1 ? "it" : "them"));
 }
 
 StageOptions options_of(const ReconstructArguments& arguments) {
@@ -150,7 +81,7 @@ void add_stages(JsonReport& report, const ReconstructArguments& arguments,
   report.set("parameters/clean_up", effective.clean_up.enabled);
 }
 
-// Sessions and open surfaces have none (require_possible_noise_filter).
+// Sessions and open surfaces have none (option_rules.h).
 NoiseFilter noise_filter_of(const ReconstructArguments& arguments, std::size_t faces) {
   if (arguments.noise == NoiseHandling::robust) return NoiseFilter::used;
   const bool possible = arguments.surface == SurfaceKind::tight && arguments.session.empty();
@@ -219,15 +150,6 @@ void write_session(Job& job, const ReconstructArguments& arguments, UpdateSessio
   });
 }
 
-void require_possible_options(const ReconstructArguments& arguments) {
-  if (arguments.densify && arguments.thin) {
-    throw UsageError("--densify adds samples and --thin leaves points out: leave out one of them");
-  }
-  require_possible_noise_filter(arguments);
-  require_use_of_options(arguments);
-  require_possible_session(arguments);
-}
-
 // Contacts that --manifold has parted are none any more, and handles that the mesh of the samples
 // (--densify) has, too, are meant.
 void drop_settled(const MeshReport& surface, const MeshReport& mesh,
@@ -242,11 +164,10 @@ void drop_settled(const MeshReport& surface, const MeshReport& mesh,
 
 }  // namespace
 
-void run_reconstruct(const ReconstructArguments& arguments, Job& job) {
+void run(const ReconstructArguments& arguments, Job& job) {
   const OutputFile session_file = {.path = arguments.session, .is_session = true};
   require_outputs(job, {{arguments.mesh, mesh_extensions, arguments.points}, session_file},
                   {arguments.points});
-  require_possible_options(arguments);
   std::optional<LockFile> lock;
   if (!arguments.session.empty()) lock.emplace(arguments.session);
   const bool tight = arguments.surface == SurfaceKind::tight;

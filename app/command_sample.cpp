@@ -9,7 +9,7 @@
 
 namespace cocoon::app {
 
-void run_sample(const SampleArguments& arguments, Job& job) {
+void run(const SampleArguments& arguments, Job& job) {
   const std::string folder = arguments.folder.empty() ? arguments.name : arguments.folder;
   const OutputFolder made(folder);
   const auto cloud_file = [&](std::size_t c) {

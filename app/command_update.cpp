@@ -17,20 +17,11 @@
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
 #include "geom/search/equal_points.h"
-#include "io/file_format.h"
 #include "io/lock_file.h"
 
 namespace cocoon::app {
 
 namespace {
-
-// The map names vertices of the mesh by number.
-void require_numbered_vertices(const UpdateArguments& arguments) {
-  if (arguments.map.empty() || format_of(arguments.mesh) != FileFormat::stl) return;
-  throw UsageError(arguments.mesh +
-                   ": STL does not keep the numbers of vertices that --map writes; use .ply, .obj "
-                   "or .off, or leave out --map");
-}
 
 void refuse_model_as_cloud(const UpdateInput& input) {
   for (std::size_t c = 0; c < input.clouds.size(); ++c) {
@@ -142,8 +133,7 @@ void update_session(const UpdateArguments& arguments, const CloudFilter& filter,
 
 }  // namespace
 
-void run_update(const UpdateArguments& arguments, Job& job) {
-  require_numbered_vertices(arguments);
+void run(const UpdateArguments& arguments, Job& job) {
   std::vector<std::string> inputs = arguments.clouds;
   if (!arguments.model.empty()) inputs.push_back(arguments.model);
   require_outputs(job,

@@ -347,7 +347,7 @@ class Watch {
 
 }  // namespace
 
-void run_watch(const WatchArguments& arguments, Job& job) {
+void run(const WatchArguments& arguments, Job& job) {
   Watch watch(arguments, job);
   if (!watch.run()) return;
   watch.report();

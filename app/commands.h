@@ -7,14 +7,14 @@
 
 namespace cocoon::app {
 
-void run_demo(const DemoArguments& arguments, Job& job);
-void run_sample(const SampleArguments& arguments, Job& job);
-void run_reconstruct(const ReconstructArguments& arguments, Job& job);
-void run_boundary(const BoundaryArguments& arguments, Job& job);
-void run_update(const UpdateArguments& arguments, Job& job);
-void run_watch(const WatchArguments& arguments, Job& job);
-void run_delaunay(const DelaunayArguments& arguments, Job& job);
-void run_check(const CheckArguments& arguments, Job& job);
-void run_compare(const CompareArguments& arguments, Job& job);
+void run(const DemoArguments& arguments, Job& job);
+void run(const SampleArguments& arguments, Job& job);
+void run(const ReconstructArguments& arguments, Job& job);
+void run(const BoundaryArguments& arguments, Job& job);
+void run(const UpdateArguments& arguments, Job& job);
+void run(const WatchArguments& arguments, Job& job);
+void run(const DelaunayArguments& arguments, Job& job);
+void run(const CheckArguments& arguments, Job& job);
+void run(const CompareArguments& arguments, Job& job);
 
 }  // namespace cocoon::app

@@ -72,29 +72,18 @@ void end_where_nobody_catches() {
   std::abort();
 }
 
-void run(const DemoArguments& arguments, Job& job) { run_demo(arguments, job); }
-void run(const SampleArguments& arguments, Job& job) { run_sample(arguments, job); }
-void run(const ReconstructArguments& arguments, Job& job) { run_reconstruct(arguments, job); }
-void run(const BoundaryArguments& arguments, Job& job) { run_boundary(arguments, job); }
-void run(const UpdateArguments& arguments, Job& job) { run_update(arguments, job); }
-void run(const WatchArguments& arguments, Job& job) { run_watch(arguments, job); }
-void run(const DelaunayArguments& arguments, Job& job) { run_delaunay(arguments, job); }
-void run(const CheckArguments& arguments, Job& job) { run_check(arguments, job); }
-void run(const CompareArguments& arguments, Job& job) { run_compare(arguments, job); }
-
-constexpr const char* command_names[] = {"demo",  "sample",   "reconstruct", "boundary", "update",
-                                         "watch", "delaunay", "check",       "compare"};
-static_assert(std::size(command_names) == std::variant_size_v<Command>);
-
 // If it fails: `unseen_warning` is what was to be said before, and nobody has seen.
 void run_job(const CommandLine& line, std::string& unseen_warning) {
-  Job job(command_names[line.command.index()], line.shared);
-  try {
-    std::visit([&](const auto& arguments) { run(arguments, job); }, line.command);
-  } catch (const Error&) {
-    unseen_warning = job.unseen_warning();
-    throw;
-  }
+  const auto run_command = [&](const auto& arguments) {
+    Job job(arguments.command, line.shared);
+    try {
+      run(arguments, job);
+    } catch (const Error&) {
+      unseen_warning = job.unseen_warning();
+      throw;
+    }
+  };
+  std::visit(run_command, line.command);
 }
 
 int run_command_line(const CommandLine& line) {

@@ -160,6 +160,12 @@ std::vector<std::string> given_thresholds(ThresholdUse use,
   return names;
 }
 
+void append_given(ThresholdUse use, const std::map<std::string, double>& given,
+                  std::vector<std::string>& options) {
+  const std::vector<std::string> of_use = given_thresholds(use, given);
+  options.insert(options.end(), of_use.begin(), of_use.end());
+}
+
 void set_thresholds(StageOptions& options, const std::map<std::string, double>& given) {
   for (const Threshold& t : table) {
     const auto found = given.find(t.name);

@@ -61,6 +61,10 @@ std::span<const Threshold> thresholds();
 std::vector<std::string> given_thresholds(ThresholdUse use,
                                           const std::map<std::string, double>& given);
 
+// The same, behind others.
+void append_given(ThresholdUse use, const std::map<std::string, double>& given,
+                  std::vector<std::string>& options);
+
 // Sets those given, by name. Precondition: the names are among thresholds().
 void set_thresholds(StageOptions& options, const std::map<std::string, double>& given);
 

@@ -18,12 +18,7 @@ StageOptions stages_of(const StrayOptions& options) {
 }
 
 std::optional<StrayOptions> stray_options(const CloudFilterArguments& arguments) {
-  if (arguments.noise == NoiseHandling::none) {
-    const std::vector<std::string> given =
-        given_thresholds(ThresholdUse::outliers, arguments.thresholds);
-    if (!given.empty()) throw UsageError(fmt::format("{} needs --noise robust", given.front()));
-    return std::nullopt;
-  }
+  if (arguments.noise == NoiseHandling::none) return std::nullopt;
   StrayOptions options;
   StageOptions stages = stages_of(options);
   set_thresholds(stages, arguments.thresholds);

@@ -20,7 +20,6 @@ struct CloudFilter {
   std::optional<StrayOptions> strays;  // none: they stay
 };
 
-// Throws UsageError if options of the filter of strays are given, and it is off.
 CloudFilter cloud_filter(const CloudFilterArguments& arguments);
 
 // Default thresholds of the filter of strays, which are not those of reconstructions.
